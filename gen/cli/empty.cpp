@@ -1,0 +1,1 @@
+namespace wold { void unused_cli() {} }

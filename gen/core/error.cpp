@@ -1,0 +1,29 @@
+#include "core/error.h"
+
+#include <fmt/format.h>
+
+namespace wold {
+namespace {
+
+std::string joined(const std::vector<Problem>& problems) {
+  std::string text;
+  for (const Problem& problem : problems) {
+    if (!text.empty()) text += '\n';
+    text += to_string(problem);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string to_string(const Problem& problem) {
+  const SourcePosition& where = problem.where;
+  if (where.file.empty()) return problem.message;
+  if (where.line == 0) return fmt::format("{}: {}", where.file, problem.message);
+  return fmt::format("{}:{}:{}: {}", where.file, where.line, where.column, problem.message);
+}
+
+InputError::InputError(std::vector<Problem> problems)
+    : Error(ExitCode::wrong_input, joined(problems)), problems_(std::move(problems)) {}
+
+}  // namespace wold

@@ -1,0 +1,126 @@
+#include "core/files.h"
+
+#include <OpenImageIO/hash.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+#include <vector>
+
+#include "core/error.h"
+
+namespace wold {
+namespace fs = std::filesystem;
+namespace {
+
+std::string reason(int error) { return error == 0 ? "unknown reason" : std::strerror(error); }
+
+/// Neighbour of `path` that no other process uses, with the same extension.
+fs::path temporary_name(const fs::path& path) {
+  return path.parent_path() /
+         fmt::format(".{}.{}.tmp{}", path.stem().string(), ::getpid(), path.extension().string());
+}
+
+/// Forces the bytes to the disk, so that a full disk is noticed before the rename.
+void sync_file(const fs::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) throw FileError(fmt::format("cannot write {}: {}", path.string(), reason(errno)));
+  const int failed = ::fsync(file) != 0 ? errno : 0;
+  ::close(file);
+  if (failed != 0 && failed != EINVAL)
+    throw FileError(fmt::format("cannot write {}: {}", path.string(), reason(failed)));
+}
+
+/// Why writing near `path` fails, asked of the system by trying, since streams and libraries
+/// lose errno.
+std::string probe_reason(const fs::path& folder) {
+  std::error_code error;
+  const fs::space_info space = fs::space(folder, error);
+  if (error) return error.message();
+  if (space.available < 65536) return "no space left on device";
+  if (::access(folder.c_str(), W_OK) != 0) return reason(errno);
+  return {};
+}
+
+}  // namespace
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw FileError(fmt::format("cannot create folder {}: {}", folder.string(), error.message()));
+}
+
+void write_file_by_path(const fs::path& path, const std::function<void(const fs::path&)>& writer) {
+  const fs::path temporary = temporary_name(path);
+  const auto remove_temporary = [&] {
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+  };
+  try {
+    writer(temporary);
+    sync_file(temporary);
+    fs::rename(temporary, path);
+  } catch (const InterruptedError&) {
+    remove_temporary();
+    throw;
+  } catch (const std::exception& error) {
+    const std::string why = probe_reason(path.has_parent_path() ? path.parent_path() : ".");
+    remove_temporary();
+    throw FileError(
+        fmt::format("cannot write {}: {}", path.string(), why.empty() ? error.what() : why));
+  }
+}
+
+void write_file(const fs::path& path, const std::function<void(std::ostream&)>& writer) {
+  write_file_by_path(path, [&](const fs::path& temporary) {
+    std::ofstream out(temporary, std::ios::binary);
+    if (!out) throw FileError(reason(errno));
+    writer(out);
+    out.flush();
+    if (!out) throw FileError(reason(errno));
+  });
+}
+
+void write_file(const fs::path& path, std::string_view bytes) {
+  write_file(path, [&](std::ostream& out) {
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  });
+}
+
+std::string read_file(const fs::path& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error))
+    throw FileError(fmt::format("cannot read {}: it is a folder, a file was expected", path.string()));
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw FileError(fmt::format("cannot read {}: {}", path.string(), reason(errno)));
+  std::ostringstream bytes;
+  bytes << in.rdbuf();
+  if (in.bad()) throw FileError(fmt::format("cannot read {}: {}", path.string(), reason(errno)));
+  return std::move(bytes).str();
+}
+
+std::string content_hash(std::string_view bytes) {
+  return fmt::format("{:016x}", OIIO::xxhash::XXH64(bytes.data(), bytes.size(), 0));
+}
+
+fs::path shipped_file(std::string_view relative) {
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  const std::vector<fs::path> roots = {program.parent_path().parent_path(),
+                                       program.parent_path().parent_path() / "share/wold",
+                                       WOLD_SOURCE_DIR, WOLD_INSTALL_DATA};
+  std::string looked;
+  for (const fs::path& root : roots) {
+    if (fs::exists(root / relative, ignored)) return root / relative;
+    looked += fmt::format("\n  {}", (root / relative).string());
+  }
+  throw FileError(fmt::format("{} is missing; looked for it at{}", relative, looked));
+}
+
+}  // namespace wold

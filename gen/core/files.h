@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <iosfwd>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace wold {
+
+/// Creates the folder and its parents. Throws FileError with the reason.
+void make_folder(const std::filesystem::path& folder);
+
+/// Writes a whole file or nothing: `writer` fills a temporary neighbour, which is synced and
+/// renamed to `path`. Throws FileError that names the path and the system's reason (disk full,
+/// permission); the temporary is removed and an older file under `path` stays as it was.
+void write_file(const std::filesystem::path& path,
+                const std::function<void(std::ostream&)>& writer);
+void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// The same for libraries that insist on opening the file themselves: `writer` is given the
+/// temporary's path, which has the extension of `path`, and throws when it fails.
+void write_file_by_path(const std::filesystem::path& path,
+                        const std::function<void(const std::filesystem::path&)>& writer);
+
+/// The whole file. Throws FileError when it is missing or unreadable.
+std::string read_file(const std::filesystem::path& path);
+
+/// 64-bit content hash as 16 hexadecimal digits (xxHash).
+std::string content_hash(std::string_view bytes);
+
+/// A file that ships with the program: relative is "models/..." or "templates/...". Looked for
+/// beside the program (a build tree), where it was built, then where it was installed. Throws
+/// FileError that says where it looked.
+std::filesystem::path shipped_file(std::string_view relative);
+
+}  // namespace wold

@@ -1,0 +1,49 @@
+#include "core/image.h"
+
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "core/files.h"
+
+namespace wold {
+namespace {
+
+OIIO::TypeDesc stored_type(PixelFormat format) {
+  switch (format) {
+    case PixelFormat::uint8:
+      return OIIO::TypeDesc::UINT8;
+    case PixelFormat::uint16:
+      return OIIO::TypeDesc::UINT16;
+    case PixelFormat::half:
+      return OIIO::TypeDesc::HALF;
+    case PixelFormat::float32:
+      break;
+  }
+  return OIIO::TypeDesc::FLOAT;
+}
+
+}  // namespace
+
+void write_image(const std::filesystem::path& path, const Image& image, PixelFormat format) {
+  write_file_by_path(path, [&](const std::filesystem::path& temporary) {
+    OIIO::ImageSpec spec(image.width, image.height, image.channels, stored_type(format));
+    spec.attribute("compression", path.extension() == ".exr" ? "zip" : "");
+    auto out = OIIO::ImageOutput::create(temporary.string());
+    if (!out || !out->open(temporary.string(), spec) ||
+        !out->write_image(OIIO::TypeDesc::FLOAT, image.values.data()) || !out->close())
+      throw FileError(out ? out->geterror() : OIIO::geterror());
+  });
+}
+
+Image read_image(const std::filesystem::path& path) {
+  auto in = OIIO::ImageInput::open(path.string());
+  if (!in) throw FileError(fmt::format("cannot read {}: {}", path.string(), OIIO::geterror()));
+  const OIIO::ImageSpec& spec = in->spec();
+  Image image(spec.width, spec.height, spec.nchannels);
+  if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.values.data()))
+    throw FileError(fmt::format("cannot read {}: {}", path.string(), in->geterror()));
+  return image;
+}
+
+}  // namespace wold

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace wold {
+
+/// A picture in memory: rows from the top, channels interleaved. Values are linear light unless
+/// a function says otherwise.
+struct Image {
+  int width = 0;
+  int height = 0;
+  int channels = 3;
+  std::vector<float> values;
+
+  Image() = default;
+  Image(int width_px, int height_px, int channel_count)
+      : width(width_px),
+        height(height_px),
+        channels(channel_count),
+        values(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px) *
+               static_cast<std::size_t>(channel_count)) {}
+
+  float* pixel(int x, int y) {
+    return values.data() + (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                            static_cast<std::size_t>(x)) *
+                               static_cast<std::size_t>(channels);
+  }
+  const float* pixel(int x, int y) const { return const_cast<Image*>(this)->pixel(x, y); }
+};
+
+/// How an image is kept on disk.
+enum class PixelFormat { uint8, uint16, half, float32 };
+
+/// Writes by extension (.exr, .png, .hdr, .tif), whole or not at all, the same bytes for the same
+/// picture. Values are stored as they are: the caller encodes sRGB where it wants it. Throws
+/// FileError.
+void write_image(const std::filesystem::path& path, const Image& image, PixelFormat format);
+
+/// Reads any picture OpenImageIO knows, values as stored (8 and 16 bit scaled to [0, 1]). Throws
+/// FileError when it is missing or damaged.
+Image read_image(const std::filesystem::path& path);
+
+}  // namespace wold

@@ -1,0 +1,23 @@
+#include "core/parallel.h"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+namespace wold {
+
+void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
+  tbb::parallel_for(std::size_t{0}, count, body);
+}
+
+struct ThreadLimit::Control {
+  explicit Control(int threads)
+      : control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)) {}
+  tbb::global_control control;
+};
+
+ThreadLimit::ThreadLimit(int threads)
+    : control_(threads > 0 ? std::make_unique<Control>(threads) : nullptr) {}
+
+ThreadLimit::~ThreadLimit() = default;
+
+}  // namespace wold

@@ -1,0 +1,87 @@
+#include "core/vdb_file.h"
+
+#include <fmt/format.h>
+#include <openvdb/io/File.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "core/error.h"
+#include "core/files.h"
+
+namespace wold {
+namespace fs = std::filesystem;
+namespace {
+
+// Header of a .vdb file (openvdb/io/Archive.cc): magic (8 bytes), format version (4), library
+// major and minor (4 + 4), "has grid offsets" (1), then the id as 36 characters of text.
+constexpr std::size_t id_offset = 8 + 4 + 4 + 4 + 1;
+constexpr std::size_t id_length = 36;
+
+/// An id of the usual 8-4-4-4-12 form from the content's hash.
+std::string content_id(std::string_view bytes) {
+  const std::string a = content_hash(bytes);
+  const std::string b = content_hash(a);
+  return fmt::format("{}-{}-{}-{}-{}", a.substr(0, 8), a.substr(8, 4), a.substr(12, 4),
+                     b.substr(0, 4), b.substr(4, 12));
+}
+
+/// Replaces the random id by one made from everything else in the file.
+void overwrite_id(const fs::path& path) {
+  std::string bytes = read_file(path);
+  if (bytes.size() < id_offset + id_length) throw FileError("file is too short");
+  std::fill_n(bytes.begin() + id_offset, id_length, '0');
+  std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+  file.seekp(id_offset);
+  file << content_id(bytes) << std::flush;
+  if (!file) throw FileError("cannot write the header");
+}
+
+template <class Read>
+auto read_opened(const fs::path& path, const Read& read) {
+  openvdb::initialize();
+  try {
+    openvdb::io::File file(path.string());
+    file.open(/*delayLoad=*/false);
+    return read(file);
+  } catch (const FileError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw FileError(fmt::format("cannot read {}: {}", path.string(), error.what()));
+  }
+}
+
+}  // namespace
+
+void write_vdb(const fs::path& path, const openvdb::GridPtrVec& grids,
+               const openvdb::MetaMap& metadata) {
+  openvdb::initialize();
+  write_file_by_path(path, [&](const fs::path& temporary) {
+    {
+      openvdb::io::File file(temporary.string());
+      file.setCompression(openvdb::io::COMPRESS_BLOSC | openvdb::io::COMPRESS_ACTIVE_MASK);
+      file.setGridStatsMetadataEnabled(false);
+      file.write(grids, metadata);
+    }
+    overwrite_id(temporary);
+  });
+}
+
+openvdb::GridPtrVecPtr read_vdb(const fs::path& path) {
+  return read_opened(path, [](openvdb::io::File& file) { return file.getGrids(); });
+}
+
+openvdb::GridBase::Ptr read_vdb_grid(const fs::path& path, const std::string& name) {
+  return read_opened(path, [&](openvdb::io::File& file) {
+    if (file.hasGrid(name)) return file.readGrid(name);
+    std::string there;
+    for (auto it = file.beginName(); it != file.endName(); ++it) there += " " + *it;
+    throw FileError(fmt::format("{} has no grid \"{}\"; it has:{}", path.string(), name, there));
+  });
+}
+
+openvdb::MetaMap::Ptr read_vdb_metadata(const fs::path& path) {
+  return read_opened(path, [](openvdb::io::File& file) { return file.getMetadata(); });
+}
+
+}  // namespace wold

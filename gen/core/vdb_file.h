@@ -1,0 +1,24 @@
+#pragma once
+
+#include <openvdb/openvdb.h>
+
+#include <filesystem>
+
+namespace wold {
+
+/// Writes grids and file metadata with Blosc compression, whole or not at all. The random id that
+/// OpenVDB puts into every header is overwritten by one made from the content, so the same grids
+/// give the same bytes. Throws FileError.
+void write_vdb(const std::filesystem::path& path, const openvdb::GridPtrVec& grids,
+               const openvdb::MetaMap& metadata = {});
+
+/// Reads every grid of a file. Throws FileError when it is missing or damaged.
+openvdb::GridPtrVecPtr read_vdb(const std::filesystem::path& path);
+
+/// Reads one grid by name. Throws FileError that lists the grids there are when it is absent.
+openvdb::GridBase::Ptr read_vdb_grid(const std::filesystem::path& path, const std::string& name);
+
+/// Reads the file's metadata alone.
+openvdb::MetaMap::Ptr read_vdb_metadata(const std::filesystem::path& path);
+
+}  // namespace wold

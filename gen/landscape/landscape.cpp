@@ -1,0 +1,1 @@
+#include "landscape/landscape.h"

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "core/ground_map.h"
+#include "core/image.h"
+
+/// One frame's complete state, independent of any renderer; the only thing the exporters read.
+/// World space: metres, z up, x east, y north, right-handed. Colours and radiances are linear sRGB
+/// relative to the scene's sun; the renderer multiplies by `exposure_gain` and encodes sRGB.
+namespace wold::landscape {
+
+/// One baked texel: emission and extinction of a patch of grass under the scene's sun, on disk.
+///
+/// The .vdb holds `density` (FloatGrid, extinction in 1/m) and `emission_grid` (Vec3SGrid, source
+/// radiance; a ray's radiance gains density * emission * ds). Index (1, 1, 1) is the first voxel;
+/// its centre lies at half a voxel in cell space. x and y wrap.
+struct Volume {
+  std::string name;            ///< unique, safe as a file name: "v1_k03_q2_126"
+  std::filesystem::path vdb;   ///< many volumes share a file
+  std::string emission_grid;   ///< "emission_q0" ... one per quarter-turn of the sun
+  std::string content;         ///< hash: same content, same bytes
+  glm::ivec3 voxels;           ///< active box (N, N, height)
+  double voxel_m = 0.0;        ///< side; N * voxel_m is the patch
+};
+
+/// An instance of a volume. Cell space: metres, [0, patch] x [0, patch] x [0, height];
+/// world_from_cell turns it by quarter-turns about the patch's centre, shears z to the terrain and
+/// moves it. Its third column is (0, 0, 1) and its determinant 1: densities stay.
+struct Cell {
+  glm::dmat4 world_from_cell;
+  int volume = 0;  ///< index into Landscape::volumes
+};
+
+struct Camera {
+  glm::dvec3 eye_m;
+  glm::dvec3 target_m;
+  double field_of_view_deg = 0.0;  ///< horizontal; up is +z
+};
+
+struct Landscape {
+  int frame = 1;              ///< from 1
+  double weathering = 0.0;    ///< the frame's weathering degree, for people
+  Heightfield terrain;        ///< heights in metres, over [0, size]^2
+  double patch_m = 0.0;       ///< side of a cell
+  std::vector<Volume> volumes;
+  std::vector<Cell> cells;
+  ColourMap light;            ///< multiplies the emission of every volume, by world x and y
+  ColourMap ground;           ///< radiance of the bare ground, by world x and y
+  Image sky;                  ///< radiance by direction, 3 channels: column c looks to azimuth
+                              ///< 360 (c + 0.5) / width degrees clockwise from north, row r to
+                              ///< elevation 90 - 180 (r + 0.5) / height degrees
+  Camera camera;
+  int width_px = 0;
+  int height_px = 0;
+  int samples = 8;            ///< per pixel
+  double exposure_gain = 1.0; ///< factor on every radiance before sRGB encoding
+  int df3_bits = 8;           ///< 8 or 16
+};
+
+}  // namespace wold::landscape

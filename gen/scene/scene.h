@@ -1,0 +1,112 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+/// The scene file as plain, checked data. Lengths are metres, angles degrees, z is up, x east,
+/// y north; colours are linear sRGB. Meaning, unit, default and range of every key stand once, in
+/// the registry (registry.h).
+namespace wold::scene {
+
+/// A curve over the weathering degree: the name of one of models/ageing/*.toml, or the user's own
+/// control points (weathering degree, value), joined by monotone cubics. Points win over the name.
+struct CurveChoice {
+  std::string name;
+  std::vector<glm::dvec2> points;
+};
+
+/// The procedural hillside: a slope with a crest, fractal relief, one erosion pass.
+struct Terrain {
+  double size_m = 40.0;           ///< side of the square
+  int samples = 321;              ///< heights per side
+  double hill_height_m = 6.0;     ///< from the near edge to the crest
+  double relief_m = 0.9;          ///< standard deviation of the fractal relief
+  double relief_feature_m = 14.0; ///< largest feature of the relief
+  double roughness = 0.9;         ///< Hurst exponent H: 1 smooth, 0.5 rugged
+  int octaves = 6;
+  double talus_deg = 33.0;        ///< steepest slope that erosion leaves
+  int erosion_steps = 60;
+  std::array<double, 3> ground_albedo = {0.13, 0.095, 0.06};
+};
+
+struct Grass {
+  double patch_m = 0.5;           ///< side of the tile
+  int blades = 400;               ///< per patch
+  double height_m = 0.28;         ///< mean blade length
+  double height_spread = 0.25;    ///< standard deviation / mean
+  double width_m = 0.0045;        ///< mean diameter of the cone at its foot
+  double width_spread = 0.25;
+  double lean_deg = 14.0;         ///< mean angle from the vertical
+  double lean_spread_deg = 8.0;
+  double specular = 0.12;         ///< Kajiya-Kay specular coefficient ms
+  double gloss = 24.0;            ///< Kajiya-Kay exponent p
+  int variants = 4;
+  std::vector<int> levels = {254, 126, 62, 30};  ///< voxels per side, finest first
+  double proportion = 6.0;        ///< points per unit optical depth of a voxel
+  std::vector<double> key_frames = {0.0,   0.083, 0.167, 0.25, 0.333, 0.417, 0.5,
+                                    0.583, 0.667, 0.75,  0.833, 0.917, 1.0};
+  double pixels_per_voxel = 1.0;  ///< a level is fine enough when its voxel covers at most this
+};
+
+/// The physical-biological model of withering.
+struct Ageing {
+  CurveChoice water = {"standard", {}};        ///< relative water content over weathering degree
+  CurveChoice chlorophyll = {"standard", {}};  ///< relative chlorophyll content
+  std::string colour = "prospect";             ///< "prospect" or "paper"
+  double vein_shrinkage = 0.15;                ///< kv: volume lost per unit of water lost
+  double mesophyll_shrinkage = 0.6;            ///< km > kv
+  double stiffening = 2.0;                     ///< b: E(w) = E0 (1 + b (1 - w))
+  double droop = 2.6;                          ///< omega: rad per sqrt(m) and unit of water lost
+  double droop_spread = 0.3;                   ///< of omega from blade to blade
+  double onset_spread = 0.12;                  ///< of a blade's own weathering degree
+  double chlorophyll_ug_cm2 = 45.0;
+  double carotenoid_ug_cm2 = 5.0;
+  double variation = 0.10;                     ///< amplitude of the weathering field on the ground
+  double variation_feature_m = 7.0;            ///< its feature size
+  std::vector<double> frames = {0.0, 0.30, 0.917};  ///< weathering degree of each frame
+};
+
+struct Sun {
+  double elevation_deg = 38.0;
+  double azimuth_deg = 235.0;     ///< where the sun stands, clockwise from north
+};
+
+struct Sky {
+  double turbidity = 3.0;         ///< Preetham's T: 2 very clear, 10 hazy
+};
+
+struct Camera {
+  std::array<double, 2> eye_m = {20.0, 2.0};
+  double eye_height_m = 1.6;      ///< above the ground under it
+  std::array<double, 2> target_m = {20.0, 20.0};
+  double target_height_m = 0.5;   ///< above the ground under it
+  double field_of_view_deg = 55.0;  ///< horizontal
+};
+
+struct Render {
+  std::string renderer = "both";  ///< "blender", "povray", "both"
+  std::array<int, 2> size_px = {960, 540};
+  int samples = 8;                ///< per pixel
+  double exposure = 0.0;          ///< in stops
+  int df3_bits = 8;
+  int threads = 0;                ///< 0: all
+  double timeout_minutes = 60.0;  ///< per frame and renderer
+};
+
+struct Scene {
+  std::string name = "meadow";
+  std::uint64_t seed = 1;
+  Terrain terrain;
+  Grass grass;
+  Ageing ageing;
+  Sun sun;
+  Sky sky;
+  Camera camera;
+  Render render;
+};
+
+}  // namespace wold::scene
