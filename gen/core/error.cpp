@@ -14,6 +14,12 @@ std::string joined(const std::vector<Problem>& problems) {
   return text;
 }
 
+Problem unplaced(const std::string& message) {
+  Problem problem;
+  problem.message = message;
+  return problem;
+}
+
 }  // namespace
 
 std::string to_string(const Problem& problem) {
@@ -25,5 +31,8 @@ std::string to_string(const Problem& problem) {
 
 InputError::InputError(std::vector<Problem> problems)
     : Error(ExitCode::wrong_input, joined(problems)), problems_(std::move(problems)) {}
+
+InputError::InputError(const std::string& message)
+    : InputError(std::vector<Problem>(1, unplaced(message))) {}
 
 }  // namespace wold

@@ -47,7 +47,7 @@ class Error : public std::runtime_error {
 class InputError : public Error {
  public:
   explicit InputError(std::vector<Problem> problems);
-  explicit InputError(const std::string& message) : InputError({Problem{{}, message}}) {}
+  explicit InputError(const std::string& message);
   const std::vector<Problem>& problems() const { return problems_; }
 
  private:

@@ -1,7 +1,6 @@
 #include "core/files.h"
 
 #include <OpenImageIO/hash.h>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -24,16 +23,6 @@ std::string reason(int error) { return error == 0 ? "unknown reason" : std::stre
 fs::path temporary_name(const fs::path& path) {
   return path.parent_path() /
          fmt::format(".{}.{}.tmp{}", path.stem().string(), ::getpid(), path.extension().string());
-}
-
-/// Forces the bytes to the disk, so that a full disk is noticed before the rename.
-void sync_file(const fs::path& path) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) throw FileError(fmt::format("cannot write {}: {}", path.string(), reason(errno)));
-  const int failed = ::fsync(file) != 0 ? errno : 0;
-  ::close(file);
-  if (failed != 0 && failed != EINVAL)
-    throw FileError(fmt::format("cannot write {}: {}", path.string(), reason(failed)));
 }
 
 /// Why writing near `path` fails, asked of the system by trying, since streams and libraries
@@ -64,7 +53,6 @@ void write_file_by_path(const fs::path& path, const std::function<void(const fs:
   };
   try {
     writer(temporary);
-    sync_file(temporary);
     fs::rename(temporary, path);
   } catch (const InterruptedError&) {
     remove_temporary();
@@ -72,6 +60,8 @@ void write_file_by_path(const fs::path& path, const std::function<void(const fs:
   } catch (const std::exception& error) {
     const std::string why = probe_reason(path.has_parent_path() ? path.parent_path() : ".");
     remove_temporary();
+    const auto* known = dynamic_cast<const Error*>(&error);
+    if (why.empty() && known != nullptr && known->code() != ExitCode::file) throw;
     throw FileError(
         fmt::format("cannot write {}: {}", path.string(), why.empty() ? error.what() : why));
   }

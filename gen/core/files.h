@@ -13,7 +13,7 @@ namespace wold {
 /// Creates the folder and its parents. Throws FileError with the reason.
 void make_folder(const std::filesystem::path& folder);
 
-/// Writes a whole file or nothing: `writer` fills a temporary neighbour, which is synced and
+/// Writes a whole file or nothing: `writer` fills a temporary neighbour, which is
 /// renamed to `path`. Throws FileError that names the path and the system's reason (disk full,
 /// permission); the temporary is removed and an older file under `path` stays as it was.
 void write_file(const std::filesystem::path& path,
@@ -21,7 +21,9 @@ void write_file(const std::filesystem::path& path,
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 /// The same for libraries that insist on opening the file themselves: `writer` is given the
-/// temporary's path, which has the extension of `path`, and throws when it fails.
+/// temporary's path, which has the extension of `path`, and throws when it fails. An error of the
+/// writer's own kind (renderer, input, interrupt) reaches the caller, unless the folder is full or
+/// unwritable, which is then the reason.
 void write_file_by_path(const std::filesystem::path& path,
                         const std::function<void(const std::filesystem::path&)>& writer);
 

@@ -2,11 +2,14 @@
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 namespace wold {
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
-  tbb::parallel_for(std::size_t{0}, count, body);
+  // Isolated: a thread that waits here does not start unrelated outer work meanwhile, which would
+  // hold that work's memory as well.
+  tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, count, body); });
 }
 
 struct ThreadLimit::Control {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <openvdb/io/File.h>
+#include <openvdb/io/GridDescriptor.h>
 
 #include <algorithm>
 #include <fstream>
@@ -37,10 +38,30 @@ void overwrite_id(const fs::path& path) {
   if (!file) throw FileError("cannot write the header");
 }
 
+/// Reads a file's list of grids from a stream that throws at its end. OpenVDB 10 does not look at
+/// the stream there, so a damaged length or count makes it work for hours on what is not there.
+class Directory : public openvdb::io::Archive {
+ public:
+  void check(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    in.exceptions(std::ios::failbit | std::ios::badbit);
+    readHeader(in);
+    setFormatVersion(in);
+    setLibraryVersion(in);
+    openvdb::MetaMap().readMeta(in);
+    for (int grids_left = readGridCount(in); grids_left > 0; --grids_left) {
+      openvdb::io::GridDescriptor grid;
+      grid.read(in);
+      grid.seekToEnd(in);
+    }
+  }
+};
+
 template <class Read>
 auto read_opened(const fs::path& path, const Read& read) {
   openvdb::initialize();
   try {
+    Directory().check(path);
     openvdb::io::File file(path.string());
     file.open(/*delayLoad=*/false);
     return read(file);

@@ -1,10 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <glm/glm.hpp>
 #include <string>
 #include <vector>
-
-#include <glm/glm.hpp>
 
 #include "core/ground_map.h"
 #include "core/image.h"
@@ -20,12 +19,12 @@ namespace wold::landscape {
 /// radiance; a ray's radiance gains density * emission * ds). Index (1, 1, 1) is the first voxel;
 /// its centre lies at half a voxel in cell space. x and y wrap.
 struct Volume {
-  std::string name;            ///< unique, safe as a file name: "v1_k03_q2_126"
-  std::filesystem::path vdb;   ///< many volumes share a file
-  std::string emission_grid;   ///< "emission_q0" ... one per quarter-turn of the sun
-  std::string content;         ///< hash: same content, same bytes
-  glm::ivec3 voxels;           ///< active box (N, N, height)
-  double voxel_m = 0.0;        ///< side; N * voxel_m is the patch
+  std::string name;           ///< unique, safe as a file name: "v1_k03_q2_126"
+  std::filesystem::path vdb;  ///< many volumes share a file
+  std::string emission_grid;  ///< "emission_q0" ... one per quarter-turn of the sun
+  std::string content;        ///< hash: same content, same bytes
+  glm::ivec3 voxels;          ///< active box (N, N, height)
+  double voxel_m = 0.0;       ///< side; N * voxel_m is the patch
 };
 
 /// An instance of a volume. Cell space: metres, [0, patch] x [0, patch] x [0, height];
@@ -43,23 +42,23 @@ struct Camera {
 };
 
 struct Landscape {
-  int frame = 1;              ///< from 1
-  double weathering = 0.0;    ///< the frame's weathering degree, for people
-  Heightfield terrain;        ///< heights in metres, over [0, size]^2
-  double patch_m = 0.0;       ///< side of a cell
+  int frame = 1;            ///< from 1
+  double weathering = 0.0;  ///< the frame's weathering degree, for people
+  Heightfield terrain;      ///< heights in metres, over [0, size]^2
+  double patch_m = 0.0;     ///< side of a cell
   std::vector<Volume> volumes;
   std::vector<Cell> cells;
-  ColourMap light;            ///< multiplies the emission of every volume, by world x and y
-  ColourMap ground;           ///< radiance of the bare ground, by world x and y
-  Image sky;                  ///< radiance by direction, 3 channels: column c looks to azimuth
-                              ///< 360 (c + 0.5) / width degrees clockwise from north, row r to
-                              ///< elevation 90 - 180 (r + 0.5) / height degrees
+  ColourMap light;   ///< multiplies the emission of every volume, by world x and y
+  ColourMap ground;  ///< radiance of the bare ground, by world x and y
+  Image sky;         ///< radiance by direction, 3 channels: column c looks to azimuth
+                     ///< 360 (c + 0.5) / width degrees clockwise from north, row r to
+                     ///< elevation 90 - 180 (r + 0.5) / height degrees
   Camera camera;
   int width_px = 0;
   int height_px = 0;
-  int samples = 8;            ///< per pixel
-  double exposure_gain = 1.0; ///< factor on every radiance before sRGB encoding
-  int df3_bits = 8;           ///< 8 or 16
+  int samples = 8;             ///< per pixel
+  double exposure_gain = 1.0;  ///< factor on every radiance before sRGB encoding
+  int df3_bits = 8;            ///< 8 or 16
 };
 
 }  // namespace wold::landscape

@@ -2,10 +2,9 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <string>
 #include <vector>
-
-#include <glm/glm.hpp>
 
 /// The scene file as plain, checked data. Lengths are metres, angles degrees, z is up, x east,
 /// y north; colours are linear sRGB. Meaning, unit, default and range of every key stand once, in
@@ -17,39 +16,46 @@ namespace wold::scene {
 struct CurveChoice {
   std::string name;
   std::vector<glm::dvec2> points;
+
+  bool operator==(const CurveChoice&) const = default;
 };
 
 /// The procedural hillside: a slope with a crest, fractal relief, one erosion pass.
 struct Terrain {
-  double size_m = 40.0;           ///< side of the square
-  int samples = 321;              ///< heights per side
-  double hill_height_m = 6.0;     ///< from the near edge to the crest
-  double relief_m = 0.9;          ///< standard deviation of the fractal relief
-  double relief_feature_m = 14.0; ///< largest feature of the relief
-  double roughness = 0.9;         ///< Hurst exponent H: 1 smooth, 0.5 rugged
+  double size_m = 40.0;            ///< side of the square
+  int samples = 321;               ///< heights per side
+  double hill_height_m = 6.0;      ///< from the near edge to the crest
+  double relief_m = 0.45;          ///< standard deviation of the fractal relief
+  double relief_feature_m = 14.0;  ///< largest feature of the relief
+  double roughness = 0.9;          ///< Hurst exponent H: 1 smooth, 0.5 rugged
   int octaves = 6;
-  double talus_deg = 33.0;        ///< steepest slope that erosion leaves
+  double talus_deg = 33.0;  ///< steepest slope that erosion leaves
   int erosion_steps = 60;
   std::array<double, 3> ground_albedo = {0.13, 0.095, 0.06};
+
+  bool operator==(const Terrain&) const = default;
 };
 
 struct Grass {
-  double patch_m = 0.5;           ///< side of the tile
-  int blades = 400;               ///< per patch
-  double height_m = 0.28;         ///< mean blade length
-  double height_spread = 0.25;    ///< standard deviation / mean
-  double width_m = 0.0045;        ///< mean diameter of the cone at its foot
+  double patch_m = 0.5;         ///< side of the tile
+  int blades = 400;             ///< per patch
+  double height_m = 0.28;       ///< mean blade length
+  double height_spread = 0.25;  ///< standard deviation / mean
+  double width_m = 0.0045;      ///< mean diameter of the cone at its foot
   double width_spread = 0.25;
-  double lean_deg = 14.0;         ///< mean angle from the vertical
+  double lean_deg = 14.0;  ///< mean angle from the vertical
   double lean_spread_deg = 8.0;
-  double specular = 0.12;         ///< Kajiya-Kay specular coefficient ms
-  double gloss = 24.0;            ///< Kajiya-Kay exponent p
+  double bend = 1.0;       ///< droop of fresh blades, rad per sqrt(m)
+  double specular = 0.12;  ///< Kajiya-Kay specular coefficient ms
+  double gloss = 24.0;     ///< Kajiya-Kay exponent p
   int variants = 4;
   std::vector<int> levels = {254, 126, 62, 30};  ///< voxels per side, finest first
-  double proportion = 6.0;        ///< points per unit optical depth of a voxel
-  std::vector<double> key_frames = {0.0,   0.083, 0.167, 0.25, 0.333, 0.417, 0.5,
+  double proportion = 6.0;                       ///< points per unit optical depth of a voxel
+  std::vector<double> key_frames = {0.0,   0.083, 0.167, 0.25,  0.333, 0.417, 0.5,
                                     0.583, 0.667, 0.75,  0.833, 0.917, 1.0};
   double pixels_per_voxel = 1.0;  ///< a level is fine enough when its voxel covers at most this
+
+  bool operator==(const Grass&) const = default;
 };
 
 /// The physical-biological model of withering.
@@ -65,36 +71,46 @@ struct Ageing {
   double onset_spread = 0.12;                  ///< of a blade's own weathering degree
   double chlorophyll_ug_cm2 = 45.0;
   double carotenoid_ug_cm2 = 5.0;
-  double variation = 0.10;                     ///< amplitude of the weathering field on the ground
-  double variation_feature_m = 7.0;            ///< its feature size
+  double variation = 0.10;           ///< amplitude of the weathering field on the ground
+  double variation_feature_m = 7.0;  ///< its feature size
   std::vector<double> frames = {0.0, 0.30, 0.917};  ///< weathering degree of each frame
+
+  bool operator==(const Ageing&) const = default;
 };
 
 struct Sun {
   double elevation_deg = 38.0;
-  double azimuth_deg = 235.0;     ///< where the sun stands, clockwise from north
+  double azimuth_deg = 235.0;  ///< where the sun stands, clockwise from north
+
+  bool operator==(const Sun&) const = default;
 };
 
 struct Sky {
-  double turbidity = 3.0;         ///< Preetham's T: 2 very clear, 10 hazy
+  double turbidity = 3.0;  ///< Preetham's T: 2 very clear, 10 hazy
+
+  bool operator==(const Sky&) const = default;
 };
 
 struct Camera {
   std::array<double, 2> eye_m = {20.0, 2.0};
-  double eye_height_m = 1.6;      ///< above the ground under it
+  double eye_height_m = 1.6;  ///< above the ground under it
   std::array<double, 2> target_m = {20.0, 20.0};
-  double target_height_m = 0.5;   ///< above the ground under it
+  double target_height_m = 0.5;     ///< above the ground under it
   double field_of_view_deg = 55.0;  ///< horizontal
+
+  bool operator==(const Camera&) const = default;
 };
 
 struct Render {
   std::string renderer = "both";  ///< "blender", "povray", "both"
   std::array<int, 2> size_px = {960, 540};
-  int samples = 8;                ///< per pixel
-  double exposure = 0.0;          ///< in stops
+  int samples = 8;        ///< per pixel
+  double exposure = 0.0;  ///< in stops
   int df3_bits = 8;
   int threads = 0;                ///< 0: all
   double timeout_minutes = 60.0;  ///< per frame and renderer
+
+  bool operator==(const Render&) const = default;
 };
 
 struct Scene {
@@ -107,6 +123,8 @@ struct Scene {
   Sky sky;
   Camera camera;
   Render render;
+
+  bool operator==(const Scene&) const = default;
 };
 
 }  // namespace wold::scene

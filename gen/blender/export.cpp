@@ -1,0 +1,86 @@
+#include "blender/export.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "blender/frame_data.h"
+#include "blender/volume_file.h"
+#include "core/files.h"
+#include "core/parallel.h"
+
+namespace wold::blender {
+namespace {
+
+namespace fs = std::filesystem;
+using landscape::Landscape;
+
+/// Longest step in voxels; beyond two the grass turns to noise.
+constexpr double longest_step_voxels = 2.0;
+
+/// Distance in metres from the camera to the nearest cell of each volume; infinite for volumes
+/// that no cell uses.
+std::vector<double> nearest_m(const Landscape& landscape) {
+  std::vector<double> nearest(landscape.volumes.size(), std::numeric_limits<double>::infinity());
+  const glm::dvec4 middle(0.5 * landscape.patch_m, 0.5 * landscape.patch_m, 0.0, 1.0);
+  for (const landscape::Cell& cell : landscape.cells) {
+    double& distance = nearest.at(static_cast<std::size_t>(cell.volume));
+    const glm::dvec3 place(cell.world_from_cell * middle);
+    distance = std::min(distance, glm::distance(place, landscape.camera.eye_m));
+  }
+  return nearest;
+}
+
+/// A step may be as long as a pixel is wide where the volume is nearest to the camera.
+double step_voxels(const Landscape& landscape, double voxel_m, double distance_m) {
+  const double half_view = landscape.camera.field_of_view_deg * std::numbers::pi / 360.0;
+  const double pixel_m = 2.0 * std::tan(half_view) * distance_m / landscape.width_px;
+  return std::clamp(pixel_m / voxel_m, 1.0, longest_step_voxels);
+}
+
+/// Indices into Landscape::volumes, in order.
+std::vector<std::size_t> used_volumes(const std::vector<double>& distances_m) {
+  std::vector<std::size_t> used;
+  for (std::size_t i = 0; i < distances_m.size(); ++i)
+    if (std::isfinite(distances_m[i])) used.push_back(i);
+  return used;
+}
+
+std::vector<int> picks_of(const Landscape& landscape, const std::vector<std::size_t>& used) {
+  std::vector<int> new_index(landscape.volumes.size());
+  for (std::size_t i = 0; i < used.size(); ++i) new_index[used[i]] = static_cast<int>(i);
+  std::vector<int> picks;
+  for (const landscape::Cell& cell : landscape.cells)
+    picks.push_back(new_index.at(static_cast<std::size_t>(cell.volume)));
+  return picks;
+}
+
+}  // namespace
+
+void export_frame(const Landscape& landscape, const fs::path& folder) {
+  const fs::path frame_folder = folder / "data" / fmt::format("frame_{:04}", landscape.frame);
+  const fs::path volume_folder = folder / "data" / "volumes";
+  make_folder(frame_folder);
+  make_folder(volume_folder);
+  const std::vector<double> distances_m = nearest_m(landscape);
+  const std::vector<std::size_t> used = used_volumes(distances_m);
+  std::vector<VolumeEntry> entries(used.size());
+  parallel_for(used.size(), [&](std::size_t i) {
+    const landscape::Volume& volume = landscape.volumes[used[i]];
+    entries[i] = {volume_folder / (volume.name + ".vdb"),
+                  step_voxels(landscape, volume.voxel_m, distances_m[used[i]])};
+    write_volume(entries[i].file, volume);
+  });
+  write_frame_data(landscape, frame_folder, entries, picks_of(landscape, used));
+}
+
+void export_scene(const fs::path& folder) {
+  make_folder(folder);
+  write_file(folder / "scene.py", read_file(shipped_file("templates/blender/scene.py")));
+}
+
+}  // namespace wold::blender

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+
+#include "landscape/landscape.h"
+
+/// Writes landscapes as Blender 3.4 scenes: one volume per baked texel (OpenVDB), the frame as raw
+/// arrays, pictures and a small JSON file, and scene.py, which renders them with Cycles. The folder
+/// needs nothing else: copied to a machine that has Blender it makes the same picture.
+///
+///     folder/scene.py
+///     folder/data/volumes/NAME.vdb         shared by all frames
+///     folder/data/frame_0001/frame.json    what the frame is made of; written last
+///     folder/data/frame_0001/*.f32, *.i32  raw little-endian arrays (frame_data.h)
+///     folder/data/frame_0001/*.exr         light, ground and sky (frame_data.h)
+namespace wold::blender {
+
+/// Writes everything this frame needs below folder/data. Only volumes that cells use are written,
+/// and those that are there already with the same content are left alone. Same landscape, same
+/// bytes. Throws FileError; every file that exists afterwards is whole.
+void export_frame(const landscape::Landscape& landscape, const std::filesystem::path& folder);
+
+/// Writes folder/scene.py, the program that renders any exported frame:
+/// `blender -b --python-exit-code 1 -P scene.py -- FRAME`. Throws FileError.
+void export_scene(const std::filesystem::path& folder);
+
+}  // namespace wold::blender

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "landscape/landscape.h"
+
+namespace wold::blender {
+
+/// A volume of the frame, as frame.json names it.
+struct VolumeEntry {
+  std::filesystem::path file;  ///< the .vdb
+  double step_voxels = 1.0;    ///< length of a ray's step
+};
+
+/// Writes a frame's arrays, pictures and frame.json into `folder`. `volumes` are the ones in use
+/// and `picks` is each cell's index into them.
+///
+///   heights_m.f32          samples x samples, x fastest: the terrain
+///   positions_m.f32        3 per cell
+///   first_turns_rad.f32    3 per cell, and so on: see Placement
+///   scales.f32
+///   second_turns_rad.f32
+///   picks.i32              1 per cell
+///   light.exr, ground.exr  samples x samples on the corners of the terrain, north at the top
+///   sky.exr                as landscape::Landscape::sky
+///
+/// Arrays are little-endian without a header. Throws FileError.
+void write_frame_data(const landscape::Landscape& landscape, const std::filesystem::path& folder,
+                      const std::vector<VolumeEntry>& volumes, const std::vector<int>& picks);
+
+}  // namespace wold::blender

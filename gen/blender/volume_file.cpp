@@ -1,0 +1,111 @@
+#include "blender/volume_file.h"
+
+#include <fmt/format.h>
+#include <openvdb/tools/ValueTransformer.h>
+
+#include "core/error.h"
+#include "core/vdb_file.h"
+
+namespace wold::blender {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* content_key = "wold_content";
+
+/// Changes whenever this file writes the same volume differently.
+constexpr int layout = 2;
+
+std::string content_of(const landscape::Volume& volume) {
+  return fmt::format("{} {} {}", layout, volume.content, volume.emission_grid);
+}
+
+bool is_there(const fs::path& path, const std::string& content) {
+  if (!fs::exists(path)) return false;
+  try {
+    const auto metadata = read_vdb_metadata(path);
+    const auto found = metadata->getMetadata<openvdb::StringMetadata>(content_key);
+    return found && found->value() == content;
+  } catch (const FileError&) {
+    return false;  // damaged: written anew
+  }
+}
+
+template <class Grid>
+typename Grid::Ptr read_grid(const fs::path& path, const std::string& name) {
+  auto grid = openvdb::gridPtrCast<Grid>(read_vdb_grid(path, name));
+  if (!grid)
+    throw FileError(fmt::format("{}: grid \"{}\" has an unexpected type", path.string(), name));
+  return grid;
+}
+
+/// Up to version 4.5 Cycles holds voxel i to be the box from i to i + 1, its value in the middle,
+/// where OpenVDB's own convention puts the value at i. Index 1 is our first voxel, so index space
+/// starts one whole voxel below the cell and not half of one.
+openvdb::math::Transform::Ptr cycles_transform(double voxel_m) {
+  auto transform = openvdb::math::Transform::createLinearTransform(voxel_m);
+  transform->postTranslate(openvdb::Vec3d(-voxel_m));
+  return transform;
+}
+
+void leave_out_empty_voxels(openvdb::FloatGrid& density) {
+  openvdb::tools::foreach (density.beginValueOn(), [](const openvdb::FloatGrid::ValueOnIter& at) {
+    if (!(*at > 0.0F)) at.setValueOff();
+  });
+  density.pruneGrid();
+}
+
+/// density * radiance on the voxels of `density`.
+openvdb::Vec3SGrid::Ptr emission_per_metre(const openvdb::FloatGrid& density,
+                                           const openvdb::Vec3SGrid& radiance) {
+  const openvdb::Vec3s dark(0.0F);
+  auto tree = std::make_shared<openvdb::Vec3STree>(density.tree(), dark, openvdb::TopologyCopy());
+  auto emission = openvdb::Vec3SGrid::create(tree);
+  auto rho = density.getConstAccessor();
+  auto source = radiance.getConstAccessor();
+  for (auto at = emission->beginValueOn(); at; ++at) {
+    const openvdb::Coord voxel = at.getCoord();
+    at.setValue(rho.getValue(voxel) * source.getValue(voxel));
+  }
+  return emission;
+}
+
+/// A border of zeros, one voxel wide. Cycles repeats a grid's outermost values beyond it: without
+/// the border two neighbours would both be there, twice as dense, where they overlap. With it each
+/// fades over one voxel while the other comes up, and they add to what interpolating across the
+/// joint gives. Two corners are enough, since Cycles fills the box of active voxels.
+template <class Grid>
+void add_border(Grid& grid, const glm::ivec3& voxels) {
+  const typename Grid::ValueType nothing(0.0F);
+  auto accessor = grid.getAccessor();
+  accessor.setValueOn(openvdb::Coord(0), nothing);
+  accessor.setValueOn(openvdb::Coord(voxels.x + 1, voxels.y + 1, voxels.z + 1), nothing);
+}
+
+template <class Grid>
+void prepare(Grid& grid, const char* name, const landscape::Volume& volume) {
+  add_border(grid, volume.voxels);
+  grid.clearMetadata();
+  grid.setName(name);
+  grid.setTransform(cycles_transform(volume.voxel_m));
+  grid.setGridClass(openvdb::GRID_FOG_VOLUME);
+  grid.setSaveFloatAsHalf(true);
+}
+
+}  // namespace
+
+void write_volume(const fs::path& path, const landscape::Volume& volume) {
+  const std::string content = content_of(volume);
+  if (is_there(path, content)) return;
+  auto density = read_grid<openvdb::FloatGrid>(volume.vdb, "density");
+  const auto radiance = read_grid<openvdb::Vec3SGrid>(volume.vdb, volume.emission_grid);
+  leave_out_empty_voxels(*density);
+  auto emission = emission_per_metre(*density, *radiance);
+  prepare(*density, "density", volume);
+  prepare(*emission, "emission", volume);
+  openvdb::MetaMap metadata;
+  metadata.insertMeta(content_key, openvdb::StringMetadata(content));
+  write_vdb(path, {density, emission}, metadata);
+}
+
+}  // namespace wold::blender

@@ -1,0 +1,78 @@
+#include "cli/arguments.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "core/error.h"
+#include "scene/text.h"
+
+namespace wold::cli {
+namespace {
+
+/// A scene has at most as many frames (scene/keys.cpp).
+constexpr int most_frames = 10000;
+
+std::optional<int> whole_number(std::string_view text) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+/// The text before and after the first separator; nothing when there is none.
+std::optional<std::pair<std::string_view, std::string_view>> split(std::string_view text,
+                                                                   char separator) {
+  const std::size_t at = text.find(separator);
+  if (at == std::string_view::npos) return std::nullopt;
+  return std::pair{text.substr(0, at), text.substr(at + 1)};
+}
+
+struct FrameRange {
+  int first;
+  int last;
+};
+
+std::optional<FrameRange> frame_range(std::string_view text) {
+  const auto [first_text, last_text] = split(text, '-').value_or(std::pair{text, text});
+  const auto first = whole_number(first_text);
+  const auto last = whole_number(last_text);
+  if (!first || !last || *first < 1 || *last < *first || *last > most_frames) return std::nullopt;
+  return FrameRange{*first, *last};
+}
+
+}  // namespace
+
+std::vector<int> parse_frames(const std::string& text) {
+  std::set<int> frames;
+  std::string_view rest = text;
+  for (bool more = true; more;) {
+    const auto parts = split(rest, ',');
+    const std::string_view item = parts ? parts->first : rest;
+    const auto range = frame_range(item);
+    if (!range)
+      throw InputError(
+          fmt::format("--frames: found {} in {}, expected frames from 1 to {} like 1,5,9-12",
+                      scene::in_quotes(item), scene::in_quotes(text), most_frames));
+    for (int frame = range->first; frame <= range->last; ++frame) frames.insert(frame);
+    more = parts.has_value();
+    if (more) rest = parts->second;
+  }
+  return {frames.begin(), frames.end()};
+}
+
+std::string size_override(const std::string& text) {
+  const auto parts = split(text, 'x');
+  const auto width = parts ? whole_number(parts->first) : std::nullopt;
+  const auto height = parts ? whole_number(parts->second) : std::nullopt;
+  if (!width || !height)
+    throw InputError(fmt::format("--size: found {}, expected WIDTHxHEIGHT in px like 960x540",
+                                 scene::in_quotes(text)));
+  return fmt::format("render.size=[{}, {}]", *width, *height);
+}
+
+}  // namespace wold::cli

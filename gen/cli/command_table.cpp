@@ -1,0 +1,158 @@
+#include "cli/command_table.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <memory>
+
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/console_progress.h"
+
+namespace wold::cli {
+namespace {
+
+using Action = std::function<ExitCode()>;
+using Overrides = std::vector<std::string>;
+
+void add_scene(CLI::App& app, std::filesystem::path& scene) {
+  app.add_option("SCENE", scene, "the scene file (TOML)")->required();
+}
+
+void add_overrides(CLI::App& app, Overrides& overrides) {
+  app.add_option("--set", overrides, "change a key of the scene; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+/// An option that is another spelling of --set KEY=value.
+void add_shorthand(CLI::App& app, const std::string& option, const std::string& type,
+                   const std::string& key, Overrides& overrides) {
+  app.add_option_function<std::string>(
+         option,
+         [&overrides, key](const std::string& value) { overrides.push_back(key + "=" + value); },
+         "sets " + key)
+      ->type_name(type);
+}
+
+/// The options of `render` and `generate`; shorthands are kept apart because CLI11 replaces the
+/// list of --set when it is done.
+struct RenderArguments {
+  RenderOptions options;
+  Overrides shorthands;
+};
+
+void add_shorthands(CLI::App& app, Overrides& overrides) {
+  add_shorthand(app, "--renderer", "blender|povray|both", "render.renderer", overrides);
+  add_shorthand(app, "--samples", "N", "render.samples", overrides);
+  app.add_option_function<std::string>(
+         "--size",
+         [&overrides](const std::string& size) { overrides.push_back(size_override(size)); },
+         "sets render.size")
+      ->type_name("WxH");
+}
+
+void add_render_options(CLI::App& app, RenderArguments& arguments) {
+  RenderOptions& options = arguments.options;
+  add_scene(app, options.scene);
+  add_shorthands(app, arguments.shorthands);
+  app.add_option_function<std::string>(
+         "--frames", [&options](const std::string& text) { options.frames = parse_frames(text); },
+         "frames to make, from 1; all without it")
+      ->type_name("1,5,9-12");
+  app.add_option("--out", options.out, "output folder; out/<scene name> without it")
+      ->type_name("DIR");
+  app.add_option("--threads", options.threads, "threads to use; the scene's without it")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  add_overrides(app, options.overrides);
+  app.add_flag("--dry-run", options.dry_run, "check everything, say what would be made, stop");
+  app.add_flag("--quiet", options.quiet, "no progress");
+}
+
+template <class Run>
+Action render_like(CLI::App& app, Run run) {
+  auto arguments = std::make_shared<RenderArguments>();
+  add_render_options(app, *arguments);
+  return [arguments, run] {
+    RenderOptions options = arguments->options;
+    options.overrides.insert(options.overrides.end(), arguments->shorthands.begin(),
+                             arguments->shorthands.end());
+    ConsoleProgress progress(progress_style(options.quiet));
+    return run(options, progress);
+  };
+}
+
+Action declare_check(CLI::App& app) {
+  auto options = std::make_shared<RenderOptions>();
+  add_scene(app, options->scene);
+  add_overrides(app, options->overrides);
+  return [options] { return run_check(options->scene, options->overrides); };
+}
+
+Action declare_inspect(CLI::App& app) {
+  struct Options {
+    std::vector<std::filesystem::path> files;
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  app.add_option("FILE", options->files, "pictures, .vdb or .df3 files")->required();
+  app.add_flag("--json", options->json, "print one JSON array");
+  return [options] { return run_inspect(options->files, options->json); };
+}
+
+/// "" when the text is a limit; CLI11's own check lets NaN pass.
+std::string limit_fault(const std::string& text) {
+  double limit = 0.0;
+  const char* end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, limit);
+  const bool good = parsed.ec == std::errc{} && parsed.ptr == end && std::isfinite(limit);
+  return good && limit >= 0.0 ? "" : "found " + text + ", expected a number from 0";
+}
+
+void add_limit(CLI::App& app, const std::string& option, double& limit, const std::string& doc) {
+  app.add_option(option, limit, doc)->check(limit_fault)->capture_default_str();
+}
+
+Action declare_compare(CLI::App& app) {
+  auto options = std::make_shared<CompareOptions>();
+  compare::Limits& limits = options->limits;
+  app.add_option("GOT", options->got, "the file to judge")->required();
+  app.add_option("WANT", options->want, "the file it should equal")->required();
+  app.add_option("--report", options->report, "folder for the metrics and pictures of both")
+      ->type_name("DIR");
+  add_limit(app, "--rmse", limits.rmse, "root mean square difference allowed");
+  add_limit(app, "--soft", limits.soft, "difference that some pixels or voxels may exceed");
+  add_limit(app, "--share", limits.allowed_share, "share of them that may");
+  add_limit(app, "--hard", limits.hard, "difference that none may exceed");
+  return [options] { return run_compare(*options); };
+}
+
+Action declare_new(CLI::App& app) {
+  auto name = std::make_shared<std::string>();
+  app.add_option("NAME", *name, "names the scene and its file")->required();
+  return [name] { return run_new(*name); };
+}
+
+}  // namespace
+
+const std::vector<Command>& command_table() {
+  static const std::vector<Command> commands = {
+      {"render", "generate the scene's data and make its pictures",
+       "wold render meadow.toml --renderer povray --frames 1,3 --size 480x270",
+       [](CLI::App& app) { return render_like(app, run_render); }},
+      {"generate", "everything but running the renderers",
+       "wold generate meadow.toml --out /tmp/meadow --set grass.blades=200",
+       [](CLI::App& app) { return render_like(app, run_generate); }},
+      {"check", "check a scene and print it with every key filled in",
+       "wold check meadow.toml --set sun.elevation=20", declare_check},
+      {"inspect", "say what is in pictures, .vdb and .df3 files, and what is wrong with them",
+       "wold inspect out/meadow/frames/povray/0001.png --json", declare_inspect},
+      {"compare", "compare two pictures or two grids, print the metrics as JSON",
+       "wold compare got.png want.png --report differences --rmse 0.01", declare_compare},
+      {"new", "write a commented starter scene", "wold new meadow", declare_new},
+  };
+  return commands;
+}
+
+}  // namespace wold::cli

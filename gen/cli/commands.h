@@ -1,0 +1,55 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "compare/differences.h"
+#include "core/error.h"
+#include "core/progress.h"
+
+/// What the program can do: one function per command, free of the command line's syntax. Each
+/// throws wold::Error; only run() in program.h prints errors.
+namespace wold::cli {
+
+/// What `render` and `generate` are asked for.
+struct RenderOptions {
+  std::filesystem::path scene;
+  std::vector<std::string> overrides;  ///< key=value, applied after the scene file
+  std::vector<int> frames;             ///< from 1, rising; empty: all
+  std::filesystem::path out;           ///< empty: out/<scene name>
+  int threads = 0;                     ///< 0: the scene's render.threads
+  bool dry_run = false;
+  bool quiet = false;
+};
+
+/// What `compare` is asked for.
+struct CompareOptions {
+  std::filesystem::path got;
+  std::filesystem::path want;
+  std::filesystem::path report;  ///< folder for pictures and metrics; empty: none
+  compare::Limits limits;
+};
+
+/// Generates everything the renderers need.
+ExitCode run_generate(const RenderOptions& options, Progress& progress);
+
+/// Generates, then runs the renderers.
+ExitCode run_render(const RenderOptions& options, Progress& progress);
+
+/// Prints the scene with every key filled in.
+ExitCode run_check(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
+
+/// Prints what is in the files, and as JSON in one array. ExitCode::file when one is damaged.
+ExitCode run_inspect(const std::vector<std::filesystem::path>& files, bool json);
+
+/// Prints the metrics as JSON; ExitCode::different when the files differ by more than the limits.
+ExitCode run_compare(const CompareOptions& options);
+
+/// Writes NAME.toml into the working folder; refuses to replace a file.
+ExitCode run_new(const std::string& name);
+
+/// Prints all keys of a scene as markdown.
+ExitCode run_help_keys();
+
+}  // namespace wold::cli

@@ -1,0 +1,98 @@
+#include "cli/console_progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "cli/interrupt.h"
+#include "core/error.h"
+
+namespace wold::cli {
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+
+constexpr std::chrono::milliseconds redraw_interval{100};
+constexpr int bar_width = 24;
+
+std::string bar_text(double share) {
+  const int full = static_cast<int>(share * bar_width);
+  return fmt::format("[{:#<{}}{:.<{}}]", "", full, "", bar_width - full);
+}
+
+/// "1:05:09", "5:09"
+std::string clock_text(double seconds) {
+  const auto whole = static_cast<long>(seconds + 0.5);
+  const long hours = whole / 3600, minutes = whole / 60 % 60;
+  return hours > 0 ? fmt::format("{}:{:02}:{:02}", hours, minutes, whole % 60)
+                   : fmt::format("{}:{:02}", minutes, whole % 60);
+}
+
+}  // namespace
+
+ProgressStyle progress_style(bool quiet) {
+  if (quiet) return ProgressStyle::none;
+  return ::isatty(STDERR_FILENO) != 0 ? ProgressStyle::bar : ProgressStyle::lines;
+}
+
+ConsoleProgress::~ConsoleProgress() {
+  if (bar_open_) std::fputc('\n', stderr);
+}
+
+void ConsoleProgress::begin(std::string_view stage, std::size_t units) {
+  const std::lock_guard lock(mutex_);
+  stage_ = stage;
+  units_ = units;
+  done_ = 0;
+  tenths_shown_ = 0;
+  start_ = Clock::now();
+  shown_ = {};
+  if (style_ == ProgressStyle::lines) fmt::print(stderr, "{}\n", stage_);
+  if (style_ == ProgressStyle::bar) show("");
+}
+
+void ConsoleProgress::advance(std::size_t units, std::string_view detail) {
+  if (interrupted()) throw InterruptedError();
+  const std::lock_guard lock(mutex_);
+  done_ = std::min(done_ + units, units_);
+  show(detail);
+}
+
+void ConsoleProgress::end() {
+  const std::lock_guard lock(mutex_);
+  bar_open_ = false;
+  const std::string took = clock_text(Seconds(Clock::now() - start_).count());
+  if (style_ == ProgressStyle::bar) fmt::print(stderr, "\r\x1b[K{}: done in {}\n", stage_, took);
+  if (style_ == ProgressStyle::lines) fmt::print(stderr, "{}: done in {}\n", stage_, took);
+}
+
+double ConsoleProgress::share() const {
+  return units_ == 0 ? 1.0 : static_cast<double>(done_) / static_cast<double>(units_);
+}
+
+std::string ConsoleProgress::text(std::string_view detail) const {
+  std::string line = fmt::format("{} {}/{} {:3.0f} %", stage_, done_, units_, 100.0 * share());
+  if (done_ > 0 && done_ < units_) {
+    const double elapsed_s = Seconds(Clock::now() - start_).count();
+    line += fmt::format(", {} left", clock_text(elapsed_s * (1.0 / share() - 1.0)));
+  }
+  return detail.empty() ? line : fmt::format("{}  {}", line, detail);
+}
+
+void ConsoleProgress::show(std::string_view detail) {
+  const int tenths = static_cast<int>(10.0 * share());
+  if (style_ == ProgressStyle::lines && tenths > tenths_shown_) {
+    tenths_shown_ = tenths;
+    fmt::print(stderr, "{}\n", text(detail));
+  }
+  if (style_ == ProgressStyle::bar && Clock::now() - shown_ >= redraw_interval) {
+    shown_ = Clock::now();
+    bar_open_ = true;
+    fmt::print(stderr, "\r\x1b[K{} {}", bar_text(share()), text(detail));
+    std::fflush(stderr);
+  }
+}
+
+}  // namespace wold::cli

@@ -1,1 +1,0 @@
-namespace wold { void unused_cli() {} }

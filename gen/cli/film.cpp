@@ -1,0 +1,96 @@
+#include "cli/film.h"
+
+#include <fmt/format.h>
+
+#include "blender/export.h"
+#include "core/files.h"
+#include "landscape/assemble.h"
+#include "landscape/view.h"
+#include "povray/export.h"
+#include "scene/write.h"
+#include "terrain/hillside.h"
+
+namespace wold::cli {
+namespace {
+
+/// Highlights are baked for one eye: where the camera is, seen from what it looks at.
+glm::dvec3 eye_direction(const scene::Scene& scene, const Heightfield& terrain) {
+  const landscape::Camera camera = landscape::resolved_camera(scene.camera, terrain);
+  return glm::normalize(camera.eye_m - camera.target_m);
+}
+
+void export_frame(const std::string& renderer, const landscape::Landscape& landscape,
+                  const std::filesystem::path& folder) {
+  if (renderer == "blender") {
+    blender::export_scene(folder);
+    blender::export_frame(landscape, folder);
+  } else {
+    povray::export_scene(folder);
+    povray::export_frame(landscape, folder);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> wanted_renderers(const scene::Scene& scene) {
+  if (scene.render.renderer == "both") return {"blender", "povray"};
+  return {scene.render.renderer};
+}
+
+Film::Film(const Job& job)
+    : job_(job),
+      daylight_(job.scene.sun, job.scene.sky),
+      terrain_(terrain::make_hillside(job.scene.terrain, job.scene.seed)),
+      texels_(job.scene, grass::make_lighting(daylight_, eye_direction(job.scene, terrain_)),
+              job.out / "texels") {}
+
+void Film::generate(Progress& progress) {
+  make_folder(job_.out);
+  write_file(job_.out / "scene.toml", scene::resolved_toml(job_.scene));
+  choose_cells(progress);
+  make_texels(progress);
+  export_frames(progress);
+}
+
+void Film::choose_cells(Progress& progress) {
+  progress.begin("cells", job_.frames.size());
+  for (const int frame : job_.frames) {
+    cells_.push_back(landscape::choose_cells(job_.scene, terrain_, frame));
+    for (const landscape::CellChoice& cell : cells_.back())
+      demand_[cell.variant][cell.key_frame][cell.level].insert(cell.turn);
+    progress.advance(1, fmt::format("frame {}: {} cells", frame, cells_.back().size()));
+  }
+  progress.end();
+}
+
+void Film::make_texels(Progress& progress) { texels_.generate(demand_, progress); }
+
+void Film::export_frames(Progress& progress) const {
+  const std::vector<std::string> renderers = wanted_renderers(job_.scene);
+  const auto lookup = [&](const landscape::CellChoice& cell) {
+    const int side = job_.scene.grass.levels[static_cast<std::size_t>(cell.level)];
+    const double voxel_m = job_.scene.grass.patch_m / side;
+    const auto& turns = demand_.at(cell.variant).at(cell.key_frame).at(cell.level);
+    landscape::Volume volume;
+    volume.name =
+        fmt::format("v{}_k{:02}_q{}_{:03}", cell.variant, cell.key_frame, cell.turn, side);
+    volume.vdb = texels_.volume_path(cell.variant, cell.key_frame, cell.level);
+    volume.emission_grid = fmt::format("emission_q{}", cell.turn);
+    volume.content = texels_.volume_content(cell.variant, cell.key_frame, cell.level, turns);
+    volume.voxels = {side, side, texels_.level_shape(cell.level).height};
+    volume.voxel_m = voxel_m;
+    return volume;
+  };
+  progress.begin("scene files", job_.frames.size() * renderers.size());
+  for (std::size_t i = 0; i < job_.frames.size(); ++i) {
+    const landscape::Landscape landscape =
+        landscape::assemble(job_.scene, terrain_, daylight_, job_.frames[i], cells_[i], lookup);
+    for (const std::string& renderer : renderers) {
+      export_frame(renderer, landscape, job_.out / renderer);
+      progress.advance(1, fmt::format("{} frame {}", renderer, job_.frames[i]));
+    }
+  }
+  progress.end();
+}
+
+}  // namespace wold::cli

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "cli/job.h"
+#include "core/ground_map.h"
+#include "core/progress.h"
+#include "grass/time_varying_texel.h"
+#include "landscape/cells.h"
+#include "light/daylight.h"
+
+namespace wold::cli {
+
+/// From a checked scene to the scene folders of the renderers: terrain, choice of cells, the texels
+/// they need, and one export per frame and renderer. What is there already and still right is kept.
+class Film {
+ public:
+  explicit Film(const Job& job);
+
+  /// Writes DIR/scene.toml, DIR/texels/ and the folders of the renderers the scene asks for.
+  /// Throws FileError and InterruptedError; every file that exists then is whole.
+  void generate(Progress& progress);
+
+ private:
+  void choose_cells(Progress& progress);
+  void make_texels(Progress& progress);
+  void export_frames(Progress& progress) const;
+
+  const Job& job_;
+  light::Daylight daylight_;
+  Heightfield terrain_;
+  grass::TimeVaryingTexel texels_;
+  std::vector<std::vector<landscape::CellChoice>> cells_;  ///< per frame of the job
+  grass::TexelDemand demand_;
+};
+
+/// The renderers a scene asks for, by their folder names: "blender", "povray".
+std::vector<std::string> wanted_renderers(const scene::Scene& scene);
+
+}  // namespace wold::cli

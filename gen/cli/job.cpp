@@ -1,0 +1,60 @@
+#include "cli/job.h"
+
+#include <fmt/format.h>
+
+#include <numeric>
+
+#include "scene/parse.h"
+
+namespace wold::cli {
+namespace {
+
+std::vector<int> all_frames(int count) {
+  std::vector<int> frames(static_cast<std::size_t>(count));
+  std::iota(frames.begin(), frames.end(), 1);
+  return frames;
+}
+
+void check_frames(const std::vector<int>& frames, int count) {
+  for (const int frame : frames)
+    if (frame > count)
+      throw InputError(fmt::format(
+          "--frames: found {}, expected frames from 1 to {}: ageing.frames of the scene has {}",
+          frame, count, count));
+}
+
+/// "1-3,7": the form in which frames are given.
+std::string frames_text(const std::vector<int>& frames) {
+  std::string text;
+  for (std::size_t first = 0; first < frames.size();) {
+    std::size_t last = first;
+    while (last + 1 < frames.size() && frames[last + 1] == frames[last] + 1) ++last;
+    text += fmt::format("{}{}", text.empty() ? "" : ",", frames[first]);
+    if (last > first) text += fmt::format("-{}", frames[last]);
+    first = last + 1;
+  }
+  return text;
+}
+
+}  // namespace
+
+Job plan_job(const RenderOptions& options) {
+  Job job;
+  job.scene = scene::read_scene(options.scene, options.overrides);
+  const int count = static_cast<int>(job.scene.ageing.frames.size());
+  check_frames(options.frames, count);
+  job.frames = options.frames.empty() ? all_frames(count) : options.frames;
+  job.out = options.out.empty() ? std::filesystem::path("out") / job.scene.name : options.out;
+  job.threads = options.threads > 0 ? options.threads : job.scene.render.threads;
+  return job;
+}
+
+std::string summary(const Job& job) {
+  const scene::Render& render = job.scene.render;
+  return fmt::format("{}: frames {} of {}, {} x {} px, {} samples, renderer {}, into {}\n",
+                     job.scene.name, frames_text(job.frames), job.scene.ageing.frames.size(),
+                     render.size_px[0], render.size_px[1], render.samples, render.renderer,
+                     job.out.string());
+}
+
+}  // namespace wold::cli

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/commands.h"
+#include "scene/scene.h"
+
+namespace wold::cli {
+
+/// What `render` and `generate` agree on before they work: the checked scene and what to make.
+struct Job {
+  scene::Scene scene;
+  std::vector<int> frames;    ///< from 1, rising, all within the scene
+  std::filesystem::path out;  ///< the output folder
+  int threads = 0;            ///< 0: all processors
+};
+
+/// Reads the scene and resolves the options against it. Throws InputError, also for frames that
+/// the scene does not have.
+Job plan_job(const RenderOptions& options);
+
+/// One line about the job, for --dry-run.
+std::string summary(const Job& job);
+
+}  // namespace wold::cli

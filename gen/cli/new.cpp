@@ -1,0 +1,23 @@
+#include <fmt/format.h>
+
+#include "cli/commands.h"
+#include "cli/output.h"
+#include "core/files.h"
+#include "scene/write.h"
+
+namespace wold::cli {
+
+ExitCode run_new(const std::string& name) {
+  constexpr std::string_view extension = ".toml";
+  const std::string stem =
+      name.ends_with(extension) ? name.substr(0, name.size() - extension.size()) : name;
+  const std::string text = scene::starter_scene(stem);
+  const std::filesystem::path file = stem + std::string(extension);
+  if (std::filesystem::exists(file))
+    throw InputError(fmt::format("{} exists already; choose another name", file.string()));
+  write_file(file, text);
+  print_message(fmt::format("wrote {0}; render it with: wold render {0}", file.string()));
+  return ExitCode::done;
+}
+
+}  // namespace wold::cli

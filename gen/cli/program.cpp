@@ -1,0 +1,115 @@
+#include "cli/program.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <new>
+
+#include "cli/command_table.h"
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/output.h"
+#include "cli/version.h"
+#include "scene/nearest.h"
+#include "scene/text.h"
+
+namespace wold::cli {
+namespace {
+
+using Action = std::function<ExitCode()>;
+
+/// The command line's declaration and, once parsed, what it asks for.
+struct CommandLine {
+  CLI::App app{"Wold: a withering meadow on a hillside, for Blender and POV-Ray", "wold"};
+  Action action;
+};
+
+void declare(CommandLine& line) {
+  CLI::App& app = line.app;
+  app.set_version_flag("--version", fmt::format("wold {}", version));
+  app.add_flag_callback(
+      "--help-keys", [&line] { line.action = run_help_keys; },
+      "list the keys of a scene as markdown");
+  app.footer("wold COMMAND --help shows a command's options.");
+  for (const Command& command : command_table()) {
+    CLI::App* sub = app.add_subcommand(command.name, command.summary);
+    sub->footer("Example:\n  " + command.example);
+    sub->final_callback([&line, action = command.declare(*sub)] { line.action = action; });
+  }
+}
+
+std::vector<std::string> command_names() {
+  std::vector<std::string> names;
+  for (const Command& command : command_table()) names.push_back(command.name);
+  return names;
+}
+
+/// CLI11 says of a misspelt command only that it was not expected.
+void refuse_unknown_command(int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  const auto names = command_names();
+  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return;
+  const std::string suggestion = scene::suggestion(scene::nearest(argv[1], names));
+  throw InputError(fmt::format("unknown command {}{}; wold --help lists them",
+                               scene::in_quotes(argv[1]), suggestion));
+}
+
+/// Help and version are answers, the rest are the user's mistakes.
+ExitCode answer(const CLI::App& app, const CLI::ParseError& result) {
+  if (result.get_exit_code() != 0) throw InputError(result.what());
+  std::ostringstream text, unused;
+  app.exit(result, text, unused);
+  print_data(text.str());
+  return ExitCode::done;
+}
+
+ExitCode execute(int argc, char** argv) {
+  refuse_unknown_command(argc, argv);
+  CommandLine line;
+  declare(line);
+  try {
+    line.app.parse(argc, argv);
+  } catch (const CLI::ParseError& result) {
+    return answer(line.app, result);
+  }
+  if (!line.action) throw InputError("a command was expected; wold --help lists them");
+  return line.action();
+}
+
+ExitCode report(const Error& error) {
+  print_message(fmt::format("error: {}", error.what()));
+  return error.code();
+}
+
+ExitCode report(const InputError& error) {
+  for (const Problem& problem : error.problems())
+    print_message(fmt::format("error: {}", to_string(problem)));
+  return error.code();
+}
+
+ExitCode run_and_report(int argc, char** argv) {
+  try {
+    return execute(argc, argv);
+  } catch (const InputError& error) {
+    return report(error);
+  } catch (const InterruptedError& error) {
+    print_message("interrupted; the same command goes on where it stopped");
+    return error.code();
+  } catch (const Error& error) {
+    return report(error);
+  } catch (const std::bad_alloc&) {
+    return report(FileError("out of memory"));
+  } catch (const std::exception& error) {
+    return report(FileError(error.what()));
+  }
+}
+
+}  // namespace
+
+int run(int argc, char** argv) {
+  catch_interrupts();
+  return static_cast<int>(run_and_report(argc, argv));
+}
+
+}  // namespace wold::cli

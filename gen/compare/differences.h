@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace wold::compare {
+
+/// What still counts as the same. All are shares of the full range: stored sRGB values in [0, 1]
+/// for pictures, integer / maximum for df3, value / largest wanted magnitude for grids. Reaching a
+/// limit is allowed, going over it is not. The defaults are meant for the same picture made on
+/// another machine: rounding may move a value by some steps of 8 bit anywhere (soft), and where one
+/// of four samples of a pixel falls on the other side of an edge that pixel moves by a quarter.
+struct Limits {
+  double rmse = 0.005;
+  double soft = 0.02;           ///< 5 steps of 8 bit
+  double allowed_share = 0.01;  ///< of samples (pixels, voxels) over `soft`
+  double hard = 0.3;            ///< no value may differ more
+};
+
+/// How far two equally long lists of values are apart. A sample is a pixel or a voxel.
+struct Differences {
+  double mean_abs = 0.0;
+  double rmse = 0.0;
+  double max_error = 0.0;
+  double share_over_soft = 0.0;  ///< of samples with a value that differs by more than `soft`
+  std::size_t non_finite = 0;    ///< values that are no finite number in either list
+};
+
+/// Takes two lists value by value and sums up how they differ.
+class DifferenceSum {
+ public:
+  /// Differences are divided by `range`, a positive number, before they meet `soft`.
+  explicit DifferenceSum(double soft, double range = 1.0) : soft_(soft), range_(range) {}
+
+  void add(double got, double want);
+  /// The values since the last call were one sample.
+  void end_sample();
+
+  Differences result() const;
+
+ private:
+  double soft_;
+  double range_;
+  Differences sums_;
+  std::size_t values_ = 0;
+  std::size_t samples_ = 0;
+  std::size_t samples_over_ = 0;
+  bool is_over_ = false;
+};
+
+/// One sentence for every limit that is exceeded; empty when the two are the same.
+std::vector<std::string> exceeded(const Differences& differences, const Limits& limits);
+
+}  // namespace wold::compare

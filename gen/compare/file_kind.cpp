@@ -1,0 +1,46 @@
+#include "compare/file_kind.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+#include <string_view>
+
+#include "core/error.h"
+
+namespace wold::compare {
+namespace {
+
+// openvdb/version.h, OPENVDB_MAGIC, as it lies on the disk.
+constexpr std::string_view vdb_magic = " BDV";
+
+bool starts_like_vdb(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, vdb_magic.size()> first{};
+  file.read(first.data(), first.size());
+  return file && std::string_view(first.data(), first.size()) == vdb_magic;
+}
+
+}  // namespace
+
+const char* to_string(FileKind kind) {
+  switch (kind) {
+    case FileKind::vdb:
+      return "vdb";
+    case FileKind::df3:
+      return "df3";
+    case FileKind::picture:
+      break;
+  }
+  return "picture";
+}
+
+FileKind file_kind(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored))
+    throw FileError(fmt::format("cannot read {}: there is no such file", path.string()));
+  if (path.extension() == ".vdb" || starts_like_vdb(path)) return FileKind::vdb;
+  return path.extension() == ".df3" ? FileKind::df3 : FileKind::picture;
+}
+
+}  // namespace wold::compare

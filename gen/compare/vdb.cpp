@@ -1,0 +1,147 @@
+#include "compare/vdb.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "core/vdb_file.h"
+
+namespace wold::compare {
+namespace {
+
+using Comparable = openvdb::TypeList<openvdb::FloatGrid, openvdb::DoubleGrid, openvdb::Int32Grid,
+                                     openvdb::Vec3SGrid>;
+using GridsByName = std::map<std::string, openvdb::GridBase::Ptr>;
+
+/// A value as a list of components.
+template <class T>
+auto components(const T& value) {
+  if constexpr (openvdb::VecTraits<T>::IsVec)
+    return std::array<double, 3>{value[0], value[1], value[2]};
+  else
+    return std::array<double, 1>{static_cast<double>(value)};
+}
+
+glm::ivec3 to_glm(const openvdb::Coord& coord) { return {coord.x(), coord.y(), coord.z()}; }
+
+std::vector<std::pair<std::string, std::string>> metadata_text(const openvdb::MetaMap& map) {
+  std::vector<std::pair<std::string, std::string>> text;
+  for (auto entry = map.beginMeta(); entry != map.endMeta(); ++entry)
+    text.emplace_back(entry->first, entry->second->str());
+  return text;
+}
+
+template <class Grid>
+void add_range(const Grid& grid, GridFacts& facts) {
+  for (auto value = grid.cbeginValueOn(); value; ++value)
+    for (double component : components(*value)) {
+      if (!std::isfinite(component)) {
+        ++facts.non_finite;
+        continue;
+      }
+      facts.least = facts.has_range ? std::min(facts.least, component) : component;
+      facts.largest = facts.has_range ? std::max(facts.largest, component) : component;
+      facts.has_range = true;
+    }
+}
+
+GridFacts facts_of(const openvdb::GridBase& grid) {
+  GridFacts facts;
+  facts.name = grid.getName();
+  facts.type = grid.type();
+  facts.stored_as_half = grid.saveFloatAsHalf();
+  const openvdb::CoordBBox box = grid.evalActiveVoxelBoundingBox();
+  facts.box_min = to_glm(box.min());
+  facts.box_max = to_glm(box.max());
+  const openvdb::Vec3d voxel = grid.voxelSize();
+  facts.voxel_m = {voxel.x(), voxel.y(), voxel.z()};
+  facts.active_voxels = grid.activeVoxelCount();
+  facts.memory_bytes = grid.memUsage();
+  facts.metadata = metadata_text(grid);
+  grid.apply<Comparable>([&](const auto& typed) { add_range(typed, facts); });
+  return facts;
+}
+
+GridsByName grids_by_name(const std::filesystem::path& path) {
+  const openvdb::GridPtrVecPtr all = read_vdb(path);
+  GridsByName grids;
+  for (const openvdb::GridBase::Ptr& grid : *all) grids[grid->getName()] = grid;
+  return grids;
+}
+
+/// Every voxel that is active in one of the two.
+template <class Grid>
+openvdb::MaskTree active_in_either(const Grid& a, const Grid& b) {
+  openvdb::MaskTree mask(a.tree(), false, openvdb::TopologyCopy());
+  mask.topologyUnion(b.tree());
+  mask.voxelizeActiveTiles();
+  return mask;
+}
+
+template <class Grid>
+Differences value_differences(const Grid& got, const Grid& want, double soft, double range) {
+  DifferenceSum sum(soft, range);
+  const auto got_values = got.getConstAccessor();
+  const auto want_values = want.getConstAccessor();
+  const openvdb::MaskTree mask = active_in_either(got, want);
+  for (auto voxel = mask.cbeginValueOn(); voxel; ++voxel) {
+    const auto a = components(got_values.getValue(voxel.getCoord()));
+    const auto b = components(want_values.getValue(voxel.getCoord()));
+    for (std::size_t i = 0; i < a.size(); ++i) sum.add(a[i], b[i]);
+    sum.end_sample();
+  }
+  return sum.result();
+}
+
+/// What differences are relative to; 1 for a grid of zeros.
+double magnitude(const GridFacts& facts) {
+  const double largest = std::max(std::abs(facts.least), std::abs(facts.largest));
+  return largest > 0.0 ? largest : 1.0;
+}
+
+GridMetrics compare_grids(const openvdb::GridBase& got, const openvdb::GridBase& want,
+                          double soft) {
+  GridMetrics metrics;
+  metrics.name = want.getName();
+  metrics.got = facts_of(got);
+  metrics.want = facts_of(want);
+  metrics.same_type = metrics.got.type == metrics.want.type;
+  metrics.same_transform = got.constTransform() == want.constTransform();
+  if (!metrics.same_type) return metrics;
+  metrics.is_compared = want.apply<Comparable>([&](const auto& typed) {
+    const auto& other = static_cast<const std::decay_t<decltype(typed)>&>(got);
+    static_cast<Differences&>(metrics) =
+        value_differences(other, typed, soft, magnitude(metrics.want));
+  });
+  return metrics;
+}
+
+}  // namespace
+
+VdbFacts vdb_facts(const std::filesystem::path& path) {
+  const openvdb::GridPtrVecPtr grids = read_vdb(path);
+  VdbFacts facts;
+  for (const openvdb::GridBase::Ptr& grid : *grids) facts.grids.push_back(facts_of(*grid));
+  facts.metadata = metadata_text(*read_vdb_metadata(path));
+  return facts;
+}
+
+VdbMetrics compare_vdb(const std::filesystem::path& got, const std::filesystem::path& want,
+                       double soft) {
+  const GridsByName got_grids = grids_by_name(got);
+  const GridsByName want_grids = grids_by_name(want);
+  VdbMetrics metrics;
+  for (const auto& [name, grid] : want_grids) {
+    const auto found = got_grids.find(name);
+    if (found == got_grids.end())
+      metrics.only_want.push_back(name);
+    else
+      metrics.grids.push_back(compare_grids(*found->second, *grid, soft));
+  }
+  for (const auto& [name, grid] : got_grids)
+    if (!want_grids.contains(name)) metrics.only_got.push_back(name);
+  return metrics;
+}
+
+}  // namespace wold::compare

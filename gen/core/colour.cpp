@@ -1,0 +1,70 @@
+#include "core/colour.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+
+namespace wold {
+namespace {
+
+// IEC 61966-2-1:1999; the columns are X, Y and Z.
+const glm::dmat3 srgb_xyz_matrix(3.2406, -0.9689, 0.0557,   //
+                                 -1.5372, 1.8758, -0.2040,  //
+                                 -0.4986, 0.0415, 1.0570);
+
+/// Share of grey that brings one channel into [0, ceiling].
+double grey_needed(double channel, double grey, double ceiling) {
+  if (channel < 0.0) return -channel / (grey - channel);
+  if (channel > ceiling) return (channel - ceiling) / (channel - grey);
+  return 0.0;
+}
+
+}  // namespace
+
+glm::dvec3 srgb_from_xyz(const glm::dvec3& xyz) { return srgb_xyz_matrix * xyz; }
+
+glm::dvec3 xyz_from_srgb(const glm::dvec3& rgb) { return glm::inverse(srgb_xyz_matrix) * rgb; }
+
+double srgb_encoded(double linear) {
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+}
+
+double srgb_decoded(double encoded) {
+  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+double luminance(const glm::dvec3& rgb) {
+  return glm::dot(rgb, glm::dvec3(0.2126, 0.7152, 0.0722));  // ITU-R BT.709
+}
+
+glm::dvec3 in_gamut(const glm::dvec3& rgb, double ceiling) {
+  const double grey = std::clamp(luminance(rgb), 0.0, ceiling);
+  double share = 0.0;
+  for (int i = 0; i < 3; ++i) share = std::max(share, grey_needed(rgb[i], grey, ceiling));
+  return glm::clamp(glm::mix(rgb, glm::dvec3(grey), share), 0.0, ceiling);
+}
+
+Observer::Observer(std::span<const glm::dvec3> matching, std::span<const double> illuminant) {
+  if (matching.empty() || matching.size() != illuminant.size())
+    throw std::invalid_argument("matching functions and illuminant differ in wavelengths");
+  double luminous = 0.0;
+  for (std::size_t i = 0; i < matching.size(); ++i) luminous += matching[i].y * illuminant[i];
+  for (std::size_t i = 0; i < matching.size(); ++i)
+    weights_xyz_.push_back(matching[i] * (illuminant[i] / luminous));
+  white_rgb_ = srgb_from_xyz(xyz(std::vector<double>(matching.size(), 1.0)));
+}
+
+glm::dvec3 Observer::xyz(std::span<const double> reflectance) const {
+  if (reflectance.size() != weights_xyz_.size())
+    throw std::invalid_argument("the spectrum does not have the observer's wavelengths");
+  glm::dvec3 sum(0.0);
+  for (std::size_t i = 0; i < reflectance.size(); ++i) sum += weights_xyz_[i] * reflectance[i];
+  return sum;
+}
+
+glm::dvec3 Observer::linear_srgb(std::span<const double> reflectance) const {
+  return srgb_from_xyz(xyz(reflectance)) / white_rgb_;
+}
+
+}  // namespace wold

@@ -1,0 +1,89 @@
+#include "core/colour_difference.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/colour.h"
+
+namespace wold {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+double degrees(double deg) { return deg * pi / 180.0; }
+
+/// The cube root with CIE's linear foot.
+double lab_curve(double t) {
+  constexpr double foot = 6.0 / 29.0;
+  return t > foot * foot * foot ? std::cbrt(t) : t / (3.0 * foot * foot) + 4.0 / 29.0;
+}
+
+/// sqrt(C^7 / (C^7 + 25^7)): near 1 for saturated colours, 0 for greys.
+double saturation(double chroma) {
+  const double power = std::pow(chroma, 7.0);
+  return std::sqrt(power / (power + std::pow(25.0, 7.0)));
+}
+
+/// Lightness, chroma and hue in radians from 0 to 2 pi.
+struct Polar {
+  double lightness, chroma, hue;
+};
+
+Polar polar(const glm::dvec3& lab, double stretch) {
+  const double a = lab.y * stretch;
+  const double hue = a == 0.0 && lab.z == 0.0 ? 0.0 : std::atan2(lab.z, a);
+  return {lab.x, std::hypot(a, lab.z), hue < 0.0 ? hue + 2.0 * pi : hue};
+}
+
+/// The way from one hue to the other, the short way round; 0 where a colour is grey.
+double hue_step(const Polar& from, const Polar& to) {
+  if (from.chroma * to.chroma == 0.0) return 0.0;
+  return std::remainder(to.hue - from.hue, 2.0 * pi);
+}
+
+double mean_hue(const Polar& one, const Polar& other) {
+  const double sum = one.hue + other.hue;
+  if (one.chroma * other.chroma == 0.0) return sum;
+  if (std::abs(one.hue - other.hue) <= pi) return sum / 2.0;
+  return sum < 2.0 * pi ? sum / 2.0 + pi : sum / 2.0 - pi;
+}
+
+double hue_weight(double hue) {
+  return 1.0 - 0.17 * std::cos(hue - degrees(30.0)) + 0.24 * std::cos(2.0 * hue) +
+         0.32 * std::cos(3.0 * hue + degrees(6.0)) - 0.20 * std::cos(4.0 * hue - degrees(63.0));
+}
+
+/// How much differences in chroma and hue turn into each other, around blue.
+double rotation(double chroma, double hue) {
+  const double distance = (hue * 180.0 / pi - 275.0) / 25.0;
+  return -2.0 * saturation(chroma) * std::sin(degrees(60.0) * std::exp(-distance * distance));
+}
+
+}  // namespace
+
+glm::dvec3 lab_from_xyz(const glm::dvec3& xyz) {
+  const glm::dvec3 ratio = xyz / xyz_from_srgb(glm::dvec3(1.0));
+  const glm::dvec3 f(lab_curve(ratio.x), lab_curve(ratio.y), lab_curve(ratio.z));
+  return {116.0 * f.y - 16.0, 500.0 * (f.x - f.y), 200.0 * (f.y - f.z)};
+}
+
+double colour_difference(const glm::dvec3& lab, const glm::dvec3& other) {
+  const double plain = (std::hypot(lab.y, lab.z) + std::hypot(other.y, other.z)) / 2.0;
+  const double stretch = 1.5 - 0.5 * saturation(plain);
+  const Polar one = polar(lab, stretch);
+  const Polar two = polar(other, stretch);
+  const double chroma = (one.chroma + two.chroma) / 2.0;
+  const double hue = mean_hue(one, two);
+  const double off = std::pow((one.lightness + two.lightness) / 2.0 - 50.0, 2.0);
+
+  const double lightness_part =
+      (two.lightness - one.lightness) / (1.0 + 0.015 * off / std::sqrt(20.0 + off));
+  const double chroma_part = (two.chroma - one.chroma) / (1.0 + 0.045 * chroma);
+  const double hue_part = 2.0 * std::sqrt(one.chroma * two.chroma) *
+                          std::sin(hue_step(one, two) / 2.0) /
+                          (1.0 + 0.015 * chroma * hue_weight(hue));
+  return std::sqrt(lightness_part * lightness_part + chroma_part * chroma_part +
+                   hue_part * hue_part + rotation(chroma, hue) * chroma_part * hue_part);
+}
+
+}  // namespace wold

@@ -1,0 +1,69 @@
+#include "core/noise.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/random.h"
+
+namespace wold {
+namespace {
+
+using Lattice = glm::i64vec2;
+
+/// Quintic fade and what is left of it: the weight of a corner at distance t in [0, 1].
+double corner_weight(double t) { return 1.0 - t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
+
+std::int64_t wrapped(std::int64_t i, int period) {
+  return period > 0 ? ((i % period) + period) % period : i;
+}
+
+/// Unit vectors in 256 directions: as good as any angle, and cheaper than its sine.
+std::array<glm::dvec2, 256> all_directions() {
+  std::array<glm::dvec2, 256> all;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const double angle = 2.0 * std::numbers::pi * (static_cast<double>(k) + 0.5) / all.size();
+    all[k] = {std::cos(angle), std::sin(angle)};
+  }
+  return all;
+}
+
+const glm::dvec2& gradient(const Lattice& corner, std::uint64_t key, int period) {
+  const auto x = static_cast<std::uint64_t>(wrapped(corner.x, period));
+  const auto y = static_cast<std::uint64_t>(wrapped(corner.y, period));
+  static const std::array<glm::dvec2, 256> directions = all_directions();
+  return directions[random_bits({key, key_of("gradient"), x, y}) >> 56];
+}
+
+}  // namespace
+
+double gradient_noise(const glm::dvec2& at, std::uint64_t key, int period) {
+  const glm::dvec2 low = glm::floor(at);
+  double sum = 0.0;
+  for (int corner = 0; corner < 4; ++corner) {
+    const glm::dvec2 offset(corner & 1, corner >> 1);
+    const glm::dvec2 from_corner = at - low - offset;
+    const double weight =
+        corner_weight(std::abs(from_corner.x)) * corner_weight(std::abs(from_corner.y));
+    sum += weight * glm::dot(gradient(Lattice(low + offset), key, period), from_corner);
+  }
+  return sum;
+}
+
+double fbm(const glm::dvec2& at, const Fbm& shape) {
+  double sum = 0.0;
+  double variance = 0.0;
+  for (int octave = 0; octave < shape.octaves; ++octave) {
+    const auto index = static_cast<std::uint64_t>(octave);
+    const double scale = std::exp2(octave);
+    const double height = std::exp2(-shape.hurst * octave);
+    const glm::dvec2 shift(random_uniform({shape.key, key_of("octave"), index, key_of("x")}),
+                           random_uniform({shape.key, key_of("octave"), index, key_of("y")}));
+    const std::uint64_t key = random_bits({shape.key, key_of("octave"), index, key_of("field")});
+    sum += height * gradient_noise(at * scale + shift, key, shape.period << octave);
+    variance += height * height;
+  }
+  return sum / (gradient_noise_deviation * std::sqrt(variance));
+}
+
+}  // namespace wold

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+
+namespace wold {
+
+/// Gradient noise (Perlin 1985, with the quintic fade of Perlin 2002): a smooth field that is zero
+/// on the integer lattice, has features of size 1 and stays within +-sqrt(1/2). The unit gradients
+/// (256 directions) are keyed by `key` and the lattice point. With period > 0 the field repeats
+/// exactly after `period` units in x and y.
+double gradient_noise(const glm::dvec2& at, std::uint64_t key, int period = 0);
+
+/// Standard deviation of gradient_noise over the plane: closed form for unit gradients and the
+/// quintic fade s, 2 sqrt(A B) with A = integral of u^2 (1 - s)^2 and B = integral of s^2 on [0,
+/// 1].
+inline constexpr double gradient_noise_deviation = 0.21571;
+
+/// Fractional Brownian motion: octaves of gradient noise, each of half the size and 2^-hurst the
+/// height of the one before (Mandelbrot and Van Ness 1968; Musgrave 1993).
+struct Fbm {
+  std::uint64_t key = 0;
+  int octaves = 6;
+  double hurst = 0.9;  ///< 1 smooth, 0.5 rugged; the variogram grows with distance^(2 hurst)
+  int period = 0;      ///< 0: none; otherwise the field repeats after this many units
+};
+
+/// The field at a point, in units of its largest feature; mean 0, standard deviation 1. Octaves are
+/// shifted against each other by keyed offsets, so no lattice point is special.
+double fbm(const glm::dvec2& at, const Fbm& shape);
+
+}  // namespace wold

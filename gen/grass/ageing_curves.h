@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/curve.h"
+#include "scene/scene.h"
+
+namespace wold::grass {
+
+/// What withers.
+enum class CurveKind { water, chlorophyll };
+
+/// The relative content (1 = fresh leaf) over the weathering degree: the user's own points, or
+/// models/ageing/<kind>_<name>.toml. Throws InputError when the points are wrong or no such model
+/// exists, naming those that do.
+Curve load_curve(CurveKind kind, const scene::CurveChoice& choice);
+
+}  // namespace wold::grass

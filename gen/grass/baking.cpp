@@ -1,0 +1,55 @@
+#include "grass/baking.h"
+
+#include "core/parallel.h"
+#include "grass/columns.h"
+#include "grass/coverage.h"
+#include "grass/levels.h"
+
+namespace wold::grass {
+namespace {
+
+/// What opaque blades let through, from the same directions as Transmittances.
+Transmittances blade_transmittances(const PointDynamics& patch, double patch_m) {
+  Transmittances result;
+  for (std::size_t i = 0; i < result.value.size(); ++i) {
+    const auto directions = transmittance_directions(Transmittances::elevations_deg[i]);
+    for (const glm::dvec3& direction : directions)
+      result.value[i] += blade_transmittance(patch.blades(), patch.poses(), patch_m, direction) /
+                         static_cast<double>(directions.size());
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<VolumeData> bake_levels(const Texel& texel, const PointDynamics& patch,
+                                    const Lighting& lighting, const FibreLook& look,
+                                    std::span<const int> sides, const std::vector<int>& turns) {
+  VolumeData mean{texel.shape, texel.voxel, texel.density, {}, {}};
+  VolumeData fine = mean;
+  fine.density = fitted_density(texel.shape, texel.voxel, texel.density,
+                                blade_transmittances(patch, texel.shape.patch_m()));
+  const Transmittances wanted = transmittances(fine.shape, fine.voxel, fine.density);
+  const std::vector<float> dense = dense_density(fine.shape, fine.voxel, fine.density);
+  const std::vector<glm::vec3> sky =
+      skylight(texel, sides.size() > 1 ? coarser(fine, sides[1]) : fine, lighting);
+  fine.turns = turns;
+  fine.emission.resize(turns.size());
+  parallel_for(turns.size(), [&](std::size_t i) {
+    fine.emission[i] = bake_emission(texel, dense, sky, lighting, look, turns[i]);
+  });
+  // Areas add up from level to level, fitted extinctions do not: reduce the former, fit each.
+  mean.turns = turns;
+  mean.emission = fine.emission;
+  std::vector<VolumeData> levels = {std::move(fine)};
+  for (int side : sides.subspan(1)) {
+    mean = coarser(mean, side);
+    VolumeData level = mean;
+    level.density = fitted_density(level.shape, level.voxel, level.density, wanted);
+    match_radiance(level, levels.front());
+    levels.push_back(std::move(level));
+  }
+  return levels;
+}
+
+}  // namespace wold::grass

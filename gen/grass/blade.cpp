@@ -1,0 +1,110 @@
+#include "grass/blade.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/random.h"
+
+namespace wold::grass {
+namespace {
+
+constexpr float half_pi = std::numbers::pi_v<float> / 2.0F;
+/// Below this droop a blade is straight to float precision.
+constexpr float straight = 1e-3F;
+
+/// The random numbers of one blade.
+class BladeRandom {
+ public:
+  BladeRandom(std::uint64_t seed, int variant, int blade)
+      : key_{seed, key_of("blade"),
+             (static_cast<std::uint64_t>(variant) << 32) | static_cast<std::uint64_t>(blade), 0} {}
+  double uniform(std::string_view purpose) const { return random_uniform(with(purpose)); }
+  /// Normal, cut at 2.5 standard deviations so that no blade is absurd.
+  double normal(std::string_view purpose) const {
+    return std::clamp(random_normal(with(purpose)), -2.5, 2.5);
+  }
+
+ private:
+  RandomKey with(std::string_view purpose) const {
+    RandomKey key = key_;
+    key.purpose = key_of(purpose);
+    return key;
+  }
+  RandomKey key_;
+};
+
+/// Root of blade `number` in its cell of a columns x columns grid; the grid has room for all
+/// blades, the cells left empty are chosen by stepping through it evenly.
+glm::vec2 stratified_root(const BladeRandom& random, int number, int blades, double patch_m) {
+  const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(blades))));
+  const long cells = static_cast<long>(columns) * columns;
+  const long cell = number * cells / blades;
+  const double side_m = patch_m / columns;
+  return {(static_cast<double>(cell % columns) + random.uniform("root x")) * side_m,
+          (static_cast<double>(cell / columns) + random.uniform("root y")) * side_m};
+}
+
+float positive_spread(double mean, double relative, double normal) {
+  return static_cast<float>(mean * std::max(0.3, 1.0 + relative * normal));
+}
+
+Blade make_blade(const scene::Grass& grass, const scene::Ageing& ageing, const BladeRandom& random,
+                 int number) {
+  const double heading = 2.0 * std::numbers::pi * random.uniform("heading");
+  const double lean_deg = grass.lean_deg + grass.lean_spread_deg * random.normal("lean");
+  Blade blade;
+  blade.root_m = stratified_root(random, number, grass.blades, grass.patch_m);
+  blade.heading = {std::cos(heading), std::sin(heading)};
+  blade.lean = static_cast<float>(std::clamp(lean_deg, 0.0, 80.0) * std::numbers::pi / 180.0);
+  blade.length_m = positive_spread(grass.height_m, grass.height_spread, random.normal("length"));
+  blade.radius_m = positive_spread(grass.width_m / 2, grass.width_spread, random.normal("width"));
+  blade.fresh_droop = positive_spread(grass.bend, ageing.droop_spread, random.normal("bend"));
+  blade.droop_rate = positive_spread(ageing.droop, ageing.droop_spread, random.normal("droop"));
+  blade.onset = static_cast<float>(ageing.onset_spread * random.normal("onset"));
+  blade.brightness = positive_spread(1.0, 0.12, random.normal("brightness"));
+  return blade;
+}
+
+AxisPoint straight_axis(float lean, float arc_m) {
+  const glm::vec2 direction(std::sin(lean), std::cos(lean));
+  return {direction * arc_m, direction};
+}
+
+/// Radius of the polar curve at an arc length, and the reverse (blade.h).
+float radius_at_arc(float droop, float arc_m) {
+  const float cc = droop * droop;
+  return 4.0F / cc * std::expm1(2.0F / 3.0F * std::log1p(0.375F * cc * arc_m));
+}
+float arc_at_radius(float droop, float radius_m) {
+  const float cc = droop * droop;
+  return 8.0F / (3.0F * cc) * std::expm1(1.5F * std::log1p(0.25F * cc * radius_m));
+}
+
+}  // namespace
+
+std::vector<Blade> scatter_blades(const scene::Grass& grass, const scene::Ageing& ageing,
+                                  std::uint64_t seed, int variant) {
+  std::vector<Blade> blades;
+  blades.reserve(static_cast<std::size_t>(grass.blades));
+  for (int number = 0; number < grass.blades; ++number)
+    blades.push_back(make_blade(grass, ageing, BladeRandom(seed, variant, number), number));
+  return blades;
+}
+
+AxisPoint axis_point(const Blade& blade, const BladePose& pose, float arc_m) {
+  const float droop = pose.droop;
+  if (droop < straight) return straight_axis(blade.lean, arc_m);
+  const float radius = radius_at_arc(droop, arc_m);
+  const float angle = blade.lean + droop * std::sqrt(radius);
+  if (angle < half_pi) {
+    const float tangent = angle + std::atan(0.5F * droop * std::sqrt(radius));
+    return {radius * glm::vec2(std::sin(angle), std::cos(angle)),
+            {std::sin(tangent), std::cos(tangent)}};
+  }
+  const float touch = (half_pi - blade.lean) / droop;
+  const float touch_radius = touch * touch;
+  return {{touch_radius + arc_m - arc_at_radius(droop, touch_radius), 0.0F}, {1.0F, 0.0F}};
+}
+
+}  // namespace wold::grass

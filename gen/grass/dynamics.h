@@ -1,0 +1,70 @@
+#pragma once
+
+#include <vector>
+
+#include "core/curve.h"
+#include "grass/blade.h"
+#include "grass/leaf_colour.h"
+#include "grass/mechanics.h"
+#include "grass/points.h"
+#include "scene/scene.h"
+
+namespace wold::grass {
+
+/// The physical-biological model of section 3 that drives the points: curves and colours of one
+/// scene.
+class AgeingModel {
+ public:
+  /// Loads the curves and pigments the scene names. Throws FileError or InputError.
+  AgeingModel(const scene::Ageing& ageing, double fresh_specular);
+
+  /// The blade's own weathering degree when the meadow's is `weathering`: ahead or behind by its
+  /// onset in between, 0 and 1 at the ends, monotone.
+  static double blade_age(const Blade& blade, double weathering);
+  BladePose pose(const Blade& blade, double age) const;
+  /// Leaves die from the tip down: age at `along`, 0 at the root to 1 at the tip.
+  static double local_age(double age, double along);
+  glm::vec3 albedo(double local_age) const { return colour_(local_age).albedo; }
+  /// Wax and water make the gloss; half of it goes with the water.
+  float specular(double age) const;
+
+ private:
+  scene::Ageing ageing_;
+  double fresh_specular_;
+  Curve water_;
+  LeafColour colour_;
+};
+
+/// Algorithm 1, point dynamics: moves the points of a patch through the weathering degrees.
+class PointDynamics {
+ public:
+  /// Points nearer than `merge_distance_m` to a neighbour on their blade become one.
+  PointDynamics(const AgeingModel& model, std::vector<Blade> blades, Points points,
+                double merge_distance_m);
+
+  /// One step: forces, motion, frame, material, merging. `weathering` in [0, 1], not before the
+  /// last one. The state depends on `weathering` alone, not on the steps that led there, but for
+  /// merged points, which stay merged.
+  void advance_to(double weathering);
+
+  const Points& points() const { return points_; }
+  const std::vector<Blade>& blades() const { return blades_; }
+  /// Poses of the blades at the last step.
+  const std::vector<BladePose>& poses() const { return poses_; }
+
+ private:
+  void apply_forces(std::size_t blade, double weathering);
+  void move(std::size_t blade);
+  void update_frames(std::size_t blade);
+  void update_material(std::size_t blade);
+  void merge();
+
+  const AgeingModel& model_;
+  std::vector<Blade> blades_;
+  Points points_;
+  float merge_distance_m_;
+  std::vector<double> ages_;
+  std::vector<BladePose> poses_;
+};
+
+}  // namespace wold::grass

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "grass/leaf_optics.h"
+#include "scene/scene.h"
+
+namespace wold::grass {
+
+/// A leaf's colours in linear sRGB, every channel in [0, 0.99].
+struct LeafShade {
+  glm::vec3 reflectance;
+  glm::vec3 transmittance;
+  glm::vec3 albedo;  ///< of single scattering: reflectance + transmittance
+};
+
+/// What a leaf is made of when it keeps the shares `chlorophyll` and `water`, each in [0, 1], of
+/// what the fresh leaf of `ageing` has.
+LeafContent withered_leaf(const scene::Ageing& ageing, double chlorophyll, double water);
+
+/// A leaf's colour over its own weathering degree, made once and looked up fast.
+///
+/// "prospect": the plate model's reflectance and transmittance of withered_leaf(). "paper": the
+/// paper's subtraction of pigments (paper_reflectance()); it knows no transmittance, so that is 0
+/// and the albedo is the reflectance.
+class LeafColour {
+ public:
+  /// Throws InputError when a curve of `ageing` is wrong and FileError when a model is missing.
+  explicit LeafColour(const scene::Ageing& ageing);
+
+  /// The shade at the leaf's own weathering degree, clamped to [0, 1].
+  LeafShade operator()(double weathering) const;
+
+ private:
+  std::vector<LeafShade> table_;  ///< at equal steps from 0 to 1
+};
+
+}  // namespace wold::grass

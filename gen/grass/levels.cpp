@@ -1,0 +1,297 @@
+#include "grass/levels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "grass/columns.h"
+
+namespace wold::grass {
+namespace {
+
+constexpr double radians_per_degree = std::numbers::pi / 180.0;
+constexpr int azimuths = 2;
+
+/// Rows of rays that are enough for a mean over a fine texel.
+int row_stride(const TexelShape& shape) { return std::max(1, shape.side / 48); }
+
+/// From 0 (nothing) to 1 (solid).
+float filled(float depth) { return depth / (1.0F + depth); }
+
+/// Three ways to weigh a voxel's density; the fitted density is a mix of them: as it is; by how
+/// filled the voxel is; by how filled the column of voxels over its ground is. The last two set
+/// gaps against clumps, in all directions and from above.
+class Weighting {
+ public:
+  Weighting(const TexelShape& shape, const std::vector<std::uint32_t>& voxel,
+            const std::vector<float>& density)
+      : shape_(shape),
+        voxel_(voxel),
+        density_(density),
+        column_(static_cast<std::size_t>(shape.side) * static_cast<std::size_t>(shape.side), 0.0F) {
+    for (std::size_t i = 0; i < voxel.size(); ++i) column_[ground(i)] += depth(i);
+    for (float depth : column_) fullest_ = std::max(fullest_, depth);
+  }
+  glm::vec3 basis(std::size_t i) const {
+    return density_[i] * glm::vec3(1.0F, filled(depth(i)), column_[ground(i)] / fullest_);
+  }
+  std::vector<float> dense(int which) const {
+    std::vector<float> result(shape_.voxels(), 0.0F);
+    for (std::size_t i = 0; i < voxel_.size(); ++i) result[voxel_[i]] = basis(i)[which];
+    return result;
+  }
+
+ private:
+  float depth(std::size_t i) const { return density_[i] * static_cast<float>(shape_.voxel_m); }
+  std::size_t ground(std::size_t i) const { return voxel_[i] % column_.size(); }
+
+  const TexelShape& shape_;
+  const std::vector<std::uint32_t>& voxel_;
+  const std::vector<float>& density_;
+  std::vector<float> column_;
+  float fullest_ = 1e-6F;
+};
+
+/// Optical depths of rays from the three elevations, one component per basis of Weighting.
+using RayDepths = std::array<std::vector<glm::vec3>, 3>;
+
+RayDepths ray_depths(const TexelShape& shape, const Weighting& weighting) {
+  RayDepths depths;
+  for (int which = 0; which < 3; ++which) {
+    const std::vector<float> dense = weighting.dense(which);
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::size_t at = 0;
+      for (const auto& direction : transmittance_directions(Transmittances::elevations_deg[i])) {
+        const auto rays = optical_depths(shape, dense, direction, row_stride(shape));
+        depths[i].resize(std::max(depths[i].size(), at + rays.size()));
+        for (float ray : rays) depths[i][at++][which] = ray;
+      }
+    }
+  }
+  return depths;
+}
+
+/// Mean transmittances for the weights of a mix, and how they change with them.
+struct Response {
+  glm::dvec3 seen{0.0};   ///< per elevation
+  glm::dmat3 slope{0.0};  ///< slope[elevation][weight]
+};
+
+Response response(const RayDepths& depths, const glm::dvec3& weights) {
+  Response result;
+  const glm::vec3 w(weights);
+  for (int i = 0; i < 3; ++i) {
+    const auto& rays = depths[static_cast<std::size_t>(i)];
+    double sum = 0.0;
+    glm::dvec3 slope(0.0);
+    for (const glm::vec3& depth : rays) {
+      const float through = std::exp(-glm::dot(w, depth));
+      sum += double{through};
+      slope -= glm::dvec3(through * depth);
+    }
+    result.seen[i] = sum / static_cast<double>(rays.size());
+    result.slope[i] = slope / static_cast<double>(rays.size());
+  }
+  return result;
+}
+
+/// The step of Levenberg and Marquardt towards `miss` per elevation.
+glm::dvec3 damped_step(const Response& now, const glm::dvec3& miss, double damping) {
+  glm::dmat3 normal(0.0);
+  glm::dvec3 right(0.0);
+  for (int i = 0; i < 3; ++i) {
+    normal += glm::outerProduct(now.slope[i], now.slope[i]);
+    right += now.slope[i] * miss[i];
+  }
+  for (int i = 0; i < 3; ++i) normal[i][i] = normal[i][i] * (1.0 + damping) + 1e-12;
+  return glm::inverse(normal) * right;
+}
+
+/// Keeps the mix positive for every voxel: its two fillings lie in [0, 1].
+glm::dvec3 positive(glm::dvec3 weights) {
+  constexpr double least = 0.02;
+  weights.x = std::max(weights.x, least);
+  const double spare = weights.x - least;
+  const double taken = std::max(0.0, -weights.y) + std::max(0.0, -weights.z);
+  const double keep = taken > spare ? spare / taken : 1.0;
+  if (weights.y < 0.0) weights.y *= keep;
+  if (weights.z < 0.0) weights.z *= keep;
+  return weights;
+}
+
+glm::dvec3 fitted_weights(const RayDepths& depths, const glm::dvec3& wanted) {
+  constexpr int steps = 16;
+  constexpr double good = 5e-4;
+  glm::dvec3 weights(1.0, 0.0, 0.0);
+  Response now = response(depths, weights);
+  double damping = 1e-2;
+  for (int step = 0; step < steps && glm::length(now.seen - wanted) > good; ++step) {
+    const glm::dvec3 next = positive(weights + damped_step(now, wanted - now.seen, damping));
+    const Response then = response(depths, next);
+    const bool better = glm::length(then.seen - wanted) < glm::length(now.seen - wanted);
+    damping *= better ? 0.2 : 8.0;
+    if (!better) continue;
+    weights = next;
+    now = then;
+  }
+  return weights;
+}
+
+/// How one axis of a fine voxel is split over the coarse ones: the first, its share, and the rest
+/// goes to the next.
+struct Split {
+  int first;
+  float share;
+};
+
+/// The splits of a fine axis with `count` voxels.
+std::vector<Split> splits(int count, int fine_side, int coarse_side) {
+  const double scale = static_cast<double>(coarse_side) / fine_side;
+  std::vector<Split> result;
+  for (int fine = 0; fine < count; ++fine) {
+    const double begin = fine * scale;
+    const int first = static_cast<int>(std::floor(begin));
+    const double share = (std::min(begin + scale, first + 1.0) - begin) / scale;
+    result.push_back({first, share > 1.0 - 1e-6 ? 1.0F : static_cast<float>(share)});
+  }
+  return result;
+}
+
+/// Which coarse voxels every fine one overlaps, and by how much.
+class Overlap {
+ public:
+  Overlap(const TexelShape& fine, const TexelShape& coarse)
+      : fine_(fine),
+        coarse_(coarse),
+        across_(splits(fine.side, fine.side, coarse.side)),
+        up_(splits(fine.height, fine.side, coarse.side)) {}
+
+  /// Calls visit(coarse voxel, share of the fine voxel that lies in it).
+  template <class Visit>
+  void each(std::uint32_t voxel, const Visit& visit) const {
+    const glm::ivec3 at = fine_.coordinates(voxel);
+    const Split& x = across_[static_cast<std::size_t>(at.x)];
+    const Split& y = across_[static_cast<std::size_t>(at.y)];
+    const Split& z = up_[static_cast<std::size_t>(at.z)];
+    for (int k = 0; k < parts(z); ++k)
+      for (int j = 0; j < parts(y); ++j)
+        for (int i = 0; i < parts(x); ++i)
+          visit(coarse_.linear(x.first + i, y.first + j, z.first + k),
+                part(x, i) * part(y, j) * part(z, k));
+  }
+
+ private:
+  static int parts(const Split& split) { return split.share < 1.0F ? 2 : 1; }
+  static float part(const Split& split, int i) { return i == 0 ? split.share : 1.0F - split.share; }
+
+  const TexelShape& fine_;
+  const TexelShape& coarse_;
+  std::vector<Split> across_;
+  std::vector<Split> up_;
+};
+
+/// Numbers the voxels that are touched, in ascending order.
+std::vector<std::uint32_t> touched_voxels(const VolumeData& fine, const TexelShape& coarse,
+                                          const Overlap& overlap,
+                                          std::vector<std::uint32_t>& slot) {
+  slot.assign(coarse.voxels(), 0);
+  for (std::uint32_t voxel : fine.voxel)
+    overlap.each(voxel, [&](std::uint32_t to, float) { slot[to] = 1; });
+  std::vector<std::uint32_t> voxels;
+  for (std::uint32_t to = 0; to < slot.size(); ++to)
+    if (slot[to] != 0) {
+      slot[to] = static_cast<std::uint32_t>(voxels.size());
+      voxels.push_back(to);
+    }
+  return voxels;
+}
+
+}  // namespace
+
+double Transmittances::difference(const Transmittances& a, const Transmittances& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.value.size(); ++i)
+    largest = std::max(largest, std::abs(a.value[i] - b.value[i]));
+  return largest;
+}
+
+std::vector<glm::dvec3> transmittance_directions(double elevation_deg) {
+  std::vector<glm::dvec3> directions;
+  const int count = elevation_deg > 89.0 ? 1 : azimuths;
+  for (int i = 0; i < count; ++i)
+    directions.push_back(
+        direction_at(elevation_deg * radians_per_degree, 0.4 + i * std::numbers::pi / 2.0));
+  return directions;
+}
+
+Transmittances transmittances(const TexelShape& shape, const std::vector<std::uint32_t>& voxel,
+                              const std::vector<float>& density) {
+  const std::vector<float> dense = dense_density(shape, voxel, density);
+  Transmittances result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (const auto& direction : transmittance_directions(Transmittances::elevations_deg[i])) {
+      const auto depths = optical_depths(shape, dense, direction, row_stride(shape));
+      for (float depth : depths) sum += double{std::exp(-depth)};
+      count += depths.size();
+    }
+    result.value[i] = sum / static_cast<double>(count);
+  }
+  return result;
+}
+
+std::vector<float> fitted_density(const TexelShape& shape, const std::vector<std::uint32_t>& voxel,
+                                  const std::vector<float>& density, const Transmittances& wanted) {
+  const Weighting weighting(shape, voxel, density);
+  const glm::vec3 weights(fitted_weights(ray_depths(shape, weighting),
+                                         {wanted.value[0], wanted.value[1], wanted.value[2]}));
+  std::vector<float> result(density.size());
+  for (std::size_t i = 0; i < density.size(); ++i)
+    result[i] = glm::dot(weights, weighting.basis(i));
+  return result;
+}
+
+TexelShape coarse_shape(const TexelShape& fine, int side) {
+  const double scale = static_cast<double>(side) / fine.side;
+  return {side, static_cast<int>(std::ceil(fine.height * scale - 1e-9)), fine.voxel_m / scale};
+}
+
+VolumeData coarser(const VolumeData& fine, int side) {
+  VolumeData coarse;
+  coarse.shape = coarse_shape(fine.shape, side);
+  coarse.turns = fine.turns;
+  const Overlap overlap(fine.shape, coarse.shape);
+  std::vector<std::uint32_t> slot;
+  coarse.voxel = touched_voxels(fine, coarse.shape, overlap, slot);
+  coarse.density.assign(coarse.size(), 0.0F);
+  coarse.emission.assign(fine.emission.size(),
+                         std::vector<glm::vec3>(coarse.size(), glm::vec3(0.0F)));
+  const auto volume_share =
+      static_cast<float>(fine.shape.voxel_volume_m3() / coarse.shape.voxel_volume_m3());
+  for (std::size_t from = 0; from < fine.size(); ++from)
+    overlap.each(fine.voxel[from], [&](std::uint32_t to, float share) {
+      const float density = share * volume_share * fine.density[from];
+      coarse.density[slot[to]] += density;
+      for (std::size_t turn = 0; turn < fine.emission.size(); ++turn)
+        coarse.emission[turn][slot[to]] += density * fine.emission[turn][from];
+    });
+  for (auto& emission : coarse.emission)
+    for (std::size_t i = 0; i < coarse.size(); ++i)
+      emission[i] /= std::max(coarse.density[i], 1e-12F);
+  return coarse;
+}
+
+void match_radiance(VolumeData& coarse, const VolumeData& fine) {
+  constexpr double elevation = 30.0 * radians_per_degree;
+  const auto seen = [&](const VolumeData& volume, std::size_t turn) {
+    return mean_radiance(volume.shape, volume.voxel, volume.density, volume.emission[turn],
+                         direction_at(elevation, 0.4), row_stride(volume.shape));
+  };
+  for (std::size_t turn = 0; turn < coarse.emission.size(); ++turn) {
+    const glm::vec3 factor(seen(fine, turn) / glm::max(seen(coarse, turn), glm::dvec3(1e-12)));
+    for (glm::vec3& value : coarse.emission[turn]) value *= factor;
+  }
+}
+
+}  // namespace wold::grass

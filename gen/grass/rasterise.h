@@ -1,0 +1,17 @@
+#pragma once
+
+#include "grass/points.h"
+#include "grass/texel.h"
+
+namespace wold::grass {
+
+/// Points to texel (paper 1 section 2.3): every point is spread over the voxels around it with
+/// Gaussian weights w = a exp(-d^2 / (2 sigma^2)), sigma half a voxel, cut at 1.2 voxels.
+///
+/// a is chosen for every point so that its weights sum to one: the paper's constant a keeps mass
+/// only on average, this keeps it exactly, also at the ground and whatever sigma. The paper
+/// divides the sum of weighted attributes by Num; dividing by the sum of the weights, as here,
+/// makes it a mean, so that a constant field stays constant.
+Texel rasterise_points(const Points& points, const TexelShape& shape);
+
+}  // namespace wold::grass

@@ -1,0 +1,130 @@
+#include "grass/shading.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/parallel.h"
+#include "grass/columns.h"
+
+namespace wold::grass {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr float recollision = 0.55F;
+
+/// A world direction as the texel sees it that stands turned by `turn` quarter-turns.
+glm::dvec3 turned_back(const glm::dvec3& direction, int turn) {
+  glm::dvec3 result = direction;
+  for (int i = 0; i < turn; ++i) result = {result.y, -result.x, result.z};
+  return result;
+}
+
+float sine(const glm::vec3& a, const glm::vec3& b) {
+  const float cosine = glm::dot(a, b);
+  return std::sqrt(std::max(0.0F, 1.0F - cosine * cosine));
+}
+
+/// Rings of equal solid angle weighting by their middle.
+std::vector<SkyRing> make_rings() {
+  std::vector<SkyRing> rings;
+  constexpr int count = 3;
+  for (int i = 0; i < count; ++i) {
+    const double low = std::asin(static_cast<double>(i) / count);
+    const double high = std::asin(static_cast<double>(i + 1) / count);
+    rings.push_back({(low + high) / 2.0, 2.0 * pi / count / 4.0});
+  }
+  return rings;
+}
+
+/// The i-th of all sky directions, four to a ring.
+glm::dvec3 sky_direction(std::size_t i) {
+  return direction_at(sky_rings()[i / 4].elevation,
+                      pi / 4.0 + pi / 2.0 * static_cast<double>(i % 4));
+}
+
+/// For every voxel of the texel the voxel of the volume that its centre lies in.
+std::vector<std::uint32_t> places_in(const Texel& texel, const VolumeData& volume) {
+  std::vector<std::uint32_t> slot(volume.shape.voxels(), 0);
+  for (std::size_t i = 0; i < volume.size(); ++i)
+    slot[volume.voxel[i]] = static_cast<std::uint32_t>(i);
+  const float scale = static_cast<float>(volume.shape.side) / static_cast<float>(texel.shape.side);
+  std::vector<std::uint32_t> places(texel.size());
+  for (std::size_t i = 0; i < texel.size(); ++i) {
+    const glm::vec3 centre = glm::vec3(texel.shape.coordinates(texel.voxel[i])) + 0.5F;
+    const glm::ivec3 at(centre * scale);
+    places[i] = slot[volume.shape.linear(at.x, at.y, at.z)];
+  }
+  return places;
+}
+
+}  // namespace
+
+const std::vector<SkyRing>& sky_rings() {
+  static const std::vector<SkyRing> rings = make_rings();
+  return rings;
+}
+
+Lighting make_lighting(const light::Daylight& daylight, const glm::dvec3& eye_direction) {
+  Lighting lighting{daylight.sun_direction(), daylight.sun_irradiance(), {}, eye_direction};
+  for (const SkyRing& ring : sky_rings())
+    lighting.sky_radiance.push_back(daylight.mean_sky_radiance(ring.elevation));
+  return lighting;
+}
+
+float kajiya_kay_diffuse(const glm::vec3& tangent, const glm::vec3& light) {
+  return sine(tangent, light) * (4.0F / std::numbers::pi_v<float>);
+}
+
+float kajiya_kay_specular(const glm::vec3& tangent, const glm::vec3& light, const glm::vec3& view,
+                          float gloss) {
+  const float base = sine(tangent, light) * sine(tangent, view) -
+                     glm::dot(tangent, light) * glm::dot(tangent, view);
+  return std::pow(std::max(base, 0.0F), gloss);
+}
+
+std::vector<glm::vec3> skylight(const Texel& texel, const VolumeData& occluder,
+                                const Lighting& lighting) {
+  const std::vector<float> dense = dense_density(occluder.shape, occluder.voxel, occluder.density);
+  const std::vector<std::uint32_t> place = places_in(texel, occluder);
+  const std::size_t directions = 4 * sky_rings().size();
+  std::vector<std::vector<float>> through(directions);
+  parallel_for(directions, [&](std::size_t i) {
+    through[i] =
+        voxel_transmittance(occluder.shape, dense, occluder.voxel, sky_direction(i), /*skip=*/1);
+  });
+  std::vector<glm::vec3> sum(texel.size(), glm::vec3(0.0F));
+  for (std::size_t i = 0; i < directions; ++i) {
+    const glm::vec3 towards(sky_direction(i));
+    const glm::vec3 radiance =
+        lighting.sky_radiance[i / 4] * static_cast<float>(sky_rings()[i / 4].solid_angle);
+    for (std::size_t v = 0; v < texel.size(); ++v)
+      sum[v] += radiance * (through[i][place[v]] * kajiya_kay_diffuse(texel.tangent[v], towards));
+  }
+  return sum;
+}
+
+std::vector<glm::vec3> bake_emission(const Texel& texel, const std::vector<float>& dense,
+                                     const std::vector<glm::vec3>& skylight,
+                                     const Lighting& lighting, const FibreLook& look, int turn) {
+  constexpr float per_sphere = 1.0F / (4.0F * std::numbers::pi_v<float>);
+  const glm::dvec3 sun = turned_back(lighting.sun_direction, turn);
+  const glm::vec3 light(sun);
+  const glm::vec3 view(turned_back(lighting.eye_direction, turn));
+  const int skip =
+      static_cast<int>(std::lround(0.5 * look.width_m * sun.z / texel.shape.voxel_m)) + 1;
+  const std::vector<float> through =
+      voxel_transmittance(texel.shape, dense, texel.voxel, sun, skip);
+  std::vector<glm::vec3> emission(texel.size());
+  for (std::size_t v = 0; v < texel.size(); ++v) {
+    const glm::vec3& tangent = texel.tangent[v];
+    const glm::vec3 direct = lighting.sun_irradiance * through[v];
+    const glm::vec3 received = direct * kajiya_kay_diffuse(tangent, light) + skylight[v];
+    const glm::vec3 scattered = texel.albedo[v] / (1.0F - recollision * texel.albedo[v]);
+    const float highlight =
+        texel.specular[v] * kajiya_kay_specular(tangent, light, view, look.gloss);
+    emission[v] = per_sphere * (scattered * received + highlight * direct);
+  }
+  return emission;
+}
+
+}  // namespace wold::grass

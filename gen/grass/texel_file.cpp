@@ -1,0 +1,173 @@
+#include "grass/texel_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/vdb_file.h"
+
+namespace wold::grass {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr int border = 1;
+
+openvdb::math::Transform::Ptr texel_transform(const TexelShape& shape) {
+  auto transform = openvdb::math::Transform::createLinearTransform(shape.voxel_m);
+  transform->postTranslate(openvdb::Vec3d((0.5 - border) * shape.voxel_m));
+  return transform;
+}
+
+float stored(float value) { return value; }
+openvdb::Vec3s stored(const glm::vec3& value) { return {value.x, value.y, value.z}; }
+void restore(float from, float& to) { to = from; }
+void restore(const openvdb::Vec3s& from, glm::vec3& to) { to = {from.x(), from.y(), from.z()}; }
+
+/// Looks leaves up by position in a plain table: voxels arrive row by row, and the tree's own
+/// search would dominate.
+template <class Tree>
+class LeafTable {
+ public:
+  using Leaf = typename Tree::LeafNodeType;
+  LeafTable(Tree& tree, const TexelShape& shape)
+      : tree_(tree),
+        side_((shape.side + border) / 8 + 1),
+        leaves_(static_cast<std::size_t>(side_ * side_ * ((shape.height + border) / 8 + 1)),
+                nullptr) {}
+  Leaf& at(const openvdb::Coord& voxel) {
+    const int index = ((voxel.z() >> 3) * side_ + (voxel.y() >> 3)) * side_ + (voxel.x() >> 3);
+    Leaf*& leaf = leaves_[static_cast<std::size_t>(index)];
+    if (leaf == nullptr) leaf = tree_.touchLeaf(voxel);
+    return *leaf;
+  }
+
+ private:
+  Tree& tree_;
+  int side_;
+  std::vector<Leaf*> leaves_;
+};
+
+openvdb::Coord coord_of(const TexelShape& shape, std::uint32_t voxel) {
+  const glm::ivec3 at = shape.coordinates(voxel) + border;
+  return {at.x, at.y, at.z};
+}
+
+template <class Grid, class Value>
+openvdb::GridBase::Ptr make_grid(const std::string& name, const TexelShape& shape,
+                                 const std::vector<std::uint32_t>& voxel,
+                                 const std::vector<Value>& values) {
+  auto grid = Grid::create();
+  LeafTable<typename Grid::TreeType> leaves(grid->tree(), shape);
+  for (std::size_t i = 0; i < voxel.size(); ++i) {
+    const openvdb::Coord at = coord_of(shape, voxel[i]);
+    leaves.at(at).setValueOn(at, stored(values[i]));
+  }
+  grid->setName(name);
+  grid->setTransform(texel_transform(shape));
+  grid->setSaveFloatAsHalf(true);
+  return grid;
+}
+
+openvdb::GridBase::Ptr density_grid(const TexelShape& shape,
+                                    const std::vector<std::uint32_t>& voxel,
+                                    const std::vector<float>& density) {
+  auto grid = make_grid<openvdb::FloatGrid>("density", shape, voxel, density);
+  grid->setGridClass(openvdb::GRID_FOG_VOLUME);
+  return grid;
+}
+
+openvdb::MetaMap file_metadata(const TexelShape& shape, const std::string& content) {
+  openvdb::MetaMap metadata;
+  metadata.insertMeta("content", openvdb::StringMetadata(content));
+  metadata.insertMeta("side", openvdb::Int32Metadata(shape.side));
+  metadata.insertMeta("height", openvdb::Int32Metadata(shape.height));
+  metadata.insertMeta("voxel_m", openvdb::DoubleMetadata(shape.voxel_m));
+  return metadata;
+}
+
+template <class Grid, class Value>
+void read_values(const openvdb::GridPtrVec& grids, const std::string& name, const Texel& texel,
+                 std::vector<Value>& values, const fs::path& path) {
+  const auto grid = openvdb::gridPtrCast<Grid>(openvdb::findGridByName(grids, name));
+  if (!grid) throw FileError(fmt::format("{} has no grid \"{}\" of a texel", path.string(), name));
+  auto accessor = grid->getConstAccessor();
+  values.resize(texel.size());
+  for (std::size_t i = 0; i < texel.size(); ++i)
+    restore(accessor.getValue(coord_of(texel.shape, texel.voxel[i])), values[i]);
+}
+
+/// Positions of the active voxels, ascending.
+std::vector<std::uint32_t> active_voxels(const openvdb::FloatGrid& grid, const TexelShape& shape) {
+  std::vector<std::uint32_t> voxels;
+  for (auto it = grid.cbeginValueOn(); it; ++it) {
+    const openvdb::Coord at = it.getCoord();
+    voxels.push_back(shape.linear(at.x() - border, at.y() - border, at.z() - border));
+  }
+  std::sort(voxels.begin(), voxels.end());
+  return voxels;
+}
+
+}  // namespace
+
+void write_texel(const fs::path& path, const Texel& texel, const std::string& content) {
+  using openvdb::FloatGrid;
+  using openvdb::Vec3SGrid;
+  const TexelShape& shape = texel.shape;
+  write_vdb(path,
+            {density_grid(shape, texel.voxel, texel.density),
+             make_grid<Vec3SGrid>("tangent", shape, texel.voxel, texel.tangent),
+             make_grid<Vec3SGrid>("normal", shape, texel.voxel, texel.normal),
+             make_grid<Vec3SGrid>("albedo", shape, texel.voxel, texel.albedo),
+             make_grid<FloatGrid>("specular", shape, texel.voxel, texel.specular)},
+            file_metadata(shape, content));
+}
+
+Texel read_texel(const fs::path& path) {
+  Texel texel;
+  texel.shape = file_shape(path);
+  const openvdb::GridPtrVecPtr grids = read_vdb(path);
+  const auto density =
+      openvdb::gridPtrCast<openvdb::FloatGrid>(openvdb::findGridByName(*grids, "density"));
+  if (!density) throw FileError(fmt::format("{} has no grid \"density\"", path.string()));
+  texel.voxel = active_voxels(*density, texel.shape);
+  read_values<openvdb::FloatGrid>(*grids, "density", texel, texel.density, path);
+  read_values<openvdb::Vec3SGrid>(*grids, "tangent", texel, texel.tangent, path);
+  read_values<openvdb::Vec3SGrid>(*grids, "normal", texel, texel.normal, path);
+  read_values<openvdb::Vec3SGrid>(*grids, "albedo", texel, texel.albedo, path);
+  read_values<openvdb::FloatGrid>(*grids, "specular", texel, texel.specular, path);
+  return texel;
+}
+
+void write_volume(const fs::path& path, const VolumeData& volume, const std::set<int>& turns,
+                  const std::string& content) {
+  openvdb::GridPtrVec grids = {density_grid(volume.shape, volume.voxel, volume.density)};
+  for (std::size_t i = 0; i < volume.turns.size(); ++i) {
+    if (!turns.contains(volume.turns[i])) continue;
+    grids.push_back(make_grid<openvdb::Vec3SGrid>(fmt::format("emission_q{}", volume.turns[i]),
+                                                  volume.shape, volume.voxel, volume.emission[i]));
+  }
+  write_vdb(path, grids, file_metadata(volume.shape, content));
+}
+
+std::string file_content(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) return {};
+  try {
+    return read_vdb_metadata(path)->metaValue<std::string>("content");
+  } catch (const std::exception&) {
+    return {};
+  }
+}
+
+TexelShape file_shape(const fs::path& path) {
+  const openvdb::MetaMap::Ptr metadata = read_vdb_metadata(path);
+  try {
+    return {metadata->metaValue<std::int32_t>("side"), metadata->metaValue<std::int32_t>("height"),
+            metadata->metaValue<double>("voxel_m")};
+  } catch (const openvdb::Exception& error) {
+    throw FileError(fmt::format("{} is no texel: {}", path.string(), error.what()));
+  }
+}
+
+}  // namespace wold::grass

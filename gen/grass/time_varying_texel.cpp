@@ -1,0 +1,225 @@
+#include "grass/time_varying_texel.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/files.h"
+#include "core/parallel.h"
+#include "core/random.h"
+#include "grass/baking.h"
+#include "grass/levels.h"
+#include "grass/rasterise.h"
+#include "grass/texel_file.h"
+
+namespace wold::grass {
+namespace {
+
+/// Points closer than this share of a voxel cannot be told apart in the texel.
+constexpr double merge_voxels = 0.1;
+
+/// Adds the time since it was made to a sum when it goes.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
+  ~Stopwatch() {
+    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  double& seconds_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+void add(StageTimes& to, const StageTimes& from) {
+  to.sampling += from.sampling;
+  to.dynamics += from.dynamics;
+  to.conversion += from.conversion;
+  to.baking += from.baking;
+  to.storing += from.storing;
+  to.steps += from.steps;
+  to.points += from.points;
+}
+
+/// Highest point of any blade; withering only lowers it.
+double tallest_m(const scene::Scene& scene) {
+  double tallest = 0.0;
+  for (int variant = 0; variant < scene.grass.variants; ++variant)
+    for (const Blade& blade : scatter_blades(scene.grass, scene.ageing, scene.seed, variant)) {
+      const BladePose fresh = blade_pose(blade, scene.ageing, 0.0);
+      for (int i = 1; i <= 16; ++i) {
+        const float arc = blade.length_m * static_cast<float>(i) / 16.0F;
+        tallest = std::max(tallest, double{axis_point(blade, fresh, arc).position_m.y});
+      }
+    }
+  return tallest;
+}
+
+TexelShape finest_shape(const scene::Scene& scene) {
+  const int side = scene.grass.levels.front();
+  const double voxel_m = scene.grass.patch_m / side;
+  // Two voxels more: one for the point's footprint, one for the cone's width.
+  return {side, static_cast<int>(std::ceil(tallest_m(scene) / voxel_m)) + 2, voxel_m};
+}
+
+std::uint64_t point_seed(std::uint64_t seed, int variant) {
+  return random_bits({seed, key_of("points"), static_cast<std::uint64_t>(variant), 0});
+}
+
+/// Every turn that any level wants, ascending.
+std::vector<int> all_turns(const LevelTurns& levels) {
+  std::set<int> turns;
+  for (const auto& level : levels) turns.insert(level.second.begin(), level.second.end());
+  return {turns.begin(), turns.end()};
+}
+
+std::string described(const scene::CurveChoice& curve) {
+  std::string text = curve.name;
+  for (const glm::dvec2& point : curve.points) text += fmt::format(";{},{}", point.x, point.y);
+  return text;
+}
+
+}  // namespace
+
+TimeVaryingTexel::TimeVaryingTexel(const scene::Scene& scene, Lighting lighting,
+                                   std::filesystem::path folder)
+    : scene_(scene),
+      lighting_(std::move(lighting)),
+      folder_(std::move(folder)),
+      shape_(finest_shape(scene)) {}
+
+TexelShape TimeVaryingTexel::level_shape(int level) const {
+  TexelShape shape = shape_;
+  for (int coarser = 1; coarser <= level; ++coarser)
+    shape = coarse_shape(shape, scene_.grass.levels[static_cast<std::size_t>(coarser)]);
+  return shape;
+}
+
+std::filesystem::path TimeVaryingTexel::texel_path(int variant, int key_frame) const {
+  return folder_ / fmt::format("v{}_k{:02}.vdb", variant, key_frame);
+}
+
+std::filesystem::path TimeVaryingTexel::volume_path(int variant, int key_frame, int level) const {
+  const int side = scene_.grass.levels[static_cast<std::size_t>(level)];
+  return folder_ / fmt::format("v{}_k{:02}_{:03}.vdb", variant, key_frame, side);
+}
+
+std::string TimeVaryingTexel::content(int variant, int key_frame) const {
+  constexpr int format_version = 1;  // raise when the same scene gives other texels
+  const scene::Grass& g = scene_.grass;
+  const scene::Ageing& a = scene_.ageing;
+  const auto colour = [](const glm::vec3& c) { return fmt::format("{},{},{}", c.x, c.y, c.z); };
+  std::string text = fmt::format("{} {} {} {}", format_version, scene_.seed, variant,
+                                 g.key_frames[static_cast<std::size_t>(key_frame)]);
+  text += fmt::format(" {} {} {} {} {} {} {} {} {} {} {} {} {}", g.patch_m, g.blades, g.height_m,
+                      g.height_spread, g.width_m, g.width_spread, g.lean_deg, g.lean_spread_deg,
+                      g.bend, g.specular, g.gloss, g.proportion, fmt::join(g.levels, ","));
+  text +=
+      fmt::format(" {} {} {} {} {} {} {} {} {} {} {}", described(a.water), described(a.chlorophyll),
+                  a.colour, a.vein_shrinkage, a.mesophyll_shrinkage, a.stiffening, a.droop,
+                  a.droop_spread, a.onset_spread, a.chlorophyll_ug_cm2, a.carotenoid_ug_cm2);
+  text +=
+      fmt::format(" {},{},{} {} {},{},{}", lighting_.sun_direction.x, lighting_.sun_direction.y,
+                  lighting_.sun_direction.z, colour(lighting_.sun_irradiance),
+                  lighting_.eye_direction.x, lighting_.eye_direction.y, lighting_.eye_direction.z);
+  for (const glm::vec3& radiance : lighting_.sky_radiance) text += " " + colour(radiance);
+  // Merged points stay merged, so a key frame depends on those before it.
+  for (int k = 0; k < key_frame; ++k)
+    text += fmt::format(" {}", g.key_frames[static_cast<std::size_t>(k)]);
+  return content_hash(text + fmt::format(" {}", shape_.height));
+}
+
+std::string TimeVaryingTexel::volume_content(int variant, int key_frame, int level,
+                                             const std::set<int>& turns) const {
+  return content_hash(
+      fmt::format("{} {} {}", content(variant, key_frame), level, fmt::join(turns, ",")));
+}
+
+bool TimeVaryingTexel::is_current(int variant, int key_frame, const LevelTurns& levels) const {
+  if (file_content(texel_path(variant, key_frame)) != content(variant, key_frame)) return false;
+  return std::all_of(levels.begin(), levels.end(), [&](const auto& level) {
+    return file_content(volume_path(variant, key_frame, level.first)) ==
+           volume_content(variant, key_frame, level.first, level.second);
+  });
+}
+
+StageTimes TimeVaryingTexel::generate(const TexelDemand& demand, Progress& progress) const {
+  make_folder(folder_);
+  std::vector<std::pair<int, std::map<int, LevelTurns>>> missing;
+  std::size_t count = 0;
+  for (const auto& [variant, key_frames] : demand) {
+    missing.emplace_back(variant, std::map<int, LevelTurns>{});
+    for (const auto& [key_frame, levels] : key_frames)
+      if (!is_current(variant, key_frame, levels)) missing.back().second[key_frame] = levels;
+    count += missing.back().second.size();
+  }
+  progress.begin("texels", count);
+  std::vector<StageTimes> times(missing.size());
+  parallel_for(missing.size(), [&](std::size_t i) {
+    if (!missing[i].second.empty())
+      times[i] = generate_variant(missing[i].first, missing[i].second, progress);
+  });
+  progress.end();
+  StageTimes total;
+  for (const StageTimes& one : times) add(total, one);
+  return total;
+}
+
+StageTimes TimeVaryingTexel::generate_variant(int variant,
+                                              const std::map<int, LevelTurns>& key_frames,
+                                              Progress& progress) const {
+  const scene::Grass& grass = scene_.grass;
+  const AgeingModel model(scene_.ageing, grass.specular);
+  StageTimes times;
+  auto blades = scatter_blades(grass, scene_.ageing, scene_.seed, variant);
+  Points points;
+  {
+    const Stopwatch watch(times.sampling);
+    points = sample_points(blades, shape_, grass.proportion, point_seed(scene_.seed, variant));
+  }
+  PointDynamics dynamics(model, std::move(blades), std::move(points),
+                         merge_voxels * shape_.voxel_m);
+  for (int key_frame = 0; key_frame <= key_frames.rbegin()->first; ++key_frame) {
+    {
+      const Stopwatch watch(times.dynamics);
+      dynamics.advance_to(grass.key_frames[static_cast<std::size_t>(key_frame)]);
+    }
+    ++times.steps;
+    times.points += static_cast<long>(dynamics.points().size());
+    const auto wanted = key_frames.find(key_frame);
+    if (wanted == key_frames.end()) continue;
+    Texel texel;
+    {
+      const Stopwatch watch(times.conversion);
+      texel = rasterise_points(dynamics.points(), shape_);
+    }
+    std::vector<VolumeData> baked;
+    {
+      const Stopwatch watch(times.baking);
+      baked =
+          bake_levels(texel, dynamics, lighting_, {static_cast<float>(grass.gloss), grass.width_m},
+                      grass.levels, all_turns(wanted->second));
+    }
+    {
+      const Stopwatch watch(times.storing);
+      store(variant, key_frame, texel, baked, wanted->second);
+    }
+    progress.advance(1, texel_path(variant, key_frame).stem().string());
+  }
+  return times;
+}
+
+void TimeVaryingTexel::store(int variant, int key_frame, const Texel& texel,
+                             const std::vector<VolumeData>& baked, const LevelTurns& levels) const {
+  for (const auto& [level, turns] : levels)
+    write_volume(volume_path(variant, key_frame, level), baked[static_cast<std::size_t>(level)],
+                 turns, volume_content(variant, key_frame, level, turns));
+  write_texel(texel_path(variant, key_frame), texel, content(variant, key_frame));
+}
+
+}  // namespace wold::grass

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "core/ground_map.h"
+#include "scene/scene.h"
+
+namespace wold::landscape {
+
+/// Which texel stands on a cell of the terrain, and how. `key_frame` and `level` are indices into
+/// the scene's grass.key_frames and grass.levels; `turn` counts quarter-turns counter-clockwise,
+/// seen from above.
+struct CellChoice {
+  glm::dmat4 world_from_cell{1.0};  ///< see Cell in landscape.h
+  glm::ivec2 cell{0};               ///< column (east) and row (north), from 0
+  int variant = 0;
+  int key_frame = 0;
+  int turn = 0;
+  int level = 0;
+};
+
+/// Cells per side of the terrain: whole patches only.
+int cells_per_side(const scene::Scene& scene);
+
+/// The best affine fit of the ground under a cell, after `turn` quarter-turns about the patch's
+/// centre: least squares through the four corners, which leaves |z00 - z10 - z01 + z11| / 4 at
+/// each.
+glm::dmat4 world_from_cell(const Heightfield& terrain, double patch_m, const glm::ivec2& cell,
+                           int turn);
+
+/// How many of the four quarter-turns a level uses. A turn needs its own baked light, and a volume
+/// of 254^3 takes about 200 MB in a renderer: 1 from 200 voxels per side on, 2 from 100 on, else 4.
+int turns_of_level(int voxels_per_side);
+
+/// The weathering degree wanted at a point of the ground in a frame (from 1): the frame's, plus
+/// ageing.variation times a smooth keyed field in [-1, 1], which fades to nothing for all-fresh and
+/// all-dry frames. The field does not change with the frame: the same spots wither first.
+double local_weathering(const scene::Scene& scene, const glm::dvec2& at_m, int frame);
+
+/// Every cell that can be seen, row by row: variant and turn by keyed choice, so that neighbours
+/// differ; the key frame by keyed dithering between the two nearest to the local weathering; the
+/// coarsest level whose voxels cover at most grass.pixels_per_voxel, with a keyed tenth of jitter,
+/// so that no ring shows where levels change. Only `level` (and with it the turns allowed) and
+/// whether a cell is listed depend on the camera. Frame from 1; throws InputError when the scene
+/// has no such frame.
+std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfield& terrain,
+                                     int frame);
+
+}  // namespace wold::landscape

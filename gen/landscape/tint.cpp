@@ -1,0 +1,55 @@
+#include "landscape/tint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/parallel.h"
+
+namespace wold::landscape {
+namespace {
+
+/// The key frame of every cell of the terrain, row by row; -1 where none stands.
+std::vector<int> key_frames(std::span<const CellChoice> choices, int per_side) {
+  std::vector<int> frames(static_cast<std::size_t>(per_side * per_side), -1);
+  for (const CellChoice& choice : choices)
+    frames[static_cast<std::size_t>(choice.cell.y * per_side + choice.cell.x)] = choice.key_frame;
+  return frames;
+}
+
+}  // namespace
+
+ColourMap weathering_tint(const scene::Scene& scene, int frame, std::span<const CellChoice> choices,
+                          const GrassColour& colour) {
+  constexpr int samples_per_cell = 8;
+  const int per_side = cells_per_side(scene);
+  const std::vector<int> frames = key_frames(choices, per_side);
+  const double step_m = scene.grass.patch_m / samples_per_cell;
+  ColourMap tint(static_cast<int>(std::lround(scene.terrain.size_m / step_m)) + 1,
+                 scene.terrain.size_m, glm::vec3(1.0F));
+  parallel_for(static_cast<std::size_t>(tint.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < tint.samples(); ++i) {
+      const glm::dvec2 at_m = glm::dvec2(i, j) * tint.step_m();
+      const glm::ivec2 cell = glm::min(glm::ivec2(at_m / scene.grass.patch_m), per_side - 1);
+      const int key_frame = frames[static_cast<std::size_t>(cell.y * per_side + cell.x)];
+      if (key_frame < 0) continue;
+      const double shown = scene.grass.key_frames[static_cast<std::size_t>(key_frame)];
+      const glm::vec3 wanted = colour(local_weathering(scene, at_m, frame));
+      tint.at(i, j) = glm::clamp(wanted / colour(shown), 0.5F, 2.0F);
+    }
+  });
+  return tint;
+}
+
+ColourMap product(const ColourMap& light, const ColourMap& factor) {
+  ColourMap map(std::max(light.samples(), factor.samples()), light.size_m());
+  for (int j = 0; j < map.samples(); ++j)
+    for (int i = 0; i < map.samples(); ++i) {
+      const glm::dvec2 at_m = glm::dvec2(i, j) * map.step_m();
+      map.at(i, j) = light.sample(at_m.x, at_m.y) * factor.sample(at_m.x, at_m.y);
+    }
+  return map;
+}
+
+}  // namespace wold::landscape

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+
+#include "core/ground_map.h"
+#include "landscape/landscape.h"
+#include "scene/scene.h"
+
+namespace wold::landscape {
+
+/// The scene's camera with its heights above the ground resolved to world space.
+Camera resolved_camera(const scene::Camera& camera, const Heightfield& terrain);
+
+/// What the camera sees: a pyramid, and how large things look.
+class View {
+ public:
+  View(const Camera& camera, int width_px, int height_px);
+
+  /// Whether any of a sphere can be inside the picture. May say yes for a sphere just outside.
+  bool may_see(const glm::dvec3& centre_m, double radius_m) const;
+
+  /// Pixels that a length covers at a point, seen square on.
+  double pixels(double length_m, const glm::dvec3& at_m) const;
+
+ private:
+  glm::dvec3 eye_m_;
+  std::array<glm::dvec3, 5> inwards_;  ///< unit normals of the sides and of the plane at the eye
+  double pixels_per_radian_ = 0.0;
+};
+
+}  // namespace wold::landscape

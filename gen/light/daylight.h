@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+
+#include "core/image.h"
+#include "scene/scene.h"
+
+namespace wold::light {
+
+/// Sun and clear sky over open, flat ground.
+///
+/// Sky: Preetham, Shirley and Smits 1999, "A practical analytic model for daylight". Sun: Planck's
+/// law at 5778 K dimmed by Rayleigh scattering and Angstrom's aerosol (Iqbal 1983, as in Preetham's
+/// appendix), against the sky's absolute luminance by 130 klx above the atmosphere.
+///
+/// Unit: everything is divided, channel by channel, by the total irradiance of a horizontal plane,
+/// so that sun and sky together give it exactly (1, 1, 1). That is what a camera does that is
+/// balanced and exposed on a white card lying in the open: brightness and white stay put while the
+/// sun moves; what stays is a warm sun against a blue sky. Colours are linear sRGB.
+/// Directions are world space: x east, y north, z up.
+class Daylight {
+ public:
+  /// Sun elevation in (0, 90] degrees, turbidity in [1.8, 10]; throws InputError otherwise.
+  Daylight(const scene::Sun& sun, const scene::Sky& sky);
+
+  /// Unit vector towards the sun.
+  const glm::dvec3& sun_direction() const { return sun_direction_; }
+  /// Irradiance by the sun alone on a plane that faces it.
+  const glm::vec3& sun_irradiance() const { return sun_irradiance_; }
+  /// Irradiance by the sky alone on a horizontal plane.
+  const glm::vec3& sky_irradiance() const { return sky_irradiance_; }
+
+  /// Radiance from a unit direction, without the sun's disc. Below the horizon: a plain of meadows
+  /// that fades into the horizon's haze.
+  glm::vec3 sky_radiance(const glm::dvec3& direction) const;
+
+  /// Sky radiance averaged over azimuth, elevation in [0, pi/2] radians.
+  glm::vec3 mean_sky_radiance(double elevation_rad) const;
+
+  /// The whole sphere as a picture of width x width/2 pixels: column c looks to azimuth
+  /// 360 (c + 0.5) / width degrees clockwise from north, row r to elevation 90 - 180 (r + 0.5) /
+  /// height degrees. The sun is a soft glow of limited radiance instead of its disc, so that no
+  /// pixel outshines the rest by orders of magnitude.
+  Image sky_image(int width_px) const;
+
+ private:
+  glm::dvec3 above_horizon(const glm::dvec3& direction) const;
+  void balance(const scene::Sun& sun, double turbidity);
+
+  /// One of luminance (kcd/m2), x and y: zenith value over Perez' F there, and his A..E.
+  struct Perez {
+    double scale = 0.0;
+    std::array<double, 5> shape{};
+  };
+  std::array<Perez, 3> perez_;
+  glm::dvec3 sun_direction_;
+  glm::dvec3 unit_ = glm::dvec3(1.0);  ///< klx of horizontal irradiance that count as 1
+  glm::vec3 sun_irradiance_;
+  glm::vec3 sky_irradiance_;
+  std::array<glm::vec3, 91> mean_by_degree_;
+};
+
+/// Unit vector for an azimuth clockwise from north and an elevation.
+glm::dvec3 direction_of(double azimuth_rad, double elevation_rad);
+
+}  // namespace wold::light

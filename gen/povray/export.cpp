@@ -1,0 +1,99 @@
+#include "povray/export.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <ostream>
+#include <string>
+
+#include "core/files.h"
+#include "povray/ground_files.h"
+#include "povray/settings.h"
+#include "povray/text.h"
+#include "povray/volume_files.h"
+
+namespace wold::povray {
+namespace fs = std::filesystem;
+namespace {
+
+/// Numbers the volumes that cells use, in the landscape's order: landscape index -> index here.
+std::map<int, int> used_volumes(const landscape::Landscape& scene) {
+  std::map<int, int> used;
+  for (const landscape::Cell& cell : scene.cells) used[cell.volume] = 0;
+  int next = 0;
+  for (auto& [from, to] : used) to = next++;
+  return used;
+}
+
+std::string frame_text(const landscape::Landscape& scene, const std::string& terrain,
+                       glm::vec3 light_max) {
+  return fmt::format(
+      "// Frame {}, weathering degree {}. Metres; x east, y north, z up.\n"
+      "#declare Eye_m = {};\n"
+      "#declare Target_m = {};\n"
+      "#declare Field_of_view_deg = {};  // horizontal\n"
+      "#declare Exposure_gain = {};\n"
+      "#declare Patch_m = {};\n"
+      "#declare Light_samples = {};  // per side\n"
+      "#declare Light_step_m = {};\n"
+      "#declare Light_max = {};  // of the largest numbers in the light's files\n"
+      "#declare Ground_samples = {};\n"
+      "#declare Ground_step_m = {};\n"
+      "#declare Terrain_file = \"{}\"\n",
+      scene.frame, number(scene.weathering), vector(scene.camera.eye_m),
+      vector(scene.camera.target_m), number(scene.camera.field_of_view_deg),
+      number(scene.exposure_gain), number(scene.patch_m), scene.light.samples(),
+      number(scene.light.step_m()), vector(light_max), scene.ground.samples(),
+      number(scene.ground.step_m()), terrain);
+}
+
+void write_volumes_list(std::ostream& out, const landscape::Landscape& scene,
+                        const std::map<int, int>& used) {
+  out << fmt::format("Volumes({})\n", used.size());
+  for (const auto& [from, to] : used)
+    out << fmt::format("Volume({}, \"{}\")\n", to,
+                       scene.volumes[static_cast<std::size_t>(from)].name);
+}
+
+/// The columns of world_from_cell: where x, y and z of the cell go, then its corner.
+void write_cells(std::ostream& out, const landscape::Landscape& scene,
+                 const std::map<int, int>& used) {
+  for (const landscape::Cell& cell : scene.cells) {
+    const auto column = [&](int c) { return vector(glm::dvec3(cell.world_from_cell[c])); };
+    out << fmt::format("Cell({}, {}, {}, {}, {})\n", used.at(cell.volume), column(0), column(1),
+                       column(2), column(3));
+  }
+}
+
+}  // namespace
+
+void export_frame(const landscape::Landscape& scene, const fs::path& folder) {
+  const fs::path data = folder / "data";
+  const fs::path frame = data / fmt::format("frame_{:04}", scene.frame);
+  make_folder(frame);
+  const std::map<int, int> used = used_volumes(scene);
+  for (const auto& [from, to] : used)
+    write_volume(scene.volumes[static_cast<std::size_t>(from)], scene.df3_bits, data / "volumes");
+  const std::string terrain = write_terrain(scene.terrain, data);
+  const glm::vec3 light_max = write_light(scene.light, frame);
+  write_map_picture(scene.ground, frame / "ground.exr");
+  write_image(frame / "sky.exr", scene.sky, PixelFormat::half);
+  write_file(frame / "cells.inc", [&](std::ostream& out) { write_cells(out, scene, used); });
+  write_file(frame / "volumes.inc",
+             [&](std::ostream& out) { write_volumes_list(out, scene, used); });
+  write_file(frame / "frame.inc", frame_text(scene, terrain, light_max));
+  write_file(data / fmt::format("frame_{:04}.ini", scene.frame), frame_settings(scene));
+  write_file(folder / "povray.ini", settings(scene));
+}
+
+void export_scene(const fs::path& folder) {
+  make_folder(folder);
+  for (const auto& entry : fs::directory_iterator(shipped_file("templates/povray"))) {
+    const fs::path& file = entry.path();
+    if (file.extension() == ".pov" || file.extension() == ".inc")
+      write_file(folder / file.filename(), read_file(file));
+  }
+}
+
+}  // namespace wold::povray

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+
+#include "landscape/landscape.h"
+
+namespace wold::povray {
+
+/// Writes everything POV-Ray needs for one frame below `folder`:
+///
+///     povray.ini                    size and quality of a bare `povray scene.pov`
+///     data/frame_0001.ini           the same with frame, input and output: `povray
+///     data/frame_0001.ini` data/frame_0001/frame.inc     camera, exposure, scales of the maps
+///     data/frame_0001/volumes.inc   the volumes this frame uses
+///     data/frame_0001/cells.inc     one macro call per cell
+///     data/frame_0001/*.df3, *.exr  light on the grass; ground and sky
+///     data/terrain_<hash>.inc       the ground's triangles, shared by frames with the same ground
+///     data/volumes/<name>*          shared by all frames
+///
+/// Only volumes that a cell uses are written, and only when they are not there already. Equal
+/// landscapes give equal bytes. Throws FileError.
+void export_frame(const landscape::Landscape& scene, const std::filesystem::path& folder);
+
+/// Copies the scene program (templates/povray/*.pov, *.inc) to `folder`. Throws FileError.
+void export_scene(const std::filesystem::path& folder);
+
+}  // namespace wold::povray

@@ -1,0 +1,81 @@
+#include "povray/ground_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <limits>
+#include <ostream>
+#include <vector>
+
+#include "core/df3.h"
+#include "core/files.h"
+#include "core/image.h"
+#include "povray/text.h"
+
+namespace wold::povray {
+namespace fs = std::filesystem;
+namespace {
+
+void append_vertices(std::string& text, const Heightfield& terrain) {
+  const int n = terrain.samples();
+  fmt::format_to(std::back_inserter(text), "  vertex_vectors {{ {}\n", n * n);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i)
+      fmt::format_to(std::back_inserter(text), ",<{:.7g},{:.7g},{:.7g}>{}", i * terrain.step_m(),
+                     j * terrain.step_m(), terrain.at(i, j), i == n - 1 ? "\n" : "");
+  text += "  }\n";
+}
+
+void append_triangles(std::string& text, int n) {
+  fmt::format_to(std::back_inserter(text), "  face_indices {{ {}\n", 2 * (n - 1) * (n - 1));
+  for (int j = 0; j + 1 < n; ++j)
+    for (int i = 0; i + 1 < n; ++i) {
+      const int corner = j * n + i;
+      fmt::format_to(std::back_inserter(text), ",<{0},{1},{3}>,<{0},{3},{2}>{4}", corner,
+                     corner + 1, corner + n, corner + n + 1, i == n - 2 ? "\n" : "");
+    }
+  text += "  }\n";
+}
+
+}  // namespace
+
+std::string write_terrain(const Heightfield& terrain, const fs::path& folder) {
+  std::string text =
+      "// The ground's triangles: metres, x east, y north, z up.\n#declare Terrain = mesh2 {\n";
+  append_vertices(text, terrain);
+  append_triangles(text, terrain.samples());
+  text += "}\n";
+  const std::string name = fmt::format("terrain_{}.inc", content_hash(text));
+  if (!fs::exists(folder / name)) write_file(folder / name, text);
+  return name;
+}
+
+glm::vec3 write_light(const ColourMap& light, const fs::path& folder) {
+  constexpr std::array<const char*, 3> names = {"light_r.df3", "light_g.df3", "light_b.df3"};
+  glm::vec3 scale(std::numeric_limits<float>::min());
+  for (const glm::vec3& value : light.values()) scale = glm::max(scale, value);
+  std::vector<float> channel(light.values().size());
+  for (int c = 0; c < 3; ++c) {
+    std::transform(light.values().begin(), light.values().end(), channel.begin(),
+                   [c](const glm::vec3& value) { return value[c]; });
+    write_file(folder / names[static_cast<std::size_t>(c)], [&](std::ostream& out) {
+      write_df3(out, {light.samples(), light.samples(), 1}, channel, scale[c], 16);
+    });
+  }
+  return scale;
+}
+
+void write_map_picture(const ColourMap& map, const fs::path& path) {
+  const int n = map.samples();
+  Image picture(n, n, 3);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const glm::vec3 value = map.at(i, j);
+      std::copy_n(&value[0], 3, picture.pixel(i, n - 1 - j));
+    }
+  write_image(path, picture, PixelFormat::half);
+}
+
+}  // namespace wold::povray

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <string>
+
+#include "core/ground_map.h"
+
+namespace wold::povray {
+
+/// Writes the terrain as a mesh2, `#declare Terrain = mesh2 { ... }`: every square of the map is
+/// cut along the diagonal from (i, j) to (i + 1, j + 1). The name says what is in it, so frames
+/// with the same ground share the file: returns "terrain_<hash>.inc". Throws FileError.
+std::string write_terrain(const Heightfield& terrain, const std::filesystem::path& folder);
+
+/// Writes the light on the grass as light_r.df3, light_g.df3, light_b.df3: one slice of 16-bit
+/// integers whose sample (i, j) is the map's. Returns the value of the largest integer for each
+/// channel. Throws FileError.
+glm::vec3 write_light(const ColourMap& light, const std::filesystem::path& folder);
+
+/// Writes a map as an OpenEXR picture (half floats) whose pixel centres are the map's samples,
+/// north at the top. Throws FileError.
+void write_map_picture(const ColourMap& map, const std::filesystem::path& path);
+
+}  // namespace wold::povray

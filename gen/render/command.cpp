@@ -1,0 +1,100 @@
+#include "render/command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace wold::render {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+Arguments blender_arguments(const Job& job, const std::string& program, const std::string& output) {
+  // Blender takes relative names from $PWD, not from the folder it was started in
+  const std::string script = (std::filesystem::absolute(job.scene_folder) / "scene.py").string();
+  Arguments arguments = {program, "-b", "--factory-startup",
+                         // without it a Python error still ends with exit code 0
+                         "--python-exit-code", "1", "-P", script, "--", std::to_string(job.frame),
+                         "--out", output, "--size",
+                         fmt::format("{}x{}", job.size_px.x, job.size_px.y), "--samples",
+                         std::to_string(job.samples)};
+  if (job.threads > 0)
+    arguments.insert(arguments.end(), {"--threads", std::to_string(job.threads)});
+  return arguments;
+}
+
+/// POV-Ray splits its arguments at spaces even when the shell did not.
+std::string quoted(const std::string& path) {
+  const char quote = path.find('"') == std::string::npos ? '"' : '\'';
+  return fmt::format("{}{}{}", quote, path, quote);
+}
+
+/// Every pixel that differs from a neighbour gets R x R samples on a square, the same in any run:
+/// R x R reaches the wanted number.
+Arguments povray_sampling(int samples) {
+  if (samples <= 1) return {"-A"};
+  const int per_side = static_cast<int>(std::ceil(std::sqrt(samples)));
+  return {"+A0.03", "+AM1", "-J", fmt::format("+R{}", per_side)};
+}
+
+Arguments povray_arguments(const Job& job, const std::string& program, const std::string& output) {
+  Arguments arguments = {program,
+                         "+Iscene.pov",
+                         "+L.",
+                         fmt::format("Declare=FRAME={}", job.frame),
+                         "+O" + quoted(output),
+                         "+FN8",
+                         fmt::format("+W{}", job.size_px.x),
+                         fmt::format("+H{}", job.size_px.y),
+                         "-D",
+                         "-P",
+                         "+V"};
+  if (job.threads > 0) arguments.push_back(fmt::format("+WT{}", job.threads));
+  std::ranges::move(povray_sampling(job.samples), std::back_inserter(arguments));
+  return arguments;
+}
+
+std::optional<double> leading_number(std::string_view text) {
+  double value = 0.0;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (result.ec != std::errc() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+/// "wold: progress 0.25"
+std::optional<double> blender_fraction(std::string_view line) {
+  constexpr std::string_view mark = "wold: progress ";
+  if (!line.starts_with(mark)) return std::nullopt;
+  return leading_number(line.substr(mark.size()));
+}
+
+/// "Rendered 1024 of 921600 pixels (0%)"; the pixels are finer than the percent
+std::optional<double> povray_fraction(std::string_view line) {
+  constexpr std::string_view mark = "Rendered ";
+  constexpr std::string_view middle = " of ";
+  const std::size_t of = line.find(middle);
+  if (!line.starts_with(mark) || of == std::string_view::npos) return std::nullopt;
+  const auto done = leading_number(line.substr(mark.size()));
+  const auto total = leading_number(line.substr(of + middle.size()));
+  if (!done || !total || *total <= 0.0) return std::nullopt;
+  return *done / *total;
+}
+
+}  // namespace
+
+std::vector<std::string> command_line(const Job& job, const std::filesystem::path& program,
+                                      const std::filesystem::path& output) {
+  return job.kind == Renderer::blender ? blender_arguments(job, program.string(), output.string())
+                                       : povray_arguments(job, program.string(), output.string());
+}
+
+std::optional<double> progress_fraction(Renderer renderer, std::string_view line) {
+  const auto fraction =
+      renderer == Renderer::blender ? blender_fraction(line) : povray_fraction(line);
+  if (!fraction) return std::nullopt;
+  return std::clamp(*fraction, 0.0, 1.0);
+}
+
+}  // namespace wold::render

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <glm/glm.hpp>
+
+#include "render/renderer.h"
+
+namespace wold::render {
+
+/// One picture to make from an exported scene folder.
+struct Job {
+  Renderer kind = Renderer::blender;
+  std::filesystem::path scene_folder;  ///< holds scene.py or scene.pov and its data/
+  int frame = 1;                       ///< from 1
+  glm::ivec2 size_px{0};
+  int samples = 1;                  ///< per pixel
+  int threads = 0;                  ///< 0: all processors
+  std::chrono::seconds timeout{0};  ///< from the start; longer than 0
+  std::filesystem::path picture;    ///< where the finished picture goes
+  std::filesystem::path log;        ///< the renderer's own words, kept in any case
+};
+
+}  // namespace wold::render

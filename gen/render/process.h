@@ -1,0 +1,46 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wold::render {
+
+/// How a program ended: by itself with a code, or by a signal (then the code means nothing).
+struct ProcessEnd {
+  int code = 0;
+  int signal = 0;  ///< 0: none
+};
+
+/// "exit code 1" or "killed by signal 11 (Segmentation fault)".
+std::string to_string(const ProcessEnd& end);
+
+/// A running program in a process group of its own, its standard output and error joined. When it
+/// goes out of scope the whole group is gone: asked to terminate, then killed.
+class Process {
+ public:
+  /// Starts arguments[0] in `folder`. Throws RendererError with the system's reason.
+  Process(const std::vector<std::string>& arguments, const std::filesystem::path& folder);
+  ~Process();
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  /// New output; empty when there is none within `wait`.
+  std::string read(std::chrono::milliseconds wait);
+
+  /// How it ended, nothing while it runs.
+  std::optional<ProcessEnd> ended() const;
+
+  /// Ends every process of the group that is left.
+  void stop();
+
+ private:
+  pid_t group_ = 0;
+  int output_ = -1;
+};
+
+}  // namespace wold::render

@@ -1,0 +1,139 @@
+#include "render/run.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <fstream>
+#include <string>
+
+#include "core/error.h"
+#include "core/files.h"
+#include "render/command.h"
+#include "render/log.h"
+#include "render/picture_check.h"
+#include "render/process.h"
+
+namespace wold::render {
+namespace fs = std::filesystem;
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::milliseconds patience{100};  // longest time between two questions
+
+/// Turns fractions into units of a 100-unit stage that never goes back.
+class Percent {
+ public:
+  explicit Percent(Progress& progress) : progress_(progress) {}
+  void reach(double fraction) {
+    const auto percent = static_cast<std::size_t>(std::floor(100.0 * fraction));
+    if (percent <= done_) return;
+    progress_.advance(percent - done_, {});
+    done_ = percent;
+  }
+
+ private:
+  Progress& progress_;
+  std::size_t done_ = 0;
+};
+
+/// Reads what the program says: progress to one side, everything else to the log.
+class Listener {
+ public:
+  Listener(Renderer kind, Percent& percent, Log& log) : kind_(kind), percent_(percent), log_(log) {}
+  void hear(std::string_view bytes, bool at_end = false) {
+    lines_.add(bytes);
+    for (std::string line; lines_.next(line, at_end);) {
+      if (const auto fraction = progress_fraction(kind_, line))
+        percent_.reach(*fraction);
+      else
+        log_.add(line);
+    }
+  }
+
+ private:
+  Renderer kind_;
+  Percent& percent_;
+  Log& log_;
+  LineSplitter lines_;
+};
+
+RendererError failure(const Job& job, const Log& log, std::string_view reason) {
+  return RendererError(fmt::format("{} failed on frame {}: {}; its log is {}{}",
+                                   display_name(job.kind), job.frame, reason, log.path().string(),
+                                   log.last_lines()));
+}
+
+/// Runs the program to its end; leaving by an exception ends it too.
+ProcessEnd watch(const Job& job, const std::vector<std::string>& command, Listener& listener,
+                 const Log& log, const std::function<bool()>& interrupted) {
+  Process process(command, fs::absolute(job.scene_folder));
+  const auto deadline = Clock::now() + job.timeout;
+  while (!process.ended()) {
+    listener.hear(process.read(patience));
+    if (interrupted()) throw InterruptedError();
+    if (Clock::now() > deadline)
+      throw failure(job, log, fmt::format("no picture after {} s", job.timeout.count()));
+  }
+  process.stop();
+  for (std::string rest; !(rest = process.read({})).empty();) listener.hear(rest);
+  listener.hear({}, /*at_end=*/true);
+  return *process.ended();
+}
+
+void render_to(const fs::path& output, const Job& job, const fs::path& program, Progress& progress,
+               const std::function<bool()>& interrupted) {
+  Log log(job.log);
+  const std::vector<std::string> command = command_line(job, program, output);
+  log.add(fmt::format("{}", fmt::join(command, " ")));
+  Percent percent(progress);
+  Listener listener(job.kind, percent, log);
+  const ProcessEnd end = watch(job, command, listener, log, interrupted);
+  if (end.code != 0 || end.signal != 0) throw failure(job, log, to_string(end));
+  if (const std::string problem = picture_problem(output, job.size_px); !problem.empty())
+    throw failure(job, log, problem);
+  percent.reach(1.0);
+}
+
+/// Removes what a stopped renderer leaves beside its output, such as POV-Ray's state file.
+class Leftovers {
+ public:
+  explicit Leftovers(const fs::path& output) : output_(output) {}
+  ~Leftovers() {
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(output_.parent_path(), ignored))
+      if (entry.path() != output_ && entry.path().stem() == output_.stem())
+        fs::remove(entry.path(), ignored);
+  }
+  Leftovers(const Leftovers&) = delete;
+  Leftovers& operator=(const Leftovers&) = delete;
+
+ private:
+  fs::path output_;
+};
+
+/// Finds out before the long work whether its result can be kept.
+void require_writable(const fs::path& output) {
+  std::error_code ignored;
+  if (!std::ofstream(output)) throw FileError("the folder cannot be written");
+  fs::remove(output, ignored);
+}
+
+}  // namespace
+
+void run(const Job& job, Progress& progress, const std::function<bool()>& interrupted) {
+  const fs::path program = find_renderer(job.kind);
+  const fs::path picture = fs::absolute(job.picture);
+  make_folder(picture.parent_path());
+  std::error_code ignored;
+  fs::remove(picture, ignored);
+  progress.begin(fmt::format("{} frame {}", display_name(job.kind), job.frame), 100);
+  write_file_by_path(picture, [&](const fs::path& output) {
+    require_writable(output);
+    const Leftovers leftovers(output);
+    render_to(output, job, program, progress, interrupted);
+  });
+  progress.end();
+}
+
+}  // namespace wold::render

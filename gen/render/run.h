@@ -1,0 +1,22 @@
+#pragma once
+
+#include <functional>
+
+#include "core/progress.h"
+#include "render/job.h"
+
+namespace wold::render {
+
+/// Renders one picture with an external program and checks it.
+///
+/// The program runs in its own process group; its output goes to job.log, its progress (in
+/// percent) to `progress`. The picture appears under job.picture only when the program succeeded
+/// in time and the picture has the right size and is not blank; an older one is removed first.
+/// `interrupted` is asked several times a second.
+///
+/// Throws RendererError (program missing, failed, killed, out of time, no valid picture; it names
+/// the frame, the reason and the log with its last lines), FileError (a folder cannot be written
+/// or is full) and InterruptedError. The program and its children have ended in every case.
+void run(const Job& job, Progress& progress, const std::function<bool()>& interrupted);
+
+}  // namespace wold::render

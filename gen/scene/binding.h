@@ -1,0 +1,55 @@
+#pragma once
+
+#include <algorithm>
+#include <concepts>
+#include <cstdint>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "scene/registry.h"
+
+/// How a key reaches its field of Scene: between the field's own C++ type and Value.
+namespace wold::scene {
+
+template <class T>
+concept PlainField =
+    std::same_as<T, double> || std::same_as<T, std::string> || std::same_as<T, CurveChoice>;
+
+template <class T>
+using ItemsOf = std::vector<
+    std::conditional_t<std::is_integral_v<typename T::value_type>, std::int64_t, double>>;
+
+template <class T>
+Value value_of(const T& field) {
+  if constexpr (std::integral<T>)
+    return static_cast<std::int64_t>(field);
+  else if constexpr (PlainField<T>)
+    return field;
+  else
+    return ItemsOf<T>(field.begin(), field.end());
+}
+
+template <class T>
+void assign(T& field, const Value& value) {
+  if constexpr (std::integral<T>) {
+    field = static_cast<T>(std::get<std::int64_t>(value));
+  } else if constexpr (PlainField<T>) {
+    field = std::get<T>(value);
+  } else {
+    const auto& items = std::get<ItemsOf<T>>(value);
+    if constexpr (requires { field.resize(items.size()); }) field.resize(items.size());
+    std::transform(items.begin(), items.end(), field.begin(),
+                   [](auto item) { return static_cast<typename T::value_type>(item); });
+  }
+}
+
+/// Gives the key its accessors; `field` is a generic lambda from a Scene to a reference.
+template <class Field>
+Key bound(Key key, Field field) {
+  key.get = [field](const Scene& scene) { return value_of(field(scene)); };
+  key.set = [field](Scene& scene, const Value& value) { assign(field(scene), value); };
+  return key;
+}
+
+}  // namespace wold::scene

@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/registry.h"
+#include "scene/text.h"
+
+/// The checks of one value against its key.
+namespace wold::scene {
+namespace {
+
+using MaybeFault = std::optional<Fault>;
+
+template <class T>
+bool in_range(const Key& key, T value) {
+  if (!key.members.empty())
+    return std::any_of(key.members.begin(), key.members.end(), [&](std::int64_t member) {
+      return static_cast<double>(member) == static_cast<double>(value);
+    });
+  // Written so that NaN fails.
+  return static_cast<double>(value) >= key.lowest && static_cast<double>(value) <= key.highest;
+}
+
+std::string with_unit(const Key& key, const auto& value) {
+  return fmt::format("{}{}{}", value, key.unit.empty() ? "" : " ", key.unit);
+}
+
+template <class T>
+MaybeFault order_fault(const Key& key, const std::vector<T>& items) {
+  if (key.list.order == Order::any) return std::nullopt;
+  const bool up = key.list.order == Order::increasing;
+  for (std::size_t i = 1; i < items.size(); ++i)
+    if (!(up ? items[i] > items[i - 1] : items[i] < items[i - 1]))
+      return Fault{fmt::format("{} after {}", items[i], items[i - 1]), i};
+  return std::nullopt;
+}
+
+template <class T>
+MaybeFault ends_fault(const Key& key, const std::vector<T>& items) {
+  if (!key.list.spans_range) return std::nullopt;
+  if (static_cast<double>(items.front()) != key.lowest)
+    return Fault{fmt::format("{} as the first", items.front()), 0};
+  if (static_cast<double>(items.back()) != key.highest)
+    return Fault{fmt::format("{} as the last", items.back()), items.size() - 1};
+  return std::nullopt;
+}
+
+bool is_file_name(const std::string& name) {
+  const auto letter_or_digit = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+  };
+  return !name.empty() && name.size() <= 64 && letter_or_digit(name.front()) &&
+         std::all_of(name.begin(), name.end(), [&](char c) {
+           return letter_or_digit(c) || c == '_' || c == '-' || c == '.';
+         });
+}
+
+bool is_word(const Key& key, const std::string& text) {
+  return std::find(key.words.begin(), key.words.end(), text) != key.words.end();
+}
+
+/// What is wrong with a value, by its type; each overload knows the kinds that hold it.
+struct FaultFinder {
+  const Key& key;
+
+  MaybeFault operator()(const auto& number) const {
+    if (in_range(key, number)) return std::nullopt;
+    return Fault{with_unit(key, number)};
+  }
+
+  MaybeFault operator()(const std::string& text) const {
+    if (key.kind == Kind::name ? is_file_name(text) : is_word(key, text)) return std::nullopt;
+    return Fault{in_quotes(text)};
+  }
+
+  template <class T>
+  MaybeFault operator()(const std::vector<T>& items) const {
+    if (items.size() < key.list.fewest || items.size() > key.list.most)
+      return Fault{fmt::format("a list of {}", items.size())};
+    for (std::size_t i = 0; i < items.size(); ++i)
+      if (!in_range(key, items[i])) return Fault{with_unit(key, items[i]), i};
+    if (MaybeFault fault = order_fault(key, items)) return fault;
+    return ends_fault(key, items);
+  }
+
+  MaybeFault operator()(const CurveChoice& curve) const {
+    return curve.points.empty() ? (*this)(curve.name) : points_fault(curve.points);
+  }
+
+  MaybeFault points_fault(const std::vector<glm::dvec2>& points) const {
+    if (points.size() < key.list.fewest || points.size() > key.list.most)
+      return Fault{fmt::format("a list of {}", points.size())};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const bool later = i == 0 || points[i].x > points[i - 1].x;
+      if (!later || !in_range(key, points[i].x) || !in_range(key, points[i].y))
+        return Fault{fmt::format("[{}, {}]", points[i].x, points[i].y), i};
+    }
+    if (points.front().x != 0.0)
+      return Fault{fmt::format("{} as the first weathering degree", points.front().x), 0};
+    if (points.back().x != 1.0)
+      return Fault{fmt::format("{} as the last weathering degree", points.back().x),
+                   points.size() - 1};
+    return std::nullopt;
+  }
+};
+
+}  // namespace
+
+std::optional<Fault> fault_of(const Key& key, const Value& value) {
+  return std::visit(FaultFinder{key}, value);
+}
+
+}  // namespace wold::scene

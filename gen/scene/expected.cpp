@@ -1,0 +1,76 @@
+#include <fmt/format.h>
+
+#include "scene/registry.h"
+
+/// What a key accepts, in words.
+namespace wold::scene {
+namespace {
+
+/// "a, b or c"
+std::string alternatives(const std::vector<std::string>& items) {
+  std::string text;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i > 0) text += i + 1 == items.size() ? " or " : ", ";
+    text += items[i];
+  }
+  return text;
+}
+
+std::string words_text(const Key& key) {
+  std::vector<std::string> words;
+  for (const std::string& word : key.words) words.push_back('"' + word + '"');
+  return alternatives(words);
+}
+
+std::string members_text(const Key& key) {
+  std::vector<std::string> members;
+  for (const std::int64_t member : key.members) members.push_back(std::to_string(member));
+  return alternatives(members);
+}
+
+std::string range_text(const Key& key) {
+  const std::string unit = key.unit.empty() ? "" : " " + key.unit;
+  if (!key.members.empty()) return members_text(key) + unit;
+  return fmt::format("from {} to {}{}", key.lowest, key.highest, unit);
+}
+
+std::string list_text(const Key& key, const char* items) {
+  const ListRule& rule = key.list;
+  std::string text =
+      rule.fewest == rule.most
+          ? fmt::format("{} {} {}", rule.fewest, items, range_text(key))
+          : fmt::format("a list of {} to {} {} {}", rule.fewest, rule.most, items, range_text(key));
+  if (rule.order == Order::increasing) text += ", each larger than the one before";
+  if (rule.order == Order::decreasing) text += ", each smaller than the one before";
+  if (rule.spans_range)
+    text += fmt::format(", the first {} and the last {}", key.lowest, key.highest);
+  return text;
+}
+
+}  // namespace
+
+std::string expected(const Key& key) {
+  switch (key.kind) {
+    case Kind::integer:
+      return key.members.empty() ? "a whole number " + range_text(key) : range_text(key);
+    case Kind::number:
+      return "a number " + range_text(key);
+    case Kind::name:
+      return "a file name of 1 to 64 letters, digits, '_', '-' and '.' that starts with a letter "
+             "or digit";
+    case Kind::word:
+      return words_text(key);
+    case Kind::integers:
+      return list_text(key, "whole numbers");
+    case Kind::numbers:
+      return list_text(key, "numbers");
+    case Kind::curve:
+      return fmt::format(
+          "{}, or a list of {} to {} points [weathering degree, value], the degree rising from 0 "
+          "to 1, values from {} to {}",
+          words_text(key), key.list.fewest, key.list.most, key.lowest, key.highest);
+  }
+  return {};
+}
+
+}  // namespace wold::scene

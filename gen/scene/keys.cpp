@@ -1,0 +1,256 @@
+#include "scene/keys.h"
+
+#include "scene/binding.h"
+
+/// A key's field, for reading and writing alike.
+#define FIELD(path) \
+  [](auto& scene) -> auto& { return scene.path; }
+
+namespace wold::scene {
+namespace {
+
+struct Range {
+  double lowest;
+  double highest;
+};
+
+Key plain(Kind kind, const char* name, const char* unit, Range range, const char* doc) {
+  return {.name = name,
+          .unit = unit,
+          .doc = doc,
+          .kind = kind,
+          .lowest = range.lowest,
+          .highest = range.highest,
+          .words = {},
+          .members = {},
+          .list = {},
+          .get = {},
+          .set = {}};
+}
+
+Key number(const char* name, const char* unit, Range range, const char* doc) {
+  return plain(Kind::number, name, unit, range, doc);
+}
+
+Key integer(const char* name, const char* unit, Range range, const char* doc) {
+  return plain(Kind::integer, name, unit, range, doc);
+}
+
+Key word(const char* name, std::vector<std::string> words, const char* doc) {
+  Key key = plain(Kind::word, name, "", {0, 0}, doc);
+  key.words = std::move(words);
+  return key;
+}
+
+Key curve(const char* name, std::vector<std::string> words, const char* doc) {
+  Key key = plain(Kind::curve, name, "", {0, 1}, doc);
+  key.words = std::move(words);
+  key.list = {.fewest = 2, .most = 1000};
+  return key;
+}
+
+Key list(Kind kind, const char* name, const char* unit, Range range, ListRule rule,
+         const char* doc) {
+  Key key = plain(kind, name, unit, range, doc);
+  key.list = rule;
+  return key;
+}
+
+Key only(Key key, std::vector<std::int64_t> members) {
+  key.members = std::move(members);
+  return key;
+}
+
+constexpr ListRule pair = {.fewest = 2, .most = 2};
+constexpr ListRule colour = {.fewest = 3, .most = 3};
+
+}  // namespace
+
+std::vector<Key> top_level_keys() {
+  return {
+      bound(plain(Kind::name, "name", "", {1, 64}, "Names the output folder and the films."),
+            FIELD(name)),
+      // The largest seed is the largest whole number that every JSON reader keeps exactly.
+      bound(integer("seed", "", {0, 9007199254740991.0},
+                    "Another seed gives another meadow of the same kind."),
+            FIELD(seed)),
+  };
+}
+
+std::vector<Key> terrain_keys() {
+  return {
+      bound(number("terrain.size", "m", {1, 10000}, "Side of the square hillside."),
+            FIELD(terrain.size_m)),
+      bound(integer("terrain.samples", "", {17, 4097}, "Heights along each side."),
+            FIELD(terrain.samples)),
+      bound(number("terrain.hill_height", "m", {0, 1000}, "Rise from the near edge to the crest."),
+            FIELD(terrain.hill_height_m)),
+      bound(number("terrain.relief", "m", {0, 100}, "Standard deviation of the fractal relief."),
+            FIELD(terrain.relief_m)),
+      bound(number("terrain.relief_feature", "m", {0.1, 10000},
+                   "Size of the relief's largest features."),
+            FIELD(terrain.relief_feature_m)),
+      bound(number("terrain.roughness", "", {0.1, 1},
+                   "Hurst exponent of the relief: 1 is smooth, 0.5 rugged."),
+            FIELD(terrain.roughness)),
+      bound(integer("terrain.octaves", "", {1, 16}, "Octaves of noise in the relief."),
+            FIELD(terrain.octaves)),
+      bound(number("terrain.talus", "deg", {5, 80}, "Steepest slope that erosion leaves."),
+            FIELD(terrain.talus_deg)),
+      bound(integer("terrain.erosion_steps", "", {0, 10000}, "Passes of erosion; 0 is none."),
+            FIELD(terrain.erosion_steps)),
+      bound(list(Kind::numbers, "terrain.ground_albedo", "", {0, 1}, colour,
+                 "Colour of the bare ground, linear red, green and blue."),
+            FIELD(terrain.ground_albedo)),
+  };
+}
+
+std::vector<Key> grass_keys() {
+  return {
+      bound(number("grass.patch", "m", {0.05, 20}, "Side of the patch that repeats."),
+            FIELD(grass.patch_m)),
+      bound(integer("grass.blades", "", {1, 20000}, "Blades in a patch."), FIELD(grass.blades)),
+      bound(number("grass.height", "m", {0.01, 3}, "Mean length of a blade."),
+            FIELD(grass.height_m)),
+      bound(number("grass.height_spread", "", {0, 1},
+                   "Standard deviation of the length over its mean."),
+            FIELD(grass.height_spread)),
+      bound(number("grass.width", "m", {0.0005, 0.05}, "Mean width of a blade at its foot."),
+            FIELD(grass.width_m)),
+      bound(number("grass.width_spread", "", {0, 1},
+                   "Standard deviation of the width over its mean."),
+            FIELD(grass.width_spread)),
+      bound(number("grass.lean", "deg", {0, 80}, "Mean angle of a blade from the vertical."),
+            FIELD(grass.lean_deg)),
+      bound(number("grass.lean_spread", "deg", {0, 45}, "Standard deviation of that angle."),
+            FIELD(grass.lean_spread_deg)),
+      bound(number("grass.specular", "", {0, 1},
+                   "Strength of the blades' highlight (Kajiya and Kay's ms)."),
+            FIELD(grass.specular)),
+      bound(number("grass.gloss", "", {1, 1000},
+                   "Sharpness of the highlight (Kajiya and Kay's exponent p)."),
+            FIELD(grass.gloss)),
+      bound(integer("grass.variants", "", {1, 64}, "Different patches laid side by side."),
+            FIELD(grass.variants)),
+      bound(only(list(Kind::integers, "grass.levels", "voxels", {30, 254},
+                      {.fewest = 1, .most = 4, .order = Order::decreasing},
+                      "Levels of detail: voxels along a side of the patch, finest first."),
+                 {254, 126, 62, 30}),
+            FIELD(grass.levels)),
+      bound(number("grass.proportion", "", {0.1, 1000},
+                   "Points drawn per unit of a voxel's optical depth."),
+            FIELD(grass.proportion)),
+      bound(list(Kind::numbers, "grass.key_frames", "", {0, 1},
+                 {.fewest = 2, .most = 64, .order = Order::increasing, .spans_range = true},
+                 "Weathering degrees for which patches are made; the rest is mingled."),
+            FIELD(grass.key_frames)),
+      bound(number("grass.pixels_per_voxel", "", {0.1, 16},
+                   "A level is fine enough when its voxel covers at most this many pixels."),
+            FIELD(grass.pixels_per_voxel)),
+  };
+}
+
+std::vector<Key> ageing_keys() {
+  return {
+      bound(curve("ageing.water", {"standard", "ample", "cold"},
+                  "Relative water content of the leaves over the weathering degree."),
+            FIELD(ageing.water)),
+      bound(curve("ageing.chlorophyll", {"standard", "drought", "cold"},
+                  "Relative chlorophyll content over the weathering degree."),
+            FIELD(ageing.chlorophyll)),
+      bound(word("ageing.colour", {"prospect", "paper"},
+                 "How pigments become colour: the PROSPECT leaf model, or the paper's functions."),
+            FIELD(ageing.colour)),
+      bound(number("ageing.vein_shrinkage", "", {0, 1},
+                   "Share of the veins' volume that is lost with all water; below "
+                   "ageing.mesophyll_shrinkage."),
+            FIELD(ageing.vein_shrinkage)),
+      bound(number("ageing.mesophyll_shrinkage", "", {0, 1},
+                   "Share of the soft tissue's volume that is lost with all water."),
+            FIELD(ageing.mesophyll_shrinkage)),
+      bound(number("ageing.stiffening", "", {0, 100},
+                   "How many times stiffer a dry blade is, less one."),
+            FIELD(ageing.stiffening)),
+      bound(number("ageing.droop", "rad/sqrt(m)", {0, 50},
+                   "Bending towards the ground with all water lost."),
+            FIELD(ageing.droop)),
+      bound(number("ageing.droop_spread", "", {0, 1},
+                   "Standard deviation of the droop from blade to blade over its mean."),
+            FIELD(ageing.droop_spread)),
+      bound(number("ageing.onset_spread", "", {0, 0.5},
+                   "Standard deviation of the weathering degree from blade to blade."),
+            FIELD(ageing.onset_spread)),
+      bound(number("ageing.chlorophyll_content", "ug/cm2", {0, 120},
+                   "Chlorophyll of the fresh leaf."),
+            FIELD(ageing.chlorophyll_ug_cm2)),
+      bound(
+          number("ageing.carotenoid_content", "ug/cm2", {0, 30}, "Carotenoids of the fresh leaf."),
+          FIELD(ageing.carotenoid_ug_cm2)),
+      bound(number("ageing.variation", "", {0, 0.5},
+                   "How far the weathering degree differs from place to place."),
+            FIELD(ageing.variation)),
+      bound(number("ageing.variation_feature", "m", {0.1, 1000}, "Size of such places."),
+            FIELD(ageing.variation_feature_m)),
+      bound(list(Kind::numbers, "ageing.frames", "", {0, 1}, {.fewest = 1, .most = 10000},
+                 "Weathering degree of each frame: 0 is fresh, 1 fully withered."),
+            FIELD(ageing.frames)),
+  };
+}
+
+std::vector<Key> sun_keys() {
+  return {
+      bound(number("sun.elevation", "deg", {1, 90}, "Height of the sun above the horizon."),
+            FIELD(sun.elevation_deg)),
+      bound(number("sun.azimuth", "deg", {0, 360}, "Where the sun stands, clockwise from north."),
+            FIELD(sun.azimuth_deg)),
+  };
+}
+
+std::vector<Key> sky_keys() {
+  return {
+      bound(number("sky.turbidity", "", {2, 10},
+                   "Haze of the air (Preetham's T): 2 is very clear, 10 hazy."),
+            FIELD(sky.turbidity)),
+  };
+}
+
+std::vector<Key> camera_keys() {
+  return {
+      bound(list(Kind::numbers, "camera.eye", "m", {0, 10000}, pair,
+                 "Where the camera stands: east and north, inside the terrain."),
+            FIELD(camera.eye_m)),
+      bound(number("camera.eye_height", "m", {0.01, 1000}, "Height of the eye above the ground."),
+            FIELD(camera.eye_height_m)),
+      bound(list(Kind::numbers, "camera.target", "m", {0, 10000}, pair,
+                 "Where it looks: east and north, inside the terrain."),
+            FIELD(camera.target_m)),
+      bound(
+          number("camera.target_height", "m", {0, 1000}, "Height of that point above the ground."),
+          FIELD(camera.target_height_m)),
+      bound(number("camera.field_of_view", "deg", {5, 150}, "Horizontal angle of view."),
+            FIELD(camera.field_of_view_deg)),
+  };
+}
+
+std::vector<Key> render_keys() {
+  return {
+      bound(word("render.renderer", {"blender", "povray", "both"}, "Who makes the pictures."),
+            FIELD(render.renderer)),
+      bound(list(Kind::integers, "render.size", "px", {16, 16384}, pair,
+                 "Width and height of the picture."),
+            FIELD(render.size_px)),
+      bound(integer("render.samples", "", {1, 4096}, "Samples per pixel."), FIELD(render.samples)),
+      bound(number("render.exposure", "stops", {-20, 20}, "Brightness of the picture."),
+            FIELD(render.exposure)),
+      bound(only(integer("render.df3_bits", "bits", {8, 16}, "Depth of POV-Ray's density files."),
+                 {8, 16}),
+            FIELD(render.df3_bits)),
+      bound(integer("render.threads", "", {0, 1024}, "Threads to use; 0 is all processors."),
+            FIELD(render.threads)),
+      bound(number("render.timeout", "min", {0.01, 10080},
+                   "Longest time for one frame of one renderer."),
+            FIELD(render.timeout_minutes)),
+  };
+}
+
+}  // namespace wold::scene

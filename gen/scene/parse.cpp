@@ -1,0 +1,152 @@
+#include "scene/parse.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <tuple>
+
+#include "core/error.h"
+#include "scene/consistency.h"
+#include "scene/convert.h"
+#include "scene/document.h"
+#include "scene/nearest.h"
+#include "scene/registry.h"
+#include "scene/text.h"
+
+namespace wold::scene {
+namespace fs = std::filesystem;
+namespace {
+
+bool is_table(std::string_view name) {
+  return std::find(tables().begin(), tables().end(), name) != tables().end();
+}
+
+/// What the passes work on.
+struct Reading {
+  Scene scene;
+  Places places;
+  std::vector<Problem> problems;
+};
+
+void report_unknown_tables(const Document& document, Reading& reading) {
+  for (const Section& section : document.sections) {
+    if (is_table(section.name)) continue;
+    const Key* key = find_key(section.name);
+    reading.problems.push_back(
+        {section.where,
+         key != nullptr ? fmt::format("{}: found a table, expected {}", key->name, expected(*key))
+                        : fmt::format("unknown table [{}]{}", shown(section.name),
+                                      suggestion(nearest_table(section.name)))});
+  }
+}
+
+std::string unknown_key_message(const Entry& entry) {
+  if (is_table(entry.name))
+    return fmt::format("{}: found {}, expected the table [{}]", entry.name, description(entry.node),
+                       entry.name);
+  return fmt::format("unknown key {}{}", in_quotes(entry.name),
+                     suggestion(nearest_key(entry.name)));
+}
+
+/// Names the item of a list by its place, people count from 1.
+std::string item_text(const Fault& fault) {
+  return fault.item ? fmt::format("{} (item {})", fault.found, *fault.item + 1) : fault.found;
+}
+
+SourcePosition place_of(const Fault& fault, const Node& node) {
+  const auto* items = std::get_if<std::vector<Node>>(&node.value);
+  return fault.item && items != nullptr ? (*items)[*fault.item].where : node.where;
+}
+
+std::optional<Problem> store(const Key& key, const Node& node, Scene& scene) {
+  const auto problem = [&](const SourcePosition& where, const std::string& found) {
+    return Problem{where, fmt::format("{}: found {}, expected {}", key.name, found, expected(key))};
+  };
+  const auto outcome = converted_to(key, node);
+  if (const auto* wrong = std::get_if<WrongType>(&outcome))
+    return problem(wrong->node->where, description(*wrong->node));
+  const Value& value = std::get<Value>(outcome);
+  if (const auto fault = fault_of(key, value))
+    return problem(place_of(*fault, node), item_text(*fault));
+  key.set(scene, value);
+  return std::nullopt;
+}
+
+void apply(const Entry& entry, Reading& reading) {
+  const Key* key = find_key(entry.name);
+  if (key == nullptr) {
+    reading.problems.push_back({entry.where, unknown_key_message(entry)});
+    return;
+  }
+  reading.places.given[key->name] = entry.where;
+  if (auto problem = store(*key, entry.node, reading.scene)) {
+    reading.places.failed.insert(key->name);
+    reading.problems.push_back(*problem);
+  }
+}
+
+void apply_entries(const Document& document, Reading& reading) {
+  for (const Entry& entry : document.entries) {
+    const bool reported_with_its_table = !entry.table.empty() && !is_table(entry.table);
+    if (!reported_with_its_table) apply(entry, reading);
+  }
+}
+
+void apply_override(const std::string& text, Reading& reading) {
+  try {
+    apply(read_override(text), reading);
+  } catch (const InputError& error) {
+    reading.problems.insert(reading.problems.end(), error.problems().begin(),
+                            error.problems().end());
+  }
+}
+
+/// The text's problems from its top, then those without a line.
+void sort_by_line(std::vector<Problem>& problems) {
+  const auto rank = [](const Problem& problem) {
+    return std::tuple(problem.where.line == 0, problem.where.line, problem.where.column);
+  };
+  std::ranges::stable_sort(problems, {}, rank);
+}
+
+/// The text of a file, but no more than a scene can have: it may be endless.
+std::string bounded_text(const fs::path& path) {
+  const auto unreadable = [&](const std::string& reason) {
+    const SourcePosition where{path.string()};
+    return InputError({Problem{where, "cannot read the scene file: " + reason}});
+  };
+  std::error_code error;
+  if (fs::is_directory(path, error)) throw unreadable("it is a folder");
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw unreadable(errno == 0 ? "unknown reason" : std::strerror(errno));
+  std::string text(largest_text_bytes + 1, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (in.bad()) throw unreadable(errno == 0 ? "unknown reason" : std::strerror(errno));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return text;
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view text, const std::string& file_name,
+                  std::span<const std::string> overrides) {
+  const Document document = read_document(text, file_name);
+  Reading reading;
+  report_unknown_tables(document, reading);
+  apply_entries(document, reading);
+  for (const std::string& override_text : overrides) apply_override(override_text, reading);
+  report_contradictions(reading.scene, reading.places, reading.problems);
+  sort_by_line(reading.problems);
+  if (!reading.problems.empty()) throw InputError(std::move(reading.problems));
+  return reading.scene;
+}
+
+Scene read_scene(const fs::path& path, std::span<const std::string> overrides) {
+  return parse_scene(bounded_text(path), path.string(), overrides);
+}
+
+}  // namespace wold::scene

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "scene/scene.h"
+
+namespace wold::scene {
+
+/// The scene of a TOML text. Keys that it leaves out keep the defaults of Scene; an empty text is
+/// a whole scene. `file_name` is for messages only. `overrides` are `key=value`, applied after the
+/// text in their order; a value is TOML or a bare word.
+///
+/// Throws one InputError with every problem: syntax, unknown tables and keys, wrong types, values
+/// out of range, keys that contradict each other. Each has its position and says what was found
+/// and what is accepted.
+Scene parse_scene(std::string_view text, const std::string& file_name,
+                  std::span<const std::string> overrides = {});
+
+/// The same for a file. A file that is missing, unreadable or no file is an InputError, too.
+Scene read_scene(const std::filesystem::path& path, std::span<const std::string> overrides = {});
+
+}  // namespace wold::scene

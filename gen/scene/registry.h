@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "scene/scene.h"
+
+/// The registry: every key of the scene file, stated once. Reading, checking, writing back, help
+/// and the manual all walk this table.
+namespace wold::scene {
+
+/// What a key holds.
+enum class Kind {
+  integer,   ///< std::int64_t
+  number,    ///< double; whole numbers are accepted
+  name,      ///< std::string, safe as a file name
+  word,      ///< std::string, one of `words`
+  integers,  ///< std::vector<std::int64_t>
+  numbers,   ///< std::vector<double>
+  curve,     ///< CurveChoice: one of `words`, or points
+};
+
+using Value = std::variant<std::int64_t, double, std::string, std::vector<std::int64_t>,
+                           std::vector<double>, CurveChoice>;
+
+/// How the items of a list follow each other; both are strict.
+enum class Order { any, increasing, decreasing };
+
+/// What a list must be, beyond the range of its items.
+struct ListRule {
+  std::size_t fewest = 1;
+  std::size_t most = 1;
+  Order order = Order::any;
+  bool spans_range = false;  ///< the first item is the lowest value, the last the highest
+};
+
+/// One key of the scene file.
+struct Key {
+  std::string name;  ///< dotted: "grass.patch"; without a dot at the top level
+  std::string unit;  ///< "m", "deg", ...; "" for plain numbers and words
+  std::string doc;   ///< one sentence
+  Kind kind = Kind::number;
+  double lowest = 0.0;  ///< range of a number or of every item, ends included
+  double highest = 0.0;
+  std::vector<std::string> words;     ///< allowed words, for Kind::word and Kind::curve
+  std::vector<std::int64_t> members;  ///< if any: the only allowed integers
+  ListRule list;
+  std::function<Value(const Scene&)> get;
+  /// Stores a value of the key's kind that has passed fault_of().
+  std::function<void(Scene&, const Value&)> set;
+};
+
+/// All keys, table by table, in the order they are written.
+const std::vector<Key>& registry();
+
+/// The key of that dotted name, or nullptr.
+const Key* find_key(std::string_view name);
+
+/// The tables' names in their order, without the top level: "terrain", "grass", ...
+const std::vector<std::string>& tables();
+
+/// "grass" of "grass.patch", "" of "seed".
+std::string_view table_of(std::string_view name);
+/// "patch" of "grass.patch", "seed" of "seed".
+std::string_view leaf_of(std::string_view name);
+
+/// The known key or table the user may have meant, "" when nothing is near.
+std::string nearest_key(std::string_view name);
+std::string nearest_table(std::string_view name);
+
+/// What is wrong with a value: what was found, and in which item of a list (from 0).
+struct Fault {
+  std::string found;
+  std::optional<std::size_t> item = std::nullopt;
+};
+
+/// Checks a value of the key's kind against the key's range, words, members and list rule.
+std::optional<Fault> fault_of(const Key& key, const Value& value);
+
+/// What the key accepts, in words with unit and range: "a number from 0.05 to 20 m".
+std::string expected(const Key& key);
+
+/// The value as TOML; doubles as the shortest text that reads back the same.
+std::string toml_text(const Value& value);
+
+}  // namespace wold::scene

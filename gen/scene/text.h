@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace wold::scene {
+
+/// The user's text for a message: in quotes, control characters as "?", shortened to 40 bytes at
+/// a character's boundary. Safe to print on a terminal whatever the file held.
+std::string in_quotes(std::string_view text);
+
+/// The same without quotes, for keys.
+std::string shown(std::string_view text);
+
+/// The shortest text that reads back as the same number, always with a point or an exponent.
+std::string number_text(double value);
+
+}  // namespace wold::scene

@@ -1,0 +1,117 @@
+#include "scene/write.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "core/error.h"
+#include "scene/registry.h"
+#include "scene/text.h"
+
+namespace wold::scene {
+namespace {
+
+std::string item_text(std::int64_t integer) { return std::to_string(integer); }
+std::string item_text(double number) { return number_text(number); }
+std::string item_text(const glm::dvec2& point) {
+  return fmt::format("[{}, {}]", number_text(point.x), number_text(point.y));
+}
+/// Only file names and the registry's words get here: nothing to escape.
+std::string item_text(const std::string& word) { return '"' + word + '"'; }
+
+template <class T>
+std::string list_text(const std::vector<T>& items) {
+  std::string text;
+  for (const T& item : items) text += (text.empty() ? "" : ", ") + item_text(item);
+  return '[' + text + ']';
+}
+
+struct ValueWriter {
+  std::string operator()(const auto& scalar) const { return item_text(scalar); }
+  template <class T>
+  std::string operator()(const std::vector<T>& items) const {
+    return list_text(items);
+  }
+  std::string operator()(const CurveChoice& curve) const {
+    return curve.points.empty() ? item_text(curve.name) : list_text(curve.points);
+  }
+};
+
+/// The key with its comment, after its table's header when it is the first of the table.
+std::string key_text(const Key& key, const Scene& scene, std::string_view table_before) {
+  std::string text;
+  if (const std::string_view table = table_of(key.name); table != table_before)
+    text += fmt::format("\n[{}]\n", table);
+  return text + fmt::format("# {} Accepts {}.\n{} = {}\n", key.doc, expected(key),
+                            leaf_of(key.name), toml_text(key.get(scene)));
+}
+
+/// The keys one changes first.
+bool is_for_starters(std::string_view name) {
+  constexpr std::string_view names[] = {"name",          "seed",          "terrain.hill_height",
+                                        "grass.height",  "grass.blades",  "ageing.water",
+                                        "ageing.frames", "sun.elevation", "sun.azimuth",
+                                        "camera.eye",    "camera.target", "render.renderer",
+                                        "render.size",   "render.samples"};
+  for (const std::string_view starter : names)
+    if (name == starter) return true;
+  return false;
+}
+
+void check_name(const Scene& scene) {
+  const Key& key = *find_key("name");
+  if (const auto fault = fault_of(key, key.get(scene)))
+    throw InputError(fmt::format("name: found {}, expected {}", fault->found, expected(key)));
+}
+
+std::string markdown_row(const Key& key) {
+  static const Scene defaults;
+  return fmt::format("| `{}` | `{}` | {} | {} |\n", key.name, toml_text(key.get(defaults)),
+                     expected(key), key.doc);
+}
+
+}  // namespace
+
+std::string toml_text(const Value& value) { return std::visit(ValueWriter{}, value); }
+
+std::string resolved_toml(const Scene& scene) {
+  std::string text = "# A scene of Wold with every key.\n";
+  std::string_view table;
+  for (const Key& key : registry()) {
+    text += key_text(key, scene, table);
+    table = table_of(key.name);
+  }
+  return text;
+}
+
+std::string starter_scene(const std::string& name) {
+  Scene scene;
+  scene.name = name;
+  check_name(scene);
+  std::string text = fmt::format(
+      "# A withering meadow. Try it: wold render {0}.toml\n"
+      "# The keys one changes first; `wold check {0}.toml` shows all of them.\n\n",
+      name);
+  std::string_view table;
+  for (const Key& key : registry()) {
+    if (!is_for_starters(key.name)) continue;
+    text += key_text(key, scene, table);
+    table = table_of(key.name);
+  }
+  return text;
+}
+
+std::string keys_markdown() {
+  std::string text, table = "none yet";
+  for (const Key& key : registry()) {
+    if (const std::string next(table_of(key.name)); next != table) {
+      text += fmt::format("{}**{}**\n\n| key | default | accepts | meaning |\n|---|---|---|---|\n",
+                          text.empty() ? "" : "\n", next.empty() ? "top level" : "[" + next + "]");
+      table = next;
+    }
+    text += markdown_row(key);
+  }
+  return text;
+}
+
+}  // namespace wold::scene

@@ -1,0 +1,162 @@
+#include "terrain/lighting.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "core/noise.h"
+#include "core/parallel.h"
+#include "core/random.h"
+#include "terrain/horizon.h"
+#include "terrain/relief.h"
+
+namespace wold::terrain {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double radians_per_degree = pi / 180.0;
+
+/// The sky cut into patches: azimuths times bands of elevation.
+struct SkyPatches {
+  static constexpr int azimuths = 16;
+  static constexpr int bands = 18;
+  static constexpr double band_rad = 0.5 * pi / bands;
+
+  struct Patch {
+    glm::dvec3 direction;
+    glm::dvec3 power;  ///< radiance times solid angle
+  };
+  std::vector<Patch> patches;  ///< azimuth by azimuth, bands upwards
+
+  explicit SkyPatches(const light::Daylight& day) {
+    for (int a = 0; a < azimuths; ++a)
+      for (int b = 0; b < bands; ++b) {
+        const double elevation_rad = (b + 0.5) * band_rad;
+        const glm::dvec3 to = light::direction_of(azimuth_rad(a), elevation_rad);
+        const double solid_angle = std::cos(elevation_rad) * band_rad * 2.0 * pi / azimuths;
+        patches.push_back({to, glm::dvec3(day.sky_radiance(to)) * solid_angle});
+      }
+  }
+
+  static double azimuth_rad(int a) { return 2.0 * pi * a / azimuths; }
+};
+
+/// Share of a band of elevations that lies above the horizon; continuous, so nothing steps.
+double share_above(int band, double horizon) {
+  return std::clamp(band + 1.0 - horizon / SkyPatches::band_rad, 0.0, 1.0);
+}
+
+glm::dvec3 sky_light(const Heightfield& terrain, const glm::dvec2& at_m, const glm::dvec3& up,
+                     const SkyPatches& sky) {
+  glm::dvec3 sum(0.0);
+  auto patch = sky.patches.begin();
+  for (int a = 0; a < SkyPatches::azimuths; ++a) {
+    const glm::dvec2 towards(light::direction_of(SkyPatches::azimuth_rad(a), 0.0));
+    const double horizon = horizon_rad(terrain, at_m, towards, 0.12);
+    for (int b = 0; b < SkyPatches::bands; ++b, ++patch)
+      sum +=
+          patch->power * (std::max(0.0, glm::dot(up, patch->direction)) * share_above(b, horizon));
+  }
+  return sum;
+}
+
+/// Share of the sun's disc that is seen, in [0, 1]. The disc is taken as 2 degrees wide: grass, not
+/// a sharp edge, casts the hill's shadow.
+double sun_seen(const Heightfield& terrain, const glm::dvec2& at_m, const glm::dvec3& to_sun) {
+  constexpr std::array<double, 3> offsets_deg = {-0.7, 0.0, 0.7};
+  constexpr double half_width = 1.0 * radians_per_degree;
+  const double azimuth = std::atan2(to_sun.x, to_sun.y);
+  const double elevation = std::asin(to_sun.z);
+  double seen = 0.0;
+  for (const double offset_deg : offsets_deg) {
+    const glm::dvec2 towards(light::direction_of(azimuth + offset_deg * radians_per_degree, 0.0));
+    const double above = elevation - horizon_rad(terrain, at_m, towards, 0.02);
+    const double t = std::clamp(0.5 + 0.5 * above / half_width, 0.0, 1.0);
+    seen += t * t * (3.0 - 2.0 * t) / offsets_deg.size();
+  }
+  return seen;
+}
+
+glm::dvec3 sun_light(const Heightfield& terrain, const glm::dvec2& at_m, const glm::dvec3& up,
+                     const light::Daylight& day) {
+  const double lambert = glm::dot(up, day.sun_direction());
+  if (lambert <= 0.0) return glm::dvec3(0.0);
+  return glm::dvec3(day.sun_irradiance()) *
+         (lambert * sun_seen(terrain, at_m, day.sun_direction()));
+}
+
+/// Irradiance of level ground under nothing but the patches: what the sum over patches makes of
+/// the sky's irradiance.
+glm::dvec3 flat_sky_light(const SkyPatches& sky) {
+  glm::dvec3 sum(0.0);
+  for (const SkyPatches::Patch& patch : sky.patches) sum += patch.power * patch.direction.z;
+  return sum;
+}
+
+/// One pass of the binomial filter 1 2 1 along both axes; the border keeps its value beyond itself.
+void smooth(ColourMap& map) {
+  const ColourMap old = map;
+  const auto inside = [&](int i) { return std::clamp(i, 0, old.samples() - 1); };
+  for (int j = 0; j < map.samples(); ++j)
+    for (int i = 0; i < map.samples(); ++i) {
+      glm::vec3 sum(0.0F);
+      for (int dj = -1; dj <= 1; ++dj)
+        for (int di = -1; di <= 1; ++di)
+          sum += old.at(inside(i + di), inside(j + dj)) *
+                 static_cast<float>((2 - std::abs(di)) * (2 - std::abs(dj)));
+      map.at(i, j) = sum / 16.0F;
+    }
+}
+
+/// The ground's own colour at a point: soil, darker where moist, with pale dry litter on it.
+glm::vec3 ground_albedo(const glm::dvec2& at_m, const glm::vec3& soil, const Fbm& moisture,
+                        const Fbm& litter) {
+  const auto wet = static_cast<float>(std::clamp(fbm(at_m / 3.5, moisture), -2.0, 2.0));
+  const auto straw = static_cast<float>(std::tanh(0.8 * fbm(at_m / 0.35, litter)));
+  return soil * (1.0F - 0.12F * wet) * (1.0F + straw * glm::vec3(0.30F, 0.30F, 0.24F));
+}
+
+}  // namespace
+
+ColourMap light_map(const Heightfield& terrain, const light::Daylight& day) {
+  constexpr double step_m = 0.2;
+  ColourMap map(static_cast<int>(std::ceil(terrain.size_m() / step_m)) + 1, terrain.size_m());
+  const SkyPatches sky(day);
+  const glm::dvec3 sky_scale = glm::dvec3(day.sky_irradiance()) / flat_sky_light(sky);
+  parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < map.samples(); ++i) {
+      const glm::dvec2 at_m = glm::dvec2(i, j) * map.step_m();
+      const glm::dvec3 up = normal(terrain, at_m.x, at_m.y);
+      map.at(i, j) = glm::vec3(sun_light(terrain, at_m, up, day) +
+                               sky_light(terrain, at_m, up, sky) * sky_scale);
+    }
+  });
+  // Grass takes its light from about its own height around: a deviation of 0.28 m.
+  for (int pass = 0; pass < 4; ++pass) smooth(map);
+  return map;
+}
+
+ColourMap ground_radiance(const ColourMap& light, const scene::Terrain& terrain, std::uint64_t seed,
+                          const glm::vec3& canopy_transmittance) {
+  constexpr double step_m = 0.05;
+  const int samples = static_cast<int>(std::ceil(light.size_m() / step_m)) + 1;
+  ColourMap map(samples, light.size_m());
+  const glm::vec3 soil(terrain.ground_albedo[0], terrain.ground_albedo[1],
+                       terrain.ground_albedo[2]);
+  const Fbm moisture{random_bits({seed, key_of("ground"), 0, key_of("moisture")}), 2, 0.8};
+  const Fbm litter{random_bits({seed, key_of("ground"), 0, key_of("litter")}), 3, 0.3};
+  parallel_for(static_cast<std::size_t>(samples), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < samples; ++i) {
+      const glm::dvec2 at_m = glm::dvec2(i, j) * map.step_m();
+      map.at(i, j) = ground_albedo(at_m, soil, moisture, litter) * light.sample(at_m.x, at_m.y) *
+                     canopy_transmittance / static_cast<float>(pi);
+    }
+  });
+  return map;
+}
+
+}  // namespace wold::terrain

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/ground_map.h"
+#include "light/daylight.h"
+#include "scene/scene.h"
+
+namespace wold::terrain {
+
+/// The light that falls on the ground, relative to flat open ground, per channel: the sun's
+/// irradiance by Lambert's law with a soft cast shadow, and the sky's radiance above the local
+/// horizon. The daylight's unit makes flat open ground 1. A sample every 20 cm, smoothed over the
+/// height of grass, so that a shadow's edge is about half a metre wide.
+ColourMap light_map(const Heightfield& terrain, const light::Daylight& day);
+
+/// What the camera sees of the bare ground: albedo * irradiance / pi.
+///
+/// The albedo varies about terrain.ground_albedo: moist hollows and litter (keyed fBm), detail down
+/// to the map's step of about 5 cm. `canopy_transmittance`, in [0, 1] per channel, is the share of
+/// the light that comes through the grass. `light` is light_map's.
+ColourMap ground_radiance(const ColourMap& light, const scene::Terrain& terrain, std::uint64_t seed,
+                          const glm::vec3& canopy_transmittance);
+
+}  // namespace wold::terrain

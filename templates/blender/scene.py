@@ -1,0 +1,452 @@
+"""Renders one frame of the meadow with Blender 3.4 (Cycles on the CPU).
+
+    blender -b --python-exit-code 1 -P scene.py -- 1
+    blender -b --python-exit-code 1 -P scene.py -- 3 --size 1920x1080 --samples 16 --out third.png
+    blender -P scene.py -- 1 --look            opens the scene in the window instead
+
+Needs nothing but Blender and the folder `data` beside this file. All light is baked: the grass
+volumes, the ground and the sky emit what reaches the eye, so there are no lamps, no bounces and no
+noise but the steps along a ray, and a few samples per pixel are enough.
+
+Lengths are metres; x points east, y north, z up.
+"""
+
+import argparse
+import array
+import contextlib
+import json
+import math
+import os
+import re
+import sys
+import threading
+
+import bpy
+from mathutils import Vector
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+class DataError(Exception):
+    """A file of the frame is missing or damaged."""
+
+
+# The frame's data ---------------------------------------------------------------------------
+
+
+class Frame:
+    """frame.json and the files it names."""
+
+    def __init__(self, number):
+        self.folder = os.path.join(HERE, "data", f"frame_{number:04d}")
+        try:
+            with open(self.path("frame.json"), encoding="utf-8") as file:
+                self.data = json.load(file)
+        except (OSError, ValueError) as error:
+            raise DataError(f"cannot read {self.path('frame.json')}: {error}") from error
+
+    def __getitem__(self, key):
+        return self.data[key]
+
+    def path(self, name):
+        return os.path.normpath(os.path.join(self.folder, name))
+
+    def numbers(self, name, typecode, count):
+        """A raw little-endian array ('f' float32, 'i' int32) of `count` numbers."""
+        values = array.array(typecode)
+        check_size(self.path(name), count * values.itemsize)
+        with open(self.path(name), "rb") as file:
+            values.frombytes(file.read())
+        if sys.byteorder == "big":
+            values.byteswap()
+        return values
+
+    def image(self, name):
+        """A picture of linear light, taken as it is."""
+        try:
+            image = bpy.data.images.load(self.path(name))
+        except RuntimeError as error:
+            raise DataError(f"cannot read {self.path(name)}: {error}") from error
+        image.colorspace_settings.name = "Non-Color"
+        if min(image.size) == 0:
+            raise DataError(f"{self.path(name)} is damaged")
+        return image
+
+
+def check_size(path, expected):
+    found = os.path.getsize(path) if os.path.exists(path) else None
+    if found is None:
+        raise DataError(f"{path} is missing")
+    if found != expected:
+        raise DataError(f"{path} is damaged: it has {found} bytes, {expected} were expected")
+
+
+# Materials ----------------------------------------------------------------------------------
+
+
+class Nodes:
+    """A node tree that is being filled: nodes by type, links by the sockets' names."""
+
+    def __init__(self, tree):
+        tree.nodes.clear()
+        self.tree = tree
+
+    def add(self, kind, **settings):
+        node = self.tree.nodes.new(kind)
+        for name, value in settings.items():
+            setattr(node, name, value)
+        return node
+
+    def link(self, source, target):
+        self.tree.links.new(source, target)
+
+
+def map_colour(nodes, frame, ground_map):
+    """Colour of a map of the ground at the shaded point, as an output socket.
+
+    The map's values lie on the corners of its grid, the first and last on the terrain's border; a
+    picture's lie in the middle of its pixels."""
+    samples, size_m = ground_map["samples"], ground_map["size_m"]
+    scale = (samples - 1) / (samples * size_m)
+    position = nodes.add("ShaderNodeNewGeometry").outputs["Position"]
+    # Not a Mapping node: it works out its rotation anew at every step of every ray.
+    place = nodes.add("ShaderNodeVectorMath", operation="MULTIPLY_ADD")
+    place.inputs[1].default_value = (scale, scale, 0)
+    place.inputs[2].default_value = (0.5 / samples, 0.5 / samples, 0)
+    picture = nodes.add("ShaderNodeTexImage", image=frame.image(ground_map["file"]),
+                        extension="EXTEND")
+    nodes.link(position, place.inputs[0])
+    nodes.link(place.outputs["Vector"], picture.inputs["Vector"])
+    return picture.outputs["Color"]
+
+
+def new_material(name):
+    material = bpy.data.materials.new(name)
+    material.use_nodes = True
+    material.cycles.sample_as_light = False  # nothing here is lit by anything else
+    return material, Nodes(material.node_tree)
+
+
+def ground_material(frame):
+    material, nodes = new_material("ground")
+    emission = nodes.add("ShaderNodeEmission")
+    output = nodes.add("ShaderNodeOutputMaterial")
+    nodes.link(map_colour(nodes, frame, frame["ground"]), emission.inputs["Color"])
+    nodes.link(emission.outputs["Emission"], output.inputs["Surface"])
+    return material
+
+
+def grass_material(frame, step_voxels):
+    """Grid `density` absorbs (1/m), grid `emission` adds (radiance/m), the map `light` tints."""
+    material, nodes = new_material(f"grass, step {step_voxels:.2f}")
+    material.cycles.volume_step_rate = step_voxels
+    density = nodes.add("ShaderNodeAttribute", attribute_name="density")
+    radiance = nodes.add("ShaderNodeAttribute", attribute_name="emission")
+    lit = nodes.add("ShaderNodeVectorMath", operation="MULTIPLY")
+    absorption = nodes.add("ShaderNodeVolumeAbsorption")
+    absorption.inputs["Color"].default_value = (0, 0, 0, 1)
+    emission = nodes.add("ShaderNodeEmission")
+    both = nodes.add("ShaderNodeAddShader")
+    output = nodes.add("ShaderNodeOutputMaterial")
+    nodes.link(density.outputs["Fac"], absorption.inputs["Density"])
+    nodes.link(radiance.outputs["Vector"], lit.inputs[0])
+    nodes.link(map_colour(nodes, frame, frame["light"]), lit.inputs[1])
+    nodes.link(lit.outputs["Vector"], emission.inputs["Color"])
+    nodes.link(absorption.outputs["Volume"], both.inputs[0])
+    nodes.link(emission.outputs["Emission"], both.inputs[1])
+    nodes.link(both.outputs["Shader"], output.inputs["Volume"])
+    return material
+
+
+# The terrain, the sky, the camera -----------------------------------------------------------
+
+
+def add_object(name, data):
+    thing = bpy.data.objects.new(name, data)
+    bpy.context.scene.collection.objects.link(thing)
+    return thing
+
+
+def point_mesh(name, coordinates):
+    mesh = bpy.data.meshes.new(name)
+    mesh.vertices.add(len(coordinates) // 3)
+    mesh.vertices.foreach_set("co", coordinates)
+    return mesh
+
+
+def terrain_points(heights, samples, step_m):
+    points = array.array("f")
+    for j in range(samples):
+        for i in range(samples):
+            points.extend((i * step_m, j * step_m, heights[j * samples + i]))
+    return points
+
+
+def quad_corners(samples):
+    corners = array.array("i")
+    for j in range(samples - 1):
+        for first in range(j * samples, (j + 1) * samples - 1):
+            corners.extend((first, first + 1, first + samples + 1, first + samples))
+    return corners
+
+
+def add_terrain(frame):
+    terrain = frame["terrain"]
+    samples = terrain["samples"]
+    heights = frame.numbers(terrain["heights"], "f", samples * samples)
+    mesh = point_mesh("terrain", terrain_points(heights, samples, terrain["size_m"] / (samples - 1)))
+    corners = quad_corners(samples)
+    mesh.loops.add(len(corners))
+    mesh.loops.foreach_set("vertex_index", corners)
+    mesh.polygons.add(len(corners) // 4)
+    mesh.polygons.foreach_set("loop_start", array.array("i", range(0, len(corners), 4)))
+    mesh.polygons.foreach_set("loop_total", array.array("i", [4]) * (len(corners) // 4))
+    mesh.update(calc_edges=True)
+    mesh.materials.append(ground_material(frame))
+    add_object("terrain", mesh)
+
+
+def set_sky(frame):
+    """The sky's first column looks north and azimuth runs clockwise; Blender's panorama begins in
+    the west, hence the quarter-turn."""
+    world = bpy.data.worlds.new("sky")
+    bpy.context.scene.world = world
+    world.use_nodes = True
+    world.cycles.sampling_method = "NONE"
+    nodes = Nodes(world.node_tree)
+    direction = nodes.add("ShaderNodeTexCoord").outputs["Generated"]
+    turn = nodes.add("ShaderNodeMapping", vector_type="POINT")
+    turn.inputs["Rotation"].default_value = (0, 0, math.pi / 2)
+    panorama = nodes.add("ShaderNodeTexEnvironment", image=frame.image(frame["sky"]))
+    background = nodes.add("ShaderNodeBackground")
+    output = nodes.add("ShaderNodeOutputWorld")
+    nodes.link(direction, turn.inputs["Vector"])
+    nodes.link(turn.outputs["Vector"], panorama.inputs["Vector"])
+    nodes.link(panorama.outputs["Color"], background.inputs["Color"])
+    nodes.link(background.outputs["Background"], output.inputs["Surface"])
+
+
+def set_camera(frame):
+    view = frame["camera"]
+    lens = bpy.data.cameras.new("camera")
+    lens.sensor_fit = "HORIZONTAL"
+    lens.angle = math.radians(view["field_of_view_deg"])
+    lens.clip_start = 0.01
+    lens.clip_end = 10000.0
+    eye = Vector(view["eye_m"])
+    camera = add_object("camera", lens)
+    camera.location = eye
+    camera.rotation_euler = (Vector(view["target_m"]) - eye).to_track_quat("-Z", "Y").to_euler()
+    bpy.context.scene.camera = camera
+
+
+# The grass ----------------------------------------------------------------------------------
+
+
+def load_volume(frame, entry, number):
+    """Blender shows a missing volume as nothing and ends abruptly on a damaged one: both are
+    looked for here."""
+    path = frame.path(entry["file"])
+    check_size(path, entry["bytes"])
+    volume = bpy.data.volumes.new(f"volume {number:05d}")
+    volume.filepath = path
+    if not volume.grids.load():
+        raise DataError(f"{path} is damaged: {volume.grids.error_message}")
+    missing = {"density", "emission"} - {grid.name for grid in volume.grids}
+    if missing:
+        raise DataError(f"{path} has no grid {' and '.join(sorted(missing))}")
+    return volume
+
+
+def load_volumes(frame):
+    """The frame's volumes as a collection that is not itself in the scene. Blender orders its
+    members by name, so the names carry padded numbers: an instance's index counts on it."""
+    collection = bpy.data.collections.new("volumes")
+    materials = {}
+    for number, entry in enumerate(frame["volumes"]):
+        volume = load_volume(frame, entry, number)
+        step = round(entry["step_voxels"], 2)
+        if step not in materials:
+            materials[step] = grass_material(frame, step)
+        volume.materials.append(materials[step])
+        collection.objects.link(bpy.data.objects.new(volume.name, volume))
+    return collection
+
+
+def cell_points(frame):
+    """One point per cell with what the geometry nodes need to place its volume."""
+    cells = frame["cells"]
+    count = cells["count"]
+    mesh = point_mesh("cells", frame.numbers(cells["positions"], "f", 3 * count))
+    for name in ("first_turns", "scales", "second_turns"):
+        values = frame.numbers(cells[name], "f", 3 * count)
+        mesh.attributes.new(name, "FLOAT_VECTOR", "POINT").data.foreach_set("vector", values)
+    picks = frame.numbers(cells["picks"], "i", count)
+    mesh.attributes.new("picks", "INT", "POINT").data.foreach_set("value", picks)
+    return mesh
+
+
+def attribute(nodes, name, data_type):
+    node = nodes.add("GeometryNodeInputNamedAttribute", data_type=data_type)
+    node.inputs["Name"].default_value = name
+    return next(output for output in node.outputs if output.enabled)
+
+
+def placing_nodes(volumes):
+    """Geometry nodes: on each point the volume it picks, turned, scaled and turned again. Blender's
+    instances cannot be sheared directly; two turns about a scale are any shear."""
+    tree = bpy.data.node_groups.new("place volumes", "GeometryNodeTree")
+    tree.inputs.new("NodeSocketGeometry", "Geometry")
+    tree.outputs.new("NodeSocketGeometry", "Geometry")
+    nodes = Nodes(tree)
+    source = nodes.add("GeometryNodeCollectionInfo")
+    source.inputs["Collection"].default_value = volumes
+    source.inputs["Separate Children"].default_value = True
+    place = nodes.add("GeometryNodeInstanceOnPoints")
+    place.inputs["Pick Instance"].default_value = True
+    scale = nodes.add("GeometryNodeScaleInstances")
+    scale.inputs["Local Space"].default_value = False
+    turn = nodes.add("GeometryNodeRotateInstances")
+    turn.inputs["Local Space"].default_value = False
+    point = nodes.add("GeometryNodeInputPosition").outputs["Position"]
+    nodes.link(nodes.add("NodeGroupInput").outputs[0], place.inputs["Points"])
+    nodes.link(source.outputs[0], place.inputs["Instance"])
+    nodes.link(attribute(nodes, "picks", "INT"), place.inputs["Instance Index"])
+    nodes.link(attribute(nodes, "first_turns", "FLOAT_VECTOR"), place.inputs["Rotation"])
+    nodes.link(place.outputs["Instances"], scale.inputs["Instances"])
+    nodes.link(attribute(nodes, "scales", "FLOAT_VECTOR"), scale.inputs["Scale"])
+    nodes.link(point, scale.inputs["Center"])
+    nodes.link(scale.outputs["Instances"], turn.inputs["Instances"])
+    nodes.link(attribute(nodes, "second_turns", "FLOAT_VECTOR"), turn.inputs["Rotation"])
+    nodes.link(point, turn.inputs["Pivot Point"])
+    nodes.link(turn.outputs["Instances"], nodes.add("NodeGroupOutput").inputs[0])
+    return tree
+
+
+def add_grass(frame):
+    cells = add_object("cells", cell_points(frame))
+    modifier = cells.modifiers.new("place volumes", "NODES")
+    modifier.node_group = placing_nodes(load_volumes(frame))
+
+
+# The picture --------------------------------------------------------------------------------
+
+
+def set_light_transport(samples):
+    """Straight rays: what is met emits, nothing scatters."""
+    cycles = bpy.context.scene.cycles
+    cycles.device = "CPU"
+    cycles.samples = samples
+    cycles.seed = 0
+    cycles.use_adaptive_sampling = False
+    cycles.use_denoising = False
+    cycles.max_bounces = 0
+    cycles.volume_max_steps = 1024
+    cycles.pixel_filter_type = "BLACKMAN_HARRIS"
+
+
+def set_picture(frame, size_px):
+    """sRGB of the radiance times the exposure gain, without a film look, and files that hold the
+    picture alone: no dates, no render times."""
+    scene = bpy.context.scene
+    scene.render.resolution_x, scene.render.resolution_y = size_px
+    scene.render.resolution_percentage = 100
+    scene.display_settings.display_device = "sRGB"
+    scene.view_settings.view_transform = "Standard"
+    scene.view_settings.look = "None"
+    scene.view_settings.exposure = math.log2(frame["exposure_gain"])
+    scene.view_settings.gamma = 1.0
+    scene.render.dither_intensity = 0.0
+    scene.render.image_settings.file_format = "PNG"
+    scene.render.image_settings.color_mode = "RGB"
+    scene.render.image_settings.color_depth = "8"
+    for name in dir(scene.render):
+        if name.startswith("use_stamp_"):
+            setattr(scene.render, name, False)
+
+
+def build(frame, options):
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    bpy.context.scene.render.engine = "CYCLES"
+    set_light_transport(options.samples or frame["samples"])
+    set_picture(frame, options.size or frame["size_px"])
+    if options.threads:
+        bpy.context.scene.render.threads_mode = "FIXED"
+        bpy.context.scene.render.threads = options.threads
+    add_terrain(frame)
+    add_grass(frame)
+    set_sky(frame)
+    set_camera(frame)
+
+
+def pass_on(reading, stdout):
+    """Copies Blender's output and adds a progress line to every count of samples in it."""
+    with os.fdopen(reading, errors="replace") as lines:
+        for line in lines:
+            os.write(stdout, line.encode())
+            sample = re.search(r"Sample (\d+)/(\d+)", line)
+            if sample:
+                fraction = int(sample.group(1)) / int(sample.group(2))
+                os.write(stdout, f"wold: progress {fraction:.3f}\n".encode())
+
+
+@contextlib.contextmanager
+def progress_reported():
+    """Blender 3.4 tells how many samples are done on its standard output only: its handlers for
+    statistics are called without any."""
+    stdout = os.dup(1)
+    reading, writing = os.pipe()
+    os.dup2(writing, 1)
+    os.close(writing)
+    reader = threading.Thread(target=pass_on, args=(reading, stdout))
+    reader.start()
+    try:
+        yield
+    finally:
+        os.dup2(stdout, 1)  # closes the pipe, which ends the reader
+        reader.join()
+        os.close(stdout)
+
+
+def render(path):
+    """Writes the picture under a temporary name first, so that `path` is whole or not there."""
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    with progress_reported():
+        bpy.ops.render.render()
+    folder, name = os.path.split(path)
+    temporary = os.path.join(folder, f".{os.getpid()}.{name}")
+    bpy.data.images["Render Result"].save_render(temporary)
+    os.replace(temporary, path)
+    print(f"wold: done {path}", flush=True)
+
+
+def parse_size(text):
+    width, height = (int(part) for part in text.lower().split("x"))
+    return width, height
+
+
+def parse_options(arguments):
+    parser = argparse.ArgumentParser(prog="scene.py", description="Renders one frame.")
+    parser.add_argument("frame", type=int, nargs="?", default=1)
+    parser.add_argument("--out", help="PNG to write; default: frame_0001.png beside scene.py")
+    parser.add_argument("--size", type=parse_size, metavar="WxH")
+    parser.add_argument("--samples", type=int, help="per pixel")
+    parser.add_argument("--threads", type=int, default=0, help="0: all")
+    parser.add_argument("--look", action="store_true", help="build the scene, render nothing")
+    return parser.parse_args(arguments)
+
+
+def main():
+    arguments = sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else []
+    options = parse_options(arguments)
+    try:
+        build(Frame(options.frame), options)
+    except DataError as error:
+        print(f"wold: error {error}", file=sys.stderr, flush=True)
+        sys.exit(1)
+    if not options.look:
+        out = options.out or os.path.join(HERE, f"frame_{options.frame:04d}.png")
+        render(os.path.abspath(out))
+
+
+main()

@@ -1,0 +1,191 @@
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/files.h"
+
+/// The program as its user sees it: exit code, stdout and stderr.
+namespace wold {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Result {
+  int code = -1;
+  std::string out;
+  std::string err;
+};
+
+class Program : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / (std::string("wold_cli_") + test->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  /// Runs `wold ARGUMENTS` through the shell, in the test's own folder.
+  Result wold(const std::string& arguments, const std::string& stdout_to = ".out") const {
+    const std::string command = "cd '" + folder_.string() + "' && '" WOLD_PROGRAM "' " + arguments +
+                                " >" + stdout_to + " 2>.err";
+    const int status = std::system(command.c_str());
+    const fs::path out = folder_ / ".out";
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, fs::exists(out) ? read_file(out) : "",
+            read_file(folder_ / ".err")};
+  }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+
+  fs::path folder_;
+};
+
+void expect_contains(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << "\"" << part << "\" is not in:\n" << text;
+}
+
+/// Data on stdout alone.
+void expect_answer(const Result& result, const std::string& part) {
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  expect_contains(result.out, part);
+}
+
+/// Exit code 2, nothing on stdout, every line on stderr an error.
+void expect_refusal(const Result& result, const std::string& part) {
+  EXPECT_EQ(result.code, 2);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(result.err.substr(0, 7), "error: ");
+  expect_contains(result.err, part);
+}
+
+TEST_F(Program, HelpListsEveryCommandAndEachHasAnExample) {
+  const Result help = wold("--help");
+  for (const std::string command : {"render", "generate", "check", "inspect", "compare", "new"}) {
+    expect_answer(help, "\n  " + command + " ");
+    expect_answer(wold(command + " --help"), "Example:\n  wold " + command + " ");
+  }
+}
+
+TEST_F(Program, VersionIsTheProjects) {
+  const Result result = wold("--version");
+  expect_answer(result, "wold ");
+  const std::string number = result.out.substr(5, result.out.find('\n') - 5);
+  expect_contains(read_file(fs::path(WOLD_TESTS_DIR) / "../CMakeLists.txt"),
+                  "VERSION " + number + " ");
+}
+
+TEST_F(Program, HelpKeysListsTheKeysAsMarkdown) {
+  expect_answer(wold("--help-keys"), "| `grass.patch` | `0.5` | a number from 0.05 to 20 m |");
+}
+
+TEST_F(Program, UsageErrorsAreExitCodeTwo) {
+  write("a.toml", "");
+  expect_refusal(wold(""), "a command was expected");
+  expect_refusal(wold("rendr a.toml"), "unknown command \"rendr\"; did you mean \"render\"?");
+  expect_refusal(wold("render"), "SCENE");
+  expect_refusal(wold("check a.toml b.toml"), "b.toml");
+  expect_refusal(wold("render a.toml --size 960"), "--size: found \"960\", expected WIDTHxHEIGHT");
+  expect_refusal(wold("render a.toml --frames 1,x"), "--frames: found \"x\" in \"1,x\"");
+  expect_refusal(wold("render a.toml --frames 3-1"), "--frames: found \"3-1\"");
+  expect_refusal(wold("render a.toml --frames 1-2000000000"), "--frames: found");
+  expect_refusal(wold("render a.toml --frames 4 --dry-run"), "expected frames from 1 to 3");
+  expect_refusal(wold("render a.toml --threads many"), "--threads");
+  expect_refusal(wold("render a.toml --renderer blendr --dry-run"), "render.renderer: found");
+}
+
+TEST_F(Program, CheckPrintsTheResolvedSceneWhichResolvesToItself) {
+  write("a.toml", "[grass]\nblades = 12\n");
+  const Result first = wold("check a.toml --set seed=5 --set 'render.size=[64, 32]'");
+  expect_answer(first, "\nblades = 12\n");
+  expect_answer(first, "\nseed = 5\n");
+  expect_answer(first, "\nsize = [64, 32]\n");
+  write("b.toml", first.out);
+  EXPECT_EQ(wold("check b.toml").out, first.out);
+}
+
+TEST_F(Program, SceneErrorsAreListedLineByLine) {
+  write("a.toml", "sed = 1\n[grass]\nblades = 0\n");
+  const Result result = wold("check a.toml --set sun.elevation=0");
+  expect_refusal(result, "error: a.toml:1:1: unknown key \"sed\"; did you mean \"seed\"?\n");
+  expect_contains(result.err, "\nerror: a.toml:3:10: grass.blades: found 0, expected");
+  expect_contains(result.err, "\nerror: --set sun.elevation=0: sun.elevation: found 0 deg,");
+  expect_refusal(wold("check missing.toml"), "missing.toml: cannot read the scene file: No such");
+  expect_refusal(wold("check ."), "it is a folder");
+}
+
+TEST_F(Program, ShorthandsSetTheSameKeysAndDryRunWritesNothing) {
+  write("a.toml", "");
+  for (const std::string command : {"render", "generate"})
+    expect_answer(wold(command + " a.toml --dry-run --set grass.blades=9 --size 320x200 --samples 3"
+                                 " --renderer povray --frames 3,1-2,1 --out b"),
+                  "frames 1-3 of 3, 320 x 200 px, 3 samples, renderer povray, into b\n");
+  expect_answer(wold("render a.toml --dry-run --frames 1,3 --set name=heath"),
+                "heath: frames 1,3 of 3, 960 x 540 px");
+  EXPECT_FALSE(fs::exists(folder_ / "b"));
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
+TEST_F(Program, NewWritesASceneOnceAndNeverReplacesIt) {
+  const Result result = wold("new heath");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.out, "");
+  expect_answer(wold("check heath.toml"), "\nname = \"heath\"\n");
+  write("heath.toml", "seed = 3\n");
+  expect_refusal(wold("new heath"), "heath.toml exists already");
+  EXPECT_EQ(read_file(folder_ / "heath.toml"), "seed = 3\n");
+  expect_refusal(wold("new ../heath"), "expected a file name");
+}
+
+/// A df3 file by its published layout: three big-endian 16-bit sizes, then one
+/// byte per voxel.
+std::string df3(char voxel) { return std::string("\0\2\0\1\0\1", 6) + '\x10' + voxel; }
+
+TEST_F(Program, CompareTellsEqualFromDifferent) {
+  write("a.df3", df3('\x20'));
+  write("same.df3", df3('\x20'));
+  write("other.df3", df3('\x7f'));
+  const Result same = wold("compare a.df3 same.df3");
+  expect_answer(same, "\"same\"");
+  EXPECT_TRUE(nlohmann::json::parse(same.out).at("same").get<bool>());
+  const Result other = wold("compare a.df3 other.df3");
+  EXPECT_EQ(other.code, 1);
+  EXPECT_EQ(other.err, "");
+  EXPECT_FALSE(nlohmann::json::parse(other.out).at("same").get<bool>());
+  EXPECT_EQ(wold("compare a.df3 other.df3 --rmse 1 --soft 1 --share 1 --hard 1").code, 0);
+  const Result missing = wold("compare a.df3 missing.df3");
+  EXPECT_EQ(missing.code, 4);
+  expect_contains(missing.err, "missing.df3");
+  expect_refusal(wold("compare a.df3"), "WANT");
+  for (const std::string limit : {"-1", "nan"})
+    expect_refusal(wold("compare a.df3 same.df3 --rmse=" + limit), "--rmse: found " + limit);
+}
+
+TEST_F(Program, InspectDescribesSoundAndDamagedFiles) {
+  write("a.df3", df3('\x20'));
+  write("cut.df3", df3('\x20').substr(0, 7));
+  expect_answer(wold("inspect a.df3"), "df3");
+  const Result json = wold("inspect --json a.df3 a.df3");
+  EXPECT_EQ(json.code, 0);
+  EXPECT_EQ(nlohmann::json::parse(json.out).size(), 2u);
+  EXPECT_EQ(wold("inspect a.df3 cut.df3").code, 4);
+  EXPECT_EQ(wold("inspect missing.df3").code, 4);
+}
+
+TEST_F(Program, UnwritableOutputIsExitCodeFour) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+  write("a.toml", "");
+  const Result result = wold("check a.toml", "/dev/full");
+  EXPECT_EQ(result.code, 4);
+  expect_contains(result.err, "error: cannot write to standard output: No space");
+}
+
+}  // namespace
+}  // namespace wold

@@ -1,0 +1,71 @@
+#include "compare/vdb.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scratch_folder.h"
+#include "vdb_samples.h"
+
+namespace wold::compare {
+namespace {
+
+using test::SampleVdb;
+
+VdbMetrics compared(const SampleVdb& got, const SampleVdb& want) {
+  const test::ScratchFolder folder;
+  test::write_sample_vdb(folder / "got.vdb", got);
+  test::write_sample_vdb(folder / "want.vdb", want);
+  return compare_vdb(folder / "got.vdb", folder / "want.vdb", 0.02);
+}
+
+TEST(CompareVdb, EqualFiles) {
+  const VdbMetrics metrics = compared({}, {});
+  ASSERT_EQ(metrics.grids.size(), 2U);
+  for (const GridMetrics& grid : metrics.grids) {
+    EXPECT_TRUE(grid.is_compared && grid.same_type && grid.same_transform);
+    EXPECT_EQ(grid.max_error, 0.0);
+    EXPECT_EQ(grid.want.active_voxels, 512U);
+  }
+}
+
+TEST(CompareVdb, OneVoxelOffIsRelativeToTheLargestValue) {
+  const VdbMetrics metrics = compared({.changed = 0.5F}, {});
+  const GridMetrics& density = metrics.grids.front();
+  EXPECT_NEAR(density.max_error, 0.25, 1e-7);
+  EXPECT_DOUBLE_EQ(density.share_over_soft, 1.0 / 512.0);
+  EXPECT_NEAR(density.rmse, 0.25 / std::sqrt(512.0), 1e-7);
+}
+
+TEST(CompareVdb, AVoxelActiveInOneFileCounts) {
+  for (const bool in_got : {true, false}) {
+    const SampleVdb more{.extra_voxel = 1};
+    const GridMetrics grid =
+        compared(in_got ? more : SampleVdb{}, in_got ? SampleVdb{} : more).grids[0];
+    EXPECT_DOUBLE_EQ(grid.max_error, 1.0);
+    EXPECT_DOUBLE_EQ(grid.share_over_soft, 1.0 / 513.0);
+    EXPECT_EQ((in_got ? grid.got : grid.want).box_max, glm::ivec3(20, 7, 7));
+  }
+}
+
+TEST(CompareVdb, MissingGridsAndOtherTransforms) {
+  const VdbMetrics metrics = compared({.voxel_m = 0.5, .has_emission = false}, {});
+  EXPECT_FALSE(metrics.grids.front().same_transform);
+  EXPECT_EQ(metrics.only_want, std::vector<std::string>{"emission"});
+  EXPECT_TRUE(metrics.only_got.empty());
+}
+
+TEST(VdbFacts, AreThoseOfTheGrids) {
+  const test::ScratchFolder folder;
+  test::write_sample_vdb(folder / "a.vdb", {.peak = 3.0F});
+  const GridFacts density = vdb_facts(folder / "a.vdb").grids.at(0);
+  EXPECT_EQ(density.name, "density");
+  EXPECT_EQ(density.box_max, glm::ivec3(7));
+  EXPECT_EQ(density.voxel_m, glm::dvec3(0.25));
+  EXPECT_DOUBLE_EQ(density.least, 0.0);
+  EXPECT_DOUBLE_EQ(density.largest, 3.0);
+  EXPECT_EQ(density.non_finite, 0U);
+}
+
+}  // namespace
+}  // namespace wold::compare

@@ -1,0 +1,101 @@
+// What every exporter owes its caller, whatever the renderer.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "blender/export.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "core/parallel.h"
+#include "support/synthetic_landscape.h"
+
+namespace wold {
+namespace {
+
+namespace fs = std::filesystem;
+using landscape::Landscape;
+
+struct Exporter {
+  const char* name;
+  std::function<void(const Landscape&, const fs::path& folder)> run;
+};
+
+void export_blender(const Landscape& landscape, const fs::path& folder) {
+  blender::export_frame(landscape, folder);
+  blender::export_scene(folder);
+}
+
+const Exporter exporters[] = {
+    {"blender", export_blender},
+};
+
+class Exporters : public testing::TestWithParam<Exporter> {
+ protected:
+  Exporters() {
+    fs::remove_all(folder);
+    landscape =
+        test::synthetic_landscape({.cells_per_side = 2, .height_voxels = 8}, folder / "texels");
+  }
+  ~Exporters() override { fs::remove_all(folder); }
+
+  const fs::path folder =
+      fs::path(testing::TempDir()) / (std::string("wold_exporters_") + GetParam().name);
+  Landscape landscape;
+};
+
+std::map<std::string, std::string> all_files(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file())
+      files[fs::relative(entry.path(), folder)] = read_file(entry.path());
+  return files;
+}
+
+TEST_P(Exporters, SameLandscapeGivesTheSameBytesWithAnyNumberOfThreads) {
+  {
+    const ThreadLimit one(1);
+    GetParam().run(landscape, folder / "one");
+  }
+  GetParam().run(landscape, folder / "all");
+  const auto files = all_files(folder / "one");
+  EXPECT_GT(files.size(), 3U);
+  EXPECT_TRUE(files == all_files(folder / "all"));
+}
+
+TEST_P(Exporters, WritingOverItselfChangesNothing) {
+  GetParam().run(landscape, folder / "out");
+  const auto once = all_files(folder / "out");
+  GetParam().run(landscape, folder / "out");
+  EXPECT_TRUE(once == all_files(folder / "out"));
+}
+
+// A file stands where the folder should be: root may write anywhere, so permissions prove nothing.
+TEST_P(Exporters, UnwritableFolderIsAFileErrorAndLeavesNothing) {
+  fs::create_directories(folder);
+  write_file(folder / "blocked", "a file");
+  EXPECT_THROW(GetParam().run(landscape, folder / "blocked"), FileError);
+  EXPECT_EQ(read_file(folder / "blocked"), "a file");
+  EXPECT_EQ(all_files(folder).size(), 1 + all_files(folder / "texels").size());
+}
+
+TEST_P(Exporters, DamagedTexelIsAFileErrorThatNamesIt) {
+  const fs::path texel = landscape.volumes[0].vdb;
+  fs::resize_file(texel, fs::file_size(texel) / 2);
+  try {
+    GetParam().run(landscape, folder / "out");
+    FAIL() << "exported a truncated texel";
+  } catch (const FileError& error) {
+    EXPECT_NE(std::string(error.what()).find(texel.filename().string()), std::string::npos)
+        << error.what();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Exporters, testing::ValuesIn(exporters),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+}  // namespace
+}  // namespace wold

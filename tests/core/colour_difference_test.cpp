@@ -1,0 +1,44 @@
+#include "core/colour_difference.h"
+
+#include <gtest/gtest.h>
+
+#include "core/colour.h"
+
+namespace wold {
+namespace {
+
+TEST(ColourDifference, LabOfWhiteGreyAndBlack) {
+  const glm::dvec3 white = xyz_from_srgb(glm::dvec3(1.0));
+  EXPECT_NEAR(glm::distance(lab_from_xyz(white), {100.0, 0.0, 0.0}), 0.0, 1e-9);
+  EXPECT_NEAR(lab_from_xyz(0.184187 * white).x, 50.0, 1e-4);  // ((50 + 16) / 116)^3
+  EXPECT_NEAR(lab_from_xyz(0.001 * white).x, 0.9033, 1e-4);   // the linear foot: Y * 24389 / 27
+  EXPECT_NEAR(glm::length(lab_from_xyz(glm::dvec3(0.0))), 0.0, 1e-9);
+}
+
+TEST(ColourDifference, AgreesWithThePublishedPairs) {
+  struct Pair {
+    glm::dvec3 one, other;
+    double difference;
+  };
+  // Sharma, Wu and Dalal 2005, table 1.
+  for (const Pair& pair : {Pair{{50.0, 2.6772, -79.7751}, {50.0, 0.0, -82.7485}, 2.0425},
+                           Pair{{50.0, 2.8361, -74.0200}, {50.0, 0.0, -82.7485}, 3.4412},
+                           Pair{{50.0, -1.3802, -84.2814}, {50.0, 0.0, -82.7485}, 1.0000},
+                           Pair{{50.0, 0.0, 0.0}, {50.0, -1.0, 2.0}, 2.3669},
+                           Pair{{50.0, 2.4900, -0.0010}, {50.0, -2.4900, 0.0009}, 7.1792},
+                           Pair{{50.0, 2.4900, -0.0010}, {50.0, -2.4900, 0.0011}, 7.2195},
+                           Pair{{50.0, 2.5, 0.0}, {73.0, 25.0, -18.0}, 27.1492},
+                           Pair{{50.0, 2.5, 0.0}, {61.0, -5.0, 29.0}, 22.8977},
+                           Pair{{50.0, 2.5, 0.0}, {56.0, -27.0, -3.0}, 31.9030},
+                           Pair{{50.0, 2.5, 0.0}, {58.0, 24.0, 15.0}, 19.4535},
+                           Pair{{60.2574, -34.0099, 36.2677}, {60.4626, -34.1751, 39.4387}, 1.2644},
+                           Pair{{63.0109, -31.0961, -5.8663}, {62.8187, -29.7946, -4.0864}, 1.2630},
+                           Pair{{22.7233, 20.0904, -46.6940}, {23.0331, 14.9730, -42.5619}, 2.0373},
+                           Pair{{2.0776, 0.0795, -1.1350}, {0.9033, -0.0636, -0.5514}, 0.9082}}) {
+    EXPECT_NEAR(colour_difference(pair.one, pair.other), pair.difference, 5e-5);
+    EXPECT_NEAR(colour_difference(pair.other, pair.one), pair.difference, 5e-5);
+  }
+}
+
+}  // namespace
+}  // namespace wold

@@ -1,0 +1,70 @@
+#include "core/noise.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace wold {
+namespace {
+
+TEST(Noise, IsZeroOnTheLatticeAndBounded) {
+  double largest = 0.0;
+  for (int i = -20; i < 20; ++i)
+    for (int j = -20; j < 20; ++j) {
+      EXPECT_EQ(gradient_noise({i, j}, 7), 0.0);
+      largest = std::max(largest, std::abs(gradient_noise({i + 0.5, j + 0.37}, 7)));
+    }
+  EXPECT_GT(largest, 0.3);
+  EXPECT_LE(largest, 0.7072);  // sqrt(dimension) / 2 with unit gradients
+}
+
+TEST(Noise, RepeatsExactlyAfterItsPeriod) {
+  const Fbm shape{11, 4, 0.8, 5};
+  for (int k = 0; k < 50; ++k) {
+    const glm::dvec2 at(k * 0.125 - 3.0, k * 0.0625);  // sums with the period are exact
+    EXPECT_EQ(gradient_noise(at, 3, 5), gradient_noise(at + glm::dvec2(5.0, -10.0), 3, 5));
+    EXPECT_NEAR(fbm(at, shape), fbm(at + glm::dvec2(-5.0, 15.0), shape), 1e-9);
+    EXPECT_NE(gradient_noise(at + 0.03, 3, 5), gradient_noise(at + 0.03, 4, 5));
+  }
+}
+
+TEST(Noise, HasUnitDeviation) {
+  const Fbm shape{5, 5, 0.7, 0};
+  const int samples = 400;
+  double sum = 0.0;
+  double squares = 0.0;
+  for (int i = 0; i < samples; ++i)
+    for (int j = 0; j < samples; ++j) {
+      const double value = fbm({i * 0.37, j * 0.37}, shape);
+      sum += value;
+      squares += value * value;
+    }
+  const double count = samples * samples;
+  EXPECT_NEAR(sum / count, 0.0, 0.03);
+  EXPECT_NEAR(std::sqrt(squares / count), 1.0, 0.03);
+}
+
+/// Mean squared difference of an fBm over a distance.
+double variogram(const Fbm& shape, double distance) {
+  double sum = 0.0;
+  const int samples = 160;
+  for (int i = 0; i < samples; ++i)
+    for (int j = 0; j < samples; ++j) {
+      const glm::dvec2 at(i * 0.731, j * 0.677);
+      const double across = fbm(at + glm::dvec2(distance, 0.0), shape) - fbm(at, shape);
+      sum += across * across;
+    }
+  return sum / (samples * samples);
+}
+
+TEST(Noise, VariogramFollowsTheHurstExponent) {
+  for (const double hurst : {0.5, 0.7}) {
+    const Fbm shape{17, 9, hurst, 0};
+    const double slope = std::log10(variogram(shape, 0.125) / variogram(shape, 0.0125));
+    EXPECT_NEAR(slope, 2.0 * hurst, 0.15);
+  }
+}
+
+}  // namespace
+}  // namespace wold

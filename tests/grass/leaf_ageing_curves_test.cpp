@@ -1,0 +1,70 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.h"
+#include "grass/ageing_curves.h"
+
+namespace wold::grass {
+namespace {
+
+TEST(AgeingCurves, FallFromFreshToDead) {
+  for (const char* name : {"standard", "ample", "cold"}) {
+    const Curve water = load_curve(CurveKind::water, {name, {}});
+    EXPECT_EQ(water(0.0), 1.0);
+    EXPECT_GE(water(1.0), 0.04 / 2.4);  // 4 to 29 % of dry mass: Ziel et al. 2018
+    EXPECT_LE(water(1.0), 0.29 / 2.4);
+    for (int i = 0; i < 1000; ++i) EXPECT_GT(water(i / 1000.0), water((i + 1) / 1000.0)) << name;
+  }
+}
+
+TEST(AgeingCurves, ChlorophyllIsTheRescaledLogistic) {
+  struct Model {
+    const char* name;
+    double half, steepness;
+  };
+  for (const Model& model :
+       {Model{"standard", 0.45, 10.0}, Model{"drought", 0.30, 14.0}, Model{"cold", 0.55, 18.0}}) {
+    const auto logistic = [&](double x) {
+      return 1.0 / (1.0 + std::exp(model.steepness * (x - model.half)));
+    };
+    const double scale = logistic(0.0) - logistic(1.0);
+    const Curve curve = load_curve(CurveKind::chlorophyll, {model.name, {}});
+    for (int i = 0; i <= 1000; ++i) {
+      const double x = i / 1000.0;
+      EXPECT_NEAR(curve(x), (logistic(x) - logistic(1.0)) / scale, 3e-3) << model.name << " " << x;
+      if (i > 0) {
+        EXPECT_LT(curve(x), curve((i - 1) / 1000.0)) << model.name << " " << x;
+      }
+    }
+    EXPECT_NEAR(curve(model.half) * scale + logistic(1.0), 0.5, 3e-3);
+  }
+}
+
+TEST(AgeingCurves, ScenariosDifferAsTheirNamesSay) {
+  const auto half = [](CurveKind kind, const char* name) {
+    return load_curve(kind, {name, {}})(0.5);
+  };
+  EXPECT_GT(half(CurveKind::water, "ample"), half(CurveKind::water, "standard"));
+  EXPECT_LT(half(CurveKind::chlorophyll, "drought"), half(CurveKind::chlorophyll, "standard"));
+  EXPECT_GT(half(CurveKind::chlorophyll, "cold"), half(CurveKind::chlorophyll, "standard"));
+}
+
+TEST(AgeingCurves, TheUsersPointsWinOverTheName) {
+  const std::vector<glm::dvec2> points = {{0.0, 1.0}, {0.25, 0.8}, {0.3, 0.1}, {1.0, 0.0}};
+  const Curve curve = load_curve(CurveKind::water, {"standard", points});
+  for (const glm::dvec2& point : points) EXPECT_EQ(curve(point.x), point.y);
+}
+
+TEST(AgeingCurves, AnUnknownNameIsAnsweredWithThoseThereAre) {
+  try {
+    load_curve(CurveKind::water, {"soggy", {}});
+    FAIL() << "an unknown curve was accepted";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "no water curve is called \"soggy\"; there are ample, cold, standard");
+  }
+}
+
+}  // namespace
+}  // namespace wold::grass

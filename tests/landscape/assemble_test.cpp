@@ -1,0 +1,82 @@
+#include "landscape/assemble.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "landscape/tint.h"
+#include "terrain/hillside.h"
+
+namespace wold::landscape {
+namespace {
+
+scene::Scene small_meadow() {
+  scene::Scene scene;
+  scene.terrain.size_m = 8.0;
+  scene.terrain.samples = 65;
+  scene.terrain.hill_height_m = 1.0;
+  scene.camera.eye_m = {4.0, 0.5};
+  scene.camera.target_m = {4.0, 6.0};
+  return scene;
+}
+
+TEST(Assemble, CellsReferToTheirVolumes) {
+  const scene::Scene scene = small_meadow();
+  const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
+  const std::vector<CellChoice> choices = choose_cells(scene, terrain, 2);
+  const auto name = [](const CellChoice& c) {
+    return std::to_string(c.variant) + "/" + std::to_string(c.key_frame) + "/" +
+           std::to_string(c.turn) + "/" + std::to_string(c.level);
+  };
+  const Landscape landscape =
+      assemble(scene, terrain, {scene.sun, scene.sky}, 2, choices, [&](const CellChoice& choice) {
+        Volume volume;
+        volume.name = name(choice);
+        return volume;
+      });
+  std::set<std::string> names;
+  for (const Volume& volume : landscape.volumes) EXPECT_TRUE(names.insert(volume.name).second);
+  ASSERT_EQ(landscape.cells.size(), choices.size());
+  for (std::size_t k = 0; k < choices.size(); ++k) {
+    const Cell& cell = landscape.cells[k];
+    EXPECT_EQ(landscape.volumes[static_cast<std::size_t>(cell.volume)].name, name(choices[k]));
+    EXPECT_EQ(cell.world_from_cell, choices[k].world_from_cell);
+  }
+  EXPECT_EQ(landscape.weathering, 0.30);
+  EXPECT_EQ(landscape.exposure_gain, std::numbers::pi);
+  EXPECT_NEAR(landscape.camera.eye_m.z, terrain.sample(4.0, 0.5) + 1.6, 1e-6);
+  EXPECT_NEAR(landscape.camera.target_m.z, terrain.sample(4.0, 6.0) + 0.5, 1e-6);
+}
+
+TEST(WeatheringTint, RestoresTheWantedColour) {
+  const scene::Scene scene = small_meadow();
+  const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
+  const std::vector<CellChoice> choices = choose_cells(scene, terrain, 2);
+  const GrassColour colour = [](double degree) {
+    return glm::vec3(0.2, 0.3, 0.1) * static_cast<float>(1.0 + degree);
+  };
+  const ColourMap tint = weathering_tint(scene, 2, choices, colour);
+  for (const CellChoice& choice : choices) {
+    const glm::dvec2 centre_m = (glm::dvec2(choice.cell) + 0.5) * scene.grass.patch_m;
+    const double shown = scene.grass.key_frames[static_cast<std::size_t>(choice.key_frame)];
+    const glm::vec3 got = tint.sample(centre_m.x, centre_m.y) * colour(shown);
+    EXPECT_NEAR(got.g, colour(local_weathering(scene, centre_m, 2)).g, 1e-5);
+  }
+  const ColourMap light = product(ColourMap(5, 8.0, glm::vec3(2.0F)), tint);
+  EXPECT_EQ(light.samples(), tint.samples());
+  EXPECT_EQ(light.at(40, 40), tint.at(40, 40) * 2.0F);
+}
+
+TEST(CanopyTransmittance, IsBeersLaw) {
+  scene::Grass grass;  // 900 blades of 1 m x 0.01 m halved, on 1.5 m2: leaf area index 3
+  grass.patch_m = std::sqrt(1.5);
+  grass.blades = 900;
+  grass.height_m = 1.0;
+  grass.width_m = 0.01;
+  EXPECT_NEAR(canopy_transmittance(grass), 0.22313 * 0.22313, 1e-5);  // exp(-G LAI) along twice
+}
+
+}  // namespace
+}  // namespace wold::landscape

@@ -1,0 +1,216 @@
+#include "landscape/cells.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "landscape/view.h"
+#include "terrain/hillside.h"
+
+namespace wold::landscape {
+namespace {
+
+/// A meadow of 12 m: quick, and large enough for several levels.
+scene::Scene small_meadow() {
+  scene::Scene scene;
+  scene.terrain.size_m = 12.0;
+  scene.terrain.samples = 97;
+  scene.terrain.hill_height_m = 2.0;
+  scene.terrain.relief_m = 0.3;
+  scene.camera.eye_m = {6.0, 0.2};
+  scene.camera.target_m = {6.0, 8.0};
+  return scene;
+}
+
+/// The same, seen from far above: every cell is listed, at the coarsest level.
+scene::Scene from_above() {
+  scene::Scene scene = small_meadow();
+  scene.camera.eye_m = {6.0, 0.0};
+  scene.camera.eye_height_m = 60.0;
+  scene.camera.target_m = {6.0, 6.0};
+  return scene;
+}
+
+std::vector<CellChoice> choices_of(const scene::Scene& scene, int frame = 2) {
+  return choose_cells(scene, terrain::make_hillside(scene.terrain, scene.seed), frame);
+}
+
+TEST(Cells, MatrixMapsCornersOntoTheGround) {
+  const scene::Scene scene = small_meadow();
+  const Heightfield terrain = terrain::make_hillside(scene.terrain, 5);
+  const double patch_m = scene.grass.patch_m;
+  for (int turn = 0; turn < 4; ++turn) {
+    const glm::ivec2 cell(3 + turn, 7);
+    const glm::dmat4 matrix = world_from_cell(terrain, patch_m, cell, turn);
+    EXPECT_NEAR(glm::determinant(matrix), 1.0, 1e-12);
+    EXPECT_EQ(matrix[2], glm::dvec4(0, 0, 1, 0));
+    const glm::dvec2 low = glm::dvec2(cell) * patch_m;
+    const auto z = [&](double u, double v) {
+      return terrain.sample(low.x + u * patch_m, low.y + v * patch_m);
+    };
+    const double twist = std::abs(z(0, 0) - z(1, 0) - z(0, 1) + z(1, 1)) / 4.0;
+    for (const glm::dvec2 corner :
+         {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1), glm::dvec2(1, 1)}) {
+      const glm::dvec4 at_m = matrix * glm::dvec4(corner * patch_m, 0, 1);
+      EXPECT_NEAR(std::abs(at_m.z - terrain.sample(at_m.x, at_m.y)), twist, 1e-6);
+      EXPECT_NEAR(std::abs(at_m.x - low.x - patch_m / 2), patch_m / 2, 1e-12);
+      EXPECT_NEAR(std::abs(at_m.y - low.y - patch_m / 2), patch_m / 2, 1e-12);
+    }
+  }
+}
+
+TEST(Cells, TurnsCounterClockwise) {
+  const Heightfield level(3, 2.0);
+  const glm::dmat4 once = world_from_cell(level, 0.5, {1, 2}, 1);
+  const glm::dvec4 east_edge = once * glm::dvec4(0.5, 0.25, 0.1, 1);  // goes to the north edge
+  EXPECT_NEAR(east_edge.x, 0.75, 1e-12);
+  EXPECT_NEAR(east_edge.y, 1.5, 1e-12);
+  EXPECT_NEAR(east_edge.z, 0.1, 1e-12);
+}
+
+TEST(Cells, NeighboursDiffer) {
+  const std::vector<CellChoice> choices = choices_of(from_above());
+  ASSERT_EQ(choices.size(), 24U * 24U);
+  std::map<int, int> uses;
+  for (const CellChoice& choice : choices) ++uses[choice.variant * 4 + choice.turn];
+  EXPECT_EQ(uses.size(), 16U);
+  for (std::size_t k = 0; k < choices.size(); ++k) {
+    if (k % 24 > 0) {
+      EXPECT_NE(choices[k].variant, choices[k - 1].variant);
+    }
+    if (k >= 24) {
+      EXPECT_NE(choices[k].variant, choices[k - 24].variant);
+    }
+  }
+}
+
+TEST(Cells, SingleVariantStillTurns) {
+  scene::Scene scene = from_above();
+  scene.grass.variants = 1;
+  const std::vector<CellChoice> choices = choices_of(scene);
+  for (std::size_t k = 0; k < choices.size(); ++k) {
+    if (k % 24 > 0) {
+      EXPECT_NE(choices[k].turn, choices[k - 1].turn);
+    }
+    if (k >= 24) {
+      EXPECT_NE(choices[k].turn, choices[k - 24].turn);
+    }
+  }
+}
+
+TEST(Cells, DependOnNothingButTheCell) {
+  std::map<std::pair<int, int>, CellChoice> all;
+  for (const CellChoice& choice : choices_of(from_above()))
+    all[{choice.cell.x, choice.cell.y}] = choice;
+  const ThreadLimit one(1);
+  const std::vector<CellChoice> seen = choices_of(small_meadow());
+  const scene::Scene scene = small_meadow();
+  EXPECT_LT(seen.size(), all.size());
+  for (const CellChoice& choice : seen) {
+    const CellChoice& other = all.at({choice.cell.x, choice.cell.y});
+    const int voxels = scene.grass.levels[static_cast<std::size_t>(choice.level)];
+    EXPECT_EQ(choice.variant, other.variant);
+    EXPECT_EQ(choice.key_frame, other.key_frame);
+    EXPECT_EQ(choice.turn, other.turn % turns_of_level(voxels));
+  }
+}
+
+TEST(Cells, LevelsAreAsFineAsThePixels) {
+  const scene::Scene scene = small_meadow();
+  const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
+  const Camera camera = resolved_camera(scene.camera, terrain);
+  const double pixels_per_radian =
+      scene.render.size_px[0] / (2.0 * std::tan(27.5 * std::numbers::pi / 180.0));
+  std::set<int> levels;
+  for (const CellChoice& choice : choose_cells(scene, terrain, 1)) {
+    levels.insert(choice.level);
+    const glm::dvec4 centre = choice.world_from_cell * glm::dvec4(0.25, 0.25, 0.14, 1);
+    const double distance_m = glm::length(glm::dvec3(centre) - camera.eye_m);
+    const auto pixels = [&](int level) {
+      return 0.5 / scene.grass.levels[static_cast<std::size_t>(level)] * pixels_per_radian /
+             distance_m;
+    };
+    if (choice.level > 0) {
+      EXPECT_LT(pixels(choice.level), 1.12);
+    }
+    if (choice.level < 3) {
+      EXPECT_GT(pixels(choice.level + 1), 0.9);
+    }
+  }
+  EXPECT_GE(levels.size(), 3U);
+}
+
+TEST(Cells, KeepEveryBladeInThePicture) {
+  const scene::Scene scene = small_meadow();
+  const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
+  const Camera camera = resolved_camera(scene.camera, terrain);
+  std::set<std::pair<int, int>> listed;
+  for (const CellChoice& choice : choose_cells(scene, terrain, 1))
+    listed.insert({choice.cell.x, choice.cell.y});
+  const glm::dvec3 forward = glm::normalize(camera.target_m - camera.eye_m);
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 0, 1)));
+  const glm::dvec3 up = glm::cross(right, forward);
+  const double across = std::tan(27.5 * std::numbers::pi / 180.0);
+  for (double x = 0.05; x < 12.0; x += 0.1)
+    for (double y = 0.05; y < 12.0; y += 0.1)
+      for (const double height_m : {0.0, 0.4}) {
+        const glm::dvec3 to = glm::dvec3(x, y, terrain.sample(x, y) + height_m) - camera.eye_m;
+        const double depth = glm::dot(to, forward);
+        const bool inside = depth > 0 && std::abs(glm::dot(to, right)) < depth * across &&
+                            std::abs(glm::dot(to, up)) < depth * across * 540.0 / 960.0;
+        if (inside) {
+          EXPECT_TRUE(listed.count({static_cast<int>(x / 0.5), static_cast<int>(y / 0.5)}));
+        }
+      }
+}
+
+TEST(Weathering, DithersAboutTheWantedDegree) {
+  scene::Scene scene = from_above();
+  scene.ageing.frames = {0.0, 0.375, 0.39, 1.0};
+  scene.ageing.variation = 0.0;
+  const auto mean_degree = [&](int frame) {
+    double sum = 0.0;
+    const std::vector<CellChoice> choices = choices_of(scene, frame);
+    for (const CellChoice& choice : choices)
+      sum += scene.grass.key_frames[static_cast<std::size_t>(choice.key_frame)];
+    return sum / static_cast<double>(choices.size());
+  };
+  EXPECT_EQ(mean_degree(1), 0.0);
+  EXPECT_NEAR(mean_degree(2), 0.375, 0.005);  // 576 cells between 0.333 and 0.417
+  EXPECT_EQ(mean_degree(4), 1.0);
+  const std::vector<CellChoice> before = choices_of(scene, 2);
+  const std::vector<CellChoice> after = choices_of(scene, 3);
+  for (std::size_t k = 0; k < before.size(); ++k)
+    EXPECT_GE(after[k].key_frame, before[k].key_frame);  // nothing grows green again
+}
+
+TEST(Weathering, VariesSmoothlyAndNotAtTheEnds) {
+  scene::Scene scene = small_meadow();
+  scene.ageing.frames = {0.0, 0.5, 1.0};
+  double largest = 0.0;
+  double step_squares = 0.0;
+  for (int k = 0; k < 200; ++k) {
+    const glm::dvec2 at_m(0.5 * k, 3.0);
+    EXPECT_EQ(local_weathering(scene, at_m, 1), 0.0);
+    EXPECT_EQ(local_weathering(scene, at_m, 3), 1.0);
+    const double here = local_weathering(scene, at_m, 2);
+    EXPECT_LE(std::abs(here - 0.5), scene.ageing.variation);
+    const double step = local_weathering(scene, at_m + glm::dvec2(0.5, 0.0), 2) - here;
+    step_squares += step * step / 200.0;
+    largest = std::max(largest, std::abs(here - 0.5));
+  }
+  EXPECT_GT(largest, 0.5 * scene.ageing.variation);
+  EXPECT_LT(std::sqrt(step_squares), 0.2 * scene.ageing.variation);  // between neighbouring cells
+}
+
+TEST(Cells, RefuseAFrameThatDoesNotExist) {
+  EXPECT_THROW(choices_of(small_meadow(), 4), InputError);
+}
+
+}  // namespace
+}  // namespace wold::landscape

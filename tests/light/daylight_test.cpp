@@ -1,0 +1,150 @@
+#include "light/daylight.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/colour.h"
+#include "core/error.h"
+#include "light/sunlight.h"
+
+namespace wold::light {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+glm::dvec3 xyY_of(const glm::dvec3& rgb) {
+  const glm::dvec3 xyz = xyz_from_srgb(rgb);
+  const double sum = xyz.x + xyz.y + xyz.z;
+  return {xyz.x / sum, xyz.y / sum, xyz.y};
+}
+
+struct SunColour {
+  double elevation_deg, relative_luminance, green, blue;
+};
+
+// Turbidity 3, by summing the published transmittance over the tabulated CIE 1931 observer.
+constexpr SunColour published[] = {{90, 0.7434, 0.802, 0.608},
+                                   {30, 0.5550, 0.732, 0.451},
+                                   {10, 0.1968, 0.529, 0.146},
+                                   {5, 0.0521, 0.351, 0.016}};
+
+TEST(Sunlight, HasTheColourOfTheTransmittanceFormula) {
+  for (const SunColour& want : published) {
+    const glm::dvec3 got = direct_sunlight_klx(want.elevation_deg * degree, 3.0);
+    EXPECT_NEAR(luminance(got) / 130.0, want.relative_luminance, 0.002);
+    EXPECT_NEAR(got.g / got.r, want.green, 0.01);
+    EXPECT_NEAR(got.b / got.r, want.blue, 0.01);
+  }
+}
+
+TEST(Daylight, PointsToTheSunClockwiseFromNorth) {
+  const glm::dvec3 east = Daylight({30.0, 90.0}, {3.0}).sun_direction();
+  EXPECT_NEAR(east.x, std::cos(30.0 * degree), 1e-12);
+  EXPECT_NEAR(east.y, 0.0, 1e-12);
+  EXPECT_NEAR(east.z, 0.5, 1e-12);
+  EXPECT_LT(Daylight({30.0, 180.0}, {3.0}).sun_direction().y, -0.86);
+}
+
+struct SkyPoint {
+  double sun_zenith_deg, luminance_kcd_m2, x, y;
+};
+
+// Preetham's model at turbidity 3: zenith values.
+constexpr SkyPoint zeniths[] = {
+    {45, 7.3204, 0.24568, 0.25148}, {60, 5.1392, 0.24493, 0.25257}, {75, 3.3721, 0.25601, 0.26866}};
+
+/// The daylight's unit in klx, recovered from the sunlight both sides know.
+glm::dvec3 unit_klx(const Daylight& day, double elevation_deg) {
+  return direct_sunlight_klx(elevation_deg * degree, 3.0) / glm::dvec3(day.sun_irradiance());
+}
+
+TEST(Daylight, SkyIsPreethams) {
+  for (const SkyPoint& want : zeniths) {
+    const double elevation_deg = 90.0 - want.sun_zenith_deg;
+    const Daylight day({elevation_deg, 235.0}, {3.0});
+    const glm::dvec3 got =
+        xyY_of(glm::dvec3(day.sky_radiance({0, 0, 1})) * unit_klx(day, elevation_deg));
+    EXPECT_NEAR(got.x, want.x, 2e-4);
+    EXPECT_NEAR(got.y, want.y, 2e-4);
+    EXPECT_NEAR(got.z, want.luminance_kcd_m2, 2e-3 * want.luminance_kcd_m2);
+  }
+  // View 60 degrees from the zenith, 90 degrees from a sun at 45 degrees: cos 90 =
+  // sin 60 sin 45 cos(azimuth) + cos 60 cos 45, so the azimuths differ by acos(-cot 60 cot 45).
+  const Daylight day({45.0, 0.0}, {3.0});
+  const double azimuth = std::acos(-1.0 / std::tan(60.0 * degree));
+  const glm::dvec3 got = xyY_of(glm::dvec3(day.sky_radiance(direction_of(azimuth, 30.0 * degree))) *
+                                unit_klx(day, 45.0));
+  EXPECT_NEAR(got.x, 0.24489, 2e-4);
+  EXPECT_NEAR(got.y, 0.25876, 2e-4);
+  EXPECT_NEAR(got.z, 6.1542, 0.013);
+}
+
+/// Irradiance of a horizontal plane by summing a lat-long picture's radiances.
+glm::dvec3 irradiance_of(const Daylight& day) {
+  glm::dvec3 sum(0.0);
+  const int rows = 180;
+  const int columns = 360;
+  for (int r = 0; r < rows; ++r)
+    for (int c = 0; c < columns; ++c) {
+      const double elevation = (r + 0.5) / rows * std::numbers::pi / 2.0;
+      const glm::dvec3 to = direction_of(2.0 * std::numbers::pi * (c + 0.5) / columns, elevation);
+      sum += glm::dvec3(day.sky_radiance(to)) * std::cos(elevation) * to.z;
+    }
+  return sum * (std::numbers::pi / 2.0 / rows * 2.0 * std::numbers::pi / columns);
+}
+
+TEST(Daylight, OpenFlatGroundReceivesOne) {
+  for (const double elevation_deg : {8.0, 38.0, 75.0}) {
+    const Daylight day({elevation_deg, 235.0}, {3.0});
+    const glm::dvec3 total =
+        irradiance_of(day) + glm::dvec3(day.sun_irradiance()) * day.sun_direction().z;
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_NEAR(total[c], 1.0, 2e-3);
+      EXPECT_NEAR(day.sky_irradiance()[c] + day.sun_irradiance()[c] * day.sun_direction().z, 1.0,
+                  1e-6);
+    }
+    EXPECT_GT(day.sun_irradiance().r, day.sun_irradiance().b);
+    EXPECT_GT(day.sky_irradiance().b, day.sky_irradiance().r);
+  }
+}
+
+TEST(Daylight, MeanOverAzimuthGivesTheSkysIrradiance) {
+  const Daylight day({38.0, 235.0}, {3.0});
+  glm::dvec3 sum(0.0);
+  const int rows = 500;
+  for (int r = 0; r < rows; ++r) {
+    const double elevation = (r + 0.5) / rows * std::numbers::pi / 2.0;
+    sum += glm::dvec3(day.mean_sky_radiance(elevation)) *
+           (std::numbers::pi * std::sin(2.0 * elevation) * std::numbers::pi / 2.0 / rows);
+  }
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c], day.sky_irradiance()[c], 1e-3);
+}
+
+TEST(Daylight, PictureShowsTheSkyWithoutFireflies) {
+  const Daylight day({38.0, 235.0}, {3.0});
+  const Image sky = day.sky_image(720);
+  ASSERT_EQ(sky.height, 360);
+  const float* north_east = sky.pixel(90, 120);  // azimuth 45.25, elevation 29.75 degrees
+  const glm::vec3 want = day.sky_radiance(direction_of(45.25 * degree, 29.75 * degree));
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(north_east[c], want[c], 1e-5);
+  float brightest = 0.0F;
+  std::size_t at = 0;
+  for (std::size_t k = 0; k < sky.values.size(); ++k) {
+    EXPECT_GE(sky.values[k], 0.0F);
+    if (sky.values[k] > brightest) brightest = sky.values[at = k];
+  }
+  EXPECT_LT(brightest, 20.0F);
+  const std::size_t pixel = at / 3;
+  EXPECT_NEAR(static_cast<double>(pixel % 720) * 0.5, 235.0, 1.0);
+  EXPECT_NEAR(90.0 - static_cast<double>(pixel / 720) * 0.5, 38.0, 1.0);
+}
+
+TEST(Daylight, RefusesWhatTheModelCannotDo) {
+  EXPECT_THROW(Daylight({-2.0, 0.0}, {3.0}), InputError);
+  EXPECT_THROW(Daylight({30.0, 0.0}, {1.0}), InputError);
+}
+
+}  // namespace
+}  // namespace wold::light

@@ -1,0 +1,38 @@
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "fake_renderer.h"
+
+namespace wold::test {
+namespace {
+
+// Answers the command line of an exported scene without rendering anything: frame 3 of the test's
+// job is a picture of 32 x 18 pixels, red rising to the right.
+constexpr const char* script = R"(import sys
+import bpy
+arguments = sys.argv[sys.argv.index("--") + 1:]
+options = dict(zip(arguments[1::2], arguments[2::2]))
+width, height = map(int, options["--size"].split("x"))
+print("wold: progress 0.5", flush=True)
+image = bpy.data.images.new("ramp", width, height)
+image.pixels = [value for i in range(width * height) for value in (i % width / width, 0, 0, 1)]
+image.file_format = "PNG"
+image.filepath_raw = options["--out"]
+if arguments[0] == "3":
+    image.save()
+)";
+
+TEST_F(FakeRenderer, RealBlenderRunsTheScriptOfAFolderWithSpaces) {
+  try {
+    render::find_renderer(render::Renderer::blender);
+  } catch (const RendererError& error) {
+    GTEST_SKIP() << error.what();
+  }
+  write_file(folder_ / "scene/scene.py", script);
+  SilentProgress progress;
+  render::run(job(), progress, never);
+  EXPECT_NEAR(read_image(job().picture).pixel(16, 5)[0], 0.5F, 0.01F);
+}
+
+}  // namespace
+}  // namespace wold::test

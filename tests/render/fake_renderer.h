@@ -1,0 +1,85 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "core/files.h"
+#include "core/image.h"
+#include "render/run.h"
+
+namespace wold::test {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own for every test, with a shell script that plays the renderer.
+class FakeRenderer : public ::testing::Test {
+ protected:
+  FakeRenderer() {
+    std::string pattern = (fs::temp_directory_path() / "wold render XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+    make_folder(folder_ / "scene");
+    write_image(folder_ / "good.png", gradient(32, 18), PixelFormat::uint8);
+  }
+  ~FakeRenderer() override {
+    ::unsetenv("WOLD_BLENDER");
+    ::unsetenv("WOLD_POVRAY");
+    fs::remove_all(folder_);
+  }
+
+  static Image gradient(int width, int height) {
+    Image image(width, height, 3);
+    for (std::size_t i = 0; i < image.values.size(); ++i)
+      image.values[i] = static_cast<float>(i) / static_cast<float>(image.values.size());
+    return image;
+  }
+
+  /// Installs a script as Blender; in it, $out is the wanted picture and $folder the test's folder.
+  void play(const std::string& body) {
+    const fs::path script = folder_ / "fake.sh";
+    write_file(script, "#!/bin/sh\nfolder='" + folder_.string() +
+                           "'\nwhile [ $# -gt 0 ]; do [ \"$1\" = --out ] && out=$2; shift; done\n" +
+                           body + "\n");
+    fs::permissions(script, fs::perms::owner_all);
+    ::setenv("WOLD_BLENDER", script.c_str(), 1);
+  }
+
+  render::Job job() const {
+    return {render::Renderer::blender,
+            folder_ / "scene",
+            3,
+            {32, 18},
+            4,
+            1,
+            std::chrono::seconds(20),
+            folder_ / "out/0003.png",
+            folder_ / "logs/3.log"};
+  }
+
+  /// Runs a job that has to fail and returns what it says; checks that no picture is left.
+  template <class Failure>
+  std::string failure_of(const render::Job& job, const std::function<bool()>& interrupted = never) {
+    std::string message = "nothing was thrown";
+    SilentProgress progress;
+    EXPECT_THROW(
+        try { render::run(job, progress, interrupted); } catch (const Failure& error) {
+          message = error.what();
+          throw;
+        },
+        Failure);
+    std::error_code ignored;
+    const fs::path pictures = job.picture.parent_path();
+    EXPECT_TRUE(!fs::is_directory(pictures, ignored) || fs::is_empty(pictures)) << message;
+    return message;
+  }
+
+  static bool never() { return false; }
+
+  fs::path folder_;
+};
+
+}  // namespace wold::test

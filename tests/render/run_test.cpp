@@ -1,0 +1,164 @@
+#include "render/run.h"
+
+#include <gmock/gmock.h>
+#include <sys/mount.h>
+
+#include "core/error.h"
+#include "fake_renderer.h"
+
+namespace wold::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class CountingProgress final : public Progress {
+ public:
+  void begin(std::string_view, std::size_t units) override { units_ = units; }
+  void advance(std::size_t units, std::string_view) override { steps_.push_back(units); }
+  void end() override { ended_ = true; }
+  std::size_t units_ = 0;
+  std::vector<std::size_t> steps_;
+  bool ended_ = false;
+};
+
+/// Whether a process has ended, be it collected or not.
+bool is_gone(const fs::path& pid_file) {
+  std::string pid = read_file(pid_file);
+  pid.erase(pid.find_last_not_of('\n') + 1);
+  std::ifstream stat("/proc/" + pid + "/stat");
+  const std::string text{std::istreambuf_iterator<char>(stat), {}};
+  return text.empty() || text.find(") Z ") != std::string::npos;
+}
+
+TEST_F(FakeRenderer, MakesThePictureReportsProgressAndKeepsTheLog) {
+  play(
+      "echo hello; echo 'wold: progress 0.25'; echo 'wold: progress 0.5' >&2; cp "
+      "\"$folder/good.png\" \"$out\"");
+  CountingProgress progress;
+  render::run(job(), progress, never);
+  EXPECT_EQ(read_file(job().picture), read_file(folder_ / "good.png"));
+  EXPECT_EQ(progress.units_, 100U);
+  EXPECT_EQ(progress.steps_, (std::vector<std::size_t>{25, 25, 50}));
+  EXPECT_TRUE(progress.ended_);
+  EXPECT_THAT(read_file(job().log), AllOf(HasSubstr("hello\n"), Not(HasSubstr("wold: progress"))));
+}
+
+TEST_F(FakeRenderer, AnOlderPictureDoesNotOutliveAFailure) {
+  make_folder(job().picture.parent_path());
+  write_image(job().picture, gradient(32, 18), PixelFormat::uint8);
+  play("exit 1");
+  failure_of<RendererError>(job());
+}
+
+TEST_F(FakeRenderer, NonZeroExitNamesFrameReasonLogAndLastLines) {
+  play("echo first; echo 'no such texel' >&2; cp \"$folder/good.png\" \"$out\"; exit 7");
+  EXPECT_THAT(failure_of<RendererError>(job()),
+              AllOf(HasSubstr("Blender"), HasSubstr("frame 3"), HasSubstr("exit code 7"),
+                    HasSubstr(job().log.string()), HasSubstr("no such texel")));
+}
+
+TEST_F(FakeRenderer, DeathBySignalIsNamed) {
+  play("kill -SEGV $$");
+  EXPECT_THAT(failure_of<RendererError>(job()), HasSubstr("signal 11 (Segmentation fault)"));
+}
+
+TEST_F(FakeRenderer, TimeOutEndsEvenWhatIgnoresIt) {
+  play(
+      "trap '' TERM; sleep 60 & echo $! > \"$folder/pid\"; echo half > \"$out\"; while :; do wait; "
+      "done");
+  render::Job slow = job();
+  slow.timeout = std::chrono::seconds(1);
+  EXPECT_THAT(failure_of<RendererError>(slow), HasSubstr("no picture after 1 s"));
+  EXPECT_TRUE(is_gone(folder_ / "pid"));
+}
+
+TEST_F(FakeRenderer, InterruptEndsTheProgramAndItsChildren) {
+  play(
+      "echo half > \"$out\"; echo state > \"${out%.png}.pov-state\"; sleep 60 & echo $! > "
+      "\"$folder/new\"; "
+      "mv \"$folder/new\" \"$folder/pid\"; wait");
+  failure_of<InterruptedError>(job(), [&] { return fs::exists(folder_ / "pid"); });
+  EXPECT_TRUE(is_gone(folder_ / "pid"));
+}
+
+TEST_F(FakeRenderer, AProgressSinkCanStopTheWork) {
+  class Stopper final : public Progress {
+    void begin(std::string_view, std::size_t) override {}
+    void advance(std::size_t, std::string_view) override { throw InterruptedError(); }
+    void end() override {}
+  } progress;
+  play("echo 'wold: progress 0.5'; sleep 60");
+  EXPECT_THROW(render::run(job(), progress, never), InterruptedError);
+}
+
+TEST_F(FakeRenderer, DetachedChildrenDoNotHoldTheRunUp) {
+  play("sleep 60 & cp \"$folder/good.png\" \"$out\"");
+  SilentProgress progress;
+  const auto start = std::chrono::steady_clock::now();
+  render::run(job(), progress, never);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
+TEST_F(FakeRenderer, BlankPictureIsRefused) {
+  Image blank(32, 18, 3);
+  for (std::size_t i = 0; i < blank.values.size(); ++i) blank.values[i] = i % 3 == 0 ? 0.2F : 0.8F;
+  write_image(folder_ / "blank.png", blank, PixelFormat::uint8);
+  play("cp \"$folder/blank.png\" \"$out\"");
+  EXPECT_THAT(failure_of<RendererError>(job()), HasSubstr("blank"));
+}
+
+TEST_F(FakeRenderer, WrongSizeNamesBothSizes) {
+  write_image(folder_ / "small.png", gradient(16, 9), PixelFormat::uint8);
+  play("cp \"$folder/small.png\" \"$out\"");
+  EXPECT_THAT(failure_of<RendererError>(job()), HasSubstr("16 x 9 pixels, 32 x 18"));
+}
+
+TEST_F(FakeRenderer, NoPictureAndHalfAPictureAreRefused) {
+  play("true");
+  EXPECT_THAT(failure_of<RendererError>(job()), HasSubstr("wrote no picture"));
+  play("head -c 100 \"$folder/good.png\" > \"$out\"");
+  EXPECT_THAT(failure_of<RendererError>(job()), HasSubstr("damaged"));
+}
+
+TEST_F(FakeRenderer, ValuesThatAreNoNumbersAreRefused) {
+  Image image = gradient(32, 18);
+  image.values[7] = std::nanf("");
+  write_image(folder_ / "nan.exr", image, PixelFormat::float32);
+  play("cp \"$folder/nan.exr\" \"$out\"");
+  render::Job exr = job();
+  exr.picture.replace_extension(".exr");
+  EXPECT_THAT(failure_of<RendererError>(exr), HasSubstr("not finite"));
+}
+
+TEST_F(FakeRenderer, MissingProgramSaysWhatToInstall) {
+  ::setenv("WOLD_BLENDER", (folder_ / "nothing").c_str(), 1);
+  EXPECT_THAT(failure_of<RendererError>(job()), HasSubstr("WOLD_BLENDER names"));
+  ::unsetenv("WOLD_BLENDER");
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", folder_.c_str(), 1);
+  EXPECT_THAT(failure_of<RendererError>(job()), HasSubstr("apt-get install blender"));
+  ::setenv("PATH", path.c_str(), 1);
+}
+
+TEST_F(FakeRenderer, UnwritableFolderIsAFileErrorBeforeTheRendererStarts) {
+  play("touch \"$folder/started\"");
+  render::Job blocked = job();
+  blocked.picture = folder_ / "good.png" / "0003.png";  // below a file: fails for root too
+  failure_of<FileError>(blocked);
+  EXPECT_FALSE(fs::exists(folder_ / "started"));
+}
+
+TEST_F(FakeRenderer, FullDiskIsAFileError) {
+  const fs::path disk = folder_ / "out";
+  make_folder(disk);
+  if (::mount("none", disk.c_str(), "tmpfs", 0, "size=256k") != 0)
+    GTEST_SKIP() << "needs the right to mount a small disk";
+  play("cat /dev/zero > \"$out\"");
+  EXPECT_THAT(failure_of<FileError>(job()), HasSubstr("no space left"));
+  ::umount(disk.c_str());
+}
+
+}  // namespace
+}  // namespace wold::test

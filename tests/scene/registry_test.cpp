@@ -1,0 +1,97 @@
+#include "scene/registry.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "scene/write.h"
+
+namespace wold::scene {
+namespace {
+
+TEST(Registry, EveryKeyIsDescribedAndItsDefaultIsAccepted) {
+  const Scene defaults;
+  std::set<std::string> names;
+  for (const Key& key : registry()) {
+    SCOPED_TRACE(key.name);
+    EXPECT_TRUE(names.insert(key.name).second) << "twice";
+    EXPECT_EQ(key.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_."),
+              std::string::npos);
+    ASSERT_FALSE(key.doc.empty());
+    EXPECT_EQ(key.doc.back(), '.');
+    EXPECT_FALSE(expected(key).empty());
+    EXPECT_TRUE(key.unit.empty() || expected(key).find(" " + key.unit) != std::string::npos);
+    EXPECT_FALSE(fault_of(key, key.get(defaults)));
+  }
+}
+
+/// A value that the key accepts and that differs from the default.
+Value another_value(const Key& key, const Value& value) {
+  switch (key.kind) {
+    case Kind::integer:
+      if (!key.members.empty()) return key.members.back();
+      return std::get<std::int64_t>(value) + 1;
+    case Kind::number:
+      return 0.5 * (std::get<double>(value) + key.highest);
+    case Kind::name:
+      return "other";
+    case Kind::word:
+      return key.words[key.words[0] == std::get<std::string>(value) ? 1 : 0];
+    case Kind::integers: {
+      auto items = std::get<std::vector<std::int64_t>>(value);
+      if (items.size() > 2)
+        items.pop_back();
+      else
+        items[0] += 1;
+      return items;
+    }
+    case Kind::numbers: {
+      auto items = std::get<std::vector<double>>(value);
+      if (key.list.spans_range)
+        items.erase(items.begin() + 1);
+      else
+        items[0] = 0.5 * (items[0] + key.highest);
+      return items;
+    }
+    case Kind::curve:
+      return CurveChoice{"", {{0.0, 1.0}, {1.0, 0.25}}};
+  }
+  return value;
+}
+
+TEST(Registry, EveryKeyReachesAFieldOfItsOwn) {
+  const Scene defaults;
+  for (const Key& changed : registry()) {
+    SCOPED_TRACE(changed.name);
+    Scene scene;
+    const Value other = another_value(changed, changed.get(scene));
+    ASSERT_FALSE(fault_of(changed, other));
+    changed.set(scene, other);
+    for (const Key& key : registry())
+      EXPECT_EQ(key.get(scene), key.name == changed.name ? other : key.get(defaults)) << key.name;
+  }
+}
+
+TEST(Registry, TheManualListsEveryKeyOnce) {
+  const std::string manual = keys_markdown();
+  for (const Key& key : registry()) {
+    const std::string cell = "| `" + key.name + "` |";
+    const std::size_t first = manual.find(cell);
+    ASSERT_NE(first, std::string::npos) << key.name;
+    EXPECT_EQ(manual.find(cell, first + 1), std::string::npos) << key.name;
+  }
+}
+
+TEST(Registry, KnowsWhatTheUserMayHaveMeant) {
+  EXPECT_EQ(nearest_key("grass.blade"), "grass.blades");
+  EXPECT_EQ(nearest_key("grass.height_m"), "grass.height");
+  EXPECT_EQ(nearest_key("gras.patch"), "grass.patch");
+  EXPECT_EQ(nearest_key("sun.elevaiton"), "sun.elevation");
+  EXPECT_EQ(nearest_key("turbidity"), "sky.turbidity");
+  EXPECT_EQ(nearest_key("zebra"), "");
+  EXPECT_EQ(nearest_table("camrea"), "camera");
+  EXPECT_EQ(nearest_table("weather"), "");
+}
+
+}  // namespace
+}  // namespace wold::scene

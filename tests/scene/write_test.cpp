@@ -1,0 +1,57 @@
+#include "scene/write.h"
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "scene/parse.h"
+#include "scene/registry.h"
+
+namespace wold::scene {
+namespace {
+
+void expect_fixed_point(const Scene& scene) {
+  const std::string text = resolved_toml(scene);
+  const Scene again = parse_scene(text, "resolved");
+  EXPECT_EQ(again, scene);
+  EXPECT_EQ(resolved_toml(again), text);
+}
+
+TEST(ResolvedToml, IsAFixedPointOfParsing) {
+  expect_fixed_point(Scene{});
+  Scene scene;
+  scene.name = "A.b-c_9";
+  scene.seed = 9007199254740991;
+  scene.terrain.size_m = 123.0;
+  scene.terrain.relief_m = 1.0 / 3.0;
+  scene.terrain.relief_feature_m = 0.1 + 0.2;
+  scene.grass.levels = {30};
+  scene.grass.key_frames = {0.0, 1e-300, 1.0};
+  scene.ageing.water = {"", {{0.0, 1.0}, {0.1, 0.7}, {1.0, 1e-7}}};
+  scene.ageing.frames = {1.0, 0.0};
+  scene.render.exposure = -0.25;
+  expect_fixed_point(scene);
+}
+
+TEST(ResolvedToml, HasEveryKeyWithItsMeaning) {
+  const std::string text = resolved_toml(Scene{});
+  for (const Key& key : registry()) {
+    EXPECT_NE(text.find("\n" + std::string(leaf_of(key.name)) + " = "), std::string::npos);
+    EXPECT_NE(text.find(key.doc), std::string::npos) << key.name;
+  }
+  EXPECT_NE(text.find("# Side of the patch that repeats. Accepts a number from 0.05 to 20 m.\n"
+                      "patch = 0.5\n"),
+            std::string::npos);
+}
+
+TEST(StarterScene, IsShortAndTheDefaultSceneUnderItsName) {
+  Scene scene;
+  scene.name = "heath";
+  const std::string text = starter_scene("heath");
+  EXPECT_EQ(parse_scene(text, "heath.toml"), scene);
+  EXPECT_LT(text.size(), resolved_toml(scene).size() / 2);
+  EXPECT_THROW(starter_scene("a/b"), InputError);
+  EXPECT_THROW(starter_scene(""), InputError);
+}
+
+}  // namespace
+}  // namespace wold::scene

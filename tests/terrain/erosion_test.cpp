@@ -1,0 +1,82 @@
+#include "terrain/erosion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "core/noise.h"
+#include "core/parallel.h"
+
+namespace wold::terrain {
+namespace {
+
+/// Steep fractal ground, 64 x 64 samples of 0.25 m.
+GroundMap<double> rugged() {
+  GroundMap<double> heights_m(65, 16.0);
+  for (int j = 0; j < 65; ++j)
+    for (int i = 0; i < 65; ++i)
+      heights_m.at(i, j) = 2.0 * fbm(glm::dvec2(i, j) / 16.0, {3, 5, 0.6});
+  return heights_m;
+}
+
+double total(const GroundMap<double>& map) {
+  return std::accumulate(map.values().begin(), map.values().end(), 0.0);
+}
+
+/// Largest slope between neighbours, diagonal ones included.
+double steepest(const GroundMap<double>& map) {
+  double largest = 0.0;
+  for (int j = 0; j + 1 < map.samples(); ++j)
+    for (int i = 0; i + 1 < map.samples(); ++i) {
+      const double h = map.at(i, j);
+      largest = std::max({largest, std::abs(map.at(i + 1, j) - h), std::abs(map.at(i, j + 1) - h),
+                          std::abs(map.at(i + 1, j + 1) - h) / std::numbers::sqrt2});
+    }
+  return largest / map.step_m();
+}
+
+TEST(Erosion, KeepsTheMassAndTheLimit) {
+  GroundMap<double> heights_m = rugged();
+  const double before = total(heights_m);
+  const double limit = std::tan(33.0 * std::numbers::pi / 180.0);
+  ASSERT_GT(steepest(heights_m), 1.5 * limit);
+  slide(heights_m, 33.0, 2000);
+  EXPECT_NEAR(total(heights_m), before, 1e-9);
+  EXPECT_LT(steepest(heights_m), 1.01 * limit);
+  creep(heights_m, 0.1);
+  EXPECT_NEAR(total(heights_m), before, 1e-9);
+}
+
+TEST(Erosion, LeavesStableGroundAlone) {
+  GroundMap<double> heights_m(33, 8.0);
+  for (int j = 0; j < 33; ++j)
+    for (int i = 0; i < 33; ++i) heights_m.at(i, j) = 0.4 * i * heights_m.step_m();  // 22 degrees
+  const GroundMap<double> before = heights_m;
+  slide(heights_m, 30.0, 50);
+  EXPECT_EQ(heights_m.values(), before.values());
+}
+
+TEST(Erosion, CreepDampsAWaveAsDiffusionDoes) {
+  // cos(k x) decays as exp(-k^2 D t); whole half-waves have no slope at the border.
+  const double k = 4.0 * std::numbers::pi / 10.0;
+  GroundMap<double> heights_m(101, 10.0);
+  for (int j = 0; j < 101; ++j)
+    for (int i = 0; i < 101; ++i) heights_m.at(i, j) = std::cos(k * i * heights_m.step_m());
+  creep(heights_m, 0.5);
+  EXPECT_NEAR(heights_m.at(50, 50), std::exp(-k * k * 0.5), 0.01);
+  EXPECT_NEAR(heights_m.at(25, 50), -std::exp(-k * k * 0.5), 0.01);
+}
+
+TEST(Erosion, IsTheSameOnAnyNumberOfThreads) {
+  GroundMap<double> many = rugged();
+  slide(many, 33.0, 20);
+  const ThreadLimit one(1);
+  GroundMap<double> single = rugged();
+  slide(single, 33.0, 20);
+  EXPECT_EQ(many.values(), single.values());
+}
+
+}  // namespace
+}  // namespace wold::terrain

@@ -1,0 +1,111 @@
+#include "terrain/lighting.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "terrain/hillside.h"
+#include "terrain/horizon.h"
+
+namespace wold::terrain {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double degree = pi / 180.0;
+
+/// Ground whose height depends on y alone.
+template <class Height>
+Heightfield ground(double size_m, int samples, const Height& height_m) {
+  Heightfield terrain(samples, size_m);
+  for (int j = 0; j < samples; ++j)
+    for (int i = 0; i < samples; ++i)
+      terrain.at(i, j) = static_cast<float>(height_m(j * terrain.step_m()));
+  return terrain;
+}
+
+glm::vec3 middle(const ColourMap& map) { return map.sample(map.size_m() / 2, map.size_m() / 2); }
+
+TEST(LightMap, FlatGroundIsOne) {
+  const light::Daylight day({38.0, 235.0}, {3.0});
+  const ColourMap light = light_map(ground(20.0, 41, [](double) { return 0.0; }), day);
+  for (const glm::vec3& value : light.values())
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(value[c], 1.0F, 1e-4F);
+}
+
+TEST(LightMap, InclinedPlaneReceivesTheIntegralOverItsHemisphere) {
+  const light::Daylight day({38.0, 180.0}, {3.0});
+  const double tilt = 20.0 * degree;  // rises northwards, so it faces the sun in the south
+  const ColourMap light =
+      light_map(ground(40.0, 81, [&](double y) { return std::tan(tilt) * y; }), day);
+  const glm::dvec3 up(0.0, -std::sin(tilt), std::cos(tilt));
+  glm::dvec3 want = glm::dvec3(day.sun_irradiance()) * std::cos((90.0 - 38.0 - 20.0) * degree);
+  for (double elevation = 0.5; elevation < 90.0; elevation += 1.0)
+    for (double azimuth = 0.5; azimuth < 360.0; azimuth += 1.0) {
+      const glm::dvec3 to = light::direction_of(azimuth * degree, elevation * degree);
+      want += glm::dvec3(day.sky_radiance(to)) * std::max(0.0, glm::dot(up, to)) *
+              (std::cos(elevation * degree) * degree * degree);
+    }
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(middle(light)[c], want[c], 0.01 * want[c]);
+}
+
+TEST(Horizon, OfAWallIsItsAngle) {
+  // 2 m high, 5 m north of the point.
+  const Heightfield wall = ground(20.0, 201, [](double y) { return y > 14.95 ? 2.0 : 0.0; });
+  EXPECT_NEAR(horizon_rad(wall, {10.0, 10.0}, {0.0, 1.0}, 0.02), std::atan(2.0 / 5.0), 0.02);
+  EXPECT_NEAR(horizon_rad(wall, {10.0, 10.0}, {0.0, -1.0}, 0.02), 0.0, 1e-6);
+  EXPECT_NEAR(horizon_rad(wall, {10.0, 10.0}, {std::sin(1.0), std::cos(1.0)}, 0.02),
+              std::atan(2.0 * std::cos(1.0) / 5.0), 0.02);
+}
+
+TEST(LightMap, WallCastsAShadowOfItsLength) {
+  // Sun in the north at 30 degrees: a 2 m wall at y = 15 m shades down to y = 15 - 2 / tan 30.
+  const light::Daylight day({30.0, 0.0}, {3.0});
+  const ColourMap light =
+      light_map(ground(20.0, 201, [](double y) { return y > 14.95 ? 2.0 : 0.0; }), day);
+  const double edge_m = 15.0 - 2.0 / std::tan(30.0 * degree);
+  const auto red = [&](double y_m) { return light.sample(10.0, y_m).r; };
+  EXPECT_LT(red(edge_m + 1.0), day.sky_irradiance().r * 1.05F);
+  EXPECT_GT(red(edge_m - 1.0), 0.9F);
+  // Half of the sun is left at the edge.
+  const float lit = red(edge_m - 1.0);
+  const float dark = red(edge_m + 1.0);
+  double crossing_m = edge_m - 1.0;
+  while (red(crossing_m) > 0.5F * (lit + dark)) crossing_m += 0.01;
+  EXPECT_NEAR(crossing_m, edge_m, 0.15);
+}
+
+TEST(LightMap, HasNoSteps) {
+  scene::Terrain shape;
+  shape.size_m = 20.0;
+  shape.samples = 161;
+  const Heightfield terrain = make_hillside(shape, 4);
+  const ColourMap light = light_map(terrain, light::Daylight({15.0, 235.0}, {3.0}));
+  double largest = 0.0;
+  for (int j = 1; j + 1 < light.samples(); ++j)
+    for (int i = 1; i + 1 < light.samples(); ++i)
+      largest = std::max<double>(
+          largest, std::abs(light.at(i + 1, j).g - 2.0F * light.at(i, j).g + light.at(i - 1, j).g));
+  EXPECT_LT(largest, 0.25);  // a hard edge of the sun's shadow has 1.2
+}
+
+TEST(GroundRadiance, IsLambertsOnAverage) {
+  const ColourMap light(51, 20.0, glm::vec3(1.0F, 0.8F, 0.5F));
+  const scene::Terrain shape;
+  const ColourMap ground_light = ground_radiance(light, shape, 9, glm::vec3(0.5F));
+  glm::dvec3 mean(0.0);
+  for (const glm::vec3& value : ground_light.values()) {
+    EXPECT_GT(value.r, 0.0F);
+    mean += glm::dvec3(value) / static_cast<double>(ground_light.values().size());
+  }
+  const glm::dvec3 irradiance(1.0, 0.8, 0.5);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto channel = static_cast<glm::length_t>(c);
+    const double want = shape.ground_albedo[c] * irradiance[channel] * 0.5 / pi;
+    EXPECT_NEAR(mean[channel], want, 0.08 * want);
+  }
+}
+
+}  // namespace
+}  // namespace wold::terrain
