@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <sstream>
 #include <system_error>
 #include <vector>
 
@@ -86,13 +86,18 @@ void write_file(const fs::path& path, std::string_view bytes) {
 std::string read_file(const fs::path& path) {
   std::error_code error;
   if (fs::is_directory(path, error))
-    throw FileError(fmt::format("cannot read {}: it is a folder, a file was expected", path.string()));
+    throw FileError(
+        fmt::format("cannot read {}: it is a folder, a file was expected", path.string()));
   std::ifstream in(path, std::ios::binary);
   if (!in) throw FileError(fmt::format("cannot read {}: {}", path.string(), reason(errno)));
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
+  std::string bytes;
+  const std::uintmax_t size = fs::file_size(path, error);
+  if (!error) bytes.reserve(size);
+  std::array<char, 1 << 16> block;
+  while (in.read(block.data(), block.size()) || in.gcount() > 0)
+    bytes.append(block.data(), static_cast<std::size_t>(in.gcount()));
   if (in.bad()) throw FileError(fmt::format("cannot read {}: {}", path.string(), reason(errno)));
-  return std::move(bytes).str();
+  return bytes;
 }
 
 std::string content_hash(std::string_view bytes) {

@@ -6,7 +6,7 @@
 
 namespace wold {
 
-/// Writes grids and file metadata with Blosc compression, whole or not at all. The random id that
+/// Writes grids and file metadata (active values only), whole or not at all. The random id that
 /// OpenVDB puts into every header is overwritten by one made from the content, so the same grids
 /// give the same bytes. Throws FileError.
 void write_vdb(const std::filesystem::path& path, const openvdb::GridPtrVec& grids,

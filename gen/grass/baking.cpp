@@ -29,8 +29,8 @@ std::vector<VolumeData> bake_levels(const Texel& texel, const PointDynamics& pat
   VolumeData fine = mean;
   fine.density = fitted_density(texel.shape, texel.voxel, texel.density,
                                 blade_transmittances(patch, texel.shape.patch_m()));
-  const Transmittances wanted = transmittances(fine.shape, fine.voxel, fine.density);
   const std::vector<float> dense = dense_density(fine.shape, fine.voxel, fine.density);
+  const Transmittances wanted = transmittances(fine.shape, dense);
   const std::vector<glm::vec3> sky =
       skylight(texel, sides.size() > 1 ? coarser(fine, sides[1]) : fine, lighting);
   fine.turns = turns;
@@ -41,12 +41,14 @@ std::vector<VolumeData> bake_levels(const Texel& texel, const PointDynamics& pat
   // Areas add up from level to level, fitted extinctions do not: reduce the former, fit each.
   mean.turns = turns;
   mean.emission = fine.emission;
-  std::vector<VolumeData> levels = {std::move(fine)};
+  const std::vector<glm::dvec3> radiance = radiances(fine);
+  std::vector<VolumeData> levels;
+  levels.push_back(std::move(fine));
   for (int side : sides.subspan(1)) {
     mean = coarser(mean, side);
     VolumeData level = mean;
     level.density = fitted_density(level.shape, level.voxel, level.density, wanted);
-    match_radiance(level, levels.front());
+    match_radiances(level, radiance);
     levels.push_back(std::move(level));
   }
   return levels;

@@ -20,9 +20,9 @@ class BladeRandom {
       : key_{seed, key_of("blade"),
              (static_cast<std::uint64_t>(variant) << 32) | static_cast<std::uint64_t>(blade), 0} {}
   double uniform(std::string_view purpose) const { return random_uniform(with(purpose)); }
-  /// Normal, cut at 2.5 standard deviations so that no blade is absurd.
+  /// Normal, cut at 2.2 standard deviations so that no blade is absurd.
   double normal(std::string_view purpose) const {
-    return std::clamp(random_normal(with(purpose)), -2.5, 2.5);
+    return std::clamp(random_normal(with(purpose)), -2.2, 2.2);
   }
 
  private:
@@ -49,6 +49,12 @@ float positive_spread(double mean, double relative, double normal) {
   return static_cast<float>(mean * std::max(0.3, 1.0 + relative * normal));
 }
 
+/// Age of a single blade in a fresh meadow: most are young (exponential), a few are last year's.
+double head_start(const scene::Ageing& ageing, const BladeRandom& random) {
+  if (random.uniform("litter") < ageing.litter) return 0.8 + 0.2 * random.uniform("litter age");
+  return std::min(-ageing.fresh_spread * std::log(1.0 - random.uniform("age")), 0.5);
+}
+
 Blade make_blade(const scene::Grass& grass, const scene::Ageing& ageing, const BladeRandom& random,
                  int number) {
   const double heading = 2.0 * std::numbers::pi * random.uniform("heading");
@@ -61,6 +67,7 @@ Blade make_blade(const scene::Grass& grass, const scene::Ageing& ageing, const B
   blade.radius_m = positive_spread(grass.width_m / 2, grass.width_spread, random.normal("width"));
   blade.fresh_droop = positive_spread(grass.bend, ageing.droop_spread, random.normal("bend"));
   blade.droop_rate = positive_spread(ageing.droop, ageing.droop_spread, random.normal("droop"));
+  blade.head_start = static_cast<float>(head_start(ageing, random));
   blade.onset = static_cast<float>(ageing.onset_spread * random.normal("onset"));
   blade.brightness = positive_spread(1.0, 0.12, random.normal("brightness"));
   return blade;

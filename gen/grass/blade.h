@@ -18,6 +18,7 @@ struct Blade {
   float radius_m = 0.0F;     ///< of the cone at the root; 0 at the tip
   float fresh_droop = 0.0F;  ///< droop coefficient of the living blade, rad / sqrt(m)
   float droop_rate = 0.0F;   ///< omega: droop gained per unit of lost support, rad / sqrt(m)
+  float head_start = 0.0F;   ///< its own weathering degree while the meadow is fresh
   float onset = 0.0F;        ///< how far it is ahead (+) or behind (-) in weathering degree
   float brightness = 1.0F;   ///< factor on its albedo
 };

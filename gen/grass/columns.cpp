@@ -75,12 +75,12 @@ std::vector<float> voxel_transmittance(const TexelShape& shape, const std::vecto
       result[static_cast<std::size_t>(next)] = std::exp(-depth[ray]);
     }
   };
+  read_down_to(shape.height - skip);
   for (const Columns::Slab& slab : columns.slabs()) {
     // Depths now reach down to the middle of the slab's slice.
     if (!slab.upper_half) read_down_to(slab.z - skip);
     add_slab(columns, slab, dense, depth);
   }
-  read_down_to(0);
   return result;
 }
 

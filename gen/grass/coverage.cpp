@@ -14,16 +14,22 @@ class Mask {
  public:
   Mask() : hit_(static_cast<std::size_t>(mask_side) * mask_side, 0) {}
 
-  /// Covers the band from a - half to b + half, sampled at less than a mask pixel.
-  void cover(const glm::vec2& a, const glm::vec2& b, const glm::vec2& half) {
-    const glm::vec2 along = b - a;
-    const int steps = pieces(along);
-    const int across = pieces(2.0F * half);
-    for (int i = 0; i < steps; ++i)
-      for (int j = 0; j < across; ++j) {
-        const float u = (static_cast<float>(i) + 0.5F) / static_cast<float>(steps);
-        const float v = 2.0F * (static_cast<float>(j) + 0.5F) / static_cast<float>(across) - 1.0F;
-        set(a + u * along + v * half);
+  /// Covers the pixels whose centres lie in the parallelogram from a - half to b + half; centres,
+  /// because covering all that it touches would widen every blade by a pixel.
+  void cover(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& half) {
+    const glm::dvec2 along = b - a;
+    const double area = along.x * half.y - along.y * half.x;
+    if (area == 0.0) return;
+    const glm::dvec2 reach = (glm::abs(along) + 2.0 * glm::abs(half)) * (mask_side / 2.0);
+    const glm::dvec2 middle = (a + b) * (mask_side / 2.0);
+    const glm::ivec2 first(glm::ceil(middle - reach - 0.5));
+    const glm::ivec2 last(glm::floor(middle + reach - 0.5));
+    for (int y = first.y; y <= last.y; ++y)
+      for (int x = first.x; x <= last.x; ++x) {
+        const glm::dvec2 from_a = (glm::dvec2(x, y) + 0.5) / double{mask_side} - a;
+        const double u = (from_a.x * half.y - from_a.y * half.x) / area;
+        const double v = (along.x * from_a.y - along.y * from_a.x) / area;
+        if (u >= 0.0 && u < 1.0 && std::abs(v) < 1.0) set(x, y);
       }
   }
   double uncovered() const {
@@ -32,14 +38,12 @@ class Mask {
   }
 
  private:
-  static int pieces(const glm::vec2& way) {
-    return std::max(1, static_cast<int>(std::ceil(glm::length(way) * mask_side * 1.2F)));
-  }
-  void set(const glm::vec2& place) {
-    const glm::vec2 tile = place - glm::floor(place);
-    const int x = std::min(static_cast<int>(tile.x * mask_side), mask_side - 1);
-    const int y = std::min(static_cast<int>(tile.y * mask_side), mask_side - 1);
-    hit_[static_cast<std::size_t>(y) * mask_side + static_cast<std::size_t>(x)] = 1;
+  void set(int x, int y) {
+    const auto wrapped = [](int i) {
+      const int rest = i % mask_side;
+      return static_cast<std::size_t>(rest < 0 ? rest + mask_side : rest);
+    };
+    hit_[wrapped(y) * mask_side + wrapped(x)] = 1;
   }
   std::vector<std::uint8_t> hit_;
 };

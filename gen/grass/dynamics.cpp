@@ -90,7 +90,8 @@ AgeingModel::AgeingModel(const scene::Ageing& ageing, double fresh_specular)
 
 double AgeingModel::blade_age(const Blade& blade, double weathering) {
   const double onset = std::clamp(double{blade.onset}, -largest_onset, largest_onset);
-  return std::clamp(weathering + onset * midway(weathering), 0.0, 1.0);
+  const double own = std::clamp(weathering + onset * midway(weathering), 0.0, 1.0);
+  return blade.head_start + (1.0 - blade.head_start) * own;
 }
 
 double AgeingModel::local_age(double age, double along) {

@@ -18,8 +18,8 @@ class AgeingModel {
   /// Loads the curves and pigments the scene names. Throws FileError or InputError.
   AgeingModel(const scene::Ageing& ageing, double fresh_specular);
 
-  /// The blade's own weathering degree when the meadow's is `weathering`: ahead or behind by its
-  /// onset in between, 0 and 1 at the ends, monotone.
+  /// The blade's own weathering degree when the meadow's is `weathering`: from its head start to 1,
+  /// monotone, ahead or behind by its onset in between.
   static double blade_age(const Blade& blade, double weathering);
   BladePose pose(const Blade& blade, double age) const;
   /// Leaves die from the tip down: age at `along`, 0 at the root to 1 at the tip.

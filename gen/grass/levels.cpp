@@ -13,14 +13,15 @@ constexpr double radians_per_degree = std::numbers::pi / 180.0;
 constexpr int azimuths = 2;
 
 /// Rows of rays that are enough for a mean over a fine texel.
-int row_stride(const TexelShape& shape) { return std::max(1, shape.side / 48); }
+int row_stride(const TexelShape& shape) { return std::max(1, shape.side / 36); }
 
 /// From 0 (nothing) to 1 (solid).
 float filled(float depth) { return depth / (1.0F + depth); }
 
 /// Three ways to weigh a voxel's density; the fitted density is a mix of them: as it is; by how
-/// filled the voxel is; by how filled the column of voxels over its ground is. The last two set
-/// gaps against clumps, in all directions and from above.
+/// filled the voxel is; by how filled the column of voxels over its ground is, squared, because
+/// seen from above a coarse level has lost most of its gaps. The last two set gaps against clumps,
+/// in all directions and from above.
 class Weighting {
  public:
   Weighting(const TexelShape& shape, const std::vector<std::uint32_t>& voxel,
@@ -33,12 +34,12 @@ class Weighting {
     for (float depth : column_) fullest_ = std::max(fullest_, depth);
   }
   glm::vec3 basis(std::size_t i) const {
-    return density_[i] * glm::vec3(1.0F, filled(depth(i)), column_[ground(i)] / fullest_);
+    const float column = column_[ground(i)] / fullest_;
+    return density_[i] * glm::vec3(1.0F, filled(depth(i)), column * column);
   }
-  std::vector<float> dense(int which) const {
-    std::vector<float> result(shape_.voxels(), 0.0F);
-    for (std::size_t i = 0; i < voxel_.size(); ++i) result[voxel_[i]] = basis(i)[which];
-    return result;
+  /// Writes one basis into a box that holds nothing but these voxels.
+  void spread(int which, std::vector<float>& dense) const {
+    for (std::size_t i = 0; i < voxel_.size(); ++i) dense[voxel_[i]] = basis(i)[which];
   }
 
  private:
@@ -57,8 +58,9 @@ using RayDepths = std::array<std::vector<glm::vec3>, 3>;
 
 RayDepths ray_depths(const TexelShape& shape, const Weighting& weighting) {
   RayDepths depths;
+  std::vector<float> dense(shape.voxels(), 0.0F);
   for (int which = 0; which < 3; ++which) {
-    const std::vector<float> dense = weighting.dense(which);
+    weighting.spread(which, dense);
     for (std::size_t i = 0; i < 3; ++i) {
       std::size_t at = 0;
       for (const auto& direction : transmittance_directions(Transmittances::elevations_deg[i])) {
@@ -224,9 +226,7 @@ std::vector<glm::dvec3> transmittance_directions(double elevation_deg) {
   return directions;
 }
 
-Transmittances transmittances(const TexelShape& shape, const std::vector<std::uint32_t>& voxel,
-                              const std::vector<float>& density) {
-  const std::vector<float> dense = dense_density(shape, voxel, density);
+Transmittances transmittances(const TexelShape& shape, const std::vector<float>& dense) {
   Transmittances result;
   for (std::size_t i = 0; i < 3; ++i) {
     double sum = 0.0;
@@ -282,15 +282,20 @@ VolumeData coarser(const VolumeData& fine, int side) {
   return coarse;
 }
 
-void match_radiance(VolumeData& coarse, const VolumeData& fine) {
+std::vector<glm::dvec3> radiances(const VolumeData& volume) {
   constexpr double elevation = 30.0 * radians_per_degree;
-  const auto seen = [&](const VolumeData& volume, std::size_t turn) {
-    return mean_radiance(volume.shape, volume.voxel, volume.density, volume.emission[turn],
-                         direction_at(elevation, 0.4), row_stride(volume.shape));
-  };
-  for (std::size_t turn = 0; turn < coarse.emission.size(); ++turn) {
-    const glm::vec3 factor(seen(fine, turn) / glm::max(seen(coarse, turn), glm::dvec3(1e-12)));
-    for (glm::vec3& value : coarse.emission[turn]) value *= factor;
+  std::vector<glm::dvec3> result;
+  for (const auto& emission : volume.emission)
+    result.push_back(mean_radiance(volume.shape, volume.voxel, volume.density, emission,
+                                   direction_at(elevation, 0.4), row_stride(volume.shape)));
+  return result;
+}
+
+void match_radiances(VolumeData& volume, const std::vector<glm::dvec3>& wanted) {
+  const std::vector<glm::dvec3> seen = radiances(volume);
+  for (std::size_t turn = 0; turn < volume.emission.size(); ++turn) {
+    const glm::vec3 factor(wanted[turn] / glm::max(seen[turn], glm::dvec3(1e-12)));
+    for (glm::vec3& value : volume.emission[turn]) value *= factor;
   }
 }
 

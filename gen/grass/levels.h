@@ -20,13 +20,13 @@ struct Transmittances {
 /// The directions behind Transmittances: two azimuths for each elevation, one for the vertical.
 std::vector<glm::dvec3> transmittance_directions(double elevation_deg);
 
-Transmittances transmittances(const TexelShape& shape, const std::vector<std::uint32_t>& voxel,
-                              const std::vector<float>& density);
+/// `dense` holds the extinction of the whole box.
+Transmittances transmittances(const TexelShape& shape, const std::vector<float>& dense);
 
 /// Changes the extinction so that the mean transmittances become `wanted`, in the least-squares
-/// sense over the three elevations: density' = density (a + b q + c Q), where q and Q in [0, 1] say
-/// how filled the voxel and the column over its ground are; always positive. Depths are linear in
-/// a, b and c, so the box is swept once per term and Levenberg-Marquardt runs on the rays alone.
+/// sense over the three elevations: density' = density (a + b q + c Q^2), where q and Q in [0, 1]
+/// say how filled the voxel and the column over its ground are; always positive. Depths are linear
+/// in a, b and c, so the box is swept once per term and Levenberg-Marquardt runs on the rays alone.
 ///
 /// Averaged voxels are too opaque (Jensen's inequality): this is what keeps coarse levels from
 /// looking denser.
@@ -40,8 +40,11 @@ TexelShape coarse_shape(const TexelShape& fine, int side);
 /// extinction is the plain mean, not yet fitted.
 VolumeData coarser(const VolumeData& fine, int side);
 
-/// Scales the emission of each turn so that the mean radiance seen from a middle elevation equals
-/// that of `fine`; levels then join without a step in brightness.
-void match_radiance(VolumeData& coarse, const VolumeData& fine);
+/// Mean radiance per turn, seen from a middle elevation.
+std::vector<glm::dvec3> radiances(const VolumeData& volume);
+
+/// Scales the emission of each turn so that radiances() become `wanted`; levels then join without a
+/// step in brightness.
+void match_radiances(VolumeData& volume, const std::vector<glm::dvec3>& wanted);
 
 }  // namespace wold::grass

@@ -10,7 +10,7 @@ namespace wold::grass {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr float recollision = 0.55F;
+constexpr float recollision = 0.45F;
 
 /// A world direction as the texel sees it that stands turned by `turn` quarter-turns.
 glm::dvec3 turned_back(const glm::dvec3& direction, int turn) {
@@ -24,15 +24,13 @@ float sine(const glm::vec3& a, const glm::vec3& b) {
   return std::sqrt(std::max(0.0F, 1.0F - cosine * cosine));
 }
 
-/// Rings of equal solid angle weighting by their middle.
+/// Rings of equal solid angle, that is of equal steps in the sine; their middles are taken in the
+/// sine as well, which gives a horizontal plane its irradiance exactly.
 std::vector<SkyRing> make_rings() {
   std::vector<SkyRing> rings;
   constexpr int count = 3;
-  for (int i = 0; i < count; ++i) {
-    const double low = std::asin(static_cast<double>(i) / count);
-    const double high = std::asin(static_cast<double>(i + 1) / count);
-    rings.push_back({(low + high) / 2.0, 2.0 * pi / count / 4.0});
-  }
+  for (int i = 0; i < count; ++i)
+    rings.push_back({std::asin((i + 0.5) / count), 2.0 * pi / count / 4.0});
   return rings;
 }
 
@@ -122,7 +120,8 @@ std::vector<glm::vec3> bake_emission(const Texel& texel, const std::vector<float
     const glm::vec3 scattered = texel.albedo[v] / (1.0F - recollision * texel.albedo[v]);
     const float highlight =
         texel.specular[v] * kajiya_kay_specular(tangent, light, view, look.gloss);
-    emission[v] = per_sphere * (scattered * received + highlight * direct);
+    emission[v] =
+        per_sphere * (scattered * received + highlight * direct + texel.specular[v] * skylight[v]);
   }
   return emission;
 }

@@ -14,6 +14,7 @@
 #include "grass/levels.h"
 #include "grass/rasterise.h"
 #include "grass/texel_file.h"
+#include "scene/write.h"
 
 namespace wold::grass {
 namespace {
@@ -78,9 +79,23 @@ std::vector<int> all_turns(const LevelTurns& levels) {
   return {turns.begin(), turns.end()};
 }
 
-std::string described(const scene::CurveChoice& curve) {
-  std::string text = curve.name;
-  for (const glm::dvec2& point : curve.points) text += fmt::format(";{},{}", point.x, point.y);
+/// Everything a texel depends on, as text: the scene without what changes no texel, and the light.
+std::string described(const scene::Scene& scene, const Lighting& lighting) {
+  constexpr int format_version = 1;  // raise when the same scene gives other texels
+  const scene::Scene plain;
+  scene::Scene relevant;
+  relevant.seed = scene.seed;
+  relevant.grass = scene.grass;
+  relevant.grass.pixels_per_voxel = plain.grass.pixels_per_voxel;
+  relevant.ageing = scene.ageing;
+  relevant.ageing.frames = plain.ageing.frames;
+  relevant.ageing.variation = plain.ageing.variation;
+  relevant.ageing.variation_feature_m = plain.ageing.variation_feature_m;
+  const auto three = [](const auto& v) { return fmt::format(" {},{},{}", v.x, v.y, v.z); };
+  std::string text = fmt::format("{} {}", format_version, scene::resolved_toml(relevant));
+  text += three(lighting.sun_direction) + three(lighting.sun_irradiance) +
+          three(lighting.eye_direction);
+  for (const glm::vec3& radiance : lighting.sky_radiance) text += three(radiance);
   return text;
 }
 
@@ -91,7 +106,8 @@ TimeVaryingTexel::TimeVaryingTexel(const scene::Scene& scene, Lighting lighting,
     : scene_(scene),
       lighting_(std::move(lighting)),
       folder_(std::move(folder)),
-      shape_(finest_shape(scene)) {}
+      shape_(finest_shape(scene)),
+      basis_(described(scene_, lighting_)) {}
 
 TexelShape TimeVaryingTexel::level_shape(int level) const {
   TexelShape shape = shape_;
@@ -110,28 +126,7 @@ std::filesystem::path TimeVaryingTexel::volume_path(int variant, int key_frame, 
 }
 
 std::string TimeVaryingTexel::content(int variant, int key_frame) const {
-  constexpr int format_version = 1;  // raise when the same scene gives other texels
-  const scene::Grass& g = scene_.grass;
-  const scene::Ageing& a = scene_.ageing;
-  const auto colour = [](const glm::vec3& c) { return fmt::format("{},{},{}", c.x, c.y, c.z); };
-  std::string text = fmt::format("{} {} {} {}", format_version, scene_.seed, variant,
-                                 g.key_frames[static_cast<std::size_t>(key_frame)]);
-  text += fmt::format(" {} {} {} {} {} {} {} {} {} {} {} {} {}", g.patch_m, g.blades, g.height_m,
-                      g.height_spread, g.width_m, g.width_spread, g.lean_deg, g.lean_spread_deg,
-                      g.bend, g.specular, g.gloss, g.proportion, fmt::join(g.levels, ","));
-  text +=
-      fmt::format(" {} {} {} {} {} {} {} {} {} {} {}", described(a.water), described(a.chlorophyll),
-                  a.colour, a.vein_shrinkage, a.mesophyll_shrinkage, a.stiffening, a.droop,
-                  a.droop_spread, a.onset_spread, a.chlorophyll_ug_cm2, a.carotenoid_ug_cm2);
-  text +=
-      fmt::format(" {},{},{} {} {},{},{}", lighting_.sun_direction.x, lighting_.sun_direction.y,
-                  lighting_.sun_direction.z, colour(lighting_.sun_irradiance),
-                  lighting_.eye_direction.x, lighting_.eye_direction.y, lighting_.eye_direction.z);
-  for (const glm::vec3& radiance : lighting_.sky_radiance) text += " " + colour(radiance);
-  // Merged points stay merged, so a key frame depends on those before it.
-  for (int k = 0; k < key_frame; ++k)
-    text += fmt::format(" {}", g.key_frames[static_cast<std::size_t>(k)]);
-  return content_hash(text + fmt::format(" {}", shape_.height));
+  return content_hash(fmt::format("{} {} {}", variant, key_frame, basis_));
 }
 
 std::string TimeVaryingTexel::volume_content(int variant, int key_frame, int level,

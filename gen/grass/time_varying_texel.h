@@ -67,6 +67,7 @@ class TimeVaryingTexel {
   Lighting lighting_;
   std::filesystem::path folder_;
   TexelShape shape_;
+  std::string basis_;  ///< everything the texels depend on
 };
 
 }  // namespace wold::grass

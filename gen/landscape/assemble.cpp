@@ -5,6 +5,8 @@
 #include <numbers>
 #include <tuple>
 
+#include "grass/leaf_colour.h"
+#include "landscape/tint.h"
 #include "landscape/view.h"
 #include "terrain/lighting.h"
 
@@ -33,6 +35,17 @@ void place_volumes(std::span<const CellChoice> choices, const VolumeLookup& look
     landscape.cells.push_back({choice.world_from_cell, numbers.at(key(choice))});
 }
 
+/// Mean colour of the meadow's grass by weathering degree.
+GrassColour grass_colour(const scene::Scene& scene) {
+  return [colour = grass::LeafColour(scene.ageing)](double weathering) {
+    return colour(weathering).albedo;
+  };
+}
+
+/// A white card in the open is exposed above white: grass and sky are dark subjects, and a camera
+/// that meters them opens by most of a stop.
+constexpr double card_exposure = 1.5;
+
 }  // namespace
 
 Landscape assemble(const scene::Scene& scene, const Heightfield& terrain,
@@ -44,16 +57,17 @@ Landscape assemble(const scene::Scene& scene, const Heightfield& terrain,
   landscape.terrain = terrain;
   landscape.patch_m = scene.grass.patch_m;
   place_volumes(choices, lookup, landscape);
-  landscape.light = terrain::light_map(terrain, day);
+  const ColourMap light = terrain::light_map(terrain, day);
+  landscape.light = product(light, weathering_tint(scene, frame, choices, grass_colour(scene)));
   landscape.ground =
-      terrain::ground_radiance(landscape.light, scene.terrain, scene.seed,
+      terrain::ground_radiance(light, scene.terrain, scene.seed,
                                glm::vec3(static_cast<float>(canopy_transmittance(scene.grass))));
   landscape.sky = day.sky_image(sky_width_px);
   landscape.camera = resolved_camera(scene.camera, terrain);
   landscape.width_px = scene.render.size_px[0];
   landscape.height_px = scene.render.size_px[1];
   landscape.samples = scene.render.samples;
-  landscape.exposure_gain = std::numbers::pi * std::exp2(scene.render.exposure);
+  landscape.exposure_gain = card_exposure * std::numbers::pi * std::exp2(scene.render.exposure);
   landscape.df3_bits = scene.render.df3_bits;
   return landscape;
 }

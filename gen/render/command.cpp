@@ -31,14 +31,7 @@ std::string quoted(const std::string& path) {
   return fmt::format("{}{}{}", quote, path, quote);
 }
 
-/// Every pixel that differs from a neighbour gets R x R samples on a square, the same in any run:
-/// R x R reaches the wanted number.
-Arguments povray_sampling(int samples) {
-  if (samples <= 1) return {"-A"};
-  const int per_side = static_cast<int>(std::ceil(std::sqrt(samples)));
-  return {"+A0.03", "+AM1", "-J", fmt::format("+R{}", per_side)};
-}
-
+/// Antialiasing stands in the folder's povray.ini, which POV-Ray reads where it is started.
 Arguments povray_arguments(const Job& job, const std::string& program, const std::string& output) {
   Arguments arguments = {program,
                          "+Iscene.pov",
@@ -52,7 +45,6 @@ Arguments povray_arguments(const Job& job, const std::string& program, const std
                          "-P",
                          "+V"};
   if (job.threads > 0) arguments.push_back(fmt::format("+WT{}", job.threads));
-  std::ranges::move(povray_sampling(job.samples), std::back_inserter(arguments));
   return arguments;
 }
 

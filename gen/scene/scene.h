@@ -39,21 +39,21 @@ struct Terrain {
 struct Grass {
   double patch_m = 0.5;         ///< side of the tile
   int blades = 400;             ///< per patch
-  double height_m = 0.28;       ///< mean blade length
-  double height_spread = 0.25;  ///< standard deviation / mean
-  double width_m = 0.0045;      ///< mean diameter of the cone at its foot
+  double height_m = 0.30;       ///< mean blade length
+  double height_spread = 0.22;  ///< standard deviation / mean
+  double width_m = 0.0052;      ///< mean diameter of the cone at its foot
   double width_spread = 0.25;
   double lean_deg = 14.0;  ///< mean angle from the vertical
   double lean_spread_deg = 8.0;
   double bend = 1.0;       ///< droop of fresh blades, rad per sqrt(m)
-  double specular = 0.12;  ///< Kajiya-Kay specular coefficient ms
+  double specular = 0.08;  ///< Kajiya-Kay specular coefficient ms
   double gloss = 24.0;     ///< Kajiya-Kay exponent p
   int variants = 4;
   std::vector<int> levels = {254, 126, 62, 30};  ///< voxels per side, finest first
   double proportion = 6.0;                       ///< points per unit optical depth of a voxel
   std::vector<double> key_frames = {0.0,   0.083, 0.167, 0.25,  0.333, 0.417, 0.5,
                                     0.583, 0.667, 0.75,  0.833, 0.917, 1.0};
-  double pixels_per_voxel = 1.0;  ///< a level is fine enough when its voxel covers at most this
+  double pixels_per_voxel = 1.3;  ///< a level is fine enough when its voxel covers at most this
 
   bool operator==(const Grass&) const = default;
 };
@@ -69,8 +69,10 @@ struct Ageing {
   double droop = 2.6;                          ///< omega: rad per sqrt(m) and unit of water lost
   double droop_spread = 0.3;                   ///< of omega from blade to blade
   double onset_spread = 0.12;                  ///< of a blade's own weathering degree
-  double chlorophyll_ug_cm2 = 45.0;
-  double carotenoid_ug_cm2 = 5.0;
+  double fresh_spread = 0.10;  ///< mean of the ages that single blades have in a fresh meadow
+  double litter = 0.10;        ///< share of dead blades of the year before in a fresh meadow
+  double chlorophyll_ug_cm2 = 36.0;
+  double carotenoid_ug_cm2 = 4.0;
   double variation = 0.10;           ///< amplitude of the weathering field on the ground
   double variation_feature_m = 7.0;  ///< its feature size
   std::vector<double> frames = {0.0, 0.30, 0.917};  ///< weathering degree of each frame
@@ -104,7 +106,7 @@ struct Camera {
 struct Render {
   std::string renderer = "both";  ///< "blender", "povray", "both"
   std::array<int, 2> size_px = {960, 540};
-  int samples = 8;        ///< per pixel
+  int samples = 4;        ///< per pixel
   double exposure = 0.0;  ///< in stops
   int df3_bits = 8;
   int threads = 0;                ///< 0: all

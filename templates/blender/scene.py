@@ -148,13 +148,21 @@ def grass_material(frame, step_voxels):
     emission = nodes.add("ShaderNodeEmission")
     both = nodes.add("ShaderNodeAddShader")
     output = nodes.add("ShaderNodeOutputMaterial")
+    # Cycles passes over the unused side of a mix with all that leads to it: where there is no
+    # grass, which is most of the air, neither light nor colour is looked up.
+    there = nodes.add("ShaderNodeMath", operation="GREATER_THAN")
+    there.inputs[1].default_value = 0.0
+    grass = nodes.add("ShaderNodeMixShader")
+    nodes.link(density.outputs["Fac"], there.inputs[0])
     nodes.link(density.outputs["Fac"], absorption.inputs["Density"])
     nodes.link(radiance.outputs["Vector"], lit.inputs[0])
     nodes.link(map_colour(nodes, frame, frame["light"]), lit.inputs[1])
     nodes.link(lit.outputs["Vector"], emission.inputs["Color"])
     nodes.link(absorption.outputs["Volume"], both.inputs[0])
     nodes.link(emission.outputs["Emission"], both.inputs[1])
-    nodes.link(both.outputs["Shader"], output.inputs["Volume"])
+    nodes.link(there.outputs["Value"], grass.inputs["Fac"])
+    nodes.link(both.outputs["Shader"], grass.inputs[2])
+    nodes.link(grass.outputs["Shader"], output.inputs["Volume"])
     return material
 
 
@@ -250,6 +258,7 @@ def load_volume(frame, entry, number):
     check_size(path, entry["bytes"])
     volume = bpy.data.volumes.new(f"volume {number:05d}")
     volume.filepath = path
+    volume.render.space = "WORLD"  # extinction is per metre of the world, whatever the shear
     if not volume.grids.load():
         raise DataError(f"{path} is damaged: {volume.grids.error_message}")
     missing = {"density", "emission"} - {grid.name for grid in volume.grids}
@@ -346,8 +355,8 @@ def set_light_transport(samples):
 
 
 def set_picture(frame, size_px):
-    """sRGB of the radiance times the exposure gain, without a film look, and files that hold the
-    picture alone: no dates, no render times."""
+    """sRGB of the radiance times the exposure gain, without a film look. No dates are written into
+    the file; Cycles still adds its render time, so compare pixels, not bytes."""
     scene = bpy.context.scene
     scene.render.resolution_x, scene.render.resolution_y = size_px
     scene.render.resolution_percentage = 100

@@ -50,7 +50,7 @@ TEST_F(CompareFiles, EveryKindEqualsItselfAndNoOther) {
   EXPECT_THAT(json_, HasSubstr("got a picture, want a vdb"));
 }
 
-TEST_F(CompareFiles, EveryKindTruncatedAnywhereIsAFileErrorOrSaysSo) {
+TEST_F(CompareFiles, EveryKindTruncatedAnywhereIsAFileError) {
   for (const fs::path& file : one_of_each()) {
     const std::string whole = read_file(file);
     const fs::path cut = folder_ / ("cut" + file.extension().string());
@@ -60,6 +60,15 @@ TEST_F(CompareFiles, EveryKindTruncatedAnywhereIsAFileErrorOrSaysSo) {
       EXPECT_THROW(compared(cut, file), FileError) << cut << " of " << length << " bytes";
     }
   }
+}
+
+TEST_F(CompareFiles, AVdbThatPromisesGridsItDoesNotHoldIsAFileError) {
+  test::write_sample_vdb(folder_ / "a.vdb", {});
+  std::string bytes = read_file(folder_ / "a.vdb");
+  // after the header (57 bytes) and the number of metadata entries, which is 0 (4 bytes)
+  bytes.replace(61, 4, "\377\377\377\177");
+  write_file(folder_ / "many.vdb", bytes);
+  EXPECT_THROW(compared(folder_ / "many.vdb", folder_ / "a.vdb"), FileError);
 }
 
 TEST_F(CompareFiles, MissingFilesAreFileErrors) {

@@ -1,5 +1,6 @@
 // What every exporter owes its caller, whatever the renderer.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -11,6 +12,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/parallel.h"
+#include "povray/export.h"
 #include "support/synthetic_landscape.h"
 
 namespace wold {
@@ -29,8 +31,14 @@ void export_blender(const Landscape& landscape, const fs::path& folder) {
   blender::export_scene(folder);
 }
 
+void export_povray(const Landscape& landscape, const fs::path& folder) {
+  povray::export_frame(landscape, folder);
+  povray::export_scene(folder);
+}
+
 const Exporter exporters[] = {
     {"blender", export_blender},
+    {"povray", export_povray},
 };
 
 class Exporters : public testing::TestWithParam<Exporter> {
@@ -43,7 +51,8 @@ class Exporters : public testing::TestWithParam<Exporter> {
   ~Exporters() override { fs::remove_all(folder); }
 
   const fs::path folder =
-      fs::path(testing::TempDir()) / (std::string("wold_exporters_") + GetParam().name);
+      fs::path(testing::TempDir()) /
+      ("wold_exporters_" + std::string(GetParam().name) + "_" + std::to_string(::getpid()));
   Landscape landscape;
 };
 

@@ -10,7 +10,7 @@ namespace wold::test {
 /// on it is 1, ground and sky have one radiance each. What a camera sees is known in closed form.
 struct ConstantMeadow {
   int cells_per_side = 6;
-  int voxels = 14;          ///< per side of a cell of 0.5 m
+  int voxels = 14;  ///< per side of a cell of 0.5 m
   int height_voxels = 8;
   float extinction = 2.45F;  ///< 1/m
   float radiance = 0.10F;

@@ -37,7 +37,7 @@ TEST_F(RealPovray, RendersBelowAFolderWithSpaces) {
   SilentProgress progress;
   render::run(povray_job(), progress, never);
   const Image image = read_image(povray_job().picture);
-  // frame 3: a ball of radius 0.75 at distance 3 in a view of half-height 0.5 / 1 at distance 1
+  // frame 3: the ball covers the middle of the picture and leaves its corner free
   EXPECT_FLOAT_EQ(image.pixel(16, 9)[0], 1.0F);
   EXPECT_FLOAT_EQ(image.pixel(0, 0)[0], 0.0F);
 }

@@ -1,0 +1,155 @@
+#include "grass/columns.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "core/random.h"
+#include "rotated.h"
+#include "small_meadow.h"
+
+namespace wold::grass {
+namespace {
+
+using test::degree;
+
+constexpr TexelShape shape{20, 12, 0.01};
+
+const std::vector<glm::dvec3>& directions() {
+  static const std::vector<glm::dvec3> all = {{0.0, 0.0, 1.0},
+                                              direction_at(70.0 * degree, 0.3),
+                                              direction_at(45.0 * degree, 2.0),
+                                              direction_at(20.0 * degree, 4.0),
+                                              direction_at(6.0 * degree, 5.5)};
+  return all;
+}
+
+std::vector<std::uint32_t> every_voxel() {
+  std::vector<std::uint32_t> voxels(shape.voxels());
+  std::iota(voxels.begin(), voxels.end(), 0U);
+  return voxels;
+}
+
+TEST(Columns, HomogeneousBoxHasDepthOverSine) {
+  const std::vector<float> dense(shape.voxels(), 5.0F);
+  for (const glm::dvec3& direction : directions())
+    for (float depth : optical_depths(shape, dense, direction))
+      ASSERT_NEAR(double{depth} / (5.0 * 0.12 / direction.z), 1.0, 1e-5);
+}
+
+TEST(Columns, TransmittanceFallsExponentiallyIntoAHalfSpace) {
+  const std::vector<float> dense(shape.voxels(), 5.0F);
+  const auto voxels = every_voxel();
+  for (const glm::dvec3& direction : directions()) {
+    const auto through = voxel_transmittance(shape, dense, voxels, direction, 0);
+    for (std::uint32_t voxel : voxels) {
+      const double above_m = (shape.height - shape.coordinates(voxel).z - 0.5) * shape.voxel_m;
+      ASSERT_NEAR(through[voxel], std::exp(-5.0 * above_m / direction.z), 1e-5);
+    }
+  }
+}
+
+TEST(Columns, SkippedSlicesDoNotShadow) {
+  const std::vector<float> dense(shape.voxels(), 5.0F);
+  const auto voxels = every_voxel();
+  for (int skip : {1, 3}) {
+    const auto through = voxel_transmittance(shape, dense, voxels, {0.0, 0.0, 1.0}, skip);
+    for (std::uint32_t voxel : voxels) {
+      const double above = shape.height - shape.coordinates(voxel).z - 0.5 - skip;
+      ASSERT_NEAR(through[voxel], std::exp(-5.0 * shape.voxel_m * std::max(above, 0.0)), 1e-5)
+          << "slice " << shape.coordinates(voxel).z << ", skip " << skip;
+    }
+  }
+}
+
+/// A solid rectangle x in [4, 10), y in [6, 14) in slice 9.
+std::vector<float> roof() {
+  std::vector<float> dense(shape.voxels(), 0.0F);
+  for (int y = 6; y < 14; ++y)
+    for (int x = 4; x < 10; ++x) dense[shape.linear(x, y, 9)] = 1e5F;
+  return dense;
+}
+
+/// How deep (in voxels) a place lies inside [low, high) on the wrapped axis; negative outside.
+double inside(double place, double low, double high) {
+  const double middle = (low + high) / 2.0;
+  const double apart = std::remainder(place - middle, shape.side);
+  return (high - low) / 2.0 - std::abs(apart);
+}
+
+TEST(Columns, RoofShadowsWhatLiesUnderIt) {
+  const auto voxels = every_voxel();
+  for (const glm::dvec3& direction : directions()) {
+    const glm::dvec2 slope = glm::dvec2(direction) / direction.z;
+    // Where in the roof's slice a ray meets it and rounding to voxels leave an edge undecided.
+    const double edge =
+        slope == glm::dvec2(0.0) ? 0.0 : 1.0 + std::max(std::abs(slope.x), std::abs(slope.y)) / 2.0;
+    const auto through = voxel_transmittance(shape, roof(), voxels, direction, 0);
+    int lit = 0;
+    int dark = 0;
+    for (std::uint32_t voxel : voxels) {
+      const glm::ivec3 at = shape.coordinates(voxel);
+      if (at.z == 9) continue;
+      const glm::dvec2 place = glm::dvec2(at) + 0.5 + slope * (9.0 - at.z);
+      const double deep =
+          at.z > 9 ? -1e9 : std::min(inside(place.x, 4.0, 10.0), inside(place.y, 6.0, 14.0));
+      if (deep > edge) {
+        ASSERT_LT(through[voxel], 1e-6F);
+        ++dark;
+      }
+      if (deep < -edge) {
+        ASSERT_EQ(through[voxel], 1.0F);
+        ++lit;
+      }
+    }
+    EXPECT_GT(lit, 100);
+    if (direction.z > 0.5) {
+      EXPECT_GT(dark, 20);
+    }
+  }
+}
+
+TEST(Columns, QuarterTurnOfTexelAndDirectionChangesNothing) {
+  Texel texel;
+  texel.shape = shape;
+  for (std::uint32_t voxel = 0; voxel < shape.voxels(); ++voxel) {
+    if (random_uniform({1, 2, voxel, 3}) > 0.1) continue;
+    texel.voxel.push_back(voxel);
+    texel.density.push_back(static_cast<float>(100.0 * random_uniform({1, 2, voxel, 4})));
+  }
+  const auto turned = test::quarter_turned(shape, texel.voxel);
+  std::vector<float> turned_density;
+  for (std::size_t from : turned.from) turned_density.push_back(texel.density[from]);
+  const auto dense = dense_density(shape, texel.voxel, texel.density);
+  const auto turned_dense = dense_density(shape, turned.voxel, turned_density);
+  for (const glm::dvec3& direction : directions()) {
+    const auto other = test::quarter_turned(direction);
+    const auto here = voxel_transmittance(shape, dense, texel.voxel, direction, 1);
+    const auto there = voxel_transmittance(shape, turned_dense, turned.voxel, other, 1);
+    for (std::size_t i = 0; i < there.size(); ++i)
+      ASSERT_NEAR(there[i], here[turned.from[i]], 1e-5F);
+    EXPECT_NEAR(test::sum(optical_depths(shape, dense, direction)) /
+                    test::sum(optical_depths(shape, turned_dense, other)),
+                1.0, 1e-5);
+  }
+}
+
+// A homogeneous layer of source radiance J shows J (1 - exp(-depth)).
+TEST(Columns, RadianceOfAHomogeneousLayer) {
+  const std::vector<float> density(shape.voxels(), 5.0F);
+  const std::vector<glm::vec3> emission(shape.voxels(), {1.0F, 0.5F, 0.0F});
+  for (const glm::dvec3& direction : directions()) {
+    const double seen = -std::expm1(-5.0 * 0.12 / direction.z);
+    const glm::dvec3 got = mean_radiance(shape, every_voxel(), density, emission, direction);
+    EXPECT_NEAR(got.r, seen, 2e-3);  // rays end when 0.1 % is left
+    EXPECT_NEAR(got.g, seen / 2.0, 2e-3);
+    EXPECT_EQ(got.b, 0.0);
+  }
+}
+
+TEST(Columns, RefuseRaysThatDoNotRise) {
+  EXPECT_THROW(Columns(shape, {1.0, 0.0, 0.0}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace wold::grass

@@ -1,0 +1,151 @@
+#include "grass/shading.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "grass/baking.h"
+#include "grass/rasterise.h"
+#include "rotated.h"
+#include "small_meadow.h"
+
+namespace wold::grass {
+namespace {
+
+using test::degree;
+
+glm::vec3 in_plane(double angle_deg) {
+  return {std::cos(angle_deg * degree), 0.0F, std::sin(angle_deg * degree)};
+}
+
+constexpr glm::vec3 along_x(1.0F, 0.0F, 0.0F);
+
+TEST(KajiyaKay, DiffuseIsTheSineWithAMeanOfOne) {
+  EXPECT_NEAR(kajiya_kay_diffuse(along_x, along_x), 0.0F, 1e-3F);
+  EXPECT_NEAR(
+      kajiya_kay_diffuse(along_x, in_plane(30.0)) / kajiya_kay_diffuse(along_x, in_plane(90.0)),
+      0.5F, 1e-5F);
+  const glm::vec3 tangent = glm::normalize(glm::vec3(1.0F, 2.0F, -0.5F));
+  double sum = 0.0;
+  constexpr int rows = 200;
+  constexpr int columns = 100;
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      const double z = (row + 0.5) / rows * 2.0 - 1.0;
+      const double azimuth = 2.0 * test::pi * column / columns;
+      sum += double{kajiya_kay_diffuse(tangent, glm::vec3(direction_at(std::asin(z), azimuth)))};
+    }
+  EXPECT_NEAR(sum / (rows * columns), 1.0, 1e-3);
+}
+
+// The mirror cone: light at an angle to the fibre is thrown on at the same angle.
+TEST(KajiyaKay, HighlightPeaksOnTheMirrorCone) {
+  EXPECT_NEAR(kajiya_kay_specular(along_x, in_plane(90.0), in_plane(90.0), 24.0F), 1.0F, 1e-5F);
+  EXPECT_NEAR(kajiya_kay_specular(along_x, in_plane(30.0), in_plane(150.0), 24.0F), 1.0F, 1e-4F);
+  // All around the cone, not just in the plane of fibre and light.
+  const glm::vec3 around(std::cos(150.0 * degree), std::sin(150.0 * degree), 0.0F);
+  EXPECT_NEAR(kajiya_kay_specular(along_x, in_plane(30.0), around, 24.0F), 1.0F, 1e-4F);
+  // Ten degrees off it, cos(10)^gloss is left.
+  EXPECT_NEAR(kajiya_kay_specular(along_x, in_plane(30.0), in_plane(140.0), 24.0F),
+              std::pow(std::cos(10.0 * degree), 24.0), 1e-4);
+  EXPECT_EQ(kajiya_kay_specular(along_x, in_plane(10.0), in_plane(20.0), 24.0F), 0.0F);
+}
+
+TEST(SkyRings, CoverTheHemisphere) {
+  double solid_angle = 0.0;
+  double irradiance = 0.0;
+  for (const SkyRing& ring : sky_rings()) {
+    solid_angle += 4.0 * ring.solid_angle;
+    irradiance += 4.0 * ring.solid_angle * std::sin(ring.elevation);
+  }
+  EXPECT_NEAR(solid_angle, 2.0 * test::pi, 1e-9);
+  EXPECT_NEAR(irradiance / test::pi, 1.0, 1e-9);  // of a horizontal plane under radiance 1
+}
+
+/// Voxels far apart, too thin to shadow, with fibres evenly in all directions (Fibonacci).
+Texel thin_fibres(int count) {
+  Texel texel;
+  texel.shape = {62, 62, 0.004};
+  for (int i = 0; i < count; ++i) {
+    texel.voxel.push_back(static_cast<std::uint32_t>(i * 997));
+    texel.density.push_back(1e-4F);
+    texel.tangent.emplace_back(
+        direction_at(std::asin((i + 0.5) / count * 2.0 - 1.0), 2.39996323 * i));
+    texel.normal.emplace_back(0.0F);
+    texel.albedo.emplace_back(0.01F, 0.005F, 0.0F);
+    texel.specular.push_back(0.0F);
+  }
+  return texel;
+}
+
+// Single scattering from a sky of radiance L over half the sphere: albedo L / 2 on average.
+TEST(Bake, UniformSkyGivesItsRadianceTimesHalfTheAlbedo) {
+  const Texel texel = thin_fibres(200);
+  const VolumeData occluder{texel.shape, texel.voxel, texel.density, {}, {}};
+  const Lighting light{{0.0, 0.0, 1.0},
+                       glm::vec3(0.0F),
+                       std::vector<glm::vec3>(sky_rings().size(), glm::vec3(2.0F)),
+                       {1.0, 0.0, 0.0}};
+  const auto emission = bake_emission(texel, dense_density(texel.shape, texel.voxel, texel.density),
+                                      skylight(texel, occluder, light), light, {24.0F, 0.0045}, 0);
+  glm::dvec3 mean(0.0);
+  for (std::size_t i = 0; i < emission.size(); ++i) {
+    mean += glm::dvec3(emission[i]) / static_cast<double>(emission.size());
+    EXPECT_NEAR(emission[i].r / 0.01F, 1.0F, 0.05F) << "fibre " << texel.tangent[i].z;
+  }
+  EXPECT_NEAR(mean.r / 0.01, 1.0, 0.02);
+  EXPECT_NEAR(mean.g / 0.005, 1.0, 0.02);
+  EXPECT_EQ(mean.b, 0.0);
+}
+
+// Sunlight E scattered alike in all directions: albedo E / (4 pi) times the fibre's response.
+TEST(Bake, UnshadowedSunlight) {
+  const Texel texel = thin_fibres(200);
+  const Lighting light{direction_at(0.6, 0.2), glm::vec3(3.0F),
+                       std::vector<glm::vec3>(sky_rings().size(), glm::vec3(0.0F)),
+                       direction_at(0.2, 1.0)};
+  const std::vector<glm::vec3> no_sky(texel.size(), glm::vec3(0.0F));
+  const auto emission = bake_emission(texel, std::vector<float>(texel.shape.voxels(), 0.0F), no_sky,
+                                      light, {24.0F, 0.0045}, 0);
+  double mean = 0.0;
+  for (const glm::vec3& value : emission)
+    mean += double{value.r} / static_cast<double>(emission.size());
+  EXPECT_NEAR(mean / (0.01 * 3.0 / (4.0 * test::pi)), 1.0, 0.01);
+}
+
+TEST(Bake, TurnedTexelIsThatOfTheTurnedMeadow) {
+  const TexelShape shape = test::small_shape(30);
+  const AgeingModel model({}, 0.12);
+  const auto blades = test::small_blades();
+  PointDynamics dynamics(model, blades, sample_points(blades, shape, 6.0, 5), 0.0);
+  dynamics.advance_to(0.4);
+  const Lighting light = test::slanting_light();
+  const auto baked = [&](const Texel& texel, int turn) {
+    const VolumeData occluder{texel.shape, texel.voxel, texel.density, {}, {}};
+    return bake_emission(texel, dense_density(shape, texel.voxel, texel.density),
+                         skylight(texel, occluder, light), light, {24.0F, 0.0045}, turn);
+  };
+  const Texel still = rasterise_points(dynamics.points(), shape);
+  Texel texel = still;
+  std::vector<std::size_t> from(texel.size());
+  std::iota(from.begin(), from.end(), std::size_t{0});
+  for (int turn = 1; turn <= 3; ++turn) {
+    const auto step = test::quarter_turned(texel.shape, texel.voxel).from;
+    std::vector<std::size_t> combined;
+    for (std::size_t i : step) combined.push_back(from[i]);
+    from = combined;
+    texel = test::quarter_turned(texel);
+    const auto want = baked(texel, 0);
+    const auto got = baked(still, turn);
+    const auto unturned = baked(still, 0);
+    double apart = 0.0;
+    for (std::size_t i = 0; i < want.size(); ++i) {
+      ASSERT_LT(glm::distance(got[from[i]], want[i]), 1e-5F + 1e-3F * glm::length(want[i]));
+      apart += double{glm::distance(unturned[from[i]], want[i])} / static_cast<double>(want.size());
+    }
+    EXPECT_GT(apart, 1e-3);  // the sun does make a difference
+  }
+}
+
+}  // namespace
+}  // namespace wold::grass

@@ -1,0 +1,143 @@
+#include "povray/export.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "core/df3.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "core/vdb_dense.h"
+#include "povray/ground_files.h"
+#include "povray/volume_files.h"
+#include "support/synthetic_landscape.h"
+
+namespace wold::povray {
+namespace {
+namespace fs = std::filesystem;
+
+class Export : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder = fs::path(testing::TempDir()) /
+             (std::string("wold_povray_") +
+              testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder);
+    scene = test::synthetic_landscape({}, folder / "texels");
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  static std::map<std::string, std::string> contents(const fs::path& root) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(root))
+      if (entry.is_regular_file())
+        files[fs::relative(entry.path(), root).string()] = read_file(entry.path());
+    return files;
+  }
+
+  fs::path folder;
+  landscape::Landscape scene;
+};
+
+/// What POV-Ray's trilinear pattern shows at a point of cell space (in voxels), by its definition:
+/// sample i of n at i/n of the box, and the box begins one half voxel below the cell's corner.
+float shown(const std::vector<float>& samples, glm::ivec3 size, glm::dvec3 at_voxels) {
+  const glm::dvec3 at = at_voxels + 0.5;
+  const glm::ivec3 low(glm::floor(at));
+  const glm::dvec3 part = at - glm::dvec3(low);
+  double sum = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::ivec3 step(corner & 1, (corner >> 1) & 1, corner >> 2);
+    const glm::ivec3 i = (low + step) % size;
+    double weight = 1.0;
+    for (int axis = 0; axis < 3; ++axis) weight *= step[axis] ? part[axis] : 1.0 - part[axis];
+    sum += weight * samples[static_cast<std::size_t>((i.z * size.y + i.y) * size.x + i.x)];
+  }
+  return static_cast<float>(sum);
+}
+
+TEST_F(Export, PaddedVolumeShowsVoxelsAtTheirCentresAndTiles) {
+  const glm::ivec3 voxels(3, 2, 2);
+  const std::vector<float> values = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+  const std::vector<float> samples = padded(values, voxels);
+  const glm::ivec3 size = padded_size(voxels);
+  EXPECT_FLOAT_EQ(shown(samples, size, {0.5, 0.5, 0.5}), 1.0F);
+  EXPECT_FLOAT_EQ(shown(samples, size, {2.5, 1.5, 1.5}), 12.0F);
+  for (double y : {0.2, 1.0, 1.7})  // both sides of the seam, which lies between voxels 3 and 1
+    EXPECT_FLOAT_EQ(shown(samples, size, {0.0, y, 0.9}), shown(samples, size, {3.0, y, 0.9}));
+  EXPECT_FLOAT_EQ(shown(samples, size, {0.0, 0.5, 0.5}), 2.0F);  // (3 + 1) / 2
+  EXPECT_FLOAT_EQ(shown(samples, size, {0.5, 0.5, 0.0}), 1.0F);  // the ground is not thin
+  EXPECT_FLOAT_EQ(shown(samples, size, {2.5, 1.5, 2.0}), 6.0F);  // half of the top slice
+  EXPECT_FLOAT_EQ(shown(samples, size, {2.5, 1.5, 2.5}), 0.0F);  // nothing of the bottom one
+}
+
+TEST_F(Export, VolumeIsRestoredByItsScales) {
+  export_frame(scene, folder / "povray");
+  const landscape::Volume& volume = scene.volumes[1];
+  const auto extinction = read_dense_floats(volume.vdb, "density", glm::ivec3(1), volume.voxels);
+  const auto radiance = read_dense_vectors(volume.vdb, "emission_q0", glm::ivec3(1), volume.voxels);
+  const auto emission = [&](std::size_t i) { return extinction[i] * radiance[i].g; };
+  float extinction_max = 0.0F;
+  float green_max = 0.0F;
+  for (std::size_t i = 0; i < extinction.size(); ++i) {
+    extinction_max = std::max(extinction_max, extinction[i]);
+    green_max = std::max(green_max, emission(i));
+  }
+  const fs::path stem = folder / "povray/data/volumes" / volume.name;
+  const Df3 density = read_df3(stem.string() + "_d.df3");
+  const Df3 green = read_df3(stem.string() + "_g.df3");
+  ASSERT_EQ(density.size.x, volume.voxels.x + 2);
+  const auto sample = [&](const Df3& grid, int x, int y, int z) {
+    return grid
+        .values[static_cast<std::size_t>(((z + 1) * grid.size.y + y + 1) * grid.size.x + x + 1)];
+  };
+  for (int z = 0; z < filled_height(extinction, volume.voxels); z += 5)
+    for (int x = 0; x < volume.voxels.x; ++x) {
+      const auto i = static_cast<std::size_t>((z * volume.voxels.y + 7) * volume.voxels.x + x);
+      EXPECT_NEAR(sample(density, x, 7, z) * extinction_max, extinction[i], extinction_max / 500);
+      EXPECT_NEAR(sample(green, x, 7, z) * green_max, emission(i), green_max / 500);
+    }
+}
+
+TEST_F(Export, SameLandscapeSameBytes) {
+  export_frame(scene, folder / "one");
+  export_frame(scene, folder / "two");
+  EXPECT_EQ(contents(folder / "one"), contents(folder / "two"));
+}
+
+TEST_F(Export, WritesOnlyVolumesThatCellsUseAndNoneTwice) {
+  for (landscape::Cell& cell : scene.cells) cell.volume = 1;
+  export_frame(scene, folder / "povray");
+  const fs::path volumes = folder / "povray/data/volumes";
+  EXPECT_FALSE(fs::exists(volumes / (scene.volumes[0].name + ".inc")));
+  const fs::path grid = volumes / (scene.volumes[1].name + "_d.df3");
+  const std::string bytes = read_file(grid);
+  write_file(grid, "mark");
+  export_frame(scene, folder / "povray");
+  EXPECT_EQ(read_file(grid), "mark") << "an unchanged volume was written again";
+  scene.volumes[1].content = "changed";
+  export_frame(scene, folder / "povray");
+  EXPECT_EQ(read_file(grid), bytes) << "a changed volume was not written again";
+}
+
+TEST_F(Export, UnwritableFolderIsAFileErrorAndLeavesNothing) {
+  write_file(folder / "occupied", "a file where a folder should be");
+  EXPECT_THROW(export_frame(scene, folder / "occupied"), FileError);
+  EXPECT_THROW(export_scene(folder / "occupied"), FileError);
+  EXPECT_EQ(read_file(folder / "occupied"), "a file where a folder should be");
+  EXPECT_EQ(contents(folder).size(), 1 + scene.volumes.size());
+}
+
+TEST_F(Export, MissingVolumeIsAFileErrorThatNamesIt) {
+  fs::remove(scene.volumes[0].vdb);
+  try {
+    export_frame(scene, folder / "povray");
+    FAIL() << "a missing volume was accepted";
+  } catch (const FileError& error) {
+    EXPECT_NE(std::string(error.what()).find(scene.volumes[0].name), std::string::npos)
+        << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace wold::povray

@@ -1,0 +1,193 @@
+// What POV-Ray makes of an exported landscape, against closed forms.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "core/files.h"
+#include "core/image.h"
+#include "povray/constant_meadow.h"
+#include "povray/export.h"
+
+namespace wold::povray {
+namespace {
+namespace fs = std::filesystem;
+
+/// Inverse of the sRGB transfer function (IEC 61966-2-1).
+double linear(double srgb) {
+  return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
+}
+
+class Picture : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (std::system("command -v povray > /dev/null") != 0)
+      GTEST_SKIP() << "povray is not installed: apt-get install povray";
+    folder = fs::path(testing::TempDir()) /
+             (std::string("wold_picture_") +
+              testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder);
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  Image render(const landscape::Landscape& scene) const {
+    export_frame(scene, folder / "povray");
+    export_scene(folder / "povray");
+    const std::string command = fmt::format(
+        "cd {} && povray povray/data/frame_0001.ini +Opicture.png > log 2>&1", folder.string());
+    if (std::system(command.c_str()) != 0) ADD_FAILURE() << read_file(folder / "log");
+    return read_image(folder / "picture.png");
+  }
+
+  /// Radiance a picture shows at a pixel.
+  static double radiance(const Image& picture, const landscape::Landscape& scene, int x, int y,
+                         int channel = 0) {
+    return linear(picture.pixel(x, y)[channel]) / scene.exposure_gain;
+  }
+
+  fs::path folder;
+};
+
+/// The pixel (not rounded) where a direction from the eye appears: a pinhole camera with x to the
+/// right and y down, by the definition of the horizontal field of view.
+glm::dvec2 pixel_of(const landscape::Landscape& scene, glm::dvec3 direction) {
+  const glm::dvec3 forward = glm::normalize(scene.camera.target_m - scene.camera.eye_m);
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 0, 1)));
+  const glm::dvec3 up = glm::cross(right, forward);
+  const double half_width = std::tan(scene.camera.field_of_view_deg * std::numbers::pi / 360.0);
+  const double pixels = scene.width_px / (2.0 * half_width);
+  const double depth = glm::dot(direction, forward);
+  return {scene.width_px / 2.0 + pixels * glm::dot(direction, right) / depth,
+          scene.height_px / 2.0 - pixels * glm::dot(direction, up) / depth};
+}
+
+/// The brightness-weighted middle of what is brighter than the threshold.
+glm::dvec2 bright_spot(const Image& picture, float threshold) {
+  glm::dvec2 sum(0.0);
+  double weight = 0.0;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x)
+      if (picture.pixel(x, y)[0] > threshold) {
+        sum += glm::dvec2(x + 0.5, y + 0.5);
+        weight += 1.0;
+      }
+  EXPECT_GT(weight, 0.0) << "no marker in the picture";
+  return sum / std::max(weight, 1.0);
+}
+
+// Looking straight down from far away every ray crosses the same optical depth tau = 2.45 1/m x 8
+// voxels of 1/28 m = 0.7, so it shows L (1 - exp(-tau)) + G exp(-tau) (Beer-Lambert), also where it
+// passes from cell to cell.
+TEST_F(Picture, FogFollowsBeerLambertWithoutSeams) {
+  const test::ConstantMeadow fog;
+  landscape::Landscape scene = test::constant_meadow(fog, folder / "texels");
+  scene.camera = {{1.6, 1.55, 60.0}, {1.6, 1.56, 0.0}, 2.0};
+  const Image picture = render(scene);
+  const double through = std::exp(-0.7);
+  const double expected = fog.radiance * (1.0 - through) + fog.ground * through;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x)
+      ASSERT_NEAR(radiance(picture, scene, x, y), expected, 0.01 * expected) << x << ", " << y;
+}
+
+// Dense fog on a slope hides the ground from a low eye: every pixel of grass has the fog's own
+// radiance, with no line of ground or sky between cells.
+TEST_F(Picture, DenseFogOnASlopeHasNoHoles) {
+  test::ConstantMeadow fog;
+  fog.extinction = 10.0F;
+  fog.slope = 0.2;
+  landscape::Landscape scene = test::constant_meadow(fog, folder / "texels");
+  scene.camera = {{1.5, -1.5, 1.4}, {1.5, 1.5, 0.5}, 40.0};
+  const Image picture = render(scene);
+  for (int y = picture.height / 2; y < picture.height - 8; ++y)
+    for (int x = 24; x < picture.width - 24; ++x)
+      ASSERT_NEAR(radiance(picture, scene, x, y), fog.radiance, 0.02 * fog.radiance)
+          << x << ", " << y;
+}
+
+TEST_F(Picture, SkyShowsADirectionWhereTheCameraSeesIt) {
+  landscape::Landscape scene = test::constant_meadow({}, folder / "texels");
+  scene.sky = Image(360, 180, 3);
+  const int column = 20;  // azimuth 20.5 degrees: east of north, so on the right
+  const int row = 69;     // elevation 20.5 degrees
+  for (int channel = 0; channel < 3; ++channel) scene.sky.pixel(column, row)[channel] = 0.25F;
+  scene.camera = {{1.5, 1.5, 5.0}, {1.5, 4.5, 6.0}, 60.0};
+  scene.cells.clear();
+  const double azimuth = 20.5 * std::numbers::pi / 180.0;
+  const double elevation = 20.5 * std::numbers::pi / 180.0;
+  const glm::dvec3 direction(std::cos(elevation) * std::sin(azimuth),
+                             std::cos(elevation) * std::cos(azimuth), std::sin(elevation));
+  const glm::dvec2 wanted = pixel_of(scene, direction);
+  ASSERT_GT(wanted.x, scene.width_px / 2.0);
+  const glm::dvec2 found = bright_spot(render(scene), 0.6F);
+  EXPECT_NEAR(found.x, wanted.x, 0.75);
+  EXPECT_NEAR(found.y, wanted.y, 0.75);
+}
+
+TEST_F(Picture, GroundShowsAPlaceWhereTheCameraSeesIt) {
+  landscape::Landscape scene = test::constant_meadow({}, folder / "texels");
+  scene.cells.clear();
+  scene.terrain = Heightfield(25, 3.0);
+  std::fill(scene.ground.values().begin(), scene.ground.values().end(), glm::vec3(0.0F));
+  scene.ground.at(18, 14) = glm::vec3(0.25F);  // x = 2.25 m, y = 1.75 m: east, so on the right
+  scene.camera = {{1.5, -1.0, 1.5}, {1.5, 1.5, 0.0}, 50.0};
+  scene.sky = Image(4, 2, 3);
+  const glm::dvec2 wanted = pixel_of(scene, glm::dvec3(2.25, 1.75, -0.004) - scene.camera.eye_m);
+  ASSERT_GT(wanted.x, scene.width_px / 2.0);
+  const Image picture = render(scene);
+  const glm::dvec2 found = bright_spot(picture, 0.6F);
+  EXPECT_NEAR(found.x, wanted.x, 0.75);
+  EXPECT_NEAR(found.y, wanted.y, 0.75);
+}
+
+// Light that grows eastward in red and northward in blue, seen from above: by Beer-Lambert the
+// picture is the light map by world x and y, also in cells turned about their middle.
+TEST_F(Picture, LightFollowsTheWorldNotTheCell) {
+  test::ConstantMeadow fog;
+  fog.extinction = 12.0F;
+  landscape::Landscape scene = test::constant_meadow(fog, folder / "texels");
+  const double step_m = scene.light.step_m();
+  for (int j = 0; j < scene.light.samples(); ++j)
+    for (int i = 0; i < scene.light.samples(); ++i)
+      scene.light.at(i, j) = glm::vec3(static_cast<float>(i * step_m / 3.0), 1.0F,
+                                       static_cast<float>(j * step_m / 3.0));
+  const glm::dmat4 quarter_turn({0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {0.5, 0, 0, 1});
+  for (std::size_t cell = 0; cell < scene.cells.size(); cell += 2)
+    scene.cells[cell].world_from_cell = scene.cells[cell].world_from_cell * quarter_turn;
+  scene.camera = {{1.5, 1.499, 60.0}, {1.5, 1.5, 0.0}, 2.0};
+  const Image picture = render(scene);
+  const double metres_per_pixel =
+      2.0 * (60.0 - 0.3) * std::tan(1.0 * std::numbers::pi / 180.0) / scene.width_px;
+  const double through = std::exp(-12.0 * 8.0 / 28.0);
+  const auto expected = [&](double light) {
+    return fog.radiance * light * (1.0 - through) + fog.ground * through;
+  };
+  for (int y = 2; y < picture.height; y += 5)
+    for (int x = 2; x < picture.width; x += 5) {
+      const double east_m = 1.5 + (x + 0.5 - scene.width_px / 2.0) * metres_per_pixel;
+      const double north_m = 1.5 - (y + 0.5 - scene.height_px / 2.0) * metres_per_pixel;
+      EXPECT_NEAR(radiance(picture, scene, x, y, 0), expected(east_m / 3.0), 0.001);
+      EXPECT_NEAR(radiance(picture, scene, x, y, 1), expected(1.0), 0.001);
+      EXPECT_NEAR(radiance(picture, scene, x, y, 2), expected(north_m / 3.0), 0.001);
+    }
+}
+
+TEST_F(Picture, BareCommandsWorkHereAndFromAbove) {
+  landscape::Landscape scene = test::constant_meadow({}, folder / "texels");
+  scene.cells.resize(1);
+  render(scene);
+  const Image wanted = read_image(folder / "picture.png");
+  const std::string go = "cd " + folder.string() + "/povray && povray scene.pov > log 2>&1";
+  ASSERT_EQ(std::system(go.c_str()), 0) << read_file(folder / "povray/log");
+  EXPECT_EQ(read_image(folder / "povray/scene.png").values, wanted.values);
+  fs::remove(folder / "povray/scene.png");
+  const std::string above = fmt::format("cd {} && povray povray/scene.pov +W{} +H{} -D > log 2>&1",
+                                        folder.string(), wanted.width, wanted.height);
+  ASSERT_EQ(std::system(above.c_str()), 0) << read_file(folder / "log");
+  EXPECT_EQ(read_image(folder / "povray/scene.png").values, wanted.values);
+}
+
+}  // namespace
+}  // namespace wold::povray
