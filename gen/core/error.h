@@ -9,11 +9,11 @@ namespace wold {
 /// What the program tells its caller; the numbers are part of the contract.
 enum class ExitCode {
   done = 0,
-  different = 1,       ///< compared and different
-  wrong_input = 2,     ///< command line or scene wrong; nothing was written
-  renderer = 3,        ///< a renderer is missing, failed, timed out or made no valid picture
-  file = 4,            ///< reading or writing failed
-  interrupted = 130,   ///< stopped by the user; the same command resumes
+  different = 1,      ///< compared and different
+  wrong_input = 2,    ///< command line or scene wrong; nothing was written
+  renderer = 3,       ///< a renderer is missing, failed, timed out or made no valid picture
+  file = 4,           ///< reading or writing failed
+  interrupted = 130,  ///< stopped by the user; the same command resumes
 };
 
 /// A place in a text file; line and column count from 1, 0 means unknown.

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <glm/glm.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include <glm/glm.hpp>
 
 namespace wold {
 
@@ -23,8 +22,9 @@ class GroundMap {
         size_m_(size_m),
         values_(static_cast<std::size_t>(samples) * static_cast<std::size_t>(samples), value) {
     if (samples < 2 || !(size_m > 0.0))
-      throw std::invalid_argument("a ground map needs at least 2 samples and a positive size, got " +
-                                  std::to_string(samples) + " and " + std::to_string(size_m));
+      throw std::invalid_argument(
+          "a ground map needs at least 2 samples and a positive size, got " +
+          std::to_string(samples) + " and " + std::to_string(size_m));
   }
 
   int samples() const { return samples_; }

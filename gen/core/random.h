@@ -50,8 +50,7 @@ constexpr std::uint32_t random_below(const RandomKey& key, std::uint32_t count) 
 /// Standard normal (Box and Muller 1958).
 inline double random_normal(const RandomKey& key) {
   const double u = 1.0 - random_uniform(key);
-  const double v =
-      random_uniform({key.seed, key.kind, key.index, key.purpose ^ key_of("second")});
+  const double v = random_uniform({key.seed, key.kind, key.index, key.purpose ^ key_of("second")});
   return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * std::numbers::pi * v);
 }
 

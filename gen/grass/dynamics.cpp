@@ -27,60 +27,48 @@ struct CrossSection {
   glm::vec3 along, side, across;
 };
 
-/// Which points of one blade go into which: kept[i] for every point, merged into the last kept.
-void merge_blade(Points& points, std::uint32_t begin, std::uint32_t end, float distance_m,
-                 std::vector<std::uint8_t>& kept) {
+/// Puts what a point stands for into another one of its blade and tissue.
+void merge_into(Points& points, std::uint32_t to, std::uint32_t from) {
+  const float share = points.area_m2[from] / (points.area_m2[to] + points.area_m2[from]);
+  const auto mean = [&](auto& values) { values[to] += (values[from] - values[to]) * share; };
+  mean(points.side_m);
+  mean(points.across_m);
+  mean(points.position_m);
+  mean(points.albedo);
+  mean(points.specular);
+  points.rest_area_m2[to] += points.rest_area_m2[from];
+  points.area_m2[to] += points.area_m2[from];
+  points.rest_area_m2[from] = 0.0F;
+  points.area_m2[from] = 0.0F;
+}
+
+void merge_blade(Points& points, std::uint32_t begin, std::uint32_t end, float distance_m) {
   for (std::uint32_t i = begin; i < end; ++i) {
-    if (kept[i] == 0) continue;
+    if (points.area_m2[i] == 0.0F) continue;
     for (std::uint32_t j = i + 1; j < end && points.arc_m[j] - points.arc_m[i] < distance_m; ++j) {
-      if (kept[j] == 0 || points.vein[i] != points.vein[j]) continue;
+      if (points.area_m2[j] == 0.0F || points.vein[i] != points.vein[j]) continue;
       const glm::vec3 apart = points.position_m[i] - points.position_m[j];
-      if (glm::dot(apart, apart) >= distance_m * distance_m) continue;
-      const float total = points.area_m2[i] + points.area_m2[j];
-      const float share = total > 0.0F ? points.area_m2[j] / total : 0.0F;
-      const auto mean = [&](auto& values) { values[i] += (values[j] - values[i]) * share; };
-      mean(points.side_m);
-      mean(points.across_m);
-      mean(points.position_m);
-      mean(points.albedo);
-      mean(points.specular);
-      points.rest_area_m2[i] += points.rest_area_m2[j];
-      points.area_m2[i] = total;
-      kept[j] = 0;
+      if (glm::dot(apart, apart) < distance_m * distance_m) merge_into(points, i, j);
     }
   }
 }
 
-template <class T>
-void keep(std::vector<T>& values, const std::vector<std::uint8_t>& kept) {
-  std::size_t to = 0;
-  for (std::size_t from = 0; from < values.size(); ++from)
-    if (kept[from] != 0) values[to++] = values[from];
-  values.resize(to);
-}
-
-void keep_points(Points& points, const std::vector<std::uint8_t>& kept) {
-  std::uint32_t count = 0;
-  std::size_t blade = 0;
-  for (std::uint32_t i = 0; i <= kept.size(); ++i) {
-    while (blade < points.blade_begin.size() && points.blade_begin[blade] == i)
-      points.blade_begin[blade++] = count;
-    if (i < kept.size()) count += kept[i];
-  }
-  keep(points.arc_m, kept);
-  keep(points.side_m, kept);
-  keep(points.across_m, kept);
-  keep(points.rest_area_m2, kept);
-  keep(points.vein, kept);
-  keep(points.position_m, kept);
-  keep(points.tangent, kept);
-  keep(points.normal, kept);
-  keep(points.albedo, kept);
-  keep(points.specular, kept);
-  keep(points.area_m2, kept);
-}
-
 }  // namespace
+
+/// The two samples around a place on a blade (0 root to 1 tip), and how far it is from the lower.
+struct PointDynamics::Between {
+  explicit Between(float along) {
+    const float place = along * WitheredBlade::steps;
+    lower = std::min(static_cast<std::size_t>(place), std::size_t{WitheredBlade::steps} - 1);
+    above = place - static_cast<float>(lower);
+  }
+  template <class T>
+  T mix(const T& a, const T& b) const {
+    return a + (b - a) * above;
+  }
+  std::size_t lower;
+  float above;
+};
 
 AgeingModel::AgeingModel(const scene::Ageing& ageing, double fresh_specular)
     : ageing_(ageing),
@@ -112,30 +100,46 @@ PointDynamics::PointDynamics(const AgeingModel& model, std::vector<Blade> blades
       blades_(std::move(blades)),
       points_(std::move(points)),
       merge_distance_m_(static_cast<float>(merge_distance_m)),
-      ages_(blades_.size()),
       poses_(blades_.size()) {}
 
 void PointDynamics::advance_to(double weathering) {
   parallel_for(blades_.size(), [&](std::size_t blade) {
-    apply_forces(blade, weathering);
-    move(blade);
+    const WitheredBlade now = apply_forces(blade, weathering);
+    move(blade, now);
     update_frames(blade);
-    update_material(blade);
+    update_material(blade, now);
+    merge_blade(points_, points_.blade_begin[blade], points_.blade_begin[blade + 1],
+                merge_distance_m_);
   });
-  merge();
 }
 
-void PointDynamics::apply_forces(std::size_t blade, double weathering) {
-  ages_[blade] = AgeingModel::blade_age(blades_[blade], weathering);
-  poses_[blade] = model_.pose(blades_[blade], ages_[blade]);
+PointDynamics::WitheredBlade PointDynamics::apply_forces(std::size_t number, double weathering) {
+  const Blade& blade = blades_[number];
+  const double age = AgeingModel::blade_age(blade, weathering);
+  poses_[number] = model_.pose(blade, age);
+  const float length_m = blade.length_m * poses_[number].length_scale;
+  WitheredBlade now;
+  for (int i = 0; i <= WitheredBlade::steps; ++i) {
+    const float along = static_cast<float>(i) / WitheredBlade::steps;
+    const auto place = static_cast<std::size_t>(i);
+    now.axis[place] = axis_point(blade, poses_[number], length_m * along);
+    now.albedo[place] = glm::min(
+        model_.albedo(AgeingModel::local_age(age, double{along})) * blade.brightness, 0.99F);
+  }
+  now.specular = model_.specular(age);
+  return now;
 }
 
-void PointDynamics::move(std::size_t number) {
+void PointDynamics::move(std::size_t number, const WitheredBlade& now) {
   const Blade& blade = blades_[number];
   const BladePose& pose = poses_[number];
   const glm::vec3 root(blade.root_m, 0.0F);
   for (std::uint32_t i = points_.blade_begin[number]; i < points_.blade_begin[number + 1]; ++i) {
-    const AxisPoint axis = axis_point(blade, pose, points_.arc_m[i] * pose.length_scale);
+    const Between between(points_.arc_m[i] / blade.length_m);
+    const AxisPoint axis = {
+        between.mix(now.axis[between.lower].position_m, now.axis[between.lower + 1].position_m),
+        glm::normalize(
+            between.mix(now.axis[between.lower].tangent, now.axis[between.lower + 1].tangent))};
     const CrossSection section(blade, axis.tangent);
     const float width = points_.vein[i] != 0 ? pose.vein_width : pose.mesophyll_width;
     const glm::vec3 on_axis(blade.heading * axis.position_m.x, axis.position_m.y);
@@ -163,25 +167,13 @@ void PointDynamics::update_frames(std::size_t number) {
   }
 }
 
-void PointDynamics::update_material(std::size_t number) {
-  const Blade& blade = blades_[number];
-  const double age = ages_[number];
-  const float specular = model_.specular(age);
+void PointDynamics::update_material(std::size_t number, const WitheredBlade& now) {
+  const float length_m = blades_[number].length_m;
   for (std::uint32_t i = points_.blade_begin[number]; i < points_.blade_begin[number + 1]; ++i) {
-    const double along = double{points_.arc_m[i]} / double{blade.length_m};
-    points_.albedo[i] =
-        glm::min(model_.albedo(AgeingModel::local_age(age, along)) * blade.brightness, 0.99F);
-    points_.specular[i] = specular;
+    const Between between(points_.arc_m[i] / length_m);
+    points_.albedo[i] = between.mix(now.albedo[between.lower], now.albedo[between.lower + 1]);
+    points_.specular[i] = now.specular;
   }
-}
-
-void PointDynamics::merge() {
-  std::vector<std::uint8_t> kept(points_.size(), 1);
-  parallel_for(blades_.size(), [&](std::size_t blade) {
-    merge_blade(points_, points_.blade_begin[blade], points_.blade_begin[blade + 1],
-                merge_distance_m_, kept);
-  });
-  if (std::find(kept.begin(), kept.end(), 0) != kept.end()) keep_points(points_, kept);
 }
 
 }  // namespace wold::grass

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/curve.h"
@@ -38,7 +39,8 @@ class AgeingModel {
 /// Algorithm 1, point dynamics: moves the points of a patch through the weathering degrees.
 class PointDynamics {
  public:
-  /// Points nearer than `merge_distance_m` to a neighbour on their blade become one.
+  /// Points nearer than `merge_distance_m` to a neighbour on their blade become one; the other one
+  /// stays in its place without area.
   PointDynamics(const AgeingModel& model, std::vector<Blade> blades, Points points,
                 double merge_distance_m);
 
@@ -53,17 +55,25 @@ class PointDynamics {
   const std::vector<BladePose>& poses() const { return poses_; }
 
  private:
-  void apply_forces(std::size_t blade, double weathering);
-  void move(std::size_t blade);
+  /// A blade at this step, sampled at equal distances from root to tip: its thousand points are
+  /// looked up on it. 64 steps keep the axis to a ten-thousandth of its length.
+  struct WitheredBlade {
+    static constexpr int steps = 64;
+    std::array<AxisPoint, steps + 1> axis;
+    std::array<glm::vec3, steps + 1> albedo;
+    float specular = 0.0F;
+  };
+  struct Between;
+
+  WitheredBlade apply_forces(std::size_t blade, double weathering);
+  void move(std::size_t blade, const WitheredBlade& now);
   void update_frames(std::size_t blade);
-  void update_material(std::size_t blade);
-  void merge();
+  void update_material(std::size_t blade, const WitheredBlade& now);
 
   const AgeingModel& model_;
   std::vector<Blade> blades_;
   Points points_;
   float merge_distance_m_;
-  std::vector<double> ages_;
   std::vector<BladePose> poses_;
 };
 

@@ -122,7 +122,7 @@ glm::dvec3 positive(glm::dvec3 weights) {
 }
 
 glm::dvec3 fitted_weights(const RayDepths& depths, const glm::dvec3& wanted) {
-  constexpr int steps = 16;
+  constexpr int steps = 40;
   constexpr double good = 5e-4;
   glm::dvec3 weights(1.0, 0.0, 0.0);
   Response now = response(depths, weights);

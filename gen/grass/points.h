@@ -31,7 +31,7 @@ struct Points {
   std::vector<glm::vec3> normal;      ///< unit; zero for vein tissue
   std::vector<glm::vec3> albedo;      ///< md
   std::vector<float> specular;        ///< ms
-  std::vector<float> area_m2;
+  std::vector<float> area_m2;         ///< zero once merged into another point
 
   std::size_t size() const { return arc_m.size(); }
   std::size_t blades() const { return blade_begin.empty() ? 0 : blade_begin.size() - 1; }

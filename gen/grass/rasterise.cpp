@@ -65,19 +65,20 @@ class Footprint {
 
 Texel rasterise_points(const Points& points, const TexelShape& shape) {
   const auto per_voxel = static_cast<float>(1.0 / shape.voxel_m);
+  const auto each_point = [&](const auto& visit) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (points.area_m2[i] > 0.0F) visit(i, Footprint(points.position_m[i] * per_voxel, shape));
+  };
   TexelBuilder builder(shape);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    Footprint(points.position_m[i] * per_voxel, shape).each([&](std::uint32_t voxel, float) {
-      builder.mark(voxel);
-    });
+  each_point([&](std::size_t, const Footprint& footprint) {
+    footprint.each([&](std::uint32_t voxel, float) { builder.mark(voxel); });
+  });
   builder.prepare();
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  each_point([&](std::size_t i, const Footprint& footprint) {
     const Contribution point{points.area_m2[i], points.tangent[i], points.normal[i],
                              points.albedo[i], points.specular[i]};
-    Footprint(points.position_m[i] * per_voxel, shape).each([&](std::uint32_t voxel, float share) {
-      builder.add(voxel, share, point);
-    });
-  }
+    footprint.each([&](std::uint32_t voxel, float share) { builder.add(voxel, share, point); });
+  });
   return builder.build();
 }
 

@@ -1,6 +1,7 @@
 #include "grass/texel_builder.h"
 
 #include <cmath>
+#include <numeric>
 
 namespace wold::grass {
 namespace {
@@ -24,6 +25,9 @@ glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& otherwise) {
 
 /// Shorter mean normals than this come from both sides of a vein: the vein itself.
 constexpr float vein_normal = 0.2F;
+/// Optical depth below which a voxel is not worth keeping: a third of them hold a hundredth of the
+/// grass.
+constexpr float faintest_depth = 0.015F;
 
 }  // namespace
 
@@ -67,19 +71,37 @@ void TexelBuilder::add(std::uint32_t voxel, float share, const Contribution& wha
   sum.specular += area * what.specular;
 }
 
+std::vector<std::uint32_t> TexelBuilder::visible(float least_area_m2) const {
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t i = 0; i < sums_.size(); ++i)
+    if (sums_[i].area >= least_area_m2) kept.push_back(i);
+  if (kept.empty()) {
+    kept.resize(sums_.size());
+    std::iota(kept.begin(), kept.end(), 0U);
+  }
+  return kept;
+}
+
 Texel TexelBuilder::build() const {
   Texel texel;
-  const std::size_t count = voxel_.size();
   texel.shape = shape_;
-  texel.voxel = voxel_;
+  const auto face_m2 = static_cast<float>(shape_.voxel_m * shape_.voxel_m);
+  const std::vector<std::uint32_t> kept = visible(faintest_depth * face_m2);
+  const std::size_t count = kept.size();
+  texel.voxel.resize(count);
   texel.density.resize(count);
   texel.tangent.resize(count);
   texel.normal.resize(count);
   texel.albedo.resize(count);
   texel.specular.resize(count);
-  const auto per_volume = static_cast<float>(1.0 / shape_.voxel_volume_m3());
+  double all = 0.0;
+  double shown = 0.0;
+  for (const Sum& sum : sums_) all += double{sum.area};
+  for (std::uint32_t i : kept) shown += double{sums_[i].area};
+  const auto per_volume = static_cast<float>(all / shown / shape_.voxel_volume_m3());
   for (std::size_t i = 0; i < count; ++i) {
-    const Sum& sum = sums_[i];
+    const Sum& sum = sums_[kept[i]];
+    texel.voxel[i] = voxel_[kept[i]];
     const float mean = sum.area > 0.0F ? 1.0F / sum.area : 0.0F;
     const glm::vec3 normal = sum.normal * mean;
     const float length = glm::length(normal);

@@ -30,9 +30,14 @@ class TexelBuilder {
   void mark(std::uint32_t voxel) { slot_[voxel] = 1; }
   void prepare();
   void add(std::uint32_t voxel, float share, const Contribution& what);
+  /// Voxels too faint to see are left out and their area is given to the others, in proportion;
+  /// when all are faint, all are kept.
   Texel build() const;
 
  private:
+  /// Places in sums_ with at least this area; all when there is none.
+  std::vector<std::uint32_t> visible(float least_area_m2) const;
+
   /// One cache line.
   struct alignas(64) Sum {
     float area = 0.0F;

@@ -47,8 +47,10 @@ fs::path find_renderer(Renderer renderer) {
   const Facts& known = facts(renderer);
   if (const char* chosen = std::getenv(known.variable); chosen != nullptr && *chosen != '\0') {
     if (is_program(chosen)) return fs::absolute(chosen);
-    throw RendererError(fmt::format("{} is missing: {} names {}, which is no program",
-                                    known.display_name, known.variable, chosen));
+    throw RendererError(
+        fmt::format("{} is missing: {} names {}, which is no program; correct it, or unset it and "
+                    "install {} with `apt-get install {}`",
+                    known.display_name, known.variable, chosen, known.display_name, known.program));
   }
   if (fs::path found = on_path(known.program); !found.empty()) return found;
   throw RendererError(fmt::format(

@@ -37,11 +37,11 @@ struct Terrain {
 };
 
 struct Grass {
-  double patch_m = 0.5;         ///< side of the tile
+  double patch_m = 0.6;         ///< side of the tile
   int blades = 400;             ///< per patch
-  double height_m = 0.30;       ///< mean blade length
+  double height_m = 0.32;       ///< mean blade length
   double height_spread = 0.22;  ///< standard deviation / mean
-  double width_m = 0.0052;      ///< mean diameter of the cone at its foot
+  double width_m = 0.0056;      ///< mean diameter of the cone at its foot
   double width_spread = 0.25;
   double lean_deg = 14.0;  ///< mean angle from the vertical
   double lean_spread_deg = 8.0;

@@ -1,55 +1,11 @@
-#include <gtest/gtest.h>
-#include <sys/wait.h>
+#include "program.h"
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
 
-/// The program as its user sees it: exit code, stdout and stderr.
-namespace wold {
+namespace wold::test {
 namespace {
-
-namespace fs = std::filesystem;
-
-struct Result {
-  int code = -1;
-  std::string out;
-  std::string err;
-};
-
-class Program : public testing::Test {
- protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / (std::string("wold_cli_") + test->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  /// Runs `wold ARGUMENTS` through the shell, in the test's own folder.
-  Result wold(const std::string& arguments, const std::string& stdout_to = ".out") const {
-    const std::string command = "cd '" + folder_.string() + "' && '" WOLD_PROGRAM "' " + arguments +
-                                " >" + stdout_to + " 2>.err";
-    const int status = std::system(command.c_str());
-    const fs::path out = folder_ / ".out";
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, fs::exists(out) ? read_file(out) : "",
-            read_file(folder_ / ".err")};
-  }
-
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-  }
-
-  fs::path folder_;
-};
-
-void expect_contains(const std::string& text, const std::string& part) {
-  EXPECT_NE(text.find(part), std::string::npos) << "\"" << part << "\" is not in:\n" << text;
-}
 
 /// Data on stdout alone.
 void expect_answer(const Result& result, const std::string& part) {
@@ -182,10 +138,10 @@ TEST_F(Program, InspectDescribesSoundAndDamagedFiles) {
 TEST_F(Program, UnwritableOutputIsExitCodeFour) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
   write("a.toml", "");
-  const Result result = wold("check a.toml", "/dev/full");
+  const Result result = wold("check a.toml >/dev/full");
   EXPECT_EQ(result.code, 4);
   expect_contains(result.err, "error: cannot write to standard output: No space");
 }
 
 }  // namespace
-}  // namespace wold
+}  // namespace wold::test

@@ -19,12 +19,14 @@ double red_over_green(const glm::vec3& rgb) { return rgb.r / rgb.g; }
 scene::Ageing with(const char* colour) {
   scene::Ageing ageing;
   ageing.colour = colour;
+  ageing.chlorophyll_ug_cm2 = 45.0;  // the leaf of the published colours
+  ageing.carotenoid_ug_cm2 = 5.0;
   return ageing;
 }
 
 TEST(LeafColour, GoesFromFreshGrassToStraw) {
   // The leaves "green" and "straw" of prospect_vectors.toml.
-  const LeafColour colour{scene::Ageing{}};
+  const LeafColour colour(with("prospect"));
   expect_near(colour(0.0).reflectance, {0.04842, 0.13279, 0.03348}, 2e-3);
   expect_near(colour(0.0).albedo, {0.08425, 0.26170, 0.02524}, 2e-3);
   expect_near(colour(1.0).reflectance, {0.46889, 0.37751, 0.22080}, 2e-3);
@@ -32,7 +34,7 @@ TEST(LeafColour, GoesFromFreshGrassToStraw) {
 }
 
 TEST(LeafColour, TurnsFromGreenToGoldBeforeStraw) {
-  const LeafColour colour{scene::Ageing{}};
+  const LeafColour colour(with("prospect"));
   double reflectance = 0.0;
   double albedo = 0.0;
   for (int i = 0; i <= 680; ++i) {
@@ -54,6 +56,7 @@ TEST(LeafColour, StaysInGamutAndHasNoJumps) {
     scene::Ageing ageing;
     ageing.water.name = name;
     ageing.chlorophyll_ug_cm2 = 10.0;
+    ageing.carotenoid_ug_cm2 = 5.0;
     const LeafColour colour(ageing);
     LeafShade before = colour(0.0);
     for (int i = 0; i <= 1000; ++i) {
@@ -92,7 +95,8 @@ TEST(LeafColour, RefusesAModelThatDoesNotExist) {
 TEST(WitheredLeaf, KeepsCarotenoidsLongerThanChlorophyll) {
   // Lichtenthaler and Babani 2022, Photosynthetica 60:3: chlorophyll over carotenoids falls
   // below 1.
-  const scene::Ageing ageing;
+  scene::Ageing ageing;
+  ageing.carotenoid_ug_cm2 = 5.0;
   EXPECT_EQ(withered_leaf(ageing, 0.1, 0.3).carotenoid_ug_cm2, 5.0);
   const LeafContent late = withered_leaf(ageing, 0.05, 0.2);
   EXPECT_LT(late.chlorophyll_ug_cm2, late.carotenoid_ug_cm2);

@@ -28,8 +28,8 @@ landscape::Volume write_volume(const SyntheticMeadow& meadow, int number,
   auto light = emission->getAccessor();
   for (std::uint64_t blade = 0; blade < 150; ++blade) {
     const auto random = [&](const char* purpose) {
-      return random_uniform({static_cast<std::uint64_t>(number), key_of("blade"), blade,
-                             key_of(purpose)});
+      return random_uniform(
+          {static_cast<std::uint64_t>(number), key_of("blade"), blade, key_of(purpose)});
     };
     const glm::dvec2 root(random("x") * n, random("y") * n);
     const glm::dvec2 lean((random("lx") - 0.5) * 0.6, (random("ly") - 0.5) * 0.6);

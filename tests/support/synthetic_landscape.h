@@ -8,11 +8,11 @@ namespace wold::test {
 
 /// What the synthetic meadow looks like.
 struct SyntheticMeadow {
-  int cells_per_side = 6;   ///< of 0.5 m
-  int voxels = 30;          ///< per side of a cell: 30, 62, 126 or 254
+  int cells_per_side = 6;  ///< of 0.5 m
+  int voxels = 30;         ///< per side of a cell: 30, 62, 126 or 254
   int height_voxels = 18;
   int volumes = 2;
-  double slope = 0.15;      ///< of the hill, rise over run
+  double slope = 0.15;  ///< of the hill, rise over run
   int width_px = 240;
   int height_px = 135;
 };

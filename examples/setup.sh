@@ -1,0 +1,45 @@
+# Sourced by examples/run.sh and tests/run.sh: installs what is missing and builds. Bare Debian 12
+# with git is enough; safe to run again, and quick then.
+
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+# What the program is built with, and the renderers.
+build_packages=(g++ cmake ninja-build libopenvdb-dev libopenimageio-dev libtbb-dev libglm-dev
+  libfmt-dev libspdlog-dev libcli11-dev nlohmann-json3-dev libtomlplusplus-dev libboost-dev
+  libboost-iostreams-dev)
+render_packages=(blender povray)
+
+say() { printf '\n== %s\n' "$*" >&2; }
+
+# install PACKAGE...: those that are not there yet, as root or through sudo.
+install() {
+  local missing=() package
+  for package in "$@"; do
+    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] && return
+  local root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || {
+      echo "error: please install, as root: apt-get install ${missing[*]}" >&2
+      exit 4
+    }
+    root=(sudo)
+  fi
+  say "Installing ${#missing[@]} Debian packages: ${missing[*]}"
+  "${root[@]}" apt-get update -q >&2
+  "${root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y -q --no-install-recommends "${missing[@]}" >&2
+}
+
+# build [CMAKE OPTION...] -- TARGET...: configures and builds into build/.
+build() {
+  local options=()
+  while [ "${1:---}" != -- ]; do
+    options+=("$1")
+    shift
+  done
+  shift
+  say "Building"
+  (cd "$here" && cmake --preset release "${options[@]}" >/dev/null && cmake --build --preset release --target "$@") >&2
+}

@@ -1,0 +1,117 @@
+#include <gmock/gmock.h>
+
+#include "core/files.h"
+#include "small_film.h"
+
+/// From the scene file to the folders of the renderers and back again: what is made twice is the
+/// same, and what is there already is kept.
+namespace wold::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsSupersetOf;
+
+class Generate : public SmallFilm {
+ protected:
+  void generate(const std::string& folder, const std::string& options = "") const {
+    const Result result = wold("generate small.toml --quiet --out " + folder + " " + options);
+    ASSERT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(result.out + result.err, "");
+  }
+};
+
+/// The paths whose times differ or that only one side has, without the files that every run writes.
+using Times = std::map<std::string, fs::file_time_type>;
+std::vector<std::string> rewritten(const Times& before, const Times& after,
+                                   const std::string& part_of_path) {
+  std::vector<std::string> paths;
+  for (const auto& [path, time] : after)
+    if (path.find(part_of_path) != std::string::npos &&
+        (before.count(path) == 0 || before.at(path) != time))
+      paths.push_back(path);
+  return paths;
+}
+
+TEST_F(Generate, SameSceneSameBytesWithAnyNumberOfThreads) {
+  generate("one", "--threads 1");
+  const auto wanted = contents("one");
+  for (const std::string file :
+       {"scene.toml", "texels/v0_k00.vdb", "blender/scene.py", "blender/data/frame_0002/frame.json",
+        "povray/scene.pov", "povray/data/frame_0002/frame.inc"})
+    EXPECT_EQ(wanted.count(file), 1U) << file;
+  generate("again", "--threads 1");
+  EXPECT_EQ(contents("again"), wanted);
+  generate("two", "--threads 2");
+  EXPECT_EQ(contents("two"), wanted);
+  expect_nothing_half_written("one");
+}
+
+TEST_F(Generate, KeepsTexelsAndVolumesThatAreStillRight) {
+  generate("out");
+  const auto before = times("out");
+  generate("out", "--set render.exposure=1 --set 'ageing.frames=[0.1, 0.8, 0.8]'");
+  EXPECT_THAT(rewritten(before, times("out"), "texels/"), ElementsAre());
+  EXPECT_THAT(rewritten(before, times("out"), "/volumes/"), ElementsAre());
+  EXPECT_TRUE(fs::exists(folder_ / "out/povray/data/frame_0003/frame.inc"));
+}
+
+TEST_F(Generate, ReplacesAMissingOrDamagedTexelAlone) {
+  generate("out");
+  const auto wanted = contents("out");
+  const auto before = times("out");
+  fs::remove(folder_ / "out/texels/v0_k00.vdb");
+  fs::resize_file(folder_ / "out/texels/v1_k01.vdb", 1000);
+  generate("out");
+  EXPECT_EQ(contents("out"), wanted);
+  for (const std::string& path : rewritten(before, times("out"), "texels/"))
+    EXPECT_THAT(path, testing::AnyOf(testing::StartsWith("texels/v0_k00"),
+                                     testing::StartsWith("texels/v1_k01")));
+}
+
+TEST_F(Generate, AChangedSceneLeavesNothingOfTheOldOne) {
+  generate("out");
+  generate("out", "--set grass.height=0.2");
+  generate("new", "--set grass.height=0.2");
+  EXPECT_THAT(contents("out"), IsSupersetOf(contents("new")));
+}
+
+class Resume : public SmallFilm {
+ protected:
+  /// Renders with a script in Blender's place; the frames it was called for.
+  std::string rendered(const std::string& options = "") const {
+    const std::string blender = blender_played_by("cp $good \"$out\"");
+    const Result result =
+        wold("render small.toml --quiet --renderer blender --out out " + options, blender);
+    EXPECT_EQ(result.code, 0) << result.err;
+    return calls();
+  }
+};
+
+TEST_F(Resume, RendersWhatIsMissingAndNothingElse) {
+  const fs::path frames = folder_ / "out/frames/blender";
+  EXPECT_EQ(rendered("--frames 2"), "2 ");
+  EXPECT_EQ(rendered(), "1 ");
+  EXPECT_EQ(rendered(), "");
+  const auto kept = fs::last_write_time(frames / "0001.png");
+  fs::remove(frames / "0002.png");
+  EXPECT_EQ(rendered(), "2 ");
+  EXPECT_EQ(fs::last_write_time(frames / "0001.png"), kept);
+}
+
+TEST_F(Resume, RendersAnewWhatAnotherSceneMade) {
+  EXPECT_EQ(rendered(), "1 2 ");
+  EXPECT_EQ(rendered("--threads 1 --set render.timeout=5"), "") << "these change no pixel";
+  EXPECT_EQ(rendered("--set render.exposure=1"), "1 2 ");
+  EXPECT_EQ(rendered("--set render.exposure=1 --set 'camera.eye=[3, 0.4]'"), "1 2 ");
+}
+
+TEST_F(Resume, PrintsThePicturesItStandsFor) {
+  const std::string render = "render small.toml --quiet --renderer blender --out out";
+  const std::string blender = blender_played_by("cp $good \"$out\"");
+  const std::string pictures = "out/frames/blender/0001.png\nout/frames/blender/0002.png\n";
+  EXPECT_EQ(wold(render, blender).out, pictures);
+  EXPECT_EQ(wold(render, blender).out, pictures);
+}
+
+}  // namespace
+}  // namespace wold::test

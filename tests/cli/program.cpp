@@ -1,0 +1,64 @@
+#include "program.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+
+#include "core/files.h"
+
+namespace wold::test {
+
+Running::Running(fs::path folder, const std::string& command) : folder_(std::move(folder)) {
+  fs::remove(folder_ / ".err");  // of an earlier command, which would be taken for this one's
+  const std::string line = "cd '" + folder_.string() + "' && exec >.out 2>.err && " + command;
+  process_ = ::fork();
+  if (process_ != 0) return;
+  ::execl("/bin/sh", "sh", "-c", line.c_str(), static_cast<char*>(nullptr));
+  ::_exit(127);
+}
+
+Running::~Running() {
+  if (process_ < 0) return;
+  ::kill(process_, SIGKILL);
+  ::waitpid(process_, nullptr, 0);
+}
+
+void Running::send(int signal) const { ::kill(process_, signal); }
+
+std::string Running::messages() const {
+  return fs::exists(folder_ / ".err") ? read_file(folder_ / ".err") : "";
+}
+
+Result Running::finish() {
+  int status = 0;
+  ::waitpid(process_, &status, 0);
+  process_ = -1;
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder_ / ".out"), messages()};
+}
+
+void Program::SetUp() {
+  std::string pattern = (fs::path(testing::TempDir()) / "wold cli XXXXXX").string();
+  folder_ = ::mkdtemp(pattern.data());
+}
+
+void Program::TearDown() { fs::remove_all(folder_); }
+
+std::string Program::command(const std::string& arguments, const std::string& environment) {
+  return "exec env " + environment + " '" WOLD_PROGRAM "' " + arguments;
+}
+
+Result Program::shell(const std::string& command) const {
+  return Running(folder_, command).finish();
+}
+
+void Program::write(const std::string& name, const std::string& text) const {
+  write_file(folder_ / name, text);
+}
+
+void expect_contains(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << "\"" << part << "\" is not in:\n" << text;
+}
+
+}  // namespace wold::test

@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds and runs every test:
+#
+#     ./tests/run.sh [CTEST OPTION...]          e.g. ./tests/run.sh -R Texel
+#
+# Warnings are errors here. Ends with the number of tests passed and failed.
+set -euo pipefail
+source "$(dirname "$0")/../examples/setup.sh"
+
+install "${build_packages[@]}" "${render_packages[@]}" libgtest-dev libbenchmark-dev
+build -DWOLD_TESTS=ON -DWOLD_WERROR=ON -- all
+say "Testing"
+cd "$here"
+ctest --preset release --parallel "$(nproc)" "$@"
