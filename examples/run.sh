@@ -9,7 +9,7 @@ set -euo pipefail
 source "$(dirname "$0")/setup.sh"
 
 install "${build_packages[@]}" "${render_packages[@]}"
-build -DWOLD_TESTS=OFF -- wold
+build -DWOLD_TESTS=OFF -DWOLD_WERROR=OFF -- wold
 scene=${1:-$here/examples/hillside.toml}
 [ $# -gt 0 ] && shift
 say "Rendering $scene"

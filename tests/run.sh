@@ -7,7 +7,7 @@
 set -euo pipefail
 source "$(dirname "$0")/../examples/setup.sh"
 
-install "${build_packages[@]}" "${render_packages[@]}" libgtest-dev libbenchmark-dev
+install "${build_packages[@]}" "${render_packages[@]}" libgtest-dev libgmock-dev libbenchmark-dev
 build -DWOLD_TESTS=ON -DWOLD_WERROR=ON -- all
 say "Testing"
 cd "$here"

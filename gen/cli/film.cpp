@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "blender/export.h"
 #include "core/files.h"
 #include "landscape/assemble.h"
@@ -19,13 +21,15 @@ glm::dvec3 eye_direction(const scene::Scene& scene, const Heightfield& terrain) 
   return glm::normalize(camera.eye_m - camera.target_m);
 }
 
+void export_program(const std::string& renderer, const std::filesystem::path& folder) {
+  renderer == "blender" ? blender::export_scene(folder) : povray::export_scene(folder);
+}
+
 void export_frame(const std::string& renderer, const landscape::Landscape& landscape,
                   const std::filesystem::path& folder) {
   if (renderer == "blender") {
-    blender::export_scene(folder);
     blender::export_frame(landscape, folder);
   } else {
-    povray::export_scene(folder);
     povray::export_frame(landscape, folder);
   }
 }
@@ -81,6 +85,7 @@ void Film::export_frames(Progress& progress) const {
     volume.voxel_m = voxel_m;
     return volume;
   };
+  for (const std::string& renderer : renderers) export_program(renderer, job_.out / renderer);
   progress.begin("scene files", job_.frames.size() * renderers.size());
   for (std::size_t i = 0; i < job_.frames.size(); ++i) {
     const landscape::Landscape landscape =
@@ -91,6 +96,9 @@ void Film::export_frames(Progress& progress) const {
     }
   }
   progress.end();
+  // POV-Ray takes its settings from where it is started: `povray povray/scene.pov` from here, too.
+  if (std::find(renderers.begin(), renderers.end(), "povray") != renderers.end())
+    write_file(job_.out / "povray.ini", read_file(job_.out / "povray" / "povray.ini"));
 }
 
 }  // namespace wold::cli

@@ -2,7 +2,8 @@
 
 namespace wold::cli {
 
-/// From now on SIGINT and SIGTERM ask the work to stop; a second one ends the program at once.
+/// From now on SIGINT, SIGTERM and SIGHUP ask the work to stop; a second one ends the program at
+/// once.
 void catch_interrupts();
 
 /// Whether the user asked to stop.

@@ -40,8 +40,10 @@ Manifest::Manifest(fs::path folder) : folder_(std::move(folder)) {
   for (const auto& file : json["files"])
     if (file.is_object() && file.contains("source") && file["source"].is_string() &&
         file.contains("path") && file["path"].is_string())
-      pictures_[file["path"].get<std::string>()] = {file["source"].get<std::string>(),
-                                                    file.value("seconds", 0.0)};
+      pictures_[file["path"].get<std::string>()] = {
+          file["source"].get<std::string>(), file.contains("seconds") && file["seconds"].is_number()
+                                                 ? file["seconds"].get<double>()
+                                                 : 0.0};
 }
 
 bool Manifest::is_current(const fs::path& picture, const std::string& source) const {
@@ -56,15 +58,26 @@ void Manifest::add_picture(const fs::path& picture, const std::string& source, d
   write();
 }
 
-void Manifest::write() const {
+const Manifest::Content& Manifest::content_of(const fs::path& relative) {
+  const fs::path path = folder_ / relative;
+  const fs::file_time_type changed = fs::last_write_time(path);
+  Content& content = contents_[relative];
+  if (content.hash.empty() || content.changed != changed) {
+    const std::string bytes = read_file(path);
+    content = {bytes.size(), changed, content_hash(bytes)};
+  }
+  return content;
+}
+
+void Manifest::write() {
   nlohmann::ordered_json json;
   json["version"] = 1;
   json["files"] = nlohmann::ordered_json::array();
   for (const fs::path& relative : files_below(folder_)) {
-    const std::string bytes = read_file(folder_ / relative);
+    const Content& content = content_of(relative);
     nlohmann::ordered_json file = {{"path", relative.generic_string()},
-                                   {"bytes", bytes.size()},
-                                   {"hash", content_hash(bytes)},
+                                   {"bytes", content.bytes},
+                                   {"hash", content.hash},
                                    {"stage", stage_of(relative)}};
     const auto picture = pictures_.find(relative.generic_string());
     if (picture != pictures_.end()) {

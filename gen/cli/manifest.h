@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -20,14 +21,23 @@ class Manifest {
   void add_picture(const std::filesystem::path& picture, const std::string& source, double seconds);
 
   /// Lists the folder's files as they are and writes DIR/manifest.json. Throws FileError.
-  void write() const;
+  void write();
 
  private:
   struct Picture {
     std::string source;
     double seconds = 0.0;
   };
+  /// A file as it was when it was read last: a film's data is not read again for every picture.
+  struct Content {
+    std::uintmax_t bytes = 0;
+    std::filesystem::file_time_type changed;
+    std::string hash;
+  };
+  const Content& content_of(const std::filesystem::path& relative);
+
   std::filesystem::path folder_;
+  std::map<std::filesystem::path, Content> contents_;
   std::map<std::string, Picture> pictures_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <set>
 
 #include "cli/commands.h"
 #include "cli/film.h"
@@ -37,6 +38,18 @@ render::Job picture_job(const Job& job, const std::string& renderer, int frame) 
   return picture;
 }
 
+/// The renderer's own program: every script at the top of its folder.
+std::string program_text(const std::filesystem::path& folder) {
+  std::set<std::filesystem::path> scripts;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.is_regular_file() && !entry.path().filename().string().starts_with('.') &&
+        entry.path().extension() != ".ini")
+      scripts.insert(entry.path());
+  std::string text;
+  for (const auto& script : scripts) text += read_file(script);
+  return text;
+}
+
 /// What a picture is made from: the whole scene but what changes no pixel, the frame and the
 /// renderer's own program.
 std::string picture_source(const Job& job, const std::string& renderer, int frame) {
@@ -45,9 +58,8 @@ std::string picture_source(const Job& job, const std::string& renderer, int fram
   scene.render.threads = defaults.threads;
   scene.render.timeout_minutes = defaults.timeout_minutes;
   scene.render.renderer = renderer;
-  const auto program = renderer == "blender" ? "blender/scene.py" : "povray/scene.pov";
   return content_hash(scene::resolved_toml(scene) + fmt::format("{} {}", renderer, frame) +
-                      read_file(job.out / program));
+                      program_text(job.out / renderer));
 }
 
 void render_picture(const render::Job& picture, const std::string& source,

@@ -28,7 +28,11 @@ OIIO::TypeDesc stored_type(PixelFormat format) {
 void write_image(const std::filesystem::path& path, const Image& image, PixelFormat format) {
   write_file_by_path(path, [&](const std::filesystem::path& temporary) {
     OIIO::ImageSpec spec(image.width, image.height, image.channels, stored_type(format));
-    spec.attribute("compression", path.extension() == ".exr" ? "zip" : "");
+    if (path.extension() == ".exr") {
+      spec.attribute("compression", "zip");
+      // Without it OpenImageIO stores the time, and the same picture has other bytes every second.
+      spec.attribute("DateTime", "1970:01:01 00:00:00");
+    }
     auto out = OIIO::ImageOutput::create(temporary.string());
     if (!out || !out->open(temporary.string(), spec) ||
         !out->write_image(OIIO::TypeDesc::FLOAT, image.values.data()) || !out->close())

@@ -90,6 +90,7 @@ void write_vdb(const fs::path& path, const openvdb::GridPtrVec& grids,
       file.setGridStatsMetadataEnabled(false);
       file.write(grids, metadata);
     }
+    Directory().check(temporary);  // OpenVDB says nothing of a full disk
     overwrite_id(temporary);
   });
 }

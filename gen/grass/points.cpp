@@ -55,6 +55,15 @@ void keep_area(std::vector<RestPoint>& points, double area_m2) {
   for (RestPoint& point : points) point.area_m2 *= factor;
 }
 
+/// One point for a blade so small that chance drew none: its fullest voxel.
+RestPoint middle_of(const Blade& blade, const std::vector<BladeVoxel>& voxels) {
+  const auto fullest =
+      std::max_element(voxels.begin(), voxels.end(),
+                       [](const auto& a, const auto& b) { return a.area_m2 < b.area_m2; });
+  const float arc_m = blade.length_m / 3.0F;
+  return {arc_m, 0.0F, 0.0F, fullest->area_m2, true};
+}
+
 std::vector<RestPoint> sample_blade(const Blade& blade, std::uint64_t number,
                                     const TexelShape& shape, double proportion,
                                     std::uint64_t seed) {
@@ -63,7 +72,8 @@ std::vector<RestPoint> sample_blade(const Blade& blade, std::uint64_t number,
   std::vector<RestPoint> points;
   double area = 0.0;
   std::uint64_t draw = 0;
-  for (const BladeVoxel& voxel : voxelise_blade(blade, shape)) {
+  const std::vector<BladeVoxel> voxels = voxelise_blade(blade, shape);
+  for (const BladeVoxel& voxel : voxels) {
     const double expected = proportion * double{voxel.area_m2} / face_m2;
     const RandomKey key{seed, key_of("point"), (number << 32) | draw++, 0};
     const auto with = [&](std::uint64_t purpose) {
@@ -83,6 +93,7 @@ std::vector<RestPoint> sample_blade(const Blade& blade, std::uint64_t number,
           at_rest(blade, place, static_cast<float>(share), voxel.normal == glm::vec3(0.0F)));
     }
   }
+  if (points.empty()) points.push_back(middle_of(blade, voxels));
   keep_area(points, area);
   std::stable_sort(points.begin(), points.end(),
                    [](const RestPoint& a, const RestPoint& b) { return a.arc_m < b.arc_m; });

@@ -45,7 +45,6 @@ void add_slice(const Blade& blade, const AxisFrame& frame, float arc_m, float sl
     const glm::vec3 offset = share * (std::cos(turn) * frame.across + std::sin(turn) * frame.side);
     const glm::vec3 place = (centre + offset * radius) / voxel_m;
     const glm::ivec3 voxel(glm::floor(place));
-    if (voxel.z >= shape.height) continue;
     specks.push_back(
         {{voxel.x, voxel.y, std::max(voxel.z, 0)}, area / static_cast<float>(count), offset});
   }
@@ -99,6 +98,7 @@ Texel voxelise(const std::vector<Blade>& blades, const TexelShape& shape, glm::v
   };
   for (const Blade& blade : blades) {
     voxels.push_back(voxelise_blade(blade, shape));
+    std::erase_if(voxels.back(), [&](const auto& voxel) { return voxel.voxel.z >= shape.height; });
     for (const BladeVoxel& voxel : voxels.back()) builder.mark(dense(voxel.voxel));
   }
   builder.prepare();

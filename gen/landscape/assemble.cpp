@@ -44,7 +44,7 @@ GrassColour grass_colour(const scene::Scene& scene) {
 
 /// A white card in the open is exposed above white: grass and sky are dark subjects, and a camera
 /// that meters them opens by most of a stop.
-constexpr double card_exposure = 1.5;
+constexpr double card_exposure = 1.6;
 
 }  // namespace
 

@@ -17,8 +17,8 @@ using VolumeLookup = std::function<Volume(const CellChoice&)>;
 /// once for each different (variant, key_frame, turn, level), in ascending order, and what it gives
 /// are the landscape's volumes in that order.
 ///
-/// exposure_gain is 1.5 pi 2^exposure: under the daylight's unit, a white Lambertian sheet that
-/// lies in the open comes out as 1.5; meadow and sky then have a camera's brightness.
+/// exposure_gain is 1.6 pi 2^exposure: under the daylight's unit, a white Lambertian sheet that
+/// lies in the open comes out as 1.6; meadow and sky then have a camera's brightness.
 Landscape assemble(const scene::Scene& scene, const Heightfield& terrain,
                    const light::Daylight& day, int frame, std::span<const CellChoice> choices,
                    const VolumeLookup& lookup);

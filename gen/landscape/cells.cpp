@@ -142,8 +142,8 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
   const std::vector<Texel> texels = choose_texels(scene, per_side);
   const View view(resolved_camera(scene.camera, terrain), scene.render.size_px[0],
                   scene.render.size_px[1]);
-  const double margin_m =
-      1.75 * grass.patch_m + 1.5 * grass.height_m;  // half a cell, one more, grass
+  const double margin_m = 1.75 * grass.patch_m +  // half a cell and one more
+                          grass.height_m * std::max(1.5, 0.5 + 2.2 * grass.height_spread);
   std::vector<CellChoice> choices;
   for (std::size_t k = 0; k < texels.size(); ++k) {
     CellChoice choice;

@@ -24,9 +24,11 @@ ColourMap weathering_tint(const scene::Scene& scene, int frame, std::span<const 
   constexpr int samples_per_cell = 8;
   const int per_side = cells_per_side(scene);
   const std::vector<int> frames = key_frames(choices, per_side);
+  constexpr double most_samples = 4097.0;
   const double step_m = scene.grass.patch_m / samples_per_cell;
-  ColourMap tint(static_cast<int>(std::lround(scene.terrain.size_m / step_m)) + 1,
-                 scene.terrain.size_m, glm::vec3(1.0F));
+  const double samples = std::round(scene.terrain.size_m / step_m) + 1.0;
+  ColourMap tint(static_cast<int>(std::min(samples, most_samples)), scene.terrain.size_m,
+                 glm::vec3(1.0F));
   parallel_for(static_cast<std::size_t>(tint.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < tint.samples(); ++i) {
@@ -36,7 +38,8 @@ ColourMap weathering_tint(const scene::Scene& scene, int frame, std::span<const 
       if (key_frame < 0) continue;
       const double shown = scene.grass.key_frames[static_cast<std::size_t>(key_frame)];
       const glm::vec3 wanted = colour(local_weathering(scene, at_m, frame));
-      tint.at(i, j) = glm::clamp(wanted / colour(shown), 0.5F, 2.0F);
+      constexpr glm::vec3 least(1e-3F);  // a channel may be empty
+      tint.at(i, j) = glm::clamp((wanted + least) / (colour(shown) + least), 0.5F, 2.0F);
     }
   });
   return tint;

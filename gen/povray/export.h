@@ -9,8 +9,8 @@ namespace wold::povray {
 /// Writes everything POV-Ray needs for one frame below `folder`:
 ///
 ///     povray.ini                    size and quality of a bare `povray scene.pov`
-///     data/frame_0001.ini           the same with frame, input and output: `povray
-///     data/frame_0001.ini` data/frame_0001/frame.inc     camera, exposure, scales of the maps
+///     data/frame_0001.ini           the same with frame, input and output
+///     data/frame_0001/frame.inc     camera, exposure, scales of the maps
 ///     data/frame_0001/volumes.inc   the volumes this frame uses
 ///     data/frame_0001/cells.inc     one macro call per cell
 ///     data/frame_0001/*.df3, *.exr  light on the grass; ground and sky

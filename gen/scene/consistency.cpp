@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace wold::scene {
 namespace {
@@ -16,6 +17,13 @@ struct Rule {
 
 /// Patches along a side of the terrain; more cells than this squared no renderer places.
 constexpr double most_patches = 2000.0;
+/// Soil creep reaches about a metre in steps of a sample: its work grows as samples^4 / size^2, to
+/// about 10^10 operations at this limit.
+constexpr double most_samples_per_root_m = 376.0;
+/// Texels are cubes of voxels in memory; taller ones than this many patches exhaust it.
+constexpr double most_patches_high = 4.0;
+/// Square metres of leaf per square metre of ground; dense turf has 10.
+constexpr double most_leaf_area = 50.0;
 
 Rule inside_terrain(const std::string& key, const std::array<double, 2>& place_m, double size_m) {
   const bool inside =
@@ -52,6 +60,35 @@ Rule patch_fits(const Scene& scene) {
                       patch_m, size_m / most_patches, size_m, size_m, most_patches)};
 }
 
+Rule heights_are_coarse_enough(const Terrain& terrain) {
+  const int most = static_cast<int>(most_samples_per_root_m * std::sqrt(terrain.size_m));
+  return {
+      {"terrain.samples", "terrain.size"},
+      terrain.samples <= most,
+      fmt::format("terrain.samples: found {}, expected at most {} on {} m (terrain.size): finer "
+                  "heights take erosion minutes and show no more",
+                  terrain.samples, most, terrain.size_m)};
+}
+
+Rule blades_fit_the_patch(const Grass& grass) {
+  const double tallest_m = grass.height_m * (1.0 + 2.2 * grass.height_spread);
+  return {{"grass.height", "grass.patch", "grass.height_spread"},
+          tallest_m <= most_patches_high * grass.patch_m,
+          fmt::format("grass.height: found {} m, with grass.height_spread up to {} m, expected at "
+                      "most {} times grass.patch ({} m)",
+                      grass.height_m, tallest_m, most_patches_high, grass.patch_m)};
+}
+
+Rule blades_leave_room(const Grass& grass) {
+  const double leaf_area =
+      0.5 * grass.blades * grass.height_m * grass.width_m / (grass.patch_m * grass.patch_m);
+  return {{"grass.blades", "grass.patch", "grass.width", "grass.height"},
+          leaf_area <= most_leaf_area,
+          fmt::format("grass.blades: found {} blades, {:.0f} m2 of leaf on each m2 of ground, "
+                      "expected at most {} m2: fewer or smaller blades, or a larger grass.patch",
+                      grass.blades, leaf_area, most_leaf_area)};
+}
+
 SourcePosition blamed_place(const Rule& rule, const Places& places) {
   for (const std::string& key : rule.keys)
     if (const auto found = places.given.find(key); found != places.given.end())
@@ -65,6 +102,9 @@ void report_contradictions(const Scene& scene, const Places& places,
                            std::vector<Problem>& problems) {
   const std::vector<Rule> rules = {
       patch_fits(scene),
+      heights_are_coarse_enough(scene.terrain),
+      blades_fit_the_patch(scene.grass),
+      blades_leave_room(scene.grass),
       veins_shrink_less(scene.ageing),
       inside_terrain("camera.eye", scene.camera.eye_m, scene.terrain.size_m),
       inside_terrain("camera.target", scene.camera.target_m, scene.terrain.size_m),

@@ -68,8 +68,7 @@ constexpr ListRule colour = {.fewest = 3, .most = 3};
 
 std::vector<Key> top_level_keys() {
   return {
-      bound(plain(Kind::name, "name", "", {1, 64}, "Names the output folder and the films."),
-            FIELD(name)),
+      bound(plain(Kind::name, "name", "", {1, 64}, "Names the output folder."), FIELD(name)),
       // The largest seed is the largest whole number that every JSON reader keeps exactly.
       bound(integer("seed", "", {0, 9007199254740991.0},
                     "Another seed gives another meadow of the same kind."),
@@ -249,7 +248,7 @@ std::vector<Key> render_keys() {
                  "Width and height of the picture."),
             FIELD(render.size_px)),
       bound(integer("render.samples", "", {1, 4096}, "Samples per pixel."), FIELD(render.samples)),
-      bound(number("render.exposure", "stops", {-20, 20}, "Brightness of the picture."),
+      bound(number("render.exposure", "stops", {-6, 6}, "Brightness of the picture."),
             FIELD(render.exposure)),
       bound(only(integer("render.df3_bits", "bits", {8, 16}, "Depth of POV-Ray's density files."),
                  {8, 16}),

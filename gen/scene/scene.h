@@ -46,7 +46,7 @@ struct Grass {
   double lean_deg = 14.0;  ///< mean angle from the vertical
   double lean_spread_deg = 8.0;
   double bend = 1.0;       ///< droop of fresh blades, rad per sqrt(m)
-  double specular = 0.08;  ///< Kajiya-Kay specular coefficient ms
+  double specular = 0.12;  ///< Kajiya-Kay specular coefficient ms
   double gloss = 24.0;     ///< Kajiya-Kay exponent p
   int variants = 4;
   std::vector<int> levels = {254, 126, 62, 30};  ///< voxels per side, finest first
@@ -69,10 +69,10 @@ struct Ageing {
   double droop = 2.6;                          ///< omega: rad per sqrt(m) and unit of water lost
   double droop_spread = 0.3;                   ///< of omega from blade to blade
   double onset_spread = 0.12;                  ///< of a blade's own weathering degree
-  double fresh_spread = 0.10;  ///< mean of the ages that single blades have in a fresh meadow
-  double litter = 0.10;        ///< share of dead blades of the year before in a fresh meadow
-  double chlorophyll_ug_cm2 = 36.0;
-  double carotenoid_ug_cm2 = 4.0;
+  double fresh_spread = 0.14;  ///< mean of the ages that single blades have in a fresh meadow
+  double litter = 0.12;        ///< share of dead blades of the year before in a fresh meadow
+  double chlorophyll_ug_cm2 = 31.5;
+  double carotenoid_ug_cm2 = 3.5;
   double variation = 0.10;           ///< amplitude of the weathering field on the ground
   double variation_feature_m = 7.0;  ///< its feature size
   std::vector<double> frames = {0.0, 0.30, 0.917};  ///< weathering degree of each frame

@@ -118,11 +118,16 @@ glm::vec3 ground_albedo(const glm::dvec2& at_m, const glm::vec3& soil, const Fbm
   return soil * (1.0F - 0.12F * wet) * (1.0F + straw * glm::vec3(0.30F, 0.30F, 0.24F));
 }
 
+/// Samples of a map with this step, or as many as a picture should have.
+int samples_of(double size_m, double step_m) {
+  constexpr double most = 4097.0;
+  return static_cast<int>(std::min(most, std::ceil(size_m / step_m) + 1.0));
+}
+
 }  // namespace
 
 ColourMap light_map(const Heightfield& terrain, const light::Daylight& day) {
-  constexpr double step_m = 0.2;
-  ColourMap map(static_cast<int>(std::ceil(terrain.size_m() / step_m)) + 1, terrain.size_m());
+  ColourMap map(samples_of(terrain.size_m(), 0.2), terrain.size_m());
   const SkyPatches sky(day);
   const glm::dvec3 sky_scale = glm::dvec3(day.sky_irradiance()) / flat_sky_light(sky);
   parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
@@ -141,8 +146,7 @@ ColourMap light_map(const Heightfield& terrain, const light::Daylight& day) {
 
 ColourMap ground_radiance(const ColourMap& light, const scene::Terrain& terrain, std::uint64_t seed,
                           const glm::vec3& canopy_transmittance) {
-  constexpr double step_m = 0.05;
-  const int samples = static_cast<int>(std::ceil(light.size_m() / step_m)) + 1;
+  const int samples = samples_of(light.size_m(), 0.05);
   ColourMap map(samples, light.size_m());
   const glm::vec3 soil(terrain.ground_albedo[0], terrain.ground_albedo[1],
                        terrain.ground_albedo[2]);

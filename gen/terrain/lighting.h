@@ -10,8 +10,8 @@ namespace wold::terrain {
 
 /// The light that falls on the ground, relative to flat open ground, per channel: the sun's
 /// irradiance by Lambert's law with a soft cast shadow, and the sky's radiance above the local
-/// horizon. The daylight's unit makes flat open ground 1. A sample every 20 cm, smoothed over the
-/// height of grass, so that a shadow's edge is about half a metre wide.
+/// horizon. The daylight's unit makes flat open ground 1. A sample every 20 cm (4097 a side at
+/// most), smoothed over the height of grass, so that a shadow's edge is about half a metre wide.
 ColourMap light_map(const Heightfield& terrain, const light::Daylight& day);
 
 /// What the camera sees of the bare ground: albedo * irradiance / pi.

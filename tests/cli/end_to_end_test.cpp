@@ -8,8 +8,7 @@
 namespace wold::test {
 namespace {
 
-using testing::ElementsAre;
-using testing::IsSupersetOf;
+using testing::IsEmpty;
 
 class Generate : public SmallFilm {
  protected:
@@ -20,15 +19,14 @@ class Generate : public SmallFilm {
   }
 };
 
-/// The paths whose times differ or that only one side has, without the files that every run writes.
-using Times = std::map<std::string, fs::file_time_type>;
-std::vector<std::string> rewritten(const Times& before, const Times& after,
-                                   const std::string& part_of_path) {
-  std::vector<std::string> paths;
-  for (const auto& [path, time] : after)
-    if (path.find(part_of_path) != std::string::npos &&
-        (before.count(path) == 0 || before.at(path) != time))
-      paths.push_back(path);
+/// The files written since `before` whose paths have a part in them.
+std::vector<std::string> rewritten(const std::map<std::string, fs::file_time_type>& before,
+                                   const std::map<std::string, fs::file_time_type>& after,
+                                   const std::string& part) {
+  std::vector<std::string> paths = different(after, before);
+  std::erase_if(paths, [&](const std::string& path) {
+    return path.find(part) == std::string::npos || after.count(path) == 0;
+  });
   return paths;
 }
 
@@ -40,9 +38,9 @@ TEST_F(Generate, SameSceneSameBytesWithAnyNumberOfThreads) {
         "povray/scene.pov", "povray/data/frame_0002/frame.inc"})
     EXPECT_EQ(wanted.count(file), 1U) << file;
   generate("again", "--threads 1");
-  EXPECT_EQ(contents("again"), wanted);
+  EXPECT_THAT(different(contents("again"), wanted), IsEmpty());
   generate("two", "--threads 2");
-  EXPECT_EQ(contents("two"), wanted);
+  EXPECT_THAT(different(contents("two"), wanted), IsEmpty());
   expect_nothing_half_written("one");
 }
 
@@ -50,8 +48,8 @@ TEST_F(Generate, KeepsTexelsAndVolumesThatAreStillRight) {
   generate("out");
   const auto before = times("out");
   generate("out", "--set render.exposure=1 --set 'ageing.frames=[0.1, 0.8, 0.8]'");
-  EXPECT_THAT(rewritten(before, times("out"), "texels/"), ElementsAre());
-  EXPECT_THAT(rewritten(before, times("out"), "/volumes/"), ElementsAre());
+  EXPECT_THAT(rewritten(before, times("out"), "texels/"), IsEmpty());
+  EXPECT_THAT(rewritten(before, times("out"), "/volumes/"), IsEmpty());
   EXPECT_TRUE(fs::exists(folder_ / "out/povray/data/frame_0003/frame.inc"));
 }
 
@@ -62,7 +60,7 @@ TEST_F(Generate, ReplacesAMissingOrDamagedTexelAlone) {
   fs::remove(folder_ / "out/texels/v0_k00.vdb");
   fs::resize_file(folder_ / "out/texels/v1_k01.vdb", 1000);
   generate("out");
-  EXPECT_EQ(contents("out"), wanted);
+  EXPECT_THAT(different(contents("out"), wanted), IsEmpty());
   for (const std::string& path : rewritten(before, times("out"), "texels/"))
     EXPECT_THAT(path, testing::AnyOf(testing::StartsWith("texels/v0_k00"),
                                      testing::StartsWith("texels/v1_k01")));
@@ -72,7 +70,10 @@ TEST_F(Generate, AChangedSceneLeavesNothingOfTheOldOne) {
   generate("out");
   generate("out", "--set grass.height=0.2");
   generate("new", "--set grass.height=0.2");
-  EXPECT_THAT(contents("out"), IsSupersetOf(contents("new")));
+  const auto wanted = contents("new");
+  auto got = contents("out");
+  std::erase_if(got, [&](const auto& file) { return wanted.count(file.first) == 0; });
+  EXPECT_THAT(different(got, wanted), IsEmpty());
 }
 
 class Resume : public SmallFilm {

@@ -39,7 +39,8 @@ TEST_F(Program, VersionIsTheProjects) {
 }
 
 TEST_F(Program, HelpKeysListsTheKeysAsMarkdown) {
-  expect_answer(wold("--help-keys"), "| `grass.patch` | `0.5` | a number from 0.05 to 20 m |");
+  expect_answer(wold("--help-keys"),
+                "| `render.timeout` | `60.0` | a number from 0.01 to 10080 min |");
 }
 
 TEST_F(Program, UsageErrorsAreExitCodeTwo) {

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
+#include <iterator>
 #include <map>
+#include <set>
+#include <vector>
 
 #include "program.h"
 
@@ -36,7 +40,19 @@ class SmallFilm : public Program {
   std::string calls() const;
 };
 
-/// The files below a folder, by their paths from there, without hidden folders' special cases.
+/// The keys under which two maps differ: another value, or only in one of them.
+template <class Value>
+std::vector<std::string> different(const std::map<std::string, Value>& got,
+                                   const std::map<std::string, Value>& want) {
+  std::vector<std::pair<std::string, Value>> pairs;
+  std::set_symmetric_difference(got.begin(), got.end(), want.begin(), want.end(),
+                                std::back_inserter(pairs));
+  std::set<std::string> keys;
+  for (const auto& pair : pairs) keys.insert(pair.first);
+  return {keys.begin(), keys.end()};
+}
+
+/// The files below a folder, by their paths from there.
 std::vector<fs::path> files_below(const fs::path& folder);
 
 /// Waits until something happens; false when it does not within a minute.

@@ -45,7 +45,7 @@ TEST(Assemble, CellsReferToTheirVolumes) {
     EXPECT_EQ(cell.world_from_cell, choices[k].world_from_cell);
   }
   EXPECT_EQ(landscape.weathering, 0.30);
-  EXPECT_EQ(landscape.exposure_gain, 1.5 * std::numbers::pi);
+  EXPECT_EQ(landscape.exposure_gain, 1.6 * std::numbers::pi);
   EXPECT_NEAR(landscape.camera.eye_m.z, terrain.sample(4.0, 0.5) + 1.6, 1e-6);
   EXPECT_NEAR(landscape.camera.target_m.z, terrain.sample(4.0, 6.0) + 0.5, 1e-6);
 }
