@@ -52,6 +52,8 @@ class Directory : public openvdb::io::Archive {
     for (int grids_left = readGridCount(in); grids_left > 0; --grids_left) {
       openvdb::io::GridDescriptor grid;
       grid.read(in);
+      // Where a grid ends is written last: 0 when there was no room for that any more.
+      if (grid.getEndPos() <= in.tellg()) throw std::runtime_error("a grid has no end");
       grid.seekToEnd(in);
     }
     // Seeking succeeds beyond the end, so the last grid may still be cut off.

@@ -39,7 +39,8 @@ ColourMap weathering_tint(const scene::Scene& scene, int frame, std::span<const 
       const double shown = scene.grass.key_frames[static_cast<std::size_t>(key_frame)];
       const glm::vec3 wanted = colour(local_weathering(scene, at_m, frame));
       constexpr glm::vec3 least(1e-3F);  // a channel may be empty
-      tint.at(i, j) = glm::clamp((wanted + least) / (colour(shown) + least), 0.5F, 2.0F);
+      tint.at(i, j) =
+          glm::clamp(glm::max(wanted, least) / glm::max(colour(shown), least), 0.5F, 2.0F);
     }
   });
   return tint;

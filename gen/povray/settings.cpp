@@ -19,7 +19,7 @@ std::string antialiasing(int samples) {
   return fmt::format(
       "Antialias=On\n"
       "Sampling_Method=1\n"
-      "Antialias_Threshold=0.05\n"
+      "Antialias_Threshold=0.07\n"
       "Antialias_Depth={}\n"
       "Jitter=Off\n",
       depth);

@@ -22,8 +22,8 @@ struct CurveChoice {
 
 /// The procedural hillside: a slope with a crest, fractal relief, one erosion pass.
 struct Terrain {
-  double size_m = 40.0;            ///< side of the square
-  int samples = 321;               ///< heights per side
+  double size_m = 42.0;            ///< side of the square
+  int samples = 337;               ///< heights per side
   double hill_height_m = 6.0;      ///< from the near edge to the crest
   double relief_m = 0.45;          ///< standard deviation of the fractal relief
   double relief_feature_m = 14.0;  ///< largest feature of the relief
@@ -94,9 +94,9 @@ struct Sky {
 };
 
 struct Camera {
-  std::array<double, 2> eye_m = {20.0, 2.0};
+  std::array<double, 2> eye_m = {21.0, 2.0};
   double eye_height_m = 1.6;  ///< above the ground under it
-  std::array<double, 2> target_m = {20.0, 20.0};
+  std::array<double, 2> target_m = {21.0, 20.0};
   double target_height_m = 0.5;     ///< above the ground under it
   double field_of_view_deg = 55.0;  ///< horizontal
 

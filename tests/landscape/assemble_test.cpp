@@ -15,6 +15,7 @@ namespace {
 scene::Scene small_meadow() {
   scene::Scene scene;
   scene.terrain.size_m = 8.0;
+  scene.grass.patch_m = 0.5;
   scene.terrain.samples = 65;
   scene.terrain.hill_height_m = 1.0;
   scene.camera.eye_m = {4.0, 0.5};

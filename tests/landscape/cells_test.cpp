@@ -19,6 +19,7 @@ namespace {
 scene::Scene small_meadow() {
   scene::Scene scene;
   scene.terrain.size_m = 12.0;
+  scene.grass.patch_m = 0.5;
   scene.terrain.samples = 97;
   scene.terrain.hill_height_m = 2.0;
   scene.terrain.relief_m = 0.3;

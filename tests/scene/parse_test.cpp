@@ -143,10 +143,10 @@ TEST(Parse, ReportsEverythingAtOnceFromTheTop) {
 }
 
 TEST(Parse, ChecksKeysAgainstEachOther) {
-  expect_problem("[camera]\neye = [20, 41]\n",
-                 "a.toml:2:1: camera.eye: found [20, 41] m, expected a place inside");
-  expect_problem("[camera]\neye = [20, 20]\n",
-                 "a.toml:2:1: camera.target: found [20, 20] m, expected another");
+  expect_problem("[camera]\neye = [20, 43]\n",
+                 "a.toml:2:1: camera.eye: found [20, 43] m, expected a place inside");
+  expect_problem("[camera]\neye = [21, 20]\n",
+                 "a.toml:2:1: camera.target: found [21, 20] m, expected another");
   expect_problem("[ageing]\nvein_shrinkage = 0.6\n",
                  "a.toml:2:1: ageing.vein_shrinkage: found 0.6, expected less than 0.6");
   expect_problem("[ageing]\nmesophyll_shrinkage = 0.1\n",

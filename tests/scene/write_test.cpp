@@ -39,7 +39,7 @@ TEST(ResolvedToml, HasEveryKeyWithItsMeaning) {
     EXPECT_NE(text.find(key.doc), std::string::npos) << key.name;
   }
   EXPECT_NE(text.find("# Side of the patch that repeats. Accepts a number from 0.05 to 20 m.\n"
-                      "patch = 0.5\n"),
+                      "patch = 0.6\n"),
             std::string::npos);
 }
 
