@@ -48,7 +48,7 @@ TEST_P(Renderers, TheExportedFolderWorksElsewhereWithoutWold) {
       is_blender ? "blender -b --python-exit-code 1 -P scene.py -- 1" : "povray scene.pov";
   const Result result = shell("cd 'another place' && " + command);
   ASSERT_EQ(result.code, 0) << result.out << result.err;
-  const std::string name = is_blender ? "another place/0001.png" : "another place/scene.png";
+  const std::string name = is_blender ? "another place/frame_0001.png" : "another place/scene.png";
   const Image image = read_image(folder_ / name);
   EXPECT_EQ(image.width, 64);
   EXPECT_EQ(image.height, 36);
@@ -60,7 +60,7 @@ TEST_P(Renderers, AnInterruptEndsThem) {
   write("wrapped.sh",
         "#!/bin/sh\necho $$ > '" + folder_.string() + "/pid'\nexec " + GetParam() + " \"$@\"\n");
   fs::permissions(folder_ / "wrapped.sh", fs::perms::owner_all);
-  const std::string slow = render("out", "--frames 1 --size 640x360 --samples 16");
+  const std::string slow = render("out", "--frames 1 --size 320x180 --samples 4");
   Running program(folder_,
                   command(slow, variable + "='" + (folder_ / "wrapped.sh").string() + "'"));
   ASSERT_TRUE(eventually([&] { return program.messages().find("/100 ") != std::string::npos; }));

@@ -20,6 +20,8 @@ scene::Scene small_meadow() {
   scene::Scene scene;
   scene.terrain.size_m = 12.0;
   scene.grass.patch_m = 0.5;
+  scene.grass.height_m = 0.28;
+  scene.grass.pixels_per_voxel = 1.0;
   scene.terrain.samples = 97;
   scene.terrain.hill_height_m = 2.0;
   scene.terrain.relief_m = 0.3;
