@@ -19,8 +19,9 @@ namespace {
 namespace fs = std::filesystem;
 using landscape::Landscape;
 
-/// Longest step in voxels; beyond two the grass turns to noise.
-constexpr double longest_step_voxels = 2.0;
+/// Shortest and longest step in voxels; beyond about two and a half the grass turns to noise.
+constexpr double shortest_step_voxels = 1.5;
+constexpr double longest_step_voxels = 2.5;
 
 /// Distance in metres from the camera to the nearest cell of each volume; infinite for volumes
 /// that no cell uses.
@@ -35,11 +36,11 @@ std::vector<double> nearest_m(const Landscape& landscape) {
   return nearest;
 }
 
-/// A step may be as long as a pixel is wide where the volume is nearest to the camera.
+/// A step may be half as long again as a pixel is wide where the volume is nearest to the camera.
 double step_voxels(const Landscape& landscape, double voxel_m, double distance_m) {
   const double half_view = landscape.camera.field_of_view_deg * std::numbers::pi / 360.0;
   const double pixel_m = 2.0 * std::tan(half_view) * distance_m / landscape.width_px;
-  return std::clamp(pixel_m / voxel_m, 1.0, longest_step_voxels);
+  return std::clamp(1.5 * pixel_m / voxel_m, shortest_step_voxels, longest_step_voxels);
 }
 
 /// Indices into Landscape::volumes, in order.

@@ -11,15 +11,15 @@ namespace {
 /// Method 1 casts one ray and, where the pixel differs from a neighbour by more than the threshold,
 /// depth x depth more: at most `samples`. Fitting levels have voxels of about a pixel, so
 /// little is left to do: against 25 rays in every pixel of a meadow the root mean square error (of
-/// a picture in [0, 1]) is .011 without, .0040 with depth 2 and threshold 0.05, and .0021 with
-/// depth 3 and 0.03 in twice the time.
+/// a picture in [0, 1]) is .011 without and .0040 with depth 2 and threshold 0.05. A threshold of
+/// 0.15 is .007 from 0.07 and takes a quarter less time.
 std::string antialiasing(int samples) {
   const int depth = static_cast<int>(std::sqrt(samples));
   if (depth < 2) return "Antialias=Off\n";
   return fmt::format(
       "Antialias=On\n"
       "Sampling_Method=1\n"
-      "Antialias_Threshold=0.07\n"
+      "Antialias_Threshold=0.15\n"
       "Antialias_Depth={}\n"
       "Jitter=Off\n",
       depth);
