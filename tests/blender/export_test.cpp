@@ -1,6 +1,7 @@
 #include "blender/export.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstring>
@@ -40,7 +41,8 @@ class BlenderExport : public testing::Test {
     return values;
   }
 
-  const fs::path folder = fs::path(testing::TempDir()) / "wold_blender_export";
+  const fs::path folder =
+      fs::path(testing::TempDir()) / ("wold_blender_export_" + std::to_string(::getpid()));
   landscape::Landscape landscape;
 };
 

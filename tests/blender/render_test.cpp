@@ -2,6 +2,7 @@
 // where there is no Blender.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -60,7 +61,8 @@ class BlenderRender : public testing::Test {
     write_vdb(volume.vdb, {density, emission});
   }
 
-  const fs::path folder = fs::path(testing::TempDir()) / "wold_blender_render";
+  const fs::path folder =
+      fs::path(testing::TempDir()) / ("wold_blender_render_" + std::to_string(::getpid()));
   Landscape landscape;
 };
 

@@ -24,12 +24,19 @@ class CountingProgress final : public Progress {
 };
 
 /// Whether a process has ended, be it collected or not.
+bool runs(const std::string& pid) {
+  std::ifstream stat("/proc/" + pid + "/stat");
+  const std::string text{std::istreambuf_iterator<char>(stat), {}};
+  return !text.empty() && text.find(") Z ") == std::string::npos;
+}
+
+/// Whether the process ends; one that was killed may need a moment on a busy machine.
 bool is_gone(const fs::path& pid_file) {
   std::string pid = read_file(pid_file);
   pid.erase(pid.find_last_not_of('\n') + 1);
-  std::ifstream stat("/proc/" + pid + "/stat");
-  const std::string text{std::istreambuf_iterator<char>(stat), {}};
-  return text.empty() || text.find(") Z ") != std::string::npos;
+  for (int tenth = 0; tenth < 50 && runs(pid); ++tenth)
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  return !runs(pid);
 }
 
 TEST_F(FakeRenderer, MakesThePictureReportsProgressAndKeepsTheLog) {
