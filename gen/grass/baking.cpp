@@ -29,14 +29,13 @@ std::vector<VolumeData> bake_levels(const Texel& texel, const PointDynamics& pat
   VolumeData fine = mean;
   fine.density = fitted_density(texel.shape, texel.voxel, texel.density,
                                 blade_transmittances(patch, texel.shape.patch_m()));
-  const std::vector<float> dense = dense_density(fine.shape, fine.voxel, fine.density);
-  const Transmittances wanted = transmittances(fine.shape, dense);
+  const Transmittances wanted = transmittances(VoxelRows(fine.shape, fine.voxel), fine.density);
   const std::vector<glm::vec3> sky =
       skylight(texel, sides.size() > 1 ? coarser(fine, sides[1]) : fine, lighting);
   fine.turns = turns;
   fine.emission.resize(turns.size());
   parallel_for(turns.size(), [&](std::size_t i) {
-    fine.emission[i] = bake_emission(texel, dense, sky, lighting, look, turns[i]);
+    fine.emission[i] = bake_emission(texel, fine.density, sky, lighting, look, turns[i]);
   });
   // Areas add up from level to level, fitted extinctions do not: reduce the former, fit each.
   mean.turns = turns;
@@ -46,7 +45,7 @@ std::vector<VolumeData> bake_levels(const Texel& texel, const PointDynamics& pat
   levels.push_back(std::move(fine));
   for (int side : sides.subspan(1)) {
     mean = coarser(mean, side);
-    VolumeData level = mean;
+    VolumeData level = without_faint(mean);
     level.density = fitted_density(level.shape, level.voxel, level.density, wanted);
     match_radiances(level, radiance);
     levels.push_back(std::move(level));

@@ -8,17 +8,28 @@ namespace wold::grass {
 namespace {
 
 /// Adds the optical depth of one slab to every ray.
-void add_slab(const Columns& columns, const Columns::Slab& slab, const std::vector<float>& dense,
-              std::vector<float>& depth) {
+template <class Value>
+void add_slab(const Columns& columns, const Columns::Slab& slab, const VoxelRows& voxels,
+              const std::vector<Value>& extinction, std::vector<Value>& depth) {
   const auto length = static_cast<float>(slab.length_m);
-  columns.each_row(slab, [&](std::size_t ray, std::size_t voxel, std::size_t count) {
-    float* to = depth.data() + ray;
-    const float* from = dense.data() + voxel;
-    for (std::size_t i = 0; i < count; ++i) to[i] += length * from[i];
+  columns.each(slab, voxels, [&](std::size_t ray, std::size_t place) {
+    depth[ray] += length * extinction[place];
   });
 }
 
 }  // namespace
+
+VoxelRows::VoxelRows(const TexelShape& shape, std::span<const std::uint32_t> voxel)
+    : shape_(shape), voxel_(voxel) {
+  const auto rows = static_cast<std::uint32_t>(shape.side * shape.height);
+  begin_.reserve(rows + 1);
+  std::uint32_t next = 0;
+  for (std::uint32_t row = 0; row <= rows; ++row) {
+    const std::uint32_t line = row * static_cast<std::uint32_t>(shape.side);
+    while (next < voxel.size() && voxel[next] < line) ++next;
+    begin_.push_back(next);
+  }
+}
 
 Columns::Columns(const TexelShape& shape, const glm::dvec3& direction, int stride)
     : shape_(shape), stride_(stride) {
@@ -36,72 +47,69 @@ Columns::Columns(const TexelShape& shape, const glm::dvec3& direction, int strid
     }
 }
 
-std::vector<float> dense_density(const TexelShape& shape, const std::vector<std::uint32_t>& voxel,
-                                 const std::vector<float>& density) {
-  std::vector<float> dense(shape.voxels(), 0.0F);
-  for (std::size_t i = 0; i < voxel.size(); ++i) dense[voxel[i]] = density[i];
-  return dense;
-}
-
 glm::dvec3 direction_at(double elevation, double azimuth) {
   return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
           std::sin(elevation)};
 }
 
-std::vector<float> optical_depths(const TexelShape& shape, const std::vector<float>& dense,
+template <class Value>
+std::vector<Value> optical_depths(const VoxelRows& voxels, const std::vector<Value>& extinction,
                                   const glm::dvec3& direction, int stride) {
-  const Columns columns(shape, direction, stride);
-  std::vector<float> depth(columns.rays(), 0.0F);
-  for (const Columns::Slab& slab : columns.slabs()) add_slab(columns, slab, dense, depth);
+  const Columns columns(voxels.shape(), direction, stride);
+  std::vector<Value> depth(columns.rays(), Value(0.0F));
+  for (const Columns::Slab& slab : columns.slabs())
+    add_slab(columns, slab, voxels, extinction, depth);
   return depth;
 }
+template std::vector<float> optical_depths(const VoxelRows&, const std::vector<float>&,
+                                           const glm::dvec3&, int);
+template std::vector<glm::vec3> optical_depths(const VoxelRows&, const std::vector<glm::vec3>&,
+                                               const glm::dvec3&, int);
 
-std::vector<float> voxel_transmittance(const TexelShape& shape, const std::vector<float>& dense,
-                                       const std::vector<std::uint32_t>& voxel,
+std::vector<float> voxel_transmittance(const VoxelRows& voxels, const std::vector<float>& density,
                                        const glm::dvec3& direction, int skip) {
+  const TexelShape& shape = voxels.shape();
   const Columns columns(shape, direction);
   const glm::dvec2 slope = glm::dvec2(direction) / direction.z;
   std::vector<float> depth(columns.rays(), 0.0F);
-  std::vector<float> result(voxel.size());
-  auto next = static_cast<std::ptrdiff_t>(voxel.size()) - 1;
-  const auto read_down_to = [&](int z) {
-    for (; next >= 0; --next) {
-      const glm::ivec3 at = shape.coordinates(voxel[static_cast<std::size_t>(next)]);
-      if (at.z < z) return;
-      const int shift_x = static_cast<int>(std::lround(slope.x * (at.z + 0.5)));
-      const int shift_y = static_cast<int>(std::lround(slope.y * (at.z + 0.5)));
-      const std::size_t ray =
-          shape.linear(shape.wrapped(at.x - shift_x), shape.wrapped(at.y - shift_y), 0);
-      result[static_cast<std::size_t>(next)] = std::exp(-depth[ray]);
+  std::vector<float> result(voxels.size());
+  const auto read_slice = [&](int z) {
+    const int shift_x = shape.wrapped(static_cast<int>(std::lround(slope.x * (z + 0.5))));
+    const int shift_y = static_cast<int>(std::lround(slope.y * (z + 0.5)));
+    for (int y = 0; y < shape.side; ++y) {
+      const int first = shape.wrapped(y - shift_y) * shape.side - shift_x;
+      voxels.each(y, z, [&](int x, std::size_t place) {
+        const int ray = first + x + (x < shift_x ? shape.side : 0);
+        result[place] = std::exp(-depth[static_cast<std::size_t>(ray)]);
+      });
     }
+  };
+  int next = shape.height - 1;
+  const auto read_down_to = [&](int z) {
+    for (; next >= std::max(z, 0); --next) read_slice(next);
   };
   read_down_to(shape.height - skip);
   for (const Columns::Slab& slab : columns.slabs()) {
     // Depths now reach down to the middle of the slab's slice.
     if (!slab.upper_half) read_down_to(slab.z - skip);
-    add_slab(columns, slab, dense, depth);
+    add_slab(columns, slab, voxels, density, depth);
   }
   return result;
 }
 
-glm::dvec3 mean_radiance(const TexelShape& shape, const std::vector<std::uint32_t>& voxel,
-                         const std::vector<float>& density, const std::vector<glm::vec3>& emission,
-                         const glm::dvec3& direction, int stride) {
-  const Columns columns(shape, direction, stride);
-  std::vector<std::uint32_t> slot(shape.voxels(), 0);  // 0: empty, else 1 + place in the lists
-  for (std::size_t i = 0; i < voxel.size(); ++i) slot[voxel[i]] = static_cast<std::uint32_t>(i) + 1;
+glm::dvec3 mean_radiance(const VoxelRows& voxels, const std::vector<float>& density,
+                         const std::vector<glm::vec3>& emission, const glm::dvec3& direction,
+                         int stride) {
+  const Columns columns(voxels.shape(), direction, stride);
   std::vector<float> through(columns.rays(), 1.0F);
   glm::dvec3 sum(0.0);
   for (const Columns::Slab& slab : columns.slabs())
-    columns.each_row(slab, [&](std::size_t ray, std::size_t at, std::size_t count) {
-      for (std::size_t i = 0; i < count; ++i) {
-        const std::uint32_t place = slot[at + i];
-        if (place == 0 || through[ray + i] < 1e-3F) continue;
-        const double depth = double{density[place - 1]} * slab.length_m;
-        const double seen = double{through[ray + i]} * -std::expm1(-depth);
-        sum += seen * glm::dvec3(emission[place - 1]);
-        through[ray + i] -= static_cast<float>(seen);
-      }
+    columns.each(slab, voxels, [&](std::size_t ray, std::size_t place) {
+      if (through[ray] < 1e-3F) return;
+      const auto depth = static_cast<float>(double{density[place]} * slab.length_m);
+      const float seen = through[ray] * -std::expm1(-depth);
+      sum += glm::dvec3(seen * emission[place]);
+      through[ray] -= seen;
     });
   return sum / static_cast<double>(columns.rays());
 }

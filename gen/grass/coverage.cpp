@@ -9,6 +9,30 @@ namespace {
 
 constexpr int mask_side = 512;
 
+/// The whole numbers x in [first, end) for which linear functions of x lie between bounds.
+class Run {
+ public:
+  Run(double first, double end) : first_(first), end_(end) {}
+  /// Keeps x with low <= at_zero + slope x < high.
+  void keep(double at_zero, double slope, double low, double high) {
+    if (slope == 0.0) {
+      if (at_zero < low || at_zero >= high) end_ = first_;
+      return;
+    }
+    const double from = ((slope > 0.0 ? low : high) - at_zero) / slope;
+    const double to = ((slope > 0.0 ? high : low) - at_zero) / slope;
+    first_ = std::max(first_, std::ceil(from));
+    end_ = std::min(end_, std::ceil(to));
+  }
+  /// Empty when end() <= first().
+  int first() const { return static_cast<int>(first_); }
+  int end() const { return static_cast<int>(end_); }
+
+ private:
+  double first_;
+  double end_;
+};
+
 /// Ground mask of a patch; coordinates in patches, wrapping.
 class Mask {
  public:
@@ -22,15 +46,18 @@ class Mask {
     if (area == 0.0) return;
     const glm::dvec2 reach = (glm::abs(along) + 2.0 * glm::abs(half)) * (mask_side / 2.0);
     const glm::dvec2 middle = (a + b) * (mask_side / 2.0);
-    const glm::ivec2 first(glm::ceil(middle - reach - 0.5));
-    const glm::ivec2 last(glm::floor(middle + reach - 0.5));
-    for (int y = first.y; y <= last.y; ++y)
-      for (int x = first.x; x <= last.x; ++x) {
-        const glm::dvec2 from_a = (glm::dvec2(x, y) + 0.5) / double{mask_side} - a;
-        const double u = (from_a.x * half.y - from_a.y * half.x) / area;
-        const double v = (along.x * from_a.y - along.y * from_a.x) / area;
-        if (u >= 0.0 && u < 1.0 && std::abs(v) < 1.0) set(x, y);
-      }
+    const glm::dvec2 first = glm::ceil(middle - reach - 0.5);
+    const glm::dvec2 end = glm::floor(middle + reach + 0.5);
+    constexpr double pixel = 1.0 / mask_side;
+    for (auto y = static_cast<int>(first.y); y < static_cast<int>(end.y); ++y) {
+      // Along the row, both coordinates in the parallelogram are linear in x.
+      const glm::dvec2 from_a = glm::dvec2(0.5 * pixel, (y + 0.5) * pixel) - a;
+      Run run(first.x, end.x);
+      run.keep((from_a.x * half.y - from_a.y * half.x) / area, pixel * half.y / area, 0.0, 1.0);
+      run.keep((along.x * from_a.y - along.y * from_a.x) / area, -pixel * along.y / area, -1.0,
+               1.0);
+      for (int x = run.first(); x < run.end(); ++x) set(x, y);
+    }
   }
   double uncovered() const {
     return static_cast<double>(std::count(hit_.begin(), hit_.end(), 0)) /

@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "grass/columns.h"
+#include "grass/visible.h"
+#include "grass/voxel_set.h"
 
 namespace wold::grass {
 namespace {
@@ -37,9 +39,10 @@ class Weighting {
     const float column = column_[ground(i)] / fullest_;
     return density_[i] * glm::vec3(1.0F, filled(depth(i)), column * column);
   }
-  /// Writes one basis into a box that holds nothing but these voxels.
-  void spread(int which, std::vector<float>& dense) const {
-    for (std::size_t i = 0; i < voxel_.size(); ++i) dense[voxel_[i]] = basis(i)[which];
+  std::vector<glm::vec3> bases() const {
+    std::vector<glm::vec3> all(voxel_.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = basis(i);
+    return all;
   }
 
  private:
@@ -56,20 +59,13 @@ class Weighting {
 /// Optical depths of rays from the three elevations, one component per basis of Weighting.
 using RayDepths = std::array<std::vector<glm::vec3>, 3>;
 
-RayDepths ray_depths(const TexelShape& shape, const Weighting& weighting) {
+RayDepths ray_depths(const VoxelRows& voxels, const std::vector<glm::vec3>& bases) {
   RayDepths depths;
-  std::vector<float> dense(shape.voxels(), 0.0F);
-  for (int which = 0; which < 3; ++which) {
-    weighting.spread(which, dense);
-    for (std::size_t i = 0; i < 3; ++i) {
-      std::size_t at = 0;
-      for (const auto& direction : transmittance_directions(Transmittances::elevations_deg[i])) {
-        const auto rays = optical_depths(shape, dense, direction, row_stride(shape));
-        depths[i].resize(std::max(depths[i].size(), at + rays.size()));
-        for (float ray : rays) depths[i][at++][which] = ray;
-      }
+  for (std::size_t i = 0; i < depths.size(); ++i)
+    for (const auto& direction : transmittance_directions(Transmittances::elevations_deg[i])) {
+      const auto rays = optical_depths(voxels, bases, direction, row_stride(voxels.shape()));
+      depths[i].insert(depths[i].end(), rays.begin(), rays.end());
     }
-  }
   return depths;
 }
 
@@ -124,10 +120,12 @@ glm::dvec3 positive(glm::dvec3 weights) {
 glm::dvec3 fitted_weights(const RayDepths& depths, const glm::dvec3& wanted) {
   constexpr int steps = 40;
   constexpr double good = 5e-4;
+  constexpr double hopeless = 1e6;  // damped to a standstill: at the edge of what a mix can do
   glm::dvec3 weights(1.0, 0.0, 0.0);
   Response now = response(depths, weights);
   double damping = 1e-2;
-  for (int step = 0; step < steps && glm::length(now.seen - wanted) > good; ++step) {
+  for (int step = 0; step < steps && glm::length(now.seen - wanted) > good && damping < hopeless;
+       ++step) {
     const glm::dvec3 next = positive(weights + damped_step(now, wanted - now.seen, damping));
     const Response then = response(depths, next);
     const bool better = glm::length(then.seen - wanted) < glm::length(now.seen - wanted);
@@ -168,21 +166,27 @@ class Overlap {
         across_(splits(fine.side, fine.side, coarse.side)),
         up_(splits(fine.height, fine.side, coarse.side)) {}
 
-  /// Calls visit(coarse voxel, share of the fine voxel that lies in it).
+  /// Calls visit(place of the fine voxel, coarse voxel, share of the fine one that lies in it).
   template <class Visit>
-  void each(std::uint32_t voxel, const Visit& visit) const {
-    const glm::ivec3 at = fine_.coordinates(voxel);
-    const Split& x = across_[static_cast<std::size_t>(at.x)];
-    const Split& y = across_[static_cast<std::size_t>(at.y)];
-    const Split& z = up_[static_cast<std::size_t>(at.z)];
-    for (int k = 0; k < parts(z); ++k)
-      for (int j = 0; j < parts(y); ++j)
-        for (int i = 0; i < parts(x); ++i)
-          visit(coarse_.linear(x.first + i, y.first + j, z.first + k),
-                part(x, i) * part(y, j) * part(z, k));
+  void each(const VoxelRows& voxels, const Visit& visit) const {
+    for (int z = 0; z < fine_.height; ++z)
+      for (int y = 0; y < fine_.side; ++y) each_of_row(voxels, y, z, visit);
   }
 
  private:
+  template <class Visit>
+  void each_of_row(const VoxelRows& voxels, int y, int z, const Visit& visit) const {
+    const Split& row = across_[static_cast<std::size_t>(y)];
+    const Split& slice = up_[static_cast<std::size_t>(z)];
+    voxels.each(y, z, [&](int x, std::size_t place) {
+      const Split& column = across_[static_cast<std::size_t>(x)];
+      for (int k = 0; k < parts(slice); ++k)
+        for (int j = 0; j < parts(row); ++j)
+          for (int i = 0; i < parts(column); ++i)
+            visit(place, coarse_.linear(column.first + i, row.first + j, slice.first + k),
+                  part(column, i) * part(row, j) * part(slice, k));
+    });
+  }
   static int parts(const Split& split) { return split.share < 1.0F ? 2 : 1; }
   static float part(const Split& split, int i) { return i == 0 ? split.share : 1.0F - split.share; }
 
@@ -191,22 +195,6 @@ class Overlap {
   std::vector<Split> across_;
   std::vector<Split> up_;
 };
-
-/// Numbers the voxels that are touched, in ascending order.
-std::vector<std::uint32_t> touched_voxels(const VolumeData& fine, const TexelShape& coarse,
-                                          const Overlap& overlap,
-                                          std::vector<std::uint32_t>& slot) {
-  slot.assign(coarse.voxels(), 0);
-  for (std::uint32_t voxel : fine.voxel)
-    overlap.each(voxel, [&](std::uint32_t to, float) { slot[to] = 1; });
-  std::vector<std::uint32_t> voxels;
-  for (std::uint32_t to = 0; to < slot.size(); ++to)
-    if (slot[to] != 0) {
-      slot[to] = static_cast<std::uint32_t>(voxels.size());
-      voxels.push_back(to);
-    }
-  return voxels;
-}
 
 }  // namespace
 
@@ -226,13 +214,13 @@ std::vector<glm::dvec3> transmittance_directions(double elevation_deg) {
   return directions;
 }
 
-Transmittances transmittances(const TexelShape& shape, const std::vector<float>& dense) {
+Transmittances transmittances(const VoxelRows& voxels, const std::vector<float>& density) {
   Transmittances result;
   for (std::size_t i = 0; i < 3; ++i) {
     double sum = 0.0;
     std::size_t count = 0;
     for (const auto& direction : transmittance_directions(Transmittances::elevations_deg[i])) {
-      const auto depths = optical_depths(shape, dense, direction, row_stride(shape));
+      const auto depths = optical_depths(voxels, density, direction, row_stride(voxels.shape()));
       for (float depth : depths) sum += double{std::exp(-depth)};
       count += depths.size();
     }
@@ -243,12 +231,31 @@ Transmittances transmittances(const TexelShape& shape, const std::vector<float>&
 
 std::vector<float> fitted_density(const TexelShape& shape, const std::vector<std::uint32_t>& voxel,
                                   const std::vector<float>& density, const Transmittances& wanted) {
-  const Weighting weighting(shape, voxel, density);
-  const glm::vec3 weights(fitted_weights(ray_depths(shape, weighting),
+  const std::vector<glm::vec3> bases = Weighting(shape, voxel, density).bases();
+  const glm::vec3 weights(fitted_weights(ray_depths(VoxelRows(shape, voxel), bases),
                                          {wanted.value[0], wanted.value[1], wanted.value[2]}));
   std::vector<float> result(density.size());
-  for (std::size_t i = 0; i < density.size(); ++i)
-    result[i] = glm::dot(weights, weighting.basis(i));
+  for (std::size_t i = 0; i < density.size(); ++i) result[i] = glm::dot(weights, bases[i]);
+  return result;
+}
+
+VolumeData without_faint(const VolumeData& volume) {
+  const std::vector<std::uint32_t> kept = visible_voxels(volume.density, volume.shape);
+  double shown = 0.0;
+  for (std::uint32_t from : kept) shown += double{volume.density[from]};
+  double all = 0.0;
+  for (float density : volume.density) all += double{density};
+  VolumeData result;
+  result.shape = volume.shape;
+  result.turns = volume.turns;
+  for (std::uint32_t from : kept) {
+    result.voxel.push_back(volume.voxel[from]);
+    result.density.push_back(static_cast<float>(volume.density[from] * (all / shown)));
+  }
+  for (const auto& emission : volume.emission) {
+    auto& to = result.emission.emplace_back();
+    for (std::uint32_t from : kept) to.push_back(emission[from]);
+  }
   return result;
 }
 
@@ -262,32 +269,43 @@ VolumeData coarser(const VolumeData& fine, int side) {
   coarse.shape = coarse_shape(fine.shape, side);
   coarse.turns = fine.turns;
   const Overlap overlap(fine.shape, coarse.shape);
-  std::vector<std::uint32_t> slot;
-  coarse.voxel = touched_voxels(fine, coarse.shape, overlap, slot);
-  coarse.density.assign(coarse.size(), 0.0F);
-  coarse.emission.assign(fine.emission.size(),
-                         std::vector<glm::vec3>(coarse.size(), glm::vec3(0.0F)));
+  const VoxelRows voxels(fine.shape, fine.voxel);
+  VoxelSet touched(coarse.shape);
+  overlap.each(voxels, [&](std::size_t, std::uint32_t to, float) { touched.insert(to); });
+  coarse.voxel = touched.number_members();
+  // Per coarse voxel its density, then density times emission for each turn, side by side.
+  const std::size_t turns = fine.emission.size();
+  const std::size_t width = 1 + 3 * turns;
+  std::vector<float> sums(width * coarse.size(), 0.0F);
   const auto volume_share =
       static_cast<float>(fine.shape.voxel_volume_m3() / coarse.shape.voxel_volume_m3());
-  for (std::size_t from = 0; from < fine.size(); ++from)
-    overlap.each(fine.voxel[from], [&](std::uint32_t to, float share) {
-      const float density = share * volume_share * fine.density[from];
-      coarse.density[slot[to]] += density;
-      for (std::size_t turn = 0; turn < fine.emission.size(); ++turn)
-        coarse.emission[turn][slot[to]] += density * fine.emission[turn][from];
-    });
-  for (auto& emission : coarse.emission)
-    for (std::size_t i = 0; i < coarse.size(); ++i)
-      emission[i] /= std::max(coarse.density[i], 1e-12F);
+  overlap.each(voxels, [&](std::size_t from, std::uint32_t to, float share) {
+    float* sum = &sums[width * touched.place(to)];
+    const float density = share * volume_share * fine.density[from];
+    *sum++ += density;
+    for (std::size_t turn = 0; turn < turns; ++turn)
+      for (int channel = 0; channel < 3; ++channel)
+        *sum++ += density * fine.emission[turn][from][channel];
+  });
+  coarse.density.resize(coarse.size());
+  coarse.emission.assign(turns, std::vector<glm::vec3>(coarse.size()));
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    const float* sum = &sums[width * i];
+    coarse.density[i] = sum[0];
+    const float mean = 1.0F / std::max(sum[0], 1e-12F);
+    for (std::size_t turn = 0; turn < turns; ++turn, sum += 3)
+      coarse.emission[turn][i] = glm::vec3(sum[1], sum[2], sum[3]) * mean;
+  }
   return coarse;
 }
 
 std::vector<glm::dvec3> radiances(const VolumeData& volume) {
   constexpr double elevation = 30.0 * radians_per_degree;
+  const VoxelRows voxels(volume.shape, volume.voxel);
   std::vector<glm::dvec3> result;
   for (const auto& emission : volume.emission)
-    result.push_back(mean_radiance(volume.shape, volume.voxel, volume.density, emission,
-                                   direction_at(elevation, 0.4), row_stride(volume.shape)));
+    result.push_back(mean_radiance(voxels, volume.density, emission, direction_at(elevation, 0.4),
+                                   row_stride(volume.shape)));
   return result;
 }
 

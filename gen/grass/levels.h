@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "grass/columns.h"
 #include "grass/texel.h"
 #include "grass/volume_data.h"
 
@@ -20,8 +21,8 @@ struct Transmittances {
 /// The directions behind Transmittances: two azimuths for each elevation, one for the vertical.
 std::vector<glm::dvec3> transmittance_directions(double elevation_deg);
 
-/// `dense` holds the extinction of the whole box.
-Transmittances transmittances(const TexelShape& shape, const std::vector<float>& dense);
+/// `density`: extinction per voxel, 1/m.
+Transmittances transmittances(const VoxelRows& voxels, const std::vector<float>& density);
 
 /// Changes the extinction so that the mean transmittances become `wanted`, in the least-squares
 /// sense over the three elevations: density' = density (a + b q + c Q^2), where q and Q in [0, 1]
@@ -32,6 +33,10 @@ Transmittances transmittances(const TexelShape& shape, const std::vector<float>&
 /// looking denser.
 std::vector<float> fitted_density(const TexelShape& shape, const std::vector<std::uint32_t>& voxel,
                                   const std::vector<float>& density, const Transmittances& wanted);
+
+/// The volume without the voxels that are too faint to see, whose area is given to the others, in
+/// proportion; unchanged when all are faint.
+VolumeData without_faint(const VolumeData& volume);
 
 /// Extent of the same patch cut into `side` voxels per side.
 TexelShape coarse_shape(const TexelShape& fine, int side);

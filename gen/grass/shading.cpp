@@ -5,6 +5,7 @@
 
 #include "core/parallel.h"
 #include "grass/columns.h"
+#include "grass/voxel_set.h"
 
 namespace wold::grass {
 namespace {
@@ -42,15 +43,15 @@ glm::dvec3 sky_direction(std::size_t i) {
 
 /// For every voxel of the texel the voxel of the volume that its centre lies in.
 std::vector<std::uint32_t> places_in(const Texel& texel, const VolumeData& volume) {
-  std::vector<std::uint32_t> slot(volume.shape.voxels(), 0);
-  for (std::size_t i = 0; i < volume.size(); ++i)
-    slot[volume.voxel[i]] = static_cast<std::uint32_t>(i);
+  VoxelSet set(volume.shape);
+  for (std::uint32_t voxel : volume.voxel) set.insert(voxel);
+  set.number_members();
   const float scale = static_cast<float>(volume.shape.side) / static_cast<float>(texel.shape.side);
   std::vector<std::uint32_t> places(texel.size());
   for (std::size_t i = 0; i < texel.size(); ++i) {
     const glm::vec3 centre = glm::vec3(texel.shape.coordinates(texel.voxel[i])) + 0.5F;
     const glm::ivec3 at(centre * scale);
-    places[i] = slot[volume.shape.linear(at.x, at.y, at.z)];
+    places[i] = set.place(volume.shape.linear(at.x, at.y, at.z));
   }
   return places;
 }
@@ -82,13 +83,12 @@ float kajiya_kay_specular(const glm::vec3& tangent, const glm::vec3& light, cons
 
 std::vector<glm::vec3> skylight(const Texel& texel, const VolumeData& occluder,
                                 const Lighting& lighting) {
-  const std::vector<float> dense = dense_density(occluder.shape, occluder.voxel, occluder.density);
+  const VoxelRows voxels(occluder.shape, occluder.voxel);
   const std::vector<std::uint32_t> place = places_in(texel, occluder);
   const std::size_t directions = 4 * sky_rings().size();
   std::vector<std::vector<float>> through(directions);
   parallel_for(directions, [&](std::size_t i) {
-    through[i] =
-        voxel_transmittance(occluder.shape, dense, occluder.voxel, sky_direction(i), /*skip=*/1);
+    through[i] = voxel_transmittance(voxels, occluder.density, sky_direction(i), /*skip=*/1);
   });
   std::vector<glm::vec3> sum(texel.size(), glm::vec3(0.0F));
   for (std::size_t i = 0; i < directions; ++i) {
@@ -101,7 +101,7 @@ std::vector<glm::vec3> skylight(const Texel& texel, const VolumeData& occluder,
   return sum;
 }
 
-std::vector<glm::vec3> bake_emission(const Texel& texel, const std::vector<float>& dense,
+std::vector<glm::vec3> bake_emission(const Texel& texel, const std::vector<float>& density,
                                      const std::vector<glm::vec3>& skylight,
                                      const Lighting& lighting, const FibreLook& look, int turn) {
   constexpr float per_sphere = 1.0F / (4.0F * std::numbers::pi_v<float>);
@@ -111,7 +111,7 @@ std::vector<glm::vec3> bake_emission(const Texel& texel, const std::vector<float
   const int skip =
       static_cast<int>(std::lround(0.5 * look.width_m * sun.z / texel.shape.voxel_m)) + 1;
   const std::vector<float> through =
-      voxel_transmittance(texel.shape, dense, texel.voxel, sun, skip);
+      voxel_transmittance(VoxelRows(texel.shape, texel.voxel), density, sun, skip);
   std::vector<glm::vec3> emission(texel.size());
   for (std::size_t v = 0; v < texel.size(); ++v) {
     const glm::vec3& tangent = texel.tangent[v];

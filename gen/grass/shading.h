@@ -53,6 +53,8 @@ struct FibreLook {
 /// Source radiance per voxel, for a texel that stands turned by `turn` quarter-turns
 /// (counter-clockwise from above): sunlight through the tiled texel and skylight, scattered.
 ///
+/// `density`: the extinction per voxel of the texel that shadows it.
+///
 /// The highlight is Kajiya-Kay's for the sun; the sky is so wide that its highlight is the same
 /// for every view.
 ///
@@ -60,7 +62,7 @@ struct FibreLook {
 /// directions: albedo / (4 pi) of it. Light scattered again by other flakes is added by the photon
 /// recollision probability p: 1 / (1 - p albedo) (Smolander and Stenberg 2005), p = 0.45 for a
 /// canopy of leaf area index 2 to 3.
-std::vector<glm::vec3> bake_emission(const Texel& texel, const std::vector<float>& dense,
+std::vector<glm::vec3> bake_emission(const Texel& texel, const std::vector<float>& density,
                                      const std::vector<glm::vec3>& skylight,
                                      const Lighting& lighting, const FibreLook& look, int turn);
 

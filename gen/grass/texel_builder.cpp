@@ -1,7 +1,8 @@
 #include "grass/texel_builder.h"
 
 #include <cmath>
-#include <numeric>
+
+#include "grass/visible.h"
 
 namespace wold::grass {
 namespace {
@@ -25,9 +26,6 @@ glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& otherwise) {
 
 /// Shorter mean normals than this come from both sides of a vein: the vein itself.
 constexpr float vein_normal = 0.2F;
-/// Optical depth below which a voxel is not worth keeping: a third of them hold a hundredth of the
-/// grass.
-constexpr float faintest_depth = 0.015F;
 
 }  // namespace
 
@@ -44,19 +42,15 @@ glm::vec3 main_axis(const float (&dyad)[6]) {
   return axis.z < 0.0F ? -axis : axis;
 }
 
-TexelBuilder::TexelBuilder(const TexelShape& shape) : shape_(shape), slot_(shape.voxels(), 0) {}
+TexelBuilder::TexelBuilder(const TexelShape& shape) : shape_(shape), touched_(shape) {}
 
 void TexelBuilder::prepare() {
-  for (std::uint32_t voxel = 0; voxel < slot_.size(); ++voxel)
-    if (slot_[voxel] != 0) {
-      slot_[voxel] = static_cast<std::uint32_t>(voxel_.size());
-      voxel_.push_back(voxel);
-    }
+  voxel_ = touched_.number_members();
   sums_.resize(voxel_.size());
 }
 
 void TexelBuilder::add(std::uint32_t voxel, float share, const Contribution& what) {
-  Sum& sum = sums_[slot_[voxel]];
+  Sum& sum = sums_[touched_.place(voxel)];
   const float area = share * what.area_m2;
   const glm::vec3 t = what.tangent;
   sum.area += area;
@@ -71,22 +65,13 @@ void TexelBuilder::add(std::uint32_t voxel, float share, const Contribution& wha
   sum.specular += area * what.specular;
 }
 
-std::vector<std::uint32_t> TexelBuilder::visible(float least_area_m2) const {
-  std::vector<std::uint32_t> kept;
-  for (std::uint32_t i = 0; i < sums_.size(); ++i)
-    if (sums_[i].area >= least_area_m2) kept.push_back(i);
-  if (kept.empty()) {
-    kept.resize(sums_.size());
-    std::iota(kept.begin(), kept.end(), 0U);
-  }
-  return kept;
-}
-
 Texel TexelBuilder::build() const {
   Texel texel;
   texel.shape = shape_;
-  const auto face_m2 = static_cast<float>(shape_.voxel_m * shape_.voxel_m);
-  const std::vector<std::uint32_t> kept = visible(faintest_depth * face_m2);
+  std::vector<float> density(sums_.size());
+  for (std::size_t i = 0; i < sums_.size(); ++i)
+    density[i] = static_cast<float>(sums_[i].area / shape_.voxel_volume_m3());
+  const std::vector<std::uint32_t> kept = visible_voxels(density, shape_);
   const std::size_t count = kept.size();
   texel.voxel.resize(count);
   texel.density.resize(count);

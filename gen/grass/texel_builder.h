@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "grass/texel.h"
+#include "grass/voxel_set.h"
 
 namespace wold::grass {
 
@@ -27,7 +28,7 @@ class TexelBuilder {
   explicit TexelBuilder(const TexelShape& shape);
 
   /// x and y are wrapped by the caller; z within the texel.
-  void mark(std::uint32_t voxel) { slot_[voxel] = 1; }
+  void mark(std::uint32_t voxel) { touched_.insert(voxel); }
   void prepare();
   void add(std::uint32_t voxel, float share, const Contribution& what);
   /// Voxels too faint to see are left out and their area is given to the others, in proportion;
@@ -35,9 +36,6 @@ class TexelBuilder {
   Texel build() const;
 
  private:
-  /// Places in sums_ with at least this area; all when there is none.
-  std::vector<std::uint32_t> visible(float least_area_m2) const;
-
   /// One cache line.
   struct alignas(64) Sum {
     float area = 0.0F;
@@ -48,7 +46,7 @@ class TexelBuilder {
   };
 
   TexelShape shape_;
-  std::vector<std::uint32_t> slot_;  ///< per voxel: marked, later its place in sums_
+  VoxelSet touched_;
   std::vector<std::uint32_t> voxel_;
   std::vector<Sum> sums_;
 };

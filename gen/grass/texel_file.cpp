@@ -53,26 +53,42 @@ openvdb::Coord coord_of(const TexelShape& shape, std::uint32_t voxel) {
   return {at.x, at.y, at.z};
 }
 
-template <class Grid, class Value>
-openvdb::GridBase::Ptr make_grid(const std::string& name, const TexelShape& shape,
-                                 const std::vector<std::uint32_t>& voxel,
-                                 const std::vector<Value>& values) {
-  auto grid = Grid::create();
-  LeafTable<typename Grid::TreeType> leaves(grid->tree(), shape);
+/// The tree of a file's grids: every voxel that holds matter, with its place in the lists. All
+/// grids of a file copy its topology and fill their leaves in order.
+openvdb::Int32Tree place_tree(const TexelShape& shape, const std::vector<std::uint32_t>& voxel) {
+  openvdb::Int32Tree tree;
+  LeafTable<openvdb::Int32Tree> leaves(tree, shape);
   for (std::size_t i = 0; i < voxel.size(); ++i) {
     const openvdb::Coord at = coord_of(shape, voxel[i]);
-    leaves.at(at).setValueOn(at, stored(values[i]));
+    leaves.at(at).setValueOn(at, static_cast<std::int32_t>(i));
   }
+  return tree;
+}
+
+template <class Grid, class Value>
+openvdb::GridBase::Ptr make_grid(const std::string& name, const TexelShape& shape,
+                                 const openvdb::Int32Tree& places,
+                                 const std::vector<Value>& values) {
+  using Tree = typename Grid::TreeType;
+  auto tree = std::make_shared<Tree>();
+  for (auto from = places.cbeginLeaf(); from; ++from) {
+    auto leaf = std::make_unique<typename Tree::LeafNodeType>(from->origin());
+    leaf->setValueMask(from->getValueMask());
+    auto* buffer = leaf->buffer().data();
+    for (auto place = from->cbeginValueOn(); place; ++place)
+      buffer[place.pos()] = stored(values[static_cast<std::size_t>(*place)]);
+    tree->addLeaf(leaf.release());
+  }
+  auto grid = Grid::create(tree);
   grid->setName(name);
   grid->setTransform(texel_transform(shape));
   grid->setSaveFloatAsHalf(true);
   return grid;
 }
 
-openvdb::GridBase::Ptr density_grid(const TexelShape& shape,
-                                    const std::vector<std::uint32_t>& voxel,
+openvdb::GridBase::Ptr density_grid(const TexelShape& shape, const openvdb::Int32Tree& places,
                                     const std::vector<float>& density) {
-  auto grid = make_grid<openvdb::FloatGrid>("density", shape, voxel, density);
+  auto grid = make_grid<openvdb::FloatGrid>("density", shape, places, density);
   grid->setGridClass(openvdb::GRID_FOG_VOLUME);
   return grid;
 }
@@ -114,12 +130,13 @@ void write_texel(const fs::path& path, const Texel& texel, const std::string& co
   using openvdb::FloatGrid;
   using openvdb::Vec3SGrid;
   const TexelShape& shape = texel.shape;
+  const openvdb::Int32Tree places = place_tree(shape, texel.voxel);
   write_vdb(path,
-            {density_grid(shape, texel.voxel, texel.density),
-             make_grid<Vec3SGrid>("tangent", shape, texel.voxel, texel.tangent),
-             make_grid<Vec3SGrid>("normal", shape, texel.voxel, texel.normal),
-             make_grid<Vec3SGrid>("albedo", shape, texel.voxel, texel.albedo),
-             make_grid<FloatGrid>("specular", shape, texel.voxel, texel.specular)},
+            {density_grid(shape, places, texel.density),
+             make_grid<Vec3SGrid>("tangent", shape, places, texel.tangent),
+             make_grid<Vec3SGrid>("normal", shape, places, texel.normal),
+             make_grid<Vec3SGrid>("albedo", shape, places, texel.albedo),
+             make_grid<FloatGrid>("specular", shape, places, texel.specular)},
             file_metadata(shape, content));
 }
 
@@ -141,11 +158,12 @@ Texel read_texel(const fs::path& path) {
 
 void write_volume(const fs::path& path, const VolumeData& volume, const std::set<int>& turns,
                   const std::string& content) {
-  openvdb::GridPtrVec grids = {density_grid(volume.shape, volume.voxel, volume.density)};
+  const openvdb::Int32Tree places = place_tree(volume.shape, volume.voxel);
+  openvdb::GridPtrVec grids = {density_grid(volume.shape, places, volume.density)};
   for (std::size_t i = 0; i < volume.turns.size(); ++i) {
     if (!turns.contains(volume.turns[i])) continue;
     grids.push_back(make_grid<openvdb::Vec3SGrid>(fmt::format("emission_q{}", volume.turns[i]),
-                                                  volume.shape, volume.voxel, volume.emission[i]));
+                                                  volume.shape, places, volume.emission[i]));
   }
   write_vdb(path, grids, file_metadata(volume.shape, content));
 }

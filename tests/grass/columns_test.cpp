@@ -31,17 +31,18 @@ std::vector<std::uint32_t> every_voxel() {
 }
 
 TEST(Columns, HomogeneousBoxHasDepthOverSine) {
-  const std::vector<float> dense(shape.voxels(), 5.0F);
+  const auto voxels = every_voxel();
+  const std::vector<float> density(shape.voxels(), 5.0F);
   for (const glm::dvec3& direction : directions())
-    for (float depth : optical_depths(shape, dense, direction))
+    for (float depth : optical_depths(VoxelRows(shape, voxels), density, direction))
       ASSERT_NEAR(double{depth} / (5.0 * 0.12 / direction.z), 1.0, 1e-5);
 }
 
 TEST(Columns, TransmittanceFallsExponentiallyIntoAHalfSpace) {
-  const std::vector<float> dense(shape.voxels(), 5.0F);
+  const std::vector<float> density(shape.voxels(), 5.0F);
   const auto voxels = every_voxel();
   for (const glm::dvec3& direction : directions()) {
-    const auto through = voxel_transmittance(shape, dense, voxels, direction, 0);
+    const auto through = voxel_transmittance(VoxelRows(shape, voxels), density, direction, 0);
     for (std::uint32_t voxel : voxels) {
       const double above_m = (shape.height - shape.coordinates(voxel).z - 0.5) * shape.voxel_m;
       ASSERT_NEAR(through[voxel], std::exp(-5.0 * above_m / direction.z), 1e-5);
@@ -50,10 +51,11 @@ TEST(Columns, TransmittanceFallsExponentiallyIntoAHalfSpace) {
 }
 
 TEST(Columns, SkippedSlicesDoNotShadow) {
-  const std::vector<float> dense(shape.voxels(), 5.0F);
+  const std::vector<float> density(shape.voxels(), 5.0F);
   const auto voxels = every_voxel();
   for (int skip : {1, 3}) {
-    const auto through = voxel_transmittance(shape, dense, voxels, {0.0, 0.0, 1.0}, skip);
+    const auto through =
+        voxel_transmittance(VoxelRows(shape, voxels), density, {0.0, 0.0, 1.0}, skip);
     for (std::uint32_t voxel : voxels) {
       const double above = shape.height - shape.coordinates(voxel).z - 0.5 - skip;
       ASSERT_NEAR(through[voxel], std::exp(-5.0 * shape.voxel_m * std::max(above, 0.0)), 1e-5)
@@ -84,7 +86,7 @@ TEST(Columns, RoofShadowsWhatLiesUnderIt) {
     // Where in the roof's slice a ray meets it and rounding to voxels leave an edge undecided.
     const double edge =
         slope == glm::dvec2(0.0) ? 0.0 : 1.0 + std::max(std::abs(slope.x), std::abs(slope.y)) / 2.0;
-    const auto through = voxel_transmittance(shape, roof(), voxels, direction, 0);
+    const auto through = voxel_transmittance(VoxelRows(shape, voxels), roof(), direction, 0);
     int lit = 0;
     int dark = 0;
     for (std::uint32_t voxel : voxels) {
@@ -120,27 +122,28 @@ TEST(Columns, QuarterTurnOfTexelAndDirectionChangesNothing) {
   const auto turned = test::quarter_turned(shape, texel.voxel);
   std::vector<float> turned_density;
   for (std::size_t from : turned.from) turned_density.push_back(texel.density[from]);
-  const auto dense = dense_density(shape, texel.voxel, texel.density);
-  const auto turned_dense = dense_density(shape, turned.voxel, turned_density);
+  const VoxelRows voxels(shape, texel.voxel);
+  const VoxelRows turned_voxels(shape, turned.voxel);
   for (const glm::dvec3& direction : directions()) {
     const auto other = test::quarter_turned(direction);
-    const auto here = voxel_transmittance(shape, dense, texel.voxel, direction, 1);
-    const auto there = voxel_transmittance(shape, turned_dense, turned.voxel, other, 1);
+    const auto here = voxel_transmittance(voxels, texel.density, direction, 1);
+    const auto there = voxel_transmittance(turned_voxels, turned_density, other, 1);
     for (std::size_t i = 0; i < there.size(); ++i)
       ASSERT_NEAR(there[i], here[turned.from[i]], 1e-5F);
-    EXPECT_NEAR(test::sum(optical_depths(shape, dense, direction)) /
-                    test::sum(optical_depths(shape, turned_dense, other)),
+    EXPECT_NEAR(test::sum(optical_depths(voxels, texel.density, direction)) /
+                    test::sum(optical_depths(turned_voxels, turned_density, other)),
                 1.0, 1e-5);
   }
 }
 
 // A homogeneous layer of source radiance J shows J (1 - exp(-depth)).
 TEST(Columns, RadianceOfAHomogeneousLayer) {
+  const auto voxels = every_voxel();
   const std::vector<float> density(shape.voxels(), 5.0F);
   const std::vector<glm::vec3> emission(shape.voxels(), {1.0F, 0.5F, 0.0F});
   for (const glm::dvec3& direction : directions()) {
     const double seen = -std::expm1(-5.0 * 0.12 / direction.z);
-    const glm::dvec3 got = mean_radiance(shape, every_voxel(), density, emission, direction);
+    const glm::dvec3 got = mean_radiance(VoxelRows(shape, voxels), density, emission, direction);
     EXPECT_NEAR(got.r, seen, 2e-3);  // rays end when 0.1 % is left
     EXPECT_NEAR(got.g, seen / 2.0, 2e-3);
     EXPECT_EQ(got.b, 0.0);

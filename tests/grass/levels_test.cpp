@@ -19,7 +19,7 @@ double area_m2(const VolumeData& volume) {
 }
 
 Transmittances seen_through(const VolumeData& volume) {
-  return transmittances(volume.shape, dense_density(volume.shape, volume.voxel, volume.density));
+  return transmittances(VoxelRows(volume.shape, volume.voxel), volume.density);
 }
 
 VolumeData random_volume(const TexelShape& shape) {
@@ -69,7 +69,7 @@ TEST(Levels, FittedDensityLetsThroughWhatTheFineOneDoes) {
   const Transmittances wanted = seen_through(fine);
   const VolumeData coarse = coarser(fine, 30);
   const auto fitted = fitted_density(coarse.shape, coarse.voxel, coarse.density, wanted);
-  const auto now = transmittances(coarse.shape, dense_density(coarse.shape, coarse.voxel, fitted));
+  const auto now = transmittances(VoxelRows(coarse.shape, coarse.voxel), fitted);
   EXPECT_LT(Transmittances::difference(now, wanted), 2e-3);
   EXPECT_GT(*std::min_element(fitted.begin(), fitted.end()), 0.0F);
 }
@@ -104,8 +104,8 @@ TEST(Levels, OfAWitheringMeadowMatchTheFinestAndTheBlades) {
       EXPECT_NEAR(finest.value[i], blades_let_through(dynamics, shape.patch_m(), i), 0.02);
     for (const VolumeData& level : levels) {
       const auto seen = [](const VolumeData& volume) {
-        return mean_radiance(volume.shape, volume.voxel, volume.density, volume.emission[0],
-                             direction_at(30.0 * test::degree, 0.4));
+        return mean_radiance(VoxelRows(volume.shape, volume.voxel), volume.density,
+                             volume.emission[0], direction_at(30.0 * test::degree, 0.4));
       };
       EXPECT_NEAR(seen(level).g / seen(levels[0]).g, 1.0, 0.02);
     }

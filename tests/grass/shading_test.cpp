@@ -86,8 +86,8 @@ TEST(Bake, UniformSkyGivesItsRadianceTimesHalfTheAlbedo) {
                        glm::vec3(0.0F),
                        std::vector<glm::vec3>(sky_rings().size(), glm::vec3(2.0F)),
                        {1.0, 0.0, 0.0}};
-  const auto emission = bake_emission(texel, dense_density(texel.shape, texel.voxel, texel.density),
-                                      skylight(texel, occluder, light), light, {24.0F, 0.0045}, 0);
+  const auto emission = bake_emission(texel, texel.density, skylight(texel, occluder, light), light,
+                                      {24.0F, 0.0045}, 0);
   glm::dvec3 mean(0.0);
   for (std::size_t i = 0; i < emission.size(); ++i) {
     mean += glm::dvec3(emission[i]) / static_cast<double>(emission.size());
@@ -105,8 +105,8 @@ TEST(Bake, UnshadowedSunlight) {
                        std::vector<glm::vec3>(sky_rings().size(), glm::vec3(0.0F)),
                        direction_at(0.2, 1.0)};
   const std::vector<glm::vec3> no_sky(texel.size(), glm::vec3(0.0F));
-  const auto emission = bake_emission(texel, std::vector<float>(texel.shape.voxels(), 0.0F), no_sky,
-                                      light, {24.0F, 0.0045}, 0);
+  const auto emission = bake_emission(texel, std::vector<float>(texel.size(), 0.0F), no_sky, light,
+                                      {24.0F, 0.0045}, 0);
   double mean = 0.0;
   for (const glm::vec3& value : emission)
     mean += double{value.r} / static_cast<double>(emission.size());
@@ -122,8 +122,8 @@ TEST(Bake, TurnedTexelIsThatOfTheTurnedMeadow) {
   const Lighting light = test::slanting_light();
   const auto baked = [&](const Texel& texel, int turn) {
     const VolumeData occluder{texel.shape, texel.voxel, texel.density, {}, {}};
-    return bake_emission(texel, dense_density(shape, texel.voxel, texel.density),
-                         skylight(texel, occluder, light), light, {24.0F, 0.0045}, turn);
+    return bake_emission(texel, texel.density, skylight(texel, occluder, light), light,
+                         {24.0F, 0.0045}, turn);
   };
   const Texel still = rasterise_points(dynamics.points(), shape);
   Texel texel = still;
