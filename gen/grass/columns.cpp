@@ -74,13 +74,18 @@ std::vector<float> voxel_transmittance(const VoxelRows& voxels, const std::vecto
   std::vector<float> depth(columns.rays(), 0.0F);
   std::vector<float> result(voxels.size());
   const auto read_slice = [&](int z) {
-    const int shift_x = shape.wrapped(static_cast<int>(std::lround(slope.x * (z + 0.5))));
-    const int shift_y = static_cast<int>(std::lround(slope.y * (z + 0.5)));
+    // The middles of the slice's voxels lie between the same four rays, at the same place.
+    const glm::dvec2 middle = slope * (z + 0.5);
+    const glm::ivec2 shift(glm::ceil(middle));
+    const glm::vec2 on(glm::dvec2(shift) - middle);
     for (int y = 0; y < shape.side; ++y) {
-      const int first = shape.wrapped(y - shift_y) * shape.side - shift_x;
+      const float* near = depth.data() + shape.linear(0, shape.wrapped(y - shift.y), 0);
+      const float* far = depth.data() + shape.linear(0, shape.wrapped(y - shift.y + 1), 0);
       voxels.each(y, z, [&](int x, std::size_t place) {
-        const int ray = first + x + (x < shift_x ? shape.side : 0);
-        result[place] = std::exp(-depth[static_cast<std::size_t>(ray)]);
+        const int left = shape.wrapped(x - shift.x);
+        const int right = left + 1 == shape.side ? 0 : left + 1;
+        result[place] = std::exp(-glm::mix(glm::mix(near[left], near[right], on.x),
+                                           glm::mix(far[left], far[right], on.x), on.y));
       });
     }
   };

@@ -8,8 +8,8 @@
 namespace wold::grass {
 namespace {
 
-constexpr float sigma_voxels = 0.5F;
-constexpr float cut_voxels = 1.2F;
+constexpr float sigma_voxels = 0.6F;
+constexpr float cut_voxels = 1.5F;
 
 /// One axis of the voxels around a point: its own and both neighbours.
 struct AxisReach {

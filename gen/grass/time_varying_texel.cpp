@@ -81,7 +81,7 @@ std::vector<int> all_turns(const LevelTurns& levels) {
 
 /// Everything a texel depends on, as text: the scene without what changes no texel, and the light.
 std::string described(const scene::Scene& scene, const Lighting& lighting) {
-  constexpr int format_version = 1;  // raise when the same scene gives other texels
+  constexpr int format_version = 2;  // raise when the same scene gives other texels
   const scene::Scene plain;
   scene::Scene relevant;
   relevant.seed = scene.seed;

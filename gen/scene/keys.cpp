@@ -144,7 +144,8 @@ std::vector<Key> grass_keys() {
             FIELD(grass.proportion)),
       bound(list(Kind::numbers, "grass.key_frames", "", {0, 1},
                  {.fewest = 2, .most = 64, .order = Order::increasing, .spans_range = true},
-                 "Weathering degrees for which patches are made; the rest is mingled."),
+                 "Weathering degrees for which patches are made; for one in between, each cell "
+                 "takes one of its two neighbours by chance."),
             FIELD(grass.key_frames)),
       bound(number("grass.pixels_per_voxel", "", {0.1, 16},
                    "A level is fine enough when its voxel covers at most this many pixels."),

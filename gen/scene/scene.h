@@ -50,7 +50,7 @@ struct Grass {
   double gloss = 24.0;     ///< Kajiya-Kay exponent p
   int variants = 4;
   std::vector<int> levels = {254, 126, 62, 30};  ///< voxels per side, finest first
-  double proportion = 4.0;                       ///< points per unit optical depth of a voxel
+  double proportion = 2.5;                       ///< points per unit optical depth of a voxel
   std::vector<double> key_frames = {0.0,   0.083, 0.167, 0.25,  0.333, 0.417, 0.5,
                                     0.583, 0.667, 0.75,  0.833, 0.917, 1.0};
   double pixels_per_voxel = 1.3;  ///< a level is fine enough when its voxel covers at most this

@@ -46,13 +46,14 @@ TEST(Rasterise, WrapsAtTheBorder) {
   EXPECT_NEAR(dense[shape.linear(0, 9, 4)] / dense[shape.linear(0, 1, 4)], 1.0, 1e-4);
 }
 
-// Section 2.3: w = exp(-d^2 / (2 sigma^2)), sigma half a voxel: exp(-2) to a face's neighbour.
+// Section 2.3: w = exp(-d^2 / (2 sigma^2)), sigma 0.6 voxels; an edge is shared with a voxel
+// sqrt(2) off.
 TEST(Rasterise, WeighsByTheGaussian) {
   const Texel texel = rasterise_points(loose_points({{0.055F, 0.055F, 0.045F}}), shape);
-  ASSERT_EQ(texel.size(), 7U);
+  ASSERT_EQ(texel.size(), 19U);
   const float largest = *std::max_element(texel.density.begin(), texel.density.end());
   const float least = *std::min_element(texel.density.begin(), texel.density.end());
-  EXPECT_NEAR(least / largest, std::exp(-2.0), 1e-4);
+  EXPECT_NEAR(least / largest, std::exp(-1.0 / 0.36), 1e-4);
 }
 
 TEST(Rasterise, ConstantFieldStaysConstant) {
