@@ -12,6 +12,7 @@
 #include "cli/output.h"
 #include "core/files.h"
 #include "core/parallel.h"
+#include "grass/time_varying_texel.h"
 #include "render/run.h"
 #include "scene/write.h"
 
@@ -50,15 +51,16 @@ std::string program_text(const std::filesystem::path& folder) {
   return text;
 }
 
-/// What a picture is made from: the whole scene but what changes no pixel, the frame and the
-/// renderer's own program.
+/// What a picture is made from: the whole scene but what changes no pixel, the models, the frame
+/// and the renderer's own program.
 std::string picture_source(const Job& job, const std::string& renderer, int frame) {
   scene::Scene scene = job.scene;
   const scene::Render defaults;
   scene.render.threads = defaults.threads;
   scene.render.timeout_minutes = defaults.timeout_minutes;
   scene.render.renderer = renderer;
-  return content_hash(scene::resolved_toml(scene) + fmt::format("{} {}", renderer, frame) +
+  return content_hash(scene::resolved_toml(scene) +
+                      fmt::format("{} {} {}", renderer, frame, grass::texel_models()) +
                       program_text(job.out / renderer));
 }
 

@@ -78,11 +78,12 @@ std::vector<float> voxel_transmittance(const VoxelRows& voxels, const std::vecto
     const glm::dvec2 middle = slope * (z + 0.5);
     const glm::ivec2 shift(glm::ceil(middle));
     const glm::vec2 on(glm::dvec2(shift) - middle);
+    const int shift_x = shape.wrapped(shift.x);
     for (int y = 0; y < shape.side; ++y) {
       const float* near = depth.data() + shape.linear(0, shape.wrapped(y - shift.y), 0);
       const float* far = depth.data() + shape.linear(0, shape.wrapped(y - shift.y + 1), 0);
       voxels.each(y, z, [&](int x, std::size_t place) {
-        const int left = shape.wrapped(x - shift.x);
+        const int left = x < shift_x ? x - shift_x + shape.side : x - shift_x;
         const int right = left + 1 == shape.side ? 0 : left + 1;
         result[place] = std::exp(-glm::mix(glm::mix(near[left], near[right], on.x),
                                            glm::mix(far[left], far[right], on.x), on.y));

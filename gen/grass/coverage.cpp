@@ -77,7 +77,7 @@ class Mask {
 
 void cover_blade(Mask& mask, const Blade& blade, const BladePose& pose, double patch_m,
                  const glm::vec3& direction) {
-  constexpr int segments = 20;
+  constexpr int segments = 14;
   const float arc_m = blade.length_m * pose.length_scale;
   const glm::vec2 slope = glm::vec2(direction) / direction.z;
   const auto on_ground = [&](const glm::vec3& place_m) {

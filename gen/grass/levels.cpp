@@ -15,7 +15,7 @@ constexpr double radians_per_degree = std::numbers::pi / 180.0;
 constexpr int azimuths = 2;
 
 /// Rows of rays that are enough for a mean over a fine texel.
-int row_stride(const TexelShape& shape) { return std::max(1, shape.side / 36); }
+int row_stride(const TexelShape& shape) { return std::max(1, shape.side / 24); }
 
 /// From 0 (nothing) to 1 (solid).
 float filled(float depth) { return depth / (1.0F + depth); }

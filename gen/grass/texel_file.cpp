@@ -53,30 +53,45 @@ openvdb::Coord coord_of(const TexelShape& shape, std::uint32_t voxel) {
   return {at.x, at.y, at.z};
 }
 
-/// The tree of a file's grids: every voxel that holds matter, with its place in the lists. All
-/// grids of a file copy its topology and fill their leaves in order.
-openvdb::Int32Tree place_tree(const TexelShape& shape, const std::vector<std::uint32_t>& voxel) {
+/// What the grids of a file have in common: their leaves, and for every voxel in the order of the
+/// leaves its place in the lists.
+struct Topology {
+  struct Leaf {
+    openvdb::Coord origin;
+    openvdb::Int32Tree::LeafNodeType::NodeMaskType active;
+  };
+  std::vector<Leaf> leaves;
+  std::vector<std::uint32_t> places;
+};
+
+Topology topology(const TexelShape& shape, const std::vector<std::uint32_t>& voxel) {
   openvdb::Int32Tree tree;
-  LeafTable<openvdb::Int32Tree> leaves(tree, shape);
+  LeafTable<openvdb::Int32Tree> table(tree, shape);
   for (std::size_t i = 0; i < voxel.size(); ++i) {
     const openvdb::Coord at = coord_of(shape, voxel[i]);
-    leaves.at(at).setValueOn(at, static_cast<std::int32_t>(i));
+    table.at(at).setValueOn(at, static_cast<std::int32_t>(i));
   }
-  return tree;
+  Topology result;
+  result.places.reserve(voxel.size());
+  for (auto leaf = tree.cbeginLeaf(); leaf; ++leaf) {
+    result.leaves.push_back({leaf->origin(), leaf->getValueMask()});
+    for (auto place = leaf->cbeginValueOn(); place; ++place)
+      result.places.push_back(static_cast<std::uint32_t>(*place));
+  }
+  return result;
 }
 
 template <class Grid, class Value>
 openvdb::GridBase::Ptr make_grid(const std::string& name, const TexelShape& shape,
-                                 const openvdb::Int32Tree& places,
-                                 const std::vector<Value>& values) {
+                                 const Topology& topology, const std::vector<Value>& values) {
   using Tree = typename Grid::TreeType;
   auto tree = std::make_shared<Tree>();
-  for (auto from = places.cbeginLeaf(); from; ++from) {
-    auto leaf = std::make_unique<typename Tree::LeafNodeType>(from->origin());
-    leaf->setValueMask(from->getValueMask());
+  auto place = topology.places.begin();
+  for (const Topology::Leaf& shared : topology.leaves) {
+    auto leaf = std::make_unique<typename Tree::LeafNodeType>(shared.origin);
+    leaf->setValueMask(shared.active);
     auto* buffer = leaf->buffer().data();
-    for (auto place = from->cbeginValueOn(); place; ++place)
-      buffer[place.pos()] = stored(values[static_cast<std::size_t>(*place)]);
+    for (auto on = shared.active.beginOn(); on; ++on) buffer[on.pos()] = stored(values[*place++]);
     tree->addLeaf(leaf.release());
   }
   auto grid = Grid::create(tree);
@@ -86,9 +101,9 @@ openvdb::GridBase::Ptr make_grid(const std::string& name, const TexelShape& shap
   return grid;
 }
 
-openvdb::GridBase::Ptr density_grid(const TexelShape& shape, const openvdb::Int32Tree& places,
+openvdb::GridBase::Ptr density_grid(const TexelShape& shape, const Topology& topology,
                                     const std::vector<float>& density) {
-  auto grid = make_grid<openvdb::FloatGrid>("density", shape, places, density);
+  auto grid = make_grid<openvdb::FloatGrid>("density", shape, topology, density);
   grid->setGridClass(openvdb::GRID_FOG_VOLUME);
   return grid;
 }
@@ -130,13 +145,13 @@ void write_texel(const fs::path& path, const Texel& texel, const std::string& co
   using openvdb::FloatGrid;
   using openvdb::Vec3SGrid;
   const TexelShape& shape = texel.shape;
-  const openvdb::Int32Tree places = place_tree(shape, texel.voxel);
+  const Topology shared = topology(shape, texel.voxel);
   write_vdb(path,
-            {density_grid(shape, places, texel.density),
-             make_grid<Vec3SGrid>("tangent", shape, places, texel.tangent),
-             make_grid<Vec3SGrid>("normal", shape, places, texel.normal),
-             make_grid<Vec3SGrid>("albedo", shape, places, texel.albedo),
-             make_grid<FloatGrid>("specular", shape, places, texel.specular)},
+            {density_grid(shape, shared, texel.density),
+             make_grid<Vec3SGrid>("tangent", shape, shared, texel.tangent),
+             make_grid<Vec3SGrid>("normal", shape, shared, texel.normal),
+             make_grid<Vec3SGrid>("albedo", shape, shared, texel.albedo),
+             make_grid<FloatGrid>("specular", shape, shared, texel.specular)},
             file_metadata(shape, content));
 }
 
@@ -158,12 +173,12 @@ Texel read_texel(const fs::path& path) {
 
 void write_volume(const fs::path& path, const VolumeData& volume, const std::set<int>& turns,
                   const std::string& content) {
-  const openvdb::Int32Tree places = place_tree(volume.shape, volume.voxel);
-  openvdb::GridPtrVec grids = {density_grid(volume.shape, places, volume.density)};
+  const Topology shared = topology(volume.shape, volume.voxel);
+  openvdb::GridPtrVec grids = {density_grid(volume.shape, shared, volume.density)};
   for (std::size_t i = 0; i < volume.turns.size(); ++i) {
     if (!turns.contains(volume.turns[i])) continue;
     grids.push_back(make_grid<openvdb::Vec3SGrid>(fmt::format("emission_q{}", volume.turns[i]),
-                                                  volume.shape, places, volume.emission[i]));
+                                                  volume.shape, shared, volume.emission[i]));
   }
   write_vdb(path, grids, file_metadata(volume.shape, content));
 }

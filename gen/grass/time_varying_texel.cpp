@@ -79,9 +79,9 @@ std::vector<int> all_turns(const LevelTurns& levels) {
   return {turns.begin(), turns.end()};
 }
 
-/// Everything a texel depends on, as text: the scene without what changes no texel, and the light.
+/// Everything a texel depends on, as text: the scene without what changes no texel, the light and
+/// the models.
 std::string described(const scene::Scene& scene, const Lighting& lighting) {
-  constexpr int format_version = 2;  // raise when the same scene gives other texels
   const scene::Scene plain;
   scene::Scene relevant;
   relevant.seed = scene.seed;
@@ -92,7 +92,7 @@ std::string described(const scene::Scene& scene, const Lighting& lighting) {
   relevant.ageing.variation = plain.ageing.variation;
   relevant.ageing.variation_feature_m = plain.ageing.variation_feature_m;
   const auto three = [](const auto& v) { return fmt::format(" {},{},{}", v.x, v.y, v.z); };
-  std::string text = fmt::format("{} {}", format_version, scene::resolved_toml(relevant));
+  std::string text = texel_models() + scene::resolved_toml(relevant);
   text += three(lighting.sun_direction) + three(lighting.sun_irradiance) +
           three(lighting.eye_direction);
   for (const glm::vec3& radiance : lighting.sky_radiance) text += three(radiance);
@@ -100,6 +100,18 @@ std::string described(const scene::Scene& scene, const Lighting& lighting) {
 }
 
 }  // namespace
+
+std::string texel_models() {
+  constexpr int version = 2;  // raise when the same scene and models give other texels
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(shipped_file("models")))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::string text = fmt::format("{}", version);
+  for (const auto& file : files)
+    text += fmt::format(" {} {}", file.filename().string(), content_hash(read_file(file)));
+  return content_hash(text);
+}
 
 TimeVaryingTexel::TimeVaryingTexel(const scene::Scene& scene, Lighting lighting,
                                    std::filesystem::path folder)

@@ -19,7 +19,7 @@ using LevelTurns = std::map<int, std::set<int>>;
 /// What a film needs: demand[variant][key frame][level] = turns.
 using TexelDemand = std::map<int, std::map<int, LevelTurns>>;
 
-/// Seconds of processor time spent in each step of making texels, for the benchmark.
+/// Seconds that the threads together spent in each step of making texels, for the benchmark.
 struct StageTimes {
   double sampling = 0.0;    ///< cones to voxels to points
   double dynamics = 0.0;    ///< Algorithm 1
@@ -29,6 +29,10 @@ struct StageTimes {
   long steps = 0;           ///< of point dynamics
   long points = 0;          ///< over all steps
 };
+
+/// What texels depend on besides their scene and light, as a hash: the tables in models/ and how
+/// this version of the program makes texels of them.
+std::string texel_models();
 
 /// The time-varying texel of a scene's meadow, T(x, y, z, wd): computed on demand and kept in a
 /// folder of .vdb files, one `v<variant>_k<key frame>.vdb` for the texel itself and one

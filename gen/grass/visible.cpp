@@ -6,7 +6,7 @@ namespace wold::grass {
 
 std::vector<std::uint32_t> visible_voxels(const std::vector<float>& density,
                                           const TexelShape& shape) {
-  constexpr double faintest_depth = 0.015;
+  constexpr double faintest_depth = 0.02;
   const auto least = static_cast<float>(faintest_depth / shape.voxel_m);
   std::vector<std::uint32_t> kept;
   for (std::uint32_t i = 0; i < density.size(); ++i)

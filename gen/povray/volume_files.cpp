@@ -100,6 +100,8 @@ int filled_height(std::span<const float> values, glm::ivec3 voxels) {
 void write_volume(const landscape::Volume& volume, int bits, const fs::path& folder) {
   if (is_there(volume, bits, folder)) return;
   make_folder(folder);
+  // It vouches for the grids: gone before the first of them is replaced, written after the last.
+  fs::remove(folder / (volume.name + ".inc"));
   const glm::ivec3 first(1);
   std::vector<float> extinction = read_dense_floats(volume.vdb, "density", first, volume.voxels);
   glm::ivec3 voxels = volume.voxels;

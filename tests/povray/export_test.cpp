@@ -120,6 +120,24 @@ TEST_F(Export, WritesOnlyVolumesThatCellsUseAndNoneTwice) {
   EXPECT_EQ(read_file(grid), bytes) << "a changed volume was not written again";
 }
 
+// Half of the grids new, half old: the next run must not take them for whole.
+TEST_F(Export, AnInterruptedVolumeIsWrittenAgain) {
+  export_frame(scene, folder / "povray");
+  landscape::Volume& volume = scene.volumes[0];
+  const fs::path blue = folder / "povray/data/volumes" / (volume.name + "_b.df3");
+  const std::string bytes = read_file(blue);
+  const std::string content = volume.content;
+  volume.content = "changed";
+  fs::remove(blue);
+  fs::create_directory(blue);  // writing stops here
+  EXPECT_THROW(export_frame(scene, folder / "povray"), FileError);
+  fs::remove(blue);
+  write_file(blue, "old");
+  volume.content = content;
+  export_frame(scene, folder / "povray");
+  EXPECT_EQ(read_file(blue), bytes);
+}
+
 TEST_F(Export, UnwritableFolderIsAFileErrorAndLeavesNothing) {
   write_file(folder / "occupied", "a file where a folder should be");
   EXPECT_THROW(export_frame(scene, folder / "occupied"), FileError);
