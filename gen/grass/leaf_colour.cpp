@@ -30,7 +30,6 @@ constexpr double dry_mass_g_cm2 = 0.005;
 // 145:315), bleach. How far is a modelling choice, made by the colour of straw.
 constexpr double living_structure = 1.5;
 constexpr double straw_structure = 2.0;
-constexpr double straw_brown = 0.25;
 constexpr double straw_carotenoid = 0.2;
 
 /// Share of the leaf that has died, by its water: none above 48 % of the dry mass (colouring grass
@@ -79,7 +78,7 @@ LeafContent withered_leaf(const scene::Ageing& ageing, double chlorophyll, doubl
   leaf.structure = std::lerp(living_structure, straw_structure, dead);
   leaf.chlorophyll_ug_cm2 = ageing.chlorophyll_ug_cm2 * chlorophyll;
   leaf.carotenoid_ug_cm2 = ageing.carotenoid_ug_cm2 * std::lerp(1.0, straw_carotenoid, dead);
-  leaf.brown = straw_brown * dead;
+  leaf.brown = ageing.brown_pigment * dead;
   leaf.water_cm = turgid_water_cm * water;
   leaf.dry_g_cm2 = dry_mass_g_cm2;
   return leaf;

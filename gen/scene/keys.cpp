@@ -195,6 +195,11 @@ std::vector<Key> ageing_keys() {
       bound(
           number("ageing.carotenoid_content", "ug/cm2", {0, 30}, "Carotenoids of the fresh leaf."),
           FIELD(ageing.carotenoid_ug_cm2)),
+      bound(
+          number(
+              "ageing.brown_pigment", "", {0, 2},
+              "Brown pigment of a dead leaf, PROSPECT's arbitrary unit: 0.25 pale straw, 1 brown."),
+          FIELD(ageing.brown_pigment)),
       bound(number("ageing.variation", "", {0, 0.5},
                    "How far the weathering degree differs from place to place."),
             FIELD(ageing.variation)),

@@ -73,6 +73,7 @@ struct Ageing {
   double litter = 0.12;        ///< share of dead blades of the year before in a fresh meadow
   double chlorophyll_ug_cm2 = 31.5;
   double carotenoid_ug_cm2 = 3.5;
+  double brown_pigment = 0.6;        ///< of a dead leaf, PROSPECT's arbitrary unit
   double variation = 0.10;           ///< amplitude of the weathering field on the ground
   double variation_feature_m = 7.0;  ///< its feature size
   std::vector<double> frames = {0.0, 0.30, 0.917};  ///< weathering degree of each frame

@@ -21,6 +21,7 @@ scene::Ageing with(const char* colour) {
   ageing.colour = colour;
   ageing.chlorophyll_ug_cm2 = 45.0;  // the leaf of the published colours
   ageing.carotenoid_ug_cm2 = 5.0;
+  ageing.brown_pigment = 0.25;
   return ageing;
 }
 
