@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -10,6 +11,16 @@ namespace wold {
 /// to i, so the result is the same for any number of threads; sums over i are formed afterwards,
 /// in order. An exception thrown by a body reaches the caller.
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body);
+
+/// The same for bodies so short that a thread has to take thousands of them at a time.
+template <class Body>
+void parallel_for_blocks(std::size_t count, const Body& body) {
+  constexpr std::size_t block = 4096;
+  parallel_for((count + block - 1) / block, [&](std::size_t b) {
+    const std::size_t end = std::min(count, (b + 1) * block);
+    for (std::size_t i = b * block; i < end; ++i) body(i);
+  });
+}
 
 /// Limits the threads of everything that runs while it lives; 0 means all processors.
 class ThreadLimit {

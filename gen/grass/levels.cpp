@@ -6,7 +6,6 @@
 
 #include "grass/columns.h"
 #include "grass/visible.h"
-#include "grass/voxel_set.h"
 
 namespace wold::grass {
 namespace {
@@ -166,25 +165,29 @@ class Overlap {
         across_(splits(fine.side, fine.side, coarse.side)),
         up_(splits(fine.height, fine.side, coarse.side)) {}
 
-  /// Calls visit(place of the fine voxel, coarse voxel, share of the fine one that lies in it).
+  /// For the coarse voxels of one slice: calls visit(place of the fine voxel, place of the coarse
+  /// one within its slice, share of the fine one that lies in it).
   template <class Visit>
-  void each(const VoxelRows& voxels, const Visit& visit) const {
-    for (int z = 0; z < fine_.height; ++z)
-      for (int y = 0; y < fine_.side; ++y) each_of_row(voxels, y, z, visit);
+  void each_in_slice(int coarse_z, const VoxelRows& voxels, const Visit& visit) const {
+    for (int z = 0; z < fine_.height; ++z) {
+      const Split& slice = up_[static_cast<std::size_t>(z)];
+      const int k = coarse_z - slice.first;
+      if (k < 0 || k >= parts(slice)) continue;
+      for (int y = 0; y < fine_.side; ++y) each_of_row(voxels, y, z, part(slice, k), visit);
+    }
   }
 
  private:
   template <class Visit>
-  void each_of_row(const VoxelRows& voxels, int y, int z, const Visit& visit) const {
+  void each_of_row(const VoxelRows& voxels, int y, int z, float slice_share,
+                   const Visit& visit) const {
     const Split& row = across_[static_cast<std::size_t>(y)];
-    const Split& slice = up_[static_cast<std::size_t>(z)];
     voxels.each(y, z, [&](int x, std::size_t place) {
       const Split& column = across_[static_cast<std::size_t>(x)];
-      for (int k = 0; k < parts(slice); ++k)
-        for (int j = 0; j < parts(row); ++j)
-          for (int i = 0; i < parts(column); ++i)
-            visit(place, coarse_.linear(column.first + i, row.first + j, slice.first + k),
-                  part(column, i) * part(row, j) * part(slice, k));
+      for (int j = 0; j < parts(row); ++j)
+        for (int i = 0; i < parts(column); ++i)
+          visit(place, std::size_t{coarse_.linear(column.first + i, row.first + j, 0)},
+                part(column, i) * part(row, j) * slice_share);
     });
   }
   static int parts(const Split& split) { return split.share < 1.0F ? 2 : 1; }
@@ -194,6 +197,44 @@ class Overlap {
   const TexelShape& coarse_;
   std::vector<Split> across_;
   std::vector<Split> up_;
+};
+
+/// Sums over one slice of a coarse level: per voxel its density, then density times emission for
+/// each turn, side by side.
+class SliceSums {
+ public:
+  SliceSums(const TexelShape& shape, std::size_t turns)
+      : width_(1 + 3 * turns),
+        sums_(width_ * static_cast<std::size_t>(shape.side) *
+              static_cast<std::size_t>(shape.side)) {}
+  void clear() { std::fill(sums_.begin(), sums_.end(), 0.0F); }
+
+  void add(std::size_t to, float share, const VolumeData& fine, std::size_t from) {
+    float* sum = &sums_[width_ * to];
+    const float density = share * fine.density[from];
+    *sum++ += density;
+    for (const auto& emission : fine.emission)
+      for (int channel = 0; channel < 3; ++channel) *sum++ += density * emission[from][channel];
+  }
+
+  /// Appends the voxels that hold anything.
+  void append_to(VolumeData& coarse, int z) const {
+    const std::uint32_t first = coarse.shape.linear(0, 0, z);
+    for (std::uint32_t i = 0; i < sums_.size() / width_; ++i) {
+      const float* sum = &sums_[width_ * i];
+      if (!(sum[0] > 0.0F)) continue;
+      coarse.voxel.push_back(first + i);
+      coarse.density.push_back(sum[0]);
+      for (std::size_t turn = 0; turn < coarse.emission.size(); ++turn) {
+        const float* weighted = sum + 1 + 3 * turn;
+        coarse.emission[turn].push_back(glm::vec3(weighted[0], weighted[1], weighted[2]) / sum[0]);
+      }
+    }
+  }
+
+ private:
+  std::size_t width_;
+  std::vector<float> sums_;
 };
 
 }  // namespace
@@ -268,33 +309,18 @@ VolumeData coarser(const VolumeData& fine, int side) {
   VolumeData coarse;
   coarse.shape = coarse_shape(fine.shape, side);
   coarse.turns = fine.turns;
+  coarse.emission.resize(fine.emission.size());
   const Overlap overlap(fine.shape, coarse.shape);
   const VoxelRows voxels(fine.shape, fine.voxel);
-  VoxelSet touched(coarse.shape);
-  overlap.each(voxels, [&](std::size_t, std::uint32_t to, float) { touched.insert(to); });
-  coarse.voxel = touched.number_members();
-  // Per coarse voxel its density, then density times emission for each turn, side by side.
-  const std::size_t turns = fine.emission.size();
-  const std::size_t width = 1 + 3 * turns;
-  std::vector<float> sums(width * coarse.size(), 0.0F);
   const auto volume_share =
       static_cast<float>(fine.shape.voxel_volume_m3() / coarse.shape.voxel_volume_m3());
-  overlap.each(voxels, [&](std::size_t from, std::uint32_t to, float share) {
-    float* sum = &sums[width * touched.place(to)];
-    const float density = share * volume_share * fine.density[from];
-    *sum++ += density;
-    for (std::size_t turn = 0; turn < turns; ++turn)
-      for (int channel = 0; channel < 3; ++channel)
-        *sum++ += density * fine.emission[turn][from][channel];
-  });
-  coarse.density.resize(coarse.size());
-  coarse.emission.assign(turns, std::vector<glm::vec3>(coarse.size()));
-  for (std::size_t i = 0; i < coarse.size(); ++i) {
-    const float* sum = &sums[width * i];
-    coarse.density[i] = sum[0];
-    const float mean = 1.0F / std::max(sum[0], 1e-12F);
-    for (std::size_t turn = 0; turn < turns; ++turn, sum += 3)
-      coarse.emission[turn][i] = glm::vec3(sum[1], sum[2], sum[3]) * mean;
+  SliceSums sums(coarse.shape, fine.emission.size());
+  for (int z = 0; z < coarse.shape.height; ++z) {
+    sums.clear();
+    overlap.each_in_slice(z, voxels, [&](std::size_t from, std::size_t to, float share) {
+      sums.add(to, share * volume_share, fine, from);
+    });
+    sums.append_to(coarse, z);
   }
   return coarse;
 }

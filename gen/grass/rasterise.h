@@ -6,8 +6,9 @@
 namespace wold::grass {
 
 /// Points to texel (paper 1 section 2.3): every point is spread over the voxels around it with
-/// Gaussian weights w = a exp(-d^2 / (2 sigma^2)), sigma 0.6 voxels, cut at 1.5 voxels: a
-/// narrower one makes beads of thin blades that slant through the grid.
+/// Gaussian weights w = a exp(-d^2 / (2 sigma^2)), sigma 0.6 voxels, its own voxel and those
+/// that share a face or an edge with it: a narrower one makes beads of thin blades that slant
+/// through the grid.
 ///
 /// a is chosen for every point so that its weights sum to one: the paper's constant a keeps mass
 /// only on average, this keeps it exactly, also at the ground and whatever sigma. The paper

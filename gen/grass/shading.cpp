@@ -1,5 +1,6 @@
 #include "grass/shading.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -91,13 +92,18 @@ std::vector<glm::vec3> skylight(const Texel& texel, const VolumeData& occluder,
     through[i] = voxel_transmittance(voxels, occluder.density, sky_direction(i), /*skip=*/1);
   });
   std::vector<glm::vec3> sum(texel.size(), glm::vec3(0.0F));
-  for (std::size_t i = 0; i < directions; ++i) {
-    const glm::vec3 towards(sky_direction(i));
-    const glm::vec3 radiance =
-        lighting.sky_radiance[i / 4] * static_cast<float>(sky_rings()[i / 4].solid_angle);
-    for (std::size_t v = 0; v < texel.size(); ++v)
-      sum[v] += radiance * (through[i][place[v]] * kajiya_kay_diffuse(texel.tangent[v], towards));
-  }
+  // Some voxels at a time, so that their sums stay in the processor's cache for all directions.
+  constexpr std::size_t block = 4096;
+  parallel_for((texel.size() + block - 1) / block, [&](std::size_t b) {
+    const std::size_t end = std::min(texel.size(), (b + 1) * block);
+    for (std::size_t i = 0; i < directions; ++i) {
+      const glm::vec3 towards(sky_direction(i));
+      const glm::vec3 radiance =
+          lighting.sky_radiance[i / 4] * static_cast<float>(sky_rings()[i / 4].solid_angle);
+      for (std::size_t v = b * block; v < end; ++v)
+        sum[v] += radiance * (through[i][place[v]] * kajiya_kay_diffuse(texel.tangent[v], towards));
+    }
+  });
   return sum;
 }
 

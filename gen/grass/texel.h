@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -14,10 +15,10 @@ struct TexelShape {
   int height = 0;
   double voxel_m = 0.0;
 
-  std::size_t voxels() const {
-    return static_cast<std::size_t>(side) * static_cast<std::size_t>(side) *
-           static_cast<std::size_t>(height);
+  std::size_t slice_voxels() const {
+    return static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
   }
+  std::size_t voxels() const { return slice_voxels() * static_cast<std::size_t>(height); }
   double patch_m() const { return side * voxel_m; }
   double voxel_volume_m3() const { return voxel_m * voxel_m * voxel_m; }
   /// Position in the dense order: x fastest, then y, then z. All coordinates inside.
@@ -28,6 +29,8 @@ struct TexelShape {
     const int index = static_cast<int>(voxel);
     return {index % side, index / side % side, index / side / side};
   }
+  /// The slice that a height lies in, given in voxels; the nearest one outside.
+  int slice(float z_voxels) const { return std::clamp(static_cast<int>(z_voxels), 0, height - 1); }
   /// A coordinate beyond the tile's border, brought back.
   int wrapped(int i) const {
     const int rest = i % side;

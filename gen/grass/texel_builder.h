@@ -1,13 +1,14 @@
 #pragma once
 
-#include <vector>
+#include <array>
+#include <functional>
+#include <span>
 
 #include "grass/texel.h"
-#include "grass/voxel_set.h"
 
 namespace wold::grass {
 
-/// What one contribution adds to a voxel.
+/// A bit of grass that is spread over voxels.
 struct Contribution {
   float area_m2 = 0.0F;
   glm::vec3 tangent;
@@ -16,42 +17,38 @@ struct Contribution {
   float specular = 0.0F;
 };
 
-/// Gathers weighted contributions into a texel in two passes over the same contributions: mark()
-/// every voxel that will be touched, prepare(), then add(). Two passes keep the sums compact: 64
-/// bytes per voxel that holds matter, nothing for the others.
+/// Part of a contribution that one voxel of a slice gets.
+struct VoxelShare {
+  std::uint32_t ground;  ///< the voxel's place within its slice, y * side + x
+  float share;
+};
+
+/// Contributions a texel is made of, slice by slice. Walked through twice for every slice, and for
+/// several slices at once; always in the same order, because sums depend on it.
+class Contributions {
+ public:
+  virtual ~Contributions() = default;
+
+  using Visit = std::function<void(std::size_t which, std::span<const VoxelShare> shares)>;
+  /// Calls visit for every contribution that reaches the slice at height z.
+  virtual void each_in_slice(int z, const Visit& visit) const = 0;
+  virtual float area_m2(std::size_t which) const = 0;
+  virtual Contribution contribution(std::size_t which) const = 0;
+};
+
+/// Gathers weighted contributions into a texel. Slices are made independently, each in two passes:
+/// areas first, then, for the voxels that are bright enough to be seen, everything else. A meadow
+/// touches four times as many voxels as it fills visibly, and a slice stays in the processor's
+/// cache.
 ///
 /// Density is a sum; every other attribute is the mean weighted by area, so a constant field stays
 /// constant. Tangents are averaged as dyads t t^T, whose main axis is the mean fibre: t and -t do
-/// not cancel. Normals point outwards and are averaged as vectors.
-class TexelBuilder {
- public:
-  explicit TexelBuilder(const TexelShape& shape);
-
-  /// x and y are wrapped by the caller; z within the texel.
-  void mark(std::uint32_t voxel) { touched_.insert(voxel); }
-  void prepare();
-  void add(std::uint32_t voxel, float share, const Contribution& what);
-  /// Voxels too faint to see are left out and their area is given to the others, in proportion;
-  /// when all are faint, all are kept.
-  Texel build() const;
-
- private:
-  /// One cache line.
-  struct alignas(64) Sum {
-    float area = 0.0F;
-    float dyad[6] = {};  ///< xx, yy, zz, xy, xz, yz
-    glm::vec3 normal{0.0F};
-    glm::vec3 albedo{0.0F};
-    float specular = 0.0F;
-  };
-
-  TexelShape shape_;
-  VoxelSet touched_;
-  std::vector<std::uint32_t> voxel_;
-  std::vector<Sum> sums_;
-};
+/// not cancel. Normals point outwards and are averaged as vectors. Voxels too faint to see
+/// (visible.h) are left out and their area is given to the others, in proportion; when all are
+/// faint, all are kept. `area_m2` is that of all contributions together.
+Texel build_texel(const TexelShape& shape, const Contributions& contributions, double area_m2);
 
 /// Unit main axis of the dyad (xx, yy, zz, xy, xz, yz), turned upwards; (0, 0, 1) for none.
-glm::vec3 main_axis(const float (&dyad)[6]);
+glm::vec3 main_axis(const std::array<float, 6>& dyad);
 
 }  // namespace wold::grass

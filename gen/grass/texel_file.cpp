@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "core/error.h"
 #include "core/vdb_file.h"
@@ -24,30 +25,6 @@ openvdb::Vec3s stored(const glm::vec3& value) { return {value.x, value.y, value.
 void restore(float from, float& to) { to = from; }
 void restore(const openvdb::Vec3s& from, glm::vec3& to) { to = {from.x(), from.y(), from.z()}; }
 
-/// Looks leaves up by position in a plain table: voxels arrive row by row, and the tree's own
-/// search would dominate.
-template <class Tree>
-class LeafTable {
- public:
-  using Leaf = typename Tree::LeafNodeType;
-  LeafTable(Tree& tree, const TexelShape& shape)
-      : tree_(tree),
-        side_((shape.side + border) / 8 + 1),
-        leaves_(static_cast<std::size_t>(side_ * side_ * ((shape.height + border) / 8 + 1)),
-                nullptr) {}
-  Leaf& at(const openvdb::Coord& voxel) {
-    const int index = ((voxel.z() >> 3) * side_ + (voxel.y() >> 3)) * side_ + (voxel.x() >> 3);
-    Leaf*& leaf = leaves_[static_cast<std::size_t>(index)];
-    if (leaf == nullptr) leaf = tree_.touchLeaf(voxel);
-    return *leaf;
-  }
-
- private:
-  Tree& tree_;
-  int side_;
-  std::vector<Leaf*> leaves_;
-};
-
 openvdb::Coord coord_of(const TexelShape& shape, std::uint32_t voxel) {
   const glm::ivec3 at = shape.coordinates(voxel) + border;
   return {at.x, at.y, at.z};
@@ -56,28 +33,47 @@ openvdb::Coord coord_of(const TexelShape& shape, std::uint32_t voxel) {
 /// What the grids of a file have in common: their leaves, and for every voxel in the order of the
 /// leaves its place in the lists.
 struct Topology {
+  using Places = openvdb::Int32Tree::LeafNodeType;
   struct Leaf {
     openvdb::Coord origin;
-    openvdb::Int32Tree::LeafNodeType::NodeMaskType active;
+    Places::NodeMaskType active;
   };
   std::vector<Leaf> leaves;
   std::vector<std::uint32_t> places;
 };
 
+/// One layer of leaves after the other: voxels arrive slice by slice, so no more than a layer is
+/// open at a time.
 Topology topology(const TexelShape& shape, const std::vector<std::uint32_t>& voxel) {
-  openvdb::Int32Tree tree;
-  LeafTable<openvdb::Int32Tree> table(tree, shape);
-  for (std::size_t i = 0; i < voxel.size(); ++i) {
-    const openvdb::Coord at = coord_of(shape, voxel[i]);
-    table.at(at).setValueOn(at, static_cast<std::int32_t>(i));
-  }
+  constexpr int leaf_side = Topology::Places::DIM;
+  const int leaves_across = (shape.side + border) / leaf_side + 1;
+  std::vector<std::array<std::uint32_t, Topology::Places::SIZE>> places(
+      static_cast<std::size_t>(leaves_across * leaves_across));
+  std::vector<Topology::Leaf> layer(places.size());
   Topology result;
   result.places.reserve(voxel.size());
-  for (auto leaf = tree.cbeginLeaf(); leaf; ++leaf) {
-    result.leaves.push_back({leaf->origin(), leaf->getValueMask()});
-    for (auto place = leaf->cbeginValueOn(); place; ++place)
-      result.places.push_back(static_cast<std::uint32_t>(*place));
+  const auto close_layer = [&] {
+    for (std::size_t leaf = 0; leaf < layer.size(); ++leaf) {
+      if (layer[leaf].active.isOff()) continue;
+      for (auto on = layer[leaf].active.beginOn(); on; ++on)
+        result.places.push_back(places[leaf][on.pos()]);
+      result.leaves.push_back(layer[leaf]);
+      layer[leaf].active.setOff();
+    }
+  };
+  int open = 0;
+  for (std::uint32_t i = 0; i < voxel.size(); ++i) {
+    const openvdb::Coord at = coord_of(shape, voxel[i]);
+    if (at.z() / leaf_side != open) close_layer();
+    open = at.z() / leaf_side;
+    const auto leaf =
+        static_cast<std::size_t>(at.y() / leaf_side * leaves_across + at.x() / leaf_side);
+    const openvdb::Index within = Topology::Places::coordToOffset(at);
+    layer[leaf].origin = at & ~(leaf_side - 1);
+    layer[leaf].active.setOn(within);
+    places[leaf][within] = i;
   }
+  close_layer();
   return result;
 }
 

@@ -4,10 +4,14 @@
 
 namespace wold::grass {
 
+float faintest_density(const TexelShape& shape) {
+  constexpr double faintest_depth = 0.02;
+  return static_cast<float>(faintest_depth / shape.voxel_m);
+}
+
 std::vector<std::uint32_t> visible_voxels(const std::vector<float>& density,
                                           const TexelShape& shape) {
-  constexpr double faintest_depth = 0.02;
-  const auto least = static_cast<float>(faintest_depth / shape.voxel_m);
+  const float least = faintest_density(shape);
   std::vector<std::uint32_t> kept;
   for (std::uint32_t i = 0; i < density.size(); ++i)
     if (density[i] >= least) kept.push_back(i);

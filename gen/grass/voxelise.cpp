@@ -72,6 +72,42 @@ std::vector<BladeVoxel> gathered(std::vector<Speck>& specks) {
   return voxels;
 }
 
+/// The voxels of straight blades, ordered by slice.
+class BladeContributions : public Contributions {
+ public:
+  BladeContributions(const std::vector<Blade>& blades, const TexelShape& shape, glm::vec3 albedo,
+                     float specular)
+      : slices_(static_cast<std::size_t>(shape.height)) {
+    for (const Blade& blade : blades)
+      for (const BladeVoxel& voxel : voxelise_blade(blade, shape)) {
+        if (voxel.voxel.z >= shape.height) continue;
+        slices_[static_cast<std::size_t>(voxel.voxel.z)].push_back(all_.size());
+        all_.push_back({voxel.area_m2, AxisFrame(blade).along, voxel.normal, albedo, specular});
+        ground_.push_back(
+            shape.linear(shape.wrapped(voxel.voxel.x), shape.wrapped(voxel.voxel.y), 0));
+      }
+  }
+  double area_m2() const {
+    double sum = 0.0;
+    for (const Contribution& one : all_) sum += double{one.area_m2};
+    return sum;
+  }
+
+  void each_in_slice(int z, const Visit& visit) const override {
+    for (std::size_t which : slices_[static_cast<std::size_t>(z)]) {
+      const VoxelShare all{ground_[which], 1.0F};
+      visit(which, {&all, 1});
+    }
+  }
+  float area_m2(std::size_t which) const override { return all_[which].area_m2; }
+  Contribution contribution(std::size_t which) const override { return all_[which]; }
+
+ private:
+  std::vector<std::vector<std::size_t>> slices_;
+  std::vector<Contribution> all_;
+  std::vector<std::uint32_t> ground_;
+};
+
 }  // namespace
 
 double cone_area_m2(const Blade& blade) {
@@ -91,22 +127,8 @@ std::vector<BladeVoxel> voxelise_blade(const Blade& blade, const TexelShape& sha
 
 Texel voxelise(const std::vector<Blade>& blades, const TexelShape& shape, glm::vec3 albedo,
                float specular) {
-  TexelBuilder builder(shape);
-  std::vector<std::vector<BladeVoxel>> voxels;
-  const auto dense = [&](const glm::ivec3& at) {
-    return shape.linear(shape.wrapped(at.x), shape.wrapped(at.y), at.z);
-  };
-  for (const Blade& blade : blades) {
-    voxels.push_back(voxelise_blade(blade, shape));
-    std::erase_if(voxels.back(), [&](const auto& voxel) { return voxel.voxel.z >= shape.height; });
-    for (const BladeVoxel& voxel : voxels.back()) builder.mark(dense(voxel.voxel));
-  }
-  builder.prepare();
-  for (std::size_t i = 0; i < blades.size(); ++i)
-    for (const BladeVoxel& voxel : voxels[i])
-      builder.add(dense(voxel.voxel), 1.0F,
-                  {voxel.area_m2, AxisFrame(blades[i]).along, voxel.normal, albedo, specular});
-  return builder.build();
+  const BladeContributions contributions(blades, shape, albedo, specular);
+  return build_texel(shape, contributions, contributions.area_m2());
 }
 
 }  // namespace wold::grass

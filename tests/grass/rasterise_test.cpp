@@ -73,15 +73,28 @@ TEST(Rasterise, ConstantFieldStaysConstant) {
   EXPECT_TRUE(std::is_sorted(texel.voxel.begin(), texel.voxel.end()));
 }
 
-Texel mixed_in_one_voxel(const std::vector<Contribution>& contributions) {
-  TexelBuilder builder({1, 1, 1.0});
-  builder.mark(0);
-  builder.prepare();
-  for (const Contribution& contribution : contributions) builder.add(0, 1.0F, contribution);
-  return builder.build();
+/// Everything in the one voxel of a texel.
+class OneVoxel : public Contributions {
+ public:
+  explicit OneVoxel(const std::vector<Contribution>& all) : all_(all) {}
+  void each_in_slice(int, const Visit& visit) const override {
+    const VoxelShare whole{0, 1.0F};
+    for (std::size_t i = 0; i < all_.size(); ++i) visit(i, {&whole, 1});
+  }
+  float area_m2(std::size_t which) const override { return all_[which].area_m2; }
+  Contribution contribution(std::size_t which) const override { return all_[which]; }
+
+ private:
+  const std::vector<Contribution>& all_;
+};
+
+Texel mixed_in_one_voxel(const std::vector<Contribution>& all) {
+  double area_m2 = 0.0;
+  for (const Contribution& one : all) area_m2 += double{one.area_m2};
+  return build_texel({1, 1, 1.0}, OneVoxel(all), area_m2);
 }
 
-TEST(TexelBuilder, OppositeTangentsAreTheSameFibre) {
+TEST(BuildTexel, OppositeTangentsAreTheSameFibre) {
   const glm::vec3 t = glm::normalize(glm::vec3(0.3F, -0.4F, 0.5F));
   const Texel texel = mixed_in_one_voxel({{1.0F, t, {}, {}, 0.0F}, {2.0F, -t, {}, {}, 0.0F}});
   EXPECT_GT(glm::dot(texel.tangent[0], t), 1.0F - 1e-6F);
@@ -89,7 +102,7 @@ TEST(TexelBuilder, OppositeTangentsAreTheSameFibre) {
 
 // Two fibres +-30 degrees off x with equal area: the mean fibre is x; with more area of one it
 // turns to the angle a with tan 2a = sin 60 (p - q) / (cos 60 (p + q)).
-TEST(TexelBuilder, MainAxisOfTwoFibres) {
+TEST(BuildTexel, MainAxisOfTwoFibres) {
   const auto fibre = [](double angle) { return glm::vec3(std::cos(angle), 0.0F, std::sin(angle)); };
   const double angle = 30.0 * test::degree;
   const auto mean = [&](float p, float q) {
@@ -103,7 +116,7 @@ TEST(TexelBuilder, MainAxisOfTwoFibres) {
   EXPECT_NEAR(mean(3.0F, 1.0F), expected, 1e-3);
 }
 
-TEST(TexelBuilder, AlbedoIsTheMeanByArea) {
+TEST(BuildTexel, AlbedoIsTheMeanByArea) {
   const Texel texel = mixed_in_one_voxel({{3.0F, {0, 0, 1}, {}, {1.0F, 0.0F, 0.0F}, 0.4F},
                                           {1.0F, {0, 0, 1}, {}, {0.0F, 1.0F, 0.0F}, 0.0F}});
   EXPECT_LT(glm::distance(texel.albedo[0], glm::vec3(0.75F, 0.25F, 0.0F)), 1e-6F);
