@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "blender/blade_files.h"
 #include "blender/frame_data.h"
 #include "blender/volume_file.h"
 #include "core/files.h"
@@ -67,6 +68,10 @@ void export_frame(const Landscape& landscape, const fs::path& folder) {
   const fs::path volume_folder = folder / "data" / "volumes";
   make_folder(frame_folder);
   make_folder(volume_folder);
+  const fs::path blades_folder = folder / "data" / "blades";
+  if (!landscape.blade_meshes.empty()) make_folder(blades_folder);
+  parallel_for(landscape.blade_meshes.size(),
+               [&](std::size_t i) { write_blades(landscape.blade_meshes[i], blades_folder); });
   const std::vector<double> distances_m = nearest_m(landscape);
   const std::vector<std::size_t> used = used_volumes(distances_m);
   std::vector<VolumeEntry> entries(used.size());
@@ -76,7 +81,7 @@ void export_frame(const Landscape& landscape, const fs::path& folder) {
                   step_voxels(landscape, volume.voxel_m, distances_m[used[i]])};
     write_volume(entries[i].file, volume);
   });
-  write_frame_data(landscape, frame_folder, entries, picks_of(landscape, used));
+  write_frame_data(landscape, frame_folder, entries, picks_of(landscape, used), blades_folder);
 }
 
 void export_scene(const fs::path& folder) {

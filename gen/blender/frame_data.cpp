@@ -1,8 +1,8 @@
 #include "blender/frame_data.h"
 
-#include <bit>
 #include <nlohmann/json.hpp>
 
+#include "blender/arrays.h"
 #include "blender/placement.h"
 #include "core/files.h"
 #include "core/image.h"
@@ -14,14 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using landscape::Landscape;
-
-static_assert(std::endian::native == std::endian::little, "the arrays are written as they lie");
-
-template <class T>
-void write_array(const fs::path& path, const std::vector<T>& values) {
-  write_file(path, std::string_view(reinterpret_cast<const char*>(values.data()),
-                                    values.size() * sizeof(T)));
-}
 
 Json json_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
@@ -68,29 +60,48 @@ glm::dvec3 nudge(std::size_t cell, double voxel_m) {
   return 0.03 * voxel_m * glm::dvec3(part("nudge x"), part("nudge y"), part("nudge z"));
 }
 
-Json write_cells(const Landscape& landscape, const fs::path& folder,
-                 const std::vector<int>& picks) {
+/// Writes the arrays of instances as <prefix><array>.
+Json write_instances(const std::vector<Placement>& placements, const std::vector<int>& picks,
+                     const fs::path& folder, const std::string& prefix) {
   std::vector<float> positions, first_turns, scales, second_turns;
-  for (std::size_t i = 0; i < landscape.cells.size(); ++i) {
-    const landscape::Cell& cell = landscape.cells[i];
-    const landscape::Volume& volume = landscape.volumes[static_cast<std::size_t>(cell.volume)];
-    const Placement placement = placement_of(cell.world_from_cell);
-    append(positions, placement.position_m + nudge(i, volume.voxel_m));
+  for (const Placement& placement : placements) {
+    append(positions, placement.position_m);
     append(first_turns, placement.first_turn_rad);
     append(scales, placement.scale);
     append(second_turns, placement.second_turn_rad);
   }
-  write_array(folder / "positions_m.f32", positions);
-  write_array(folder / "first_turns_rad.f32", first_turns);
-  write_array(folder / "scales.f32", scales);
-  write_array(folder / "second_turns_rad.f32", second_turns);
-  write_array(folder / "picks.i32", picks);
+  const auto written = [&](const char* name, const auto& values) {
+    write_array(folder / (prefix + name), values);
+    return prefix + name;
+  };
   return {{"count", picks.size()},
-          {"positions", "positions_m.f32"},
-          {"first_turns", "first_turns_rad.f32"},
-          {"scales", "scales.f32"},
-          {"second_turns", "second_turns_rad.f32"},
-          {"picks", "picks.i32"}};
+          {"positions", written("positions_m.f32", positions)},
+          {"first_turns", written("first_turns_rad.f32", first_turns)},
+          {"scales", written("scales.f32", scales)},
+          {"second_turns", written("second_turns_rad.f32", second_turns)},
+          {"picks", written("picks.i32", picks)}};
+}
+
+Json write_cells(const Landscape& landscape, const fs::path& folder,
+                 const std::vector<int>& picks) {
+  std::vector<Placement> placements;
+  for (std::size_t i = 0; i < landscape.cells.size(); ++i) {
+    const landscape::Cell& cell = landscape.cells[i];
+    const landscape::Volume& volume = landscape.volumes[static_cast<std::size_t>(cell.volume)];
+    placements.push_back(placement_of(cell.world_from_cell));
+    placements.back().position_m += nudge(i, volume.voxel_m);
+  }
+  return write_instances(placements, picks, folder, "");
+}
+
+Json write_blade_cells(const Landscape& landscape, const fs::path& folder) {
+  std::vector<Placement> placements;
+  std::vector<int> picks;
+  for (const landscape::BladeCell& cell : landscape.blade_cells) {
+    placements.push_back(placement_of(cell.world_from_cell));
+    picks.push_back(cell.mesh);
+  }
+  return write_instances(placements, picks, folder, "blade_");
 }
 
 /// The size lets scene.py refuse a file that was cut short; Blender itself would crash.
@@ -103,10 +114,20 @@ Json volumes_json(const std::vector<VolumeEntry>& volumes, const fs::path& folde
   return list;
 }
 
+Json blades_json(const Landscape& landscape, const fs::path& blades, const fs::path& folder) {
+  Json list = Json::array();
+  for (const landscape::BladeMesh& mesh : landscape.blade_meshes)
+    list.push_back({{"file", (blades / mesh.name).lexically_relative(folder).generic_string()},
+                    {"vertices", mesh.tubes->vertices_m.size()},
+                    {"quads", quad_corners(*mesh.tubes).size() / 4}});
+  return list;
+}
+
 }  // namespace
 
 void write_frame_data(const Landscape& landscape, const fs::path& folder,
-                      const std::vector<VolumeEntry>& volumes, const std::vector<int>& picks) {
+                      const std::vector<VolumeEntry>& volumes, const std::vector<int>& picks,
+                      const fs::path& blades_folder) {
   write_image(folder / "sky.exr", landscape.sky, PixelFormat::float32);
   const Json frame = {{"frame", landscape.frame},
                       {"weathering", landscape.weathering},
@@ -119,7 +140,9 @@ void write_frame_data(const Landscape& landscape, const fs::path& folder,
                       {"ground", write_ground_map(landscape.ground, folder, "ground.exr")},
                       {"sky", "sky.exr"},
                       {"cells", write_cells(landscape, folder, picks)},
-                      {"volumes", volumes_json(volumes, folder)}};
+                      {"volumes", volumes_json(volumes, folder)},
+                      {"blade_cells", write_blade_cells(landscape, folder)},
+                      {"blades", blades_json(landscape, blades_folder, folder)}};
   write_file(folder / "frame.json", frame.dump(2) + "\n");
 }
 

@@ -15,7 +15,7 @@ struct VolumeEntry {
 };
 
 /// Writes a frame's arrays, pictures and frame.json into `folder`. `volumes` are the ones in use
-/// and `picks` is each cell's index into them.
+/// and `picks` is each cell's index into them; the landscape's meshes lie in `blades_folder`.
 ///
 ///   heights_m.f32          samples x samples, x fastest: the terrain
 ///   positions_m.f32        3 per cell
@@ -23,11 +23,13 @@ struct VolumeEntry {
 ///   scales.f32
 ///   second_turns_rad.f32
 ///   picks.i32              1 per cell
+///   blade_*.*32            the same five for the cells that are drawn as blades
 ///   light.exr, ground.exr  samples x samples on the corners of the terrain, north at the top
 ///   sky.exr                as landscape::Landscape::sky
 ///
 /// Arrays are little-endian without a header. Throws FileError.
 void write_frame_data(const landscape::Landscape& landscape, const std::filesystem::path& folder,
-                      const std::vector<VolumeEntry>& volumes, const std::vector<int>& picks);
+                      const std::vector<VolumeEntry>& volumes, const std::vector<int>& picks,
+                      const std::filesystem::path& blades_folder);
 
 }  // namespace wold::blender

@@ -61,7 +61,7 @@ void Film::choose_cells(Progress& progress) {
   for (const int frame : job_.frames) {
     cells_.push_back(landscape::choose_cells(job_.scene, terrain_, frame));
     for (const landscape::CellChoice& cell : cells_.back())
-      demand_[cell.variant][cell.key_frame][cell.level].insert(cell.turn);
+      if (!cell.blades) demand_[cell.variant][cell.key_frame][cell.level].insert(cell.turn);
     progress.advance(1, fmt::format("frame {}: {} cells", frame, cells_.back().size()));
   }
   progress.end();
@@ -69,22 +69,33 @@ void Film::choose_cells(Progress& progress) {
 
 void Film::make_texels(Progress& progress) { texels_.generate(demand_, progress); }
 
-void Film::export_frames(Progress& progress) const {
+landscape::Volume Film::volume(const landscape::CellChoice& cell) const {
+  const int side = job_.scene.grass.levels[static_cast<std::size_t>(cell.level)];
+  const auto& turns = demand_.at(cell.variant).at(cell.key_frame).at(cell.level);
+  landscape::Volume volume;
+  volume.name = fmt::format("v{}_k{:02}_q{}_{:03}", cell.variant, cell.key_frame, cell.turn, side);
+  volume.vdb = texels_.volume_path(cell.variant, cell.key_frame, cell.level);
+  volume.emission_grid = fmt::format("emission_q{}", cell.turn);
+  volume.content = texels_.volume_content(cell.variant, cell.key_frame, cell.level, turns);
+  volume.voxels = {side, side, texels_.level_shape(cell.level).height};
+  volume.voxel_m = job_.scene.grass.patch_m / side;
+  return volume;
+}
+
+landscape::BladeMesh Film::blades(const landscape::CellChoice& cell) {
+  landscape::BladeMesh& mesh = blades_[{cell.variant, cell.key_frame}];
+  if (mesh.tubes) return mesh;
+  mesh.name = fmt::format("v{}_k{:02}_{}", cell.variant, cell.key_frame,
+                          texels_.blades_content(cell.variant, cell.key_frame));
+  mesh.tubes = std::make_shared<const Tubes>(texels_.blades(cell.variant, cell.key_frame));
+  return mesh;
+}
+
+void Film::export_frames(Progress& progress) {
   const std::vector<std::string> renderers = wanted_renderers(job_.scene);
-  const auto lookup = [&](const landscape::CellChoice& cell) {
-    const int side = job_.scene.grass.levels[static_cast<std::size_t>(cell.level)];
-    const double voxel_m = job_.scene.grass.patch_m / side;
-    const auto& turns = demand_.at(cell.variant).at(cell.key_frame).at(cell.level);
-    landscape::Volume volume;
-    volume.name =
-        fmt::format("v{}_k{:02}_q{}_{:03}", cell.variant, cell.key_frame, cell.turn, side);
-    volume.vdb = texels_.volume_path(cell.variant, cell.key_frame, cell.level);
-    volume.emission_grid = fmt::format("emission_q{}", cell.turn);
-    volume.content = texels_.volume_content(cell.variant, cell.key_frame, cell.level, turns);
-    volume.voxels = {side, side, texels_.level_shape(cell.level).height};
-    volume.voxel_m = voxel_m;
-    return volume;
-  };
+  const landscape::PatchLookup lookup = {
+      [&](const landscape::CellChoice& cell) { return volume(cell); },
+      [&](const landscape::CellChoice& cell) { return blades(cell); }};
   for (const std::string& renderer : renderers) export_program(renderer, job_.out / renderer);
   progress.begin("scene files", job_.frames.size() * renderers.size());
   for (std::size_t i = 0; i < job_.frames.size(); ++i) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "cli/job.h"
@@ -8,6 +10,7 @@
 #include "core/progress.h"
 #include "grass/time_varying_texel.h"
 #include "landscape/cells.h"
+#include "landscape/landscape.h"
 #include "light/daylight.h"
 
 namespace wold::cli {
@@ -25,7 +28,9 @@ class Film {
  private:
   void choose_cells(Progress& progress);
   void make_texels(Progress& progress);
-  void export_frames(Progress& progress) const;
+  landscape::Volume volume(const landscape::CellChoice& cell) const;
+  landscape::BladeMesh blades(const landscape::CellChoice& cell);
+  void export_frames(Progress& progress);
 
   const Job& job_;
   light::Daylight daylight_;
@@ -33,6 +38,7 @@ class Film {
   grass::TimeVaryingTexel texels_;
   std::vector<std::vector<landscape::CellChoice>> cells_;  ///< per frame of the job
   grass::TexelDemand demand_;
+  std::map<std::pair<int, int>, landscape::BladeMesh> blades_;  ///< by variant and key frame
 };
 
 /// The renderers a scene asks for, by their folder names: "blender", "povray".

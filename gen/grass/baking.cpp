@@ -31,7 +31,7 @@ std::vector<VolumeData> bake_levels(const Texel& texel, const PointDynamics& pat
                                 blade_transmittances(patch, texel.shape.patch_m()));
   const Transmittances wanted = transmittances(VoxelRows(fine.shape, fine.voxel), fine.density);
   const std::vector<glm::vec3> sky =
-      skylight(texel, sides.size() > 1 ? coarser(fine, sides[1]) : fine, lighting);
+      skylight(texel, sides.size() > 1 ? coarser(fine, sides[1]) : fine, lighting, look);
   fine.turns = turns;
   fine.emission.resize(turns.size());
   parallel_for(turns.size(), [&](std::size_t i) {

@@ -90,6 +90,10 @@ BladePose AgeingModel::pose(const Blade& blade, double age) const {
   return blade_pose(blade, ageing_, 1.0 - water_(age));
 }
 
+glm::vec3 AgeingModel::albedo(const Blade& blade, double age, double along) const {
+  return glm::min(colour_(local_age(age, along)).albedo * blade.brightness, 0.99F);
+}
+
 float AgeingModel::specular(double age) const {
   return static_cast<float>(fresh_specular_ * (0.5 + 0.5 * water_(age)));
 }
@@ -123,8 +127,7 @@ PointDynamics::WitheredBlade PointDynamics::apply_forces(std::size_t number, dou
     const float along = static_cast<float>(i) / WitheredBlade::steps;
     const auto place = static_cast<std::size_t>(i);
     now.axis[place] = axis_point(blade, poses_[number], length_m * along);
-    now.albedo[place] = glm::min(
-        model_.albedo(AgeingModel::local_age(age, double{along})) * blade.brightness, 0.99F);
+    now.albedo[place] = model_.albedo(blade, age, double{along});
   }
   now.specular = model_.specular(age);
   return now;

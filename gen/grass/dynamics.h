@@ -25,7 +25,8 @@ class AgeingModel {
   BladePose pose(const Blade& blade, double age) const;
   /// Leaves die from the tip down: age at `along`, 0 at the root to 1 at the tip.
   static double local_age(double age, double along);
-  glm::vec3 albedo(double local_age) const { return colour_(local_age).albedo; }
+  /// Albedo of a blade of that age at `along`.
+  glm::vec3 albedo(const Blade& blade, double age, double along) const;
   /// Wax and water make the gloss; half of it goes with the water.
   float specular(double age) const;
 

@@ -36,12 +36,6 @@ std::vector<SkyRing> make_rings() {
   return rings;
 }
 
-/// The i-th of all sky directions, four to a ring.
-glm::dvec3 sky_direction(std::size_t i) {
-  return direction_at(sky_rings()[i / 4].elevation,
-                      pi / 4.0 + pi / 2.0 * static_cast<double>(i % 4));
-}
-
 /// For every voxel of the texel the voxel of the volume that its centre lies in.
 std::vector<std::uint32_t> places_in(const Texel& texel, const VolumeData& volume) {
   VoxelSet set(volume.shape);
@@ -57,11 +51,26 @@ std::vector<std::uint32_t> places_in(const Texel& texel, const VolumeData& volum
   return places;
 }
 
+/// Slices of the texel on the way to the light that hold the blade itself: half its width.
+int own_slices(const FibreLook& look, const glm::dvec3& light, const TexelShape& shape) {
+  return static_cast<int>(std::lround(0.5 * look.width_m * light.z / shape.voxel_m)) + 1;
+}
+
 }  // namespace
 
 const std::vector<SkyRing>& sky_rings() {
   static const std::vector<SkyRing> rings = make_rings();
   return rings;
+}
+
+std::vector<SkyDirection> sky_directions(const Lighting& lighting) {
+  std::vector<SkyDirection> directions;
+  for (std::size_t ring = 0; ring < sky_rings().size(); ++ring)
+    for (int i = 0; i < 4; ++i)
+      directions.push_back(
+          {direction_at(sky_rings()[ring].elevation, pi / 4.0 + pi / 2.0 * i),
+           lighting.sky_radiance[ring] * static_cast<float>(sky_rings()[ring].solid_angle)});
+  return directions;
 }
 
 Lighting make_lighting(const light::Daylight& daylight, const glm::dvec3& eye_direction) {
@@ -83,52 +92,58 @@ float kajiya_kay_specular(const glm::vec3& tangent, const glm::vec3& light, cons
 }
 
 std::vector<glm::vec3> skylight(const Texel& texel, const VolumeData& occluder,
-                                const Lighting& lighting) {
+                                const Lighting& lighting, const FibreLook& look) {
   const VoxelRows voxels(occluder.shape, occluder.voxel);
   const std::vector<std::uint32_t> place = places_in(texel, occluder);
-  const std::size_t directions = 4 * sky_rings().size();
-  std::vector<std::vector<float>> through(directions);
-  parallel_for(directions, [&](std::size_t i) {
-    through[i] = voxel_transmittance(voxels, occluder.density, sky_direction(i), /*skip=*/1);
+  const std::vector<SkyDirection> sky = sky_directions(lighting);
+  std::vector<std::vector<float>> through(sky.size());
+  parallel_for(sky.size(), [&](std::size_t i) {
+    through[i] = voxel_transmittance(voxels, occluder.density, sky[i].direction,
+                                     own_slices(look, sky[i].direction, occluder.shape));
   });
   std::vector<glm::vec3> sum(texel.size(), glm::vec3(0.0F));
   // Some voxels at a time, so that their sums stay in the processor's cache for all directions.
   constexpr std::size_t block = 4096;
   parallel_for((texel.size() + block - 1) / block, [&](std::size_t b) {
     const std::size_t end = std::min(texel.size(), (b + 1) * block);
-    for (std::size_t i = 0; i < directions; ++i) {
-      const glm::vec3 towards(sky_direction(i));
-      const glm::vec3 radiance =
-          lighting.sky_radiance[i / 4] * static_cast<float>(sky_rings()[i / 4].solid_angle);
+    for (std::size_t i = 0; i < sky.size(); ++i) {
+      const glm::vec3 towards(sky[i].direction);
       for (std::size_t v = b * block; v < end; ++v)
-        sum[v] += radiance * (through[i][place[v]] * kajiya_kay_diffuse(texel.tangent[v], towards));
+        sum[v] += sky[i].irradiance *
+                  (through[i][place[v]] * kajiya_kay_diffuse(texel.tangent[v], towards));
     }
   });
   return sum;
 }
 
+TurnedLight::TurnedLight(const Lighting& lighting, int turn)
+    : sun(turned_back(lighting.sun_direction, turn)),
+      sun_irradiance(lighting.sun_irradiance),
+      eye(turned_back(lighting.eye_direction, turn)) {}
+
+glm::vec3 source_radiance(const Fibre& fibre, const TurnedLight& light, float sunlit,
+                          const glm::vec3& skylight, float gloss) {
+  constexpr float per_sphere = 1.0F / (4.0F * std::numbers::pi_v<float>);
+  const glm::vec3 towards(light.sun);
+  const glm::vec3 direct = light.sun_irradiance * sunlit;
+  const glm::vec3 received = direct * kajiya_kay_diffuse(fibre.tangent, towards) + skylight;
+  const glm::vec3 scattered = fibre.albedo / (1.0F - recollision * fibre.albedo);
+  const float highlight =
+      fibre.specular * kajiya_kay_specular(fibre.tangent, towards, light.eye, gloss);
+  return per_sphere * (scattered * received + highlight * direct + fibre.specular * skylight);
+}
+
 std::vector<glm::vec3> bake_emission(const Texel& texel, const std::vector<float>& density,
                                      const std::vector<glm::vec3>& skylight,
                                      const Lighting& lighting, const FibreLook& look, int turn) {
-  constexpr float per_sphere = 1.0F / (4.0F * std::numbers::pi_v<float>);
-  const glm::dvec3 sun = turned_back(lighting.sun_direction, turn);
-  const glm::vec3 light(sun);
-  const glm::vec3 view(turned_back(lighting.eye_direction, turn));
-  const int skip =
-      static_cast<int>(std::lround(0.5 * look.width_m * sun.z / texel.shape.voxel_m)) + 1;
+  const TurnedLight light(lighting, turn);
   const std::vector<float> through =
-      voxel_transmittance(VoxelRows(texel.shape, texel.voxel), density, sun, skip);
+      voxel_transmittance(VoxelRows(texel.shape, texel.voxel), density, light.sun,
+                          own_slices(look, light.sun, texel.shape));
   std::vector<glm::vec3> emission(texel.size());
-  for (std::size_t v = 0; v < texel.size(); ++v) {
-    const glm::vec3& tangent = texel.tangent[v];
-    const glm::vec3 direct = lighting.sun_irradiance * through[v];
-    const glm::vec3 received = direct * kajiya_kay_diffuse(tangent, light) + skylight[v];
-    const glm::vec3 scattered = texel.albedo[v] / (1.0F - recollision * texel.albedo[v]);
-    const float highlight =
-        texel.specular[v] * kajiya_kay_specular(tangent, light, view, look.gloss);
-    emission[v] =
-        per_sphere * (scattered * received + highlight * direct + texel.specular[v] * skylight[v]);
-  }
+  for (std::size_t v = 0; v < texel.size(); ++v)
+    emission[v] = source_radiance({texel.tangent[v], texel.albedo[v], texel.specular[v]}, light,
+                                  through[v], skylight[v], look.gloss);
   return emission;
 }
 

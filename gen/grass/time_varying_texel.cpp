@@ -11,6 +11,7 @@
 #include "core/parallel.h"
 #include "core/random.h"
 #include "grass/baking.h"
+#include "grass/blade_tubes.h"
 #include "grass/levels.h"
 #include "grass/rasterise.h"
 #include "grass/texel_file.h"
@@ -68,6 +69,10 @@ TexelShape finest_shape(const scene::Scene& scene) {
   return {side, static_cast<int>(std::ceil(tallest_m(scene) / voxel_m)) + 2, voxel_m};
 }
 
+FibreLook fibre_look(const scene::Grass& grass) {
+  return {static_cast<float>(grass.gloss), grass.width_m};
+}
+
 std::uint64_t point_seed(std::uint64_t seed, int variant) {
   return random_bits({seed, key_of("points"), static_cast<std::uint64_t>(variant), 0});
 }
@@ -102,7 +107,7 @@ std::string described(const scene::Scene& scene, const Lighting& lighting) {
 }  // namespace
 
 std::string texel_models() {
-  constexpr int version = 3;  // raise when the same scene and models give other texels
+  constexpr int version = 4;  // raise when the same scene and models give other texels
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(shipped_file("models")))
     if (entry.is_regular_file()) files.push_back(entry.path());
@@ -145,6 +150,17 @@ std::string TimeVaryingTexel::volume_content(int variant, int key_frame, int lev
                                              const std::set<int>& turns) const {
   return content_hash(
       fmt::format("{} {} {}", content(variant, key_frame), level, fmt::join(turns, ",")));
+}
+
+Tubes TimeVaryingTexel::blades(int variant, int key_frame) const {
+  const AgeingModel model(scene_.ageing, scene_.grass.specular);
+  const double weathering = scene_.grass.key_frames[static_cast<std::size_t>(key_frame)];
+  return blade_tubes(withered_patch(scene_, model, variant, weathering), model, lighting_,
+                     fibre_look(scene_.grass), /*turn=*/0);
+}
+
+std::string TimeVaryingTexel::blades_content(int variant, int key_frame) const {
+  return content_hash("blades " + content(variant, key_frame));
 }
 
 bool TimeVaryingTexel::is_current(int variant, int key_frame, const LevelTurns& levels) const {
@@ -208,9 +224,8 @@ StageTimes TimeVaryingTexel::generate_variant(int variant,
     std::vector<VolumeData> baked;
     {
       const Stopwatch watch(times.baking);
-      baked =
-          bake_levels(texel, dynamics, lighting_, {static_cast<float>(grass.gloss), grass.width_m},
-                      grass.levels, all_turns(wanted->second));
+      baked = bake_levels(texel, dynamics, lighting_, fibre_look(grass), grass.levels,
+                          all_turns(wanted->second));
     }
     {
       const Stopwatch watch(times.storing);

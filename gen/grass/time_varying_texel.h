@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/progress.h"
+#include "core/tubes.h"
 #include "grass/shading.h"
 #include "grass/texel.h"
 #include "grass/volume_data.h"
@@ -50,6 +51,11 @@ class TimeVaryingTexel {
   /// Makes what is demanded and not in the folder yet. Variants run in parallel, key frames in
   /// order. Throws FileError; whole files stay, so a later call resumes.
   StageTimes generate(const TexelDemand& demand, Progress& progress) const;
+
+  /// The blades that a variant's texel stands for at a key frame, shaded for the same light, and
+  /// what they were made from: equal for equal tubes.
+  Tubes blades(int variant, int key_frame) const;
+  std::string blades_content(int variant, int key_frame) const;
 
   /// Files of generate(); `level` indexes the scene's levels.
   std::filesystem::path texel_path(int variant, int key_frame) const;

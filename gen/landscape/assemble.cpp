@@ -4,6 +4,8 @@
 #include <map>
 #include <numbers>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 
 #include "grass/leaf_colour.h"
 #include "landscape/tint.h"
@@ -15,24 +17,29 @@ namespace {
 
 constexpr int sky_width_px = 1024;
 
-using VolumeKey = std::tuple<int, int, int, int>;
+/// Each different patch once, in ascending order of `key`, and the cells that refer to them.
+template <class Key, class Lookup, class Patch, class Instance>
+void place(std::span<const CellChoice> choices, bool blades, const Key& key, const Lookup& lookup,
+           std::vector<Patch>& patches, std::vector<Instance>& cells) {
+  using Value = std::invoke_result_t<Key, const CellChoice&>;
+  std::map<Value, int> numbers;
+  std::map<Value, const CellChoice*> examples;
+  for (const CellChoice& choice : choices)
+    if (choice.blades == blades) examples.emplace(key(choice), &choice);
+  for (const auto& [value, example] : examples) {
+    numbers[value] = static_cast<int>(patches.size());
+    patches.push_back(lookup(*example));
+  }
+  for (const CellChoice& choice : choices)
+    if (choice.blades == blades) cells.push_back({choice.world_from_cell, numbers.at(key(choice))});
+}
 
-VolumeKey key(const CellChoice& choice) {
+std::tuple<int, int, int, int> volume_key(const CellChoice& choice) {
   return {choice.variant, choice.key_frame, choice.turn, choice.level};
 }
 
-/// Each different volume once, in ascending order of its key, and the cells that refer to them.
-void place_volumes(std::span<const CellChoice> choices, const VolumeLookup& lookup,
-                   Landscape& landscape) {
-  std::map<VolumeKey, int> numbers;
-  std::map<VolumeKey, const CellChoice*> examples;
-  for (const CellChoice& choice : choices) examples.emplace(key(choice), &choice);
-  for (const auto& [volume, example] : examples) {
-    numbers.emplace(volume, static_cast<int>(landscape.volumes.size()));
-    landscape.volumes.push_back(lookup(*example));
-  }
-  for (const CellChoice& choice : choices)
-    landscape.cells.push_back({choice.world_from_cell, numbers.at(key(choice))});
+std::pair<int, int> blades_key(const CellChoice& choice) {
+  return {choice.variant, choice.key_frame};
 }
 
 /// Mean colour of the meadow's grass by weathering degree.
@@ -50,13 +57,15 @@ constexpr double card_exposure = 1.6;
 
 Landscape assemble(const scene::Scene& scene, const Heightfield& terrain,
                    const light::Daylight& day, int frame, std::span<const CellChoice> choices,
-                   const VolumeLookup& lookup) {
+                   const PatchLookup& lookup) {
   Landscape landscape;
   landscape.frame = frame;
   landscape.weathering = scene.ageing.frames.at(static_cast<std::size_t>(frame - 1));
   landscape.terrain = terrain;
   landscape.patch_m = scene.grass.patch_m;
-  place_volumes(choices, lookup, landscape);
+  place(choices, /*blades=*/false, volume_key, lookup.volume, landscape.volumes, landscape.cells);
+  place(choices, /*blades=*/true, blades_key, lookup.blades, landscape.blade_meshes,
+        landscape.blade_cells);
   const ColourMap light = terrain::light_map(terrain, day);
   landscape.light = product(light, weathering_tint(scene, frame, choices, grass_colour(scene)));
   landscape.ground =

@@ -77,13 +77,22 @@ int choose_key_frame(const scene::Scene& scene, const glm::ivec2& cell, int fram
   return cell_uniform(scene, cell, "key frame") < share ? below + 1 : below;
 }
 
-/// The coarsest level that is fine enough where one metre covers `pixels_per_m`, else the finest.
+/// Whether a level is fine enough where one metre covers `pixels_per_m`.
+bool is_fine_enough(const scene::Grass& grass, int level, double pixels_per_m) {
+  const double voxel_m = grass.patch_m / grass.levels[static_cast<std::size_t>(level)];
+  return voxel_m * pixels_per_m <= grass.pixels_per_voxel;
+}
+
+/// The coarsest level that is fine enough, else the finest.
 int choose_level(const scene::Grass& grass, double pixels_per_m) {
-  for (int level = static_cast<int>(grass.levels.size()) - 1; level > 0; --level) {
-    const double voxel_m = grass.patch_m / grass.levels[static_cast<std::size_t>(level)];
-    if (voxel_m * pixels_per_m <= grass.pixels_per_voxel) return level;
-  }
+  for (int level = static_cast<int>(grass.levels.size()) - 1; level > 0; --level)
+    if (is_fine_enough(grass, level, pixels_per_m)) return level;
   return 0;
+}
+
+bool choose_blades(const scene::Scene& scene, double pixels_per_m) {
+  if (scene.render.grass == "auto") return !is_fine_enough(scene.grass, 0, pixels_per_m);
+  return scene.render.grass == "blades";
 }
 
 void check_frame(const scene::Scene& scene, int frame) {
@@ -152,10 +161,12 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
     const glm::dvec3 middle_m(at_m, terrain.sample(at_m.x, at_m.y) + grass.height_m / 2.0);
     if (!view.may_see(middle_m, margin_m)) continue;
     const double jitter = 0.9 + 0.2 * cell_uniform(scene, choice.cell, "level");
-    choice.level = choose_level(grass, view.pixels(1.0, middle_m) * jitter);
+    const double pixels_per_m = view.pixels(1.0, middle_m) * jitter;
+    choice.level = choose_level(grass, pixels_per_m);
+    choice.blades = choose_blades(scene, pixels_per_m);
     choice.variant = texels[k].variant;
-    choice.turn =
-        texels[k].turn % turns_of_level(grass.levels[static_cast<std::size_t>(choice.level)]);
+    const int side = grass.levels[static_cast<std::size_t>(choice.level)];
+    choice.turn = choice.blades ? 0 : texels[k].turn % turns_of_level(side);
     choice.key_frame = choose_key_frame(scene, choice.cell, frame);
     choice.world_from_cell = world_from_cell(terrain, grass.patch_m, choice.cell, choice.turn);
     choices.push_back(choice);

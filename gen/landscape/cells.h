@@ -19,6 +19,7 @@ struct CellChoice {
   int key_frame = 0;
   int turn = 0;
   int level = 0;
+  bool blades = false;  ///< drawn as blades, not as the volume of `level`
 };
 
 /// Cells per side of the terrain: whole patches only.
@@ -43,8 +44,9 @@ double local_weathering(const scene::Scene& scene, const glm::dvec2& at_m, int f
 /// differ; the key frame by keyed dithering between the two nearest to the local weathering; the
 /// coarsest level whose voxels cover at most grass.pixels_per_voxel, with a keyed tenth of jitter,
 /// so that no ring shows where levels change. Only `level` (and with it the turns allowed) and
-/// whether a cell is listed depend on the camera. Frame from 1; throws InputError when the scene
-/// has no such frame.
+/// whether a cell is listed depend on the camera. Cells are drawn as render.grass asks: with "auto"
+/// as blades where even the finest level is too coarse. Frame from 1; throws InputError when the
+/// scene has no such frame.
 std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfield& terrain,
                                      int frame);
 

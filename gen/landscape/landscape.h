@@ -2,11 +2,13 @@
 
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/ground_map.h"
 #include "core/image.h"
+#include "core/tubes.h"
 
 /// One frame's complete state, independent of any renderer; the only thing the exporters read.
 /// World space: metres, z up, x east, y north, right-handed. Colours and radiances are linear sRGB
@@ -35,6 +37,19 @@ struct Cell {
   int volume = 0;  ///< index into Landscape::volumes
 };
 
+/// The blades of a patch as a mesh that glows by itself, in cell space; blades may lean out of the
+/// patch.
+struct BladeMesh {
+  std::string name;  ///< unique, safe as a file name, different for different blades
+  std::shared_ptr<const Tubes> tubes;
+};
+
+/// An instance of a mesh, placed like a Cell.
+struct BladeCell {
+  glm::dmat4 world_from_cell;
+  int mesh = 0;  ///< index into Landscape::blade_meshes
+};
+
 struct Camera {
   glm::dvec3 eye_m;
   glm::dvec3 target_m;
@@ -48,11 +63,13 @@ struct Landscape {
   double patch_m = 0.0;     ///< side of a cell
   std::vector<Volume> volumes;
   std::vector<Cell> cells;
-  ColourMap light;   ///< multiplies the emission of every volume, by world x and y
-  ColourMap ground;  ///< radiance of the bare ground, by world x and y
-  Image sky;         ///< radiance by direction, 3 channels: column c looks to azimuth
-                     ///< 360 (c + 0.5) / width degrees clockwise from north, row r to
-                     ///< elevation 90 - 180 (r + 0.5) / height degrees
+  std::vector<BladeMesh> blade_meshes;
+  std::vector<BladeCell> blade_cells;  ///< where no volume stands
+  ColourMap light;                     ///< multiplies the radiance of all grass, by world x and y
+  ColourMap ground;                    ///< radiance of the bare ground, by world x and y
+  Image sky;  ///< radiance by direction, 3 channels: column c looks to azimuth
+              ///< 360 (c + 0.5) / width degrees clockwise from north, row r to
+              ///< elevation 90 - 180 (r + 0.5) / height degrees
   Camera camera;
   int width_px = 0;
   int height_px = 0;

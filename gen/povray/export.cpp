@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/files.h"
+#include "povray/blade_files.h"
 #include "povray/ground_files.h"
 #include "povray/settings.h"
 #include "povray/text.h"
@@ -54,16 +55,26 @@ void write_volumes_list(std::ostream& out, const landscape::Landscape& scene,
   for (const auto& [from, to] : used)
     out << fmt::format("Volume({}, \"{}\")\n", to,
                        scene.volumes[static_cast<std::size_t>(from)].name);
+  out << fmt::format("Meshes({})\n", scene.blade_meshes.size());
+  for (std::size_t i = 0; i < scene.blade_meshes.size(); ++i)
+    out << fmt::format("Blades({}, \"{}\")\n", i, scene.blade_meshes[i].name);
 }
 
-/// The columns of world_from_cell: where x, y and z of the cell go, then its corner.
+/// A macro call: the columns of world_from_cell are where x, y and z of the cell go, and its
+/// corner.
+void write_cell(std::ostream& out, const char* macro, int patch,
+                const glm::dmat4& world_from_cell) {
+  const auto column = [&](int c) { return vector(glm::dvec3(world_from_cell[c])); };
+  out << fmt::format("{}({}, {}, {}, {}, {})\n", macro, patch, column(0), column(1), column(2),
+                     column(3));
+}
+
 void write_cells(std::ostream& out, const landscape::Landscape& scene,
                  const std::map<int, int>& used) {
-  for (const landscape::Cell& cell : scene.cells) {
-    const auto column = [&](int c) { return vector(glm::dvec3(cell.world_from_cell[c])); };
-    out << fmt::format("Cell({}, {}, {}, {}, {})\n", used.at(cell.volume), column(0), column(1),
-                       column(2), column(3));
-  }
+  for (const landscape::Cell& cell : scene.cells)
+    write_cell(out, "Cell", used.at(cell.volume), cell.world_from_cell);
+  for (const landscape::BladeCell& cell : scene.blade_cells)
+    write_cell(out, "Blade_cell", cell.mesh, cell.world_from_cell);
 }
 
 }  // namespace
@@ -75,6 +86,8 @@ void export_frame(const landscape::Landscape& scene, const fs::path& folder) {
   const std::map<int, int> used = used_volumes(scene);
   for (const auto& [from, to] : used)
     write_volume(scene.volumes[static_cast<std::size_t>(from)], scene.df3_bits, data / "volumes");
+  if (!scene.blade_meshes.empty()) make_folder(data / "blades");
+  for (const landscape::BladeMesh& mesh : scene.blade_meshes) write_blades(mesh, data / "blades");
   const std::string terrain = write_terrain(scene.terrain, data);
   const glm::vec3 light_max = write_light(scene.light, frame);
   write_map_picture(scene.ground, frame / "ground.exr");

@@ -11,10 +11,11 @@ namespace wold::povray {
 ///     povray.ini                    size and quality of a bare `povray scene.pov`
 ///     data/frame_0001.ini           the same with frame, input and output
 ///     data/frame_0001/frame.inc     camera, exposure, scales of the maps
-///     data/frame_0001/volumes.inc   the volumes this frame uses
+///     data/frame_0001/volumes.inc   the volumes and meshes this frame uses
 ///     data/frame_0001/cells.inc     one macro call per cell
 ///     data/frame_0001/*.df3, *.exr  light on the grass; ground and sky
 ///     data/terrain_<hash>.inc       the ground's triangles, shared by frames with the same ground
+///     data/blades/<name>*           meshes, shared by all frames
 ///     data/volumes/<name>*          shared by all frames
 ///
 /// Only volumes that a cell uses are written, and only when they are not there already. Equal

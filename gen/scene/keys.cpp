@@ -254,6 +254,10 @@ std::vector<Key> render_keys() {
                  "Width and height of the picture."),
             FIELD(render.size_px)),
       bound(integer("render.samples", "", {1, 4096}, "Samples per pixel."), FIELD(render.samples)),
+      bound(word("render.grass", {"texels", "blades", "auto"},
+                 "What grass is drawn as: volumes, true blades, or blades where the finest volume "
+                 "is too coarse and volumes beyond."),
+            FIELD(render.grass)),
       bound(number("render.exposure", "stops", {-6, 6}, "Brightness of the picture."),
             FIELD(render.exposure)),
       bound(only(integer("render.df3_bits", "bits", {8, 16}, "Depth of POV-Ray's density files."),

@@ -107,8 +107,9 @@ struct Camera {
 struct Render {
   std::string renderer = "both";  ///< "blender", "povray", "both"
   std::array<int, 2> size_px = {960, 540};
-  int samples = 4;        ///< per pixel
-  double exposure = 0.0;  ///< in stops
+  int samples = 4;               ///< per pixel
+  std::string grass = "texels";  ///< "texels", "blades", "auto"
+  double exposure = 0.0;         ///< in stops
   int df3_bits = 8;
   int threads = 0;                ///< 0: all
   double timeout_minutes = 60.0;  ///< per frame and renderer

@@ -166,6 +166,20 @@ def grass_material(frame, step_voxels):
     return material
 
 
+def blades_material(frame):
+    """Vertices carry their radiance in `radiance`, the map `light` tints."""
+    material, nodes = new_material("blades")
+    radiance = nodes.add("ShaderNodeAttribute", attribute_name="radiance")
+    lit = nodes.add("ShaderNodeVectorMath", operation="MULTIPLY")
+    emission = nodes.add("ShaderNodeEmission")
+    output = nodes.add("ShaderNodeOutputMaterial")
+    nodes.link(radiance.outputs["Vector"], lit.inputs[0])
+    nodes.link(map_colour(nodes, frame, frame["light"]), lit.inputs[1])
+    nodes.link(lit.outputs["Vector"], emission.inputs["Color"])
+    nodes.link(emission.outputs["Emission"], output.inputs["Surface"])
+    return material
+
+
 # The terrain, the sky, the camera -----------------------------------------------------------
 
 
@@ -198,18 +212,24 @@ def quad_corners(samples):
     return corners
 
 
-def add_terrain(frame):
-    terrain = frame["terrain"]
-    samples = terrain["samples"]
-    heights = frame.numbers(terrain["heights"], "f", samples * samples)
-    mesh = point_mesh("terrain", terrain_points(heights, samples, terrain["size_m"] / (samples - 1)))
-    corners = quad_corners(samples)
+def quad_mesh(name, coordinates, corners):
+    """`corners` are the vertices of each face, four by four."""
+    mesh = point_mesh(name, coordinates)
     mesh.loops.add(len(corners))
     mesh.loops.foreach_set("vertex_index", corners)
     mesh.polygons.add(len(corners) // 4)
     mesh.polygons.foreach_set("loop_start", array.array("i", range(0, len(corners), 4)))
     mesh.polygons.foreach_set("loop_total", array.array("i", [4]) * (len(corners) // 4))
     mesh.update(calc_edges=True)
+    return mesh
+
+
+def add_terrain(frame):
+    terrain = frame["terrain"]
+    samples = terrain["samples"]
+    heights = frame.numbers(terrain["heights"], "f", samples * samples)
+    points = terrain_points(heights, samples, terrain["size_m"] / (samples - 1))
+    mesh = quad_mesh("terrain", points, quad_corners(samples))
     mesh.materials.append(ground_material(frame))
     add_object("terrain", mesh)
 
@@ -282,9 +302,24 @@ def load_volumes(frame):
     return collection
 
 
-def cell_points(frame):
-    """One point per cell with what the geometry nodes need to place its volume."""
-    cells = frame["cells"]
+def load_blades(frame):
+    """The meshes of blades, likewise."""
+    collection = bpy.data.collections.new("blades")
+    material = blades_material(frame)
+    for number, entry in enumerate(frame["blades"]):
+        name = f"blades {number:05d}"
+        file, count = entry["file"], entry["vertices"]
+        mesh = quad_mesh(name, frame.numbers(file + ".vertices.f32", "f", 3 * count),
+                         frame.numbers(file + ".quads.i32", "i", 4 * entry["quads"]))
+        radiance = frame.numbers(file + ".radiance.f32", "f", 3 * count)
+        mesh.attributes.new("radiance", "FLOAT_VECTOR", "POINT").data.foreach_set("vector", radiance)
+        mesh.materials.append(material)
+        collection.objects.link(bpy.data.objects.new(name, mesh))
+    return collection
+
+
+def cell_points(frame, cells):
+    """One point per cell with what the geometry nodes need to place what stands on it."""
     count = cells["count"]
     mesh = point_mesh("cells", frame.numbers(cells["positions"], "f", 3 * count))
     for name in ("first_turns", "scales", "second_turns"):
@@ -301,15 +336,15 @@ def attribute(nodes, name, data_type):
     return next(output for output in node.outputs if output.enabled)
 
 
-def placing_nodes(volumes):
-    """Geometry nodes: on each point the volume it picks, turned, scaled and turned again. Blender's
+def placing_nodes(members):
+    """Geometry nodes: on each point the member it picks, turned, scaled and turned again. Blender's
     instances cannot be sheared directly; two turns about a scale are any shear."""
-    tree = bpy.data.node_groups.new("place volumes", "GeometryNodeTree")
+    tree = bpy.data.node_groups.new("place", "GeometryNodeTree")
     tree.inputs.new("NodeSocketGeometry", "Geometry")
     tree.outputs.new("NodeSocketGeometry", "Geometry")
     nodes = Nodes(tree)
     source = nodes.add("GeometryNodeCollectionInfo")
-    source.inputs["Collection"].default_value = volumes
+    source.inputs["Collection"].default_value = members
     source.inputs["Separate Children"].default_value = True
     place = nodes.add("GeometryNodeInstanceOnPoints")
     place.inputs["Pick Instance"].default_value = True
@@ -332,10 +367,17 @@ def placing_nodes(volumes):
     return tree
 
 
+def add_instances(frame, cells, members):
+    if cells["count"] == 0:
+        return
+    points = add_object("cells", cell_points(frame, cells))
+    modifier = points.modifiers.new("place", "NODES")
+    modifier.node_group = placing_nodes(members)
+
+
 def add_grass(frame):
-    cells = add_object("cells", cell_points(frame))
-    modifier = cells.modifiers.new("place volumes", "NODES")
-    modifier.node_group = placing_nodes(load_volumes(frame))
+    add_instances(frame, frame["cells"], load_volumes(frame))
+    add_instances(frame, frame["blade_cells"], load_blades(frame))
 
 
 # The picture --------------------------------------------------------------------------------

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
 #include "blender/export.h"
@@ -29,6 +31,7 @@ class BlenderRender : public testing::Test {
       GTEST_SKIP() << "no Blender on this machine: its pictures are not tested";
     fs::remove_all(folder);
     landscape = test::synthetic_landscape({.cells_per_side = 6, .volumes = 1}, folder / "texels");
+    landscape.blade_cells.clear();
     landscape.samples = 4;
     landscape.exposure_gain = 2.0;
     landscape.light.values().assign(landscape.light.values().size(), glm::vec3(1.0F));
@@ -106,6 +109,35 @@ glm::dvec2 centroid(const Image& picture, int channel) {
       weight += value;
     }
   return sum / weight;
+}
+
+// Blades show their own radiance times the light of the place, whole and nowhere else.
+TEST_F(BlenderRender, BladesShowTheirRadianceTimesTheLight) {
+  landscape.cells.clear();
+  const glm::vec3 light(0.5F, 0.8F, 1.6F);
+  std::fill(landscape.light.values().begin(), landscape.light.values().end(), light);
+  std::fill(landscape.ground.values().begin(), landscape.ground.values().end(), glm::vec3(0.02F));
+  std::fill(landscape.terrain.values().begin(), landscape.terrain.values().end(), 0.0F);
+  const glm::vec3 own(0.16F, 0.05F, 0.1F);
+  landscape.blade_meshes = {test::pillar("pillar", 0.2, 0.4, own)};
+  const glm::dvec3 foot(1.75, 1.25, 0.0);
+  landscape.blade_cells = {
+      {glm::translate(glm::dmat4(1.0), foot - glm::dvec3(0.25, 0.25, 0.0)), 0}};
+  landscape.camera = {{1.5, -1.0, 0.6}, {1.5, 1.5, 0.2}, 40.0};
+  ASSERT_EQ(run(), 0) << read_file(folder / "log");
+  const Image picture = read_image(folder / "picture.png");
+  const Eye eye(landscape);
+  const auto shown = [&](const glm::dvec3& place, int channel) {
+    const glm::dvec2 at = eye.pixel_of_direction(place - landscape.camera.eye_m);
+    const float value = picture.pixel(static_cast<int>(at.x), static_cast<int>(at.y))[channel];
+    return double{linear_of(value)} / landscape.exposure_gain;
+  };
+  for (int channel = 0; channel < 3; ++channel) {
+    const double wanted = double{own[channel] * light[channel]};
+    EXPECT_NEAR(shown(foot + glm::dvec3(-0.07, -0.1, 0.1), channel), wanted, 0.02 * wanted);
+    EXPECT_NEAR(shown(foot + glm::dvec3(0.07, -0.1, 0.3), channel), wanted, 0.02 * wanted);
+    EXPECT_NEAR(shown(foot + glm::dvec3(-0.2, -0.1, 0.0), channel), 0.02, 0.001);  // the ground
+  }
 }
 
 // A red mark in the sky, one green voxel and a blue ground, each where the landscape puts it.

@@ -86,8 +86,9 @@ TEST(Bake, UniformSkyGivesItsRadianceTimesHalfTheAlbedo) {
                        glm::vec3(0.0F),
                        std::vector<glm::vec3>(sky_rings().size(), glm::vec3(2.0F)),
                        {1.0, 0.0, 0.0}};
-  const auto emission = bake_emission(texel, texel.density, skylight(texel, occluder, light), light,
-                                      {24.0F, 0.0045}, 0);
+  const FibreLook look{24.0F, 0.0045};
+  const auto emission =
+      bake_emission(texel, texel.density, skylight(texel, occluder, light, look), light, look, 0);
   glm::dvec3 mean(0.0);
   for (std::size_t i = 0; i < emission.size(); ++i) {
     mean += glm::dvec3(emission[i]) / static_cast<double>(emission.size());
@@ -122,8 +123,9 @@ TEST(Bake, TurnedTexelIsThatOfTheTurnedMeadow) {
   const Lighting light = test::slanting_light();
   const auto baked = [&](const Texel& texel, int turn) {
     const VolumeData occluder{texel.shape, texel.voxel, texel.density, {}, {}};
-    return bake_emission(texel, texel.density, skylight(texel, occluder, light), light,
-                         {24.0F, 0.0045}, turn);
+    const FibreLook look{24.0F, 0.0045};
+    return bake_emission(texel, texel.density, skylight(texel, occluder, light, look), light, look,
+                         turn);
   };
   const Texel still = rasterise_points(dynamics.points(), shape);
   Texel texel = still;

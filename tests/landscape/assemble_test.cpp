@@ -31,12 +31,13 @@ TEST(Assemble, CellsReferToTheirVolumes) {
     return std::to_string(c.variant) + "/" + std::to_string(c.key_frame) + "/" +
            std::to_string(c.turn) + "/" + std::to_string(c.level);
   };
-  const Landscape landscape =
-      assemble(scene, terrain, {scene.sun, scene.sky}, 2, choices, [&](const CellChoice& choice) {
-        Volume volume;
-        volume.name = name(choice);
-        return volume;
-      });
+  const Landscape landscape = assemble(scene, terrain, {scene.sun, scene.sky}, 2, choices,
+                                       {[&](const CellChoice& choice) {
+                                          Volume volume;
+                                          volume.name = name(choice);
+                                          return volume;
+                                        },
+                                        [](const CellChoice&) { return BladeMesh{}; }});
   std::set<std::string> names;
   for (const Volume& volume : landscape.volumes) EXPECT_TRUE(names.insert(volume.name).second);
   ASSERT_EQ(landscape.cells.size(), choices.size());
@@ -49,6 +50,34 @@ TEST(Assemble, CellsReferToTheirVolumes) {
   EXPECT_EQ(landscape.exposure_gain, 1.6 * std::numbers::pi);
   EXPECT_NEAR(landscape.camera.eye_m.z, terrain.sample(4.0, 0.5) + 1.6, 1e-6);
   EXPECT_NEAR(landscape.camera.target_m.z, terrain.sample(4.0, 6.0) + 0.5, 1e-6);
+}
+
+// Every cell is drawn once, as a volume or as blades; meshes are shared by turns and levels.
+TEST(Assemble, CellsOfBladesReferToTheirMeshes) {
+  scene::Scene scene = small_meadow();
+  scene.render.grass = "auto";
+  scene.grass.pixels_per_voxel = 0.4;
+  const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
+  const std::vector<CellChoice> choices = choose_cells(scene, terrain, 2);
+  const Landscape landscape =
+      assemble(scene, terrain, {scene.sun, scene.sky}, 2, choices,
+               {[](const CellChoice&) { return Volume{}; },
+                [](const CellChoice& choice) {
+                  return BladeMesh{std::to_string(choice.variant * 100 + choice.key_frame), {}};
+                }});
+  EXPECT_EQ(landscape.cells.size() + landscape.blade_cells.size(), choices.size());
+  ASSERT_FALSE(landscape.cells.empty());
+  ASSERT_FALSE(landscape.blade_cells.empty());
+  std::set<std::string> names;
+  for (const BladeMesh& mesh : landscape.blade_meshes)
+    EXPECT_TRUE(names.insert(mesh.name).second) << mesh.name;
+  auto cell = landscape.blade_cells.begin();
+  for (const CellChoice& choice : choices) {
+    if (!choice.blades) continue;
+    EXPECT_EQ(landscape.blade_meshes[static_cast<std::size_t>(cell->mesh)].name,
+              std::to_string(choice.variant * 100 + choice.key_frame));
+    EXPECT_EQ(cell++->world_from_cell, choice.world_from_cell);
+  }
 }
 
 TEST(WeatheringTint, RestoresTheWantedColour) {

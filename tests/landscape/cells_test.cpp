@@ -148,6 +148,36 @@ TEST(Cells, LevelsAreAsFineAsThePixels) {
   EXPECT_GE(levels.size(), 3U);
 }
 
+// "auto": blades exactly where even the finest voxel is too large on the picture, up to the jitter
+// of a tenth; they stand as the finest level's texels do, unturned.
+TEST(Cells, AutoDrawsBladesWhereTheFinestLevelIsTooCoarse) {
+  scene::Scene scene = small_meadow();
+  scene.render.grass = "auto";
+  const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
+  const View view(resolved_camera(scene.camera, terrain), scene.render.size_px[0],
+                  scene.render.size_px[1]);
+  const double voxel_m = scene.grass.patch_m / scene.grass.levels.front();
+  int blades = 0;
+  for (const CellChoice& choice : choose_cells(scene, terrain, 2)) {
+    const glm::dvec2 at_m = (glm::dvec2(choice.cell) + 0.5) * scene.grass.patch_m;
+    const glm::dvec3 middle_m(at_m, terrain.sample(at_m.x, at_m.y) + scene.grass.height_m / 2.0);
+    const double pixels = view.pixels(voxel_m, middle_m) / scene.grass.pixels_per_voxel;
+    if (pixels > 1.12) {
+      EXPECT_TRUE(choice.blades);
+    }
+    if (pixels < 0.9) {
+      EXPECT_FALSE(choice.blades);
+    }
+    if (choice.blades) {
+      EXPECT_EQ(choice.turn, 0);
+    }
+    blades += choice.blades ? 1 : 0;
+  }
+  EXPECT_GT(blades, 3);
+  scene.render.grass = "blades";
+  for (const CellChoice& choice : choose_cells(scene, terrain, 2)) EXPECT_TRUE(choice.blades);
+}
+
 TEST(Cells, KeepEveryBladeInThePicture) {
   const scene::Scene scene = small_meadow();
   const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);

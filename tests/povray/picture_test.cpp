@@ -2,14 +2,17 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
 #include "core/files.h"
 #include "core/image.h"
 #include "povray/constant_meadow.h"
 #include "povray/export.h"
+#include "support/synthetic_landscape.h"
 
 namespace wold::povray {
 namespace {
@@ -105,6 +108,30 @@ TEST_F(Picture, DenseFogOnASlopeHasNoHoles) {
     for (int x = 24; x < picture.width - 24; ++x)
       ASSERT_NEAR(radiance(picture, scene, x, y), fog.radiance, 0.02 * fog.radiance)
           << x << ", " << y;
+}
+
+// Blades show their own radiance times the light of the place, whole and nowhere else.
+TEST_F(Picture, BladesShowTheirRadianceTimesTheLight) {
+  landscape::Landscape scene = test::constant_meadow({}, folder / "texels");
+  scene.cells.clear();
+  const glm::vec3 light(0.5F, 0.8F, 1.6F);
+  std::fill(scene.light.values().begin(), scene.light.values().end(), light);
+  const glm::vec3 own(0.16F, 0.05F, 0.1F);
+  scene.blade_meshes = {test::pillar("pillar", 0.2, 0.4, own)};
+  const glm::dvec3 foot(1.75, 1.25, 0.0);
+  scene.blade_cells = {{glm::translate(glm::dmat4(1.0), foot - glm::dvec3(0.25, 0.25, 0.0)), 0}};
+  scene.camera = {{1.5, -1.0, 0.6}, {1.5, 1.5, 0.2}, 40.0};
+  const Image picture = render(scene);
+  const auto shown = [&](const glm::dvec3& place, int channel) {
+    const glm::dvec2 at = pixel_of(scene, place - scene.camera.eye_m);
+    return radiance(picture, scene, static_cast<int>(at.x), static_cast<int>(at.y), channel);
+  };
+  for (int channel = 0; channel < 3; ++channel) {
+    const double wanted = double{own[channel] * light[channel]};
+    EXPECT_NEAR(shown(foot + glm::dvec3(-0.07, -0.1, 0.1), channel), wanted, 0.02 * wanted);
+    EXPECT_NEAR(shown(foot + glm::dvec3(0.07, -0.1, 0.3), channel), wanted, 0.02 * wanted);
+    EXPECT_NEAR(shown(foot + glm::dvec3(-0.2, -0.1, 0.0), channel), 0.02, 0.001);  // the ground
+  }
 }
 
 TEST_F(Picture, SkyShowsADirectionWhereTheCameraSeesIt) {

@@ -67,6 +67,20 @@ glm::dmat4 sheared_cell(const Heightfield& terrain, int i, int j) {
 
 }  // namespace
 
+landscape::BladeMesh pillar(const char* name, double width_m, double height_m,
+                            const glm::vec3& radiance) {
+  auto tubes = std::make_shared<Tubes>();
+  tubes->rings = 2;
+  tubes->corners = 4;
+  const auto half = static_cast<float>(width_m / 2.0);
+  const auto middle = static_cast<float>(patch_m / 2.0);
+  for (const float z : {0.0F, static_cast<float>(height_m)})
+    for (const glm::vec2 corner : {glm::vec2(-1, -1), {1, -1}, {1, 1}, {-1, 1}})
+      tubes->vertices_m.emplace_back(middle + half * corner, z);
+  tubes->radiance.assign(2, radiance);
+  return {name, tubes};
+}
+
 landscape::Landscape synthetic_landscape(const SyntheticMeadow& meadow,
                                          const std::filesystem::path& folder) {
   landscape::Landscape scene;
@@ -90,6 +104,9 @@ landscape::Landscape synthetic_landscape(const SyntheticMeadow& meadow,
   for (int j = 0; j < meadow.cells_per_side; ++j)
     for (int i = 0; i < meadow.cells_per_side; ++i)
       scene.cells.push_back({sheared_cell(scene.terrain, i, j), (i + 2 * j) % meadow.volumes});
+  scene.blade_meshes = {pillar("pillar", 0.1, 0.3, {0.05F, 0.1F, 0.02F})};
+  scene.blade_cells = {{scene.cells.back().world_from_cell, 0}};
+  scene.cells.pop_back();
   scene.patch_m = patch_m;
   scene.sky = Image(64, 32, 3);
   for (int y = 0; y < 32; ++y)

@@ -17,8 +17,13 @@ struct SyntheticMeadow {
   int height_px = 135;
 };
 
+/// A glowing pillar in the middle of a cell of 0.5 m, square, upright, open at the top.
+landscape::BladeMesh pillar(const char* name, double width_m, double height_m,
+                            const glm::vec3& radiance);
+
 /// A small landscape that needs no simulator: straight keyed blades as volumes (written to
-/// `folder`), a sloping ground, smooth light and sky. For the exporters' tests and trials.
+/// `folder`), a pillar on the last cell, a sloping ground, smooth light and sky. For the exporters'
+/// tests and trials.
 landscape::Landscape synthetic_landscape(const SyntheticMeadow& meadow,
                                          const std::filesystem::path& folder);
 

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "grass/dynamics.h"
+
+namespace wold::grass {
+
+/// The blades of a patch at one moment, as they are: what the texel stands for.
+struct BladePatch {
+  double patch_m = 0.0;  ///< side; the patch tiles
+  std::vector<Blade> blades;
+  std::vector<BladePose> poses;
+  std::vector<double> ages;  ///< own weathering degree of each blade
+};
+
+/// A variant of the scene's patch at a weathering degree.
+BladePatch withered_patch(const scene::Scene& scene, const AgeingModel& model, int variant,
+                          double weathering);
+
+}  // namespace wold::grass

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/tubes.h"
+#include "grass/blade_patch.h"
+#include "grass/shading.h"
+
+namespace wold::grass {
+
+/// A patch's blades as glowing tubes, shaded like the texel that stands for them (shading.h) but
+/// without its voxels: light and skylight reach a place of a blade when no other blade of the tiled
+/// patch hides it. The reference for the texel, and what stands nearest to the camera.
+///
+/// Rings are triangles whose outline is as long as the circle's of the cone: a convex body shows its
+/// outline over pi on average, so both cover the same. Positions are those of the patch, metres,
+/// not wrapped. `turn`: the patch stands turned by quarter-turns, as in bake_emission().
+Tubes blade_tubes(const BladePatch& patch, const AgeingModel& model, const Lighting& lighting,
+                  const FibreLook& look, int turn);
+
+}  // namespace wold::grass

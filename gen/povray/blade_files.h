@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+
+#include "landscape/landscape.h"
+
+namespace wold::povray {
+
+/// Writes a mesh of blades: NAME.inc, `#declare Mesh = mesh2 { ... }` in centimetres with places in
+/// the picture NAME.exr, one row per blade, one pixel per ring: its radiance. The name says what is
+/// in them: what is there already stays. Throws FileError.
+void write_blades(const landscape::BladeMesh& mesh, const std::filesystem::path& folder);
+
+}  // namespace wold::povray
