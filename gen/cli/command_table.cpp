@@ -129,6 +129,16 @@ Action declare_compare(CLI::App& app) {
   return [options] { return run_compare(*options); };
 }
 
+Action declare_curves(CLI::App& app) {
+  auto options = std::make_shared<CurvesOptions>();
+  add_scene(app, options->scene);
+  // Not ->required(): the command itself says what a missing name should look like.
+  app.add_option("--out", options->out, "the figure or table to write; its ending says which")
+      ->type_name("FILE.svg|FILE.csv");
+  add_overrides(app, options->overrides);
+  return [options] { return run_curves(*options); };
+}
+
 Action declare_new(CLI::App& app) {
   auto name = std::make_shared<std::string>();
   app.add_option("NAME", *name, "names the scene and its file")->required();
@@ -151,6 +161,8 @@ const std::vector<Command>& command_table() {
        "wold inspect out/meadow/frames/povray/0001.png --json", declare_inspect},
       {"compare", "compare two pictures or two grids, print the metrics as JSON",
        "wold compare got.png want.png --report differences --rmse 0.01", declare_compare},
+      {"curves", "draw or tabulate a scene's ageing: pigments, water, shrinkage, droop, colour",
+       "wold curves meadow.toml --out ageing.svg --set ageing.water=cold", declare_curves},
       {"new", "write a commented starter scene", "wold new meadow", declare_new},
   };
   return commands;

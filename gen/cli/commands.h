@@ -31,6 +31,13 @@ struct CompareOptions {
   compare::Limits limits;
 };
 
+/// What `curves` is asked for.
+struct CurvesOptions {
+  std::filesystem::path scene;
+  std::vector<std::string> overrides;  ///< key=value, applied after the scene file
+  std::filesystem::path out;           ///< ends in .svg or .csv
+};
+
 /// Generates everything the renderers need.
 ExitCode run_generate(const RenderOptions& options, Progress& progress);
 
@@ -45,6 +52,9 @@ ExitCode run_inspect(const std::vector<std::filesystem::path>& files, bool json)
 
 /// Prints the metrics as JSON; ExitCode::different when the files differ by more than the limits.
 ExitCode run_compare(const CompareOptions& options);
+
+/// Writes the scene's ageing curves as a figure (.svg) or a table (.csv).
+ExitCode run_curves(const CurvesOptions& options);
 
 /// Writes NAME.toml into the working folder; refuses to replace a file.
 ExitCode run_new(const std::string& name);

@@ -18,16 +18,6 @@ namespace {
 
 std::string name_of(CurveKind kind) { return kind == CurveKind::water ? "water" : "chlorophyll"; }
 
-/// Names of the models of a kind, in alphabetical order.
-std::set<std::string> known_names(const std::filesystem::path& folder, const std::string& kind) {
-  std::set<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string stem = entry.path().stem().string();
-    if (stem.starts_with(kind + "_")) names.insert(stem.substr(kind.size() + 1));
-  }
-  return names;
-}
-
 Curve read_curve(const std::filesystem::path& file) {
   const ModelTable table(file);
   const std::vector<double>& x = table.column("weathering");
@@ -39,15 +29,24 @@ Curve read_curve(const std::filesystem::path& file) {
 
 }  // namespace
 
+std::set<std::string> curve_names(CurveKind kind) {
+  const std::string prefix = name_of(kind) + "_";
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(shipped_file("models/ageing"))) {
+    const std::string stem = entry.path().stem().string();
+    if (stem.starts_with(prefix)) names.insert(stem.substr(prefix.size()));
+  }
+  return names;
+}
+
 Curve load_curve(CurveKind kind, const scene::CurveChoice& choice) {
   if (!choice.points.empty()) return Curve(choice.points);
-  const std::filesystem::path folder = shipped_file("models/ageing");
   const std::string name = name_of(kind);
-  const std::set<std::string> known = known_names(folder, name);
+  const std::set<std::string> known = curve_names(kind);
   if (!known.contains(choice.name))
     throw InputError(fmt::format("no {} curve is called \"{}\"; there are {}", name, choice.name,
                                  fmt::join(known, ", ")));
-  return read_curve(folder / fmt::format("{}_{}.toml", name, choice.name));
+  return read_curve(shipped_file(fmt::format("models/ageing/{}_{}.toml", name, choice.name)));
 }
 
 }  // namespace wold::grass

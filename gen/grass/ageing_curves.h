@@ -1,5 +1,8 @@
 #pragma once
 
+#include <set>
+#include <string>
+
 #include "core/curve.h"
 #include "scene/scene.h"
 
@@ -7,6 +10,10 @@ namespace wold::grass {
 
 /// What withers.
 enum class CurveKind { water, chlorophyll };
+
+/// Names of the curves of a kind that ship with the program, in alphabetical order. Throws
+/// FileError when models/ageing is missing.
+std::set<std::string> curve_names(CurveKind kind);
 
 /// The relative content (1 = fresh leaf) over the weathering degree: the user's own points, or
 /// models/ageing/<kind>_<name>.toml. Throws InputError when the points are wrong or no such model

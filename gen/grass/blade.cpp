@@ -99,6 +99,18 @@ std::vector<Blade> scatter_blades(const scene::Grass& grass, const scene::Ageing
   return blades;
 }
 
+Blade mean_blade(const scene::Grass& grass, const scene::Ageing& ageing) {
+  Blade blade;
+  blade.root_m = {0.0F, 0.0F};
+  blade.heading = {1.0F, 0.0F};
+  blade.lean = static_cast<float>(grass.lean_deg * std::numbers::pi / 180.0);
+  blade.length_m = static_cast<float>(grass.height_m);
+  blade.radius_m = static_cast<float>(grass.width_m / 2.0);
+  blade.fresh_droop = static_cast<float>(grass.bend);
+  blade.droop_rate = static_cast<float>(ageing.droop);
+  return blade;
+}
+
 AxisPoint axis_point(const Blade& blade, const BladePose& pose, float arc_m) {
   const float droop = pose.droop;
   if (droop < straight) return straight_axis(blade.lean, arc_m);

@@ -28,6 +28,10 @@ struct Blade {
 std::vector<Blade> scatter_blades(const scene::Grass& grass, const scene::Ageing& ageing,
                                   std::uint64_t seed, int variant);
 
+/// The blade that has the mean of everything: no spread, no head start. It grows at the corner and
+/// leans to the east.
+Blade mean_blade(const scene::Grass& grass, const scene::Ageing& ageing);
+
 /// How far a blade has withered.
 struct BladePose {
   float droop = 0.0F;            ///< c, rad / sqrt(m)

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
+#include <utility>
 
 #include "core/colour.h"
 #include "core/curve.h"
@@ -48,26 +48,9 @@ LeafShade prospect_shade(const Observer& observer, const LeafSpectrum& leaf) {
 }
 
 /// The paper's colours are so pale that only clamping keeps their tint.
-LeafShade paper_shade(const Observer& observer, const std::vector<double>& reflectance) {
-  const glm::vec3 rgb = glm::clamp(observer.linear_srgb(reflectance), 0.0, highest_albedo);
+LeafShade paper_shade(const Observer& observer, const LeafSpectrum& leaf) {
+  const glm::vec3 rgb = glm::clamp(observer.linear_srgb(leaf.reflectance), 0.0, highest_albedo);
   return {rgb, glm::vec3(0.0F), rgb};
-}
-
-/// A colour model: the shade from relative chlorophyll and relative water.
-using Model = std::function<LeafShade(double chlorophyll, double water)>;
-
-Model colour_model(const scene::Ageing& ageing, const LeafOptics& optics,
-                   const Observer& observer) {
-  if (ageing.colour == "paper")
-    return [&](double chlorophyll, double) {
-      return paper_shade(observer, paper_reflectance(optics.spectra(), chlorophyll));
-    };
-  if (ageing.colour == "prospect")
-    return [&](double chlorophyll, double water) {
-      return prospect_shade(observer, optics(withered_leaf(ageing, chlorophyll, water)));
-    };
-  throw InputError("no leaf colour model is called \"" + ageing.colour +
-                   "\"; there are paper, prospect");
 }
 
 }  // namespace
@@ -84,16 +67,29 @@ LeafContent withered_leaf(const scene::Ageing& ageing, double chlorophyll, doubl
   return leaf;
 }
 
+LeafSpectrum withered_spectrum(const scene::Ageing& ageing, const LeafOptics& optics,
+                               double chlorophyll, double water) {
+  if (ageing.colour == "prospect") return optics(withered_leaf(ageing, chlorophyll, water));
+  if (ageing.colour == "paper") {
+    std::vector<double> reflectance = paper_reflectance(optics.spectra(), chlorophyll);
+    std::vector<double> transmittance(reflectance.size(), 0.0);
+    return {std::move(reflectance), std::move(transmittance)};
+  }
+  throw InputError("no leaf colour model is called \"" + ageing.colour +
+                   "\"; there are paper, prospect");
+}
+
 LeafColour::LeafColour(const scene::Ageing& ageing) : table_(table_size) {
   const Curve water = load_curve(CurveKind::water, ageing.water);
   const Curve chlorophyll = load_curve(CurveKind::chlorophyll, ageing.chlorophyll);
   const LeafOptics optics(load_leaf_spectra());
   const std::vector<double>& wavelength_nm = optics.spectra().wavelength_nm;
   const Observer observer = load_observer(wavelength_nm.front(), wavelength_nm.back());
-  const Model shade = colour_model(ageing, optics, observer);
+  const auto shade = ageing.colour == "paper" ? paper_shade : prospect_shade;
   parallel_for(table_size, [&](std::size_t i) {
     const double weathering = static_cast<double>(i) / (table_size - 1);
-    table_[i] = shade(chlorophyll(weathering), water(weathering));
+    table_[i] = shade(
+        observer, withered_spectrum(ageing, optics, chlorophyll(weathering), water(weathering)));
   });
 }
 

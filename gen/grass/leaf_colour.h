@@ -19,11 +19,15 @@ struct LeafShade {
 /// what the fresh leaf of `ageing` has.
 LeafContent withered_leaf(const scene::Ageing& ageing, double chlorophyll, double water);
 
-/// A leaf's colour over its own weathering degree, made once and looked up fast.
-///
-/// "prospect": the plate model's reflectance and transmittance of withered_leaf(). "paper": the
-/// paper's subtraction of pigments (paper_reflectance()); it knows no transmittance, so that is 0
-/// and the albedo is the reflectance.
+/// The spectrum of a leaf that keeps these shares, at the wavelengths of `optics`, by the colour
+/// model that `ageing` names: "prospect" is the plate model of withered_leaf(); "paper" is the
+/// paper's subtraction of pigments (paper_reflectance()), which knows neither water nor
+/// transmittance, so that is 0. Throws InputError when there is no such model.
+LeafSpectrum withered_spectrum(const scene::Ageing& ageing, const LeafOptics& optics,
+                               double chlorophyll, double water);
+
+/// A leaf's colour over its own weathering degree, made once and looked up fast:
+/// withered_spectrum() under D65. The paper's albedo is its reflectance.
 class LeafColour {
  public:
   /// Throws InputError when a curve of `ageing` is wrong and FileError when a model is missing.

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace wold {
+
+/// A named column of numbers.
+struct Column {
+  std::string name;  ///< with the unit at its end, where it has one: tip_angle_deg
+  std::vector<double> values;
+};
+
+/// The columns as comma-separated values (RFC 4180, but lines end in \n), UTF-8: a header, then a
+/// row per value, six significant digits with a decimal point in every locale. Throws
+/// std::invalid_argument when the columns differ in length, naming both, or a name would need
+/// quotes.
+std::string csv(std::span<const Column> columns);
+
+}  // namespace wold
