@@ -72,10 +72,11 @@ double Curve::operator()(double x) const {
   const auto i = static_cast<std::size_t>(right - points_.begin()) - 1;
   const double width = points_[i + 1].x - points_[i].x;
   const double t = (x - points_[i].x) / width;
-  // Hermite's cubic, written from the left value.
+  // Hermite's cubic, written from the chord: a straight piece has no rounding of its own.
   const double rise = points_[i + 1].y - points_[i].y;
-  return points_[i].y + t * t * (3.0 - 2.0 * t) * rise +
-         t * (1.0 - t) * width * ((1.0 - t) * slopes_[i] - t * slopes_[i + 1]);
+  return points_[i].y + t * rise +
+         t * (1.0 - t) *
+             ((1.0 - t) * (width * slopes_[i] - rise) - t * (width * slopes_[i + 1] - rise));
 }
 
 }  // namespace wold

@@ -16,7 +16,17 @@
 namespace wold::grass {
 namespace {
 
-std::string name_of(CurveKind kind) { return kind == CurveKind::water ? "water" : "chlorophyll"; }
+std::string name_of(CurveKind kind) {
+  switch (kind) {
+    case CurveKind::water:
+      return "water";
+    case CurveKind::chlorophyll:
+      return "chlorophyll";
+    case CurveKind::rate:
+      return "rate";
+  }
+  return {};
+}
 
 Curve read_curve(const std::filesystem::path& file) {
   const ModelTable table(file);

@@ -8,14 +8,15 @@
 
 namespace wold::grass {
 
-/// What withers.
-enum class CurveKind { water, chlorophyll };
+/// What a curve gives: the relative content of what withers (1 = fresh leaf), or the ageing rate of
+/// a sample, its own weathering degree.
+enum class CurveKind { water, chlorophyll, rate };
 
 /// Names of the curves of a kind that ship with the program, in alphabetical order. Throws
 /// FileError when models/ageing is missing.
 std::set<std::string> curve_names(CurveKind kind);
 
-/// The relative content (1 = fresh leaf) over the weathering degree: the user's own points, or
+/// The curve over the meadow's weathering degree: the user's own points, or
 /// models/ageing/<kind>_<name>.toml. Throws InputError when the points are wrong or no such model
 /// exists, naming those that do.
 Curve load_curve(CurveKind kind, const scene::CurveChoice& choice);

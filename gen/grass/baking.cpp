@@ -9,12 +9,18 @@ namespace wold::grass {
 namespace {
 
 /// What opaque blades let through, from the same directions as Transmittances.
-Transmittances blade_transmittances(const PointDynamics& patch, double patch_m) {
+Transmittances blade_transmittances(std::span<const PointDynamics> samples, double patch_m) {
+  std::vector<Blade> blades;
+  std::vector<BladePose> poses;
+  for (const PointDynamics& sample : samples) {
+    blades.insert(blades.end(), sample.blades().begin(), sample.blades().end());
+    poses.insert(poses.end(), sample.poses().begin(), sample.poses().end());
+  }
   Transmittances result;
   for (std::size_t i = 0; i < result.value.size(); ++i) {
     const auto directions = transmittance_directions(Transmittances::elevations_deg[i]);
     for (const glm::dvec3& direction : directions)
-      result.value[i] += blade_transmittance(patch.blades(), patch.poses(), patch_m, direction) /
+      result.value[i] += blade_transmittance(blades, poses, patch_m, direction) /
                          static_cast<double>(directions.size());
   }
   return result;
@@ -22,13 +28,13 @@ Transmittances blade_transmittances(const PointDynamics& patch, double patch_m) 
 
 }  // namespace
 
-std::vector<VolumeData> bake_levels(const Texel& texel, const PointDynamics& patch,
+std::vector<VolumeData> bake_levels(const Texel& texel, std::span<const PointDynamics> samples,
                                     const Lighting& lighting, const FibreLook& look,
                                     std::span<const int> sides, const std::vector<int>& turns) {
   VolumeData mean{texel.shape, texel.voxel, texel.density, {}, {}};
   VolumeData fine = mean;
   fine.density = fitted_density(texel.shape, texel.voxel, texel.density,
-                                blade_transmittances(patch, texel.shape.patch_m()));
+                                blade_transmittances(samples, texel.shape.patch_m()));
   const Transmittances wanted = transmittances(VoxelRows(fine.shape, fine.voxel), fine.density);
   const std::vector<glm::vec3> sky =
       skylight(texel, sides.size() > 1 ? coarser(fine, sides[1]) : fine, lighting, look);

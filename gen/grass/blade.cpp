@@ -16,9 +16,11 @@ constexpr float straight = 1e-3F;
 /// The random numbers of one blade.
 class BladeRandom {
  public:
-  BladeRandom(std::uint64_t seed, int variant, int blade)
+  BladeRandom(std::uint64_t seed, int variant, int sample, int blade)
       : key_{seed, key_of("blade"),
-             (static_cast<std::uint64_t>(variant) << 32) | static_cast<std::uint64_t>(blade), 0} {}
+             (static_cast<std::uint64_t>(sample) << 48) |
+                 (static_cast<std::uint64_t>(variant) << 32) | static_cast<std::uint64_t>(blade),
+             0} {}
   double uniform(std::string_view purpose) const { return random_uniform(with(purpose)); }
   /// Normal, cut at 2.2 standard deviations so that no blade is absurd.
   double normal(std::string_view purpose) const {
@@ -55,12 +57,18 @@ double head_start(const scene::Ageing& ageing, const BladeRandom& random) {
   return std::min(-ageing.fresh_spread * std::log(1.0 - random.uniform("age")), 0.5);
 }
 
+/// What grass.blades leave to a sample.
+int sample_blades(const scene::Grass& grass, int sample) {
+  const int samples = sample_count(grass);
+  return grass.blades / samples + (sample < grass.blades % samples ? 1 : 0);
+}
+
 Blade make_blade(const scene::Grass& grass, const scene::Ageing& ageing, const BladeRandom& random,
-                 int number) {
+                 const glm::vec2& root_m) {
   const double heading = 2.0 * std::numbers::pi * random.uniform("heading");
   const double lean_deg = grass.lean_deg + grass.lean_spread_deg * random.normal("lean");
   Blade blade;
-  blade.root_m = stratified_root(random, number, grass.blades, grass.patch_m);
+  blade.root_m = root_m;
   blade.heading = {std::cos(heading), std::sin(heading)};
   blade.lean = static_cast<float>(std::clamp(lean_deg, 0.0, 80.0) * std::numbers::pi / 180.0);
   blade.length_m = positive_spread(grass.height_m, grass.height_spread, random.normal("length"));
@@ -90,12 +98,20 @@ float arc_at_radius(float droop, float radius_m) {
 
 }  // namespace
 
+int sample_count(const scene::Grass& grass) {
+  return std::max(1, static_cast<int>(grass.mingle.size()));
+}
+
 std::vector<Blade> scatter_blades(const scene::Grass& grass, const scene::Ageing& ageing,
-                                  std::uint64_t seed, int variant) {
+                                  std::uint64_t seed, int variant, int sample) {
+  const int count = sample_blades(grass, sample);
   std::vector<Blade> blades;
-  blades.reserve(static_cast<std::size_t>(grass.blades));
-  for (int number = 0; number < grass.blades; ++number)
-    blades.push_back(make_blade(grass, ageing, BladeRandom(seed, variant, number), number));
+  blades.reserve(static_cast<std::size_t>(count));
+  for (int number = 0; number < count; ++number) {
+    const BladeRandom random(seed, variant, sample, number);
+    blades.push_back(
+        make_blade(grass, ageing, random, stratified_root(random, number, count, grass.patch_m)));
+  }
   return blades;
 }
 

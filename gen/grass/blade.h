@@ -23,10 +23,15 @@ struct Blade {
   float brightness = 1.0F;   ///< factor on its albedo
 };
 
-/// The blades of one variant of the patch. Roots are stratified, one per cell of a grid, so that
-/// no bald spot repeats over the hillside; everything is keyed by (seed, variant, blade number).
+/// Samples that are mingled into a patch (paper 1 section 4.1); 1 without mingling.
+int sample_count(const scene::Grass& grass);
+
+/// The blades of one sample of one variant of the patch. grass.blades are shared out as evenly as
+/// possible, the first samples get one more. Roots are stratified within the sample, one per cell
+/// of a grid, so that no bald spot repeats over the hillside; everything is keyed by (seed, sample,
+/// variant, blade number).
 std::vector<Blade> scatter_blades(const scene::Grass& grass, const scene::Ageing& ageing,
-                                  std::uint64_t seed, int variant);
+                                  std::uint64_t seed, int variant, int sample = 0);
 
 /// The blade that has the mean of everything: no spread, no head start. It grows at the corner and
 /// leans to the east.

@@ -14,7 +14,7 @@ struct BladePatch {
   std::vector<double> ages;  ///< own weathering degree of each blade
 };
 
-/// A variant of the scene's patch at a weathering degree.
+/// A variant of the scene's patch, all its samples, at a weathering degree of the meadow.
 BladePatch withered_patch(const scene::Scene& scene, const AgeingModel& model, int variant,
                           double weathering);
 

@@ -10,9 +10,9 @@ namespace wold::grass {
 /// without its voxels: light and skylight reach a place of a blade when no other blade of the tiled
 /// patch hides it. The reference for the texel, and what stands nearest to the camera.
 ///
-/// Rings are triangles whose outline is as long as the circle's of the cone: a convex body shows its
-/// outline over pi on average, so both cover the same. Positions are those of the patch, metres,
-/// not wrapped. `turn`: the patch stands turned by quarter-turns, as in bake_emission().
+/// Rings are triangles whose outline is as long as the circle's of the cone: a convex body shows
+/// its outline over pi on average, so both cover the same. Positions are those of the patch,
+/// metres, not wrapped. `turn`: the patch stands turned by quarter-turns, as in bake_emission().
 Tubes blade_tubes(const BladePatch& patch, const AgeingModel& model, const Lighting& lighting,
                   const FibreLook& look, int turn);
 

@@ -13,15 +13,12 @@
 #include "grass/baking.h"
 #include "grass/blade_tubes.h"
 #include "grass/levels.h"
-#include "grass/rasterise.h"
+#include "grass/samples.h"
 #include "grass/texel_file.h"
 #include "scene/write.h"
 
 namespace wold::grass {
 namespace {
-
-/// Points closer than this share of a voxel cannot be told apart in the texel.
-constexpr double merge_voxels = 0.1;
 
 /// Adds the time since it was made to a sum when it goes.
 class Stopwatch {
@@ -48,17 +45,24 @@ void add(StageTimes& to, const StageTimes& from) {
   to.points += from.points;
 }
 
+double fresh_height_m(const Blade& blade, const scene::Ageing& ageing) {
+  const BladePose fresh = blade_pose(blade, ageing, 0.0);
+  double highest = 0.0;
+  for (int i = 1; i <= 16; ++i) {
+    const float arc_m = blade.length_m * static_cast<float>(i) / 16.0F;
+    highest = std::max(highest, double{axis_point(blade, fresh, arc_m).position_m.y});
+  }
+  return highest;
+}
+
 /// Highest point of any blade; withering only lowers it.
 double tallest_m(const scene::Scene& scene) {
   double tallest = 0.0;
   for (int variant = 0; variant < scene.grass.variants; ++variant)
-    for (const Blade& blade : scatter_blades(scene.grass, scene.ageing, scene.seed, variant)) {
-      const BladePose fresh = blade_pose(blade, scene.ageing, 0.0);
-      for (int i = 1; i <= 16; ++i) {
-        const float arc = blade.length_m * static_cast<float>(i) / 16.0F;
-        tallest = std::max(tallest, double{axis_point(blade, fresh, arc).position_m.y});
-      }
-    }
+    for (int sample = 0; sample < sample_count(scene.grass); ++sample)
+      for (const Blade& blade :
+           scatter_blades(scene.grass, scene.ageing, scene.seed, variant, sample))
+        tallest = std::max(tallest, fresh_height_m(blade, scene.ageing));
   return tallest;
 }
 
@@ -71,10 +75,6 @@ TexelShape finest_shape(const scene::Scene& scene) {
 
 FibreLook fibre_look(const scene::Grass& grass) {
   return {static_cast<float>(grass.gloss), grass.width_m};
-}
-
-std::uint64_t point_seed(std::uint64_t seed, int variant) {
-  return random_bits({seed, key_of("points"), static_cast<std::uint64_t>(variant), 0});
 }
 
 /// Every turn that any level wants, ascending.
@@ -199,32 +199,28 @@ StageTimes TimeVaryingTexel::generate_variant(int variant,
   const scene::Grass& grass = scene_.grass;
   const AgeingModel model(scene_.ageing, grass.specular);
   StageTimes times;
-  auto blades = scatter_blades(grass, scene_.ageing, scene_.seed, variant);
-  Points points;
-  {
+  Samples samples = [&] {
     const Stopwatch watch(times.sampling);
-    points = sample_points(blades, shape_, grass.proportion, point_seed(scene_.seed, variant));
-  }
-  PointDynamics dynamics(model, std::move(blades), std::move(points),
-                         merge_voxels * shape_.voxel_m);
+    return Samples(scene_, shape_, variant, model);
+  }();
   for (int key_frame = 0; key_frame <= key_frames.rbegin()->first; ++key_frame) {
     {
       const Stopwatch watch(times.dynamics);
-      dynamics.advance_to(grass.key_frames[static_cast<std::size_t>(key_frame)]);
+      samples.advance_to(grass.key_frames[static_cast<std::size_t>(key_frame)]);
     }
     ++times.steps;
-    times.points += static_cast<long>(dynamics.points().size());
+    times.points += static_cast<long>(samples.points());
     const auto wanted = key_frames.find(key_frame);
     if (wanted == key_frames.end()) continue;
     Texel texel;
     {
       const Stopwatch watch(times.conversion);
-      texel = rasterise_points(dynamics.points(), shape_);
+      texel = samples.texel();
     }
     std::vector<VolumeData> baked;
     {
       const Stopwatch watch(times.baking);
-      baked = bake_levels(texel, dynamics, lighting_, fibre_look(grass), grass.levels,
+      baked = bake_levels(texel, samples.all(), lighting_, fibre_look(grass), grass.levels,
                           all_turns(wanted->second));
     }
     {

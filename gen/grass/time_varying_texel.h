@@ -24,7 +24,7 @@ using TexelDemand = std::map<int, std::map<int, LevelTurns>>;
 struct StageTimes {
   double sampling = 0.0;    ///< cones to voxels to points
   double dynamics = 0.0;    ///< Algorithm 1
-  double conversion = 0.0;  ///< points to texel
+  double conversion = 0.0;  ///< points to texel, mingling
   double baking = 0.0;      ///< extinction, shading, levels
   double storing = 0.0;     ///< .vdb files
   long steps = 0;           ///< of point dynamics

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "grass/leaf_colour.h"
+#include "grass/samples.h"
 #include "landscape/tint.h"
 #include "landscape/view.h"
 #include "terrain/lighting.h"
@@ -42,10 +43,13 @@ std::pair<int, int> blades_key(const CellChoice& choice) {
   return {choice.variant, choice.key_frame};
 }
 
-/// Mean colour of the meadow's grass by weathering degree.
+/// Mean colour of the meadow's grass, of all samples, by weathering degree.
 GrassColour grass_colour(const scene::Scene& scene) {
-  return [colour = grass::LeafColour(scene.ageing)](double weathering) {
-    return colour(weathering).albedo;
+  return [colour = grass::LeafColour(scene.ageing),
+          rates = grass::ageing_rates(scene.grass)](double weathering) {
+    glm::vec3 sum(0.0F);
+    for (const Curve& rate : rates) sum += colour(rate(weathering)).albedo;
+    return sum / static_cast<float>(rates.size());
   };
 }
 

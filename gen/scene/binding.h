@@ -13,8 +13,8 @@
 namespace wold::scene {
 
 template <class T>
-concept PlainField =
-    std::same_as<T, double> || std::same_as<T, std::string> || std::same_as<T, CurveChoice>;
+concept PlainField = std::same_as<T, double> || std::same_as<T, std::string> ||
+    std::same_as<T, CurveChoice> || std::same_as<T, std::vector<CurveChoice>>;
 
 template <class T>
 using ItemsOf = std::vector<

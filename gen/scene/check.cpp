@@ -26,13 +26,18 @@ std::string with_unit(const Key& key, const auto& value) {
   return fmt::format("{}{}{}", value, key.unit.empty() ? "" : " ", key.unit);
 }
 
+MaybeFault count_fault(const ListRule& rule, std::size_t count) {
+  if (count >= rule.fewest && count <= rule.most) return std::nullopt;
+  return Fault{fmt::format("a list of {}", count)};
+}
+
 template <class T>
 MaybeFault order_fault(const Key& key, const std::vector<T>& items) {
   if (key.list.order == Order::any) return std::nullopt;
   const bool up = key.list.order == Order::increasing;
   for (std::size_t i = 1; i < items.size(); ++i)
     if (!(up ? items[i] > items[i - 1] : items[i] < items[i - 1]))
-      return Fault{fmt::format("{} after {}", items[i], items[i - 1]), i};
+      return Fault{fmt::format("{} after {}", items[i], items[i - 1]), {i}};
   return std::nullopt;
 }
 
@@ -40,9 +45,9 @@ template <class T>
 MaybeFault ends_fault(const Key& key, const std::vector<T>& items) {
   if (!key.list.spans_range) return std::nullopt;
   if (static_cast<double>(items.front()) != key.lowest)
-    return Fault{fmt::format("{} as the first", items.front()), 0};
+    return Fault{fmt::format("{} as the first", items.front()), {0}};
   if (static_cast<double>(items.back()) != key.highest)
-    return Fault{fmt::format("{} as the last", items.back()), items.size() - 1};
+    return Fault{fmt::format("{} as the last", items.back()), {items.size() - 1}};
   return std::nullopt;
 }
 
@@ -76,10 +81,9 @@ struct FaultFinder {
 
   template <class T>
   MaybeFault operator()(const std::vector<T>& items) const {
-    if (items.size() < key.list.fewest || items.size() > key.list.most)
-      return Fault{fmt::format("a list of {}", items.size())};
+    if (MaybeFault fault = count_fault(key.list, items.size())) return fault;
     for (std::size_t i = 0; i < items.size(); ++i)
-      if (!in_range(key, items[i])) return Fault{with_unit(key, items[i]), i};
+      if (!in_range(key, items[i])) return Fault{with_unit(key, items[i]), {i}};
     if (MaybeFault fault = order_fault(key, items)) return fault;
     return ends_fault(key, items);
   }
@@ -88,19 +92,34 @@ struct FaultFinder {
     return curve.points.empty() ? (*this)(curve.name) : points_fault(curve.points);
   }
 
+  MaybeFault operator()(const std::vector<CurveChoice>& curves) const {
+    if (MaybeFault fault = count_fault(key.list, curves.size())) return fault;
+    for (std::size_t i = 0; i < curves.size(); ++i)
+      if (MaybeFault fault = (*this)(curves[i])) {
+        fault->path.insert(fault->path.begin(), i);
+        return fault;
+      }
+    return std::nullopt;
+  }
+
   MaybeFault points_fault(const std::vector<glm::dvec2>& points) const {
-    if (points.size() < key.list.fewest || points.size() > key.list.most)
-      return Fault{fmt::format("a list of {}", points.size())};
+    if (MaybeFault fault = count_fault(key.points, points.size())) return fault;
+    const bool may_fall = key.points.order != Order::not_falling;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const bool later = i == 0 || points[i].x > points[i - 1].x;
-      if (!later || !in_range(key, points[i].x) || !in_range(key, points[i].y))
-        return Fault{fmt::format("[{}, {}]", points[i].x, points[i].y), i};
+      const glm::dvec2& point = points[i];
+      if (!in_range(key, point.x) || !in_range(key, point.y))
+        return Fault{fmt::format("[{}, {}]", point.x, point.y), {i}};
+      if (i == 0) continue;
+      const glm::dvec2& before = points[i - 1];
+      if (point.x <= before.x || (point.y < before.y && !may_fall))
+        return Fault{fmt::format("[{}, {}] after [{}, {}]", point.x, point.y, before.x, before.y),
+                     {i}};
     }
     if (points.front().x != 0.0)
-      return Fault{fmt::format("{} as the first weathering degree", points.front().x), 0};
+      return Fault{fmt::format("{} as the first weathering degree", points.front().x), {0}};
     if (points.back().x != 1.0)
       return Fault{fmt::format("{} as the last weathering degree", points.back().x),
-                   points.size() - 1};
+                   {points.size() - 1}};
     return std::nullopt;
   }
 };

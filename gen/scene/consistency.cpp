@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <thread>
+
+#include "core/machine.h"
 
 namespace wold::scene {
 namespace {
@@ -24,6 +28,13 @@ constexpr double most_samples_per_root_m = 376.0;
 constexpr double most_patches_high = 4.0;
 /// Square metres of leaf per square metre of ground; dense turf has 10.
 constexpr double most_leaf_area = 50.0;
+/// Standard deviations at which lengths and widths of blades are cut.
+constexpr double most_deviations = 2.2;
+/// What making a texel takes at its peak, measured: bytes for each point drawn and for each voxel
+/// that is kept, and how many of these a point makes where blades are few.
+constexpr double bytes_per_point = 120.0;
+constexpr double bytes_per_voxel = 250.0;
+constexpr double voxels_per_point = 3.0;
 
 Rule inside_terrain(const std::string& key, const std::array<double, 2>& place_m, double size_m) {
   const bool inside =
@@ -70,13 +81,16 @@ Rule heights_are_coarse_enough(const Terrain& terrain) {
                   terrain.samples, most, terrain.size_m)};
 }
 
+double tallest_m(const Grass& grass) {
+  return grass.height_m * (1.0 + most_deviations * grass.height_spread);
+}
+
 Rule blades_fit_the_patch(const Grass& grass) {
-  const double tallest_m = grass.height_m * (1.0 + 2.2 * grass.height_spread);
   return {{"grass.height", "grass.patch", "grass.height_spread"},
-          tallest_m <= most_patches_high * grass.patch_m,
+          tallest_m(grass) <= most_patches_high * grass.patch_m,
           fmt::format("grass.height: found {} m, with grass.height_spread up to {} m, expected at "
                       "most {} times grass.patch ({} m)",
-                      grass.height_m, tallest_m, most_patches_high, grass.patch_m)};
+                      grass.height_m, tallest_m(grass), most_patches_high, grass.patch_m)};
 }
 
 Rule blades_leave_room(const Grass& grass) {
@@ -87,6 +101,53 @@ Rule blades_leave_room(const Grass& grass) {
           fmt::format("grass.blades: found {} blades, {:.0f} m2 of leaf on each m2 of ground, "
                       "expected at most {} m2: fewer or smaller blades, or a larger grass.patch",
                       grass.blades, leaf_area, most_leaf_area)};
+}
+
+Rule blades_are_narrower_than_the_patch(const Grass& grass) {
+  const double widest_m = grass.width_m * (1.0 + most_deviations * grass.width_spread);
+  return {
+      {"grass.width", "grass.patch", "grass.width_spread"},
+      widest_m < grass.patch_m,
+      fmt::format("grass.width: found {} m, with grass.width_spread up to {:.3g} m, expected less "
+                  "than grass.patch ({} m)",
+                  grass.width_m, widest_m, grass.patch_m)};
+}
+
+Rule every_sample_has_a_blade(const Grass& grass) {
+  return {{"grass.mingle", "grass.blades"},
+          grass.mingle.size() <= static_cast<std::size_t>(grass.blades),
+          fmt::format("grass.mingle: found {} samples, expected at most one for each of the {} "
+                      "blades of a patch (grass.blades)",
+                      grass.mingle.size(), grass.blades)};
+}
+
+/// Points drawn of a patch: grass.proportion of them per voxel's face of leaf, of which a cone
+/// shows pi / 8 of height times width on average.
+double points_of_patch(const Grass& grass) {
+  const double leaf_m2 = grass.blades * std::numbers::pi / 8.0 * grass.height_m * grass.width_m;
+  const double voxel_m = grass.patch_m / grass.levels.front();
+  return grass.proportion * leaf_m2 / (voxel_m * voxel_m);
+}
+
+Rule texels_fit_in_memory(const Scene& scene) {
+  const Grass& grass = scene.grass;
+  const double side = grass.levels.front();
+  const double height_voxels = std::ceil(tallest_m(grass) / grass.patch_m * side);
+  const double points = points_of_patch(grass);
+  const double voxels = std::min(voxels_per_point * points, side * side * height_voxels);
+  const int threads = scene.render.threads > 0
+                          ? scene.render.threads
+                          : static_cast<int>(std::thread::hardware_concurrency());
+  const int at_once = std::clamp(threads, 1, grass.variants);
+  const double needed_gb = at_once * (bytes_per_point * points + bytes_per_voxel * voxels) / 1e9;
+  const double memory_gb = machine_memory_bytes() / 1e9;
+  return {{"grass.levels", "grass.proportion", "grass.blades", "grass.variants", "render.threads"},
+          needed_gb <= memory_gb,
+          fmt::format("grass.levels: found {} voxels along a side and {:.2g} points in a patch, "
+                      "which for {} patches at once need {:.1f} GB of memory, expected at most the "
+                      "{:.1f} GB of this machine: coarser levels, a smaller grass.proportion, "
+                      "fewer grass.blades or fewer render.threads",
+                      side, points, at_once, needed_gb, memory_gb)};
 }
 
 SourcePosition blamed_place(const Rule& rule, const Places& places) {
@@ -105,6 +166,9 @@ void report_contradictions(const Scene& scene, const Places& places,
       heights_are_coarse_enough(scene.terrain),
       blades_fit_the_patch(scene.grass),
       blades_leave_room(scene.grass),
+      blades_are_narrower_than_the_patch(scene.grass),
+      every_sample_has_a_blade(scene.grass),
+      texels_fit_in_memory(scene),
       veins_shrink_less(scene.ageing),
       inside_terrain("camera.eye", scene.camera.eye_m, scene.terrain.size_m),
       inside_terrain("camera.target", scene.camera.target_m, scene.terrain.size_m),

@@ -66,6 +66,18 @@ Outcome curve(const Node& node) {
   return choice;
 }
 
+Outcome curves(const Node& node) {
+  const auto* items = items_of(node);
+  if (items == nullptr) return WrongType{&node};
+  std::vector<CurveChoice> choices;
+  for (const Node& item : *items) {
+    const Outcome outcome = curve(item);
+    if (const auto* wrong = std::get_if<WrongType>(&outcome)) return *wrong;
+    choices.push_back(std::get<CurveChoice>(std::get<Value>(outcome)));
+  }
+  return choices;
+}
+
 }  // namespace
 
 Outcome converted_to(const Key& key, const Node& node) {
@@ -83,6 +95,8 @@ Outcome converted_to(const Key& key, const Node& node) {
       return many<double>(node);
     case Kind::curve:
       return curve(node);
+    case Kind::curves:
+      return curves(node);
   }
   return WrongType{&node};
 }

@@ -34,14 +34,35 @@ std::string range_text(const Key& key) {
   return fmt::format("from {} to {}{}", key.lowest, key.highest, unit);
 }
 
+std::string order_text(Order order) {
+  switch (order) {
+    case Order::any:
+      return {};
+    case Order::increasing:
+      return ", each larger than the one before";
+    case Order::decreasing:
+      return ", each smaller than the one before";
+    case Order::not_falling:
+      return ", none smaller than the one before";
+  }
+  return {};
+}
+
+std::string curve_text(const Key& key) {
+  return fmt::format(
+      "{}, or a list of {} to {} points [weathering degree, value], the degree rising from 0 to 1, "
+      "values from {} to {}{}",
+      words_text(key), key.points.fewest, key.points.most, key.lowest, key.highest,
+      order_text(key.points.order));
+}
+
 std::string list_text(const Key& key, const char* items) {
   const ListRule& rule = key.list;
   std::string text =
       rule.fewest == rule.most
           ? fmt::format("{} {} {}", rule.fewest, items, range_text(key))
           : fmt::format("a list of {} to {} {} {}", rule.fewest, rule.most, items, range_text(key));
-  if (rule.order == Order::increasing) text += ", each larger than the one before";
-  if (rule.order == Order::decreasing) text += ", each smaller than the one before";
+  text += order_text(rule.order);
   if (rule.spans_range)
     text += fmt::format(", the first {} and the last {}", key.lowest, key.highest);
   return text;
@@ -65,10 +86,10 @@ std::string expected(const Key& key) {
     case Kind::numbers:
       return list_text(key, "numbers");
     case Kind::curve:
-      return fmt::format(
-          "{}, or a list of {} to {} points [weathering degree, value], the degree rising from 0 "
-          "to 1, values from {} to {}",
-          words_text(key), key.list.fewest, key.list.most, key.lowest, key.highest);
+      return curve_text(key);
+    case Kind::curves:
+      return fmt::format("a list of {} to {} curves, each {}", key.list.fewest, key.list.most,
+                         curve_text(key));
   }
   return {};
 }

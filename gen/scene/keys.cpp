@@ -24,6 +24,7 @@ Key plain(Kind kind, const char* name, const char* unit, Range range, const char
           .words = {},
           .members = {},
           .list = {},
+          .points = {},
           .get = {},
           .set = {}};
 }
@@ -45,7 +46,15 @@ Key word(const char* name, std::vector<std::string> words, const char* doc) {
 Key curve(const char* name, std::vector<std::string> words, const char* doc) {
   Key key = plain(Kind::curve, name, "", {0, 1}, doc);
   key.words = std::move(words);
-  key.list = {.fewest = 2, .most = 1000};
+  key.points = {.fewest = 2, .most = 1000};
+  return key;
+}
+
+Key rates(const char* name, std::vector<std::string> words, std::size_t most, const char* doc) {
+  Key key = curve(name, std::move(words), doc);
+  key.kind = Kind::curves;
+  key.list = {.fewest = 0, .most = most};
+  key.points.order = Order::not_falling;
   return key;
 }
 
@@ -109,6 +118,12 @@ std::vector<Key> grass_keys() {
       bound(number("grass.patch", "m", {0.05, 20}, "Side of the patch that repeats."),
             FIELD(grass.patch_m)),
       bound(integer("grass.blades", "", {1, 20000}, "Blades in a patch."), FIELD(grass.blades)),
+      bound(
+          rates("grass.mingle", {"steady", "early", "late", "sudden", "slow", "evergreen"}, 32,
+                "Samples that are mingled, each by its ageing rate, its own weathering degree over "
+                "the meadow's; the blades are shared out evenly, an empty list is one steady "
+                "sample."),
+          FIELD(grass.mingle)),
       bound(number("grass.height", "m", {0.01, 3}, "Mean length of a blade."),
             FIELD(grass.height_m)),
       bound(number("grass.height_spread", "", {0, 1},

@@ -53,12 +53,17 @@ std::string unknown_key_message(const Entry& entry) {
 
 /// Names the item of a list by its place, people count from 1.
 std::string item_text(const Fault& fault) {
-  return fault.item ? fmt::format("{} (item {})", fault.found, *fault.item + 1) : fault.found;
+  if (fault.path.empty()) return fault.found;
+  std::string place = fmt::format("item {}", fault.path[0] + 1);
+  if (fault.path.size() > 1) place += fmt::format(", point {}", fault.path[1] + 1);
+  return fmt::format("{} ({})", fault.found, place);
 }
 
 SourcePosition place_of(const Fault& fault, const Node& node) {
-  const auto* items = std::get_if<std::vector<Node>>(&node.value);
-  return fault.item && items != nullptr ? (*items)[*fault.item].where : node.where;
+  const Node* at = &node;
+  for (const std::size_t item : fault.path)
+    if (const auto* items = std::get_if<std::vector<Node>>(&at->value)) at = &(*items)[item];
+  return at->where;
 }
 
 std::optional<Problem> store(const Key& key, const Node& node, Scene& scene) {

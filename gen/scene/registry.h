@@ -23,13 +23,14 @@ enum class Kind {
   integers,  ///< std::vector<std::int64_t>
   numbers,   ///< std::vector<double>
   curve,     ///< CurveChoice: one of `words`, or points
+  curves,    ///< std::vector<CurveChoice>
 };
 
 using Value = std::variant<std::int64_t, double, std::string, std::vector<std::int64_t>,
-                           std::vector<double>, CurveChoice>;
+                           std::vector<double>, CurveChoice, std::vector<CurveChoice>>;
 
-/// How the items of a list follow each other; both are strict.
-enum class Order { any, increasing, decreasing };
+/// How the items of a list follow each other; increasing and decreasing are strict.
+enum class Order { any, increasing, decreasing, not_falling };
 
 /// What a list must be, beyond the range of its items.
 struct ListRule {
@@ -47,9 +48,10 @@ struct Key {
   Kind kind = Kind::number;
   double lowest = 0.0;  ///< range of a number or of every item, ends included
   double highest = 0.0;
-  std::vector<std::string> words;     ///< allowed words, for Kind::word and Kind::curve
+  std::vector<std::string> words;     ///< allowed words, for Kind::word and curves
   std::vector<std::int64_t> members;  ///< if any: the only allowed integers
-  ListRule list;
+  ListRule list;                      ///< of a list
+  ListRule points;                    ///< of a curve's points; its order is that of their values
   std::function<Value(const Scene&)> get;
   /// Stores a value of the key's kind that has passed fault_of().
   std::function<void(Scene&, const Value&)> set;
@@ -73,10 +75,11 @@ std::string_view leaf_of(std::string_view name);
 std::string nearest_key(std::string_view name);
 std::string nearest_table(std::string_view name);
 
-/// What is wrong with a value: what was found, and in which item of a list (from 0).
+/// What is wrong with a value: what was found, and where: in which item of a list (from 0), and in
+/// which point of that when it is a curve. Empty: in the value as a whole.
 struct Fault {
   std::string found;
-  std::optional<std::size_t> item = std::nullopt;
+  std::vector<std::size_t> path = {};
 };
 
 /// Checks a value of the key's kind against the key's range, words, members and list rule.

@@ -13,6 +13,7 @@ namespace wold::scene {
 
 /// A curve over the weathering degree: the name of one of models/ageing/*.toml, or the user's own
 /// control points (weathering degree, value), joined by monotone cubics. Points win over the name.
+/// Values are contents relative to the fresh leaf or, of an ageing rate, weathering degrees.
 struct CurveChoice {
   std::string name;
   std::vector<glm::dvec2> points;
@@ -37,8 +38,11 @@ struct Terrain {
 };
 
 struct Grass {
-  double patch_m = 0.6;         ///< side of the tile
-  int blades = 400;             ///< per patch
+  double patch_m = 0.6;  ///< side of the tile
+  int blades = 400;      ///< per patch, of all samples together
+  /// Ageing rates wd_i = Mg_i(wd) of the samples that are mingled; none: one sample that ages as
+  /// the meadow does.
+  std::vector<CurveChoice> mingle;
   double height_m = 0.32;       ///< mean blade length
   double height_spread = 0.22;  ///< standard deviation / mean
   double width_m = 0.0056;      ///< mean diameter of the cone at its foot

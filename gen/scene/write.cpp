@@ -18,6 +18,7 @@ std::string item_text(const glm::dvec2& point) {
 }
 /// Only file names and the registry's words get here: nothing to escape.
 std::string item_text(const std::string& word) { return '"' + word + '"'; }
+std::string item_text(const CurveChoice& curve);
 
 template <class T>
 std::string list_text(const std::vector<T>& items) {
@@ -26,14 +27,15 @@ std::string list_text(const std::vector<T>& items) {
   return '[' + text + ']';
 }
 
+std::string item_text(const CurveChoice& curve) {
+  return curve.points.empty() ? item_text(curve.name) : list_text(curve.points);
+}
+
 struct ValueWriter {
   std::string operator()(const auto& scalar) const { return item_text(scalar); }
   template <class T>
   std::string operator()(const std::vector<T>& items) const {
     return list_text(items);
-  }
-  std::string operator()(const CurveChoice& curve) const {
-    return curve.points.empty() ? item_text(curve.name) : list_text(curve.points);
   }
 };
 

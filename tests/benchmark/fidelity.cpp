@@ -11,7 +11,7 @@
 #include "grass/blade_tubes.h"
 #include "grass/columns.h"
 #include "grass/levels.h"
-#include "grass/rasterise.h"
+#include "grass/samples.h"
 #include "grass/time_varying_texel.h"
 #include "light/daylight.h"
 
@@ -82,7 +82,7 @@ class Meadow {
   bool compare(double weathering) const {
     const BladePatch patch = withered_patch(scene_, model_, 0, weathering);
     const Tubes tubes = blade_tubes(patch, model_, lighting_, look_, 0);
-    const std::vector<VolumeData> levels = baked_texel(patch, weathering);
+    const std::vector<VolumeData> levels = baked_texel(weathering);
     bool good = true;
     for (const double elevation : {15.0, 45.0, 90.0}) {
       const auto mean = [&](const auto& seen_from) {
@@ -103,14 +103,11 @@ class Meadow {
   }
 
  private:
-  std::vector<VolumeData> baked_texel(const BladePatch& patch, double weathering) const {
-    PointDynamics dynamics(model_, patch.blades,
-                           sample_points(patch.blades, shape_, scene_.grass.proportion, 1),
-                           0.1 * shape_.voxel_m);
-    dynamics.advance_to(weathering);
-    const Texel texel = rasterise_points(dynamics.points(), shape_);
+  std::vector<VolumeData> baked_texel(double weathering) const {
+    Samples samples(scene_, shape_, 0, model_);
+    samples.advance_to(weathering);
     const std::vector<int> sides = {shape_.side};
-    return bake_levels(texel, dynamics, lighting_, look_, sides, {0});
+    return bake_levels(samples.texel(), samples.all(), lighting_, look_, sides, {0});
   }
 
   static bool print(double weathering, double elevation, const Seen& blades, const Seen& texel) {

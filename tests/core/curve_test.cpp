@@ -50,6 +50,8 @@ TEST(Curve, DoesNotOvershootTurningPoints) {
 TEST(Curve, ReproducesAStraightLine) {
   const Curve line({{-1.0, 3.0}, {0.5, 0.0}, {2.0, -3.0}});
   for (double x = -1.0; x <= 2.0; x += 0.07) EXPECT_NEAR(line(x), 1.0 - 2.0 * x, 1e-14);
+  const Curve identity({{0.0, 0.0}, {1.0, 1.0}});
+  for (double x = 0.0; x <= 1.0; x += 0.007) EXPECT_EQ(identity(x), x);
 }
 
 TEST(Curve, HasNoKinks) {

@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "core/error.h"
 #include "grass/ageing_curves.h"
+#include "scene/registry.h"
 
 namespace wold::grass {
 namespace {
@@ -48,6 +50,26 @@ TEST(AgeingCurves, ScenariosDifferAsTheirNamesSay) {
   EXPECT_GT(half(CurveKind::water, "ample"), half(CurveKind::water, "standard"));
   EXPECT_LT(half(CurveKind::chlorophyll, "drought"), half(CurveKind::chlorophyll, "standard"));
   EXPECT_GT(half(CurveKind::chlorophyll, "cold"), half(CurveKind::chlorophyll, "standard"));
+}
+
+TEST(AgeingCurves, RatesNeverGrowYoungerAndDifferAsTheirNamesSay) {
+  std::map<std::string, Curve> rates;
+  for (const std::string& name : scene::find_key("grass.mingle")->words) {
+    const Curve& rate = rates.emplace(name, load_curve(CurveKind::rate, {name, {}})).first->second;
+    EXPECT_EQ(rate(0.0), 0.0) << name;
+    EXPECT_LE(rate(1.0), 1.0) << name;
+    for (int i = 0; i < 1000; ++i)
+      EXPECT_LE(rate(i / 1000.0), rate((i + 1) / 1000.0) + 1e-12) << name;
+  }
+  for (const double wd : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+    EXPECT_EQ(rates.at("steady")(wd), wd);
+    EXPECT_GT(rates.at("early")(wd), wd);
+    EXPECT_LT(rates.at("late")(wd), wd);
+    EXPECT_LT(rates.at("slow")(wd), wd);
+    EXPECT_LT(rates.at("evergreen")(wd), rates.at("slow")(wd));
+  }
+  EXPECT_LT(rates.at("slow")(1.0), 1.0);
+  EXPECT_GT(rates.at("sudden")(0.6) - rates.at("sudden")(0.4), 0.8);
 }
 
 TEST(AgeingCurves, TheUsersPointsWinOverTheName) {

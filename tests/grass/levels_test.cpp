@@ -94,7 +94,7 @@ TEST(Levels, OfAWitheringMeadowMatchTheFinestAndTheBlades) {
     dynamics.advance_to(weathering);
     const Texel texel = rasterise_points(dynamics.points(), shape);
     const auto levels =
-        bake_levels(texel, dynamics, test::slanting_light(), {24.0F, 0.0045}, sides, {0});
+        bake_levels(texel, {&dynamics, 1}, test::slanting_light(), {24.0F, 0.0045}, sides, {0});
     ASSERT_EQ(levels.size(), sides.size());
     const auto finest = seen_through(levels[0]);
     for (const VolumeData& level : levels)

@@ -102,6 +102,15 @@ TEST(Parse, ChecksCurves) {
   expect_problem("[ageing]\nwater = []\n", "a.toml:2:9: ageing.water: found a list of 0");
   expect_problem("[ageing]\nwater = [[0, 1], [1]]\n",
                  "a.toml:2:18: ageing.water: found a list of 1");
+  expect_problem("[ageing]\nwater = [[0, 1]]\n",
+                 "a.toml:2:9: ageing.water: found a list of 1, expected \"standard\", \"ample\" or "
+                 "\"cold\", or a list of 2 to 1000 points");
+  expect_problem("[ageing]\nchlorophyll = [[0, 1], [0.5, nan], [1, 0]]\n",
+                 "a.toml:2:24: ageing.chlorophyll: found [0.5, nan] (item 2)");
+  expect_problem("[ageing]\nchlorophyll = [[0, 1], [0.5, inf], [1, 0]]\n",
+                 "a.toml:2:24: ageing.chlorophyll: found [0.5, inf] (item 2)");
+  expect_problem("[ageing]\nchlorophyll = [[0, 1], [0.6, 0.5], [0.5, 0.6], [1, 0]]\n",
+                 "a.toml:2:36: ageing.chlorophyll: found [0.5, 0.6] after [0.6, 0.5] (item 3)");
   expect_problem("[ageing]\nwater = [[0, 1], [1, 1.5]]\n",
                  "a.toml:2:18: ageing.water: found [1, 1.5] (item 2)");
   expect_problem("[ageing]\nwater = [[0, 1], [0, 0.5], [1, 0]]\n",
@@ -110,6 +119,51 @@ TEST(Parse, ChecksCurves) {
                  "a.toml:2:10: ageing.water: found 0.1 as the first");
   expect_problem("[ageing]\nwater = [[0, 1], [0.9, 0]]\n",
                  "a.toml:2:18: ageing.water: found 0.9 as the last");
+}
+
+TEST(Parse, ReadsAndChecksAListOfAgeingRates) {
+  const Scene scene = parse_scene(
+      "[grass]\nmingle = ['early', [[0, 0], [0.5, 0.5], [1, 0.5]], 'slow']\n", "a.toml");
+  const std::vector<CurveChoice> rates = {
+      {"early", {}}, {"", {{0.0, 0.0}, {0.5, 0.5}, {1.0, 0.5}}}, {"slow", {}}};
+  EXPECT_EQ(scene.grass.mingle, rates);
+  const Overrides overrides = {"grass.mingle=[\"late\", [[0, 0.25], [1, 1]]]"};
+  EXPECT_EQ(parse_scene("", "a.toml", overrides).grass.mingle,
+            (std::vector<CurveChoice>{{"late", {}}, {"", {{0.0, 0.25}, {1.0, 1.0}}}}));
+
+  const auto expect_rates_problem = [](const std::string& rates_text, const std::string& start) {
+    expect_problem("[grass]\nmingle = " + rates_text + "\n", "a.toml:2:" + start);
+  };
+  expect_rates_problem("'late'",
+                       "10: grass.mingle: found \"late\", expected a list of 0 to 32 cur");
+  expect_rates_problem("['late', 'erly']",
+                       "19: grass.mingle: found \"erly\" (item 2), expected a list of 0 to 32 "
+                       "curves, each \"steady\", \"early\", \"late\", \"sudden\", \"slow\" or "
+                       "\"evergreen\", or a list of 2 to 1000 points [weathering degree, value], "
+                       "the degree rising from 0 to 1, values from 0 to 1, none smaller than the "
+                       "one before");
+  expect_rates_problem("['late', 3]", "19: grass.mingle: found 3, expected a list");
+  expect_rates_problem("[[0, 0], [1, 1]]", "12: grass.mingle: found 0, expected a list");
+  expect_rates_problem("['late', []]", "19: grass.mingle: found a list of 0, expected");
+  expect_rates_problem("['late', [[0, 0]]]", "19: grass.mingle: found a list of 1 (item 2)");
+  expect_rates_problem("[[[0, 0], [0.5, 'x'], [1, 1]]]", "20: grass.mingle: found a list of 2");
+  expect_rates_problem("[[[0, 0], [0.5, nan], [1, 1]]]",
+                       "20: grass.mingle: found [0.5, nan] (item 1, point 2)");
+  expect_rates_problem("[[[0, 0], [nan, 0.5], [1, 1]]]",
+                       "20: grass.mingle: found [nan, 0.5] (item 1, point 2)");
+  expect_rates_problem("[[[0, 0], [1, 1.01]]]",
+                       "20: grass.mingle: found [1, 1.01] (item 1, point 2)");
+  expect_rates_problem("['late', [[0, 0], [0.7, 0.2], [0.6, 0.3], [1, 1]]]",
+                       "40: grass.mingle: found [0.6, 0.3] after [0.7, 0.2] (item 2, point 3)");
+  expect_rates_problem("[[[0, 0], [0.5, 0.6], [1, 0.5]]]",
+                       "32: grass.mingle: found [1, 0.5] after [0.5, 0.6] (item 1, point 3)");
+  expect_rates_problem("[[[0.1, 0], [1, 1]]]",
+                       "12: grass.mingle: found 0.1 as the first weathering degree (item 1, point");
+  expect_rates_problem(
+      "[[[0, 0], [0.9, 1]]]",
+      "20: grass.mingle: found 0.9 as the last weathering degree (item 1, point 2");
+  expect_problem("", "--set grass.mingle=[\"lat\"]: grass.mingle: found \"lat\" (item 1), expected",
+                 {"grass.mingle=[\"lat\"]"});
 }
 
 TEST(Parse, SuggestsTheNearestKnownName) {
@@ -153,6 +207,18 @@ TEST(Parse, ChecksKeysAgainstEachOther) {
                  "a.toml:2:1: ageing.vein_shrinkage: found 0.15");
   expect_problem("[grass]\npatch = 2\n[terrain]\nsize = 1\n[camera]\neye=[0,0]\ntarget=[1,1]\n",
                  "a.toml:2:1: grass.patch: found 2 m, expected from 0.0005 to 1 m");
+  expect_problem(
+      "[grass]\nblades = 1\nmingle = ['early', 'late']\n",
+      "a.toml:3:1: grass.mingle: found 2 samples, expected at most one for each of the 1");
+  expect_problem("[grass]\npatch = 0.05\nheight = 0.1\nwidth = 0.05\nblades = 1\n",
+                 "a.toml:4:1: grass.width: found 0.05 m, with grass.width_spread up to 0.0775 m, "
+                 "expected less than grass.patch (0.05 m)");
+  // Points of a hundred gigabytes for each of the patches that are made at once.
+  expect_problem(
+      "[grass]\nblades = 20000\nproportion = 1000\nvariants = 64\n"
+      "[render]\nthreads = 64\n",
+      "a.toml:3:1: grass.levels: found 254 voxels along a side and 2.5e+09 points in a "
+      "patch, which for 64 patches at once need ");
   // A size that is wrong by itself is not held against the camera as well.
   expect_problem("[terrain]\nsize = -5\n[camera]\neye = [100, 5]\n",
                  "a.toml:2:8: terrain.size: found -5 m");

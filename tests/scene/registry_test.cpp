@@ -55,6 +55,8 @@ Value another_value(const Key& key, const Value& value) {
     }
     case Kind::curve:
       return CurveChoice{"", {{0.0, 1.0}, {1.0, 0.25}}};
+    case Kind::curves:
+      return std::vector<CurveChoice>{{key.words.back(), {}}, {"", {{0.0, 0.0}, {1.0, 0.25}}}};
   }
   return value;
 }

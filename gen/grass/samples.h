@@ -1,0 +1,44 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/curve.h"
+#include "grass/dynamics.h"
+#include "grass/texel.h"
+#include "scene/scene.h"
+
+namespace wold::grass {
+
+/// Ageing rates wd_i = Mg_i(wd) of a meadow's samples, paper 1 section 4.1: those of grass.mingle,
+/// or the identity of a single sample. Throws what load_curve() throws.
+std::vector<Curve> ageing_rates(const scene::Grass& grass);
+
+/// One variant of the patch as its samples, K systems of blades that are simulated apart and
+/// mingled into one texel. A sample has its own blades (scatter_blades) and points; it is always at
+/// its own weathering degree, Mg_i of the meadow's.
+class Samples {
+ public:
+  /// Scatters the blades and samples their points; `shape` is that of the texel. `model` has to
+  /// outlive it.
+  Samples(const scene::Scene& scene, const TexelShape& shape, int variant,
+          const AgeingModel& model);
+
+  /// One step of Algorithm 1 for every sample; `weathering` of the meadow in [0, 1], not before
+  /// the last one.
+  void advance_to(double weathering);
+
+  /// The samples' texels, mingled.
+  Texel texel() const;
+
+  std::span<const PointDynamics> all() const { return samples_; }
+  /// Points of all samples.
+  std::size_t points() const;
+
+ private:
+  TexelShape shape_;
+  std::vector<Curve> rates_;
+  std::vector<PointDynamics> samples_;
+};
+
+}  // namespace wold::grass
