@@ -9,10 +9,6 @@
 namespace wold::grass {
 namespace {
 
-constexpr float half_pi = std::numbers::pi_v<float> / 2.0F;
-/// Below this droop a blade is straight to float precision.
-constexpr float straight = 1e-3F;
-
 /// The random numbers of one blade.
 class BladeRandom {
  public:
@@ -63,6 +59,12 @@ int sample_blades(const scene::Grass& grass, int sample) {
   return grass.blades / samples + (sample < grass.blades % samples ? 1 : 0);
 }
 
+/// Blades are alike in shape, a longer one has the deeper keel; `load` is how much more it bends
+/// than they do, as the inverse square of the depth (fresh_load).
+float keel_depth_m(const scene::Grass& grass, const Blade& blade, float load) {
+  return static_cast<float>(grass.keel_depth_m / grass.height_m) * blade.length_m / std::sqrt(load);
+}
+
 Blade make_blade(const scene::Grass& grass, const scene::Ageing& ageing, const BladeRandom& random,
                  const glm::vec2& root_m) {
   const double heading = 2.0 * std::numbers::pi * random.uniform("heading");
@@ -73,27 +75,14 @@ Blade make_blade(const scene::Grass& grass, const scene::Ageing& ageing, const B
   blade.lean = static_cast<float>(std::clamp(lean_deg, 0.0, 80.0) * std::numbers::pi / 180.0);
   blade.length_m = positive_spread(grass.height_m, grass.height_spread, random.normal("length"));
   blade.radius_m = positive_spread(grass.width_m / 2, grass.width_spread, random.normal("width"));
+  blade.keel_depth_m =
+      keel_depth_m(grass, blade, positive_spread(1.0, ageing.droop_spread, random.normal("bend")));
   blade.fresh_droop = positive_spread(grass.bend, ageing.droop_spread, random.normal("bend"));
   blade.droop_rate = positive_spread(ageing.droop, ageing.droop_spread, random.normal("droop"));
   blade.head_start = static_cast<float>(head_start(ageing, random));
   blade.onset = static_cast<float>(ageing.onset_spread * random.normal("onset"));
   blade.brightness = positive_spread(1.0, 0.12, random.normal("brightness"));
   return blade;
-}
-
-AxisPoint straight_axis(float lean, float arc_m) {
-  const glm::vec2 direction(std::sin(lean), std::cos(lean));
-  return {direction * arc_m, direction};
-}
-
-/// Radius of the polar curve at an arc length, and the reverse (blade.h).
-float radius_at_arc(float droop, float arc_m) {
-  const float cc = droop * droop;
-  return 4.0F / cc * std::expm1(2.0F / 3.0F * std::log1p(0.375F * cc * arc_m));
-}
-float arc_at_radius(float droop, float radius_m) {
-  const float cc = droop * droop;
-  return 8.0F / (3.0F * cc) * std::expm1(1.5F * std::log1p(0.25F * cc * radius_m));
 }
 
 }  // namespace
@@ -122,24 +111,10 @@ Blade mean_blade(const scene::Grass& grass, const scene::Ageing& ageing) {
   blade.lean = static_cast<float>(grass.lean_deg * std::numbers::pi / 180.0);
   blade.length_m = static_cast<float>(grass.height_m);
   blade.radius_m = static_cast<float>(grass.width_m / 2.0);
+  blade.keel_depth_m = keel_depth_m(grass, blade, 1.0F);
   blade.fresh_droop = static_cast<float>(grass.bend);
   blade.droop_rate = static_cast<float>(ageing.droop);
   return blade;
-}
-
-AxisPoint axis_point(const Blade& blade, const BladePose& pose, float arc_m) {
-  const float droop = pose.droop;
-  if (droop < straight) return straight_axis(blade.lean, arc_m);
-  const float radius = radius_at_arc(droop, arc_m);
-  const float angle = blade.lean + droop * std::sqrt(radius);
-  if (angle < half_pi) {
-    const float tangent = angle + std::atan(0.5F * droop * std::sqrt(radius));
-    return {radius * glm::vec2(std::sin(angle), std::cos(angle)),
-            {std::sin(tangent), std::cos(tangent)}};
-  }
-  const float touch = (half_pi - blade.lean) / droop;
-  const float touch_radius = touch * touch;
-  return {{touch_radius + arc_m - arc_at_radius(droop, touch_radius), 0.0F}, {1.0F, 0.0F}};
 }
 
 }  // namespace wold::grass

@@ -19,4 +19,18 @@ BladePatch withered_patch(const scene::Scene& scene, const AgeingModel& model, i
   return patch;
 }
 
+glm::vec3 mean_albedo(const BladePatch& patch, const AgeingModel& model) {
+  glm::dvec3 sum(0.0);
+  double weights = 0.0;
+  for (std::size_t i = 0; i < patch.blades.size(); ++i) {
+    const Blade& blade = patch.blades[i];
+    for (const double along : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+      const double area = (1.0 - along) * double{blade.radius_m * blade.length_m};
+      sum += area * glm::dvec3(model.albedo(blade, patch.ages[i], along));
+      weights += area;
+    }
+  }
+  return sum / weights;
+}
+
 }  // namespace wold::grass

@@ -18,4 +18,7 @@ struct BladePatch {
 BladePatch withered_patch(const scene::Scene& scene, const AgeingModel& model, int variant,
                           double weathering);
 
+/// Mean albedo of all blades, by their area.
+glm::vec3 mean_albedo(const BladePatch& patch, const AgeingModel& model);
+
 }  // namespace wold::grass

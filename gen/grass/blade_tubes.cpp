@@ -25,12 +25,13 @@ struct Station {
 
 std::vector<Station> stations(const Blade& blade, const BladePose& pose) {
   const float length_m = blade.length_m * pose.length_scale;
+  const BladeAxis axis(blade, pose);
   std::vector<Station> result;
   for (int i = 0; i <= segments; ++i) {
     const float along = static_cast<float>(i) / segments;
-    const AxisPoint axis = axis_point(blade, pose, length_m * along);
-    result.push_back({{blade.root_m + blade.heading * axis.position_m.x, axis.position_m.y},
-                      {blade.heading * axis.tangent.x, axis.tangent.y},
+    const AxisPoint at = axis.at(length_m * along);
+    result.push_back({{blade.root_m + blade.heading * at.position_m.x, at.position_m.y},
+                      {blade.heading * at.tangent.x, at.tangent.y},
                       blade.radius_m * pose.mesophyll_width * (1.0F - along),
                       along});
   }

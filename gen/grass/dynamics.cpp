@@ -74,6 +74,7 @@ AgeingModel::AgeingModel(const scene::Ageing& ageing, double fresh_specular)
     : ageing_(ageing),
       fresh_specular_(fresh_specular),
       water_(load_curve(CurveKind::water, ageing.water)),
+      heaviest_load_(heaviest_load(ageing, water_)),
       colour_(ageing) {}
 
 double AgeingModel::blade_age(const Blade& blade, double weathering) {
@@ -87,7 +88,7 @@ double AgeingModel::local_age(double age, double along) {
 }
 
 BladePose AgeingModel::pose(const Blade& blade, double age) const {
-  return blade_pose(blade, ageing_, 1.0 - water_(age));
+  return blade_pose(blade, ageing_, 1.0 - water_(age), heaviest_load_(age));
 }
 
 glm::vec3 AgeingModel::albedo(const Blade& blade, double age, double along) const {
@@ -122,11 +123,12 @@ PointDynamics::WitheredBlade PointDynamics::apply_forces(std::size_t number, dou
   const double age = AgeingModel::blade_age(blade, weathering);
   poses_[number] = model_.pose(blade, age);
   const float length_m = blade.length_m * poses_[number].length_scale;
+  const BladeAxis axis(blade, poses_[number]);
   WitheredBlade now;
   for (int i = 0; i <= WitheredBlade::steps; ++i) {
     const float along = static_cast<float>(i) / WitheredBlade::steps;
     const auto place = static_cast<std::size_t>(i);
-    now.axis[place] = axis_point(blade, poses_[number], length_m * along);
+    now.axis[place] = axis.at(length_m * along);
     now.albedo[place] = model_.albedo(blade, age, double{along});
   }
   now.specular = model_.specular(age);

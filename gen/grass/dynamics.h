@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/curve.h"
+#include "grass/axis.h"
 #include "grass/blade.h"
 #include "grass/leaf_colour.h"
 #include "grass/mechanics.h"
@@ -34,6 +35,7 @@ class AgeingModel {
   scene::Ageing ageing_;
   double fresh_specular_;
   Curve water_;
+  Curve heaviest_load_;  ///< over the blade's age
   LeafColour colour_;
 };
 

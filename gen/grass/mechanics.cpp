@@ -1,6 +1,9 @@
 #include "grass/mechanics.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace wold::grass {
 namespace {
@@ -10,6 +13,17 @@ namespace {
 constexpr double fresh_vein_pa = 0.5e9;
 constexpr double fresh_mesophyll_pa = 5e6;
 constexpr double vein_share = 0.1;
+
+constexpr double gravity_m_s2 = 9.81;
+/// Of the whole fresh leaf, with the air in it (modelling choice).
+constexpr double leaf_kg_m3 = 800.0;
+/// Water in a fresh leaf: 240 % of its dry mass (models/ageing/water_standard.toml).
+constexpr double water_mass_share = 240.0 / 340.0;
+/// Water lost when turgor is gone; grasses lose it near a relative water content of 0.8 (modelling
+/// choice).
+constexpr double turgor_loss = 0.2;
+/// What remains of a blade's thickness without its water at the least: the walls.
+constexpr double thinnest = 0.1;
 
 /// Linear scale of a body that lost this share of its volume alike in all directions.
 double linear_scale(double volume_strain) { return std::cbrt(1.0 - volume_strain); }
@@ -33,13 +47,46 @@ TissueState tissue_state(const scene::Ageing& ageing, double water_lost) {
   return tissue;
 }
 
-BladePose blade_pose(const Blade& blade, const scene::Ageing& ageing, double water_lost) {
+double fresh_load(const Blade& blade) {
+  const double length_m = double{blade.length_m};
+  const double depth_m = double{blade.keel_depth_m};
+  // The fibres of the veins carry the bending (Vincent 1982).
+  return 12.0 * leaf_kg_m3 * gravity_m_s2 * length_m * length_m * length_m /
+         (fresh_vein_pa * depth_m * depth_m);
+}
+
+double relative_load(const scene::Ageing& ageing, double water_lost) {
+  const TissueState tissue = tissue_state(ageing, water_lost);
+  const double weight = 1.0 - water_mass_share * water_lost;
+  const double turgor = std::max(1.0 - water_lost / turgor_loss, 0.0);
+  const double modulus = (1.0 - ageing.turgor_support) * tissue.modulus_vein_pa / fresh_vein_pa +
+                         ageing.turgor_support * turgor;
+  const double thickness = std::max(1.0 - tissue.strain_mesophyll, thinnest);
+  return weight / (modulus * thickness * thickness * thickness);
+}
+
+Curve heaviest_load(const scene::Ageing& ageing, const Curve& water) {
+  constexpr int steps = 128;
+  std::vector<glm::dvec2> points;
+  double heaviest = 1.0;
+  for (int i = 0; i <= steps; ++i) {
+    const double age = static_cast<double>(i) / steps;
+    heaviest = std::max(heaviest, relative_load(ageing, 1.0 - water(age)));
+    points.emplace_back(age, heaviest);
+  }
+  return Curve(std::move(points));
+}
+
+BladePose blade_pose(const Blade& blade, const scene::Ageing& ageing, double water_lost,
+                     double heaviest) {
   const TissueState tissue = tissue_state(ageing, water_lost);
   const double vein = vein_share * tissue.modulus_vein_pa;
   const double mesophyll = (1.0 - vein_share) * tissue.modulus_mesophyll_pa;
   const double axial =
       (vein * tissue.strain_vein + mesophyll * tissue.strain_mesophyll) / (vein + mesophyll);
   BladePose pose;
+  pose.rule = ageing.droop_rule == "elastica" ? DroopRule::elastica : DroopRule::paper;
+  pose.load = static_cast<float>(fresh_load(blade) * heaviest);
   pose.droop = blade.fresh_droop +
                blade.droop_rate * static_cast<float>(relieved_loss(water_lost, ageing.stiffening));
   pose.length_scale = static_cast<float>(linear_scale(axial));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/curve.h"
 #include "grass/blade.h"
 #include "scene/scene.h"
 
@@ -28,9 +29,29 @@ double relieved_loss(double water_lost, double stiffening);
 /// 90-95 % of the longitudinal stiffness).
 TissueState tissue_state(const scene::Ageing& ageing, double water_lost);
 
+/// B = q L^3 / (E I) of a fresh blade that bends under its own weight. Of a thin blade of width w,
+/// thickness t and density rho, folded to the depth d, q = rho g w t and I = w t d^2 / 12 (a strip
+/// that stands at an angle), so that width and thickness cancel:
+///   B = 12 rho g L^3 / (E d^2).
+/// For a flat blade d is t: 3 mm x 0.2 mm give 0.59 at 5 cm, 4.7 at 10 cm, 38 at 20 cm; a keel of
+/// three to five times t makes it stiffer 10 to 30 times.
+double fresh_load(const Blade& blade);
+
+/// The load after `water_lost` (0 to 1), that of the fresh blade being 1. Weight goes with the
+/// water; the walls stiffen as they dry, E(x) = E0 (1 + b x), turgor's share of the stiffness is
+/// gone at the turgor loss point, and the blade grows thinner by the volume its soft tissue loses
+/// (Gardner and Ehlig 1965, Plant Physiology 40:705: leaves shrink in thickness, hardly in area).
+/// It rises while the blade wilts and falls as it dries.
+double relative_load(const scene::Ageing& ageing, double water_lost);
+
+/// The largest relative_load a blade has borne, from its growth on (1) up to an age. What sank
+/// while limp sets as it dries: a fallen blade does not stand up again.
+Curve heaviest_load(const scene::Ageing& ageing, const Curve& water);
+
 /// Shape of a blade after `water_lost`: lengths follow the stiff veins and the mesophyll bonded to
-/// them, by their stiffness; widths follow each tissue's own strain; droop grows as support is
-/// lost.
-BladePose blade_pose(const Blade& blade, const scene::Ageing& ageing, double water_lost);
+/// them, by their stiffness; widths follow each tissue's own strain; the paper's droop grows as
+/// support is lost, the elastica's load is `heaviest` times the fresh one.
+BladePose blade_pose(const Blade& blade, const scene::Ageing& ageing, double water_lost,
+                     double heaviest);
 
 }  // namespace wold::grass

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
-#include "grass/blade.h"
+#include "grass/axis.h"
 
 /// Silhouettes of bent blades, projected along a direction onto the plane of the ground and drawn
 /// into a square of pixels that tiles like the patch.
@@ -28,14 +28,15 @@ void each_strip(const Blade& blade, const BladePose& pose, int segments, double 
   const auto on_ground = [&](const glm::vec3& place_m) {
     return glm::dvec2((glm::vec2(place_m) - place_m.z * slope) / static_cast<float>(patch_m));
   };
-  const auto place = [&](const AxisPoint& axis) {
-    return glm::vec3(blade.root_m + blade.heading * axis.position_m.x, axis.position_m.y);
+  const auto place = [&](const AxisPoint& at) {
+    return glm::vec3(blade.root_m + blade.heading * at.position_m.x, at.position_m.y);
   };
-  AxisPoint from = axis_point(blade, pose, 0.0F);
+  const BladeAxis axis(blade, pose);
+  AxisPoint from = axis.at(0.0F);
   float begin = 0.0F;
   for (int i = 1; i <= segments; ++i) {
     const float end = static_cast<float>(i) / static_cast<float>(segments);
-    const AxisPoint to = axis_point(blade, pose, length_m * end);
+    const AxisPoint to = axis.at(length_m * end);
     const glm::vec3 tangent(blade.heading * to.tangent.x, to.tangent.y);
     const glm::vec3 across = glm::cross(tangent, direction);
     const float sine = std::max(glm::length(across), 1e-3F);

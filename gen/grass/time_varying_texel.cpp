@@ -10,6 +10,7 @@
 #include "core/files.h"
 #include "core/parallel.h"
 #include "core/random.h"
+#include "grass/axis.h"
 #include "grass/baking.h"
 #include "grass/blade_tubes.h"
 #include "grass/levels.h"
@@ -46,11 +47,11 @@ void add(StageTimes& to, const StageTimes& from) {
 }
 
 double fresh_height_m(const Blade& blade, const scene::Ageing& ageing) {
-  const BladePose fresh = blade_pose(blade, ageing, 0.0);
+  const BladeAxis fresh(blade, blade_pose(blade, ageing, 0.0, 1.0));
   double highest = 0.0;
   for (int i = 1; i <= 16; ++i) {
     const float arc_m = blade.length_m * static_cast<float>(i) / 16.0F;
-    highest = std::max(highest, double{axis_point(blade, fresh, arc_m).position_m.y});
+    highest = std::max(highest, double{fresh.at(arc_m).position_m.y});
   }
   return highest;
 }

@@ -9,6 +9,7 @@
 #include "core/curve.h"
 #include "core/parallel.h"
 #include "grass/ageing_curves.h"
+#include "grass/axis.h"
 #include "grass/blade.h"
 #include "grass/leaf_colour.h"
 #include "grass/leaf_optics.h"
@@ -42,7 +43,7 @@ double carotenoid_share(const scene::Ageing& ageing, double water) {
 
 /// Seen from the root, as in the paper's turning of the points about it.
 double tip_angle_deg(const Blade& blade, const BladePose& pose) {
-  const glm::vec2 tip = axis_point(blade, pose, blade.length_m * pose.length_scale).position_m;
+  const glm::vec2 tip = BladeAxis(blade, pose).at(blade.length_m * pose.length_scale).position_m;
   return std::atan2(double{tip.x}, double{tip.y}) * 180.0 / std::numbers::pi;
 }
 
@@ -58,6 +59,7 @@ class Withering {
         blade_(mean_blade(scene.grass, scene.ageing)),
         chlorophyll_(load_curve(CurveKind::chlorophyll, ageing_.chlorophyll)),
         water_(load_curve(CurveKind::water, ageing_.water)),
+        heaviest_load_(heaviest_load(ageing_, water_)),
         optics_(load_leaf_spectra()),
         colour_(ageing_) {}
 
@@ -68,7 +70,8 @@ class Withering {
     state.water = water_(weathering);
     state.carotenoid = carotenoid_share(ageing_, state.water);
     state.tissue = tissue_state(ageing_, 1.0 - state.water);
-    state.tip_angle_deg = tip_angle_deg(blade_, blade_pose(blade_, ageing_, 1.0 - state.water));
+    state.tip_angle_deg = tip_angle_deg(
+        blade_, blade_pose(blade_, ageing_, 1.0 - state.water, heaviest_load_(weathering)));
     state.srgb = encoded(colour_(weathering).reflectance);
     state.reflectance =
         withered_spectrum(ageing_, optics_, state.chlorophyll, state.water).reflectance;
@@ -82,6 +85,7 @@ class Withering {
   Blade blade_;
   Curve chlorophyll_;
   Curve water_;
+  Curve heaviest_load_;
   LeafOptics optics_;
   LeafColour colour_;
 };

@@ -1,5 +1,6 @@
 #include "landscape/assemble.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -7,8 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "grass/leaf_colour.h"
-#include "grass/samples.h"
+#include "grass/blade_patch.h"
 #include "landscape/tint.h"
 #include "landscape/view.h"
 #include "terrain/lighting.h"
@@ -43,13 +43,18 @@ std::pair<int, int> blades_key(const CellChoice& choice) {
   return {choice.variant, choice.key_frame};
 }
 
-/// Mean colour of the meadow's grass, of all samples, by weathering degree.
+/// Mean colour of the meadow's grass by weathering degree.
 GrassColour grass_colour(const scene::Scene& scene) {
-  return [colour = grass::LeafColour(scene.ageing),
-          rates = grass::ageing_rates(scene.grass)](double weathering) {
-    glm::vec3 sum(0.0F);
-    for (const Curve& rate : rates) sum += colour(rate(weathering)).albedo;
-    return sum / static_cast<float>(rates.size());
+  constexpr int steps = 64;
+  const grass::AgeingModel model(scene.ageing, scene.grass.specular);
+  std::vector<glm::vec3> colours;
+  for (int i = 0; i <= steps; ++i)
+    colours.push_back(grass::mean_albedo(
+        grass::withered_patch(scene, model, /*variant=*/0, static_cast<double>(i) / steps), model));
+  return [colours](double weathering) {
+    const double place = std::clamp(weathering, 0.0, 1.0) * steps;
+    const auto i = std::min(static_cast<std::size_t>(place), std::size_t{steps - 1});
+    return glm::mix(colours[i], colours[i + 1], static_cast<float>(place - static_cast<double>(i)));
   };
 }
 

@@ -61,6 +61,15 @@ Rule veins_shrink_less(const Ageing& ageing) {
                       ageing.vein_shrinkage, ageing.mesophyll_shrinkage)};
 }
 
+Rule keel_fits_the_blade(const Scene& scene) {
+  const Grass& grass = scene.grass;
+  return {{"grass.keel_depth", "grass.width", "ageing.droop_rule"},
+          scene.ageing.droop_rule != "elastica" || grass.keel_depth_m <= 0.5 * grass.width_m,
+          fmt::format("grass.keel_depth: found {} m, expected at most {} m, half of grass.width: a "
+                      "blade folded flat is no deeper",
+                      grass.keel_depth_m, 0.5 * grass.width_m)};
+}
+
 Rule patch_fits(const Scene& scene) {
   const double size_m = scene.terrain.size_m;
   const double patch_m = scene.grass.patch_m;
@@ -170,6 +179,7 @@ void report_contradictions(const Scene& scene, const Places& places,
       every_sample_has_a_blade(scene.grass),
       texels_fit_in_memory(scene),
       veins_shrink_less(scene.ageing),
+      keel_fits_the_blade(scene),
       inside_terrain("camera.eye", scene.camera.eye_m, scene.terrain.size_m),
       inside_terrain("camera.target", scene.camera.target_m, scene.terrain.size_m),
       looks_somewhere(scene.camera),

@@ -49,9 +49,10 @@ struct Grass {
   double width_spread = 0.25;
   double lean_deg = 14.0;  ///< mean angle from the vertical
   double lean_spread_deg = 8.0;
-  double bend = 1.0;       ///< droop of fresh blades, rad per sqrt(m)
-  double specular = 0.12;  ///< Kajiya-Kay specular coefficient ms
-  double gloss = 24.0;     ///< Kajiya-Kay exponent p
+  double bend = 1.0;             ///< droop of fresh blades, rad per sqrt(m); the paper's rule
+  double keel_depth_m = 0.0011;  ///< of a mean blade's fold, edges to keel; the elastica's
+  double specular = 0.12;        ///< Kajiya-Kay specular coefficient ms
+  double gloss = 24.0;           ///< Kajiya-Kay exponent p
   int variants = 4;
   std::vector<int> levels = {254, 126, 62, 30};  ///< voxels per side, finest first
   double proportion = 2.5;                       ///< points per unit optical depth of a voxel
@@ -70,7 +71,9 @@ struct Ageing {
   double vein_shrinkage = 0.15;                ///< kv: volume lost per unit of water lost
   double mesophyll_shrinkage = 0.6;            ///< km > kv
   double stiffening = 2.0;                     ///< b: E(w) = E0 (1 + b (1 - w))
+  std::string droop_rule = "paper";            ///< "paper" or "elastica"
   double droop = 2.6;                          ///< omega: rad per sqrt(m) and unit of water lost
+  double turgor_support = 0.7;                 ///< share of a fresh blade's stiffness, elastica
   double droop_spread = 0.3;                   ///< of omega from blade to blade
   double onset_spread = 0.12;                  ///< of a blade's own weathering degree
   double fresh_spread = 0.14;  ///< mean of the ages that single blades have in a fresh meadow

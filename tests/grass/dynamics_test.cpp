@@ -12,18 +12,28 @@ namespace {
 
 using test::sum;
 
-const AgeingModel& model() {
-  static const AgeingModel model({}, 0.12);
-  return model;
+const AgeingModel& model(const std::string& droop_rule = "paper") {
+  const auto make = [](const char* rule) {
+    scene::Ageing ageing;
+    ageing.droop_rule = rule;
+    return AgeingModel(ageing, 0.12);
+  };
+  static const AgeingModel paper = make("paper");
+  static const AgeingModel elastica = make("elastica");
+  return droop_rule == "paper" ? paper : elastica;
 }
 
-PointDynamics small_dynamics(double merge_distance_m) {
+PointDynamics small_dynamics(double merge_distance_m, const std::string& droop_rule = "paper") {
   const auto blades = test::small_blades();
-  return {model(), blades, sample_points(blades, test::small_shape(), 6.0, 5), merge_distance_m};
+  return {model(droop_rule), blades, sample_points(blades, test::small_shape(), 6.0, 5),
+          merge_distance_m};
 }
 
-TEST(Dynamics, FramesStayOrthonormalAndNothingIsBelowTheGround) {
-  PointDynamics dynamics = small_dynamics(0.0004);
+class EveryDroopRule : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Dynamics, EveryDroopRule, testing::Values("paper", "elastica"));
+
+TEST_P(EveryDroopRule, FramesStayOrthonormalAndNothingIsBelowTheGround) {
+  PointDynamics dynamics = small_dynamics(0.0004, GetParam());
   for (double weathering : {0.0, 0.3, 0.6, 1.0}) {
     dynamics.advance_to(weathering);
     const Points& points = dynamics.points();
@@ -38,16 +48,69 @@ TEST(Dynamics, FramesStayOrthonormalAndNothingIsBelowTheGround) {
   }
 }
 
-TEST(Dynamics, StateDoesNotDependOnTheStepsBetween) {
-  PointDynamics once = small_dynamics(0.0);
-  PointDynamics often = small_dynamics(0.0);
-  for (double weathering : {0.0, 1.0}) once.advance_to(weathering);
-  for (double weathering : {0.0, 0.3, 0.7, 1.0}) often.advance_to(weathering);
-  EXPECT_EQ(once.points().position_m, often.points().position_m);
-  EXPECT_EQ(once.points().tangent, often.points().tangent);
-  EXPECT_EQ(once.points().normal, often.points().normal);
-  EXPECT_EQ(once.points().albedo, often.points().albedo);
-  EXPECT_EQ(once.points().area_m2, often.points().area_m2);
+/// What a patch looks like, in a few numbers.
+struct Summary {
+  double area_m2 = 0.0;
+  double height_m = 0.0;  ///< mean over the area
+  double spread_m = 0.0;  ///< mean distance of the area from the blades' roots, on the ground
+};
+
+Summary summary(const PointDynamics& dynamics) {
+  const Points& points = dynamics.points();
+  Summary total;
+  for (std::size_t blade = 0; blade < points.blades(); ++blade)
+    for (auto i = points.blade_begin[blade]; i < points.blade_begin[blade + 1]; ++i) {
+      const double area = double{points.area_m2[i]};
+      const glm::vec2 from_root = glm::vec2(points.position_m[i]) - dynamics.blades()[blade].root_m;
+      total.area_m2 += area;
+      total.height_m += area * double{points.position_m[i].z};
+      total.spread_m += area * double{glm::length(from_root)};
+    }
+  total.height_m /= total.area_m2;
+  total.spread_m /= total.area_m2;
+  return total;
+}
+
+// Points merged on the way make the only difference between many steps and few.
+TEST_P(EveryDroopRule, HalfTheStepChangesNothing) {
+  const auto withered = [](int steps) {
+    PointDynamics dynamics = small_dynamics(0.1 * test::small_shape().voxel_m, GetParam());
+    for (int i = 0; i <= steps; ++i) dynamics.advance_to(0.917 * i / steps);
+    return summary(dynamics);
+  };
+  const Summary coarse = withered(12);
+  for (int steps : {24, 48}) {
+    const Summary fine = withered(steps);
+    EXPECT_NEAR(fine.area_m2 / coarse.area_m2, 1.0, 0.01) << steps;
+    EXPECT_NEAR(fine.height_m / coarse.height_m, 1.0, 0.01) << steps;
+    EXPECT_NEAR(fine.spread_m / coarse.spread_m, 1.0, 0.01) << steps;
+  }
+}
+
+TEST_P(EveryDroopRule, WithoutMergingTheStepsBetweenChangeNothingAtAll) {
+  const auto withered = [](int steps) {
+    PointDynamics dynamics = small_dynamics(0.0, GetParam());
+    for (int i = 0; i <= steps; ++i) dynamics.advance_to(0.917 * i / steps);
+    return dynamics.points();
+  };
+  const Points coarse = withered(1);
+  const Points fine = withered(48);
+  EXPECT_EQ(coarse.position_m, fine.position_m);
+  EXPECT_EQ(coarse.tangent, fine.tangent);
+  EXPECT_EQ(coarse.normal, fine.normal);
+  EXPECT_EQ(coarse.albedo, fine.albedo);
+  EXPECT_EQ(coarse.area_m2, fine.area_m2);
+}
+
+TEST_P(EveryDroopRule, NoBladeRisesAgain) {
+  PointDynamics dynamics = small_dynamics(0.0, GetParam());
+  dynamics.advance_to(0.0);
+  double height = summary(dynamics).height_m;
+  for (double weathering : {0.1, 0.2, 0.3, 0.5, 0.7, 0.9, 1.0}) {
+    dynamics.advance_to(weathering);
+    EXPECT_LT(summary(dynamics).height_m, height) << weathering;
+    height = summary(dynamics).height_m;
+  }
 }
 
 TEST(Dynamics, WitheringLowersShrinksAndDulls) {

@@ -219,6 +219,11 @@ TEST(Parse, ChecksKeysAgainstEachOther) {
       "[render]\nthreads = 64\n",
       "a.toml:3:1: grass.levels: found 254 voxels along a side and 2.5e+09 points in a "
       "patch, which for 64 patches at once need ");
+  expect_problem("[grass]\nwidth = 0.002\n[ageing]\ndroop_rule = \"elastica\"\n",
+                 "a.toml:2:1: grass.keel_depth: found 0.0011 m, expected at most 0.001 m, half of");
+  EXPECT_NO_THROW(parse_scene("[grass]\nwidth = 0.002\n", "a.toml"));
+  expect_problem("[ageing]\ndroop_rule = \"elastic\"\n",
+                 "a.toml:2:14: ageing.droop_rule: found \"elastic\", expected \"paper\"");
   // A size that is wrong by itself is not held against the camera as well.
   expect_problem("[terrain]\nsize = -5\n[camera]\neye = [100, 5]\n",
                  "a.toml:2:8: terrain.size: found -5 m");

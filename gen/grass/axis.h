@@ -1,0 +1,77 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <variant>
+
+#include "grass/blade.h"
+#include "grass/elastica.h"
+
+namespace wold::grass {
+
+/// A point of a blade's axis: place relative to the root and the unit tangent, both within the
+/// vertical plane of the blade: (along heading, up).
+struct AxisPoint {
+  glm::vec2 position_m;
+  glm::vec2 tangent;
+};
+
+/// An axis by the paper's rule (paper 1, section 3.1).
+///
+/// A point at distance l turns about the root with omega_i = omega h_i^(1/2), so that after some
+/// time a point at radius r stands at the polar angle lean + c sqrt(r). Turning the points of a
+/// straight blade rigidly would stretch it; here the polar curve is kept and run through by arc
+/// length, for which it has a closed form:
+///   s = 8 / (3 c^2) ((1 + c^2 r / 4)^(3/2) - 1).
+/// Speeds at c = 0 are the paper's, length is kept exactly, and the result does not depend on the
+/// number of time steps. What would sink below the ground lies on it.
+///
+/// Against theory: to first order in the load B (elastica.h) a blade at `lean` sinks by
+/// B L sin(lean) (u^2 / 4 - u^3 / 6 + u^4 / 24), u = s / L, the paper's by c sqrt(L) L u^(3/2).
+/// The tips agree for
+///   c sqrt(L) = B sin(lean) / 8 / (1 - B cos(lean) / 7.8373)
+/// (the second factor: what the weight along the blade adds, up to Greenhill's load), within 2 % as
+/// long as the tip moves by less than 0.16 L. With c fitted to the tip, the paper's blade
+///   - is off by 2 % of the tip's way (too low next to the root, too high next to the tip), at
+///     leans of 10 to 20 degrees by 3 % at B = 5 and by 3.5 % at B = 10;
+///   - turns its tip by 9/8 of the elastica's angle;
+///   - bends infinitely at the root, where the elastica bends by B sin(lean) / 2 per length.
+/// So the paper's shapes are sound; what departs is how much blades of different lengths droop: one
+/// c for all turns the tip as sqrt(L), theory as L^3 for one section (as L where the section grows
+/// with the blade), and right over beyond Greenhill's load.
+class PaperAxis {
+ public:
+  /// `droop` is c in rad / sqrt(m), at least 0.
+  PaperAxis(float lean, float droop) : lean_(lean), droop_(droop) {}
+  AxisPoint at(float arc_m) const;
+
+ private:
+  float lean_;
+  float droop_;
+};
+
+/// An axis that is a heavy elastica of this length. From where it would sink below the ground, the
+/// rest lies on it; that the ground carries that rest is left out.
+class ElasticaAxis {
+ public:
+  ElasticaAxis(float lean, float load, float length_m);
+  AxisPoint at(float arc_m) const;
+
+ private:
+  Elastica nodes_;
+  float length_m_;
+  double touch_ = 2.0;        ///< where it meets the ground, along it; beyond 1: nowhere
+  double touch_place_ = 0.0;  ///< that place along the heading, in lengths
+};
+
+/// The axis of a blade in a pose, by the pose's rule: made once, then sampled.
+class BladeAxis {
+ public:
+  BladeAxis(const Blade& blade, const BladePose& pose);
+  /// Where the axis is at arc length `arc_m` from the root, 0 to length * length_scale.
+  AxisPoint at(float arc_m) const;
+
+ private:
+  std::variant<PaperAxis, ElasticaAxis> axis_;
+};
+
+}  // namespace wold::grass
