@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "grass/ageing_curves.h"
+#include "grass/dynamics.h"
 #include "scene/registry.h"
 
 namespace wold::grass {
@@ -26,7 +27,7 @@ TEST(AgeingCurves, ChlorophyllIsTheRescaledLogistic) {
     double half, steepness;
   };
   for (const Model& model :
-       {Model{"standard", 0.45, 10.0}, Model{"drought", 0.30, 14.0}, Model{"cold", 0.55, 18.0}}) {
+       {Model{"standard", 0.50, 29.0}, Model{"drought", 0.35, 29.0}, Model{"cold", 0.60, 36.0}}) {
     const auto logistic = [&](double x) {
       return 1.0 / (1.0 + std::exp(model.steepness * (x - model.half)));
     };
@@ -40,6 +41,33 @@ TEST(AgeingCurves, ChlorophyllIsTheRescaledLogistic) {
       }
     }
     EXPECT_NEAR(curve(model.half) * scale + logistic(1.0), 0.5, 3e-3);
+  }
+}
+
+// Real leaves stay green, then yellow within about a week (Mattila et al. 2018), in a season of two
+// to three months; the meadow's mean falls slowly, because every blade has its own onset:
+// science's logistic 1 / (1 + exp(10 (wd - 0.45))). Litter of the year before is left out.
+TEST(AgeingCurves, LeavesYellowFastAndTheMeadowSlowly) {
+  const Curve leaf = load_curve(CurveKind::chlorophyll, {"standard", {}});
+  const auto degree_of = [&](double content) {
+    int i = 0;
+    while (leaf(i / 1000.0) > content) ++i;
+    return i / 1000.0;
+  };
+  EXPECT_LT(degree_of(0.1) - degree_of(0.9), 0.2);
+  const scene::Scene scene;
+  for (int step = 0; step <= 20; ++step) {
+    const double weathering = step / 20.0;
+    double sum = 0.0;
+    int blades = 0;
+    for (const Blade& blade : scatter_blades(scene.grass, scene.ageing, scene.seed, 0)) {
+      if (blade.head_start >= 0.8F) continue;
+      ++blades;
+      for (const double along : {0.1, 0.3, 0.5, 0.7, 0.9})
+        sum += leaf(AgeingModel::local_age(AgeingModel::blade_age(blade, weathering), along)) / 5.0;
+    }
+    EXPECT_NEAR(sum / blades, 1.0 / (1.0 + std::exp(10.0 * (weathering - 0.45))), 0.1)
+        << weathering;
   }
 }
 

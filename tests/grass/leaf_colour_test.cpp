@@ -38,7 +38,7 @@ TEST(LeafColour, TurnsFromGreenToGoldBeforeStraw) {
   const LeafColour colour(with("prospect"));
   double reflectance = 0.0;
   double albedo = 0.0;
-  for (int i = 0; i <= 680; ++i) {
+  for (int i = 0; i <= 660; ++i) {  // then tissue dies and bleaches
     const LeafShade shade = colour(i / 1000.0);
     EXPECT_GT(red_over_green(shade.reflectance), reflectance) << i;
     EXPECT_GT(red_over_green(shade.albedo), albedo) << i;

@@ -51,9 +51,7 @@ TEST(WitheringCurves, WaterAndChlorophyllPassTheStagesOfCuring) {
   }
   const WitheringCurves curves = withering_curves({});
   EXPECT_LT(240.0 * curves.states[100].water, 30.0);
-  // The logistic fall's half is at 0.45: (0.5 - L(1)) / (L(0) - L(1)), L = 1 / (1 + exp(10 (x -
-  // 0.45))).
-  EXPECT_NEAR(curves.states[45].chlorophyll, 0.50351, 1e-5);
+  EXPECT_NEAR(curves.states[50].chlorophyll, 0.5, 1e-5);  // half-way of a leaf's logistic fall
 }
 
 TEST(WitheringCurves, CarotenoidsOutlastChlorophyllAndInThePaperStay) {
