@@ -38,7 +38,7 @@ TEST(LeafColour, TurnsFromGreenToGoldBeforeStraw) {
   const LeafColour colour(with("prospect"));
   double reflectance = 0.0;
   double albedo = 0.0;
-  for (int i = 0; i <= 660; ++i) {  // then tissue dies and bleaches
+  for (int i = 0; i <= 570; ++i) {  // then red leaves the gamut
     const LeafShade shade = colour(i / 1000.0);
     EXPECT_GT(red_over_green(shade.reflectance), reflectance) << i;
     EXPECT_GT(red_over_green(shade.albedo), albedo) << i;
@@ -76,7 +76,7 @@ TEST(LeafColour, StaysInGamutAndHasNoJumps) {
 TEST(LeafColour, PaperTurnsFromGreenToPaleYellow) {
   const LeafColour colour(with("paper"));
   double before = 0.0;
-  for (int i = 0; i <= 65; ++i) {  // until red is clamped
+  for (int i = 0; i <= 55; ++i) {  // until red is clamped
     const LeafShade shade = colour(i / 100.0);
     EXPECT_GT(red_over_green(shade.albedo), before);
     EXPECT_EQ(shade.albedo, shade.reflectance);
