@@ -10,16 +10,16 @@ namespace {
 
 /// Method 1 casts one ray and, where the pixel differs from a neighbour by more than the threshold,
 /// depth x depth more: at most `samples`. Fitting levels have voxels of about a pixel, so
-/// little is left to do: against 25 rays in every pixel of a meadow the root mean square error (of
-/// a picture in [0, 1]) is .011 without and .0040 with depth 2 and threshold 0.05. A threshold of
-/// 0.15 is .007 from 0.07 and takes a quarter less time.
+/// little is left to do. Half a metre above the grass, against 9 rays in nearly every pixel and twice
+/// the samples in the grass, the root mean square error (of a picture in [0, 1]) is .0101 with a
+/// threshold of 0.15, .0117 with 0.2 in 16 % less time, .0134 with 0.25 in 28 % less.
 std::string antialiasing(int samples) {
   const int depth = static_cast<int>(std::sqrt(samples));
   if (depth < 2) return "Antialias=Off\n";
   return fmt::format(
       "Antialias=On\n"
       "Sampling_Method=1\n"
-      "Antialias_Threshold=0.15\n"
+      "Antialias_Threshold=0.2\n"
       "Antialias_Depth={}\n"
       "Jitter=Off\n",
       depth);
