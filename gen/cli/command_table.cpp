@@ -45,7 +45,7 @@ struct RenderArguments {
 void add_shorthands(CLI::App& app, Overrides& overrides) {
   add_shorthand(app, "--renderer", "blender|povray|both", "render.renderer", overrides);
   add_shorthand(app, "--samples", "N", "render.samples", overrides);
-  add_shorthand(app, "--grass", "texels|blades|auto", "render.grass", overrides);
+  add_shorthand(app, "--grass", "texels|blades|auto|points", "render.grass", overrides);
   app.add_option_function<std::string>(
          "--size",
          [&overrides](const std::string& size) { overrides.push_back(size_override(size)); },

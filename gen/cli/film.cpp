@@ -85,9 +85,11 @@ landscape::Volume Film::volume(const landscape::CellChoice& cell) const {
 landscape::BladeMesh Film::blades(const landscape::CellChoice& cell) {
   landscape::BladeMesh& mesh = blades_[{cell.variant, cell.key_frame}];
   if (mesh.tubes) return mesh;
-  mesh.name = fmt::format("v{}_k{:02}_{}", cell.variant, cell.key_frame,
-                          texels_.blades_content(cell.variant, cell.key_frame));
-  mesh.tubes = std::make_shared<const Tubes>(texels_.blades(cell.variant, cell.key_frame));
+  const bool points = job_.scene.render.grass == "points";
+  mesh.name = fmt::format("{}{}_k{:02}_{}", points ? 'p' : 'v', cell.variant, cell.key_frame,
+                          texels_.content(cell.variant, cell.key_frame));
+  mesh.tubes = std::make_shared<const Tubes>(points ? texels_.points(cell.variant, cell.key_frame)
+                                                    : texels_.blades(cell.variant, cell.key_frame));
   return mesh;
 }
 

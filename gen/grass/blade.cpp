@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/random.h"
+#include "grass/clumps.h"
 
 namespace wold::grass {
 namespace {
@@ -101,6 +102,7 @@ std::vector<Blade> scatter_blades(const scene::Grass& grass, const scene::Ageing
     blades.push_back(
         make_blade(grass, ageing, random, stratified_root(random, number, count, grass.patch_m)));
   }
+  if (ageing.fur.clumps > 0) clump(blades, ageing, grass.patch_m, seed, variant);
   return blades;
 }
 

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "grass/ageing_curves.h"
+#include "grass/coat.h"
 #include "grass/pigments.h"
 
 namespace wold::grass {
@@ -75,8 +76,9 @@ LeafSpectrum withered_spectrum(const scene::Ageing& ageing, const LeafOptics& op
     std::vector<double> transmittance(reflectance.size(), 0.0);
     return {std::move(reflectance), std::move(transmittance)};
   }
+  if (ageing.colour == "melanin") return hair_spectrum(ageing.fur, optics.spectra(), water);
   throw InputError("no leaf colour model is called \"" + ageing.colour +
-                   "\"; there are paper, prospect");
+                   "\"; there are melanin, paper, prospect");
 }
 
 LeafColour::LeafColour(const scene::Ageing& ageing) : table_(table_size) {

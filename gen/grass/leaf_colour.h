@@ -22,7 +22,8 @@ LeafContent withered_leaf(const scene::Ageing& ageing, double chlorophyll, doubl
 /// The spectrum of a leaf that keeps these shares, at the wavelengths of `optics`, by the colour
 /// model that `ageing` names: "prospect" is the plate model of withered_leaf(); "paper" is the
 /// paper's subtraction of pigments (paper_reflectance()), which knows neither water nor
-/// transmittance, so that is 0. Throws InputError when there is no such model.
+/// transmittance, so that is 0; "melanin" is that of a hair (hair_spectrum()), which has no
+/// chlorophyll. Throws InputError when there is no such model.
 LeafSpectrum withered_spectrum(const scene::Ageing& ageing, const LeafOptics& optics,
                                double chlorophyll, double water);
 

@@ -19,6 +19,7 @@ LeafSpectra load_leaf_spectra() {
   const ModelTable table(shipped_file("models/leaf/prospect_d.toml"));
   const std::size_t rows = table.column("wavelength_nm").size();
   const auto column = [&](const char* name) { return table.column(name, rows); };
+  const ModelTable hair(shipped_file("models/fur/melanin.toml"));
   return {column("wavelength_nm"),
           column("refractive_index"),
           column("chlorophyll_cm2_ug"),
@@ -27,7 +28,9 @@ LeafSpectra load_leaf_spectra() {
           column("carotenoid_cm2_ug"),
           column("brown"),
           column("water_cm"),
-          column("dry_cm2_g")};
+          column("dry_cm2_g"),
+          hair.column("eumelanin_mm", rows),
+          hair.column("pheomelanin_mm", rows)};
 }
 
 Observer load_observer(double first_nm, double last_nm) {

@@ -7,7 +7,7 @@
 namespace wold::grass {
 
 /// Optical constants of leaf material, one value per wavelength; absorption for the natural
-/// logarithm. Source: models/leaf/prospect_d.toml.
+/// logarithm. Sources: models/leaf/prospect_d.toml, models/fur/melanin.toml.
 struct LeafSpectra {
   std::vector<double> wavelength_nm;
   std::vector<double> refractive_index;
@@ -18,6 +18,8 @@ struct LeafSpectra {
   std::vector<double> brown;     ///< per arbitrary unit
   std::vector<double> water_cm;  ///< 1/cm
   std::vector<double> dry_cm2_g;
+  std::vector<double> eumelanin_mm;  ///< of hair, 1/mm of the pigment alone
+  std::vector<double> pheomelanin_mm;
 };
 
 /// Reads the constants that ship with the program: 400 to 780 nm, every 5 nm. Throws FileError.

@@ -14,6 +14,7 @@
 #include "grass/baking.h"
 #include "grass/blade_tubes.h"
 #include "grass/levels.h"
+#include "grass/point_tubes.h"
 #include "grass/samples.h"
 #include "grass/texel_file.h"
 #include "scene/write.h"
@@ -46,24 +47,26 @@ void add(StageTimes& to, const StageTimes& from) {
   to.points += from.points;
 }
 
-double fresh_height_m(const Blade& blade, const scene::Ageing& ageing) {
-  const BladeAxis fresh(blade, blade_pose(blade, ageing, 0.0, 1.0));
+double height_m(const Blade& blade, const scene::Ageing& ageing, double water_lost) {
+  const BladePose pose = blade_pose(blade, ageing, water_lost, 1.0);
+  const BladeAxis axis(blade, pose);
   double highest = 0.0;
   for (int i = 1; i <= 16; ++i) {
-    const float arc_m = blade.length_m * static_cast<float>(i) / 16.0F;
-    highest = std::max(highest, double{fresh.at(arc_m).position_m.y});
+    const float arc_m = blade.length_m * pose.length_scale * static_cast<float>(i) / 16.0F;
+    highest = std::max(highest, double{axis.at(arc_m).position_m.y});
   }
   return highest;
 }
 
-/// Highest point of any blade; withering only lowers it.
+/// Highest point of any blade at any time: withering only lowers grass, drying only raises hair.
 double tallest_m(const scene::Scene& scene) {
   double tallest = 0.0;
   for (int variant = 0; variant < scene.grass.variants; ++variant)
     for (int sample = 0; sample < sample_count(scene.grass); ++sample)
       for (const Blade& blade :
            scatter_blades(scene.grass, scene.ageing, scene.seed, variant, sample))
-        tallest = std::max(tallest, fresh_height_m(blade, scene.ageing));
+        tallest = std::max(
+            {tallest, height_m(blade, scene.ageing, 0.0), height_m(blade, scene.ageing, 1.0)});
   return tallest;
 }
 
@@ -160,8 +163,14 @@ Tubes TimeVaryingTexel::blades(int variant, int key_frame) const {
                      fibre_look(scene_.grass), /*turn=*/0);
 }
 
-std::string TimeVaryingTexel::blades_content(int variant, int key_frame) const {
-  return content_hash("blades " + content(variant, key_frame));
+Tubes TimeVaryingTexel::points(int variant, int key_frame) const {
+  const AgeingModel model(scene_.ageing, scene_.grass.specular);
+  const std::vector<double>& weathering = scene_.grass.key_frames;
+  const auto now = static_cast<std::size_t>(key_frame);
+  Samples samples(scene_, shape_, variant, model);
+  for (std::size_t step = 0; step <= now; ++step) samples.advance_to(weathering[step]);
+  return point_tubes(withered_patch(scene_, model, variant, weathering[now]), samples.all(),
+                     lighting_, fibre_look(scene_.grass), /*turn=*/0);
 }
 
 bool TimeVaryingTexel::is_current(int variant, int key_frame, const LevelTurns& levels) const {

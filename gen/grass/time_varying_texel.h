@@ -52,10 +52,12 @@ class TimeVaryingTexel {
   /// order. Throws FileError; whole files stay, so a later call resumes.
   StageTimes generate(const TexelDemand& demand, Progress& progress) const;
 
-  /// The blades that a variant's texel stands for at a key frame, shaded for the same light, and
-  /// what they were made from: equal for equal tubes.
+  /// The blades that a variant's texel stands for at a key frame, and the points it is made of,
+  /// shaded for the same light.
   Tubes blades(int variant, int key_frame) const;
-  std::string blades_content(int variant, int key_frame) const;
+  Tubes points(int variant, int key_frame) const;
+  /// What both were made from: equal for equal tubes.
+  std::string content(int variant, int key_frame) const;
 
   /// Files of generate(); `level` indexes the scene's levels.
   std::filesystem::path texel_path(int variant, int key_frame) const;
@@ -67,7 +69,6 @@ class TimeVaryingTexel {
 
  private:
   bool is_current(int variant, int key_frame, const LevelTurns& levels) const;
-  std::string content(int variant, int key_frame) const;
   StageTimes generate_variant(int variant, const std::map<int, LevelTurns>& key_frames,
                               Progress& progress) const;
   void store(int variant, int key_frame, const Texel& texel, const std::vector<VolumeData>& baked,

@@ -92,7 +92,7 @@ int choose_level(const scene::Grass& grass, double pixels_per_m) {
 
 bool choose_blades(const scene::Scene& scene, double pixels_per_m) {
   if (scene.render.grass == "auto") return !is_fine_enough(scene.grass, 0, pixels_per_m);
-  return scene.render.grass == "blades";
+  return scene.render.grass != "texels";
 }
 
 void check_frame(const scene::Scene& scene, int frame) {
@@ -166,7 +166,8 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
     choice.blades = choose_blades(scene, pixels_per_m);
     choice.variant = texels[k].variant;
     const int side = grass.levels[static_cast<std::size_t>(choice.level)];
-    choice.turn = choice.blades ? 0 : texels[k].turn % turns_of_level(side);
+    const bool turns = !choice.blades && scene.ageing.fur.clumps == 0;  // a coat has one nap
+    choice.turn = turns ? texels[k].turn % turns_of_level(side) : 0;
     choice.key_frame = choose_key_frame(scene, choice.cell, frame);
     choice.world_from_cell = world_from_cell(terrain, grass.patch_m, choice.cell, choice.turn);
     choices.push_back(choice);

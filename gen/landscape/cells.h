@@ -19,7 +19,7 @@ struct CellChoice {
   int key_frame = 0;
   int turn = 0;
   int level = 0;
-  bool blades = false;  ///< drawn as blades, not as the volume of `level`
+  bool blades = false;  ///< drawn as a mesh of blades or points, not as the volume of `level`
 };
 
 /// Cells per side of the terrain: whole patches only.

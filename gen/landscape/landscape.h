@@ -37,8 +37,8 @@ struct Cell {
   int volume = 0;  ///< index into Landscape::volumes
 };
 
-/// The blades of a patch as a mesh that glows by itself, in cell space; blades may lean out of the
-/// patch.
+/// The blades of a patch, or the points it is made of, as a mesh that glows by itself, in cell
+/// space; blades may lean out of the patch.
 struct BladeMesh {
   std::string name;  ///< unique, safe as a file name, different for different blades
   std::shared_ptr<const Tubes> tubes;

@@ -70,6 +70,14 @@ Rule keel_fits_the_blade(const Scene& scene) {
                       grass.keel_depth_m, 0.5 * grass.width_m)};
 }
 
+Rule hair_droops_by_the_papers_rule(const Ageing& ageing) {
+  return {{"ageing.droop_rule", "fur.clumps"},
+          ageing.fur.clumps == 0 || ageing.droop_rule == "paper",
+          fmt::format("ageing.droop_rule: found \"{}\", expected \"paper\" for fur (fur.clumps is "
+                      "{}): wet hairs are drawn together, not bowed by their weight",
+                      ageing.droop_rule, ageing.fur.clumps)};
+}
+
 Rule patch_fits(const Scene& scene) {
   const double size_m = scene.terrain.size_m;
   const double patch_m = scene.grass.patch_m;
@@ -180,6 +188,7 @@ void report_contradictions(const Scene& scene, const Places& places,
       texels_fit_in_memory(scene),
       veins_shrink_less(scene.ageing),
       keel_fits_the_blade(scene),
+      hair_droops_by_the_papers_rule(scene.ageing),
       inside_terrain("camera.eye", scene.camera.eye_m, scene.terrain.size_m),
       inside_terrain("camera.target", scene.camera.target_m, scene.terrain.size_m),
       looks_somewhere(scene.camera),

@@ -129,7 +129,7 @@ std::vector<Key> grass_keys() {
       bound(number("grass.height_spread", "", {0, 1},
                    "Standard deviation of the length over its mean."),
             FIELD(grass.height_spread)),
-      bound(number("grass.width", "m", {0.0005, 0.05}, "Mean width of a blade at its foot."),
+      bound(number("grass.width", "m", {0.00005, 0.05}, "Mean width of a blade at its foot."),
             FIELD(grass.width_m)),
       bound(number("grass.width_spread", "", {0, 1},
                    "Standard deviation of the width over its mean."),
@@ -174,14 +174,15 @@ std::vector<Key> grass_keys() {
 
 std::vector<Key> ageing_keys() {
   return {
-      bound(curve("ageing.water", {"standard", "ample", "cold"},
+      bound(curve("ageing.water", {"standard", "ample", "cold", "drying"},
                   "Relative water content of the leaves over the weathering degree."),
             FIELD(ageing.water)),
       bound(curve("ageing.chlorophyll", {"standard", "drought", "cold"},
                   "Relative chlorophyll content over the weathering degree."),
             FIELD(ageing.chlorophyll)),
-      bound(word("ageing.colour", {"prospect", "paper"},
-                 "How pigments become colour: the PROSPECT leaf model, or the paper's functions."),
+      bound(word("ageing.colour", {"prospect", "paper", "melanin"},
+                 "How pigments become colour: the PROSPECT leaf model, the paper's functions, or "
+                 "those of hair, dark when wet."),
             FIELD(ageing.colour)),
       bound(number("ageing.vein_shrinkage", "", {0, 1},
                    "Share of the veins' volume that is lost with all water; below "
@@ -237,6 +238,28 @@ std::vector<Key> ageing_keys() {
   };
 }
 
+std::vector<Key> fur_keys() {
+  return {
+      bound(integer("fur.clumps", "", {0, 10000},
+                    "Clumps that the wet hairs of a patch stick together in; the hairs are "
+                    "grass.blades, 0 clumps are grass."),
+            FIELD(ageing.fur.clumps)),
+      bound(number("fur.lying", "", {0, 0.9},
+                   "How far the tips of wet clumps are combed away from their roots, in lengths of "
+                   "a hair."),
+            FIELD(ageing.fur.lying)),
+      bound(number("fur.comb", "deg", {0, 360}, "Where to, clockwise from north."),
+            FIELD(ageing.fur.comb_deg)),
+      bound(number("fur.eumelanin", "um", {0, 1000},
+                   "Black pigment across a hair, with ageing.colour \"melanin\": 1 pale, 10 brown, "
+                   "50 black."),
+            FIELD(ageing.fur.eumelanin_um)),
+      bound(
+          number("fur.pheomelanin", "um", {0, 1000}, "Red pigment across a hair: 3 blond, 25 fox."),
+          FIELD(ageing.fur.pheomelanin_um)),
+  };
+}
+
 std::vector<Key> sun_keys() {
   return {
       bound(number("sun.elevation", "deg", {1, 90}, "Height of the sun above the horizon."),
@@ -280,9 +303,9 @@ std::vector<Key> render_keys() {
                  "Width and height of the picture."),
             FIELD(render.size_px)),
       bound(integer("render.samples", "", {1, 4096}, "Samples per pixel."), FIELD(render.samples)),
-      bound(word("render.grass", {"texels", "blades", "auto"},
-                 "What grass is drawn as: volumes, true blades, or blades where the finest volume "
-                 "is too coarse and volumes beyond."),
+      bound(word("render.grass", {"texels", "blades", "auto", "points"},
+                 "What grass is drawn as: volumes, true blades, blades where the finest volume is "
+                 "too coarse and volumes beyond, or the points that the volumes are made of."),
             FIELD(render.grass)),
       bound(number("render.exposure", "stops", {-6, 6}, "Brightness of the picture."),
             FIELD(render.exposure)),

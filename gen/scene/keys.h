@@ -11,6 +11,7 @@ std::vector<Key> top_level_keys();
 std::vector<Key> terrain_keys();
 std::vector<Key> grass_keys();
 std::vector<Key> ageing_keys();
+std::vector<Key> fur_keys();
 std::vector<Key> sun_keys();
 std::vector<Key> sky_keys();
 std::vector<Key> camera_keys();

@@ -63,11 +63,22 @@ struct Grass {
   bool operator==(const Grass&) const = default;
 };
 
+/// A patch of hair instead of grass: blades are hairs, weathering degrees go from wet to dry.
+struct Fur {
+  int clumps = 0;                ///< in a patch; 0: it is grass
+  double lying = 0.55;           ///< how far wet tips are combed down, in hair lengths
+  double comb_deg = 90.0;        ///< where to, clockwise from north
+  double eumelanin_um = 3.0;     ///< black pigment: its thickness across a hair, alone
+  double pheomelanin_um = 25.0;  ///< red pigment
+
+  bool operator==(const Fur&) const = default;
+};
+
 /// The physical-biological model of withering.
 struct Ageing {
   CurveChoice water = {"standard", {}};        ///< relative water content over weathering degree
   CurveChoice chlorophyll = {"standard", {}};  ///< relative chlorophyll content
-  std::string colour = "prospect";             ///< "prospect" or "paper"
+  std::string colour = "prospect";             ///< "prospect", "paper" or "melanin"
   double vein_shrinkage = 0.15;                ///< kv: volume lost per unit of water lost
   double mesophyll_shrinkage = 0.6;            ///< km > kv
   double stiffening = 2.0;                     ///< b: E(w) = E0 (1 + b (1 - w))
@@ -81,6 +92,7 @@ struct Ageing {
   double chlorophyll_ug_cm2 = 31.5;
   double carotenoid_ug_cm2 = 3.5;
   double brown_pigment = 0.6;        ///< of a dead leaf, PROSPECT's arbitrary unit
+  Fur fur;                           ///< how it is combed and coloured when it is hair
   double variation = 0.10;           ///< amplitude of the weathering field on the ground
   double variation_feature_m = 7.0;  ///< its feature size
   std::vector<double> frames = {0.0, 0.30, 0.917};  ///< weathering degree of each frame
@@ -115,7 +127,7 @@ struct Render {
   std::string renderer = "both";  ///< "blender", "povray", "both"
   std::array<int, 2> size_px = {960, 540};
   int samples = 4;               ///< per pixel
-  std::string grass = "texels";  ///< "texels", "blades", "auto"
+  std::string grass = "texels";  ///< "texels", "blades", "auto", "points"
   double exposure = 0.0;         ///< in stops
   int df3_bits = 8;
   int threads = 0;                ///< 0: all

@@ -4,6 +4,7 @@
 
 #include "grass/blade_picture.h"
 #include "grass/coverage.h"
+#include "grass/point_tubes.h"
 #include "grass/voxelise.h"
 #include "small_meadow.h"
 
@@ -99,6 +100,20 @@ TEST(BladePicture, CoversWhatTheTransmittanceLeavesOut) {
                 1.0 - blade_transmittance(patch.blades, patch.poses, patch.patch_m, direction),
                 0.01);
   }
+}
+
+// The points show the area they stand for, whatever was merged, and lie on their blades.
+TEST(PointTubes, ShowTheAreaOfTheirPoints) {
+  const std::vector<Blade> blades = test::small_blades();
+  std::vector<PointDynamics> samples;
+  samples.emplace_back(model(), blades, sample_points(blades, test::small_shape(), 4.0, 1), 1e-4);
+  samples.front().advance_to(0.4);
+  double area_m2 = 0.0;
+  for (const float area : samples.front().points().area_m2) area_m2 += double{area};
+  const Tubes tubes =
+      point_tubes(patch_of(blades, 0.4), samples, test::slanting_light(), {24.0F, 0.006}, 0);
+  EXPECT_NEAR(surface_m2(tubes) / 4.0 / area_m2, 1.0, 1e-4);
+  EXPECT_GT(tubes.count(), 10 * blades.size());
 }
 
 }  // namespace

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "grass/blade_patch.h"
+#include "grass/shading.h"
+
+namespace wold::grass {
+
+/// A place on a blade of a patch: what its light depends on.
+struct BladePlace {
+  std::uint32_t blade = 0;  ///< index into BladePatch::blades
+  glm::vec3 position_m;     ///< of the axis, on the patch, not wrapped
+  float radius_m = 0.0F;    ///< of the blade here
+  Fibre fibre;
+};
+
+/// Radiance of each place, shaded like the texel (shading.h) but without its voxels: sunlight and
+/// skylight reach a place when no other blade of the tiled patch hides it. `turn`: the patch stands
+/// turned by quarter-turns, as in bake_emission().
+std::vector<glm::vec3> place_radiance(const BladePatch& patch, std::span<const BladePlace> places,
+                                      const Lighting& lighting, const FibreLook& look, int turn);
+
+}  // namespace wold::grass

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+
+#include "core/tubes.h"
+#include "grass/blade_patch.h"
+#include "grass/dynamics.h"
+#include "grass/shading.h"
+
+namespace wold::grass {
+
+/// The point-based structure of a patch (paper 1, figure 7) as something a renderer can draw: an
+/// octahedron per point, along its tangent, that shows on average the area the point stands for,
+/// with the point's own material. `patch` holds the same blades as `samples`, one sample after the
+/// other; they throw the shadows, as in blade_tubes().
+Tubes point_tubes(const BladePatch& patch, std::span<const PointDynamics> samples,
+                  const Lighting& lighting, const FibreLook& look, int turn);
+
+}  // namespace wold::grass
