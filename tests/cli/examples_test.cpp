@@ -21,19 +21,21 @@ std::set<std::string> scenes() {
 
 class Examples : public Program, public testing::WithParamInterface<std::string> {};
 
-TEST_P(Examples, AreNamedAfterTheirFileAndMakeAScene) {
+TEST_P(Examples, AreNamedAfterTheirFileAndMakeAPicture) {
   const std::string scene = " '" + (examples / GetParam()).string() + "' ";
   const Result checked = wold("check" + scene);
   ASSERT_EQ(checked.code, 0) << checked.err;
   expect_contains(checked.out, "\nname = \"" + fs::path(GetParam()).stem().string() + "\"\n");
   expect_contains(read_file(examples / GetParam()), "wold render examples/" + GetParam());
 
-  const Result made = wold("generate" + scene +
-                           "--quiet --out out --frames 1 --size 64x36 --set 'grass.levels=[30]' "
-                           "--set grass.variants=1 --set terrain.samples=33");
+  // Wold itself looks whether a picture has the right size and is not blank.
+  const Result made = wold("render" + scene +
+                           "--quiet --out out --renderer both --frames 1 --size 64x36 --samples 1 "
+                           "--set 'grass.levels=[30]' --set grass.variants=1 "
+                           "--set terrain.samples=33");
+  if (made.code == 3) GTEST_SKIP() << made.err;  // a renderer is not installed
   ASSERT_EQ(made.code, 0) << made.err;
-  for (const char* file :
-       {"out/blender/data/frame_0001/frame.json", "out/povray/data/frame_0001/frame.inc"})
+  for (const char* file : {"out/frames/blender/0001.png", "out/frames/povray/0001.png"})
     EXPECT_TRUE(fs::exists(folder_ / file)) << file;
 }
 
