@@ -6,7 +6,7 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # What the program is built with, and the renderers.
 build_packages=(g++ cmake ninja-build libopenvdb-dev libopenimageio-dev libtbb-dev libglm-dev
   libfmt-dev libspdlog-dev libcli11-dev nlohmann-json3-dev libtomlplusplus-dev libboost-dev
-  libboost-iostreams-dev)
+  libboost-iostreams-dev libgdal-dev)
 render_packages=(blender povray)
 
 say() { printf '\n== %s\n' "$*" >&2; }

@@ -8,6 +8,7 @@
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console_progress.h"
+#include "scene/registry.h"
 
 namespace wold::cli {
 namespace {
@@ -46,6 +47,13 @@ void add_shorthands(CLI::App& app, Overrides& overrides) {
   add_shorthand(app, "--renderer", "blender|povray|both", "render.renderer", overrides);
   add_shorthand(app, "--samples", "N", "render.samples", overrides);
   add_shorthand(app, "--grass", "texels|blades|auto|points", "render.grass", overrides);
+  app.add_option_function<std::string>(
+         "--terrain",
+         [&overrides](const std::string& file) {
+           overrides.push_back("terrain.elevation=" + scene::toml_text(file));
+         },
+         "sets terrain.elevation")
+      ->type_name("FILE");
   app.add_option_function<std::string>(
          "--size",
          [&overrides](const std::string& size) { overrides.push_back(size_override(size)); },

@@ -10,7 +10,7 @@
 #include "landscape/view.h"
 #include "povray/export.h"
 #include "scene/write.h"
-#include "terrain/hillside.h"
+#include "terrain/ground.h"
 
 namespace wold::cli {
 namespace {
@@ -44,7 +44,7 @@ std::vector<std::string> wanted_renderers(const scene::Scene& scene) {
 Film::Film(const Job& job)
     : job_(job),
       daylight_(job.scene.sun, job.scene.sky),
-      terrain_(terrain::make_hillside(job.scene.terrain, job.scene.seed)),
+      terrain_(terrain::make_ground(job.scene.terrain, job.scene.seed)),
       texels_(job.scene, grass::make_lighting(daylight_, eye_direction(job.scene, terrain_)),
               job.out / "texels") {}
 

@@ -65,6 +65,18 @@ bool is_word(const Key& key, const std::string& text) {
   return std::find(key.words.begin(), key.words.end(), text) != key.words.end();
 }
 
+bool is_path(const std::string& text) {
+  constexpr std::size_t longest = 4096;
+  return text.size() <= longest && std::none_of(text.begin(), text.end(), [](char c) {
+           return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
+         });
+}
+
+bool is_text_of(const Key& key, const std::string& text) {
+  if (key.kind == Kind::name) return is_file_name(text);
+  return key.kind == Kind::file ? is_path(text) : is_word(key, text);
+}
+
 /// What is wrong with a value, by its type; each overload knows the kinds that hold it.
 struct FaultFinder {
   const Key& key;
@@ -75,7 +87,7 @@ struct FaultFinder {
   }
 
   MaybeFault operator()(const std::string& text) const {
-    if (key.kind == Kind::name ? is_file_name(text) : is_word(key, text)) return std::nullopt;
+    if (is_text_of(key, text)) return std::nullopt;
     return Fault{in_quotes(text)};
   }
 

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <thread>
 
 #include "core/machine.h"
+#include "scene/text.h"
 
 namespace wold::scene {
 namespace {
@@ -59,6 +61,21 @@ Rule veins_shrink_less(const Ageing& ageing) {
           fmt::format("ageing.vein_shrinkage: found {}, expected less than {} "
                       "(ageing.mesophyll_shrinkage): veins shrink less than the tissue around",
                       ageing.vein_shrinkage, ageing.mesophyll_shrinkage)};
+}
+
+Rule elevation_exists(const Terrain& terrain) {
+  std::error_code error;
+  return {{"terrain.elevation"},
+          terrain.elevation.empty() || std::filesystem::is_regular_file(terrain.elevation, error),
+          fmt::format("terrain.elevation: found {}, expected a file that is there",
+                      in_quotes(terrain.elevation))};
+}
+
+Rule centre_is_a_place(const Terrain& terrain) {
+  return {{"terrain.centre"},
+          terrain.centre.empty() || terrain.centre.size() == 2,
+          fmt::format("terrain.centre: found a list of {}, expected two numbers, or none",
+                      terrain.centre.size())};
 }
 
 Rule keel_fits_the_blade(const Scene& scene) {
@@ -186,6 +203,8 @@ void report_contradictions(const Scene& scene, const Places& places,
       blades_are_narrower_than_the_patch(scene.grass),
       every_sample_has_a_blade(scene.grass),
       texels_fit_in_memory(scene),
+      elevation_exists(scene.terrain),
+      centre_is_a_place(scene.terrain),
       veins_shrink_less(scene.ageing),
       keel_fits_the_blade(scene),
       hair_droops_by_the_papers_rule(scene.ageing),

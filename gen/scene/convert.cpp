@@ -88,6 +88,7 @@ Outcome converted_to(const Key& key, const Node& node) {
       return one<double>(node);
     case Kind::name:
     case Kind::word:
+    case Kind::file:
       return one<std::string>(node);
     case Kind::integers:
       return many<std::int64_t>(node);

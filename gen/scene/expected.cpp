@@ -79,6 +79,8 @@ std::string expected(const Key& key) {
     case Kind::name:
       return "a file name of 1 to 64 letters, digits, '_', '-' and '.' that starts with a letter "
              "or digit";
+    case Kind::file:
+      return "the path of a file, or \"\"";
     case Kind::word:
       return words_text(key);
     case Kind::integers:

@@ -87,6 +87,14 @@ std::vector<Key> top_level_keys() {
 
 std::vector<Key> terrain_keys() {
   return {
+      bound(plain(Kind::file, "terrain.elevation", "", {0, 0},
+                  "Elevation model of a real place, any raster that GDAL reads; without it, a "
+                  "procedural hillside. Relative paths start at the scene file."),
+            FIELD(terrain.elevation)),
+      bound(list(Kind::numbers, "terrain.centre", "", {-1e8, 1e8}, {.fewest = 0, .most = 2},
+                 "Middle of the square in the elevation model's own coordinates, east and north or "
+                 "longitude and latitude; an empty list is the model's middle."),
+            FIELD(terrain.centre)),
       bound(number("terrain.size", "m", {1, 10000}, "Side of the square hillside."),
             FIELD(terrain.size_m)),
       bound(integer("terrain.samples", "", {17, 4097}, "Heights along each side."),

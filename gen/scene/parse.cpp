@@ -66,7 +66,15 @@ SourcePosition place_of(const Fault& fault, const Node& node) {
   return at->where;
 }
 
-std::optional<Problem> store(const Key& key, const Node& node, Scene& scene) {
+/// The value of a key that holds a path, made absolute: relative ones start at `folder`.
+Value rooted(const Key& key, const Value& value, const fs::path& folder) {
+  const auto* text = std::get_if<std::string>(&value);
+  if (key.kind != Kind::file || text == nullptr || text->empty()) return value;
+  return fs::absolute(folder / *text).lexically_normal().string();
+}
+
+std::optional<Problem> store(const Key& key, const Node& node, const fs::path& folder,
+                             Scene& scene) {
   const auto problem = [&](const SourcePosition& where, const std::string& found) {
     return Problem{where, fmt::format("{}: found {}, expected {}", key.name, found, expected(key))};
   };
@@ -76,33 +84,33 @@ std::optional<Problem> store(const Key& key, const Node& node, Scene& scene) {
   const Value& value = std::get<Value>(outcome);
   if (const auto fault = fault_of(key, value))
     return problem(place_of(*fault, node), item_text(*fault));
-  key.set(scene, value);
+  key.set(scene, rooted(key, value, folder));
   return std::nullopt;
 }
 
-void apply(const Entry& entry, Reading& reading) {
+void apply(const Entry& entry, const fs::path& folder, Reading& reading) {
   const Key* key = find_key(entry.name);
   if (key == nullptr) {
     reading.problems.push_back({entry.where, unknown_key_message(entry)});
     return;
   }
   reading.places.given[key->name] = entry.where;
-  if (auto problem = store(*key, entry.node, reading.scene)) {
+  if (auto problem = store(*key, entry.node, folder, reading.scene)) {
     reading.places.failed.insert(key->name);
     reading.problems.push_back(*problem);
   }
 }
 
-void apply_entries(const Document& document, Reading& reading) {
+void apply_entries(const Document& document, const fs::path& folder, Reading& reading) {
   for (const Entry& entry : document.entries) {
     const bool reported_with_its_table = !entry.table.empty() && !is_table(entry.table);
-    if (!reported_with_its_table) apply(entry, reading);
+    if (!reported_with_its_table) apply(entry, folder, reading);
   }
 }
 
 void apply_override(const std::string& text, Reading& reading) {
   try {
-    apply(read_override(text), reading);
+    apply(read_override(text), fs::path(), reading);
   } catch (const InputError& error) {
     reading.problems.insert(reading.problems.end(), error.problems().begin(),
                             error.problems().end());
@@ -142,7 +150,7 @@ Scene parse_scene(std::string_view text, const std::string& file_name,
   const Document document = read_document(text, file_name);
   Reading reading;
   report_unknown_tables(document, reading);
-  apply_entries(document, reading);
+  apply_entries(document, fs::path(file_name).parent_path(), reading);
   for (const std::string& override_text : overrides) apply_override(override_text, reading);
   report_contradictions(reading.scene, reading.places, reading.problems);
   sort_by_line(reading.problems);

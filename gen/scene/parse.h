@@ -10,8 +10,9 @@
 namespace wold::scene {
 
 /// The scene of a TOML text. Keys that it leaves out keep the defaults of Scene; an empty text is
-/// a whole scene. `file_name` is for messages only. `overrides` are `key=value`, applied after the
-/// text in their order; a value is TOML or a bare word.
+/// a whole scene. `file_name` is for messages and for relative paths in the text, which start at
+/// its folder; those of overrides start where the program runs. `overrides` are `key=value`,
+/// applied after the text in their order; a value is TOML or a bare word.
 ///
 /// Throws one InputError with every problem: syntax, unknown tables and keys, wrong types, values
 /// out of range, keys that contradict each other. Each has its position and says what was found

@@ -20,6 +20,7 @@ enum class Kind {
   number,    ///< double; whole numbers are accepted
   name,      ///< std::string, safe as a file name
   word,      ///< std::string, one of `words`
+  file,      ///< std::string, an absolute path, or empty
   integers,  ///< std::vector<std::int64_t>
   numbers,   ///< std::vector<double>
   curve,     ///< CurveChoice: one of `words`, or points

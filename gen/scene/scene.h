@@ -21,12 +21,15 @@ struct CurveChoice {
   bool operator==(const CurveChoice&) const = default;
 };
 
-/// The procedural hillside: a slope with a crest, fractal relief, one erosion pass.
+/// The procedural hillside: a slope with a crest, fractal relief, one erosion pass. Or a real place
+/// of an elevation model.
 struct Terrain {
-  double size_m = 42.0;            ///< side of the square
-  int samples = 337;               ///< heights per side
-  double hill_height_m = 6.0;      ///< from the near edge to the crest
-  double relief_m = 0.45;          ///< standard deviation of the fractal relief
+  std::string elevation;       ///< path of a raster that GDAL reads; empty: procedural
+  std::vector<double> centre;  ///< of the square, in the raster's coordinates; empty: its middle
+  double size_m = 42.0;        ///< side of the square
+  int samples = 337;           ///< heights per side
+  double hill_height_m = 6.0;  ///< from the near edge to the crest
+  double relief_m = 0.45;      ///< standard deviation of the fractal relief
   double relief_feature_m = 14.0;  ///< largest feature of the relief
   double roughness = 0.9;          ///< Hurst exponent H: 1 smooth, 0.5 rugged
   int octaves = 6;

@@ -1,7 +1,9 @@
 #include "scene/write.h"
 
 #include <fmt/format.h>
+#include <toml++/toml.h>
 
+#include <sstream>
 #include <string_view>
 
 #include "core/error.h"
@@ -16,8 +18,11 @@ std::string item_text(double number) { return number_text(number); }
 std::string item_text(const glm::dvec2& point) {
   return fmt::format("[{}, {}]", number_text(point.x), number_text(point.y));
 }
-/// Only file names and the registry's words get here: nothing to escape.
-std::string item_text(const std::string& word) { return '"' + word + '"'; }
+std::string item_text(const std::string& text) {
+  std::ostringstream out;
+  out << toml::toml_formatter(toml::value<std::string>(text), toml::format_flags::none);
+  return out.str();
+}
 std::string item_text(const CurveChoice& curve);
 
 template <class T>

@@ -67,4 +67,12 @@ void creep(GroundMap<double>& heights_m, double length2_m2) {
     });
 }
 
+Heightfield crept(GroundMap<double> heights_m) {
+  creep(heights_m, 0.1);
+  Heightfield result(heights_m.samples(), heights_m.size_m());
+  for (std::size_t k = 0; k < result.values().size(); ++k)
+    result.values()[k] = static_cast<float>(heights_m.values()[k]);
+  return result;
+}
+
 }  // namespace wold::terrain

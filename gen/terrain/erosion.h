@@ -18,4 +18,8 @@ void slide(GroundMap<double>& heights_m, double talus_deg, int steps);
 /// L keep exp(-4 pi^2 length2_m2 / L^2) of their height. No flow across the map's border.
 void creep(GroundMap<double>& heights_m, double length2_m2);
 
+/// The ground when soil has crept until what is finer than about a metre is gone (2 % of waves of
+/// 1 m are left, 64 % of 3 m): a flat cell of grass fits it.
+Heightfield crept(GroundMap<double> heights_m);
+
 }  // namespace wold::terrain

@@ -11,7 +11,7 @@ namespace wold::terrain {
 /// 72 % of the side and falls behind it, so that the crest is the skyline for somebody who stands
 /// at the near edge; towards the east and west edges it falls as well. On it lies fractal relief
 /// (fBm of unit deviation times relief_m); what is steeper than the talus angle slides, and soil
-/// creep takes away what is finer than about a metre, so that a flat cell of grass fits the ground.
+/// creeps (crept()).
 /// Heights in metres; the same for any number of threads.
 Heightfield make_hillside(const scene::Terrain& terrain, std::uint64_t seed);
 

@@ -45,5 +45,22 @@ std::string test_name(const testing::TestParamInfo<std::string>& test) {
 
 INSTANTIATE_TEST_SUITE_P(All, Examples, testing::ValuesIn(scenes()), test_name);
 
+// A piece of the San Gabriel Mountains.
+TEST_F(Program, PutsTheMeadowOnARealMountain) {
+  const fs::path model = fs::path(WOLD_TESTS_DIR) / ".." / ".." / "shared" / "data" / "terrain" /
+                         "bigtujunga_srtm30.tif";
+  if (!fs::exists(model)) GTEST_SKIP() << model << " is not there: no real mountain is tested";
+  const std::string scene = " '" + (examples / "real_slope.toml").string() + "' ";
+  const std::string options =
+      "--quiet --out out --renderer povray --size 64x36 --set 'grass.levels=[30]' "
+      "--set grass.variants=1 --set terrain.samples=33 --terrain '" +
+      model.string() + "' --set 'terrain.centre=[";
+  const Result made = wold("generate" + scene + options + "394000, 3798000]'");
+  ASSERT_EQ(made.code, 0) << made.err;
+  const Result beside = wold("generate" + scene + options + "0, 0]'");
+  EXPECT_EQ(beside.code, 2);
+  expect_contains(beside.err, "the model reaches from 376313");
+}
+
 }  // namespace
 }  // namespace wold::test

@@ -8,7 +8,7 @@
 #include "grass/texel_file.h"
 #include "grass/time_varying_texel.h"
 #include "small_meadow.h"
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 
 namespace wold::grass {
 namespace {
@@ -118,8 +118,8 @@ TimeVaryingTexel made(const scene::Scene& scene, const std::filesystem::path& fo
 TEST(Samples, OneSteadySampleIsTheMeadowWithoutMingling) {
   scene::Scene scene = test::small_scene();
   scene.grass.key_frames = {0.0, 0.083, 0.3, 0.917, 1.0};
-  const test::TemporaryFolder plain_folder("samples_plain");
-  const test::TemporaryFolder steady_folder("samples_steady");
+  const wold::test::TemporaryFolder plain_folder("samples_plain");
+  const wold::test::TemporaryFolder steady_folder("samples_steady");
   const TimeVaryingTexel plain = made(scene, plain_folder.path());
   scene.grass.mingle = {{"steady", {}}};
   const TimeVaryingTexel steady = made(scene, steady_folder.path());

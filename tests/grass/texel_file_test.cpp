@@ -6,7 +6,7 @@
 #include "core/files.h"
 #include "grass/voxelise.h"
 #include "small_meadow.h"
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 
 namespace wold::grass {
 namespace {
@@ -18,7 +18,7 @@ Texel small_texel() {
 }
 
 TEST(TexelFile, ReadsBackWithinHalfPrecision) {
-  const test::TemporaryFolder folder("texel_file");
+  const wold::test::TemporaryFolder folder("texel_file");
   const auto path = folder.path() / "texel.vdb";
   const Texel texel = small_texel();
   write_texel(path, texel, "made of grass");
@@ -37,7 +37,7 @@ TEST(TexelFile, ReadsBackWithinHalfPrecision) {
 }
 
 TEST(TexelFile, SameTexelSameBytes) {
-  const test::TemporaryFolder folder("texel_bytes");
+  const wold::test::TemporaryFolder folder("texel_bytes");
   const Texel texel = small_texel();
   write_texel(folder.path() / "a.vdb", texel, "x");
   write_texel(folder.path() / "b.vdb", texel, "x");
@@ -46,7 +46,7 @@ TEST(TexelFile, SameTexelSameBytes) {
 }
 
 TEST(TexelFile, DamageIsAFileErrorAndNoContent) {
-  const test::TemporaryFolder folder("texel_damage");
+  const wold::test::TemporaryFolder folder("texel_damage");
   const auto path = folder.path() / "texel.vdb";
   write_texel(path, small_texel(), "x");
   const std::string whole = read_file(path);
@@ -62,7 +62,7 @@ TEST(TexelFile, DamageIsAFileErrorAndNoContent) {
 }
 
 TEST(TexelFile, AVolumeIsNotATexel) {
-  const test::TemporaryFolder folder("texel_volume");
+  const wold::test::TemporaryFolder folder("texel_volume");
   const auto path = folder.path() / "volume.vdb";
   const Texel texel = small_texel();
   VolumeData volume{texel.shape, texel.voxel, texel.density, {0, 2}, {}};

@@ -9,7 +9,7 @@
 #include "core/vdb_dense.h"
 #include "grass/texel_file.h"
 #include "small_meadow.h"
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 
 namespace wold::grass {
 namespace {
@@ -44,8 +44,8 @@ std::map<std::string, fs::file_time_type> times_of(const fs::path& folder) {
 }
 
 TEST(TimeVaryingTexel, SameBytesWithAnyNumberOfThreads) {
-  const test::TemporaryFolder one("tvt_one");
-  const test::TemporaryFolder two("tvt_two");
+  const wold::test::TemporaryFolder one("tvt_one");
+  const wold::test::TemporaryFolder two("tvt_two");
   {
     const ThreadLimit limit(1);
     generate(one.path(), everything());
@@ -61,7 +61,7 @@ TEST(TimeVaryingTexel, SameBytesWithAnyNumberOfThreads) {
 }
 
 TEST(TimeVaryingTexel, MakesOnlyWhatIsMissing) {
-  const test::TemporaryFolder folder("tvt_resume");
+  const wold::test::TemporaryFolder folder("tvt_resume");
   generate(folder.path(), everything());
   const auto hashes = hashes_of(folder.path());
   const auto times = times_of(folder.path());
@@ -84,8 +84,8 @@ TEST(TimeVaryingTexel, MakesOnlyWhatIsMissing) {
 }
 
 TEST(TimeVaryingTexel, AKeyFrameAloneIsThatOfTheFilm) {
-  const test::TemporaryFolder film("tvt_film");
-  const test::TemporaryFolder alone("tvt_alone");
+  const wold::test::TemporaryFolder film("tvt_film");
+  const wold::test::TemporaryFolder alone("tvt_alone");
   generate(film.path(), everything());
   TexelDemand demand;
   demand[1][2] = {{0, {0, 1}}};
@@ -96,7 +96,7 @@ TEST(TimeVaryingTexel, AKeyFrameAloneIsThatOfTheFilm) {
 }
 
 TEST(TimeVaryingTexel, FilesHoldWhatWasDemanded) {
-  const test::TemporaryFolder folder("tvt_files");
+  const wold::test::TemporaryFolder folder("tvt_files");
   const TimeVaryingTexel texel(test::small_scene(), test::slanting_light(), folder.path());
   TexelDemand demand;
   demand[0][0] = {{1, {0, 3}}};

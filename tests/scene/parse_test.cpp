@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "core/error.h"
+#include "scene/write.h"
 
 namespace wold::scene {
 namespace {
@@ -306,6 +307,22 @@ TEST(ReadScene, ReadsAFileAndNamesOneItCannotRead) {
   }
   EXPECT_THROW(read_scene("/dev/zero"), InputError);
   std::filesystem::remove_all(folder);
+}
+
+TEST(Parse, FilesStartAtTheSceneOrAtTheCommandLine) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path();
+  const std::filesystem::path file = folder / "wold \"heights\".tif";
+  std::ofstream(file) << "not looked into";
+  const std::string scene = (folder / "a.toml").string();
+  const std::string text = "[terrain]\nelevation = 'wold \"heights\".tif'\n";
+  const Scene read = parse_scene(text, scene);
+  EXPECT_EQ(read.terrain.elevation, file.string());
+  EXPECT_EQ(parse_scene(resolved_toml(read), "elsewhere/b.toml"), read);
+  std::filesystem::remove(file);
+  expect_problem("[terrain]\nelevation = 'none.tif'\n",
+                 "a.toml:2:1: terrain.elevation: found \"" +
+                     (std::filesystem::current_path() / "none.tif").string().substr(0, 20));
+  expect_problem("[terrain]\ncentre = [3]\n", "a.toml:2:1: terrain.centre: found a list of 1");
 }
 
 }  // namespace

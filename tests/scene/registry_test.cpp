@@ -35,6 +35,8 @@ Value another_value(const Key& key, const Value& value) {
       return 0.5 * (std::get<double>(value) + key.highest);
     case Kind::name:
       return "other";
+    case Kind::file:
+      return "/other";
     case Kind::word:
       return key.words[key.words[0] == std::get<std::string>(value) ? 1 : 0];
     case Kind::integers: {
@@ -47,7 +49,9 @@ Value another_value(const Key& key, const Value& value) {
     }
     case Kind::numbers: {
       auto items = std::get<std::vector<double>>(value);
-      if (key.list.spans_range)
+      if (items.empty())
+        items = {1.0, 2.0};
+      else if (key.list.spans_range)
         items.erase(items.begin() + 1);
       else
         items[0] = 0.5 * (items[0] + key.highest);

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace wold::grass::test {
+namespace wold::test {
 
 /// A new, empty folder that goes with all it holds.
 class TemporaryFolder {
@@ -29,4 +29,4 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace wold::grass::test
+}  // namespace wold::test

@@ -1,0 +1,241 @@
+#include "terrain/elevation.h"
+
+#include <cpl_conv.h>
+#include <fmt/format.h>
+#include <gdal_alg.h>
+#include <gdal_priv.h>
+#include <gdal_utils.h>
+#include <ogr_spatialref.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "core/error.h"
+
+namespace wold::terrain {
+namespace {
+
+/// GDAL's messages go into our errors, not to the terminal.
+class QuietGdal {
+ public:
+  QuietGdal() {
+    static std::once_flag once;
+    std::call_once(once, GDALAllRegister);
+    CPLPushErrorHandler(CPLQuietErrorHandler);
+  }
+  ~QuietGdal() { CPLPopErrorHandler(); }
+  QuietGdal(const QuietGdal&) = delete;
+  QuietGdal& operator=(const QuietGdal&) = delete;
+};
+
+/// A raster that lies somewhere on the ground.
+class Raster {
+ public:
+  explicit Raster(const std::filesystem::path& file)
+      : file_(file.string()),
+        dataset_(GDALDataset::Open(file_.c_str(), GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR)) {
+    if (!dataset_) fail(CPLGetLastErrorMsg());
+    if (dataset_->GetRasterCount() == 0) fail("it has no band of numbers");
+    if (dataset_->GetGeoTransform(transform_.data()) != CE_None)
+      fail("it does not say where on the ground it lies (no geotransform)");
+  }
+
+  [[noreturn]] void fail(const std::string& reason) const {
+    throw InputError(fmt::format("terrain.elevation: {}: {}", file_, reason));
+  }
+
+  GDALDataset& dataset() const { return *dataset_; }
+  const OGRSpatialReference* system() const { return dataset_->GetSpatialRef(); }
+  bool is_geographic() const { return system() != nullptr && system()->IsGeographic() != 0; }
+
+  /// Where a place of the raster lies, from its upper left corner in cells.
+  glm::dvec2 place(double column, double row) const {
+    const auto& t = transform_;
+    return {t[0] + column * t[1] + row * t[2], t[3] + column * t[4] + row * t[5]};
+  }
+  glm::dvec2 middle() const {
+    return place(dataset_->GetRasterXSize() / 2.0, dataset_->GetRasterYSize() / 2.0);
+  }
+
+  /// "from 376313 to 412223 east and from ... north"
+  std::string extent() const {
+    const double columns = dataset_->GetRasterXSize();
+    const double rows = dataset_->GetRasterYSize();
+    const std::array corners = {place(0, 0), place(columns, 0), place(0, rows),
+                                place(columns, rows)};
+    glm::dvec2 low = corners[0];
+    glm::dvec2 high = corners[0];
+    for (const glm::dvec2& corner : corners) {
+      low = glm::min(low, corner);
+      high = glm::max(high, corner);
+    }
+    const char* unit = is_geographic() ? " degrees" : "";
+    return fmt::format("from {:.10g} to {:.10g}{} east and from {:.10g} to {:.10g}{} north", low.x,
+                       high.x, unit, low.y, high.y, unit);
+  }
+
+  /// Metres above sea level of a value as it is stored.
+  double height_m(double stored) const {
+    GDALRasterBand& band = *dataset_->GetRasterBand(1);
+    const std::string unit = band.GetUnitType();
+    const bool feet = unit == "ft" || unit == "feet" || unit == "foot" || unit == "us-ft" ||
+                      unit == "US survey foot";
+    return (stored * band.GetScale() + band.GetOffset()) * (feet ? 0.3048 : 1.0);
+  }
+
+ private:
+  std::string file_;
+  GDALDatasetUniquePtr dataset_;
+  std::array<double, 6> transform_ = {};
+};
+
+/// Metres on the ground about `centre`, and where that lies in them.
+struct LocalSystem {
+  std::string definition;  ///< PROJ's; empty: the raster's own coordinates
+  glm::dvec2 centre{0.0};
+};
+
+LocalSystem local_system(const Raster& raster, const glm::dvec2& centre) {
+  if (raster.system() == nullptr) return {"", centre};
+  OGRSpatialReference from = *raster.system();
+  OGRSpatialReference to;
+  to.SetWellKnownGeogCS("WGS84");
+  from.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  const std::unique_ptr<OGRCoordinateTransformation> to_degrees(
+      OGRCreateCoordinateTransformation(&from, &to));
+  glm::dvec2 degrees = centre;
+  if (!to_degrees || to_degrees->Transform(1, &degrees.x, &degrees.y) == 0)
+    raster.fail(fmt::format("[{}, {}] (terrain.centre) is no place of its coordinate system",
+                            centre.x, centre.y));
+  return {fmt::format("+proj=aeqd +lat_0={:.12f} +lon_0={:.12f} +datum=WGS84 +units=m", degrees.y,
+                      degrees.x),
+          glm::dvec2(0.0)};
+}
+
+using WarpOptions = std::unique_ptr<GDALWarpAppOptions, decltype(&GDALWarpAppOptionsFree)>;
+
+/// gdalwarp into memory, first band as doubles, voids as NaN. No `window`: the whole raster.
+GDALDatasetUniquePtr warped(const Raster& raster, const LocalSystem& local, std::string resampling,
+                            const std::vector<std::string>& window) {
+  std::vector<std::string> words = {"-of",        "MEM", "-ot",  "Float64",
+                                    "-dstnodata", "nan", "-r",   std::move(resampling),
+                                    "-et",        "0",   "-ovr", "NONE"};
+  if (!local.definition.empty()) words.insert(words.end(), {"-t_srs", local.definition});
+  words.insert(words.end(), window.begin(), window.end());
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  const WarpOptions options(GDALWarpAppOptionsNew(arguments.data(), nullptr),
+                            GDALWarpAppOptionsFree);
+  GDALDatasetH source = &raster.dataset();
+  int misused = 0;
+  GDALDatasetUniquePtr result(
+      GDALDataset::FromHandle(GDALWarp("", nullptr, 1, &source, options.get(), &misused)));
+  if (!result) raster.fail(CPLGetLastErrorMsg());
+  return result;
+}
+
+/// Side of the raster's cells in the local system.
+double cell_m(const Raster& raster, const LocalSystem& local) {
+  std::array<double, 6> transform = {};
+  if (local.definition.empty()) {
+    raster.dataset().GetGeoTransform(transform.data());
+    return std::hypot(transform[1], transform[4]);
+  }
+  std::string definition = local.definition;
+  std::string name = "DST_SRS=" + definition;
+  std::array<char*, 2> options = {name.data(), nullptr};
+  void* transformer = GDALCreateGenImgProjTransformer2(&raster.dataset(), nullptr, options.data());
+  int columns = 0;
+  int rows = 0;
+  const bool known =
+      transformer != nullptr &&
+      GDALSuggestedWarpOutput(&raster.dataset(), GDALGenImgProjTransform, transformer,
+                              transform.data(), &columns, &rows) == CE_None;
+  if (transformer != nullptr) GDALDestroyGenImgProjTransformer(transformer);
+  if (!known) raster.fail(CPLGetLastErrorMsg());
+  return transform[1];
+}
+
+/// gdalwarp's options for the square, with a sample in the middle of each of its cells.
+std::vector<std::string> window_options(const glm::dvec2& centre, int samples, double size_m) {
+  const double half_m = size_m / 2.0 * samples / (samples - 1);
+  std::vector<std::string> options = {"-te"};
+  for (const double border :
+       {centre.x - half_m, centre.y - half_m, centre.x + half_m, centre.y + half_m})
+    options.push_back(fmt::format("{:.9f}", border));
+  const std::string count = std::to_string(samples);
+  options.insert(options.end(), {"-ts", count, count});
+  return options;
+}
+
+/// Row by row from the north-west corner.
+std::vector<double> values_of(GDALRasterBand& band) {
+  const int columns = band.GetXSize();
+  const int rows = band.GetYSize();
+  std::vector<double> values(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  if (band.RasterIO(GF_Read, 0, 0, columns, rows, values.data(), columns, rows, GDT_Float64, 0, 0,
+                    nullptr) != CE_None)
+    throw InputError(fmt::format("terrain.elevation: {}", CPLGetLastErrorMsg()));
+  return values;
+}
+
+std::size_t count_voids(const std::vector<double>& values) {
+  return static_cast<std::size_t>(
+      std::count_if(values.begin(), values.end(), [](double value) { return std::isnan(value); }));
+}
+
+/// Of what was filled in: inverse distances alone leave steps where their nearest neighbours
+/// change.
+constexpr int smoothing_passes = 50;
+
+/// The square's stored values without voids.
+std::vector<double> filled_values(const Raster& raster, GDALRasterBand& band,
+                                  const glm::dvec2& centre, double size_m) {
+  const std::vector<double> values = values_of(band);
+  const std::size_t voids = count_voids(values);
+  if (voids == 0) return values;
+  if (2 * voids >= values.size())
+    raster.fail(fmt::format(
+        "{:.0f} % of the {} m (terrain.size) around [{:.10g}, {:.10g}] (terrain.centre) have no "
+        "height: the model reaches {}",
+        100.0 * static_cast<double>(voids) / static_cast<double>(values.size()), size_m, centre.x,
+        centre.y, raster.extent()));
+  const double farthest = 2.0 * band.GetXSize();
+  if (GDALFillNodata(&band, nullptr, farthest, 0, smoothing_passes, nullptr, nullptr, nullptr) !=
+      CE_None)
+    raster.fail(CPLGetLastErrorMsg());
+  return values_of(band);
+}
+
+}  // namespace
+
+Elevation read_elevation(const std::filesystem::path& file, const std::vector<double>& centre,
+                         int samples, double size_m) {
+  const QuietGdal quiet;
+  const Raster raster(file);
+  const glm::dvec2 middle =
+      centre.empty() ? raster.middle() : glm::dvec2(centre.at(0), centre.at(1));
+  const LocalSystem local = local_system(raster, middle);
+  Elevation elevation{GroundMap<double>(samples, size_m), cell_m(raster, local)};
+  const bool raster_is_finer = elevation.cell_m < elevation.heights_m.step_m();
+  const GDALDatasetUniquePtr square = warped(raster, local, raster_is_finer ? "average" : "cubic",
+                                             window_options(local.centre, samples, size_m));
+  const std::vector<double> stored =
+      filled_values(raster, *square->GetRasterBand(1), middle, size_m);
+  double lowest_m = std::numeric_limits<double>::infinity();
+  for (const double value : stored) lowest_m = std::min(lowest_m, raster.height_m(value));
+  auto from = stored.begin();
+  for (int j = samples - 1; j >= 0; --j)  // rows run southwards
+    for (int i = 0; i < samples; ++i)
+      elevation.heights_m.at(i, j) = raster.height_m(*from++) - lowest_m;
+  return elevation;
+}
+
+}  // namespace wold::terrain

@@ -1,0 +1,30 @@
+#include "terrain/ground.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "terrain/elevation.h"
+#include "terrain/erosion.h"
+#include "terrain/fractal_relief.h"
+#include "terrain/hillside.h"
+
+namespace wold::terrain {
+namespace {
+
+Heightfield real_place(const scene::Terrain& terrain, std::uint64_t seed) {
+  Elevation place =
+      read_elevation(terrain.elevation, terrain.centre, terrain.samples, terrain.size_m);
+  const double feature_m = std::min(place.cell_m, terrain.relief_feature_m);
+  const double share = std::pow(feature_m / terrain.relief_feature_m, terrain.roughness);
+  add_fractal_relief(place.heights_m, terrain, seed, terrain.relief_m * share, feature_m);
+  return crept(std::move(place.heights_m));
+}
+
+}  // namespace
+
+Heightfield make_ground(const scene::Terrain& terrain, std::uint64_t seed) {
+  return terrain.elevation.empty() ? make_hillside(terrain, seed) : real_place(terrain, seed);
+}
+
+}  // namespace wold::terrain
