@@ -182,7 +182,7 @@ std::vector<Key> grass_keys() {
 
 std::vector<Key> ageing_keys() {
   return {
-      bound(curve("ageing.water", {"standard", "ample", "cold", "drying"},
+      bound(curve("ageing.water", {"standard", "ample", "cold"},
                   "Relative water content of the leaves over the weathering degree."),
             FIELD(ageing.water)),
       bound(curve("ageing.chlorophyll", {"standard", "drought", "cold"},

@@ -104,8 +104,8 @@ TEST(Parse, ChecksCurves) {
   expect_problem("[ageing]\nwater = [[0, 1], [1]]\n",
                  "a.toml:2:18: ageing.water: found a list of 1");
   expect_problem("[ageing]\nwater = [[0, 1]]\n",
-                 "a.toml:2:9: ageing.water: found a list of 1, expected \"standard\", \"ample\", "
-                 "\"cold\" or \"drying\", or a list of 2 to 1000 points");
+                 "a.toml:2:9: ageing.water: found a list of 1, expected \"standard\", \"ample\" or "
+                 "\"cold\", or a list of 2 to 1000 points");
   expect_problem("[ageing]\nchlorophyll = [[0, 1], [0.5, nan], [1, 0]]\n",
                  "a.toml:2:24: ageing.chlorophyll: found [0.5, nan] (item 2)");
   expect_problem("[ageing]\nchlorophyll = [[0, 1], [0.5, inf], [1, 0]]\n",
