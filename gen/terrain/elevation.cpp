@@ -33,6 +33,12 @@ class QuietGdal {
   QuietGdal& operator=(const QuietGdal&) = delete;
 };
 
+struct HeightScale {
+  double factor;
+  double offset_m;
+  double height_m(double stored) const { return factor * stored + offset_m; }
+};
+
 /// A raster that lies somewhere on the ground.
 class Raster {
  public:
@@ -79,13 +85,14 @@ class Raster {
                        high.x, unit, low.y, high.y, unit);
   }
 
-  /// Metres above sea level of a value as it is stored.
-  double height_m(double stored) const {
+  /// How the stored values are metres.
+  HeightScale height_scale() const {
     GDALRasterBand& band = *dataset_->GetRasterBand(1);
     const std::string unit = band.GetUnitType();
     const bool feet = unit == "ft" || unit == "feet" || unit == "foot" || unit == "us-ft" ||
                       unit == "US survey foot";
-    return (stored * band.GetScale() + band.GetOffset()) * (feet ? 0.3048 : 1.0);
+    const double unit_m = feet ? 0.3048 : 1.0;
+    return {band.GetScale() * unit_m, band.GetOffset() * unit_m};
   }
 
  private:
@@ -120,7 +127,7 @@ LocalSystem local_system(const Raster& raster, const glm::dvec2& centre) {
 
 using WarpOptions = std::unique_ptr<GDALWarpAppOptions, decltype(&GDALWarpAppOptionsFree)>;
 
-/// gdalwarp into memory, first band as doubles, voids as NaN. No `window`: the whole raster.
+/// gdalwarp into memory: doubles, voids as NaN.
 GDALDatasetUniquePtr warped(const Raster& raster, const LocalSystem& local, std::string resampling,
                             const std::vector<std::string>& window) {
   std::vector<std::string> words = {"-of",        "MEM", "-ot",  "Float64",
@@ -148,9 +155,8 @@ double cell_m(const Raster& raster, const LocalSystem& local) {
     raster.dataset().GetGeoTransform(transform.data());
     return std::hypot(transform[1], transform[4]);
   }
-  std::string definition = local.definition;
-  std::string name = "DST_SRS=" + definition;
-  std::array<char*, 2> options = {name.data(), nullptr};
+  std::string target = "DST_SRS=" + local.definition;
+  std::array<char*, 2> options = {target.data(), nullptr};
   void* transformer = GDALCreateGenImgProjTransformer2(&raster.dataset(), nullptr, options.data());
   int columns = 0;
   int rows = 0;
@@ -230,11 +236,12 @@ Elevation read_elevation(const std::filesystem::path& file, const std::vector<do
   const std::vector<double> stored =
       filled_values(raster, *square->GetRasterBand(1), middle, size_m);
   double lowest_m = std::numeric_limits<double>::infinity();
-  for (const double value : stored) lowest_m = std::min(lowest_m, raster.height_m(value));
+  const HeightScale scale = raster.height_scale();
+  for (const double value : stored) lowest_m = std::min(lowest_m, scale.height_m(value));
   auto from = stored.begin();
   for (int j = samples - 1; j >= 0; --j)  // rows run southwards
     for (int i = 0; i < samples; ++i)
-      elevation.heights_m.at(i, j) = raster.height_m(*from++) - lowest_m;
+      elevation.heights_m.at(i, j) = scale.height_m(*from++) - lowest_m;
   return elevation;
 }
 

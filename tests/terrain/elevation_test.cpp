@@ -26,6 +26,8 @@ struct Model {
   int columns = 100;
   int rows = 100;
   std::function<double(double, double)> value;
+  double scale = 1.0;
+  const char* unit = "m";
 };
 
 class ElevationTest : public testing::Test {
@@ -44,6 +46,8 @@ class ElevationTest : public testing::Test {
     }
     GDALRasterBand& band = *memory->GetRasterBand(1);
     band.SetNoDataValue(no_data);
+    band.SetScale(model.scale);
+    band.SetUnitType(model.unit);
     for (int row = 0; row < model.rows; ++row)
       for (int column = 0; column < model.columns; ++column) {
         double value = model.value(model.west + (column + 0.5) * model.cell,
@@ -97,6 +101,14 @@ TEST_F(ElevationTest, DegreesBecomeMetres) {
   const auto north = write({"EPSG:4326", 9.9, 60.1, 0.002, 100, 100,
                             [](double, double lat) { return 11141.2 * (lat - 60.0); }});
   EXPECT_NEAR(rise(read_elevation(north, {}, 65, 1000.0)).y, 0.1, 2e-4);
+}
+
+// Ten stored units a foot, a foot 0.3048 m.
+TEST_F(ElevationTest, FeetAndScalesBecomeMetres) {
+  const auto slope = [](double east, double) { return 10.0 * east; };
+  const auto file = write({"EPSG:32611", 499000.0, 3800000.0, 20.0, 100, 100, slope, 0.1, "ft"});
+  const Elevation place = read_elevation(file, {500000.0, 3799000.0}, 101, 500.0);
+  EXPECT_NEAR(rise(place).x, 0.3048 * 0.9996, 1e-4);
 }
 
 TEST_F(ElevationTest, AVoidIsNoCliff) {
