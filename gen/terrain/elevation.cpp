@@ -135,9 +135,9 @@ GDALDatasetUniquePtr warped(const Raster& raster, const LocalSystem& local, std:
                                     "-et",        "0",   "-ovr", "NONE"};
   if (!local.definition.empty()) words.insert(words.end(), {"-t_srs", local.definition});
   words.insert(words.end(), window.begin(), window.end());
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
+  std::vector<char*> arguments(words.size() + 1, nullptr);
+  std::transform(words.begin(), words.end(), arguments.begin(),
+                 [](std::string& word) { return word.data(); });
   const WarpOptions options(GDALWarpAppOptionsNew(arguments.data(), nullptr),
                             GDALWarpAppOptionsFree);
   GDALDatasetH source = &raster.dataset();
@@ -204,7 +204,7 @@ constexpr int smoothing_passes = 50;
 /// The square's stored values without voids.
 std::vector<double> filled_values(const Raster& raster, GDALRasterBand& band,
                                   const glm::dvec2& centre, double size_m) {
-  const std::vector<double> values = values_of(band);
+  std::vector<double> values = values_of(band);
   const std::size_t voids = count_voids(values);
   if (voids == 0) return values;
   if (2 * voids >= values.size())
