@@ -7,7 +7,8 @@
 set -euo pipefail
 source "$(dirname "$0")/../examples/setup.sh"
 
-install "${build_packages[@]}" "${render_packages[@]}" libgtest-dev libgmock-dev libbenchmark-dev
+install "${build_packages[@]}" "${render_packages[@]}" libgtest-dev libgmock-dev libbenchmark-dev \
+  libxml2-utils
 build -DWOLD_TESTS=ON -DWOLD_WERROR=ON -- all
 say "Testing"
 cd "$here"

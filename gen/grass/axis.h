@@ -15,6 +15,16 @@ struct AxisPoint {
   glm::vec2 tangent;
 };
 
+/// Something of a blade's plane, (along heading, up), as a direction of the patch.
+inline glm::vec3 from_plane(const Blade& blade, const glm::vec2& in_plane) {
+  return {blade.heading * in_plane.x, in_plane.y};
+}
+
+/// Where a point of the axis is on the patch, metres, not wrapped.
+inline glm::vec3 on_patch_m(const Blade& blade, const AxisPoint& at) {
+  return glm::vec3(blade.root_m, 0.0F) + from_plane(blade, at.position_m);
+}
+
 /// An axis by the paper's rule (paper 1, section 3.1).
 ///
 /// A point at distance l turns about the root with omega_i = omega h_i^(1/2), so that after some

@@ -39,8 +39,8 @@ class Shadows {
 }  // namespace
 
 std::vector<glm::vec3> place_radiance(const BladePatch& patch, std::span<const BladePlace> places,
-                                      const Lighting& lighting, const FibreLook& look, int turn) {
-  const TurnedLight light(lighting, turn);
+                                      const Lighting& lighting, const FibreLook& look) {
+  const TurnedLight light(lighting, /*turn=*/0);
   // One picture at a time: the sun, then every direction of the sky.
   const auto each_place = [&](const glm::dvec3& direction, const auto& visit) {
     const Shadows shadows(patch, direction);

@@ -18,9 +18,8 @@ struct BladePlace {
 };
 
 /// Radiance of each place, shaded like the texel (shading.h) but without its voxels: sunlight and
-/// skylight reach a place when no other blade of the tiled patch hides it. `turn`: the patch stands
-/// turned by quarter-turns, as in bake_emission().
+/// skylight reach a place when no other blade of the tiled patch hides it.
 std::vector<glm::vec3> place_radiance(const BladePatch& patch, std::span<const BladePlace> places,
-                                      const Lighting& lighting, const FibreLook& look, int turn);
+                                      const Lighting& lighting, const FibreLook& look);
 
 }  // namespace wold::grass

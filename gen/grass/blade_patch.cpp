@@ -4,17 +4,20 @@
 
 namespace wold::grass {
 
-BladePatch withered_patch(const scene::Scene& scene, const AgeingModel& model, int variant,
-                          double weathering) {
+WitheringPatch::WitheringPatch(const scene::Scene& scene, const AgeingModel& model, int variant)
+    : model_(model), patch_m_(scene.grass.patch_m), rates_(ageing_rates(scene.grass)) {
+  for (int sample = 0; sample < sample_count(scene.grass); ++sample)
+    samples_.push_back(scatter_blades(scene.grass, scene.ageing, scene.seed, variant, sample));
+}
+
+BladePatch WitheringPatch::at(double weathering) const {
   BladePatch patch;
-  patch.patch_m = scene.grass.patch_m;
-  const std::vector<Curve> rates = ageing_rates(scene.grass);
-  for (std::size_t sample = 0; sample < rates.size(); ++sample)
-    for (const Blade& blade :
-         scatter_blades(scene.grass, scene.ageing, scene.seed, variant, static_cast<int>(sample))) {
+  patch.patch_m = patch_m_;
+  for (std::size_t sample = 0; sample < samples_.size(); ++sample)
+    for (const Blade& blade : samples_[sample]) {
       patch.blades.push_back(blade);
-      patch.ages.push_back(AgeingModel::blade_age(blade, rates[sample](weathering)));
-      patch.poses.push_back(model.pose(blade, patch.ages.back()));
+      patch.ages.push_back(AgeingModel::blade_age(blade, rates_[sample](weathering)));
+      patch.poses.push_back(model_.pose(blade, patch.ages.back()));
     }
   return patch;
 }

@@ -14,9 +14,21 @@ struct BladePatch {
   std::vector<double> ages;  ///< own weathering degree of each blade
 };
 
-/// A variant of the scene's patch, all its samples, at a weathering degree of the meadow.
-BladePatch withered_patch(const scene::Scene& scene, const AgeingModel& model, int variant,
-                          double weathering);
+/// A variant of the scene's patch, all its samples: scattered once, then withered to any degree.
+/// `model` has to outlive it. Throws what ageing_rates() throws.
+class WitheringPatch {
+ public:
+  WitheringPatch(const scene::Scene& scene, const AgeingModel& model, int variant);
+
+  /// The patch at a weathering degree of the meadow, in [0, 1].
+  BladePatch at(double weathering) const;
+
+ private:
+  const AgeingModel& model_;
+  double patch_m_;
+  std::vector<Curve> rates_;
+  std::vector<std::vector<Blade>> samples_;
+};
 
 /// Mean albedo of all blades, by their area.
 glm::vec3 mean_albedo(const BladePatch& patch, const AgeingModel& model);

@@ -22,11 +22,10 @@ void append_places(const BladePatch& patch, const AgeingModel& model, std::size_
     const float along = static_cast<float>(step) / segments;
     const AxisPoint at = axis.at(length_m * along);
     places.push_back({static_cast<std::uint32_t>(i),
-                      {blade.root_m + blade.heading * at.position_m.x, at.position_m.y},
+                      on_patch_m(blade, at),
                       blade.radius_m * pose.mesophyll_width * (1.0F - along),
-                      {{blade.heading * at.tangent.x, at.tangent.y},
-                       model.albedo(blade, patch.ages[i], double{along}),
-                       specular}});
+                      {from_plane(blade, at.tangent),
+                       model.albedo(blade, patch.ages[i], double{along}), specular}});
   }
 }
 
@@ -45,10 +44,10 @@ void append_ring(const Blade& blade, const BladePlace& at, std::vector<glm::vec3
 }  // namespace
 
 Tubes blade_tubes(const BladePatch& patch, const AgeingModel& model, const Lighting& lighting,
-                  const FibreLook& look, int turn) {
+                  const FibreLook& look) {
   std::vector<BladePlace> places;
   for (std::size_t i = 0; i < patch.blades.size(); ++i) append_places(patch, model, i, places);
-  Tubes tubes{segments + 1, corners, {}, place_radiance(patch, places, lighting, look, turn)};
+  Tubes tubes{segments + 1, corners, {}, place_radiance(patch, places, lighting, look)};
   for (const BladePlace& place : places)
     append_ring(patch.blades[place.blade], place, tubes.vertices_m);
   return tubes;

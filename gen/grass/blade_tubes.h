@@ -12,8 +12,8 @@ namespace wold::grass {
 ///
 /// Rings are triangles whose outline is as long as the circle's of the cone: a convex body shows
 /// its outline over pi on average, so both cover the same. Positions are those of the patch,
-/// metres, not wrapped. `turn`: the patch stands turned by quarter-turns, as in bake_emission().
+/// metres, not wrapped; the patch stands unturned.
 Tubes blade_tubes(const BladePatch& patch, const AgeingModel& model, const Lighting& lighting,
-                  const FibreLook& look, int turn);
+                  const FibreLook& look);
 
 }  // namespace wold::grass

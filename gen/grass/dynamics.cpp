@@ -21,8 +21,8 @@ double midway(double x) { return 4.0 * x * (1.0 - x); }
 /// The blade's horizontal heading and its two cross directions at a tangent of its plane.
 struct CrossSection {
   CrossSection(const Blade& blade, const glm::vec2& tangent)
-      : along(blade.heading * tangent.x, tangent.y),
-        side(blade.heading * tangent.y, -tangent.x),
+      : along(from_plane(blade, tangent)),
+        side(from_plane(blade, {tangent.y, -tangent.x})),
         across(-blade.heading.y, blade.heading.x, 0.0F) {}
   glm::vec3 along, side, across;
 };
@@ -138,7 +138,6 @@ PointDynamics::WitheredBlade PointDynamics::apply_forces(std::size_t number, dou
 void PointDynamics::move(std::size_t number, const WitheredBlade& now) {
   const Blade& blade = blades_[number];
   const BladePose& pose = poses_[number];
-  const glm::vec3 root(blade.root_m, 0.0F);
   for (std::uint32_t i = points_.blade_begin[number]; i < points_.blade_begin[number + 1]; ++i) {
     const Between between(points_.arc_m[i] / blade.length_m);
     const AxisPoint axis = {
@@ -147,9 +146,8 @@ void PointDynamics::move(std::size_t number, const WitheredBlade& now) {
             between.mix(now.axis[between.lower].tangent, now.axis[between.lower + 1].tangent))};
     const CrossSection section(blade, axis.tangent);
     const float width = points_.vein[i] != 0 ? pose.vein_width : pose.mesophyll_width;
-    const glm::vec3 on_axis(blade.heading * axis.position_m.x, axis.position_m.y);
     points_.position_m[i] =
-        root + on_axis +
+        on_patch_m(blade, axis) +
         width * (points_.side_m[i] * section.side + points_.across_m[i] * section.across);
     points_.position_m[i].z = std::max(points_.position_m[i].z, 0.0F);
     points_.tangent[i] = section.along;

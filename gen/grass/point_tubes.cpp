@@ -41,7 +41,7 @@ void append_octahedron(const BladePlace& place, std::vector<glm::vec3>& vertices
 }  // namespace
 
 Tubes point_tubes(const BladePatch& patch, std::span<const PointDynamics> samples,
-                  const Lighting& lighting, const FibreLook& look, int turn) {
+                  const Lighting& lighting, const FibreLook& look) {
   std::vector<BladePlace> places;
   std::uint32_t first_blade = 0;
   for (const PointDynamics& sample : samples) {
@@ -50,7 +50,7 @@ Tubes point_tubes(const BladePatch& patch, std::span<const PointDynamics> sample
   }
   constexpr int rings = 3;
   Tubes tubes{rings, corners, {}, {}};
-  for (const glm::vec3& radiance : place_radiance(patch, places, lighting, look, turn))
+  for (const glm::vec3& radiance : place_radiance(patch, places, lighting, look))
     tubes.radiance.insert(tubes.radiance.end(), rings, radiance);
   for (const BladePlace& place : places) append_octahedron(place, tubes.vertices_m);
   return tubes;

@@ -14,6 +14,6 @@ namespace wold::grass {
 /// with the point's own material. `patch` holds the same blades as `samples`, one sample after the
 /// other; they throw the shadows, as in blade_tubes().
 Tubes point_tubes(const BladePatch& patch, std::span<const PointDynamics> samples,
-                  const Lighting& lighting, const FibreLook& look, int turn);
+                  const Lighting& lighting, const FibreLook& look);
 
 }  // namespace wold::grass

@@ -28,21 +28,17 @@ void each_strip(const Blade& blade, const BladePose& pose, int segments, double 
   const auto on_ground = [&](const glm::vec3& place_m) {
     return glm::dvec2((glm::vec2(place_m) - place_m.z * slope) / static_cast<float>(patch_m));
   };
-  const auto place = [&](const AxisPoint& at) {
-    return glm::vec3(blade.root_m + blade.heading * at.position_m.x, at.position_m.y);
-  };
   const BladeAxis axis(blade, pose);
   AxisPoint from = axis.at(0.0F);
   float begin = 0.0F;
   for (int i = 1; i <= segments; ++i) {
     const float end = static_cast<float>(i) / static_cast<float>(segments);
     const AxisPoint to = axis.at(length_m * end);
-    const glm::vec3 tangent(blade.heading * to.tangent.x, to.tangent.y);
-    const glm::vec3 across = glm::cross(tangent, direction);
+    const glm::vec3 across = glm::cross(from_plane(blade, to.tangent), direction);
     const float sine = std::max(glm::length(across), 1e-3F);
     const float radius = blade.radius_m * pose.mesophyll_width * (1.0F - 0.5F * (begin + end));
-    visit(Strip{on_ground(place(from)), on_ground(place(to)), on_ground(across / sine * radius),
-                begin, end, from.position_m.y, to.position_m.y});
+    visit(Strip{on_ground(on_patch_m(blade, from)), on_ground(on_patch_m(blade, to)),
+                on_ground(across / sine * radius), begin, end, from.position_m.y, to.position_m.y});
     from = to;
     begin = end;
   }

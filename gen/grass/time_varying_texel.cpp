@@ -128,6 +128,7 @@ TimeVaryingTexel::TimeVaryingTexel(const scene::Scene& scene, Lighting lighting,
       lighting_(std::move(lighting)),
       folder_(std::move(folder)),
       shape_(finest_shape(scene)),
+      model_(scene.ageing, scene.grass.specular),
       basis_(described(scene_, lighting_)) {}
 
 TexelShape TimeVaryingTexel::level_shape(int level) const {
@@ -157,20 +158,18 @@ std::string TimeVaryingTexel::volume_content(int variant, int key_frame, int lev
 }
 
 Tubes TimeVaryingTexel::blades(int variant, int key_frame) const {
-  const AgeingModel model(scene_.ageing, scene_.grass.specular);
   const double weathering = scene_.grass.key_frames[static_cast<std::size_t>(key_frame)];
-  return blade_tubes(withered_patch(scene_, model, variant, weathering), model, lighting_,
-                     fibre_look(scene_.grass), /*turn=*/0);
+  return blade_tubes(WitheringPatch(scene_, model_, variant).at(weathering), model_, lighting_,
+                     fibre_look(scene_.grass));
 }
 
 Tubes TimeVaryingTexel::points(int variant, int key_frame) const {
-  const AgeingModel model(scene_.ageing, scene_.grass.specular);
   const std::vector<double>& weathering = scene_.grass.key_frames;
   const auto now = static_cast<std::size_t>(key_frame);
-  Samples samples(scene_, shape_, variant, model);
+  Samples samples(scene_, shape_, variant, model_);
   for (std::size_t step = 0; step <= now; ++step) samples.advance_to(weathering[step]);
-  return point_tubes(withered_patch(scene_, model, variant, weathering[now]), samples.all(),
-                     lighting_, fibre_look(scene_.grass), /*turn=*/0);
+  return point_tubes(WitheringPatch(scene_, model_, variant).at(weathering[now]), samples.all(),
+                     lighting_, fibre_look(scene_.grass));
 }
 
 bool TimeVaryingTexel::is_current(int variant, int key_frame, const LevelTurns& levels) const {
@@ -207,11 +206,10 @@ StageTimes TimeVaryingTexel::generate_variant(int variant,
                                               const std::map<int, LevelTurns>& key_frames,
                                               Progress& progress) const {
   const scene::Grass& grass = scene_.grass;
-  const AgeingModel model(scene_.ageing, grass.specular);
   StageTimes times;
   Samples samples = [&] {
     const Stopwatch watch(times.sampling);
-    return Samples(scene_, shape_, variant, model);
+    return Samples(scene_, shape_, variant, model_);
   }();
   for (int key_frame = 0; key_frame <= key_frames.rbegin()->first; ++key_frame) {
     {

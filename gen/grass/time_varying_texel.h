@@ -8,6 +8,7 @@
 
 #include "core/progress.h"
 #include "core/tubes.h"
+#include "grass/dynamics.h"
 #include "grass/shading.h"
 #include "grass/texel.h"
 #include "grass/volume_data.h"
@@ -40,7 +41,7 @@ std::string texel_models();
 /// `v<variant>_k<key frame>_<side>.vdb` for each demanded level, baked for the scene's light.
 class TimeVaryingTexel {
  public:
-  /// `lighting` is what the levels are baked for.
+  /// `lighting` is what the levels are baked for. Throws what AgeingModel's constructor throws.
   TimeVaryingTexel(const scene::Scene& scene, Lighting lighting, std::filesystem::path folder);
 
   /// Extent of the finest level: high enough for the tallest blade of any variant.
@@ -78,6 +79,7 @@ class TimeVaryingTexel {
   Lighting lighting_;
   std::filesystem::path folder_;
   TexelShape shape_;
+  AgeingModel model_;
   std::string basis_;  ///< everything the texels depend on
 };
 

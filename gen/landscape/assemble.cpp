@@ -47,10 +47,10 @@ std::pair<int, int> blades_key(const CellChoice& choice) {
 GrassColour grass_colour(const scene::Scene& scene) {
   constexpr int steps = 64;
   const grass::AgeingModel model(scene.ageing, scene.grass.specular);
+  const grass::WitheringPatch patch(scene, model, /*variant=*/0);
   std::vector<glm::vec3> colours;
   for (int i = 0; i <= steps; ++i)
-    colours.push_back(grass::mean_albedo(
-        grass::withered_patch(scene, model, /*variant=*/0, static_cast<double>(i) / steps), model));
+    colours.push_back(grass::mean_albedo(patch.at(static_cast<double>(i) / steps), model));
   return [colours](double weathering) {
     const double place = std::clamp(weathering, 0.0, 1.0) * steps;
     const auto i = std::min(static_cast<std::size_t>(place), std::size_t{steps - 1});

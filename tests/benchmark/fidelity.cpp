@@ -80,8 +80,8 @@ class Meadow {
 
   /// Prints a line per direction; returns whether all are within bounds.
   bool compare(double weathering) const {
-    const BladePatch patch = withered_patch(scene_, model_, 0, weathering);
-    const Tubes tubes = blade_tubes(patch, model_, lighting_, look_, 0);
+    const BladePatch patch = WitheringPatch(scene_, model_, 0).at(weathering);
+    const Tubes tubes = blade_tubes(patch, model_, lighting_, look_);
     const std::vector<VolumeData> levels = baked_texel(weathering);
     bool good = true;
     for (const double elevation : {15.0, 45.0, 90.0}) {

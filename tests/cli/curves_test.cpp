@@ -115,7 +115,7 @@ TEST_F(Curves, FigureHasItsPanelsAndEachSpectrumInItsColour) {
 }
 
 TEST_F(Curves, FigureIsWellFormedXml) {
-  if (shell("command -v xmllint").code != 0) GTEST_SKIP() << "xmllint is not installed";
+  if (!is_installed("xmllint")) GTEST_SKIP() << "xmllint is not installed";
   made("a.svg", " --set ageing.stiffening=0 --set 'ageing.water=[[0, 1], [1, 1]]'");
   EXPECT_EQ(shell("xmllint --noout a.svg").err, "");
 }

@@ -15,7 +15,7 @@ class Golden : public Program, public testing::WithParamInterface<std::string> {
  protected:
   void SetUp() override {
     Program::SetUp();
-    if (std::system(("command -v " + GetParam() + " > /dev/null").c_str()) != 0)
+    if (!is_installed(GetParam()))
       GTEST_SKIP() << "no " << GetParam() << " on this machine: its pictures are not compared";
   }
 

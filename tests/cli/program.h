@@ -53,6 +53,11 @@ class Program : public testing::Test {
     return shell(command(arguments, environment));
   }
 
+  /// Whether a program is on this machine.
+  bool is_installed(const std::string& program) const {
+    return shell("command -v " + program).code == 0;
+  }
+
   void write(const std::string& name, const std::string& text) const;
 
   fs::path folder_;

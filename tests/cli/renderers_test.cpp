@@ -12,7 +12,7 @@ class Renderers : public SmallFilm, public testing::WithParamInterface<std::stri
  protected:
   void SetUp() override {
     SmallFilm::SetUp();
-    if (std::system(("command -v " + GetParam() + " > /dev/null").c_str()) != 0)
+    if (!is_installed(GetParam()))
       GTEST_SKIP() << "no " << GetParam() << " on this machine: its pictures are not tested";
   }
 

@@ -42,7 +42,7 @@ TEST(BladeTubes, ShowAsMuchAsTheCones) {
   const BladePatch patch = patch_of(test::small_blades());
   double cones = 0.0;
   for (const Blade& blade : patch.blades) cones += cone_area_m2(blade);
-  const Tubes tubes = blade_tubes(patch, model(), test::slanting_light(), {24.0F, 0.006}, 0);
+  const Tubes tubes = blade_tubes(patch, model(), test::slanting_light(), {24.0F, 0.006});
   EXPECT_EQ(tubes.count(), patch.blades.size());
   EXPECT_NEAR(surface_m2(tubes) / 4.0 / cones, 1.0, 0.01);
 }
@@ -51,7 +51,7 @@ TEST(BladeTubes, ShowAsMuchAsTheCones) {
 TEST(BladeTubes, ABladeAloneIsInFullLight) {
   const BladePatch patch = patch_of({test::straight_blade()});
   const Lighting lighting = test::slanting_light();
-  const Tubes tubes = blade_tubes(patch, model(), lighting, {24.0F, 0.006}, 1);
+  const Tubes tubes = blade_tubes(patch, model(), lighting, {24.0F, 0.006});
   const glm::vec3 tangent(patch.blades[0].heading * std::sin(patch.blades[0].lean),
                           std::cos(patch.blades[0].lean));
   glm::vec3 sky(0.0F);
@@ -59,7 +59,7 @@ TEST(BladeTubes, ABladeAloneIsInFullLight) {
     sky += part.irradiance * kajiya_kay_diffuse(tangent, glm::vec3(part.direction));
   const Fibre root{tangent, model().albedo(patch.blades[0], patch.ages[0], 0.0),
                    model().specular(patch.ages[0])};
-  const glm::vec3 wanted = source_radiance(root, TurnedLight(lighting, 1), 1.0F, sky, 24.0F);
+  const glm::vec3 wanted = source_radiance(root, TurnedLight(lighting, 0), 1.0F, sky, 24.0F);
   EXPECT_LT(glm::distance(tubes.radiance.front(), wanted), 1e-3F * glm::length(wanted));
 }
 
@@ -76,7 +76,7 @@ TEST(BladeTubes, TheFrontOneShadowsTheOneBehind) {
   Lighting lighting = test::slanting_light();
   lighting.sun_direction = direction_at(45.0 * test::degree, 0.0);
   for (glm::vec3& radiance : lighting.sky_radiance) radiance = glm::vec3(0.0F);
-  const Tubes tubes = blade_tubes(patch_of({front, behind}), model(), lighting, {24.0F, 0.006}, 0);
+  const Tubes tubes = blade_tubes(patch_of({front, behind}), model(), lighting, {24.0F, 0.006});
   // The sun comes down at 45 degrees from 5 cm away: the front's tip at 18 cm shades up to 13 cm,
   // less where the tip is narrow.
   for (int ring = 0; ring < tubes.rings; ++ring) {
@@ -111,7 +111,7 @@ TEST(PointTubes, ShowTheAreaOfTheirPoints) {
   double area_m2 = 0.0;
   for (const float area : samples.front().points().area_m2) area_m2 += double{area};
   const Tubes tubes =
-      point_tubes(patch_of(blades, 0.4), samples, test::slanting_light(), {24.0F, 0.006}, 0);
+      point_tubes(patch_of(blades, 0.4), samples, test::slanting_light(), {24.0F, 0.006});
   EXPECT_NEAR(surface_m2(tubes) / 4.0 / area_m2, 1.0, 1e-4);
   EXPECT_GT(tubes.count(), 10 * blades.size());
 }

@@ -24,8 +24,7 @@ scene::Scene small_fur() {
 /// Where the tips of a hair are, on the tiling patch.
 glm::vec3 tip(const AgeingModel& model, const Blade& hair, double weathering) {
   const BladeAxis axis(hair, model.pose(hair, weathering));
-  const AxisPoint at = axis.at(hair.length_m);
-  return {hair.root_m + hair.heading * at.position_m.x, at.position_m.y};
+  return on_patch_m(hair, axis.at(hair.length_m));
 }
 
 /// Mean distance from a tip to the nearest other one, level, over the borders of the patch.
