@@ -105,7 +105,7 @@ openvdb::GridBase::Ptr read_vdb_grid(const fs::path& path, const std::string& na
   return read_opened(path, [&](openvdb::io::File& file) {
     if (file.hasGrid(name)) return file.readGrid(name);
     std::string there;
-    for (auto it = file.beginName(); it != file.endName(); ++it) there += " " + *it;
+    for (auto it = file.beginName(); it != file.endName(); ++it) there.append(" ").append(*it);
     throw FileError(fmt::format("{} has no grid \"{}\"; it has:{}", path.string(), name, there));
   });
 }

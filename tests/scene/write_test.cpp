@@ -1,5 +1,6 @@
 #include "scene/write.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "core/error.h"
@@ -36,7 +37,7 @@ TEST(ResolvedToml, IsAFixedPointOfParsing) {
 TEST(ResolvedToml, HasEveryKeyWithItsMeaning) {
   const std::string text = resolved_toml(Scene{});
   for (const Key& key : registry()) {
-    EXPECT_NE(text.find("\n" + std::string(leaf_of(key.name)) + " = "), std::string::npos);
+    EXPECT_NE(text.find(fmt::format("\n{} = ", leaf_of(key.name))), std::string::npos);
     EXPECT_NE(text.find(key.doc), std::string::npos) << key.name;
   }
   EXPECT_NE(text.find("# Side of the patch that repeats. Accepts a number from 0.05 to 20 m.\n"
