@@ -30,20 +30,32 @@ Json write_terrain(const Landscape& landscape, const fs::path& folder) {
           {"size_m", landscape.terrain.size_m()}};
 }
 
-/// North at the top: pictures begin with their upper row, ground maps with the southern one.
-Image picture_of(const ColourMap& map) {
-  Image picture(map.samples(), map.samples(), 3);
+/// North at the top: pictures begin with their upper row, ground maps with the southern one. A
+/// fourth channel, if any, is on the same grid.
+Image picture_of(const ColourMap& map, const FactorMap* fourth) {
+  const int channels = fourth != nullptr ? 4 : 3;
+  Image picture(map.samples(), map.samples(), channels);
   for (int j = 0; j < map.samples(); ++j)
     for (int i = 0; i < map.samples(); ++i) {
-      const glm::vec3& colour = map.at(i, j);
-      std::copy_n(&colour.x, 3, picture.pixel(i, map.samples() - 1 - j));
+      float* pixel = picture.pixel(i, map.samples() - 1 - j);
+      std::copy_n(&map.at(i, j).x, 3, pixel);
+      if (fourth != nullptr) pixel[3] = fourth->at(i, j);
     }
   return picture;
 }
 
-Json write_ground_map(const ColourMap& map, const fs::path& folder, const char* name) {
-  write_image(folder / name, picture_of(map), PixelFormat::float32);
+Json write_ground_map(const ColourMap& map, const fs::path& folder, const char* name,
+                      const FactorMap* fourth = nullptr) {
+  write_image(folder / name, picture_of(map, fourth), PixelFormat::half);
   return {{"file", name}, {"samples", map.samples()}, {"size_m", map.size_m()}};
+}
+
+/// The light on the volumes with how much of them stands as its fourth channel: one look-up.
+Json write_standing_light(const Landscape& landscape, const fs::path& folder) {
+  const ColourMap light = product(landscape.light, landscape.standing);
+  const FactorMap standing =
+      product(landscape.standing, FactorMap(light.samples(), light.size_m(), 1.0F));
+  return write_ground_map(light, folder, "standing_light.exr", &standing);
 }
 
 void append(std::vector<float>& values, const glm::dvec3& v) {
@@ -137,6 +149,7 @@ void write_frame_data(const Landscape& landscape, const fs::path& folder,
                       {"camera", camera_json(landscape.camera)},
                       {"terrain", write_terrain(landscape, folder)},
                       {"light", write_ground_map(landscape.light, folder, "light.exr")},
+                      {"standing_light", write_standing_light(landscape, folder)},
                       {"ground", write_ground_map(landscape.ground, folder, "ground.exr")},
                       {"sky", "sky.exr"},
                       {"cells", write_cells(landscape, folder, picks)},

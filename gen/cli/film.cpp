@@ -7,6 +7,8 @@
 #include "blender/export.h"
 #include "core/files.h"
 #include "landscape/assemble.h"
+#include "landscape/far_field.h"
+#include "landscape/growth.h"
 #include "landscape/view.h"
 #include "povray/export.h"
 #include "scene/write.h"
@@ -15,11 +17,14 @@
 namespace wold::cli {
 namespace {
 
-/// Highlights are baked for one eye: where the camera is, seen from what it looks at.
+/// Highlights are baked for one eye: where the camera is half-way through the film, seen from what
+/// it looks at.
 glm::dvec3 eye_direction(const scene::Scene& scene, const Heightfield& terrain) {
-  const landscape::Camera camera = landscape::resolved_camera(scene.camera, terrain);
+  const landscape::Camera camera = landscape::resolved_camera(scene.camera, terrain, 0.5);
   return glm::normalize(camera.eye_m - camera.target_m);
 }
+
+int coarsest_level(const scene::Grass& grass) { return static_cast<int>(grass.levels.size()) - 1; }
 
 void export_program(const std::string& renderer, const std::filesystem::path& folder) {
   renderer == "blender" ? blender::export_scene(folder) : povray::export_scene(folder);
@@ -45,6 +50,7 @@ Film::Film(const Job& job)
     : job_(job),
       daylight_(job.scene.sun, job.scene.sky),
       terrain_(terrain::make_ground(job.scene.terrain, job.scene.seed)),
+      growth_(landscape::growth_map(job.scene, terrain_)),
       texels_(job.scene, grass::make_lighting(daylight_, eye_direction(job.scene, terrain_)),
               job.out / "texels") {}
 
@@ -59,12 +65,24 @@ void Film::generate(Progress& progress) {
 void Film::choose_cells(Progress& progress) {
   progress.begin("cells", job_.frames.size());
   for (const int frame : job_.frames) {
-    cells_.push_back(landscape::choose_cells(job_.scene, terrain_, frame));
+    cells_.push_back(landscape::choose_cells(job_.scene, terrain_, growth_, frame));
     for (const landscape::CellChoice& cell : cells_.back())
       if (!cell.blades) demand_[cell.variant][cell.key_frame][cell.level].insert(cell.turn);
+    demand_far_field(frame);
     progress.advance(1, fmt::format("frame {}: {} cells", frame, cells_.back().size()));
   }
   progress.end();
+}
+
+void Film::demand_far_field(int frame) {
+  const scene::Scene& scene = job_.scene;
+  const landscape::View view(
+      landscape::resolved_camera(scene.camera, terrain_, landscape::time_of_frame(scene, frame)),
+      scene.render.size_px[0], scene.render.size_px[1]);
+  if (!landscape::has_far_field(scene, terrain_, view)) return;
+  for (const int key_frame : landscape::far_key_frames(scene, frame))
+    for (int variant = 0; variant < scene.grass.variants; ++variant)
+      demand_[variant][key_frame][coarsest_level(scene.grass)].insert(0);
 }
 
 void Film::make_texels(Progress& progress) { texels_.generate(demand_, progress); }
@@ -93,16 +111,27 @@ landscape::BladeMesh Film::blades(const landscape::CellChoice& cell) {
   return mesh;
 }
 
+std::vector<landscape::Volume> Film::far_volumes(int key_frame) const {
+  std::vector<landscape::Volume> volumes;
+  landscape::CellChoice choice;
+  choice.key_frame = key_frame;
+  choice.level = coarsest_level(job_.scene.grass);
+  for (; choice.variant < job_.scene.grass.variants; ++choice.variant)
+    volumes.push_back(volume(choice));
+  return volumes;
+}
+
 void Film::export_frames(Progress& progress) {
   const std::vector<std::string> renderers = wanted_renderers(job_.scene);
   const landscape::PatchLookup lookup = {
       [&](const landscape::CellChoice& cell) { return volume(cell); },
-      [&](const landscape::CellChoice& cell) { return blades(cell); }};
+      [&](const landscape::CellChoice& cell) { return blades(cell); },
+      [&](int key_frame) { return far_volumes(key_frame); }};
   for (const std::string& renderer : renderers) export_program(renderer, job_.out / renderer);
   progress.begin("scene files", job_.frames.size() * renderers.size());
   for (std::size_t i = 0; i < job_.frames.size(); ++i) {
-    const landscape::Landscape landscape =
-        landscape::assemble(job_.scene, terrain_, daylight_, job_.frames[i], cells_[i], lookup);
+    const landscape::Landscape landscape = landscape::assemble(
+        job_.scene, terrain_, growth_, daylight_, job_.frames[i], cells_[i], lookup);
     for (const std::string& renderer : renderers) {
       export_frame(renderer, landscape, job_.out / renderer);
       progress.advance(1, fmt::format("{} frame {}", renderer, job_.frames[i]));

@@ -30,11 +30,14 @@ class Film {
   void make_texels(Progress& progress);
   landscape::Volume volume(const landscape::CellChoice& cell) const;
   landscape::BladeMesh blades(const landscape::CellChoice& cell);
+  std::vector<landscape::Volume> far_volumes(int key_frame) const;
+  void demand_far_field(int frame);
   void export_frames(Progress& progress);
 
   const Job& job_;
   light::Daylight daylight_;
   Heightfield terrain_;
+  FactorMap growth_;
   grass::TimeVaryingTexel texels_;
   std::vector<std::vector<landscape::CellChoice>> cells_;  ///< per frame of the job
   grass::TexelDemand demand_;

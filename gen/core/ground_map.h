@@ -58,9 +58,30 @@ class GroundMap {
   std::vector<T> values_;
 };
 
+/// Samples along a side of a map with this step, or as many as a picture should have.
+inline int map_samples(double size_m, double step_m) {
+  constexpr double most = 4097.0;
+  return static_cast<int>(std::min(most, std::ceil(size_m / step_m - 1e-9) + 1.0));
+}
+
+/// `map` times `factor`, on the finer of the two grids. Both cover the same square.
+template <class T, class Factor>
+GroundMap<T> product(const GroundMap<T>& map, const GroundMap<Factor>& factor) {
+  GroundMap<T> result(std::max(map.samples(), factor.samples()), map.size_m());
+  for (int j = 0; j < result.samples(); ++j)
+    for (int i = 0; i < result.samples(); ++i) {
+      const double x_m = i * result.step_m();
+      const double y_m = j * result.step_m();
+      result.at(i, j) = map.sample(x_m, y_m) * factor.sample(x_m, y_m);
+    }
+  return result;
+}
+
 /// Terrain heights in metres above the scene's zero.
 using Heightfield = GroundMap<float>;
 /// Linear RGB per ground point.
 using ColourMap = GroundMap<glm::vec3>;
+/// A share or factor per ground point.
+using FactorMap = GroundMap<float>;
 
 }  // namespace wold

@@ -96,6 +96,7 @@ std::string described(const scene::Scene& scene, const Lighting& lighting) {
   relevant.seed = scene.seed;
   relevant.grass = scene.grass;
   relevant.grass.pixels_per_voxel = plain.grass.pixels_per_voxel;
+  relevant.grass.far_pixels = plain.grass.far_pixels;
   relevant.ageing = scene.ageing;
   relevant.ageing.frames = plain.ageing.frames;
   relevant.ageing.variation = plain.ageing.variation;

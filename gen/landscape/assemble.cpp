@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "grass/blade_patch.h"
+#include "landscape/far_field.h"
 #include "landscape/tint.h"
 #include "landscape/view.h"
 #include "terrain/lighting.h"
@@ -58,13 +59,21 @@ GrassColour grass_colour(const scene::Scene& scene) {
   };
 }
 
+std::map<int, PatchLook> far_looks(const scene::Scene& scene, int frame,
+                                   const PatchLookup& lookup) {
+  std::map<int, PatchLook> looks;
+  for (const int key_frame : far_key_frames(scene, frame))
+    looks.emplace(key_frame, PatchLook(lookup.far(key_frame)));
+  return looks;
+}
+
 /// A white card in the open is exposed above white: grass and sky are dark subjects, and a camera
 /// that meters them opens by most of a stop.
 constexpr double card_exposure = 1.6;
 
 }  // namespace
 
-Landscape assemble(const scene::Scene& scene, const Heightfield& terrain,
+Landscape assemble(const scene::Scene& scene, const Heightfield& terrain, const FactorMap& growth,
                    const light::Daylight& day, int frame, std::span<const CellChoice> choices,
                    const PatchLookup& lookup) {
   Landscape landscape;
@@ -72,18 +81,23 @@ Landscape assemble(const scene::Scene& scene, const Heightfield& terrain,
   landscape.weathering = scene.ageing.frames.at(static_cast<std::size_t>(frame - 1));
   landscape.terrain = terrain;
   landscape.patch_m = scene.grass.patch_m;
+  landscape.camera = resolved_camera(scene.camera, terrain, time_of_frame(scene, frame));
+  landscape.width_px = scene.render.size_px[0];
+  landscape.height_px = scene.render.size_px[1];
+  const View view(landscape.camera, landscape.width_px, landscape.height_px);
   place(choices, /*blades=*/false, volume_key, lookup.volume, landscape.volumes, landscape.cells);
   place(choices, /*blades=*/true, blades_key, lookup.blades, landscape.blade_meshes,
         landscape.blade_cells);
   const ColourMap light = terrain::light_map(terrain, day);
   landscape.light = product(light, weathering_tint(scene, frame, choices, grass_colour(scene)));
+  landscape.standing = standing_grass(scene, terrain, growth, view);
   landscape.ground =
-      terrain::ground_radiance(light, scene.terrain, scene.seed,
-                               glm::vec3(static_cast<float>(canopy_transmittance(scene.grass))));
+      terrain::ground_radiance(light, terrain, day.sun_direction(), scene.terrain, scene.seed,
+                               growth, canopy_transmittance(scene.grass));
+  if (has_far_field(scene, terrain, view))
+    paint_far_grass(landscape.ground, scene, terrain, growth, light, view, frame,
+                    far_looks(scene, frame, lookup));
   landscape.sky = day.sky_image(sky_width_px);
-  landscape.camera = resolved_camera(scene.camera, terrain);
-  landscape.width_px = scene.render.size_px[0];
-  landscape.height_px = scene.render.size_px[1];
   landscape.samples = scene.render.samples;
   landscape.exposure_gain = card_exposure * std::numbers::pi * std::exp2(scene.render.exposure);
   landscape.df3_bits = scene.render.df3_bits;

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "landscape/cells.h"
 #include "landscape/landscape.h"
@@ -15,15 +16,19 @@ namespace wold::landscape {
 struct PatchLookup {
   std::function<Volume(const CellChoice&)> volume;
   std::function<BladeMesh(const CellChoice&)> blades;
+  /// The unturned volumes of a key frame, as coarse as there are, of every variant: what the far
+  /// field looks like. Called for far_key_frames() where has_far_field().
+  std::function<std::vector<Volume>(int)> far = {};
 };
 
-/// One frame (from 1) as the exporters want it: `choices` are choose_cells', `lookup` is called
+/// One frame (from 1) as the exporters want it: `growth` is growth_map()'s, `choices` are
+/// choose_cells', `lookup` is called
 /// once for each different volume or mesh, in ascending order, and what it gives are the
 /// landscape's in that order.
 ///
 /// exposure_gain is 1.6 pi 2^exposure: under the daylight's unit, a white Lambertian sheet that
 /// lies in the open comes out as 1.6; meadow and sky then have a camera's brightness.
-Landscape assemble(const scene::Scene& scene, const Heightfield& terrain,
+Landscape assemble(const scene::Scene& scene, const Heightfield& terrain, const FactorMap& growth,
                    const light::Daylight& day, int frame, std::span<const CellChoice> choices,
                    const PatchLookup& lookup);
 

@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/error.h"
 #include "core/noise.h"
+#include "core/parallel.h"
 #include "core/random.h"
+#include "landscape/far_field.h"
 #include "landscape/view.h"
+#include "terrain/horizon.h"
 
 namespace wold::landscape {
 namespace {
@@ -95,6 +99,80 @@ bool choose_blades(const scene::Scene& scene, double pixels_per_m) {
   return scene.render.grass != "texels";
 }
 
+/// Middle of the grass on a cell.
+glm::dvec3 middle_of(const scene::Grass& grass, const Heightfield& terrain,
+                     const glm::ivec2& cell) {
+  const glm::dvec2 at_m = centre_m(cell, grass.patch_m);
+  return {at_m, terrain.sample(at_m.x, at_m.y) + grass.height_m / 2.0};
+}
+
+/// What the camera sees of the cells.
+class Sight {
+ public:
+  Sight(const scene::Scene& scene, const Heightfield& terrain, const Camera& camera)
+      : grass_(scene.grass),
+        terrain_(terrain),
+        eye_m_(camera.eye_m),
+        view_(camera, scene.render.size_px[0], scene.render.size_px[1]),
+        margin_m_(1.75 * scene.grass.patch_m +  // half a cell and one more
+                  scene.grass.height_m * std::max(1.5, 0.5 + 2.2 * scene.grass.height_spread)) {}
+
+  bool may_see(const glm::dvec3& middle_m) const {
+    return view_.may_see(middle_m, margin_m_) && far_share(grass_, view_, middle_m) < 1.0 &&
+           !is_behind_a_hill(middle_m);
+  }
+
+  /// Pixels that a metre covers there.
+  double pixels(const glm::dvec3& middle_m) const { return view_.pixels(1.0, middle_m); }
+
+ private:
+  /// Whether the ground hides all that can stand on the cell.
+  bool is_behind_a_hill(const glm::dvec3& middle_m) const {
+    return terrain::is_hidden(terrain_, eye_m_, middle_m + glm::dvec3(0.0, 0.0, margin_m_));
+  }
+
+  const scene::Grass& grass_;
+  const Heightfield& terrain_;
+  glm::dvec3 eye_m_;
+  View view_;
+  double margin_m_;
+};
+
+/// How much grass grows on a cell.
+struct Grown {
+  float most = 0.0F;
+  float mean = 0.0F;
+};
+
+Grown grown_in(const FactorMap& growth, const glm::ivec2& cell, double patch_m) {
+  constexpr int steps = 6;
+  Grown grown;
+  for (int j = 0; j <= steps; ++j)
+    for (int i = 0; i <= steps; ++i) {
+      const glm::dvec2 at_m = (glm::dvec2(cell) + glm::dvec2(i, j) / (1.0 * steps)) * patch_m;
+      const float here = growth.sample(at_m.x, at_m.y);
+      grown.most = std::max(grown.most, here);
+      grown.mean += here / ((steps + 1) * (steps + 1));
+    }
+  return grown;
+}
+
+/// All of the choice but where the cell stands.
+CellChoice choose_cell(const scene::Scene& scene, const glm::ivec2& cell, const Texel& texel,
+                       int frame, double pixels_per_m) {
+  CellChoice choice;
+  choice.cell = cell;
+  const double jittered = pixels_per_m * (0.9 + 0.2 * cell_uniform(scene, cell, "level"));
+  choice.level = choose_level(scene.grass, jittered);
+  choice.blades = choose_blades(scene, jittered);
+  choice.variant = texel.variant;
+  const int side = scene.grass.levels[static_cast<std::size_t>(choice.level)];
+  const bool turns = !choice.blades && scene.ageing.fur.clumps == 0;  // a coat has one nap
+  choice.turn = turns ? texel.turn % turns_of_level(side) : 0;
+  choice.key_frame = choose_key_frame(scene, cell, frame);
+  return choice;
+}
+
 void check_frame(const scene::Scene& scene, int frame) {
   const std::size_t frames = scene.ageing.frames.size();
   if (frame < 1 || static_cast<std::size_t>(frame) > frames)
@@ -134,44 +212,55 @@ int turns_of_level(int voxels_per_side) {
   return voxels_per_side >= 100 ? 2 : 4;
 }
 
+namespace {
+
+/// How far the weathering degree of a frame may differ from place to place.
+double weathering_amplitude(const scene::Scene& scene, double degree) {
+  return scene.ageing.variation * 4.0 * degree * (1.0 - degree);
+}
+
+double degree_of(const scene::Scene& scene, int frame) {
+  return scene.ageing.frames[static_cast<std::size_t>(frame - 1)];
+}
+
+}  // namespace
+
 double local_weathering(const scene::Scene& scene, const glm::dvec2& at_m, int frame) {
-  const double degree = scene.ageing.frames[static_cast<std::size_t>(frame - 1)];
-  const double fade = 4.0 * degree * (1.0 - degree);
+  const double degree = degree_of(scene, frame);
   const Fbm field{random_bits({scene.seed, key_of("weathering"), 0, key_of("field")}), 2, 1.0};
   const double noise =
       std::clamp(0.6 * fbm(at_m / scene.ageing.variation_feature_m, field), -1.0, 1.0);
-  return std::clamp(degree + scene.ageing.variation * fade * noise, 0.0, 1.0);
+  return std::clamp(degree + weathering_amplitude(scene, degree) * noise, 0.0, 1.0);
+}
+
+std::pair<double, double> weathering_range(const scene::Scene& scene, int frame) {
+  const double degree = degree_of(scene, frame);
+  const double amplitude = weathering_amplitude(scene, degree);
+  return {std::max(0.0, degree - amplitude), std::min(1.0, degree + amplitude)};
 }
 
 std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfield& terrain,
-                                     int frame) {
+                                     const FactorMap& growth, int frame) {
   check_frame(scene, frame);
-  const scene::Grass& grass = scene.grass;
   const int per_side = cells_per_side(scene);
   const std::vector<Texel> texels = choose_texels(scene, per_side);
-  const View view(resolved_camera(scene.camera, terrain), scene.render.size_px[0],
-                  scene.render.size_px[1]);
-  const double margin_m = 1.75 * grass.patch_m +  // half a cell and one more
-                          grass.height_m * std::max(1.5, 0.5 + 2.2 * grass.height_spread);
+  const Camera camera = resolved_camera(scene.camera, terrain, time_of_frame(scene, frame));
+  const Sight sight(scene, terrain, camera);
+  std::vector<std::optional<CellChoice>> candidates(texels.size());
+  parallel_for_blocks(texels.size(), [&](std::size_t k) {
+    const glm::ivec2 cell(static_cast<int>(k) % per_side, static_cast<int>(k) / per_side);
+    const glm::dvec3 middle_m = middle_of(scene.grass, terrain, cell);
+    const Grown grown = grown_in(growth, cell, scene.grass.patch_m);
+    if (grown.most <= 0.0F || !sight.may_see(middle_m)) return;
+    const CellChoice choice = choose_cell(scene, cell, texels[k], frame, sight.pixels(middle_m));
+    if (choice.blades && cell_uniform(scene, cell, "grown") >= double{grown.mean}) return;
+    candidates[k] = choice;
+    candidates[k]->world_from_cell =
+        world_from_cell(terrain, scene.grass.patch_m, cell, choice.turn);
+  });
   std::vector<CellChoice> choices;
-  for (std::size_t k = 0; k < texels.size(); ++k) {
-    CellChoice choice;
-    choice.cell = {static_cast<int>(k) % per_side, static_cast<int>(k) / per_side};
-    const glm::dvec2 at_m = centre_m(choice.cell, grass.patch_m);
-    const glm::dvec3 middle_m(at_m, terrain.sample(at_m.x, at_m.y) + grass.height_m / 2.0);
-    if (!view.may_see(middle_m, margin_m)) continue;
-    const double jitter = 0.9 + 0.2 * cell_uniform(scene, choice.cell, "level");
-    const double pixels_per_m = view.pixels(1.0, middle_m) * jitter;
-    choice.level = choose_level(grass, pixels_per_m);
-    choice.blades = choose_blades(scene, pixels_per_m);
-    choice.variant = texels[k].variant;
-    const int side = grass.levels[static_cast<std::size_t>(choice.level)];
-    const bool turns = !choice.blades && scene.ageing.fur.clumps == 0;  // a coat has one nap
-    choice.turn = turns ? texels[k].turn % turns_of_level(side) : 0;
-    choice.key_frame = choose_key_frame(scene, choice.cell, frame);
-    choice.world_from_cell = world_from_cell(terrain, grass.patch_m, choice.cell, choice.turn);
-    choices.push_back(choice);
-  }
+  for (const auto& candidate : candidates)
+    if (candidate) choices.push_back(*candidate);
   return choices;
 }
 

@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/ground_map.h"
@@ -40,14 +41,19 @@ int turns_of_level(int voxels_per_side);
 /// all-dry frames. The field does not change with the frame: the same spots wither first.
 double local_weathering(const scene::Scene& scene, const glm::dvec2& at_m, int frame);
 
-/// Every cell that can be seen, row by row: variant and turn by keyed choice, so that neighbours
-/// differ; the key frame by keyed dithering between the two nearest to the local weathering; the
-/// coarsest level whose voxels cover at most grass.pixels_per_voxel, with a keyed tenth of jitter,
-/// so that no ring shows where levels change. Only `level` (and with it the turns allowed) and
-/// whether a cell is listed depend on the camera. Cells are drawn as render.grass asks: with "auto"
-/// as blades where even the finest level is too coarse. Frame from 1; throws InputError when the
-/// scene has no such frame.
+/// The least and the largest that local_weathering() can be in a frame.
+std::pair<double, double> weathering_range(const scene::Scene& scene, int frame);
+
+/// Every cell with grass that can be seen, row by row: inside the picture, not behind a hill, not
+/// so far that far_share() paints it. `growth` is growth_map()'s; where it is thin, blades stand on
+/// as many cells as it says, while volumes are thinned in space. Variant and turn by keyed choice,
+/// so that neighbours differ; the key frame by keyed dithering between the two nearest to the local
+/// weathering; the coarsest level whose voxels cover at most grass.pixels_per_voxel, with a keyed
+/// tenth of jitter, so that no ring shows where levels change. Only `level` (and with it the turns
+/// allowed) and whether a cell is listed depend on the camera. Cells are drawn as render.grass
+/// asks: with "auto" as blades where even the finest level is too coarse. Frame from 1; throws
+/// InputError when the scene has no such frame.
 std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfield& terrain,
-                                     int frame);
+                                     const FactorMap& growth, int frame);
 
 }  // namespace wold::landscape

@@ -66,6 +66,7 @@ struct Landscape {
   std::vector<BladeMesh> blade_meshes;
   std::vector<BladeCell> blade_cells;  ///< where no volume stands
   ColourMap light;                     ///< multiplies the radiance of all grass, by world x and y
+  FactorMap standing;                  ///< multiplies the extinction of the volumes, likewise
   ColourMap ground;                    ///< radiance of the bare ground, by world x and y
   Image sky;  ///< radiance by direction, 3 channels: column c looks to azimuth
               ///< 360 (c + 0.5) / width degrees clockwise from north, row r to

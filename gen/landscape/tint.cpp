@@ -46,14 +46,4 @@ ColourMap weathering_tint(const scene::Scene& scene, int frame, std::span<const 
   return tint;
 }
 
-ColourMap product(const ColourMap& light, const ColourMap& factor) {
-  ColourMap map(std::max(light.samples(), factor.samples()), light.size_m());
-  for (int j = 0; j < map.samples(); ++j)
-    for (int i = 0; i < map.samples(); ++i) {
-      const glm::dvec2 at_m = glm::dvec2(i, j) * map.step_m();
-      map.at(i, j) = light.sample(at_m.x, at_m.y) * factor.sample(at_m.x, at_m.y);
-    }
-  return map;
-}
-
 }  // namespace wold::landscape

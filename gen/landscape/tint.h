@@ -19,7 +19,4 @@ using GrassColour = std::function<glm::vec3(double)>;
 ColourMap weathering_tint(const scene::Scene& scene, int frame, std::span<const CellChoice> choices,
                           const GrassColour& colour);
 
-/// `light` times `factor`, on the finer of the two maps. Both cover the same square.
-ColourMap product(const ColourMap& light, const ColourMap& factor);
-
 }  // namespace wold::landscape

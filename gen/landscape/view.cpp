@@ -6,12 +6,34 @@
 
 namespace wold::landscape {
 
-Camera resolved_camera(const scene::Camera& camera, const Heightfield& terrain) {
-  const auto above_ground = [&](const std::array<double, 2>& at_m, double height_m) {
-    return glm::dvec3(at_m[0], at_m[1], terrain.sample(at_m[0], at_m[1]) + height_m);
+namespace {
+
+glm::dvec3 above_ground(const Heightfield& terrain, const glm::dvec2& at_m, double height_m) {
+  return {at_m, terrain.sample(at_m.x, at_m.y) + height_m};
+}
+
+/// A place on the straight way from `from_m` to `end` (east, north, height above the ground).
+glm::dvec3 on_the_way(const Heightfield& terrain, const glm::dvec3& from_m,
+                      const std::vector<double>& end, double time) {
+  if (end.empty()) return from_m;
+  return glm::mix(from_m, above_ground(terrain, {end[0], end[1]}, end[2]), time);
+}
+
+}  // namespace
+
+Camera resolved_camera(const scene::Camera& camera, const Heightfield& terrain, double time) {
+  const auto placed = [&](const std::array<double, 2>& at_m, double height_m,
+                          const std::vector<double>& end) {
+    return on_the_way(terrain, above_ground(terrain, {at_m[0], at_m[1]}, height_m), end, time);
   };
-  return {above_ground(camera.eye_m, camera.eye_height_m),
-          above_ground(camera.target_m, camera.target_height_m), camera.field_of_view_deg};
+  return {placed(camera.eye_m, camera.eye_height_m, camera.eye_end),
+          placed(camera.target_m, camera.target_height_m, camera.target_end),
+          camera.field_of_view_deg};
+}
+
+double time_of_frame(const scene::Scene& scene, int frame) {
+  const auto frames = static_cast<double>(scene.ageing.frames.size());
+  return frames < 2.0 ? 0.0 : (frame - 1.0) / (frames - 1.0);
 }
 
 View::View(const Camera& camera, int width_px, int height_px) : eye_m_(camera.eye_m) {
@@ -34,6 +56,10 @@ bool View::may_see(const glm::dvec3& centre_m, double radius_m) const {
 
 double View::pixels(double length_m, const glm::dvec3& at_m) const {
   return pixels_per_radian_ * length_m / std::max(glm::length(at_m - eye_m_), 1e-6);
+}
+
+glm::dvec3 View::line_of_sight(const glm::dvec3& at_m) const {
+  return glm::normalize(at_m - eye_m_);
 }
 
 }  // namespace wold::landscape

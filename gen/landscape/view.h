@@ -9,8 +9,12 @@
 
 namespace wold::landscape {
 
-/// The scene's camera with its heights above the ground resolved to world space.
-Camera resolved_camera(const scene::Camera& camera, const Heightfield& terrain);
+/// The scene's camera in a frame (from 1) with its heights above the ground resolved to world
+/// space. One that moves is `time` of its way from the first frame to the last, in [0, 1].
+Camera resolved_camera(const scene::Camera& camera, const Heightfield& terrain, double time);
+
+/// How far a frame (from 1) is on the scene's way from the first to the last, in [0, 1].
+double time_of_frame(const scene::Scene& scene, int frame);
 
 /// What the camera sees: a pyramid, and how large things look.
 class View {
@@ -22,6 +26,9 @@ class View {
 
   /// Pixels that a length covers at a point, seen square on.
   double pixels(double length_m, const glm::dvec3& at_m) const;
+
+  /// Unit direction from the eye to a point.
+  glm::dvec3 line_of_sight(const glm::dvec3& at_m) const;
 
  private:
   glm::dvec3 eye_m_;

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "light/sunlight.h"
+#include "scene/sun_position.h"
 
 namespace wold::light {
 namespace {
@@ -43,7 +44,7 @@ double zenith_y(double t, double s) {
          ((0.15346 * s - 0.26756) * s + 0.06670) * s + 0.26688;
 }
 
-void check(const scene::Sun& sun, const scene::Sky& sky) {
+void check(const scene::SunPosition& sun, const scene::Sky& sky) {
   if (!(sun.elevation_deg > 0.0 && sun.elevation_deg <= 90.0))
     throw InputError(fmt::format(
         "the sun's elevation is {} degrees; the daylight model holds above 0 and up to 90",
@@ -82,7 +83,8 @@ glm::dvec3 direction_of(double azimuth_rad, double elevation_rad) {
           std::cos(azimuth_rad) * std::cos(elevation_rad), std::sin(elevation_rad)};
 }
 
-Daylight::Daylight(const scene::Sun& sun, const scene::Sky& sky) {
+Daylight::Daylight(const scene::Sun& scene_sun, const scene::Sky& sky) {
+  const scene::SunPosition sun = scene::sun_position(scene_sun);
   check(sun, sky);
   const double t = sky.turbidity;
   const double sun_zenith_rad = (90.0 - sun.elevation_deg) * radians_per_degree;
@@ -98,10 +100,10 @@ Daylight::Daylight(const scene::Sun& sun, const scene::Sky& sky) {
                                         zenith_x(t, sun_zenith_rad), zenith_y(t, sun_zenith_rad)};
   for (std::size_t k = 0; k < 3; ++k)
     perez_[k].scale = zenith[k] / perez(perez_[k].shape, 1.0, sun_zenith_rad);
-  balance(sun, t);
+  balance(sun.elevation_deg * radians_per_degree, t);
 }
 
-void Daylight::balance(const scene::Sun& sun, double turbidity) {
+void Daylight::balance(double sun_elevation_rad, double turbidity) {
   constexpr int azimuths = 72;
   std::array<glm::dvec3, 91> mean_klx{};
   glm::dvec3 sky_klx(0.0);
@@ -113,8 +115,8 @@ void Daylight::balance(const scene::Sun& sun, double turbidity) {
           above_horizon(direction_of(2.0 * pi * k / azimuths, elevation_rad)) / (1.0 * azimuths);
     sky_klx += mean * (pi * std::sin(2.0 * elevation_rad) * radians_per_degree);
   }
-  const glm::dvec3 sun_klx = glm::max(
-      direct_sunlight_klx(sun.elevation_deg * radians_per_degree, turbidity), glm::dvec3(0.0));
+  const glm::dvec3 sun_klx =
+      glm::max(direct_sunlight_klx(sun_elevation_rad, turbidity), glm::dvec3(0.0));
   unit_ = sky_klx + sun_klx * sun_direction_.z;
   sun_irradiance_ = glm::vec3(sun_klx / unit_);
   sky_irradiance_ = glm::vec3(sky_klx / unit_);

@@ -21,7 +21,8 @@ namespace wold::light {
 /// Directions are world space: x east, y north, z up.
 class Daylight {
  public:
-  /// Sun elevation in (0, 90] degrees, turbidity in [1.8, 10]; throws InputError otherwise.
+  /// The sun stands at scene::sun_position(), in (0, 90] degrees of elevation; turbidity in
+  /// [1.8, 10]; throws InputError otherwise.
   Daylight(const scene::Sun& sun, const scene::Sky& sky);
 
   /// Unit vector towards the sun.
@@ -46,7 +47,7 @@ class Daylight {
 
  private:
   glm::dvec3 above_horizon(const glm::dvec3& direction) const;
-  void balance(const scene::Sun& sun, double turbidity);
+  void balance(double sun_elevation_rad, double turbidity);
 
   /// One of luminance (kcd/m2), x and y: zenith value over Perez' F there, and his A..E.
   struct Perez {

@@ -27,8 +27,31 @@ std::map<int, int> used_volumes(const landscape::Landscape& scene) {
   return used;
 }
 
-std::string frame_text(const landscape::Landscape& scene, const std::string& terrain,
-                       glm::vec3 light_max) {
+/// `name`: "Light", its files and scale.
+template <class Scale>
+std::string map_text(const char* name, int samples, double step_m, const Scale& scale) {
+  return fmt::format(
+      "#declare {0}_samples = {1};  // per side\n"
+      "#declare {0}_step_m = {2};\n"
+      "#declare {0}_max = {3};  // of the largest numbers in its files\n",
+      name, samples, number(step_m), scale);
+}
+
+/// Writes the maps that multiply the grass and says so: extinction and light of the volumes, and,
+/// where there are any, the light on blades, which stand or do not.
+std::string write_grass_maps(const landscape::Landscape& scene, const fs::path& folder) {
+  const auto light_text = [&](const char* name, const char* stem, const ColourMap& light) {
+    return map_text(name, light.samples(), light.step_m(),
+                    vector(write_light(light, folder, stem)));
+  };
+  std::string text = map_text("Standing", scene.standing.samples(), scene.standing.step_m(),
+                              number(write_factor(scene.standing, folder / "standing.df3"))) +
+                     light_text("Light", "light", product(scene.light, scene.standing));
+  if (!scene.blade_meshes.empty()) text += light_text("Blade_light", "blade_light", scene.light);
+  return text;
+}
+
+std::string frame_text(const landscape::Landscape& scene, const std::string& terrain) {
   return fmt::format(
       "// Frame {}, weathering degree {}. Metres; x east, y north, z up.\n"
       "#declare Eye_m = {};\n"
@@ -36,16 +59,12 @@ std::string frame_text(const landscape::Landscape& scene, const std::string& ter
       "#declare Field_of_view_deg = {};  // horizontal\n"
       "#declare Exposure_gain = {};\n"
       "#declare Patch_m = {};\n"
-      "#declare Light_samples = {};  // per side\n"
-      "#declare Light_step_m = {};\n"
-      "#declare Light_max = {};  // of the largest numbers in the light's files\n"
       "#declare Ground_samples = {};\n"
       "#declare Ground_step_m = {};\n"
       "#declare Terrain_file = \"{}\"\n",
       scene.frame, number(scene.weathering), vector(scene.camera.eye_m),
       vector(scene.camera.target_m), number(scene.camera.field_of_view_deg),
-      number(scene.exposure_gain), number(scene.patch_m), scene.light.samples(),
-      number(scene.light.step_m()), vector(light_max), scene.ground.samples(),
+      number(scene.exposure_gain), number(scene.patch_m), scene.ground.samples(),
       number(scene.ground.step_m()), terrain);
 }
 
@@ -89,13 +108,13 @@ void export_frame(const landscape::Landscape& scene, const fs::path& folder) {
   if (!scene.blade_meshes.empty()) make_folder(data / "blades");
   for (const landscape::BladeMesh& mesh : scene.blade_meshes) write_blades(mesh, data / "blades");
   const std::string terrain = write_terrain(scene.terrain, data);
-  const glm::vec3 light_max = write_light(scene.light, frame);
+  const std::string maps = write_grass_maps(scene, frame);
   write_map_picture(scene.ground, frame / "ground.exr");
   write_image(frame / "sky.exr", scene.sky, PixelFormat::half);
   write_file(frame / "cells.inc", [&](std::ostream& out) { write_cells(out, scene, used); });
   write_file(frame / "volumes.inc",
              [&](std::ostream& out) { write_volumes_list(out, scene, used); });
-  write_file(frame / "frame.inc", frame_text(scene, terrain, light_max));
+  write_file(frame / "frame.inc", frame_text(scene, terrain) + maps);
   write_file(data / fmt::format("frame_{:04}.ini", scene.frame), frame_settings(scene));
   write_file(folder / "povray.ini", settings(scene));
 }

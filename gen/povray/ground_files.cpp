@@ -52,17 +52,24 @@ std::string write_terrain(const Heightfield& terrain, const fs::path& folder) {
   return name;
 }
 
-glm::vec3 write_light(const ColourMap& light, const fs::path& folder) {
-  constexpr std::array<const char*, 3> names = {"light_r.df3", "light_g.df3", "light_b.df3"};
-  glm::vec3 scale(std::numeric_limits<float>::min());
-  for (const glm::vec3& value : light.values()) scale = glm::max(scale, value);
-  std::vector<float> channel(light.values().size());
+float write_factor(const FactorMap& factor, const fs::path& path) {
+  const float largest = std::max(*std::max_element(factor.values().begin(), factor.values().end()),
+                                 std::numeric_limits<float>::min());
+  write_file(path, [&](std::ostream& out) {
+    write_df3(out, {factor.samples(), factor.samples(), 1}, factor.values(), largest, 16);
+  });
+  return largest;
+}
+
+glm::vec3 write_light(const ColourMap& light, const fs::path& folder, const std::string& stem) {
+  constexpr std::array<char, 3> suffixes = {'r', 'g', 'b'};
+  glm::vec3 scale;
+  FactorMap channel(light.samples(), light.size_m());
   for (int c = 0; c < 3; ++c) {
-    std::transform(light.values().begin(), light.values().end(), channel.begin(),
+    std::transform(light.values().begin(), light.values().end(), channel.values().begin(),
                    [c](const glm::vec3& value) { return value[c]; });
-    write_file(folder / names[static_cast<std::size_t>(c)], [&](std::ostream& out) {
-      write_df3(out, {light.samples(), light.samples(), 1}, channel, scale[c], 16);
-    });
+    scale[c] = write_factor(
+        channel, folder / fmt::format("{}_{}.df3", stem, suffixes[static_cast<std::size_t>(c)]));
   }
   return scale;
 }

@@ -13,10 +13,14 @@ namespace wold::povray {
 /// with the same ground share the file: returns "terrain_<hash>.inc". Throws FileError.
 std::string write_terrain(const Heightfield& terrain, const std::filesystem::path& folder);
 
-/// Writes the light on the grass as light_r.df3, light_g.df3, light_b.df3: one slice of 16-bit
-/// integers whose sample (i, j) is the map's. Returns the value of the largest integer for each
-/// channel. Throws FileError.
-glm::vec3 write_light(const ColourMap& light, const std::filesystem::path& folder);
+/// Writes a map as a df3 file: one slice of 16-bit integers whose sample (i, j) is the map's.
+/// Returns the value of the largest integer. Throws FileError.
+float write_factor(const FactorMap& factor, const std::filesystem::path& path);
+
+/// Writes the light on the grass as <stem>_r.df3, <stem>_g.df3, <stem>_b.df3, each like
+/// write_factor(). Returns the value of the largest integer for each channel. Throws FileError.
+glm::vec3 write_light(const ColourMap& light, const std::filesystem::path& folder,
+                      const std::string& stem);
 
 /// Writes a map as an OpenEXR picture (half floats) whose pixel centres are the map's samples,
 /// north at the top. Throws FileError.

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "core/machine.h"
+#include "scene/sun_position.h"
 #include "scene/text.h"
 
 namespace wold::scene {
@@ -63,19 +64,60 @@ Rule veins_shrink_less(const Ageing& ageing) {
                       ageing.vein_shrinkage, ageing.mesophyll_shrinkage)};
 }
 
-Rule elevation_exists(const Terrain& terrain) {
+Rule file_exists(const std::string& key, const std::string& path) {
   std::error_code error;
-  return {{"terrain.elevation"},
-          terrain.elevation.empty() || std::filesystem::is_regular_file(terrain.elevation, error),
-          fmt::format("terrain.elevation: found {}, expected a file that is there",
-                      in_quotes(terrain.elevation))};
+  return {{key},
+          path.empty() || std::filesystem::is_regular_file(path, error),
+          fmt::format("{}: found {}, expected a file that is there", key, in_quotes(path))};
 }
 
-Rule centre_is_a_place(const Terrain& terrain) {
-  return {{"terrain.centre"},
-          terrain.centre.empty() || terrain.centre.size() == 2,
-          fmt::format("terrain.centre: found a list of {}, expected two numbers, or none",
-                      terrain.centre.size())};
+Rule date_is_a_day(const Sun& sun) {
+  const bool complete = sun.date.size() == 3;
+  return {{"sun.date"},
+          !complete || date_of(sun).ok(),
+          complete ? fmt::format("sun.date: found [{}, {}, {}], expected a year, month and day of "
+                                 "the calendar",
+                                 sun.date[0], sun.date[1], sun.date[2])
+                   : ""};
+}
+
+/// The sky's model needs a sun.
+Rule sun_is_up(const Sun& sun) {
+  constexpr double least_deg = 1.0;
+  const bool dated = sun.date.size() == 3 && date_of(sun).ok();
+  const double elevation_deg = dated ? sun_position(sun).elevation_deg : 90.0;
+  return {
+      {"sun.time", "sun.date", "sun.latitude", "sun.longitude"},
+      elevation_deg >= least_deg,
+      fmt::format("sun.time: found {} h, when the sun stands at {:.1f} degrees, expected a time "
+                  "when it is {} degree above the horizon at least",
+                  sun.time_h, elevation_deg, least_deg)};
+}
+
+Rule grows_somewhere(const Growth& growth) {
+  return {{"growth.highest", "growth.lowest"},
+          growth.lowest_m < growth.highest_m,
+          fmt::format("growth.highest: found {} m, expected more than {} m (growth.lowest)",
+                      growth.highest_m, growth.lowest_m)};
+}
+
+Rule has_all_or_none(const std::string& key, std::size_t items, std::size_t all,
+                     const char* numbers) {
+  return {{key},
+          items == 0 || items == all,
+          fmt::format("{}: found a list of {}, expected {} numbers, or none", key, items, numbers)};
+}
+
+/// Where the camera is in the last frame: east, north, height above the ground.
+Rule ends_inside(const std::string& key, const std::vector<double>& end, double size_m) {
+  const bool judged = end.size() == 3;
+  const bool inside = !judged || (std::max(end[0], end[1]) <= size_m && end[2] > 0.0);
+  return {{key, "terrain.size"},
+          inside,
+          inside ? ""
+                 : fmt::format("{}: found [{}, {}, {}] m, expected a place inside the terrain, "
+                               "from 0 to {} m (terrain.size), above the ground",
+                               key, end[0], end[1], end[2], size_m)};
 }
 
 Rule keel_fits_the_blade(const Scene& scene) {
@@ -203,14 +245,23 @@ void report_contradictions(const Scene& scene, const Places& places,
       blades_are_narrower_than_the_patch(scene.grass),
       every_sample_has_a_blade(scene.grass),
       texels_fit_in_memory(scene),
-      elevation_exists(scene.terrain),
-      centre_is_a_place(scene.terrain),
+      file_exists("terrain.elevation", scene.terrain.elevation),
+      file_exists("growth.mask", scene.growth.mask),
+      grows_somewhere(scene.growth),
+      has_all_or_none("terrain.centre", scene.terrain.centre.size(), 2, "two"),
+      has_all_or_none("camera.eye_end", scene.camera.eye_end.size(), 3, "three"),
+      has_all_or_none("camera.target_end", scene.camera.target_end.size(), 3, "three"),
+      has_all_or_none("sun.date", scene.sun.date.size(), 3, "three"),
       veins_shrink_less(scene.ageing),
       keel_fits_the_blade(scene),
       hair_droops_by_the_papers_rule(scene.ageing),
       inside_terrain("camera.eye", scene.camera.eye_m, scene.terrain.size_m),
       inside_terrain("camera.target", scene.camera.target_m, scene.terrain.size_m),
+      date_is_a_day(scene.sun),
+      sun_is_up(scene.sun),
       looks_somewhere(scene.camera),
+      ends_inside("camera.eye_end", scene.camera.eye_end, scene.terrain.size_m),
+      ends_inside("camera.target_end", scene.camera.target_end, scene.terrain.size_m),
   };
   for (const Rule& rule : rules) {
     const bool judged = std::none_of(rule.keys.begin(), rule.keys.end(),

@@ -87,19 +87,21 @@ std::vector<Key> top_level_keys() {
 
 std::vector<Key> terrain_keys() {
   return {
+      bound(word("terrain.shape", {"hillside", "mountain"},
+                 "A slope with a crest, or a mountain with ridges and valleys."),
+            FIELD(terrain.shape)),
       bound(plain(Kind::file, "terrain.elevation", "", {0, 0},
-                  "Elevation model of a real place, any raster that GDAL reads; without it, a "
-                  "procedural hillside. Relative paths start at the scene file."),
+                  "Elevation model of a real place, any raster that GDAL reads; without it, the "
+                  "ground is terrain.shape. Relative paths start at the scene file."),
             FIELD(terrain.elevation)),
       bound(list(Kind::numbers, "terrain.centre", "", {-1e8, 1e8}, {.fewest = 0, .most = 2},
                  "Middle of the square in the elevation model's own coordinates, east and north or "
                  "longitude and latitude; an empty list is the model's middle."),
             FIELD(terrain.centre)),
-      bound(number("terrain.size", "m", {1, 10000}, "Side of the square hillside."),
-            FIELD(terrain.size_m)),
+      bound(number("terrain.size", "m", {1, 10000}, "Side of the square."), FIELD(terrain.size_m)),
       bound(integer("terrain.samples", "", {17, 4097}, "Heights along each side."),
             FIELD(terrain.samples)),
-      bound(number("terrain.hill_height", "m", {0, 1000}, "Rise from the near edge to the crest."),
+      bound(number("terrain.hill_height", "m", {0, 1000}, "Rise from the near edge to the top."),
             FIELD(terrain.hill_height_m)),
       bound(number("terrain.relief", "m", {0, 100}, "Standard deviation of the fractal relief."),
             FIELD(terrain.relief_m)),
@@ -118,6 +120,31 @@ std::vector<Key> terrain_keys() {
       bound(list(Kind::numbers, "terrain.ground_albedo", "", {0, 1}, colour,
                  "Colour of the bare ground, linear red, green and blue."),
             FIELD(terrain.ground_albedo)),
+      bound(list(Kind::numbers, "terrain.rock_albedo", "", {0, 1}, colour,
+                 "Colour of rock, linear red, green and blue."),
+            FIELD(terrain.rock_albedo)),
+      bound(number("terrain.rock_slope", "deg", {0, 90}, "Rock shows where the ground is steeper."),
+            FIELD(terrain.rock_slope_deg)),
+  };
+}
+
+std::vector<Key> growth_keys() {
+  return {
+      bound(number("growth.share", "", {0, 1},
+                   "Share of the ground within the limits that is grown over."),
+            FIELD(growth.share)),
+      bound(number("growth.feature", "m", {0.1, 1000}, "Size of the bare patches."),
+            FIELD(growth.feature_m)),
+      bound(number("growth.steepest", "deg", {0, 90}, "Steepest slope on which grass grows."),
+            FIELD(growth.steepest_deg)),
+      bound(number("growth.lowest", "m", {-10000, 10000}, "Lowest ground on which grass grows."),
+            FIELD(growth.lowest_m)),
+      bound(number("growth.highest", "m", {-10000, 10000}, "Highest ground on which grass grows."),
+            FIELD(growth.highest_m)),
+      bound(plain(Kind::file, "growth.mask", "", {0, 0},
+                  "Picture over the terrain's square, north at the top: no grass where it is "
+                  "black. Relative paths start at the scene file."),
+            FIELD(growth.mask)),
   };
 }
 
@@ -177,6 +204,9 @@ std::vector<Key> grass_keys() {
       bound(number("grass.pixels_per_voxel", "", {0.1, 16},
                    "A level is fine enough when its voxel covers at most this many pixels."),
             FIELD(grass.pixels_per_voxel)),
+      bound(number("grass.far_pixels", "px", {0, 100},
+                   "Grass that looks lower than this is painted on the ground, in its own colour."),
+            FIELD(grass.far_pixels)),
   };
 }
 
@@ -274,6 +304,15 @@ std::vector<Key> sun_keys() {
             FIELD(sun.elevation_deg)),
       bound(number("sun.azimuth", "deg", {0, 360}, "Where the sun stands, clockwise from north."),
             FIELD(sun.azimuth_deg)),
+      bound(list(Kind::integers, "sun.date", "", {1, 2999}, {.fewest = 0, .most = 3},
+                 "Year, month and day: the sun stands where it stood then, not at sun.elevation "
+                 "and sun.azimuth; an empty list is no day."),
+            FIELD(sun.date)),
+      bound(number("sun.time", "h", {0, 24}, "Universal time of that day."), FIELD(sun.time_h)),
+      bound(number("sun.latitude", "deg", {-90, 90}, "Where, north positive."),
+            FIELD(sun.latitude_deg)),
+      bound(number("sun.longitude", "deg", {-180, 180}, "Where, east positive."),
+            FIELD(sun.longitude_deg)),
   };
 }
 
@@ -282,6 +321,9 @@ std::vector<Key> sky_keys() {
       bound(number("sky.turbidity", "", {2, 10},
                    "Haze of the air (Preetham's T): 2 is very clear, 10 hazy."),
             FIELD(sky.turbidity)),
+      bound(number("sky.visual_range", "m", {100, 1e6},
+                   "Distance at which dark things vanish in the haze."),
+            FIELD(sky.visual_range_m)),
   };
 }
 
@@ -300,6 +342,13 @@ std::vector<Key> camera_keys() {
           FIELD(camera.target_height_m)),
       bound(number("camera.field_of_view", "deg", {5, 150}, "Horizontal angle of view."),
             FIELD(camera.field_of_view_deg)),
+      bound(list(Kind::numbers, "camera.eye_end", "m", {0, 10000}, {.fewest = 0, .most = 3},
+                 "Where the camera has moved to in the last frame: east, north and height above "
+                 "the ground; an empty list is nowhere."),
+            FIELD(camera.eye_end)),
+      bound(list(Kind::numbers, "camera.target_end", "m", {0, 10000}, {.fewest = 0, .most = 3},
+                 "Where it looks in the last frame, likewise."),
+            FIELD(camera.target_end)),
   };
 }
 

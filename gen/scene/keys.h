@@ -9,6 +9,7 @@ namespace wold::scene {
 /// The registry's entries, one function per table of the scene file.
 std::vector<Key> top_level_keys();
 std::vector<Key> terrain_keys();
+std::vector<Key> growth_keys();
 std::vector<Key> grass_keys();
 std::vector<Key> ageing_keys();
 std::vector<Key> fur_keys();

@@ -21,10 +21,11 @@ struct CurveChoice {
   bool operator==(const CurveChoice&) const = default;
 };
 
-/// The procedural hillside: a slope with a crest, fractal relief, one erosion pass. Or a real place
-/// of an elevation model.
+/// A procedural hillside, a slope with a crest, or a mountain that streams have carved; both with
+/// fractal relief and thermal erosion. Or a real place of an elevation model.
 struct Terrain {
-  std::string elevation;       ///< path of a raster that GDAL reads; empty: procedural
+  std::string shape = "hillside";  ///< "hillside" or "mountain"
+  std::string elevation;           ///< path of a raster that GDAL reads; empty: procedural
   std::vector<double> centre;  ///< of the square, in the raster's coordinates; empty: its middle
   double size_m = 42.0;        ///< side of the square
   int samples = 337;           ///< heights per side
@@ -36,8 +37,22 @@ struct Terrain {
   double talus_deg = 33.0;  ///< steepest slope that erosion leaves
   int erosion_steps = 60;
   std::array<double, 3> ground_albedo = {0.13, 0.095, 0.06};
+  std::array<double, 3> rock_albedo = {0.2, 0.185, 0.16};
+  double rock_slope_deg = 40.0;  ///< rock shows where the ground is steeper
 
   bool operator==(const Terrain&) const = default;
+};
+
+/// Where grass grows: each limit is a ragged border, a strip where it grows in patches.
+struct Growth {
+  double share = 1.0;          ///< of the ground within the limits that is grown over
+  double feature_m = 3.0;      ///< size of the bare patches
+  double steepest_deg = 45.0;  ///< slope
+  double lowest_m = -10000.0;
+  double highest_m = 10000.0;
+  std::string mask;  ///< path of a picture over the terrain's square, white where grass may grow
+
+  bool operator==(const Growth&) const = default;
 };
 
 struct Grass {
@@ -62,6 +77,7 @@ struct Grass {
   std::vector<double> key_frames = {0.0,   0.083, 0.167, 0.25,  0.333, 0.417, 0.5,
                                     0.583, 0.667, 0.75,  0.833, 0.917, 1.0};
   double pixels_per_voxel = 1.3;  ///< a level is fine enough when its voxel covers at most this
+  double far_pixels = 1.2;        ///< grass that looks lower than this is painted on the ground
 
   bool operator==(const Grass&) const = default;
 };
@@ -106,12 +122,18 @@ struct Ageing {
 struct Sun {
   double elevation_deg = 38.0;
   double azimuth_deg = 235.0;  ///< where the sun stands, clockwise from north
+  /// Year, month, day; if any, the sun stands where it stood then and there.
+  std::vector<std::int64_t> date = {};
+  double time_h = 12.0;  ///< of that day, universal time
+  double latitude_deg = 47.0;
+  double longitude_deg = 9.0;  ///< east positive
 
   bool operator==(const Sun&) const = default;
 };
 
 struct Sky {
-  double turbidity = 3.0;  ///< Preetham's T: 2 very clear, 10 hazy
+  double turbidity = 3.0;        ///< Preetham's T: 2 very clear, 10 hazy
+  double visual_range_m = 25e3;  ///< Koschmieder's, at which black things vanish in haze
 
   bool operator==(const Sky&) const = default;
 };
@@ -122,6 +144,9 @@ struct Camera {
   std::array<double, 2> target_m = {21.0, 20.0};
   double target_height_m = 0.5;     ///< above the ground under it
   double field_of_view_deg = 55.0;  ///< horizontal
+  /// East, north and height above the ground in the last frame, on a straight way; empty: it stays.
+  std::vector<double> eye_end = {};
+  std::vector<double> target_end = {};
 
   bool operator==(const Camera&) const = default;
 };
@@ -143,6 +168,7 @@ struct Scene {
   std::string name = "meadow";
   std::uint64_t seed = 1;
   Terrain terrain;
+  Growth growth;
   Grass grass;
   Ageing ageing;
   Sun sun;

@@ -8,6 +8,7 @@
 #include "terrain/erosion.h"
 #include "terrain/fractal_relief.h"
 #include "terrain/hillside.h"
+#include "terrain/mountain.h"
 
 namespace wold::terrain {
 namespace {
@@ -24,7 +25,8 @@ Heightfield real_place(const scene::Terrain& terrain, std::uint64_t seed) {
 }  // namespace
 
 Heightfield make_ground(const scene::Terrain& terrain, std::uint64_t seed) {
-  return terrain.elevation.empty() ? make_hillside(terrain, seed) : real_place(terrain, seed);
+  if (!terrain.elevation.empty()) return real_place(terrain, seed);
+  return terrain.shape == "mountain" ? make_mountain(terrain, seed) : make_hillside(terrain, seed);
 }
 
 }  // namespace wold::terrain

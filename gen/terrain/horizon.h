@@ -13,4 +13,7 @@ namespace wold::terrain {
 double horizon_rad(const Heightfield& terrain, const glm::dvec2& from_m,
                    const glm::dvec2& direction, double spacing);
 
+/// Whether the ground rises above the straight line between two points, looked at every grid step.
+bool is_hidden(const Heightfield& terrain, const glm::dvec3& from_m, const glm::dvec3& to_m);
+
 }  // namespace wold::terrain

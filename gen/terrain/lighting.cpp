@@ -110,24 +110,61 @@ void smooth(ColourMap& map) {
     }
 }
 
-/// The ground's own colour at a point: soil, darker where moist, with pale dry litter on it.
-glm::vec3 ground_albedo(const glm::dvec2& at_m, const glm::vec3& soil, const Fbm& moisture,
-                        const Fbm& litter) {
-  const auto wet = static_cast<float>(std::clamp(fbm(at_m / 3.5, moisture), -2.0, 2.0));
-  const auto straw = static_cast<float>(std::tanh(0.8 * fbm(at_m / 0.35, litter)));
-  return soil * (1.0F - 0.12F * wet) * (1.0F + straw * glm::vec3(0.30F, 0.30F, 0.24F));
-}
+/// The keyed fields that colour the ground.
+struct GroundColour {
+  glm::vec3 soil;
+  glm::vec3 rock;
+  double rock_slope_deg;
+  Fbm moisture;
+  Fbm litter;
+  Fbm cracks;
 
-/// Samples of a map with this step, or as many as a picture should have.
-int samples_of(double size_m, double step_m) {
-  constexpr double most = 4097.0;
-  return static_cast<int>(std::min(most, std::ceil(size_m / step_m) + 1.0));
-}
+  GroundColour(const scene::Terrain& terrain, std::uint64_t seed)
+      : soil(terrain.ground_albedo[0], terrain.ground_albedo[1], terrain.ground_albedo[2]),
+        rock(terrain.rock_albedo[0], terrain.rock_albedo[1], terrain.rock_albedo[2]),
+        rock_slope_deg(terrain.rock_slope_deg),
+        moisture{random_bits({seed, key_of("ground"), 0, key_of("moisture")}), 2, 0.8},
+        litter{random_bits({seed, key_of("ground"), 0, key_of("litter")}), 3, 0.3},
+        cracks{random_bits({seed, key_of("ground"), 0, key_of("cracks")}), 6, 0.95} {}
+
+  /// Soil, darker where moist, with pale dry litter on it.
+  glm::vec3 earth(const glm::dvec2& at_m) const {
+    const auto wet = static_cast<float>(std::clamp(fbm(at_m / 3.5, moisture), -2.0, 2.0));
+    const auto straw = static_cast<float>(std::tanh(0.8 * fbm(at_m / 0.35, litter)));
+    return soil * (1.0F - 0.12F * wet) * (1.0F + straw * glm::vec3(0.30F, 0.30F, 0.24F));
+  }
+
+  /// Relief of the rock in metres: faces between cracks, ridged noise (Musgrave 1994).
+  double rock_relief_m(const glm::dvec2& at_m) const {
+    return 0.07 * std::abs(fbm(at_m / 1.5, cracks));
+  }
+
+  /// Rock, dark in its cracks, lit by its relief: Lambert's cosine changes by the slope towards the
+  /// sun, which stands in `to_sun`, over the cosine of the ground as a whole.
+  glm::vec3 stone(const glm::dvec2& at_m, const glm::dvec3& to_sun, double lambert) const {
+    constexpr double step_m = 0.03;
+    const glm::dvec2 towards = glm::normalize(glm::dvec2(to_sun) + 1e-9);
+    const double here_m = rock_relief_m(at_m);
+    const double rise = (rock_relief_m(at_m + towards * step_m) - here_m) / step_m;
+    const double lit = 1.0 - rise * glm::length(glm::dvec2(to_sun)) / std::max(lambert, 0.35);
+    const double open = std::min(1.0, 0.6 + 9.0 * here_m);
+    return rock * static_cast<float>(open * std::clamp(lit, 0.4, 1.6));
+  }
+
+  /// Rock shows where it is steep: over 5 degrees and along a ragged border.
+  glm::vec3 albedo(const glm::dvec2& at_m, const glm::dvec3& up, const glm::dvec3& to_sun) const {
+    const double beyond = std::acos(up.z) / radians_per_degree - rock_slope_deg;
+    if (beyond < -8.0) return earth(at_m);
+    const double ragged = beyond + 2.5 * fbm(at_m / 1.5, cracks);
+    return glm::mix(earth(at_m), stone(at_m, to_sun, glm::dot(up, to_sun)),
+                    static_cast<float>(glm::smoothstep(-2.5, 2.5, ragged)));
+  }
+};
 
 }  // namespace
 
 ColourMap light_map(const Heightfield& terrain, const light::Daylight& day) {
-  ColourMap map(samples_of(terrain.size_m(), 0.2), terrain.size_m());
+  ColourMap map(map_samples(terrain.size_m(), 0.2), terrain.size_m());
   const SkyPatches sky(day);
   const glm::dvec3 sky_scale = glm::dvec3(day.sky_irradiance()) / flat_sky_light(sky);
   parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
@@ -144,20 +181,20 @@ ColourMap light_map(const Heightfield& terrain, const light::Daylight& day) {
   return map;
 }
 
-ColourMap ground_radiance(const ColourMap& light, const scene::Terrain& terrain, std::uint64_t seed,
-                          const glm::vec3& canopy_transmittance) {
-  const int samples = samples_of(light.size_m(), 0.05);
-  ColourMap map(samples, light.size_m());
-  const glm::vec3 soil(terrain.ground_albedo[0], terrain.ground_albedo[1],
-                       terrain.ground_albedo[2]);
-  const Fbm moisture{random_bits({seed, key_of("ground"), 0, key_of("moisture")}), 2, 0.8};
-  const Fbm litter{random_bits({seed, key_of("ground"), 0, key_of("litter")}), 3, 0.3};
-  parallel_for(static_cast<std::size_t>(samples), [&](std::size_t row) {
+ColourMap ground_radiance(const ColourMap& light, const Heightfield& terrain,
+                          const glm::dvec3& sun_direction, const scene::Terrain& look,
+                          std::uint64_t seed, const FactorMap& growth,
+                          double canopy_transmittance) {
+  ColourMap map(map_samples(light.size_m(), 0.03), light.size_m());
+  const GroundColour colour(look, seed);
+  parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
-    for (int i = 0; i < samples; ++i) {
+    for (int i = 0; i < map.samples(); ++i) {
       const glm::dvec2 at_m = glm::dvec2(i, j) * map.step_m();
-      map.at(i, j) = ground_albedo(at_m, soil, moisture, litter) * light.sample(at_m.x, at_m.y) *
-                     canopy_transmittance / static_cast<float>(pi);
+      const double under_grass =
+          std::pow(canopy_transmittance, double{growth.sample(at_m.x, at_m.y)});
+      map.at(i, j) = colour.albedo(at_m, normal(terrain, at_m.x, at_m.y), sun_direction) *
+                     light.sample(at_m.x, at_m.y) * static_cast<float>(under_grass / pi);
     }
   });
   return map;

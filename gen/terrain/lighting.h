@@ -17,9 +17,12 @@ ColourMap light_map(const Heightfield& terrain, const light::Daylight& day);
 /// What the camera sees of the bare ground: albedo * irradiance / pi.
 ///
 /// The albedo varies about terrain.ground_albedo: moist hollows and litter (keyed fBm), detail down
-/// to the map's step of about 5 cm. `canopy_transmittance`, in [0, 1] per channel, is the share of
-/// the light that comes through the grass. `light` is light_map's.
-ColourMap ground_radiance(const ColourMap& light, const scene::Terrain& terrain, std::uint64_t seed,
-                          const glm::vec3& canopy_transmittance);
+/// to the map's step of about 3 cm; beyond terrain.rock_slope it turns to rock, whose relief the
+/// sun shows. Where grass stands, `growth` in [0, 1], the share `canopy_transmittance` of the light
+/// comes through to the ground, its power of `growth` where it stands thinner. `light` is
+/// light_map's.
+ColourMap ground_radiance(const ColourMap& light, const Heightfield& terrain,
+                          const glm::dvec3& sun_direction, const scene::Terrain& look,
+                          std::uint64_t seed, const FactorMap& growth, double canopy_transmittance);
 
 }  // namespace wold::terrain

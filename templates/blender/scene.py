@@ -68,6 +68,7 @@ class Frame:
         except RuntimeError as error:
             raise DataError(f"cannot read {self.path(name)}: {error}") from error
         image.colorspace_settings.name = "Non-Color"
+        image.alpha_mode = "CHANNEL_PACKED"  # four numbers, not a colour and how opaque it is
         if min(image.size) == 0:
             raise DataError(f"{self.path(name)} is damaged")
         return image
@@ -101,8 +102,8 @@ class Nodes:
         self.tree.links.new(source, target)
 
 
-def map_colour(nodes, frame, ground_map):
-    """Colour of a map of the ground at the shaded point, as an output socket.
+def map_outputs(nodes, frame, ground_map):
+    """Colour and Alpha of a map of the ground at the shaded point, as output sockets.
 
     The map's values lie on the corners of its grid, the first and last on the terrain's border; a
     picture's lie in the middle of its pixels."""
@@ -117,7 +118,7 @@ def map_colour(nodes, frame, ground_map):
                         extension="EXTEND")
     nodes.link(position, place.inputs[0])
     nodes.link(place.outputs["Vector"], picture.inputs["Vector"])
-    return picture.outputs["Color"]
+    return picture.outputs
 
 
 def new_material(name):
@@ -131,17 +132,20 @@ def ground_material(frame):
     material, nodes = new_material("ground")
     emission = nodes.add("ShaderNodeEmission")
     output = nodes.add("ShaderNodeOutputMaterial")
-    nodes.link(map_colour(nodes, frame, frame["ground"]), emission.inputs["Color"])
+    nodes.link(map_outputs(nodes, frame, frame["ground"])["Color"], emission.inputs["Color"])
     nodes.link(emission.outputs["Emission"], output.inputs["Surface"])
     return material
 
 
 def grass_material(frame, step_voxels):
-    """Grid `density` absorbs (1/m), grid `emission` adds (radiance/m), the map `light` tints."""
+    """Grid `density` absorbs (1/m), grid `emission` adds (radiance/m); the map `standing_light`
+    multiplies them, its alpha the first and its colour the second."""
     material, nodes = new_material(f"grass, step {step_voxels:.2f}")
     material.cycles.volume_step_rate = step_voxels
     density = nodes.add("ShaderNodeAttribute", attribute_name="density")
     radiance = nodes.add("ShaderNodeAttribute", attribute_name="emission")
+    ground = map_outputs(nodes, frame, frame["standing_light"])
+    standing = nodes.add("ShaderNodeMath", operation="MULTIPLY")
     lit = nodes.add("ShaderNodeVectorMath", operation="MULTIPLY")
     absorption = nodes.add("ShaderNodeVolumeAbsorption")
     absorption.inputs["Color"].default_value = (0, 0, 0, 1)
@@ -154,9 +158,11 @@ def grass_material(frame, step_voxels):
     there.inputs[1].default_value = 0.0
     grass = nodes.add("ShaderNodeMixShader")
     nodes.link(density.outputs["Fac"], there.inputs[0])
-    nodes.link(density.outputs["Fac"], absorption.inputs["Density"])
+    nodes.link(density.outputs["Fac"], standing.inputs[0])
+    nodes.link(ground["Alpha"], standing.inputs[1])
+    nodes.link(standing.outputs["Value"], absorption.inputs["Density"])
     nodes.link(radiance.outputs["Vector"], lit.inputs[0])
-    nodes.link(map_colour(nodes, frame, frame["light"]), lit.inputs[1])
+    nodes.link(ground["Color"], lit.inputs[1])
     nodes.link(lit.outputs["Vector"], emission.inputs["Color"])
     nodes.link(absorption.outputs["Volume"], both.inputs[0])
     nodes.link(emission.outputs["Emission"], both.inputs[1])
@@ -174,7 +180,7 @@ def blades_material(frame):
     emission = nodes.add("ShaderNodeEmission")
     output = nodes.add("ShaderNodeOutputMaterial")
     nodes.link(radiance.outputs["Vector"], lit.inputs[0])
-    nodes.link(map_colour(nodes, frame, frame["light"]), lit.inputs[1])
+    nodes.link(map_outputs(nodes, frame, frame["light"])["Color"], lit.inputs[1])
     nodes.link(lit.outputs["Vector"], emission.inputs["Color"])
     nodes.link(emission.outputs["Emission"], output.inputs["Surface"])
     return material

@@ -7,10 +7,13 @@
 #include <set>
 
 #include "landscape/tint.h"
+#include "support/grown.h"
 #include "terrain/hillside.h"
 
 namespace wold::landscape {
 namespace {
+
+using test::grown;
 
 scene::Scene small_meadow() {
   scene::Scene scene;
@@ -26,18 +29,19 @@ scene::Scene small_meadow() {
 TEST(Assemble, CellsReferToTheirVolumes) {
   const scene::Scene scene = small_meadow();
   const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
-  const std::vector<CellChoice> choices = choose_cells(scene, terrain, 2);
+  const std::vector<CellChoice> choices = choose_cells(scene, terrain, grown(scene), 2);
   const auto name = [](const CellChoice& c) {
     return std::to_string(c.variant) + "/" + std::to_string(c.key_frame) + "/" +
            std::to_string(c.turn) + "/" + std::to_string(c.level);
   };
-  const Landscape landscape = assemble(scene, terrain, {scene.sun, scene.sky}, 2, choices,
-                                       {[&](const CellChoice& choice) {
-                                          Volume volume;
-                                          volume.name = name(choice);
-                                          return volume;
-                                        },
-                                        [](const CellChoice&) { return BladeMesh{}; }});
+  const Landscape landscape =
+      assemble(scene, terrain, grown(scene), {scene.sun, scene.sky}, 2, choices,
+               {[&](const CellChoice& choice) {
+                  Volume volume;
+                  volume.name = name(choice);
+                  return volume;
+                },
+                [](const CellChoice&) { return BladeMesh{}; }});
   std::set<std::string> names;
   for (const Volume& volume : landscape.volumes) EXPECT_TRUE(names.insert(volume.name).second);
   ASSERT_EQ(landscape.cells.size(), choices.size());
@@ -58,9 +62,9 @@ TEST(Assemble, CellsOfBladesReferToTheirMeshes) {
   scene.render.grass = "auto";
   scene.grass.pixels_per_voxel = 0.4;
   const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
-  const std::vector<CellChoice> choices = choose_cells(scene, terrain, 2);
+  const std::vector<CellChoice> choices = choose_cells(scene, terrain, grown(scene), 2);
   const Landscape landscape =
-      assemble(scene, terrain, {scene.sun, scene.sky}, 2, choices,
+      assemble(scene, terrain, grown(scene), {scene.sun, scene.sky}, 2, choices,
                {[](const CellChoice&) { return Volume{}; },
                 [](const CellChoice& choice) {
                   return BladeMesh{std::to_string(choice.variant * 100 + choice.key_frame), {}};
@@ -83,7 +87,7 @@ TEST(Assemble, CellsOfBladesReferToTheirMeshes) {
 TEST(WeatheringTint, RestoresTheWantedColour) {
   const scene::Scene scene = small_meadow();
   const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
-  const std::vector<CellChoice> choices = choose_cells(scene, terrain, 2);
+  const std::vector<CellChoice> choices = choose_cells(scene, terrain, grown(scene), 2);
   const GrassColour colour = [](double degree) {
     return glm::vec3(0.2, 0.3, 0.1) * static_cast<float>(1.0 + degree);
   };

@@ -10,10 +10,14 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "landscape/view.h"
+#include "support/grown.h"
 #include "terrain/hillside.h"
+#include "terrain/horizon.h"
 
 namespace wold::landscape {
 namespace {
+
+using test::grown;
 
 /// A meadow of 12 m: quick, and large enough for several levels.
 scene::Scene small_meadow() {
@@ -40,7 +44,8 @@ scene::Scene from_above() {
 }
 
 std::vector<CellChoice> choices_of(const scene::Scene& scene, int frame = 2) {
-  return choose_cells(scene, terrain::make_hillside(scene.terrain, scene.seed), frame);
+  return choose_cells(scene, terrain::make_hillside(scene.terrain, scene.seed), grown(scene),
+                      frame);
 }
 
 TEST(Cells, MatrixMapsCornersOntoTheGround) {
@@ -126,11 +131,11 @@ TEST(Cells, DependOnNothingButTheCell) {
 TEST(Cells, LevelsAreAsFineAsThePixels) {
   const scene::Scene scene = small_meadow();
   const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
-  const Camera camera = resolved_camera(scene.camera, terrain);
+  const Camera camera = resolved_camera(scene.camera, terrain, 0.0);
   const double pixels_per_radian =
       scene.render.size_px[0] / (2.0 * std::tan(27.5 * std::numbers::pi / 180.0));
   std::set<int> levels;
-  for (const CellChoice& choice : choose_cells(scene, terrain, 1)) {
+  for (const CellChoice& choice : choose_cells(scene, terrain, grown(scene), 1)) {
     levels.insert(choice.level);
     const glm::dvec4 centre = choice.world_from_cell * glm::dvec4(0.25, 0.25, 0.14, 1);
     const double distance_m = glm::length(glm::dvec3(centre) - camera.eye_m);
@@ -154,11 +159,11 @@ TEST(Cells, AutoDrawsBladesWhereTheFinestLevelIsTooCoarse) {
   scene::Scene scene = small_meadow();
   scene.render.grass = "auto";
   const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
-  const View view(resolved_camera(scene.camera, terrain), scene.render.size_px[0],
+  const View view(resolved_camera(scene.camera, terrain, 0.0), scene.render.size_px[0],
                   scene.render.size_px[1]);
   const double voxel_m = scene.grass.patch_m / scene.grass.levels.front();
   int blades = 0;
-  for (const CellChoice& choice : choose_cells(scene, terrain, 2)) {
+  for (const CellChoice& choice : choose_cells(scene, terrain, grown(scene), 2)) {
     const glm::dvec2 at_m = (glm::dvec2(choice.cell) + 0.5) * scene.grass.patch_m;
     const glm::dvec3 middle_m(at_m, terrain.sample(at_m.x, at_m.y) + scene.grass.height_m / 2.0);
     const double pixels = view.pixels(voxel_m, middle_m) / scene.grass.pixels_per_voxel;
@@ -175,15 +180,16 @@ TEST(Cells, AutoDrawsBladesWhereTheFinestLevelIsTooCoarse) {
   }
   EXPECT_GT(blades, 3);
   scene.render.grass = "blades";
-  for (const CellChoice& choice : choose_cells(scene, terrain, 2)) EXPECT_TRUE(choice.blades);
+  for (const CellChoice& choice : choose_cells(scene, terrain, grown(scene), 2))
+    EXPECT_TRUE(choice.blades);
 }
 
 TEST(Cells, KeepEveryBladeInThePicture) {
   const scene::Scene scene = small_meadow();
   const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
-  const Camera camera = resolved_camera(scene.camera, terrain);
+  const Camera camera = resolved_camera(scene.camera, terrain, 0.0);
   std::set<std::pair<int, int>> listed;
-  for (const CellChoice& choice : choose_cells(scene, terrain, 1))
+  for (const CellChoice& choice : choose_cells(scene, terrain, grown(scene), 1))
     listed.insert({choice.cell.x, choice.cell.y});
   const glm::dvec3 forward = glm::normalize(camera.target_m - camera.eye_m);
   const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 0, 1)));
@@ -196,7 +202,7 @@ TEST(Cells, KeepEveryBladeInThePicture) {
         const double depth = glm::dot(to, forward);
         const bool inside = depth > 0 && std::abs(glm::dot(to, right)) < depth * across &&
                             std::abs(glm::dot(to, up)) < depth * across * 540.0 / 960.0;
-        if (inside) {
+        if (inside && !terrain::is_hidden(terrain, camera.eye_m, camera.eye_m + to)) {
           EXPECT_TRUE(listed.count({static_cast<int>(x / 0.5), static_cast<int>(y / 0.5)}));
         }
       }

@@ -169,9 +169,9 @@ TEST_F(Picture, GroundShowsAPlaceWhereTheCameraSeesIt) {
   EXPECT_NEAR(found.y, wanted.y, 0.75);
 }
 
-// Light that grows eastward in red and northward in blue, seen from above: by Beer-Lambert the
-// picture is the light map by world x and y, also in cells turned about their middle.
-TEST_F(Picture, LightFollowsTheWorldNotTheCell) {
+// Light that grows eastward in red and northward in blue on grass that grows northward, seen from
+// above: Beer-Lambert with the maps by world x and y, also in cells turned about their middle.
+TEST_F(Picture, LightAndGrowthFollowTheWorldNotTheCell) {
   test::ConstantMeadow fog;
   fog.extinction = 12.0F;
   landscape::Landscape scene = test::constant_meadow(fog, folder / "texels");
@@ -180,6 +180,9 @@ TEST_F(Picture, LightFollowsTheWorldNotTheCell) {
     for (int i = 0; i < scene.light.samples(); ++i)
       scene.light.at(i, j) = glm::vec3(static_cast<float>(i * step_m / 3.0), 1.0F,
                                        static_cast<float>(j * step_m / 3.0));
+  for (int j = 0; j < scene.standing.samples(); ++j)
+    for (int i = 0; i < scene.standing.samples(); ++i)
+      scene.standing.at(i, j) = static_cast<float>(0.5 + j * scene.standing.step_m() / 3.0);
   const glm::dmat4 quarter_turn({0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {0.5, 0, 0, 1});
   for (std::size_t cell = 0; cell < scene.cells.size(); cell += 2)
     scene.cells[cell].world_from_cell = scene.cells[cell].world_from_cell * quarter_turn;
@@ -187,17 +190,17 @@ TEST_F(Picture, LightFollowsTheWorldNotTheCell) {
   const Image picture = render(scene);
   const double metres_per_pixel =
       2.0 * (60.0 - 0.3) * std::tan(1.0 * std::numbers::pi / 180.0) / scene.width_px;
-  const double through = std::exp(-12.0 * 8.0 / 28.0);
-  const auto expected = [&](double light) {
+  const auto expected = [&](double light, double north_m) {
+    const double through = std::exp(-12.0 * (0.5 + north_m / 3.0) * 8.0 / 28.0);
     return fog.radiance * light * (1.0 - through) + fog.ground * through;
   };
   for (int y = 2; y < picture.height; y += 5)
     for (int x = 2; x < picture.width; x += 5) {
       const double east_m = 1.5 + (x + 0.5 - scene.width_px / 2.0) * metres_per_pixel;
       const double north_m = 1.5 - (y + 0.5 - scene.height_px / 2.0) * metres_per_pixel;
-      EXPECT_NEAR(radiance(picture, scene, x, y, 0), expected(east_m / 3.0), 0.001);
-      EXPECT_NEAR(radiance(picture, scene, x, y, 1), expected(1.0), 0.001);
-      EXPECT_NEAR(radiance(picture, scene, x, y, 2), expected(north_m / 3.0), 0.001);
+      EXPECT_NEAR(radiance(picture, scene, x, y, 0), expected(east_m / 3.0, north_m), 0.001);
+      EXPECT_NEAR(radiance(picture, scene, x, y, 1), expected(1.0, north_m), 0.001);
+      EXPECT_NEAR(radiance(picture, scene, x, y, 2), expected(north_m / 3.0, north_m), 0.001);
     }
 }
 

@@ -41,7 +41,9 @@ Value another_value(const Key& key, const Value& value) {
       return key.words[key.words[0] == std::get<std::string>(value) ? 1 : 0];
     case Kind::integers: {
       auto items = std::get<std::vector<std::int64_t>>(value);
-      if (items.size() > 2)
+      if (items.empty())
+        items = {1, 2};
+      else if (items.size() > 2)
         items.pop_back();
       else
         items[0] += 1;

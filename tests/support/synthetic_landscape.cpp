@@ -90,6 +90,7 @@ landscape::Landscape synthetic_landscape(const SyntheticMeadow& meadow,
   scene.terrain = Heightfield(samples, size_m);
   scene.light = ColourMap(samples, size_m);
   scene.ground = ColourMap(samples, size_m);
+  scene.standing = FactorMap(samples, size_m, 1.0F);
   for (int j = 0; j < samples; ++j)
     for (int i = 0; i < samples; ++i) {
       const double x = i * scene.terrain.step_m();

@@ -93,7 +93,9 @@ TEST(LightMap, HasNoSteps) {
 TEST(GroundRadiance, IsLambertsOnAverage) {
   const ColourMap light(51, 20.0, glm::vec3(1.0F, 0.8F, 0.5F));
   const scene::Terrain shape;
-  const ColourMap ground_light = ground_radiance(light, shape, 9, glm::vec3(0.5F));
+  const ColourMap ground_light =
+      ground_radiance(light, ground(20.0, 51, [](double) { return 0.0; }), {0.0, 0.6, 0.8}, shape,
+                      9, FactorMap(2, 20.0, 1.0F), 0.5);
   glm::dvec3 mean(0.0);
   for (const glm::vec3& value : ground_light.values()) {
     EXPECT_GT(value.r, 0.0F);

@@ -1,0 +1,120 @@
+#include "landscape/patch_look.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "core/parallel.h"
+#include "core/vdb_dense.h"
+
+namespace wold::landscape {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// A volume in memory that repeats along x and y.
+class TiledVolume {
+ public:
+  explicit TiledVolume(const Volume& volume)
+      : voxels_(volume.voxels),
+        voxel_m_(volume.voxel_m),
+        extinction_(read_dense_floats(volume.vdb, "density", glm::ivec3(1), voxels_)),
+        radiance_(read_dense_vectors(volume.vdb, volume.emission_grid, glm::ivec3(1), voxels_)) {}
+
+  /// A ray from a point of the top, in shares of the patch, down to the ground in steps of a
+  /// voxel, the first of them `begin` of a step away: the mean over all begins is exact.
+  FarLook trace(const glm::dvec2& start, double begin, const glm::dvec3& direction) const {
+    FarLook look;
+    glm::dvec3 at = glm::dvec3(start * static_cast<double>(voxels_.x), voxels_.z - 1e-6);
+    for (at += begin * direction; at.z >= 0.0 && look.transmittance > 1e-3; at += direction) {
+      const std::size_t voxel = index(glm::ivec3(glm::floor(at)));
+      const double left = std::exp(-double{extinction_[voxel]} * voxel_m_);
+      look.radiance += look.transmittance * (1.0 - left) * glm::dvec3(radiance_[voxel]);
+      look.transmittance *= left;
+    }
+    return look;
+  }
+
+ private:
+  std::size_t index(const glm::ivec3& at) const {
+    const auto wrapped = [](int i, int n) { return static_cast<std::size_t>(((i % n) + n) % n); };
+    const auto side = static_cast<std::size_t>(voxels_.x);
+    return (static_cast<std::size_t>(at.z) * side + wrapped(at.y, voxels_.y)) * side +
+           wrapped(at.x, voxels_.x);
+  }
+
+  glm::ivec3 voxels_;
+  double voxel_m_;
+  std::vector<float> extinction_;
+  std::vector<glm::vec3> radiance_;
+};
+
+/// The mean over rays that start evenly over the patch, each at another share of a step.
+FarLook mean_look(const TiledVolume& volume, const glm::dvec3& direction) {
+  constexpr int starts = 16;
+  FarLook mean{glm::dvec3(0.0), 0.0};
+  for (int j = 0; j < starts; ++j)
+    for (int i = 0; i < starts; ++i) {
+      const double begin = ((7 * i + 5 * j) % starts + 0.5) / starts;
+      const FarLook look =
+          volume.trace((glm::dvec2(i, j) + 0.5) / static_cast<double>(starts), begin, direction);
+      mean.radiance += look.radiance / (1.0 * starts * starts);
+      mean.transmittance += look.transmittance / (starts * starts);
+    }
+  return mean;
+}
+
+FarLook mixed(const FarLook& a, const FarLook& b, double share) {
+  return {glm::mix(a.radiance, b.radiance, share),
+          std::lerp(a.transmittance, b.transmittance, share)};
+}
+
+}  // namespace
+
+PatchLook::PatchLook(std::span<const Volume> volumes) {
+  for (auto& row : table_) row.fill({glm::dvec3(0.0), 0.0});
+  for (const Volume& description : volumes) {
+    const TiledVolume volume(description);
+    const double share = 1.0 / static_cast<double>(volumes.size());
+    parallel_for(azimuths * elevations_deg.size(), [&](std::size_t k) {
+      const std::size_t a = k / elevations_deg.size();
+      const std::size_t e = k % elevations_deg.size();
+      const double azimuth = 2.0 * pi * static_cast<double>(a) / azimuths;
+      const double elevation = elevations_deg[e] * pi / 180.0;
+      const FarLook look =
+          mean_look(volume, {std::cos(azimuth) * std::cos(elevation),
+                             std::sin(azimuth) * std::cos(elevation), -std::sin(elevation)});
+      table_[a][e].radiance += look.radiance * share;
+      table_[a][e].transmittance += look.transmittance * share;
+    });
+  }
+}
+
+FarLook PatchLook::along(const glm::dvec3& direction) const {
+  const double elevation_deg =
+      std::clamp(std::atan2(-direction.z, glm::length(glm::dvec2(direction))) * 180.0 / pi,
+                 elevations_deg.front(), elevations_deg.back());
+  const auto above =
+      std::upper_bound(elevations_deg.begin() + 1, elevations_deg.end() - 1, elevation_deg);
+  const auto e = static_cast<std::size_t>(above - elevations_deg.begin());
+  const double up =
+      (elevation_deg - elevations_deg[e - 1]) / (elevations_deg[e] - elevations_deg[e - 1]);
+  const double turns = std::atan2(direction.y, direction.x) / (2.0 * pi);
+  const double place = (turns - std::floor(turns)) * azimuths;
+  const auto a = static_cast<std::size_t>(place) % azimuths;
+  const auto look = [&](std::size_t azimuth) {
+    return mixed(table_[azimuth % azimuths][e - 1], table_[azimuth % azimuths][e], up);
+  };
+  return thickened(mixed(look(a), look(a + 1), place - std::floor(place)),
+                   1.0 / glm::length(direction));
+}
+
+FarLook thickened(const FarLook& look, double factor) {
+  const double transmittance = std::pow(look.transmittance, factor);
+  const double cover = 1.0 - look.transmittance;
+  return {cover > 0.0 ? look.radiance * ((1.0 - transmittance) / cover) : look.radiance,
+          transmittance};
+}
+
+}  // namespace wold::landscape

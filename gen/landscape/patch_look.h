@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <span>
+
+#include "landscape/landscape.h"
+
+namespace wold::landscape {
+
+/// What a meadow of one kind of patch shows from far away, where a pixel covers many blades.
+struct FarLook {
+  glm::dvec3 radiance{0.0};    ///< of the grass alone
+  double transmittance = 1.0;  ///< share of the ground below that is seen
+};
+
+/// The far look by direction, measured: rays through the volumes, which repeat endlessly.
+class PatchLook {
+ public:
+  /// The mean of some volumes, read from their files. Throws FileError.
+  explicit PatchLook(std::span<const Volume> volumes);
+
+  /// Seen along a direction of the patch's own space, downwards, of any length: as much longer as
+  /// it is than 1, as much less grass stands along the ray.
+  FarLook along(const glm::dvec3& direction) const;
+
+ private:
+  static constexpr int azimuths = 8;
+  static constexpr std::array<double, 8> elevations_deg = {2.0,  4.0,  8.0,  15.0,
+                                                           25.0, 40.0, 60.0, 90.0};
+  /// Azimuth by azimuth, counter-clockwise from x, elevations rising.
+  std::array<std::array<FarLook, elevations_deg.size()>, azimuths> table_{};
+};
+
+/// The look with `factor` times as much grass along the ray.
+FarLook thickened(const FarLook& look, double factor);
+
+}  // namespace wold::landscape

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/ground_map.h"
+
+namespace wold::terrain {
+
+/// What streams do to the ground in a length of time, the stream-power law with n = 1, m = 0.5
+/// (Howard 1994): dz/dt = U - K sqrt(A) S, where A is the area that drains through a point and S
+/// the slope down to the steepest of the eight neighbours. It is linear in the heights and knows
+/// areas as shares of the map and lengths as shares of its side only.
+struct Incision {
+  /// K t times the side: how many sides a notch travels upstream in the whole time where the whole
+  /// map drains; sqrt(share) of that where a share of it does. 1 cuts gorges into the lower slopes,
+  /// 10 reaches the crests; against uplift, 30 is near the steady state S = U / (K sqrt(A)).
+  double reach = 1.0;
+  /// Where a smaller share of the map than this drains, the ground is slope rather than channel and
+  /// wears as if this share drained there: what slopes do must not depend on the samples' number.
+  double source_share = 2e-4;
+  int steps = 20;  ///< that the time is cut into; implicit ones, stable at any length
+};
+
+/// Lets streams cut valleys into the ground. Implicit steps from the mouths upstream (Braun and
+/// Willett 2013); pits are filled to their lowest outlet (priority-flood, Barnes, Lehman and Mulla
+/// 2014) and stay filled: afterwards every inner sample has a lower neighbour on its way to the
+/// border. The map's border is the base level and keeps its heights.
+/// The same for any number of threads.
+void carve(GroundMap<double>& heights_m, const Incision& incision);
+
+/// The same while the ground rises by `uplift_m` in the whole time (as many samples; what it says
+/// at the border does not matter).
+void carve(GroundMap<double>& heights_m, const GroundMap<double>& uplift_m,
+           const Incision& incision);
+
+}  // namespace wold::terrain

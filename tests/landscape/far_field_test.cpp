@@ -1,0 +1,127 @@
+#include "landscape/far_field.h"
+
+#include <gtest/gtest.h>
+#include <openvdb/openvdb.h>
+
+#include <cmath>
+
+#include "core/vdb_file.h"
+#include "landscape/cells.h"
+#include "support/grown.h"
+#include "support/temporary_folder.h"
+
+namespace wold::landscape {
+namespace {
+
+constexpr float extinction = 3.0F;
+const glm::vec3 source(0.02F, 0.04F, 0.01F);
+
+/// A patch of 0.6 m filled 0.4 m high with an even glowing fog.
+Volume even_fog(const std::filesystem::path& folder) {
+  auto density = openvdb::FloatGrid::create(0.0F);
+  auto emission = openvdb::Vec3SGrid::create(openvdb::Vec3s(0.0F));
+  density->setName("density");
+  emission->setName("emission_q0");
+  const openvdb::CoordBBox box(openvdb::Coord(1), openvdb::Coord(30, 30, 20));
+  density->fill(box, extinction);
+  emission->fill(box, openvdb::Vec3s(source.x, source.y, source.z));
+  Volume volume;
+  volume.vdb = folder / "fog.vdb";
+  volume.emission_grid = "emission_q0";
+  volume.voxels = {30, 30, 20};
+  volume.voxel_m = 0.02;
+  write_vdb(volume.vdb, {density, emission});
+  return volume;
+}
+
+/// Beer and Lambert.
+double through(double length_m) { return std::exp(-double{extinction} * length_m); }
+
+TEST(PatchLook, FollowsBeerAndLambert) {
+  const test::TemporaryFolder folder("patch_look");
+  const Volume fog = even_fog(folder.path());
+  const PatchLook look(std::span(&fog, 1));
+  for (const double elevation_deg : {90.0, 40.0, 25.0, 8.0}) {
+    const double elevation = elevation_deg * 3.14159265358979 / 180.0;
+    const FarLook seen = look.along({std::cos(elevation), 0.0, -std::sin(elevation)});
+    const double wanted = through(0.4 / std::sin(elevation));
+    EXPECT_NEAR(seen.transmittance, wanted, 0.03 * wanted + 0.001) << elevation_deg;
+    EXPECT_NEAR(seen.radiance.g, double{source.g} * (1.0 - wanted), 0.01 * double{source.g});
+  }
+}
+
+TEST(PatchLook, ThickenedTwiceIsTwoLayers) {
+  const FarLook once{glm::dvec3(0.3), 0.4};
+  const FarLook twice = thickened(once, 2.0);
+  EXPECT_NEAR(twice.transmittance, 0.16, 1e-12);
+  EXPECT_NEAR(twice.radiance.r, 0.3 + 0.4 * 0.3, 1e-12);
+  EXPECT_EQ(thickened({glm::dvec3(0.0), 1.0}, 3.0).transmittance, 1.0);
+}
+
+/// Level ground 400 m wide, looked over from a tower: near and far in one picture.
+scene::Scene plain_scene() {
+  scene::Scene scene;
+  scene.terrain.size_m = 400.0;
+  scene.camera.eye_m = {200.0, 1.0};
+  scene.camera.eye_height_m = 20.0;
+  scene.camera.target_m = {200.0, 150.0};
+  return scene;
+}
+
+// Where grass no longer stands it is painted, and nowhere less than all of it is there.
+TEST(FarField, TakesOverWhatStandsNoLonger) {
+  const scene::Scene scene = plain_scene();
+  const Heightfield ground(41, 400.0);
+  const View view(resolved_camera(scene.camera, ground, 0.0), 960, 540);
+  ASSERT_TRUE(has_far_field(scene, ground, view));
+  const FactorMap standing = standing_grass(scene, ground, FactorMap(801, 400.0, 1.0F), view);
+  EXPECT_EQ(standing.sample(200.0, 60.0), 1.0F);
+  EXPECT_EQ(standing.sample(200.0, 390.0), 0.0F);
+  double farthest_m = 0.0;
+  for (const CellChoice& cell : choose_cells(scene, ground, test::grown(scene), 1))
+    farthest_m = std::max(farthest_m, cell.cell.y * scene.grass.patch_m);
+  for (double y_m = 60.0; y_m < 390.0; y_m += 10.0) {
+    const double share = far_share(scene.grass, view, {200.0, y_m, 0.0});
+    EXPECT_NEAR(double{standing.sample(200.0, y_m)}, 1.0 - share, 0.01);
+    if (share < 0.99) {
+      EXPECT_GT(farthest_m, y_m - 1.0);
+    }
+  }
+}
+
+// The painted ground is what the volume would show: fog over a ground that glows faintly.
+TEST(FarField, ShowsWhatTheVolumeWouldShow) {
+  const test::TemporaryFolder folder("far_field");
+  const Volume fog = even_fog(folder.path());
+  scene::Scene scene = plain_scene();
+  const Heightfield flat(41, 400.0);
+  const View view(resolved_camera(scene.camera, flat, 0.0), 960, 540);
+  std::map<int, PatchLook> looks;
+  for (const int key_frame : far_key_frames(scene, 2)) looks.emplace(key_frame, std::span(&fog, 1));
+  const glm::vec3 bare(0.005F);
+  ColourMap ground(401, 400.0, bare);
+  const ColourMap light(2, 400.0, glm::vec3(0.8F));
+  paint_far_grass(ground, scene, flat, test::grown(scene), light, view, 2, looks);
+  const double sine = 20.0 / std::hypot(20.0, 389.0);
+  const double left = through(0.4 / sine);
+  EXPECT_NEAR(ground.sample(200.0, 390.0).g, 0.8 * double{source.g} * (1.0 - left) + 0.005 * left,
+              1e-4);
+  EXPECT_EQ(ground.sample(200.0, 60.0), bare);
+}
+
+// Blades per square metre of a slope, not of its shadow at noon.
+TEST(FarField, SlopesKeepTheDensityPerSquareMetre) {
+  scene::Scene scene = plain_scene();
+  scene.terrain.size_m = 20.0;
+  scene.camera.eye_m = {10.0, 0.0};
+  scene.camera.target_m = {10.0, 10.0};
+  Heightfield slope(41, 20.0);
+  for (int j = 0; j < 41; ++j)
+    for (int i = 0; i < 41; ++i) slope.at(i, j) = static_cast<float>(0.75 * j * 0.5);
+  const View view(resolved_camera(scene.camera, slope, 0.0), 960, 540);
+  const FactorMap standing = standing_grass(scene, slope, FactorMap(41, 20.0, 1.0F), view);
+  EXPECT_NEAR(standing.sample(10.0, 10.0), 1.25F, 1e-4F);  // a slope of 3 in 4: cosine 4 / 5
+}
+
+}  // namespace
+}  // namespace wold::landscape
