@@ -28,10 +28,8 @@ double smooth_step(double from, double to, double x) {
 glm::dvec2 displaced(const glm::dvec2& at, std::uint64_t seed, double feature, double deviation) {
   const Fbm east{random_bits({seed, key_of("mountain"), 0, key_of("east")}), 4, 0.8};
   const Fbm north{random_bits({seed, key_of("mountain"), 0, key_of("north")}), 4, 0.8};
-  const glm::dvec2 there = at / feature;
-  const glm::dvec2 fixed = summit / feature;
-  return at + deviation * glm::dvec2(fbm(there, east) - fbm(fixed, east),
-                                     fbm(there, north) - fbm(fixed, north));
+  const double amplitude = deviation * smooth_step(0.0, feature, glm::distance(at, summit));
+  return at + amplitude * glm::dvec2(fbm(at / feature, east), fbm(at / feature, north));
 }
 
 /// 0 at the summit, 1 at the foot: a rounded square that reaches from the meadow to the borders.
@@ -45,11 +43,11 @@ double way_down(const glm::dvec2& at) {
                   1.0 / roundness);
 }
 
-/// The body without valleys: 1 at the summit, 0 in the meadow and at the borders.
+/// The body without valleys: 1 at the summit, 0 in the meadow and at the borders. However its plan
+/// is displaced, its foot stays within the rounded square.
 double body(const glm::dvec2& at, std::uint64_t seed) {
-  const double border = std::min({at.x, at.y, 1.0 - at.x, 1.0 - at.y});
-  return smooth_step(0.0, 0.06, border) * smooth_step(meadow_end, meadow_end + 0.1, at.y) *
-         std::pow(std::max(0.0, 1.0 - way_down(displaced(at, seed, 0.35, 0.06))), 1.2);
+  const double above = std::max(0.0, 1.0 - way_down(displaced(at, seed, 0.35, 0.06)));
+  return smooth_step(0.0, 0.35, 1.0 - way_down(at)) * std::pow(above, 1.2);
 }
 
 /// How fast rock rises, in any unit. It is uneven at all sizes, as rock is: on even slopes water
