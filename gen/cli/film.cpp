@@ -76,10 +76,9 @@ void Film::choose_cells(Progress& progress) {
 
 void Film::demand_far_field(int frame) {
   const scene::Scene& scene = job_.scene;
-  const landscape::View view(
-      landscape::resolved_camera(scene.camera, terrain_, landscape::time_of_frame(scene, frame)),
-      scene.render.size_px[0], scene.render.size_px[1]);
-  if (!landscape::has_far_field(scene, terrain_, view)) return;
+  const landscape::Camera camera =
+      landscape::resolved_camera(scene.camera, terrain_, landscape::time_of_frame(scene, frame));
+  if (!landscape::shows_distance(scene, terrain_, daylight_, camera)) return;
   for (const int key_frame : landscape::far_key_frames(scene, frame))
     for (int variant = 0; variant < scene.grass.variants; ++variant)
       demand_[variant][key_frame][coarsest_level(scene.grass)].insert(0);

@@ -10,6 +10,7 @@
 
 #include "grass/blade_patch.h"
 #include "landscape/far_field.h"
+#include "landscape/haze.h"
 #include "landscape/tint.h"
 #include "landscape/view.h"
 #include "terrain/lighting.h"
@@ -73,6 +74,13 @@ constexpr double card_exposure = 1.6;
 
 }  // namespace
 
+bool shows_distance(const scene::Scene& scene, const Heightfield& terrain,
+                    const light::Daylight& day, const Camera& camera) {
+  const View view(camera, scene.render.size_px[0], scene.render.size_px[1]);
+  return has_far_field(scene, terrain, view) ||
+         Haze(day, camera.eye_m, scene.sky.visual_range_m).is_visible(terrain);
+}
+
 Landscape assemble(const scene::Scene& scene, const Heightfield& terrain, const FactorMap& growth,
                    const light::Daylight& day, int frame, std::span<const CellChoice> choices,
                    const PatchLookup& lookup) {
@@ -94,9 +102,13 @@ Landscape assemble(const scene::Scene& scene, const Heightfield& terrain, const 
   landscape.ground =
       terrain::ground_radiance(light, terrain, day.sun_direction(), scene.terrain, scene.seed,
                                growth, canopy_transmittance(scene.grass));
-  if (has_far_field(scene, terrain, view))
-    paint_far_grass(landscape.ground, scene, terrain, growth, light, view, frame,
-                    far_looks(scene, frame, lookup));
+  if (shows_distance(scene, terrain, day, landscape.camera)) {
+    const Haze haze(day, landscape.camera.eye_m, scene.sky.visual_range_m);
+    const Meadow meadow(scene, terrain, view, frame, far_looks(scene, frame, lookup));
+    paint_far_grass(landscape.ground, scene, terrain, growth, light, view, meadow);
+    veil_ground(landscape.ground, terrain, view, haze);
+    landscape.light = product(landscape.light, veil_of_grass(light, terrain, view, meadow, haze));
+  }
   landscape.sky = day.sky_image(sky_width_px);
   landscape.samples = scene.render.samples;
   landscape.exposure_gain = card_exposure * std::numbers::pi * std::exp2(scene.render.exposure);

@@ -17,9 +17,13 @@ struct PatchLookup {
   std::function<Volume(const CellChoice&)> volume;
   std::function<BladeMesh(const CellChoice&)> blades;
   /// The unturned volumes of a key frame, as coarse as there are, of every variant: what the far
-  /// field looks like. Called for far_key_frames() where has_far_field().
+  /// field looks like. Called for far_key_frames() where shows_distance().
   std::function<std::vector<Volume>(int)> far = {};
 };
+
+/// Whether what a camera sees is so far that grass is painted on the ground, or haze shows.
+bool shows_distance(const scene::Scene& scene, const Heightfield& terrain,
+                    const light::Daylight& day, const Camera& camera);
 
 /// One frame (from 1) as the exporters want it: `growth` is growth_map()'s, `choices` are
 /// choose_cells', `lookup` is called

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/parallel.h"
 #include "landscape/cells.h"
+#include "landscape/each_in_view.h"
 #include "terrain/relief.h"
 
 namespace wold::landscape {
@@ -14,35 +14,9 @@ glm::dvec3 on_ground(const Heightfield& terrain, const glm::dvec2& at_m) {
   return {at_m, terrain.sample(at_m.x, at_m.y)};
 }
 
-/// Every sample of a map that may be in the picture, in parallel: visit(i, j, place in metres).
-template <class Map, class Visit>
-void each_in_view(const Map& map, const Heightfield& terrain, const View& view,
-                  const Visit& visit) {
-  parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
-    const int j = static_cast<int>(row);
-    for (int i = 0; i < map.samples(); ++i) {
-      const glm::dvec3 at_m = on_ground(terrain, glm::dvec2(i, j) * map.step_m());
-      constexpr double margin_m = 2.0;
-      if (view.may_see(at_m, margin_m)) visit(i, j, at_m);
-    }
-  });
-}
-
 /// More grass along a ray, where the same number of blades stands on each square metre of a slope.
 double slope_factor(const glm::dvec2& gradient) {
   return std::sqrt(1.0 + glm::dot(gradient, gradient));
-}
-
-/// The look at a weathering degree, between those of the two key frames around it.
-FarLook look_at(const std::map<int, PatchLook>& looks, const std::vector<double>& key_frames,
-                double weathering, const glm::dvec3& direction) {
-  const auto above = std::upper_bound(key_frames.begin() + 1, key_frames.end() - 1, weathering);
-  const auto key = static_cast<int>(above - key_frames.begin());
-  const double share = (weathering - *(above - 1)) / (*above - *(above - 1));
-  const FarLook before = looks.at(key - 1).along(direction);
-  const FarLook after = looks.at(key).along(direction);
-  return {glm::mix(before.radiance, after.radiance, share),
-          std::lerp(before.transmittance, after.transmittance, share)};
 }
 
 /// A line of sight as a cell sees it that is sheared to the slope; the flattest still goes down.
@@ -52,6 +26,23 @@ glm::dvec3 in_cell(const glm::dvec3& sight, const glm::dvec2& gradient) {
 }
 
 }  // namespace
+
+Meadow::Meadow(const scene::Scene& scene, const Heightfield& terrain, const View& view, int frame,
+               std::map<int, PatchLook> looks)
+    : scene_(scene), terrain_(terrain), view_(view), frame_(frame), looks_(std::move(looks)) {}
+
+FarLook Meadow::look(const glm::dvec3& at_m) const {
+  const glm::dvec2 gradient = terrain::gradient(terrain_, at_m.x, at_m.y);
+  const glm::dvec3 direction = in_cell(view_.line_of_sight(at_m), gradient);
+  const std::vector<double>& keys = scene_.grass.key_frames;
+  const double weathering = local_weathering(scene_, glm::dvec2(at_m), frame_);
+  const auto above = std::upper_bound(keys.begin() + 1, keys.end() - 1, weathering);
+  const auto key = static_cast<int>(above - keys.begin());
+  const double share = (weathering - *(above - 1)) / (*above - *(above - 1));
+  return thickened(
+      mixed(looks_.at(key - 1).along(direction), looks_.at(key).along(direction), share),
+      slope_factor(gradient));
+}
 
 double far_share(const scene::Grass& grass, const View& view, const glm::dvec3& at_m) {
   const double relative = view.pixels(grass.height_m, at_m) / std::max(grass.far_pixels, 1e-9);
@@ -82,16 +73,12 @@ std::vector<int> far_key_frames(const scene::Scene& scene, int frame) {
 }
 
 void paint_far_grass(ColourMap& ground, const scene::Scene& scene, const Heightfield& terrain,
-                     const FactorMap& growth, const ColourMap& light, const View& view, int frame,
-                     const std::map<int, PatchLook>& looks) {
+                     const FactorMap& growth, const ColourMap& light, const View& view,
+                     const Meadow& meadow) {
   each_in_view(ground, terrain, view, [&](int i, int j, const glm::dvec3& at_m) {
     const double share = far_share(scene.grass, view, at_m);
     if (share <= 0.0) return;
-    const glm::dvec2 gradient = terrain::gradient(terrain, at_m.x, at_m.y);
-    const double weathering = local_weathering(scene, glm::dvec2(at_m), frame);
-    const FarLook look = thickened(look_at(looks, scene.grass.key_frames, weathering,
-                                           in_cell(view.line_of_sight(at_m), gradient)),
-                                   slope_factor(gradient) * double{growth.sample(at_m.x, at_m.y)});
+    const FarLook look = thickened(meadow.look(at_m), double{growth.sample(at_m.x, at_m.y)});
     const glm::vec3 grass = glm::vec3(look.radiance) * light.sample(at_m.x, at_m.y);
     const glm::vec3 seen = grass + static_cast<float>(look.transmittance) * ground.at(i, j);
     ground.at(i, j) = glm::mix(ground.at(i, j), seen, static_cast<float>(share));

@@ -17,14 +17,33 @@ double far_share(const scene::Grass& grass, const View& view, const glm::dvec3& 
 /// Whether any of the terrain's grass is painted, seen so.
 bool has_far_field(const scene::Scene& scene, const Heightfield& terrain, const View& view);
 
-/// The key frames whose looks paint_far_grass() needs in a frame (from 1), ascending.
+/// The key frames whose looks a Meadow needs in a frame (from 1), ascending.
 std::vector<int> far_key_frames(const scene::Scene& scene, int frame);
 
-/// Paints the far grass over the ground's radiance by its share: what the key frames' looks,
-/// `looks` by key frame, show along the line of sight, under the light there, over the ground.
+/// What the meadow of a frame (from 1) looks like where single blades cannot be told apart.
+class Meadow {
+ public:
+  /// `looks` by key frame: those of far_key_frames(). The others have to outlive it.
+  Meadow(const scene::Scene& scene, const Heightfield& terrain, const View& view, int frame,
+         std::map<int, PatchLook> looks);
+
+  /// The look along the line of sight to a place on the ground, of full growth under light 1: that
+  /// of the two key frames around the weathering there, sheared to the slope.
+  FarLook look(const glm::dvec3& at_m) const;
+
+ private:
+  const scene::Scene& scene_;
+  const Heightfield& terrain_;
+  const View& view_;
+  int frame_;
+  std::map<int, PatchLook> looks_;
+};
+
+/// Paints the far grass over the ground's radiance by its share: what the meadow shows along the
+/// line of sight, under the light there, over the ground.
 void paint_far_grass(ColourMap& ground, const scene::Scene& scene, const Heightfield& terrain,
-                     const FactorMap& growth, const ColourMap& light, const View& view, int frame,
-                     const std::map<int, PatchLook>& looks);
+                     const FactorMap& growth, const ColourMap& light, const View& view,
+                     const Meadow& meadow);
 
 /// Factor on the extinction of the grass that stands: its growth without the far share, over the
 /// slope's cosine, which keeps the density per square metre of ground.

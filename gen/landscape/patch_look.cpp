@@ -65,11 +65,6 @@ FarLook mean_look(const TiledVolume& volume, const glm::dvec3& direction) {
   return mean;
 }
 
-FarLook mixed(const FarLook& a, const FarLook& b, double share) {
-  return {glm::mix(a.radiance, b.radiance, share),
-          std::lerp(a.transmittance, b.transmittance, share)};
-}
-
 }  // namespace
 
 PatchLook::PatchLook(std::span<const Volume> volumes) {
@@ -108,6 +103,11 @@ FarLook PatchLook::along(const glm::dvec3& direction) const {
   };
   return thickened(mixed(look(a), look(a + 1), place - std::floor(place)),
                    1.0 / glm::length(direction));
+}
+
+FarLook mixed(const FarLook& a, const FarLook& b, double share) {
+  return {glm::mix(a.radiance, b.radiance, share),
+          std::lerp(a.transmittance, b.transmittance, share)};
 }
 
 FarLook thickened(const FarLook& look, double factor) {

@@ -32,6 +32,9 @@ class PatchLook {
   std::array<std::array<FarLook, elevations_deg.size()>, azimuths> table_{};
 };
 
+/// `share` of the way from a to b.
+FarLook mixed(const FarLook& a, const FarLook& b, double share);
+
 /// The look with `factor` times as much grass along the ray.
 FarLook thickened(const FarLook& look, double factor);
 

@@ -68,13 +68,8 @@ double glare(double from_sun_rad) {
 /// dry grass.
 const glm::dvec3 plain_radiance = glm::dvec3(0.10, 0.11, 0.055) / pi;
 
-/// Share of haze before a plain that lies 60 m below and is seen at a depression: Koschmieder 1924
-/// with a visual range of 25 km.
-double haze_before_plain(double sin_depression) {
-  constexpr double height_m = 60.0;
-  constexpr double visual_range_m = 25e3;
-  return 1.0 - std::exp(-3.912 * height_m / (sin_depression * visual_range_m));
-}
+/// How far the plain below the scene lies under the eye.
+constexpr double plain_below_m = 60.0;
 
 }  // namespace
 
@@ -83,7 +78,12 @@ glm::dvec3 direction_of(double azimuth_rad, double elevation_rad) {
           std::cos(azimuth_rad) * std::cos(elevation_rad), std::sin(elevation_rad)};
 }
 
-Daylight::Daylight(const scene::Sun& scene_sun, const scene::Sky& sky) {
+double haze_share(double distance_m, double visual_range_m) {
+  return 1.0 - std::exp(-3.912 * distance_m / visual_range_m);
+}
+
+Daylight::Daylight(const scene::Sun& scene_sun, const scene::Sky& sky)
+    : visual_range_m_(sky.visual_range_m) {
   const scene::SunPosition sun = scene::sun_position(scene_sun);
   check(sun, sky);
   const double t = sky.turbidity;
@@ -140,14 +140,17 @@ glm::dvec3 Daylight::above_horizon(const glm::dvec3& direction) const {
 
 glm::vec3 Daylight::sky_radiance(const glm::dvec3& direction) const {
   if (direction.z >= 0.0) return glm::vec3(above_horizon(direction) / unit_);
+  const double share = haze_share(plain_below_m / -direction.z, visual_range_m_);
+  return glm::mix(glm::vec3(plain_radiance), haze_radiance(direction, share),
+                  static_cast<float>(share));
+}
+
+glm::vec3 Daylight::haze_radiance(const glm::dvec3& direction, double share) const {
   const glm::dvec3 level(direction.x, direction.y, 0.0);
   const double length = glm::length(level);
-  if (length < 1e-6) return glm::vec3(plain_radiance);
-  // Near haze has the light of all directions, distant haze that of the horizon behind it.
-  const double share = haze_before_plain(-direction.z);
-  const glm::dvec3 behind = above_horizon(level / length) / unit_;
-  const glm::dvec3 haze = glm::mix(glm::dvec3(mean_by_degree_.front()), behind, share);
-  return glm::vec3(glm::mix(plain_radiance, haze, share));
+  if (length < 1e-6) return mean_by_degree_.front();
+  const glm::vec3 behind(above_horizon(level / length) / unit_);
+  return glm::mix(mean_by_degree_.front(), behind, static_cast<float>(share));
 }
 
 glm::vec3 Daylight::mean_sky_radiance(double elevation_rad) const {

@@ -36,6 +36,10 @@ class Daylight {
   /// that fades into the horizon's haze.
   glm::vec3 sky_radiance(const glm::dvec3& direction) const;
 
+  /// Radiance of haze in a unit direction that hides `share` of what is behind it, as a multiple of
+  /// that share: near haze has the light of all directions, distant haze that of the horizon.
+  glm::vec3 haze_radiance(const glm::dvec3& direction, double share) const;
+
   /// Sky radiance averaged over azimuth, elevation in [0, pi/2] radians.
   glm::vec3 mean_sky_radiance(double elevation_rad) const;
 
@@ -56,6 +60,7 @@ class Daylight {
   };
   std::array<Perez, 3> perez_;
   glm::dvec3 sun_direction_;
+  double visual_range_m_;
   glm::dvec3 unit_ = glm::dvec3(1.0);  ///< klx of horizontal irradiance that count as 1
   glm::vec3 sun_irradiance_;
   glm::vec3 sky_irradiance_;
@@ -64,5 +69,8 @@ class Daylight {
 
 /// Unit vector for an azimuth clockwise from north and an elevation.
 glm::dvec3 direction_of(double azimuth_rad, double elevation_rad);
+
+/// Share of what is seen at a distance that haze hides: Koschmieder 1924, 98 % at the visual range.
+double haze_share(double distance_m, double visual_range_m);
 
 }  // namespace wold::light

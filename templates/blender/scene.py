@@ -64,7 +64,7 @@ class Frame:
     def image(self, name):
         """A picture of linear light, taken as it is."""
         try:
-            image = bpy.data.images.load(self.path(name))
+            image = bpy.data.images.load(self.path(name), check_existing=True)
         except RuntimeError as error:
             raise DataError(f"cannot read {self.path(name)}: {error}") from error
         image.colorspace_settings.name = "Non-Color"
@@ -290,6 +290,7 @@ def load_volume(frame, entry, number):
     missing = {"density", "emission"} - {grid.name for grid in volume.grids}
     if missing:
         raise DataError(f"{path} has no grid {' and '.join(sorted(missing))}")
+    volume.grids.unload()  # the renderer reads it anew
     return volume
 
 
@@ -311,7 +312,7 @@ def load_volumes(frame):
 def load_blades(frame):
     """The meshes of blades, likewise."""
     collection = bpy.data.collections.new("blades")
-    material = blades_material(frame)
+    material = blades_material(frame) if frame["blades"] else None
     for number, entry in enumerate(frame["blades"]):
         name = f"blades {number:05d}"
         file, count = entry["file"], entry["vertices"]

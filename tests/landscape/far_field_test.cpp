@@ -7,6 +7,7 @@
 
 #include "core/vdb_file.h"
 #include "landscape/cells.h"
+#include "landscape/haze.h"
 #include "support/grown.h"
 #include "support/temporary_folder.h"
 
@@ -101,12 +102,43 @@ TEST(FarField, ShowsWhatTheVolumeWouldShow) {
   const glm::vec3 bare(0.005F);
   ColourMap ground(401, 400.0, bare);
   const ColourMap light(2, 400.0, glm::vec3(0.8F));
-  paint_far_grass(ground, scene, flat, test::grown(scene), light, view, 2, looks);
+  paint_far_grass(ground, scene, flat, test::grown(scene), light, view,
+                  Meadow(scene, flat, view, 2, looks));
   const double sine = 20.0 / std::hypot(20.0, 389.0);
   const double left = through(0.4 / sine);
   EXPECT_NEAR(ground.sample(200.0, 390.0).g, 0.8 * double{source.g} * (1.0 - left) + 0.005 * left,
               1e-4);
   EXPECT_EQ(ground.sample(200.0, 60.0), bare);
+}
+
+// At a quarter of the visual range haze hides 1 - 0.02^(1/4) and puts its own light there; grass
+// that stands gets the light that makes it look so.
+TEST(Haze, FollowsKoschmieder) {
+  const test::TemporaryFolder folder("haze");
+  const Volume fog = even_fog(folder.path());
+  const scene::Scene scene = plain_scene();
+  const Heightfield flat(41, 400.0);
+  const Camera camera = resolved_camera(scene.camera, flat, 0.0);
+  const View view(camera, 960, 540);
+  const light::Daylight day(scene.sun, scene.sky);
+  const Haze haze(day, camera.eye_m, 1200.0);
+  EXPECT_TRUE(haze.is_visible(flat));
+  EXPECT_FALSE(Haze(day, camera.eye_m, 1e6).is_visible(flat));
+  const glm::dvec3 at_m = camera.eye_m + glm::dvec3(0.0, 300.0, 0.0);
+  const double left = std::pow(0.02, 0.25);
+  const glm::vec3 seen = haze.before(glm::vec3(0.0F), at_m);
+  EXPECT_NEAR(haze.before(glm::vec3(1.0F), at_m).g - seen.g, left, 2e-3);
+  const glm::vec3 air = day.haze_radiance({0.0, 1.0, 0.0}, 1.0 - left);
+  EXPECT_NEAR(seen.g, (1.0 - left) * double{air.g}, 2e-3);
+  std::map<int, PatchLook> looks;
+  for (const int key_frame : far_key_frames(scene, 2)) looks.emplace(key_frame, std::span(&fog, 1));
+  const Meadow meadow(scene, flat, view, 2, looks);
+  const ColourMap light(401, 400.0, glm::vec3(0.8F));
+  const glm::dvec3 far_m(200.0, 300.0, 0.0);
+  const float factor = veil_of_grass(light, flat, view, meadow, haze).sample(far_m.x, far_m.y).g;
+  const FarLook look = meadow.look(far_m);
+  const auto grass = static_cast<float>(0.8 * look.radiance.g / (1.0 - look.transmittance));
+  EXPECT_NEAR(factor * grass, haze.before(glm::vec3(grass), far_m).g, 1e-4F);
 }
 
 // Blades per square metre of a slope, not of its shadow at noon.

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/ground_map.h"
+#include "core/parallel.h"
+#include "landscape/view.h"
+
+namespace wold::landscape {
+
+/// Every sample of a map of the terrain that may be in the picture, in parallel: visit(i, j, place
+/// on the ground in metres).
+template <class Map, class Visit>
+void each_in_view(const Map& map, const Heightfield& terrain, const View& view,
+                  const Visit& visit) {
+  constexpr double margin_m = 2.0;  // what stands there may lean into the picture
+  parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < map.samples(); ++i) {
+      const glm::dvec2 place_m = glm::dvec2(i, j) * map.step_m();
+      const glm::dvec3 at_m(place_m, terrain.sample(place_m.x, place_m.y));
+      if (view.may_see(at_m, margin_m)) visit(i, j, at_m);
+    }
+  });
+}
+
+}  // namespace wold::landscape

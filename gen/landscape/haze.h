@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/ground_map.h"
+#include "landscape/far_field.h"
+#include "landscape/view.h"
+#include "light/daylight.h"
+
+namespace wold::landscape {
+
+/// The air between the eye and the ground, by Koschmieder: it hides and it glows.
+class Haze {
+ public:
+  Haze(const light::Daylight& day, const glm::dvec3& eye_m, double visual_range_m);
+
+  /// A radiance as it is seen from the eye, at a place.
+  glm::vec3 before(const glm::vec3& radiance, const glm::dvec3& at_m) const;
+
+  /// Whether any of the terrain is far enough for haze to be seen: 2 % of it.
+  bool is_visible(const Heightfield& terrain) const;
+
+ private:
+  const light::Daylight& day_;
+  glm::dvec3 eye_m_;
+  double visual_range_m_;
+};
+
+/// Puts the haze before the ground.
+void veil_ground(ColourMap& ground, const Heightfield& terrain, const View& view, const Haze& haze);
+
+/// Puts the haze before the grass that stands: a factor on its light that makes `meadow` look as
+/// it would behind the haze. `light` is without tints.
+ColourMap veil_of_grass(const ColourMap& light, const Heightfield& terrain, const View& view,
+                        const Meadow& meadow, const Haze& haze);
+
+}  // namespace wold::landscape

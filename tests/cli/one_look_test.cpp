@@ -1,0 +1,124 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "core/files.h"
+#include "core/image.h"
+#include "program.h"
+
+/// The promise of one look: both renderers show the same landscape.
+namespace wold::test {
+namespace {
+
+constexpr int frames = 3;  // weathering degrees 0, 0.30 and 0.917
+constexpr int box = 8;
+
+/// Mean of the box x box pixels from a pixel on, of a channel.
+double blurred(const Image& picture, int x, int y, int channel) {
+  double sum = 0.0;
+  for (int j = 0; j < box; ++j)
+    for (int i = 0; i < box; ++i) sum += double{picture.pixel(x + i, y + j)[channel]};
+  return sum / (box * box);
+}
+
+/// Mean absolute difference of two pictures in [0, 1] after a box blur.
+double blurred_difference(const Image& a, const Image& b) {
+  double sum = 0.0;
+  int count = 0;
+  for (int y = 0; y + box <= a.height; ++y)
+    for (int x = 0; x + box <= a.width; ++x)
+      for (int c = 0; c < 3; ++c, ++count)
+        sum += std::abs(blurred(a, x, y, c) - blurred(b, x, y, c));
+  return sum / count;
+}
+
+/// First row from the top, column by column, that is no longer sky: grass and rock are darker than
+/// what is above them. Where it lies between two rows is read off the brightness.
+std::vector<double> skyline(const Image& picture) {
+  const auto blue = [&](int x, int y) { return double{picture.pixel(x, y)[2]}; };
+  std::vector<double> rows;
+  for (int x = 0; x < picture.width; ++x) {
+    int y = 2;
+    while (y + 2 < picture.height && blue(x, y + 1) > 0.8 * blue(x, 0)) ++y;
+    const double sky = blue(x, y - 2);
+    const double land = blue(x, y + 2);
+    rows.push_back(y + std::clamp((blue(x, y) - land) / std::max(sky - land, 1e-3), 0.0, 1.0));
+  }
+  return rows;
+}
+
+/// Distance between two skylines in pixels, at the worst but a hundredth of the columns: single
+/// blades stand out of them.
+double skyline_difference(const Image& a, const Image& b) {
+  const std::vector<double> ours = skyline(a);
+  const std::vector<double> theirs = skyline(b);
+  std::vector<double> apart;
+  for (std::size_t x = 0; x < ours.size(); ++x) apart.push_back(std::abs(ours[x] - theirs[x]));
+  std::sort(apart.begin(), apart.end());
+  return apart[apart.size() * 99 / 100];
+}
+
+Image difference(const Image& a, const Image& b) {
+  Image picture(a.width, a.height, 3);
+  for (std::size_t i = 0; i < picture.values.size(); ++i)
+    picture.values[i] = 0.5F + 2.0F * (a.values[i] - b.values[i]);
+  return picture;
+}
+
+class OneLook : public Program, public testing::WithParamInterface<const char*> {
+ protected:
+  void SetUp() override {
+    Program::SetUp();
+    for (const char* renderer : {"blender", "povray"})
+      if (!is_installed(renderer))
+        GTEST_SKIP() << "no " << renderer << " on this machine: the two looks are not compared";
+  }
+
+  fs::path picture(const char* renderer, int frame) const {
+    return folder_ / fmt::format("out/frames/{}/{:04}.png", renderer, frame);
+  }
+
+  /// Keeps both pictures, their difference, doubled about grey, and the numbers in the build
+  /// folder.
+  void keep(int frame, const Image& apart, double blur, double skyline_px) const {
+    const fs::path evidence =
+        fs::path(WOLD_BUILD_DIR) / "one_look" / fmt::format("{}_{:04}", GetParam(), frame);
+    fs::create_directories(evidence);
+    for (const char* renderer : {"blender", "povray"})
+      fs::copy_file(picture(renderer, frame), evidence / (std::string(renderer) + ".png"),
+                    fs::copy_options::overwrite_existing);
+    write_image(evidence / "difference.png", apart, PixelFormat::uint8);
+    const nlohmann::ordered_json numbers = {{"blurred_difference_of_255", 255.0 * blur},
+                                            {"skyline_px", skyline_px}};
+    write_file(evidence / "numbers.json", numbers.dump(2) + "\n");
+    fmt::print("{} frame {}: {:.2f} of 255, skyline {:.2f} px\n", GetParam(), frame, 255.0 * blur,
+               skyline_px);
+  }
+};
+
+TEST_P(OneLook, BothRenderersShowTheSame) {
+  const Result made =
+      wold(fmt::format("render '" WOLD_TESTS_DIR
+                       "/../examples/{}.toml' --quiet --out out --renderer both "
+                       "--size 240x136 --samples 9 --set 'grass.levels=[126, 62, 30]'",
+                       GetParam()));
+  ASSERT_EQ(made.code, 0) << made.err;
+  for (int frame = 1; frame <= frames; ++frame) {
+    const Image blender = read_image(picture("blender", frame));
+    const Image povray = read_image(picture("povray", frame));
+    const double blur = blurred_difference(blender, povray);
+    const double skyline_px = skyline_difference(blender, povray);
+    EXPECT_LE(blur, 5.0 / 255.0) << "frame " << frame;
+    EXPECT_LE(skyline_px, 1.0) << "frame " << frame;
+    keep(frame, difference(blender, povray), blur, skyline_px);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Landscape, OneLook, testing::Values("hillside", "mountain"),
+                         [](const auto& test) { return std::string(test.param); });
+
+}  // namespace
+}  // namespace wold::test
