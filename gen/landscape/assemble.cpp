@@ -72,6 +72,18 @@ std::map<int, PatchLook> far_looks(const scene::Scene& scene, int frame,
 /// that meters them opens by most of a stop.
 constexpr double card_exposure = 1.6;
 
+/// Exposure of the sky at 20 degrees of elevation at which it is about to burn out: there the
+/// camera stops opening. A low sun lights the sky more than the ground.
+constexpr double brightest_sky = 0.9;
+
+/// Factor on every radiance as a camera's meter sets it.
+double metered_gain(const light::Daylight& day) {
+  constexpr double elevation_rad = 20.0 * std::numbers::pi / 180.0;
+  const double sky = glm::dot(glm::dvec3(day.mean_sky_radiance(elevation_rad)),
+                              glm::dvec3(0.2126, 0.7152, 0.0722));  // luminance, IEC 61966-2-1
+  return std::min(card_exposure * std::numbers::pi, brightest_sky / sky);
+}
+
 }  // namespace
 
 bool shows_distance(const scene::Scene& scene, const Heightfield& terrain,
@@ -111,7 +123,7 @@ Landscape assemble(const scene::Scene& scene, const Heightfield& terrain, const 
   }
   landscape.sky = day.sky_image(sky_width_px);
   landscape.samples = scene.render.samples;
-  landscape.exposure_gain = card_exposure * std::numbers::pi * std::exp2(scene.render.exposure);
+  landscape.exposure_gain = metered_gain(day) * std::exp2(scene.render.exposure);
   landscape.df3_bits = scene.render.df3_bits;
   return landscape;
 }

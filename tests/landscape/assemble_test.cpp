@@ -56,6 +56,18 @@ TEST(Assemble, CellsReferToTheirVolumes) {
   EXPECT_NEAR(landscape.camera.target_m.z, terrain.sample(4.0, 6.0) + 0.5, 1e-6);
 }
 
+// With a low sun the sky is exposed, not the ground.
+TEST(Assemble, DoesNotBurnOutTheSkyOfAnEvening) {
+  scene::Scene scene = small_meadow();
+  scene.sun.elevation_deg = 4.0;
+  const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
+  const light::Daylight day(scene.sun, scene.sky);
+  const Landscape landscape = assemble(scene, terrain, grown(scene), day, 2, {}, {});
+  const glm::vec3 sky = day.mean_sky_radiance(20.0 * std::numbers::pi / 180.0);
+  const double luminance = 0.2126 * double{sky.r} + 0.7152 * double{sky.g} + 0.0722 * double{sky.b};
+  EXPECT_NEAR(landscape.exposure_gain * luminance, 0.9, 1e-4);
+}
+
 // Every cell is drawn once, as a volume or as blades; meshes are shared by turns and levels.
 TEST(Assemble, CellsOfBladesReferToTheirMeshes) {
   scene::Scene scene = small_meadow();
