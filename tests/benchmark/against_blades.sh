@@ -12,7 +12,7 @@ wold=$here/build/wold
 scene=${1:-$here/examples/mountain.toml}
 shift || true
 out=$here/build/against_blades
-size=(480 270)
+size=(240 135)
 mkdir -p "$out"
 
 # measured COMMAND...: "seconds megabytes" of a command whose output is not wanted.
@@ -46,7 +46,7 @@ for renderer in blender povray; do
     for samples in 1 4 16; do
       file=$out/${renderer}_${route}_$samples.png
       read -r seconds megabytes < <(picture "$renderer" "$route" "$samples" "$file")
-      echo "| $renderer | $route | $samples | $seconds s | $megabytes MB | $(rmse "$file" "$best") |"
+      echo "| $renderer | $route | $samples | $seconds s | $megabytes MB | $(printf %.4f "$(rmse "$file" "$best")") |"
     done
   done
 done
