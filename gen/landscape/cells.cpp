@@ -102,8 +102,7 @@ bool choose_blades(const scene::Scene& scene, double pixels_per_m) {
 /// Middle of the grass on a cell.
 glm::dvec3 middle_of(const scene::Grass& grass, const Heightfield& terrain,
                      const glm::ivec2& cell) {
-  const glm::dvec2 at_m = centre_m(cell, grass.patch_m);
-  return {at_m, terrain.sample(at_m.x, at_m.y) + grass.height_m / 2.0};
+  return above_ground(terrain, centre_m(cell, grass.patch_m), grass.height_m / 2.0);
 }
 
 /// What the camera sees of the cells.

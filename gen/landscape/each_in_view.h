@@ -15,8 +15,7 @@ void each_in_view(const Map& map, const Heightfield& terrain, const View& view,
   parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < map.samples(); ++i) {
-      const glm::dvec2 place_m = glm::dvec2(i, j) * map.step_m();
-      const glm::dvec3 at_m(place_m, terrain.sample(place_m.x, place_m.y));
+      const glm::dvec3 at_m = above_ground(terrain, glm::dvec2(i, j) * map.step_m(), 0.0);
       if (view.may_see(at_m, margin_m)) visit(i, j, at_m);
     }
   });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "landscape/cells.h"
 #include "landscape/each_in_view.h"
@@ -9,10 +10,6 @@
 
 namespace wold::landscape {
 namespace {
-
-glm::dvec3 on_ground(const Heightfield& terrain, const glm::dvec2& at_m) {
-  return {at_m, terrain.sample(at_m.x, at_m.y)};
-}
 
 /// More grass along a ray, where the same number of blades stands on each square metre of a slope.
 double slope_factor(const glm::dvec2& gradient) {
@@ -54,7 +51,7 @@ bool has_far_field(const scene::Scene& scene, const Heightfield& terrain, const 
   for (int j = 0; j <= places; ++j)
     for (int i = 0; i <= places; ++i) {
       const glm::dvec2 at_m = glm::dvec2(i, j) * (terrain.size_m() / places);
-      const glm::dvec3 place_m = on_ground(terrain, at_m);
+      const glm::dvec3 place_m = above_ground(terrain, at_m, 0.0);
       if (view.may_see(place_m, terrain.size_m() / places) &&
           far_share(scene.grass, view, place_m) > 0.0)
         return true;

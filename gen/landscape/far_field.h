@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <vector>
 
 #include "core/ground_map.h"
 #include "landscape/patch_look.h"

@@ -19,7 +19,7 @@ class Mask {
  public:
   Mask(const std::string& path, double size_m) : picture_(read_image(path)), size_m_(size_m) {}
 
-  /// Mean of the colour channels at a place, in [0, 1].
+  /// Mean of the colour channels at a place, in [0, 1]; what is no number counts as black.
   double at(const glm::dvec2& at_m) const {
     const double x = at_m.x / size_m_ * picture_.width - 0.5;
     const double y = (1.0 - at_m.y / size_m_) * picture_.height - 0.5;
@@ -40,7 +40,7 @@ class Mask {
     const int colours = picture_.channels < 3 ? 1 : 3;
     double sum = 0.0;
     for (int c = 0; c < colours; ++c) sum += double{pixel[c]} / colours;
-    return sum;
+    return std::isfinite(sum) ? sum : 0.0;
   }
 
   Image picture_;

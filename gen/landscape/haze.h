@@ -10,6 +10,7 @@ namespace wold::landscape {
 /// The air between the eye and the ground, by Koschmieder: it hides and it glows.
 class Haze {
  public:
+  /// `day` has to outlive it; visual_range_m > 0, see light::haze_share().
   Haze(const light::Daylight& day, const glm::dvec3& eye_m, double visual_range_m);
 
   /// A radiance as it is seen from the eye, at a place.

@@ -8,10 +8,6 @@ namespace wold::landscape {
 
 namespace {
 
-glm::dvec3 above_ground(const Heightfield& terrain, const glm::dvec2& at_m, double height_m) {
-  return {at_m, terrain.sample(at_m.x, at_m.y) + height_m};
-}
-
 /// A place on the straight way from `from_m` to `end` (east, north, height above the ground).
 glm::dvec3 on_the_way(const Heightfield& terrain, const glm::dvec3& from_m,
                       const std::vector<double>& end, double time) {
@@ -20,6 +16,10 @@ glm::dvec3 on_the_way(const Heightfield& terrain, const glm::dvec3& from_m,
 }
 
 }  // namespace
+
+glm::dvec3 above_ground(const Heightfield& terrain, const glm::dvec2& at_m, double height_m) {
+  return {at_m, terrain.sample(at_m.x, at_m.y) + height_m};
+}
 
 Camera resolved_camera(const scene::Camera& camera, const Heightfield& terrain, double time) {
   const auto placed = [&](const std::array<double, 2>& at_m, double height_m,

@@ -9,8 +9,11 @@
 
 namespace wold::landscape {
 
-/// The scene's camera in a frame (from 1) with its heights above the ground resolved to world
-/// space. One that moves is `time` of its way from the first frame to the last, in [0, 1].
+/// A place over the terrain's ground, in world space.
+glm::dvec3 above_ground(const Heightfield& terrain, const glm::dvec2& at_m, double height_m);
+
+/// The scene's camera with its heights above the ground resolved to world space. One that moves is
+/// `time` of its way from the first frame to the last, in [0, 1].
 Camera resolved_camera(const scene::Camera& camera, const Heightfield& terrain, double time);
 
 /// How far a frame (from 1) is on the scene's way from the first to the last, in [0, 1].

@@ -36,8 +36,9 @@ class Daylight {
   /// that fades into the horizon's haze.
   glm::vec3 sky_radiance(const glm::dvec3& direction) const;
 
-  /// Radiance of haze in a unit direction that hides `share` of what is behind it, as a multiple of
-  /// that share: near haze has the light of all directions, distant haze that of the horizon.
+  /// Radiance of haze in a unit direction where it hides all; where it hides `share`, in [0, 1], of
+  /// what is behind, that share of it is seen. Near haze, which hides little, has the light of all
+  /// directions, distant haze that of the horizon.
   glm::vec3 haze_radiance(const glm::dvec3& direction, double share) const;
 
   /// Sky radiance averaged over azimuth, elevation in [0, pi/2] radians.
@@ -70,7 +71,8 @@ class Daylight {
 /// Unit vector for an azimuth clockwise from north and an elevation.
 glm::dvec3 direction_of(double azimuth_rad, double elevation_rad);
 
-/// Share of what is seen at a distance that haze hides: Koschmieder 1924, 98 % at the visual range.
+/// Share of what is seen at a distance, >= 0, that haze hides, in [0, 1): Koschmieder 1924, 98 % at
+/// the visual range.
 double haze_share(double distance_m, double visual_range_m);
 
 }  // namespace wold::light

@@ -137,9 +137,11 @@ std::vector<Key> growth_keys() {
             FIELD(growth.feature_m)),
       bound(number("growth.steepest", "deg", {0, 90}, "Steepest slope on which grass grows."),
             FIELD(growth.steepest_deg)),
-      bound(number("growth.lowest", "m", {-10000, 10000}, "Lowest ground on which grass grows."),
+      bound(number("growth.lowest", "m", {-10000, 10000},
+                   "Lowest ground on which grass grows, over the terrain's zero."),
             FIELD(growth.lowest_m)),
-      bound(number("growth.highest", "m", {-10000, 10000}, "Highest ground on which grass grows."),
+      bound(number("growth.highest", "m", {-10000, 10000},
+                   "Highest ground on which grass grows, likewise."),
             FIELD(growth.highest_m)),
       bound(plain(Kind::file, "growth.mask", "", {0, 0},
                   "Picture over the terrain's square, north at the top: no grass where it is "

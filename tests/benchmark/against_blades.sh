@@ -10,7 +10,7 @@ set -euo pipefail
 here=$(cd "$(dirname "$0")/../.." && pwd)
 wold=$here/build/wold
 scene=${1:-$here/examples/mountain.toml}
-shift || true
+[ $# -eq 0 ] || shift
 out=$here/build/against_blades
 size=(240 135)
 mkdir -p "$out"

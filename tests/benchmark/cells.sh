@@ -18,21 +18,20 @@ times() { awk -v side="$1" -v factor="$2" 'BEGIN {print side * factor}'; }
 
 echo '| cells | drawn | generate | memory | Blender | memory | POV-Ray | memory |'
 echo '|---|---|---|---|---|---|---|---|'
-for side in "${@:-10 40 80 160 320}"; do
-  for cells in $side; do
-    out=$work/$cells
-    size=$(times "$cells" 0.6)
-    read -r generate_s generate_mb < <(measured "$wold" generate "$here/examples/mountain.toml" \
-      --quiet --frames 2 --size 960x540 --out "$out" --set "terrain.size=$size" \
-      --set "terrain.hill_height=$(times "$size" 0.2083)" \
-      --set "camera.eye=[$(times "$size" 0.5), 0.5]" \
-      --set "camera.target=[$(times "$size" 0.51), $(times "$size" 0.333)]"; echo)
-    drawn=$(grep -c '^Cell' "$out/povray/data/frame_0002/cells.inc" || true)
-    read -r blender_s blender_mb < <(measured blender -b --python-exit-code 1 \
-      -P "$out/blender/scene.py" -- 2; echo)
-    read -r povray_s povray_mb < <(cd "$out/povray" && measured povray data/frame_0002.ini; echo)
-    echo "| $((cells * cells)) | $drawn | $generate_s s | $generate_mb MB |" \
-      "$blender_s s | $blender_mb MB | $povray_s s | $povray_mb MB |"
-    rm -rf "$out"
-  done
+[ $# -gt 0 ] || set -- 10 40 80 160 320
+for cells in "$@"; do
+  out=$work/$cells
+  size=$(times "$cells" 0.6)
+  read -r generate_s generate_mb < <(measured "$wold" generate "$here/examples/mountain.toml" \
+    --quiet --frames 2 --size 960x540 --out "$out" --set "terrain.size=$size" \
+    --set "terrain.hill_height=$(times "$size" 0.2083)" \
+    --set "camera.eye=[$(times "$size" 0.5), 0.5]" \
+    --set "camera.target=[$(times "$size" 0.51), $(times "$size" 0.333)]"; echo)
+  drawn=$(awk '/^Cell/ {n++} END {print n + 0}' "$out/povray/data/frame_0002/cells.inc")
+  read -r blender_s blender_mb < <(measured blender -b --python-exit-code 1 \
+    -P "$out/blender/scene.py" -- 2; echo)
+  read -r povray_s povray_mb < <(cd "$out/povray" && measured povray data/frame_0002.ini; echo)
+  echo "| $((cells * cells)) | $drawn | $generate_s s | $generate_mb MB |" \
+    "$blender_s s | $blender_mb MB | $povray_s s | $povray_mb MB |"
+  rm -rf "$out"
 done

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "core/image.h"
@@ -68,6 +70,17 @@ TEST(Growth, FollowsTheMask) {
   EXPECT_EQ(growth.sample(19.0, 19.0), 1.0F);
   EXPECT_EQ(growth.sample(1.0, 19.0), 0.0F);
   EXPECT_EQ(growth.sample(19.0, 1.0), 0.0F);
+}
+
+// A mask may hold what is no number.
+TEST(Growth, DamagedMasksAreBlackThere) {
+  const test::TemporaryFolder folder("growth");
+  Image mask(2, 2, 3);
+  std::fill(mask.values.begin(), mask.values.end(), std::numeric_limits<float>::quiet_NaN());
+  write_image(folder.path() / "mask.exr", mask, PixelFormat::float32);
+  scene::Scene scene = flat_square(5.0);
+  scene.growth.mask = (folder.path() / "mask.exr").string();
+  EXPECT_EQ(mean(growth_map(scene, plane(5.0, 0.0))), 0.0);
 }
 
 // Cells stand where something grows; blades on as many as the ground is grown over.
