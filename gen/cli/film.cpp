@@ -17,13 +17,6 @@
 namespace wold::cli {
 namespace {
 
-/// Highlights are baked for one eye: where the camera is half-way through the film, seen from what
-/// it looks at.
-glm::dvec3 eye_direction(const scene::Scene& scene, const Heightfield& terrain) {
-  const landscape::Camera camera = landscape::resolved_camera(scene.camera, terrain, 0.5);
-  return glm::normalize(camera.eye_m - camera.target_m);
-}
-
 int coarsest_level(const scene::Grass& grass) { return static_cast<int>(grass.levels.size()) - 1; }
 
 void export_program(const std::string& renderer, const std::filesystem::path& folder) {
@@ -51,7 +44,8 @@ Film::Film(const Job& job)
       daylight_(job.scene.sun, job.scene.sky),
       terrain_(terrain::make_ground(job.scene.terrain, job.scene.seed)),
       growth_(landscape::growth_map(job.scene, terrain_)),
-      texels_(job.scene, grass::make_lighting(daylight_, eye_direction(job.scene, terrain_)),
+      texels_(job.scene,
+              grass::make_lighting(daylight_, landscape::film_eye_direction(job.scene, terrain_)),
               job.out / "texels") {}
 
 void Film::generate(Progress& progress) {

@@ -17,6 +17,7 @@
 #include "grass/point_tubes.h"
 #include "grass/samples.h"
 #include "grass/texel_file.h"
+#include "scene/key_frames.h"
 #include "scene/write.h"
 
 namespace wold::grass {
@@ -95,6 +96,7 @@ std::string described(const scene::Scene& scene, const Lighting& lighting) {
   scene::Scene relevant;
   relevant.seed = scene.seed;
   relevant.grass = scene.grass;
+  relevant.grass.key_frames = scene::key_frames(scene);
   relevant.grass.pixels_per_voxel = plain.grass.pixels_per_voxel;
   relevant.grass.far_pixels = plain.grass.far_pixels;
   relevant.ageing = scene.ageing;
@@ -126,6 +128,7 @@ std::string texel_models() {
 TimeVaryingTexel::TimeVaryingTexel(const scene::Scene& scene, Lighting lighting,
                                    std::filesystem::path folder)
     : scene_(scene),
+      key_frames_(scene::key_frames(scene)),
       lighting_(std::move(lighting)),
       folder_(std::move(folder)),
       shape_(finest_shape(scene)),
@@ -159,17 +162,16 @@ std::string TimeVaryingTexel::volume_content(int variant, int key_frame, int lev
 }
 
 Tubes TimeVaryingTexel::blades(int variant, int key_frame) const {
-  const double weathering = scene_.grass.key_frames[static_cast<std::size_t>(key_frame)];
+  const double weathering = key_frames_[static_cast<std::size_t>(key_frame)];
   return blade_tubes(WitheringPatch(scene_, model_, variant).at(weathering), model_, lighting_,
                      fibre_look(scene_.grass));
 }
 
 Tubes TimeVaryingTexel::points(int variant, int key_frame) const {
-  const std::vector<double>& weathering = scene_.grass.key_frames;
   const auto now = static_cast<std::size_t>(key_frame);
   Samples samples(scene_, shape_, variant, model_);
-  for (std::size_t step = 0; step <= now; ++step) samples.advance_to(weathering[step]);
-  return point_tubes(WitheringPatch(scene_, model_, variant).at(weathering[now]), samples.all(),
+  for (std::size_t step = 0; step <= now; ++step) samples.advance_to(key_frames_[step]);
+  return point_tubes(WitheringPatch(scene_, model_, variant).at(key_frames_[now]), samples.all(),
                      lighting_, fibre_look(scene_.grass));
 }
 
@@ -215,7 +217,7 @@ StageTimes TimeVaryingTexel::generate_variant(int variant,
   for (int key_frame = 0; key_frame <= key_frames.rbegin()->first; ++key_frame) {
     {
       const Stopwatch watch(times.dynamics);
-      samples.advance_to(grass.key_frames[static_cast<std::size_t>(key_frame)]);
+      samples.advance_to(key_frames_[static_cast<std::size_t>(key_frame)]);
     }
     ++times.steps;
     times.points += static_cast<long>(samples.points());

@@ -76,6 +76,7 @@ class TimeVaryingTexel {
              const LevelTurns& levels) const;
 
   scene::Scene scene_;
+  std::vector<double> key_frames_;  ///< weathering degrees
   Lighting lighting_;
   std::filesystem::path folder_;
   TexelShape shape_;

@@ -8,7 +8,10 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/colour.h"
 #include "grass/blade_patch.h"
+#include "grass/fibres.h"
+#include "landscape/combed_light.h"
 #include "landscape/far_field.h"
 #include "landscape/haze.h"
 #include "landscape/tint.h"
@@ -46,10 +49,8 @@ std::pair<int, int> blades_key(const CellChoice& choice) {
 }
 
 /// Mean colour of the meadow's grass by weathering degree.
-GrassColour grass_colour(const scene::Scene& scene) {
+GrassColour grass_colour(const grass::WitheringPatch& patch, const grass::AgeingModel& model) {
   constexpr int steps = 64;
-  const grass::AgeingModel model(scene.ageing, scene.grass.specular);
-  const grass::WitheringPatch patch(scene, model, /*variant=*/0);
   std::vector<glm::vec3> colours;
   for (int i = 0; i <= steps; ++i)
     colours.push_back(grass::mean_albedo(patch.at(static_cast<double>(i) / steps), model));
@@ -58,6 +59,17 @@ GrassColour grass_colour(const scene::Scene& scene) {
     const auto i = std::min(static_cast<std::size_t>(place), std::size_t{steps - 1});
     return glm::mix(colours[i], colours[i + 1], static_cast<float>(place - static_cast<double>(i)));
   };
+}
+
+/// What combing does to the light of the frame's grass.
+FactorMap combed_light(const scene::Scene& scene, const Heightfield& terrain,
+                       const light::Daylight& day, const View& view, const grass::BladePatch& patch,
+                       const grass::AgeingModel& model) {
+  constexpr int fibres = 150;
+  const CombedLight light(grass::representative_fibres(patch, model, fibres),
+                          grass::make_lighting(day, film_eye_direction(scene, terrain)),
+                          static_cast<float>(scene.grass.gloss));
+  return combed_light_map(light, Combing(scene), terrain, view);
 }
 
 std::map<int, PatchLook> far_looks(const scene::Scene& scene, int frame,
@@ -79,8 +91,7 @@ constexpr double brightest_sky = 0.9;
 /// Factor on every radiance as a camera's meter sets it.
 double metered_gain(const light::Daylight& day) {
   constexpr double elevation_rad = 20.0 * std::numbers::pi / 180.0;
-  const double sky = glm::dot(glm::dvec3(day.mean_sky_radiance(elevation_rad)),
-                              glm::dvec3(0.2126, 0.7152, 0.0722));  // luminance, IEC 61966-2-1
+  const double sky = luminance(day.mean_sky_radiance(elevation_rad));
   return std::min(card_exposure * std::numbers::pi, brightest_sky / sky);
 }
 
@@ -109,7 +120,12 @@ Landscape assemble(const scene::Scene& scene, const Heightfield& terrain, const 
   place(choices, /*blades=*/true, blades_key, lookup.blades, landscape.blade_meshes,
         landscape.blade_cells);
   const ColourMap light = terrain::light_map(terrain, day);
-  landscape.light = product(light, weathering_tint(scene, frame, choices, grass_colour(scene)));
+  const grass::AgeingModel model(scene.ageing, scene.grass.specular);
+  const grass::WitheringPatch patch(scene, model, /*variant=*/0);
+  const ColourMap grass_light = product(
+      light, combed_light(scene, terrain, day, view, patch.at(landscape.weathering), model));
+  landscape.light =
+      product(grass_light, weathering_tint(scene, frame, choices, grass_colour(patch, model)));
   landscape.standing = standing_grass(scene, terrain, growth, view);
   landscape.ground =
       terrain::ground_radiance(light, terrain, day.sun_direction(), scene.terrain, scene.seed,
@@ -117,9 +133,10 @@ Landscape assemble(const scene::Scene& scene, const Heightfield& terrain, const 
   if (shows_distance(scene, terrain, day, landscape.camera)) {
     const Haze haze(day, landscape.camera.eye_m, scene.sky.visual_range_m);
     const Meadow meadow(scene, terrain, view, frame, far_looks(scene, frame, lookup));
-    paint_far_grass(landscape.ground, scene, terrain, growth, light, view, meadow);
+    paint_far_grass(landscape.ground, scene, terrain, growth, grass_light, view, meadow);
     veil_ground(landscape.ground, terrain, view, haze);
-    landscape.light = product(landscape.light, veil_of_grass(light, terrain, view, meadow, haze));
+    landscape.light =
+        product(landscape.light, veil_of_grass(grass_light, terrain, view, meadow, haze));
   }
   landscape.sky = day.sky_image(sky_width_px);
   landscape.samples = scene.render.samples;

@@ -10,8 +10,10 @@
 #include "core/noise.h"
 #include "core/parallel.h"
 #include "core/random.h"
+#include "landscape/combing.h"
 #include "landscape/far_field.h"
 #include "landscape/view.h"
+#include "scene/key_frames.h"
 #include "terrain/horizon.h"
 
 namespace wold::landscape {
@@ -70,8 +72,8 @@ glm::dvec2 centre_m(const glm::ivec2& cell, double patch_m) {
   return (glm::dvec2(cell) + 0.5) * patch_m;
 }
 
-int choose_key_frame(const scene::Scene& scene, const glm::ivec2& cell, int frame) {
-  const std::vector<double>& keys = scene.grass.key_frames;
+int choose_key_frame(const scene::Scene& scene, const std::vector<double>& keys,
+                     const glm::ivec2& cell, int frame) {
   const double wanted = local_weathering(scene, centre_m(cell, scene.grass.patch_m), frame);
   const auto above = std::upper_bound(keys.begin(), keys.end(), wanted);
   if (above == keys.begin()) return 0;
@@ -158,7 +160,7 @@ Grown grown_in(const FactorMap& growth, const glm::ivec2& cell, double patch_m) 
 
 /// All of the choice but where the cell stands.
 CellChoice choose_cell(const scene::Scene& scene, const glm::ivec2& cell, const Texel& texel,
-                       int frame, double pixels_per_m) {
+                       const std::vector<double>& key_frames, int frame, double pixels_per_m) {
   CellChoice choice;
   choice.cell = cell;
   const double jittered = pixels_per_m * (0.9 + 0.2 * cell_uniform(scene, cell, "level"));
@@ -168,7 +170,7 @@ CellChoice choose_cell(const scene::Scene& scene, const glm::ivec2& cell, const 
   const int side = scene.grass.levels[static_cast<std::size_t>(choice.level)];
   const bool turns = !choice.blades && scene.ageing.fur.clumps == 0;  // a coat has one nap
   choice.turn = turns ? texel.turn % turns_of_level(side) : 0;
-  choice.key_frame = choose_key_frame(scene, cell, frame);
+  choice.key_frame = choose_key_frame(scene, key_frames, cell, frame);
   return choice;
 }
 
@@ -185,7 +187,7 @@ int cells_per_side(const scene::Scene& scene) {
 }
 
 glm::dmat4 world_from_cell(const Heightfield& terrain, double patch_m, const glm::ivec2& cell,
-                           int turn) {
+                           int turn, const glm::dvec2& lean) {
   const glm::dvec2 low = glm::dvec2(cell) * patch_m;
   const glm::dvec2 high = low + patch_m;
   const double z00 = terrain.sample(low.x, low.y);
@@ -203,7 +205,7 @@ glm::dmat4 world_from_cell(const Heightfield& terrain, double patch_m, const glm
   const glm::dvec2 origin = centre - (east + north) * (patch_m / 2.0);
   const double z = (z00 + z10 + z01 + z11) / 4.0 + glm::dot(rise, origin - centre);
   return {glm::dvec4(east, glm::dot(rise, east), 0), glm::dvec4(north, glm::dot(rise, north), 0),
-          glm::dvec4(0, 0, 1, 0), glm::dvec4(origin, z, 1)};
+          glm::dvec4(lean, 1.0 + glm::dot(rise, lean), 0), glm::dvec4(origin, z, 1)};
 }
 
 int turns_of_level(int voxels_per_side) {
@@ -245,17 +247,21 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
   const std::vector<Texel> texels = choose_texels(scene, per_side);
   const Camera camera = resolved_camera(scene.camera, terrain, time_of_frame(scene, frame));
   const Sight sight(scene, terrain, camera);
+  const Combing combing(scene);
+  const std::vector<double> key_frames = scene::key_frames(scene);
   std::vector<std::optional<CellChoice>> candidates(texels.size());
   parallel_for_blocks(texels.size(), [&](std::size_t k) {
     const glm::ivec2 cell(static_cast<int>(k) % per_side, static_cast<int>(k) / per_side);
     const glm::dvec3 middle_m = middle_of(scene.grass, terrain, cell);
     const Grown grown = grown_in(growth, cell, scene.grass.patch_m);
     if (grown.most <= 0.0F || !sight.may_see(middle_m)) return;
-    const CellChoice choice = choose_cell(scene, cell, texels[k], frame, sight.pixels(middle_m));
+    const CellChoice choice =
+        choose_cell(scene, cell, texels[k], key_frames, frame, sight.pixels(middle_m));
     if (choice.blades && cell_uniform(scene, cell, "grown") >= double{grown.mean}) return;
     candidates[k] = choice;
     candidates[k]->world_from_cell =
-        world_from_cell(terrain, scene.grass.patch_m, cell, choice.turn);
+        world_from_cell(terrain, scene.grass.patch_m, cell, choice.turn,
+                        combing.lean(centre_m(cell, scene.grass.patch_m)));
   });
   std::vector<CellChoice> choices;
   for (const auto& candidate : candidates)

@@ -28,9 +28,9 @@ int cells_per_side(const scene::Scene& scene);
 
 /// The best affine fit of the ground under a cell, after `turn` quarter-turns about the patch's
 /// centre: least squares through the four corners, which leaves |z00 - z10 - z01 + z11| / 4 at
-/// each.
+/// each. What stands on it leans over by `lean` (see Combing) along the ground.
 glm::dmat4 world_from_cell(const Heightfield& terrain, double patch_m, const glm::ivec2& cell,
-                           int turn);
+                           int turn, const glm::dvec2& lean);
 
 /// How many of the four quarter-turns a level uses. A turn needs its own baked light, and a volume
 /// of 254^3 takes about 200 MB in a renderer: 1 from 200 voxels per side on, 2 from 100 on, else 4.

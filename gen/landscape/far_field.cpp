@@ -6,6 +6,7 @@
 
 #include "landscape/cells.h"
 #include "landscape/each_in_view.h"
+#include "scene/key_frames.h"
 #include "terrain/relief.h"
 
 namespace wold::landscape {
@@ -16,25 +17,32 @@ double slope_factor(const glm::dvec2& gradient) {
   return std::sqrt(1.0 + glm::dot(gradient, gradient));
 }
 
-/// A line of sight as a cell sees it that is sheared to the slope; the flattest still goes down.
-glm::dvec3 in_cell(const glm::dvec3& sight, const glm::dvec2& gradient) {
-  const double down = sight.z - glm::dot(gradient, glm::dvec2(sight));
-  return {sight.x, sight.y, std::min(down, -0.03)};
+/// A line of sight as a cell sees it that is sheared to the slope and leans; the flattest still
+/// goes down.
+glm::dvec3 in_cell(const glm::dvec3& sight, const glm::dvec2& gradient, const glm::dvec2& lean) {
+  const double down = std::min(sight.z - glm::dot(gradient, glm::dvec2(sight)), -0.03);
+  return {glm::dvec2(sight) - lean * down, down};
 }
 
 }  // namespace
 
 Meadow::Meadow(const scene::Scene& scene, const Heightfield& terrain, const View& view, int frame,
                std::map<int, PatchLook> looks)
-    : scene_(scene), terrain_(terrain), view_(view), frame_(frame), looks_(std::move(looks)) {}
+    : scene_(scene),
+      terrain_(terrain),
+      view_(view),
+      frame_(frame),
+      combing_(scene),
+      key_frames_(scene::key_frames(scene)),
+      looks_(std::move(looks)) {}
 
 FarLook Meadow::look(const glm::dvec3& at_m) const {
   const glm::dvec2 gradient = terrain::gradient(terrain_, at_m.x, at_m.y);
-  const glm::dvec3 direction = in_cell(view_.line_of_sight(at_m), gradient);
-  const std::vector<double>& keys = scene_.grass.key_frames;
+  const glm::dvec3 direction =
+      in_cell(view_.line_of_sight(at_m), gradient, combing_.lean(glm::dvec2(at_m)));
   const double weathering = local_weathering(scene_, glm::dvec2(at_m), frame_);
-  const auto above = std::upper_bound(keys.begin() + 1, keys.end() - 1, weathering);
-  const auto key = static_cast<int>(above - keys.begin());
+  const auto above = std::upper_bound(key_frames_.begin() + 1, key_frames_.end() - 1, weathering);
+  const auto key = static_cast<int>(above - key_frames_.begin());
   const double share = (weathering - *(above - 1)) / (*above - *(above - 1));
   return thickened(
       mixed(looks_.at(key - 1).along(direction), looks_.at(key).along(direction), share),
@@ -60,7 +68,7 @@ bool has_far_field(const scene::Scene& scene, const Heightfield& terrain, const 
 }
 
 std::vector<int> far_key_frames(const scene::Scene& scene, int frame) {
-  const std::vector<double>& keys = scene.grass.key_frames;
+  const std::vector<double> keys = scene::key_frames(scene);
   const auto [least, most] = weathering_range(scene, frame);
   const auto first = std::upper_bound(keys.begin() + 1, keys.end() - 1, least) - 1;
   const auto last = std::upper_bound(keys.begin() + 1, keys.end() - 1, most);

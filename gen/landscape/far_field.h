@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/ground_map.h"
+#include "landscape/combing.h"
 #include "landscape/patch_look.h"
 #include "landscape/view.h"
 #include "scene/scene.h"
@@ -29,7 +30,7 @@ class Meadow {
          std::map<int, PatchLook> looks);
 
   /// The look along the line of sight to a place on the ground, of full growth under light 1: that
-  /// of the two key frames around the weathering there, sheared to the slope.
+  /// of the two key frames around the weathering there, sheared to the slope and combed.
   FarLook look(const glm::dvec3& at_m) const;
 
  private:
@@ -37,6 +38,8 @@ class Meadow {
   const Heightfield& terrain_;
   const View& view_;
   int frame_;
+  Combing combing_;
+  std::vector<double> key_frames_;
   std::map<int, PatchLook> looks_;
 };
 

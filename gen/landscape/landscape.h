@@ -30,8 +30,8 @@ struct Volume {
 };
 
 /// An instance of a volume. Cell space: metres, [0, patch] x [0, patch] x [0, height];
-/// world_from_cell turns it by quarter-turns about the patch's centre, shears z to the terrain and
-/// moves it. Its third column is (0, 0, 1) and its determinant 1: densities stay.
+/// world_from_cell turns it by quarter-turns about the patch's centre, leans it over with the wind,
+/// shears z to the terrain and moves it. Its determinant is 1: densities stay.
 struct Cell {
   glm::dmat4 world_from_cell;
   int volume = 0;  ///< index into Landscape::volumes

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/parallel.h"
+#include "scene/key_frames.h"
 
 namespace wold::landscape {
 namespace {
@@ -24,6 +25,7 @@ ColourMap weathering_tint(const scene::Scene& scene, int frame, std::span<const 
   constexpr int samples_per_cell = 8;
   const int per_side = cells_per_side(scene);
   const std::vector<int> frames = key_frames(choices, per_side);
+  const std::vector<double> degrees = scene::key_frames(scene);
   constexpr double most_samples = 4097.0;
   const double step_m = scene.grass.patch_m / samples_per_cell;
   const double samples = std::round(scene.terrain.size_m / step_m) + 1.0;
@@ -36,7 +38,7 @@ ColourMap weathering_tint(const scene::Scene& scene, int frame, std::span<const 
       const glm::ivec2 cell = glm::min(glm::ivec2(at_m / scene.grass.patch_m), per_side - 1);
       const int key_frame = frames[static_cast<std::size_t>(cell.y * per_side + cell.x)];
       if (key_frame < 0) continue;
-      const double shown = scene.grass.key_frames[static_cast<std::size_t>(key_frame)];
+      const double shown = degrees[static_cast<std::size_t>(key_frame)];
       const glm::vec3 wanted = colour(local_weathering(scene, at_m, frame));
       constexpr glm::vec3 least(1e-3F);  // a channel may be empty
       tint.at(i, j) =

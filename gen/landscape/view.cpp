@@ -36,6 +36,11 @@ double time_of_frame(const scene::Scene& scene, int frame) {
   return frames < 2.0 ? 0.0 : (frame - 1.0) / (frames - 1.0);
 }
 
+glm::dvec3 film_eye_direction(const scene::Scene& scene, const Heightfield& terrain) {
+  const Camera camera = resolved_camera(scene.camera, terrain, /*time=*/0.5);
+  return glm::normalize(camera.eye_m - camera.target_m);
+}
+
 View::View(const Camera& camera, int width_px, int height_px) : eye_m_(camera.eye_m) {
   const glm::dvec3 forward = glm::normalize(camera.target_m - camera.eye_m);
   const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 0, 1)));

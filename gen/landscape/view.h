@@ -19,6 +19,10 @@ Camera resolved_camera(const scene::Camera& camera, const Heightfield& terrain, 
 /// How far a frame (from 1) is on the scene's way from the first to the last, in [0, 1].
 double time_of_frame(const scene::Scene& scene, int frame);
 
+/// Unit direction to the eye that highlights are baked for: where the camera is half-way through
+/// the film, seen from what it looks at.
+glm::dvec3 film_eye_direction(const scene::Scene& scene, const Heightfield& terrain);
+
 /// What the camera sees: a pyramid, and how large things look.
 class View {
  public:

@@ -43,7 +43,7 @@ MaybeFault order_fault(const Key& key, const std::vector<T>& items) {
 
 template <class T>
 MaybeFault ends_fault(const Key& key, const std::vector<T>& items) {
-  if (!key.list.spans_range) return std::nullopt;
+  if (!key.list.spans_range || items.empty()) return std::nullopt;
   if (static_cast<double>(items.front()) != key.lowest)
     return Fault{fmt::format("{} as the first", items.front()), {0}};
   if (static_cast<double>(items.back()) != key.highest)

@@ -198,11 +198,13 @@ std::vector<Key> grass_keys() {
       bound(number("grass.proportion", "", {0.1, 1000},
                    "Points drawn per unit of a voxel's optical depth."),
             FIELD(grass.proportion)),
-      bound(list(Kind::numbers, "grass.key_frames", "", {0, 1},
-                 {.fewest = 2, .most = 64, .order = Order::increasing, .spans_range = true},
-                 "Weathering degrees for which patches are made; for one in between, each cell "
-                 "takes one of its two neighbours by chance."),
-            FIELD(grass.key_frames)),
+      bound(
+          list(Kind::numbers, "grass.key_frames", "", {0, 1},
+               {.fewest = 0, .most = 64, .order = Order::increasing, .spans_range = true},
+               "Weathering degrees for which patches are made; for one in between, each cell "
+               "takes one of its two neighbours by chance. An empty list is 12 equal steps, or up "
+               "to 48 for a film whose frames are nearer to each other."),
+          FIELD(grass.key_frames)),
       bound(number("grass.pixels_per_voxel", "", {0.1, 16},
                    "A level is fine enough when its voxel covers at most this many pixels."),
             FIELD(grass.pixels_per_voxel)),
@@ -326,6 +328,21 @@ std::vector<Key> sky_keys() {
       bound(number("sky.visual_range", "m", {100, 1e6},
                    "Distance at which dark things vanish in the haze."),
             FIELD(sky.visual_range_m)),
+  };
+}
+
+std::vector<Key> wind_keys() {
+  return {
+      bound(number("wind.heading", "deg", {0, 360}, "Where it blows to, clockwise from north."),
+            FIELD(wind.heading_deg)),
+      bound(number("wind.lean", "deg", {0, 40}, "How far it has combed the grass over."),
+            FIELD(wind.lean_deg)),
+      bound(number("wind.waves", "deg", {0, 15},
+                   "How much that differs from place to place (standard deviation): a meadow shows "
+                   "waves."),
+            FIELD(wind.waves_deg)),
+      bound(number("wind.wave_length", "m", {0.5, 1000}, "Size of such places along the wind."),
+            FIELD(wind.wave_length_m)),
   };
 }
 

@@ -15,6 +15,7 @@ std::vector<Key> ageing_keys();
 std::vector<Key> fur_keys();
 std::vector<Key> sun_keys();
 std::vector<Key> sky_keys();
+std::vector<Key> wind_keys();
 std::vector<Key> camera_keys();
 std::vector<Key> render_keys();
 

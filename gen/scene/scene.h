@@ -74,8 +74,7 @@ struct Grass {
   int variants = 4;
   std::vector<int> levels = {254, 126, 62, 30};  ///< voxels per side, finest first
   double proportion = 2.5;                       ///< points per unit optical depth of a voxel
-  std::vector<double> key_frames = {0.0,   0.083, 0.167, 0.25,  0.333, 0.417, 0.5,
-                                    0.583, 0.667, 0.75,  0.833, 0.917, 1.0};
+  std::vector<double> key_frames = {};           ///< weathering degrees; empty: see key_frames.h
   double pixels_per_voxel = 1.3;  ///< a level is fine enough when its voxel covers at most this
   double far_pixels = 1.2;        ///< grass that looks lower than this is painted on the ground
 
@@ -138,6 +137,16 @@ struct Sky {
   bool operator==(const Sky&) const = default;
 };
 
+/// What it has done to the grass.
+struct Wind {
+  double heading_deg = 75.0;   ///< where it blows to, clockwise from north
+  double lean_deg = 10.0;      ///< mean angle by which the grass leans over
+  double waves_deg = 7.0;      ///< standard deviation of that angle from place to place
+  double wave_length_m = 5.0;  ///< size of such places, along the wind
+
+  bool operator==(const Wind&) const = default;
+};
+
 struct Camera {
   std::array<double, 2> eye_m = {21.0, 2.0};
   double eye_height_m = 1.6;  ///< above the ground under it
@@ -173,6 +182,7 @@ struct Scene {
   Ageing ageing;
   Sun sun;
   Sky sky;
+  Wind wind;
   Camera camera;
   Render render;
 

@@ -16,6 +16,7 @@
 #include "grass/dynamics.h"
 #include "grass/rasterise.h"
 #include "grass/texel_file.h"
+#include "scene/key_frames.h"
 
 /// Points to texel at 254^3 for the default patch of 400 blades: against a plain copy of the bytes
 /// it writes and against OpenVDB's own rasterisers; the step of point dynamics for 5,000 to
@@ -191,7 +192,7 @@ void season_on_disk(benchmark::State& state) {
   double peak = 0.0;
   for (auto _ : state) {
     PointDynamics dynamics = patch().dynamics(model());
-    for (const double weathering : patch().scene.grass.key_frames) {
+    for (const double weathering : scene::key_frames(patch().scene)) {
       dynamics.advance_to(weathering);
       const Texel texel = rasterise_points(dynamics.points(), patch().shape);
       write_texel(file, texel, "season");
@@ -207,7 +208,7 @@ void season_on_disk(benchmark::State& state) {
     }
   }
   fs::remove(file);
-  const double key_frames = static_cast<double>(patch().scene.grass.key_frames.size());
+  const double key_frames = static_cast<double>(scene::key_frames(patch().scene).size());
   const double dense = key_frames * 254.0 * 254.0 * 254.0 * 10.0 * sizeof(float);
   state.counters["MB"] = on_disk / 1e6;
   state.counters["times_smaller"] = dense / on_disk;

@@ -11,6 +11,7 @@
 #include "grass/texel_file.h"
 #include "grass/time_varying_texel.h"
 #include "light/daylight.h"
+#include "scene/key_frames.h"
 
 /// What the time-varying texel costs, beside the figures of paper 1, section 5 (dual-core 2.4 GHz,
 /// 256^3 voxels, 100 blades, about 5,000 points). Every benchmark is one run. `cpu_s` is processor
@@ -114,12 +115,13 @@ void conversion_and_storage(benchmark::State& state) {
 }
 
 /// Every variant, key frame and level of a scene, baked for one quarter-turn.
-TexelDemand everything(const scene::Grass& grass) {
+TexelDemand everything(const scene::Scene& scene) {
+  const scene::Grass& grass = scene.grass;
   LevelTurns levels;
   for (int level = 0; level < static_cast<int>(grass.levels.size()); ++level) levels[level] = {0};
   TexelDemand demand;
   for (int variant = 0; variant < grass.variants; ++variant)
-    for (int key_frame = 0; key_frame < static_cast<int>(grass.key_frames.size()); ++key_frame)
+    for (int key_frame = 0; key_frame < static_cast<int>(scene::key_frames(scene).size()); ++key_frame)
       demand[variant][key_frame] = levels;
   return demand;
 }
@@ -138,7 +140,7 @@ void whole_time_varying_texel(benchmark::State& state) {
   double cpu_s = 0.0;
   for (auto _ : state) {
     const CpuClock clock;
-    times = texel.generate(everything(scene.grass), progress);
+    times = texel.generate(everything(scene), progress);
     cpu_s = clock.seconds();
   }
   state.counters["cpu_s"] = cpu_s;

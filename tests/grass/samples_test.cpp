@@ -7,6 +7,7 @@
 #include "grass/rasterise.h"
 #include "grass/texel_file.h"
 #include "grass/time_varying_texel.h"
+#include "scene/key_frames.h"
 #include "small_meadow.h"
 #include "support/temporary_folder.h"
 
@@ -108,7 +109,7 @@ TEST(Samples, AgeAtRatesOfTheirOwn) {
 TimeVaryingTexel made(const scene::Scene& scene, const std::filesystem::path& folder) {
   TimeVaryingTexel texel(scene, test::slanting_light(), folder);
   TexelDemand demand;
-  for (int k = 0; k < static_cast<int>(scene.grass.key_frames.size()); ++k)
+  for (int k = 0; k < static_cast<int>(scene::key_frames(scene).size()); ++k)
     demand[0][k] = {{0, {0}}, {1, {2}}};
   SilentProgress progress;
   texel.generate(demand, progress);
@@ -125,7 +126,7 @@ TEST(Samples, OneSteadySampleIsTheMeadowWithoutMingling) {
   const TimeVaryingTexel steady = made(scene, steady_folder.path());
   ASSERT_EQ(plain.shape(), steady.shape());
   const glm::ivec3 size(30, 30, plain.level_shape(1).height);
-  for (int k = 0; k < static_cast<int>(scene.grass.key_frames.size()); ++k) {
+  for (int k = 0; k < static_cast<int>(scene::key_frames(scene).size()); ++k) {
     const Texel a = read_texel(plain.texel_path(0, k));
     const Texel b = read_texel(steady.texel_path(0, k));
     EXPECT_EQ(a.voxel, b.voxel);

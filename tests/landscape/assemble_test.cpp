@@ -7,6 +7,7 @@
 #include <set>
 
 #include "landscape/tint.h"
+#include "scene/key_frames.h"
 #include "support/grown.h"
 #include "terrain/hillside.h"
 
@@ -106,7 +107,7 @@ TEST(WeatheringTint, RestoresTheWantedColour) {
   const ColourMap tint = weathering_tint(scene, 2, choices, colour);
   for (const CellChoice& choice : choices) {
     const glm::dvec2 centre_m = (glm::dvec2(choice.cell) + 0.5) * scene.grass.patch_m;
-    const double shown = scene.grass.key_frames[static_cast<std::size_t>(choice.key_frame)];
+    const double shown = scene::key_frames(scene)[static_cast<std::size_t>(choice.key_frame)];
     const glm::vec3 got = tint.sample(centre_m.x, centre_m.y) * colour(shown);
     EXPECT_NEAR(got.g, colour(local_weathering(scene, centre_m, 2)).g, 1e-5);
   }

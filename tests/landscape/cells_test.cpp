@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "landscape/view.h"
+#include "scene/key_frames.h"
 #include "support/grown.h"
 #include "terrain/hillside.h"
 #include "terrain/horizon.h"
@@ -54,7 +55,7 @@ TEST(Cells, MatrixMapsCornersOntoTheGround) {
   const double patch_m = scene.grass.patch_m;
   for (int turn = 0; turn < 4; ++turn) {
     const glm::ivec2 cell(3 + turn, 7);
-    const glm::dmat4 matrix = world_from_cell(terrain, patch_m, cell, turn);
+    const glm::dmat4 matrix = world_from_cell(terrain, patch_m, cell, turn, glm::dvec2(0.0));
     EXPECT_NEAR(glm::determinant(matrix), 1.0, 1e-12);
     EXPECT_EQ(matrix[2], glm::dvec4(0, 0, 1, 0));
     const glm::dvec2 low = glm::dvec2(cell) * patch_m;
@@ -74,7 +75,7 @@ TEST(Cells, MatrixMapsCornersOntoTheGround) {
 
 TEST(Cells, TurnsCounterClockwise) {
   const Heightfield level(3, 2.0);
-  const glm::dmat4 once = world_from_cell(level, 0.5, {1, 2}, 1);
+  const glm::dmat4 once = world_from_cell(level, 0.5, {1, 2}, 1, glm::dvec2(0.0));
   const glm::dvec4 east_edge = once * glm::dvec4(0.5, 0.25, 0.1, 1);  // goes to the north edge
   EXPECT_NEAR(east_edge.x, 0.75, 1e-12);
   EXPECT_NEAR(east_edge.y, 1.5, 1e-12);
@@ -216,7 +217,7 @@ TEST(Weathering, DithersAboutTheWantedDegree) {
     double sum = 0.0;
     const std::vector<CellChoice> choices = choices_of(scene, frame);
     for (const CellChoice& choice : choices)
-      sum += scene.grass.key_frames[static_cast<std::size_t>(choice.key_frame)];
+      sum += scene::key_frames(scene)[static_cast<std::size_t>(choice.key_frame)];
     return sum / static_cast<double>(choices.size());
   };
   EXPECT_EQ(mean_degree(1), 0.0);

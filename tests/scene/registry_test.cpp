@@ -51,10 +51,10 @@ Value another_value(const Key& key, const Value& value) {
     }
     case Kind::numbers: {
       auto items = std::get<std::vector<double>>(value);
-      if (items.empty())
+      if (key.list.spans_range)
+        items = {key.lowest, key.highest};
+      else if (items.empty())
         items = {1.0, 2.0};
-      else if (key.list.spans_range)
-        items.erase(items.begin() + 1);
       else
         items[0] = 0.5 * (items[0] + key.highest);
       return items;

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "core/ground_map.h"
+#include "grass/shading.h"
+#include "landscape/combing.h"
+#include "landscape/view.h"
+#include "scene/scene.h"
+
+namespace wold::landscape {
+
+/// What the grass's lean does to its light: patches are lit for blades as they grow and for one
+/// eye.
+class CombedLight {
+ public:
+  /// `fibres` stand for the meadow; `lighting` is what its patches were baked for.
+  CombedLight(std::vector<grass::Fibre> fibres, grass::Lighting lighting, float gloss);
+
+  /// Luminance that leaning fibres send to an eye, over that of upright ones to the baked eye. Both
+  /// in half the sun and half the sky. `lean` is Combing's, `to_eye` unit.
+  float factor(const glm::dvec2& lean, const glm::dvec3& to_eye) const;
+
+ private:
+  float luminance(const glm::dvec2& lean, const glm::dvec3& to_eye) const;
+
+  std::vector<grass::Fibre> fibres_;
+  grass::Lighting lighting_;
+  glm::vec3 skylight_;
+  float gloss_;
+  float upright_;
+};
+
+/// The factor everywhere on the terrain: it makes the waves visible, silvery where blades lie so
+/// that they mirror the sun.
+FactorMap combed_light_map(const CombedLight& light, const Combing& combing,
+                           const Heightfield& terrain, const View& view);
+
+}  // namespace wold::landscape
