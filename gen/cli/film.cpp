@@ -8,11 +8,9 @@
 #include "core/files.h"
 #include "landscape/assemble.h"
 #include "landscape/far_field.h"
-#include "landscape/growth.h"
 #include "landscape/view.h"
 #include "povray/export.h"
 #include "scene/write.h"
-#include "terrain/ground.h"
 
 namespace wold::cli {
 namespace {
@@ -41,12 +39,11 @@ std::vector<std::string> wanted_renderers(const scene::Scene& scene) {
 
 Film::Film(const Job& job)
     : job_(job),
-      daylight_(job.scene.sun, job.scene.sky),
-      terrain_(terrain::make_ground(job.scene.terrain, job.scene.seed)),
-      growth_(landscape::growth_map(job.scene, terrain_)),
-      texels_(job.scene,
-              grass::make_lighting(daylight_, landscape::film_eye_direction(job.scene, terrain_)),
-              job.out / "texels") {}
+      site_(landscape::make_site(job.scene)),
+      texels_(
+          job.scene,
+          grass::make_lighting(site_.day, landscape::film_eye_direction(job.scene, site_.terrain)),
+          job.out / "texels") {}
 
 void Film::generate(Progress& progress) {
   make_folder(job_.out);
@@ -59,7 +56,7 @@ void Film::generate(Progress& progress) {
 void Film::choose_cells(Progress& progress) {
   progress.begin("cells", job_.frames.size());
   for (const int frame : job_.frames) {
-    cells_.push_back(landscape::choose_cells(job_.scene, terrain_, growth_, frame));
+    cells_.push_back(landscape::choose_cells(job_.scene, site_.terrain, site_.growth, frame));
     for (const landscape::CellChoice& cell : cells_.back())
       if (!cell.blades) demand_[cell.variant][cell.key_frame][cell.level].insert(cell.turn);
     demand_far_field(frame);
@@ -70,9 +67,9 @@ void Film::choose_cells(Progress& progress) {
 
 void Film::demand_far_field(int frame) {
   const scene::Scene& scene = job_.scene;
-  const landscape::Camera camera =
-      landscape::resolved_camera(scene.camera, terrain_, landscape::time_of_frame(scene, frame));
-  if (!landscape::shows_distance(scene, terrain_, daylight_, camera)) return;
+  const landscape::Camera camera = landscape::resolved_camera(
+      scene.camera, site_.terrain, landscape::time_of_frame(scene, frame));
+  if (!landscape::shows_distance(scene, site_, camera)) return;
   for (const int key_frame : landscape::far_key_frames(scene, frame))
     for (int variant = 0; variant < scene.grass.variants; ++variant)
       demand_[variant][key_frame][coarsest_level(scene.grass)].insert(0);
@@ -123,8 +120,8 @@ void Film::export_frames(Progress& progress) {
   for (const std::string& renderer : renderers) export_program(renderer, job_.out / renderer);
   progress.begin("scene files", job_.frames.size() * renderers.size());
   for (std::size_t i = 0; i < job_.frames.size(); ++i) {
-    const landscape::Landscape landscape = landscape::assemble(
-        job_.scene, terrain_, growth_, daylight_, job_.frames[i], cells_[i], lookup);
+    const landscape::Landscape landscape =
+        landscape::assemble(job_.scene, site_, job_.frames[i], cells_[i], lookup);
     for (const std::string& renderer : renderers) {
       export_frame(renderer, landscape, job_.out / renderer);
       progress.advance(1, fmt::format("{} frame {}", renderer, job_.frames[i]));

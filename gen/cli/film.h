@@ -6,12 +6,11 @@
 #include <vector>
 
 #include "cli/job.h"
-#include "core/ground_map.h"
 #include "core/progress.h"
 #include "grass/time_varying_texel.h"
 #include "landscape/cells.h"
 #include "landscape/landscape.h"
-#include "light/daylight.h"
+#include "landscape/site.h"
 
 namespace wold::cli {
 
@@ -35,9 +34,7 @@ class Film {
   void export_frames(Progress& progress);
 
   const Job& job_;
-  light::Daylight daylight_;
-  Heightfield terrain_;
-  FactorMap growth_;
+  landscape::Site site_;
   grass::TimeVaryingTexel texels_;
   std::vector<std::vector<landscape::CellChoice>> cells_;  ///< per frame of the job
   grass::TexelDemand demand_;

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "core/parallel.h"
+
 namespace wold {
 
 /// A square map of the terrain: `samples` x `samples` values on the corners of a regular grid
@@ -68,12 +70,14 @@ inline int map_samples(double size_m, double step_m) {
 template <class T, class Factor>
 GroundMap<T> product(const GroundMap<T>& map, const GroundMap<Factor>& factor) {
   GroundMap<T> result(std::max(map.samples(), factor.samples()), map.size_m());
-  for (int j = 0; j < result.samples(); ++j)
+  parallel_for(static_cast<std::size_t>(result.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
     for (int i = 0; i < result.samples(); ++i) {
       const double x_m = i * result.step_m();
       const double y_m = j * result.step_m();
       result.at(i, j) = map.sample(x_m, y_m) * factor.sample(x_m, y_m);
     }
+  });
   return result;
 }
 

@@ -16,7 +16,6 @@
 #include "landscape/haze.h"
 #include "landscape/tint.h"
 #include "landscape/view.h"
-#include "terrain/lighting.h"
 
 namespace wold::landscape {
 namespace {
@@ -62,14 +61,13 @@ GrassColour grass_colour(const grass::WitheringPatch& patch, const grass::Ageing
 }
 
 /// What combing does to the light of the frame's grass.
-FactorMap combed_light(const scene::Scene& scene, const Heightfield& terrain,
-                       const light::Daylight& day, const View& view, const grass::BladePatch& patch,
-                       const grass::AgeingModel& model) {
+FactorMap combed_light(const scene::Scene& scene, const Site& site, const View& view,
+                       const grass::BladePatch& patch, const grass::AgeingModel& model) {
   constexpr int fibres = 150;
   const CombedLight light(grass::representative_fibres(patch, model, fibres),
-                          grass::make_lighting(day, film_eye_direction(scene, terrain)),
+                          grass::make_lighting(site.day, film_eye_direction(scene, site.terrain)),
                           static_cast<float>(scene.grass.gloss));
-  return combed_light_map(light, Combing(scene), terrain, view);
+  return combed_light_map(light, Combing(scene), site.terrain, view);
 }
 
 std::map<int, PatchLook> far_looks(const scene::Scene& scene, int frame,
@@ -97,16 +95,15 @@ double metered_gain(const light::Daylight& day) {
 
 }  // namespace
 
-bool shows_distance(const scene::Scene& scene, const Heightfield& terrain,
-                    const light::Daylight& day, const Camera& camera) {
+bool shows_distance(const scene::Scene& scene, const Site& site, const Camera& camera) {
   const View view(camera, scene.render.size_px[0], scene.render.size_px[1]);
-  return has_far_field(scene, terrain, view) ||
-         Haze(day, camera.eye_m, scene.sky.visual_range_m).is_visible(terrain);
+  return has_far_field(scene, site.terrain, view) ||
+         Haze(site.day, camera.eye_m, scene.sky.visual_range_m).is_visible(site.terrain);
 }
 
-Landscape assemble(const scene::Scene& scene, const Heightfield& terrain, const FactorMap& growth,
-                   const light::Daylight& day, int frame, std::span<const CellChoice> choices,
-                   const PatchLookup& lookup) {
+Landscape assemble(const scene::Scene& scene, const Site& site, int frame,
+                   std::span<const CellChoice> choices, const PatchLookup& lookup) {
+  const Heightfield& terrain = site.terrain;
   Landscape landscape;
   landscape.frame = frame;
   landscape.weathering = scene.ageing.frames.at(static_cast<std::size_t>(frame - 1));
@@ -119,38 +116,27 @@ Landscape assemble(const scene::Scene& scene, const Heightfield& terrain, const 
   place(choices, /*blades=*/false, volume_key, lookup.volume, landscape.volumes, landscape.cells);
   place(choices, /*blades=*/true, blades_key, lookup.blades, landscape.blade_meshes,
         landscape.blade_cells);
-  const ColourMap light = terrain::light_map(terrain, day);
   const grass::AgeingModel model(scene.ageing, scene.grass.specular);
   const grass::WitheringPatch patch(scene, model, /*variant=*/0);
-  const ColourMap grass_light = product(
-      light, combed_light(scene, terrain, day, view, patch.at(landscape.weathering), model));
+  const ColourMap grass_light =
+      product(site.light, combed_light(scene, site, view, patch.at(landscape.weathering), model));
   landscape.light =
       product(grass_light, weathering_tint(scene, frame, choices, grass_colour(patch, model)));
-  landscape.standing = standing_grass(scene, terrain, growth, view);
-  landscape.ground =
-      terrain::ground_radiance(light, terrain, day.sun_direction(), scene.terrain, scene.seed,
-                               growth, canopy_transmittance(scene.grass));
-  if (shows_distance(scene, terrain, day, landscape.camera)) {
-    const Haze haze(day, landscape.camera.eye_m, scene.sky.visual_range_m);
+  landscape.standing = standing_grass(scene, terrain, site.growth, view);
+  landscape.ground = product(site.ground_reflectance, site.light);
+  if (shows_distance(scene, site, landscape.camera)) {
+    const Haze haze(site.day, landscape.camera.eye_m, scene.sky.visual_range_m);
     const Meadow meadow(scene, terrain, view, frame, far_looks(scene, frame, lookup));
-    paint_far_grass(landscape.ground, scene, terrain, growth, grass_light, view, meadow);
+    paint_far_grass(landscape.ground, scene, terrain, site.growth, grass_light, view, meadow);
     veil_ground(landscape.ground, terrain, view, haze);
     landscape.light =
         product(landscape.light, veil_of_grass(grass_light, terrain, view, meadow, haze));
   }
-  landscape.sky = day.sky_image(sky_width_px);
+  landscape.sky = site.day.sky_image(sky_width_px);
   landscape.samples = scene.render.samples;
-  landscape.exposure_gain = metered_gain(day) * std::exp2(scene.render.exposure);
+  landscape.exposure_gain = metered_gain(site.day) * std::exp2(scene.render.exposure);
   landscape.df3_bits = scene.render.df3_bits;
   return landscape;
-}
-
-double canopy_transmittance(const scene::Grass& grass) {
-  const double blade_m2 = 0.5 * grass.height_m * grass.width_m;
-  const double leaf_area_index = grass.blades * blade_m2 / (grass.patch_m * grass.patch_m);
-  constexpr double ross = 0.5;
-  constexpr double mean_slant_cosine = 0.5;
-  return std::exp(-ross * leaf_area_index / mean_slant_cosine);
 }
 
 }  // namespace wold::landscape

@@ -6,7 +6,7 @@
 
 #include "landscape/cells.h"
 #include "landscape/landscape.h"
-#include "light/daylight.h"
+#include "landscape/site.h"
 #include "scene/scene.h"
 
 namespace wold::landscape {
@@ -22,24 +22,16 @@ struct PatchLookup {
 };
 
 /// Whether what a camera sees is so far that grass is painted on the ground, or haze shows.
-bool shows_distance(const scene::Scene& scene, const Heightfield& terrain,
-                    const light::Daylight& day, const Camera& camera);
+bool shows_distance(const scene::Scene& scene, const Site& site, const Camera& camera);
 
-/// One frame (from 1) as the exporters want it: `growth` is growth_map()'s, `choices` are
-/// choose_cells', `lookup` is called
+/// One frame (from 1) as the exporters want it: `choices` are choose_cells', `lookup` is called
 /// once for each different volume or mesh, in ascending order, and what it gives are the
 /// landscape's in that order.
 ///
 /// exposure_gain is 1.6 pi 2^exposure: under the daylight's unit, a white Lambertian sheet that
 /// lies in the open comes out as 1.6; meadow and sky then have a camera's brightness. Less with a
 /// low sun: the sky at 20 degrees of elevation comes out as 0.9 at most.
-Landscape assemble(const scene::Scene& scene, const Heightfield& terrain, const FactorMap& growth,
-                   const light::Daylight& day, int frame, std::span<const CellChoice> choices,
-                   const PatchLookup& lookup);
-
-/// Share of the daylight that reaches the ground between the blades, (0, 1]: Beer and Lambert with
-/// the leaf area of the scene's tapering blades and Ross' G = 0.5, along a path 60 degrees off the
-/// vertical, the mean of a cosine-weighted hemisphere's secants (2).
-double canopy_transmittance(const scene::Grass& grass);
+Landscape assemble(const scene::Scene& scene, const Site& site, int frame,
+                   std::span<const CellChoice> choices, const PatchLookup& lookup);
 
 }  // namespace wold::landscape

@@ -34,7 +34,7 @@ double tame(double value) { return std::clamp(value, -2.0, 2.0); }
 
 Combing::Combing(const scene::Scene& scene)
     : wind_(scene.wind),
-      waves_(field(scene.seed, "waves", 3)),
+      waves_(field(scene.seed, "waves", 2)),
       turns_(field(scene.seed, "turns", 2)) {}
 
 glm::dvec2 Combing::lean(const glm::dvec2& at_m) const {

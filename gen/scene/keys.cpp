@@ -113,6 +113,10 @@ std::vector<Key> terrain_keys() {
             FIELD(terrain.roughness)),
       bound(integer("terrain.octaves", "", {1, 16}, "Octaves of noise in the relief."),
             FIELD(terrain.octaves)),
+      bound(number("terrain.streams", "", {0, 10},
+                   "How far streams have cut into the ground: 0 not at all, 1 gorges on the lower "
+                   "slopes, 10 up to the crests."),
+            FIELD(terrain.streams)),
       bound(number("terrain.talus", "deg", {5, 80}, "Steepest slope that erosion leaves."),
             FIELD(terrain.talus_deg)),
       bound(integer("terrain.erosion_steps", "", {0, 10000}, "Passes of erosion; 0 is none."),

@@ -21,8 +21,8 @@ struct CurveChoice {
   bool operator==(const CurveChoice&) const = default;
 };
 
-/// A procedural hillside, a slope with a crest, or a mountain that streams have carved; both with
-/// fractal relief and thermal erosion. Or a real place of an elevation model.
+/// A procedural hillside, a slope with a crest, or a mountain with ridges and valleys; both with
+/// fractal relief, hydraulic and thermal erosion. Or a real place of an elevation model.
 struct Terrain {
   std::string shape = "hillside";  ///< "hillside" or "mountain"
   std::string elevation;           ///< path of a raster that GDAL reads; empty: procedural
@@ -34,6 +34,7 @@ struct Terrain {
   double relief_feature_m = 14.0;  ///< largest feature of the relief
   double roughness = 0.9;          ///< Hurst exponent H: 1 smooth, 0.5 rugged
   int octaves = 6;
+  double streams = 0.6;     ///< how far streams have cut, Incision::reach
   double talus_deg = 33.0;  ///< steepest slope that erosion leaves
   int erosion_steps = 60;
   std::array<double, 3> ground_albedo = {0.13, 0.095, 0.06};
@@ -140,9 +141,9 @@ struct Sky {
 /// What it has done to the grass.
 struct Wind {
   double heading_deg = 75.0;   ///< where it blows to, clockwise from north
-  double lean_deg = 10.0;      ///< mean angle by which the grass leans over
-  double waves_deg = 7.0;      ///< standard deviation of that angle from place to place
-  double wave_length_m = 5.0;  ///< size of such places, along the wind
+  double lean_deg = 15.0;      ///< mean angle by which the grass leans over
+  double waves_deg = 9.0;      ///< standard deviation of that angle from place to place
+  double wave_length_m = 6.0;  ///< size of such places, along the wind
 
   bool operator==(const Wind&) const = default;
 };

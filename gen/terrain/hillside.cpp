@@ -6,6 +6,7 @@
 
 #include "terrain/erosion.h"
 #include "terrain/fractal_relief.h"
+#include "terrain/streams.h"
 
 namespace wold::terrain {
 namespace {
@@ -30,6 +31,7 @@ Heightfield make_hillside(const scene::Terrain& terrain, std::uint64_t seed) {
       heights_m.at(i, j) = hill_m(uv.x, uv.y, terrain.hill_height_m);
     }
   add_fractal_relief(heights_m, terrain, seed, terrain.relief_m, terrain.relief_feature_m);
+  carve(heights_m, {.reach = terrain.streams, .source_share = 3e-4, .steps = 6});
   slide(heights_m, terrain.talus_deg, terrain.erosion_steps);
   return crept(std::move(heights_m));
 }

@@ -99,7 +99,8 @@ glm::dvec3 flat_sky_light(const SkyPatches& sky) {
 void smooth(ColourMap& map) {
   const ColourMap old = map;
   const auto inside = [&](int i) { return std::clamp(i, 0, old.samples() - 1); };
-  for (int j = 0; j < map.samples(); ++j)
+  parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
     for (int i = 0; i < map.samples(); ++i) {
       glm::vec3 sum(0.0F);
       for (int dj = -1; dj <= 1; ++dj)
@@ -108,6 +109,7 @@ void smooth(ColourMap& map) {
                  static_cast<float>((2 - std::abs(di)) * (2 - std::abs(dj)));
       map.at(i, j) = sum / 16.0F;
     }
+  });
 }
 
 /// The keyed fields that colour the ground.
@@ -151,50 +153,59 @@ struct GroundColour {
     return rock * static_cast<float>(open * std::clamp(lit, 0.4, 1.6));
   }
 
-  /// Rock shows where it is steep: over 5 degrees and along a ragged border.
-  glm::vec3 albedo(const glm::dvec2& at_m, const glm::dvec3& up, const glm::dvec3& to_sun) const {
+  /// Rock shows where it is steep, over 5 degrees and along a ragged border, and where no grass
+  /// holds soil on it.
+  glm::vec3 albedo(const glm::dvec2& at_m, const glm::dvec3& up, const glm::dvec3& to_sun,
+                   float growth) const {
     const double beyond = std::acos(up.z) / radians_per_degree - rock_slope_deg;
     if (beyond < -8.0) return earth(at_m);
     const double ragged = beyond + 2.5 * fbm(at_m / 1.5, cracks);
     return glm::mix(earth(at_m), stone(at_m, to_sun, glm::dot(up, to_sun)),
-                    static_cast<float>(glm::smoothstep(-2.5, 2.5, ragged)));
+                    (1.0F - growth) * static_cast<float>(glm::smoothstep(-2.5, 2.5, ragged)));
   }
 };
 
 }  // namespace
 
-ColourMap light_map(const Heightfield& terrain, const light::Daylight& day) {
-  ColourMap map(map_samples(terrain.size_m(), 0.2), terrain.size_m());
+ColourMap GroundLight::together() const {
+  ColourMap sum = sun;
+  for (std::size_t i = 0; i < sum.values().size(); ++i) sum.values()[i] += sky.values()[i];
+  return sum;
+}
+
+GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day) {
+  const ColourMap dark(map_samples(terrain.size_m(), 0.2), terrain.size_m());
+  GroundLight light{dark, dark};
   const SkyPatches sky(day);
   const glm::dvec3 sky_scale = glm::dvec3(day.sky_irradiance()) / flat_sky_light(sky);
-  parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
+  parallel_for(static_cast<std::size_t>(dark.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
-    for (int i = 0; i < map.samples(); ++i) {
-      const glm::dvec2 at_m = glm::dvec2(i, j) * map.step_m();
+    for (int i = 0; i < dark.samples(); ++i) {
+      const glm::dvec2 at_m = glm::dvec2(i, j) * dark.step_m();
       const glm::dvec3 up = normal(terrain, at_m.x, at_m.y);
-      map.at(i, j) = glm::vec3(sun_light(terrain, at_m, up, day) +
-                               sky_light(terrain, at_m, up, sky) * sky_scale);
+      light.sun.at(i, j) = glm::vec3(sun_light(terrain, at_m, up, day));
+      light.sky.at(i, j) = glm::vec3(sky_light(terrain, at_m, up, sky) * sky_scale);
     }
   });
   // Grass takes its light from about its own height around: a deviation of 0.28 m.
-  for (int pass = 0; pass < 4; ++pass) smooth(map);
-  return map;
+  for (ColourMap* map : {&light.sun, &light.sky})
+    for (int pass = 0; pass < 4; ++pass) smooth(*map);
+  return light;
 }
 
-ColourMap ground_radiance(const ColourMap& light, const Heightfield& terrain,
-                          const glm::dvec3& sun_direction, const scene::Terrain& look,
-                          std::uint64_t seed, const FactorMap& growth,
-                          double canopy_transmittance) {
-  ColourMap map(map_samples(light.size_m(), 0.03), light.size_m());
+ColourMap ground_reflectance(const Heightfield& terrain, const glm::dvec3& sun_direction,
+                             const scene::Terrain& look, std::uint64_t seed,
+                             const FactorMap& growth, double canopy_transmittance) {
+  ColourMap map(map_samples(terrain.size_m(), 0.03), terrain.size_m());
   const GroundColour colour(look, seed);
   parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < map.samples(); ++i) {
       const glm::dvec2 at_m = glm::dvec2(i, j) * map.step_m();
-      const double under_grass =
-          std::pow(canopy_transmittance, double{growth.sample(at_m.x, at_m.y)});
-      map.at(i, j) = colour.albedo(at_m, normal(terrain, at_m.x, at_m.y), sun_direction) *
-                     light.sample(at_m.x, at_m.y) * static_cast<float>(under_grass / pi);
+      const float grown = growth.sample(at_m.x, at_m.y);
+      const double under_grass = std::pow(canopy_transmittance, double{grown});
+      map.at(i, j) = colour.albedo(at_m, normal(terrain, at_m.x, at_m.y), sun_direction, grown) *
+                     static_cast<float>(under_grass / pi);
     }
   });
   return map;

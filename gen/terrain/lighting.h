@@ -10,19 +10,25 @@ namespace wold::terrain {
 
 /// The light that falls on the ground, relative to flat open ground, per channel: the sun's
 /// irradiance by Lambert's law with a soft cast shadow, and the sky's radiance above the local
-/// horizon. The daylight's unit makes flat open ground 1. A sample every 20 cm (4097 a side at
-/// most), smoothed over the height of grass, so that a shadow's edge is about half a metre wide.
-ColourMap light_map(const Heightfield& terrain, const light::Daylight& day);
+/// horizon. The daylight's unit makes both together 1 on flat open ground. A sample every 20 cm
+/// (4097 a side at most), smoothed over the height of grass, so that a shadow's edge is about half
+/// a metre wide.
+struct GroundLight {
+  ColourMap sun;
+  ColourMap sky;
 
-/// What the camera sees of the bare ground: albedo * irradiance / pi.
+  ColourMap together() const;
+};
+GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day);
+
+/// What the bare ground makes of the light that falls on it: radiance over irradiance, albedo / pi.
 ///
 /// The albedo varies about terrain.ground_albedo: moist hollows and litter (keyed fBm), detail down
 /// to the map's step of about 3 cm; beyond terrain.rock_slope it turns to rock, whose relief the
 /// sun shows. Where grass stands, `growth` in [0, 1], the share `canopy_transmittance` of the light
-/// comes through to the ground, its power of `growth` where it stands thinner. `light` is
-/// light_map's.
-ColourMap ground_radiance(const ColourMap& light, const Heightfield& terrain,
-                          const glm::dvec3& sun_direction, const scene::Terrain& look,
-                          std::uint64_t seed, const FactorMap& growth, double canopy_transmittance);
+/// comes through to the ground and back, its power of `growth` where it stands thinner.
+ColourMap ground_reflectance(const Heightfield& terrain, const glm::dvec3& sun_direction,
+                             const scene::Terrain& look, std::uint64_t seed,
+                             const FactorMap& growth, double canopy_transmittance);
 
 }  // namespace wold::terrain

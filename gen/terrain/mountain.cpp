@@ -120,7 +120,7 @@ GroundMap<double> massif(const scene::Terrain& terrain, std::uint64_t seed) {
     for (int i = 0; i < coarse; ++i)
       heights.at(i, j) += body_share * body(glm::dvec2(i, j) / (coarse - 1.0), seed);
   heights = refined(heights, seed, terrain.samples);
-  carve(heights, {.reach = 0.3, .source_share = 3e-4, .steps = 6});
+  carve(heights, {.reach = terrain.streams, .source_share = 3e-4, .steps = 6});
   return heights;
 }
 

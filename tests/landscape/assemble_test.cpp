@@ -29,20 +29,20 @@ scene::Scene small_meadow() {
 
 TEST(Assemble, CellsReferToTheirVolumes) {
   const scene::Scene scene = small_meadow();
-  const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
-  const std::vector<CellChoice> choices = choose_cells(scene, terrain, grown(scene), 2);
+  const Site site = make_site(scene);
+  const Heightfield& terrain = site.terrain;
+  const std::vector<CellChoice> choices = choose_cells(scene, terrain, site.growth, 2);
   const auto name = [](const CellChoice& c) {
     return std::to_string(c.variant) + "/" + std::to_string(c.key_frame) + "/" +
            std::to_string(c.turn) + "/" + std::to_string(c.level);
   };
-  const Landscape landscape =
-      assemble(scene, terrain, grown(scene), {scene.sun, scene.sky}, 2, choices,
-               {[&](const CellChoice& choice) {
-                  Volume volume;
-                  volume.name = name(choice);
-                  return volume;
-                },
-                [](const CellChoice&) { return BladeMesh{}; }});
+  const Landscape landscape = assemble(scene, site, 2, choices,
+                                       {[&](const CellChoice& choice) {
+                                          Volume volume;
+                                          volume.name = name(choice);
+                                          return volume;
+                                        },
+                                        [](const CellChoice&) { return BladeMesh{}; }});
   std::set<std::string> names;
   for (const Volume& volume : landscape.volumes) EXPECT_TRUE(names.insert(volume.name).second);
   ASSERT_EQ(landscape.cells.size(), choices.size());
@@ -61,10 +61,9 @@ TEST(Assemble, CellsReferToTheirVolumes) {
 TEST(Assemble, DoesNotBurnOutTheSkyOfAnEvening) {
   scene::Scene scene = small_meadow();
   scene.sun.elevation_deg = 4.0;
-  const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
-  const light::Daylight day(scene.sun, scene.sky);
-  const Landscape landscape = assemble(scene, terrain, grown(scene), day, 2, {}, {});
-  const glm::vec3 sky = day.mean_sky_radiance(20.0 * std::numbers::pi / 180.0);
+  const Site site = make_site(scene);
+  const Landscape landscape = assemble(scene, site, 2, {}, {});
+  const glm::vec3 sky = site.day.mean_sky_radiance(20.0 * std::numbers::pi / 180.0);
   const double luminance = 0.2126 * double{sky.r} + 0.7152 * double{sky.g} + 0.0722 * double{sky.b};
   EXPECT_NEAR(landscape.exposure_gain * luminance, 0.9, 1e-4);
 }
@@ -74,10 +73,10 @@ TEST(Assemble, CellsOfBladesReferToTheirMeshes) {
   scene::Scene scene = small_meadow();
   scene.render.grass = "auto";
   scene.grass.pixels_per_voxel = 0.4;
-  const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
-  const std::vector<CellChoice> choices = choose_cells(scene, terrain, grown(scene), 2);
+  const Site site = make_site(scene);
+  const std::vector<CellChoice> choices = choose_cells(scene, site.terrain, site.growth, 2);
   const Landscape landscape =
-      assemble(scene, terrain, grown(scene), {scene.sun, scene.sky}, 2, choices,
+      assemble(scene, site, 2, choices,
                {[](const CellChoice&) { return Volume{}; },
                 [](const CellChoice& choice) {
                   return BladeMesh{std::to_string(choice.variant * 100 + choice.key_frame), {}};

@@ -29,7 +29,8 @@ glm::vec3 middle(const ColourMap& map) { return map.sample(map.size_m() / 2, map
 
 TEST(LightMap, FlatGroundIsOne) {
   const light::Daylight day({38.0, 235.0}, {3.0});
-  const ColourMap light = light_map(ground(20.0, 41, [](double) { return 0.0; }), day);
+  const ColourMap light =
+      ground_light(ground(20.0, 41, [](double) { return 0.0; }), day).together();
   for (const glm::vec3& value : light.values())
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(value[c], 1.0F, 1e-4F);
 }
@@ -38,7 +39,7 @@ TEST(LightMap, InclinedPlaneReceivesTheIntegralOverItsHemisphere) {
   const light::Daylight day({38.0, 180.0}, {3.0});
   const double tilt = 20.0 * degree;  // rises northwards, so it faces the sun in the south
   const ColourMap light =
-      light_map(ground(40.0, 81, [&](double y) { return std::tan(tilt) * y; }), day);
+      ground_light(ground(40.0, 81, [&](double y) { return std::tan(tilt) * y; }), day).together();
   const glm::dvec3 up(0.0, -std::sin(tilt), std::cos(tilt));
   glm::dvec3 want = glm::dvec3(day.sun_irradiance()) * std::cos((90.0 - 38.0 - 20.0) * degree);
   for (double elevation = 0.5; elevation < 90.0; elevation += 1.0)
@@ -63,7 +64,8 @@ TEST(LightMap, WallCastsAShadowOfItsLength) {
   // Sun in the north at 30 degrees: a 2 m wall at y = 15 m shades down to y = 15 - 2 / tan 30.
   const light::Daylight day({30.0, 0.0}, {3.0});
   const ColourMap light =
-      light_map(ground(20.0, 201, [](double y) { return y > 14.95 ? 2.0 : 0.0; }), day);
+      ground_light(ground(20.0, 201, [](double y) { return y > 14.95 ? 2.0 : 0.0; }), day)
+          .together();
   const double edge_m = 15.0 - 2.0 / std::tan(30.0 * degree);
   const auto red = [&](double y_m) { return light.sample(10.0, y_m).r; };
   EXPECT_LT(red(edge_m + 1.0), day.sky_irradiance().r * 1.05F);
@@ -81,7 +83,7 @@ TEST(LightMap, HasNoSteps) {
   shape.size_m = 20.0;
   shape.samples = 161;
   const Heightfield terrain = make_hillside(shape, 4);
-  const ColourMap light = light_map(terrain, light::Daylight({15.0, 235.0}, {3.0}));
+  const ColourMap light = ground_light(terrain, light::Daylight({15.0, 235.0}, {3.0})).together();
   double largest = 0.0;
   for (int j = 1; j + 1 < light.samples(); ++j)
     for (int i = 1; i + 1 < light.samples(); ++i)
@@ -90,23 +92,34 @@ TEST(LightMap, HasNoSteps) {
   EXPECT_LT(largest, 0.25);  // a hard edge of the sun's shadow has 1.2
 }
 
-TEST(GroundRadiance, IsLambertsOnAverage) {
-  const ColourMap light(51, 20.0, glm::vec3(1.0F, 0.8F, 0.5F));
+TEST(GroundReflectance, IsLambertsOnAverage) {
   const scene::Terrain shape;
-  const ColourMap ground_light =
-      ground_radiance(light, ground(20.0, 51, [](double) { return 0.0; }), {0.0, 0.6, 0.8}, shape,
-                      9, FactorMap(2, 20.0, 1.0F), 0.5);
+  const ColourMap reflectance =
+      ground_reflectance(ground(20.0, 51, [](double) { return 0.0; }), {0.0, 0.6, 0.8}, shape, 9,
+                         FactorMap(2, 20.0, 1.0F), 0.5);
   glm::dvec3 mean(0.0);
-  for (const glm::vec3& value : ground_light.values()) {
+  for (const glm::vec3& value : reflectance.values()) {
     EXPECT_GT(value.r, 0.0F);
-    mean += glm::dvec3(value) / static_cast<double>(ground_light.values().size());
+    mean += glm::dvec3(value) / static_cast<double>(reflectance.values().size());
   }
-  const glm::dvec3 irradiance(1.0, 0.8, 0.5);
   for (std::size_t c = 0; c < 3; ++c) {
-    const auto channel = static_cast<glm::length_t>(c);
-    const double want = shape.ground_albedo[c] * irradiance[channel] * 0.5 / pi;
-    EXPECT_NEAR(mean[channel], want, 0.08 * want);
+    const double want = shape.ground_albedo[c] * 0.5 / pi;
+    EXPECT_NEAR(mean[static_cast<glm::length_t>(c)], want, 0.08 * want);
   }
+}
+
+// Rock is bare: where grass grows on a steep slope, it stands on soil.
+TEST(GroundReflectance, GrassStandsOnSoil) {
+  scene::Terrain shape;
+  shape.rock_albedo = {0.0, 0.0, 0.9};
+  const Heightfield steep = ground(20.0, 51, [](double y) { return 2.0 * y; });
+  const auto blue_over_red = [&](float growth) {
+    const glm::vec3 at = middle(
+        ground_reflectance(steep, {0.0, 0.6, 0.8}, shape, 9, FactorMap(2, 20.0, growth), 0.5));
+    return at.b / std::max(at.r, 1e-6F);
+  };
+  EXPECT_LT(blue_over_red(1.0F), 1.0F);
+  EXPECT_GT(blue_over_red(0.0F), 100.0F);
 }
 
 }  // namespace

@@ -1,0 +1,31 @@
+#include "landscape/site.h"
+
+#include <cmath>
+#include <utility>
+
+#include "landscape/growth.h"
+#include "terrain/ground.h"
+#include "terrain/lighting.h"
+
+namespace wold::landscape {
+
+Site make_site(const scene::Scene& scene) {
+  Heightfield terrain = terrain::make_ground(scene.terrain, scene.seed);
+  FactorMap growth = growth_map(scene, terrain);
+  const light::Daylight day(scene.sun, scene.sky);
+  ColourMap light = terrain::ground_light(terrain, day).together();
+  ColourMap reflectance =
+      terrain::ground_reflectance(terrain, day.sun_direction(), scene.terrain, scene.seed, growth,
+                                  canopy_transmittance(scene.grass));
+  return {std::move(terrain), std::move(growth), day, std::move(light), std::move(reflectance)};
+}
+
+double canopy_transmittance(const scene::Grass& grass) {
+  const double blade_m2 = 0.5 * grass.height_m * grass.width_m;
+  const double leaf_area_index = grass.blades * blade_m2 / (grass.patch_m * grass.patch_m);
+  constexpr double ross = 0.5;
+  constexpr double mean_slant_cosine = 0.5;
+  return std::exp(-ross * leaf_area_index / mean_slant_cosine);
+}
+
+}  // namespace wold::landscape

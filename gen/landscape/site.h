@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/ground_map.h"
+#include "light/daylight.h"
+#include "scene/scene.h"
+
+namespace wold::landscape {
+
+/// What stays the same from frame to frame: the place and the light of its day.
+struct Site {
+  Heightfield terrain;
+  FactorMap growth;  ///< growth_map()'s
+  light::Daylight day;
+  ColourMap light;               ///< of sun and sky on the ground, flat open ground is 1
+  ColourMap ground_reflectance;  ///< of the bare ground, radiance over irradiance
+};
+
+/// Throws what terrain::make_ground() and growth_map() throw.
+Site make_site(const scene::Scene& scene);
+
+/// Share of the daylight that reaches the ground between the blades, (0, 1]: Beer and Lambert with
+/// the leaf area of the scene's tapering blades and Ross' G = 0.5, along a path 60 degrees off the
+/// vertical, the mean of a cosine-weighted hemisphere's secants (2).
+double canopy_transmittance(const scene::Grass& grass);
+
+}  // namespace wold::landscape
