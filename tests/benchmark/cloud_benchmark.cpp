@@ -1,0 +1,82 @@
+#include <benchmark/benchmark.h>
+
+#include <cstring>
+#include <map>
+#include <memory>
+
+#include "cloud/compose.h"
+#include "core/parallel.h"
+
+/// What composing a frame of clouds costs. Per pixel and layer it reads a rank of 2 bytes and, from
+/// the nearest memory, 16 bytes of the look; once per pixel it writes 16 bytes. 4096 x 4096 pixels
+/// of four layers are 134 MB read and 268 MB written, as much traffic as copying 201 MB. Per pixel
+/// and layer there are 4 products and 3 sums of ranks and 4 of each of colours.
+namespace wold::cloud {
+namespace {
+
+scene::Scene sky_of(int layers) {
+  const char* const kinds[] = {"cumulus", "stratocumulus", "cirrus", "stratus"};
+  scene::Scene scene;
+  for (int i = 0; i < layers; ++i) {
+    scene::CloudLayer layer;
+    layer.kind = kinds[i % 4];
+    layer.cell_m = 4096.0;
+    scene.clouds.push_back(layer);
+  }
+  return scene;
+}
+
+/// A state whose maps have side_px pixels along a side, at a time when drift is part of a pixel.
+CloudState state_of(int layers, int side_px) {
+  const scene::Scene scene = sky_of(layers);
+  const Clouds clouds(scene, 8 * 4096.0 / side_px);
+  return clouds.at(12.34);
+}
+
+void compose_frame(benchmark::State& state) {
+  const auto layers = static_cast<int>(state.range(0)), side = static_cast<int>(state.range(1));
+  static std::map<std::pair<int, int>, CloudState> states;  // made once, however often it is asked
+  CloudState& clouds = states[{layers, side}];
+  if (clouds.layers.empty()) clouds = state_of(layers, side);
+  const ThreadLimit limit(static_cast<int>(state.range(2)));
+  Image picture(side, side, 4);
+  const SkyWindow window{{}, side, side};
+  for (auto _ : state) {
+    compose(clouds, window, picture);
+    benchmark::DoNotOptimize(picture.values.data());
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+
+/// Copies as many bytes as make the traffic of that frame, by as many threads.
+void copy_the_bytes(benchmark::State& state) {
+  const auto layers = static_cast<std::size_t>(state.range(0));
+  const auto side = static_cast<std::size_t>(state.range(1));
+  const ThreadLimit limit(static_cast<int>(state.range(2)));
+  const std::size_t bytes = side * side * (2 * layers + 16) / 2;
+  const std::vector<char> from(bytes, 1);
+  std::vector<char> to(bytes);
+  constexpr std::size_t blocks = 256;
+  const std::size_t block = bytes / blocks;
+  for (auto _ : state) {
+    parallel_for(blocks, [&](std::size_t i) {
+      std::memcpy(to.data() + i * block, from.data() + i * block, block);
+    });
+    benchmark::DoNotOptimize(to.data());
+    benchmark::ClobberMemory();
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+
+BENCHMARK(copy_the_bytes)->Args({4, 4096, 0})->Args({4, 4096, 1})->UseRealTime();
+BENCHMARK(compose_frame)
+    ->Args({4, 4096, 0})
+    ->Args({4, 4096, 1})
+    ->Args({3, 1024, 1})
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace wold::cloud
+
+BENCHMARK_MAIN();
