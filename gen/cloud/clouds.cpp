@@ -10,6 +10,8 @@
 #include "cloud/texture_set.h"
 #include "core/error.h"
 #include "core/random.h"
+#include "light/daylight.h"
+#include "scene/sun_position.h"
 
 namespace wold::cloud {
 namespace {
@@ -41,12 +43,17 @@ Layer layer_of(const scene::CloudLayer& described, const Recipe& recipe, const T
   layer.period_m = glm::dvec2(period_px) * pixel_m;
   layer.is_volume = described.body == "volume";
   layer.lit_as_paper = described.light == "paper";
-  layer.asymmetry = recipe.asymmetry;
-  layer.optical_depth = recipe.extinction_per_km * 1e-3 * layer.thickness_m;
+  layer.droplets = {recipe.extinction_per_km * 1e-3, recipe.asymmetry};
   layer.seen_depth = -std::log1p(-textures.densest_opacity);
   layer.cover = textures.cover;
   layer.profile = textures.profile;
   return layer;
+}
+
+glm::dvec3 direction_to(const scene::Sun& sun) {
+  const scene::SunPosition position = scene::sun_position(sun);
+  return light::direction_of(glm::radians(position.azimuth_deg),
+                             glm::radians(position.elevation_deg));
 }
 
 double profile_at(const std::vector<float>& profile, double rank) {
@@ -54,6 +61,15 @@ double profile_at(const std::vector<float>& profile, double rank) {
   const auto low = std::min(static_cast<std::size_t>(place), profile.size() - 2);
   const double part = place - static_cast<double>(low);
   return (1.0 - part) * profile[low] + part * profile[low + 1];
+}
+
+/// Tops above the base by rank, of the whole layer.
+std::vector<float> tops_m(const Layer& layer) {
+  std::vector<float> tops(profile_steps + 1);
+  for (int i = 0; i <= profile_steps; ++i)
+    tops[static_cast<std::size_t>(i)] = static_cast<float>(
+        layer.thickness_m * relative_depth(layer, static_cast<double>(i) / profile_steps, 1.0));
+  return tops;
 }
 
 /// The map's rank at a place, in [0, 1].
@@ -75,20 +91,24 @@ struct Clouds::Film {
   glm::ivec2 cells;
   bool repeats_as_paper;
   std::uint64_t key;
+  glm::dvec3 sun_direction;
+  double pixel_m;
   Timeline timeline;
   std::mutex mutex;
-  std::map<std::size_t, std::shared_ptr<const LayerMap>> maps;  ///< by shape
+  std::map<std::size_t, std::shared_ptr<const ShapeMaps>> maps;  ///< by shape
 
-  LayerMap made_map(std::size_t shape) const {
+  ShapeMaps made_maps(std::size_t shape) const {
     const Shape& drawn_out = timeline.shapes()[shape];
     const TextureSet shaped = sheared(textures, drawn_out.heading_rad, drawn_out.shear);
-    return (repeats_as_paper ? repeated_as_paper : repeated_by_blending)(shaped, cells,
-                                                                         layer->period_px, key);
+    const auto repeated = repeats_as_paper ? repeated_as_paper : repeated_by_blending;
+    LayerMap ranks = repeated(shaped, cells, layer->period_px, key);
+    LayerMap lit = sunlit(ranks, tops_m(*layer), layer->droplets, sun_direction, pixel_m);
+    return {std::move(ranks), std::move(lit)};
   }
 
-  std::shared_ptr<const LayerMap> map_of(std::size_t shape) {
-    std::shared_ptr<const LayerMap>& map = maps[shape];
-    if (!map) map = std::make_shared<const LayerMap>(made_map(shape));
+  std::shared_ptr<const ShapeMaps> map_of(std::size_t shape) {
+    std::shared_ptr<const ShapeMaps>& map = maps[shape];
+    if (!map) map = std::make_shared<const ShapeMaps>(made_maps(shape));
     return map;
   }
 
@@ -108,6 +128,7 @@ struct Clouds::Film {
 
 Clouds::Clouds(const scene::Scene& scene, double pixel_m)
     : pixel_m_(pixel_m), frame_seconds_(scene.film.frame_seconds) {
+  const glm::dvec3 sun_direction = direction_to(scene.sun);
   for (std::size_t i = 0; i < scene.clouds.size(); ++i) {
     const scene::CloudLayer& described = scene.clouds[i];
     const Recipe recipe = recipe_of(described.kind);
@@ -124,6 +145,8 @@ Clouds::Clouds(const scene::Scene& scene, double pixel_m)
                                                     cells,
                                                     described.repeat == "paper",
                                                     key,
+                                                    sun_direction,
+                                                    pixel_m,
                                                     Timeline(scene, i, cell_m),
                                                     {},
                                                     {}}));
@@ -153,21 +176,27 @@ CloudState Clouds::at(double time_s) const {
   return state;
 }
 
-double optical_depth_of_rank(const Layer& layer, double rank, double amount) {
+double depth_factor(double amount) { return amount * (2.0 - amount); }
+
+double relative_depth(const Layer& layer, double rank, double amount) {
   const double cover = layer.cover * amount;
   if (cover <= 0.0) return 0.0;
   const double among_clouds = 1.0 - (1.0 - rank) / cover;
   if (among_clouds <= 0.0) return 0.0;
   // Clouds that gather grow and thicken.
-  return layer.seen_depth * amount * (2.0 - amount) * profile_at(layer.profile, among_clouds);
+  return depth_factor(amount) * profile_at(layer.profile, among_clouds);
+}
+
+double optical_depth_of_rank(const Layer& layer, double rank, double amount) {
+  return layer.seen_depth * relative_depth(layer, rank, amount);
 }
 
 double optical_depth_at(const LayerState& state, double pixel_m, const glm::dvec2& place_m) {
   const LayerMoment& moment = state.moment;
   const glm::dvec2 place_px = (place_m - moment.way_m) / pixel_m;
   const double amount = moment.amount_is_alpha ? 1.0 : moment.amount;
-  const auto depth_of = [&](const LayerMap& map, double share) {
-    const double depth = optical_depth_of_rank(*state.layer, rank_at(map, place_px), amount);
+  const auto depth_of = [&](const ShapeMaps& map, double share) {
+    const double depth = optical_depth_of_rank(*state.layer, rank_at(map.ranks, place_px), amount);
     return fade(depth, share, moment.shapes_by_alpha);
   };
   double depth = depth_of(*state.map, 1.0 - moment.next_share);

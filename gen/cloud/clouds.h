@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cloud/recipe.h"
+#include "cloud/sunlit.h"
 #include "cloud/tiling.h"
 #include "cloud/timeline.h"
 #include "scene/scene.h"
@@ -16,26 +17,31 @@ namespace wold::cloud {
 
 /// What stays the same in a layer.
 struct Layer {
+  Droplets droplets;
   double base_m = 0.0;       ///< above the terrain's zero
   double thickness_m = 0.0;  ///< of the thickest clouds
   glm::dvec2 period_m = {};  ///< after which it repeats: a whole number of pixels
   glm::ivec2 period_px = {};
   bool is_volume = false;      ///< body = "volume"
   bool lit_as_paper = false;   ///< light = "paper": as bright however thick
-  double asymmetry = 0.86;     ///< of scattering by the droplets
-  double optical_depth = 0.0;  ///< vertical, at the droplets' extinction, of the thickest
   double seen_depth = 0.0;     ///< vertical optical depth of the densest place, as it is seen
   double cover = 0.0;          ///< share of the sky, when the whole layer is there; above 1 it
                                ///< has no thin places
   std::vector<float> profile;  ///< TextureSet's
 };
 
+/// A shape of a layer over its whole period.
+struct ShapeMaps {
+  LayerMap ranks;
+  LayerMap sunlit;  ///< base_brightness in steps of 1/65536, of the whole layer in the scene's sun
+};
+
 /// A layer at one moment: its shapes' maps and what is made of them.
 struct LayerState {
   std::shared_ptr<const Layer> layer;
   LayerMoment moment;
-  std::shared_ptr<const LayerMap> map;       ///< of the shape, where it would be without drift
-  std::shared_ptr<const LayerMap> next_map;  ///< of the next shape; null while there is none
+  std::shared_ptr<const ShapeMaps> map;       ///< of the shape, where it would be without drift
+  std::shared_ptr<const ShapeMaps> next_map;  ///< of the next shape; null while there is none
 };
 
 struct CloudState {
@@ -68,9 +74,15 @@ class Clouds {
   double frame_seconds_;
 };
 
-/// Vertical optical depth, as the eye sees it from below, that a rank in [0, 1] stands for when
-/// `amount` in [0, 1] of the layer has gathered. Rises with both; 0 outside the clouds.
+/// Depth over that of the densest place of the whole layer, for a rank in [0, 1] when `amount` in
+/// [0, 1] of the layer has gathered. Rises with both; 0 outside the clouds.
+double relative_depth(const Layer& layer, double rank, double amount);
+
+/// Vertical optical depth likewise, as the eye sees it from below.
 double optical_depth_of_rank(const Layer& layer, double rank, double amount);
+
+/// How much less deep clouds are when `amount` in [0, 1] of a layer has gathered.
+double depth_factor(double amount);
 
 /// Vertical optical depth of the layer at a place of the world, all shapes and fades counted.
 double optical_depth_at(const LayerState& state, double pixel_m, const glm::dvec2& place_m);

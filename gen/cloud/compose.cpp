@@ -62,17 +62,17 @@ std::uint16_t scaled(std::uint16_t value, std::uint16_t weight) {
   return static_cast<std::uint16_t>(static_cast<std::uint32_t>(value) * weight >> 16);
 }
 
-/// Ranks of `count` pixels from map pixel (x, y) + shift on.
-void shifted_ranks(const LayerMap& map, long x, long y, const Shift& shift, int count,
-                   std::uint16_t* ranks) {
+/// `count` values from the map's pixel (x, y) + shift on.
+void shifted_row(const LayerMap& map, long x, long y, const Shift& shift, int count,
+                 std::uint16_t* values) {
   std::array<std::uint16_t, block_px + 1> low, high;
   copy_row(map, x + shift.x, y + shift.y, count + 1, low.data());
   copy_row(map, x + shift.x, y + shift.y + 1, count + 1, high.data());
   const auto [w00, w10, w01, w11] = shift.weights;
   for (int i = 0; i < count; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    ranks[at] = static_cast<std::uint16_t>(scaled(low[at], w00) + scaled(low[at + 1], w10) +
-                                           scaled(high[at], w01) + scaled(high[at + 1], w11));
+    values[at] = static_cast<std::uint16_t>(scaled(low[at], w00) + scaled(low[at + 1], w10) +
+                                            scaled(high[at], w01) + scaled(high[at + 1], w11));
   }
 }
 
@@ -99,20 +99,27 @@ void finish_stores() {
 #endif
 }
 
-using Ranks = std::array<std::uint16_t, block_px>;
+/// The numbers of a sheet's maps under a block of the picture.
+struct BlockMaps {
+  std::array<std::uint16_t, block_px> ranks, sunlit;
+};
 
 /// Lays what is seen of `sheets` sheets over each other: the operator "over", premultiplied (Porter
 /// and Duff 1984). The compiler knows the number and keeps a pixel at hand for all of them.
 template <std::size_t sheets>
-void lay_over(const PlacedSheet* placed, const Ranks* ranks, int count, float* pixels) {
-  std::array<const glm::vec4*, sheets> looks;
-  for (std::size_t s = 0; s < sheets; ++s) looks[s] = placed[s].sheet.look.data();
+void lay_over(const PlacedSheet* placed, const BlockMaps* maps, int count, float* pixels) {
+  std::array<const glm::vec4*, sheets> by_rank, by_light;
+  for (std::size_t s = 0; s < sheets; ++s) {
+    by_rank[s] = placed[s].sheet.by_rank.data();
+    by_light[s] = placed[s].sheet.by_light.data();
+  }
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     Float4 pixel = {0.0F, 0.0F, 0.0F, 0.0F};
     for (std::size_t s = 0; s < sheets; ++s) {
-      Float4 front;
-      std::memcpy(&front, looks[s] + ranks[s][i] / ranks_per_entry, sizeof front);
-      pixel = front + (1.0F - front[3]) * pixel;
+      Float4 front, light;
+      std::memcpy(&front, by_rank[s] + maps[s].ranks[i] / ranks_per_entry, sizeof front);
+      std::memcpy(&light, by_light[s] + maps[s].sunlit[i] / lights_per_entry, sizeof light);
+      pixel = front * light + (1.0F - front[3]) * pixel;
     }
     store(pixel, pixels + 4 * i);
   }
@@ -129,10 +136,13 @@ constexpr auto lay_over_by_count = lay_over_for(std::make_index_sequence<most_sh
 
 void compose_block(const std::vector<PlacedSheet>& sheets, long x, long y, int count,
                    float* pixels) {
-  std::array<Ranks, most_sheets> ranks;
-  for (std::size_t s = 0; s < sheets.size(); ++s)
-    shifted_ranks(*sheets[s].sheet.map, x, y, sheets[s].shift, count, ranks[s].data());
-  lay_over_by_count[sheets.size()](sheets.data(), ranks.data(), count, pixels);
+  std::array<BlockMaps, most_sheets> maps;
+  for (std::size_t s = 0; s < sheets.size(); ++s) {
+    const auto& [sheet, shift] = sheets[s];
+    shifted_row(sheet.map->ranks, x, y, shift, count, maps[s].ranks.data());
+    shifted_row(sheet.map->sunlit, x, y, shift, count, maps[s].sunlit.data());
+  }
+  lay_over_by_count[sheets.size()](sheets.data(), maps.data(), count, pixels);
 }
 
 void compose_row(const std::vector<PlacedSheet>& sheets, long y, int width, float* row) {

@@ -8,26 +8,23 @@
 
 namespace wold::cloud {
 
-/// What is seen of a rank: premultiplied linear colour and opacity, and how many ranks of a
-/// LayerMap share one entry.
-inline constexpr int ranks_per_entry = 8;
-inline constexpr int look_entries = 65536 / ranks_per_entry;
+/// Steps of a LayerMap's numbers that share one entry of a look-up table: clouds have steep edges,
+/// but their light changes gently.
+inline constexpr int ranks_per_entry = 4;
+inline constexpr int lights_per_entry = 64;
 
-/// A map and what is seen of its ranks at one moment, from below. Sheets are laid over each other.
+/// A shape's maps and what is seen of them at one moment, from below. A pixel has the product of
+/// its rank's and its light's entries. Sheets are laid over each other.
 struct Sheet {
-  std::shared_ptr<const LayerMap> map;
-  glm::dvec2 way_px = {};       ///< how far the map has drifted
-  std::vector<glm::vec4> look;  ///< look_entries of them, by rank
+  std::shared_ptr<const ShapeMaps> map;
+  glm::dvec2 way_px = {};           ///< how far the map has drifted
+  std::vector<glm::vec4> by_rank;   ///< premultiplied linear colour in full light, and opacity
+  std::vector<glm::vec4> by_light;  ///< the share of the light, three times, and 1
 };
 
 /// A layer's sheets, the further one first: one, or two while its shape changes. Two sheets whose
 /// optical depths are shares of the layer's let through together what the layer does; the paper's
-/// fade has shares of alpha, and thins out half-way.
-///
-/// Light is that of moment.light. Unless lit as in the paper, a thick cloud's base has the light
-/// that two-stream diffusion lets through without absorption, T = 1 / (1 + 3/4 (1 - g) tau), g the
-/// asymmetry, tau the droplets' optical depth (Bohren 1987, Multiple scattering of light and some
-/// of its observable consequences).
+/// fade has shares of alpha, and thins out half-way. Full light is moment.light.
 std::vector<Sheet> sheets_of(const LayerState& state, double pixel_m);
 
 }  // namespace wold::cloud

@@ -43,12 +43,16 @@ class PeriodicMap {
   double sample(double s, double t) const {
     const double x = (s - std::floor(s)) * width_ - 0.5;
     const double y = (t - std::floor(t)) * height_ - 0.5;
-    const auto i = static_cast<long>(std::floor(x));
-    const auto j = static_cast<long>(std::floor(y));
-    const double u = x - static_cast<double>(i);
-    const double v = y - static_cast<double>(j);
-    return (1.0 - v) * ((1.0 - u) * wrapped(i, j) + u * wrapped(i + 1, j)) +
-           v * ((1.0 - u) * wrapped(i, j + 1) + u * wrapped(i + 1, j + 1));
+    const int i = static_cast<int>(x + 1.0) - 1;  // rounds down: x is -0.5 at least
+    const int j = static_cast<int>(y + 1.0) - 1;
+    const double u = x - i;
+    const double v = y - j;
+    const T* low = row(j < 0 ? height_ - 1 : j);
+    const T* high = row(j + 1 == height_ ? 0 : j + 1);
+    const int left = i < 0 ? width_ - 1 : i;
+    const int right = i + 1 == width_ ? 0 : i + 1;
+    return (1.0 - v) * ((1.0 - u) * low[left] + u * low[right]) +
+           v * ((1.0 - u) * high[left] + u * high[right]);
   }
 
  private:

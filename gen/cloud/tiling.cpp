@@ -52,6 +52,15 @@ Sample sample_at(const glm::ivec2& vertex, std::size_t textures, std::uint64_t k
            random_uniform({key, key_of("patch"), number, key_of("y")})}};
 }
 
+/// Of all vertices of a period, row after row.
+std::vector<Sample> all_samples(const glm::ivec2& vertices, std::size_t textures,
+                                std::uint64_t key) {
+  std::vector<Sample> samples;
+  for (int y = 0; y < vertices.y; ++y)
+    for (int x = 0; x < vertices.x; ++x) samples.push_back(sample_at({x, y}, textures, key));
+  return samples;
+}
+
 std::vector<PeriodicMap<float>> gaussianised(const std::vector<PeriodicMap<float>>& ranks) {
   std::vector<PeriodicMap<float>> result = ranks;
   for (PeriodicMap<float>& map : result)
@@ -111,12 +120,14 @@ LayerMap repeated_by_blending(const TextureSet& textures, const glm::ivec2& cell
                               const glm::ivec2& size_px, std::uint64_t key) {
   const TriangleGrid grid(cells);
   const std::vector<PeriodicMap<float>> gaussian = gaussianised(textures.ranks);
+  const std::vector<Sample> samples = all_samples(grid.vertices(), gaussian.size(), key);
   return each_pixel(cells, size_px, [&](const glm::dvec2& place) {
     double sum = 0.0, squares = 0.0;
     for (const Patch& patch : grid.around(place)) {
       constexpr double unseen = 1e-6;
       if (patch.weight < unseen) continue;
-      const Sample sample = sample_at(patch.vertex, gaussian.size(), key);
+      const Sample& sample =
+          samples[static_cast<std::size_t>(patch.vertex.y * grid.vertices().x + patch.vertex.x)];
       const glm::dvec2 at = place + sample.shift;
       sum += patch.weight * gaussian[sample.texture].sample(at.x, at.y);
       squares += patch.weight * patch.weight;

@@ -26,6 +26,8 @@ class TriangleGrid {
   /// The triangle's corners around a place, in cells, any numbers. Weights are barycentric
   /// coordinates cubed and normalised: patches keep their shape over most of their area.
   std::array<Patch, 3> around(const glm::dvec2& place) const;
+  /// Vertices of a period along a row, and rows.
+  const glm::ivec2& vertices() const { return vertices_; }
 
  private:
   glm::ivec2 vertices_;  ///< along a period; an even number of rows
