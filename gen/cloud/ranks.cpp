@@ -5,6 +5,8 @@
 #include <numbers>
 #include <tuple>
 
+#include "cloud/box_filter.h"
+
 namespace wold::cloud {
 namespace {
 
@@ -14,43 +16,20 @@ struct Pixel {
   std::uint32_t index;
 };
 
-/// Running mean of 2 radius + 1 values along a closed line of `count` values, `stride` apart.
-void mean_along(std::vector<float>& values, std::size_t first, int count, std::size_t stride,
-                int radius) {
-  const auto value = [&](int i) -> float& {
-    const int rest = i % count;
-    return values[first + static_cast<std::size_t>(rest < 0 ? rest + count : rest) * stride];
-  };
-  std::vector<float> mean(static_cast<std::size_t>(count));
-  double sum = 0.0;
-  for (int i = -radius; i <= radius; ++i) sum += value(i);
-  for (int i = 0; i < count; ++i) {
-    mean[static_cast<std::size_t>(i)] = static_cast<float>(sum / (2 * radius + 1));
-    sum += value(i + radius + 1) - value(i - radius);
-  }
-  for (int i = 0; i < count; ++i) value(i) = mean[static_cast<std::size_t>(i)];
-}
-
 /// Box filtered twice, which has no corners to show.
-std::vector<float> surroundings(const PeriodicMap<float>& field) {
+PeriodicMap<float> surroundings(const PeriodicMap<float>& field) {
   const int radius = std::max(1, std::min(field.width(), field.height()) / 16);
-  const auto width = static_cast<std::size_t>(field.width());
-  std::vector<float> mean = field.values();
-  for (int pass = 0; pass < 2; ++pass) {
-    for (int y = 0; y < field.height(); ++y)
-      mean_along(mean, static_cast<std::size_t>(y) * width, field.width(), 1, radius);
-    for (std::size_t x = 0; x < width; ++x) mean_along(mean, x, field.height(), width, radius);
-  }
-  return mean;
+  return box_filtered(box_filtered(field, radius), radius);
 }
 
 /// All pixels, field after field.
 std::vector<Pixel> pixels_of(const std::vector<PeriodicMap<float>>& fields) {
   std::vector<Pixel> pixels;
   for (const PeriodicMap<float>& field : fields) {
-    const std::vector<float> around = surroundings(field);
-    for (std::size_t i = 0; i < around.size(); ++i)
-      pixels.push_back({field.values()[i], around[i], static_cast<std::uint32_t>(pixels.size())});
+    const PeriodicMap<float> around = surroundings(field);
+    for (std::size_t i = 0; i < around.values().size(); ++i)
+      pixels.push_back(
+          {field.values()[i], around.values()[i], static_cast<std::uint32_t>(pixels.size())});
   }
   return pixels;
 }

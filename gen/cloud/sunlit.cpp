@@ -3,28 +3,28 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloud/box_filter.h"
 #include "core/parallel.h"
 
 namespace wold::cloud {
 namespace {
 
 constexpr double from_the_ground = 0.2;
-constexpr int ray_steps = 16;
+constexpr int ray_steps = 32;
 /// A sun near the horizon would be followed for ever; farther clouds only redden it.
 constexpr double lowest_sine = 0.15;
-/// Over this height a top is soft, so that steps of the ray do not show.
-constexpr float soft_m = 30.0F;
 
 int wrapped(int i, int period) {
   const int rest = i % period;
   return rest < 0 ? rest + period : rest;
 }
 
-/// A place on the ray to the sun, from the base up.
+/// A part of the ray to the sun, from the base up.
 struct RayStep {
-  glm::ivec2 away_px;
-  float height_m;
-  float length_m;  ///< of the ray that it stands for
+  glm::ivec2 away_px;  ///< of its middle
+  float low_m;         ///< its lower end
+  float rise_m;
+  float length_m;
 };
 
 /// Steps that grow with the distance, as what is near shades most.
@@ -34,13 +34,18 @@ std::vector<RayStep> ray_to_sun(double top_m, const glm::dvec3& sun_direction, d
   const glm::dvec2 level(sun_direction.x, sun_direction.y);
   const glm::dvec2 towards = glm::length(level) > 0.0 ? glm::normalize(level) : glm::dvec2(0.0);
   const double across = std::sqrt(1.0 - sine * sine);
-  const auto share = [](double step) { return step * step / (ray_steps * ray_steps); };
+  // From a third of the mean length to five thirds of it.
+  const auto share = [](double step) {
+    const double x = step / ray_steps;
+    return x * (1.0 + 2.0 * x) / 3.0;
+  };
   std::vector<RayStep> steps;
   for (int i = 0; i < ray_steps; ++i) {
-    const double along_m = length_m * 0.5 * (share(i) + share(i + 1));
-    steps.push_back({glm::ivec2(glm::round(towards * (across * along_m / pixel_m))),
-                     static_cast<float>(along_m * sine),
-                     static_cast<float>(length_m * (share(i + 1) - share(i)))});
+    const double from_m = length_m * share(i), to_m = length_m * share(i + 1);
+    const double away_m = across * 0.5 * (from_m + to_m);
+    steps.push_back({glm::ivec2(glm::round(towards * (away_m / pixel_m))),
+                     static_cast<float>(from_m * sine), static_cast<float>((to_m - from_m) * sine),
+                     static_cast<float>(to_m - from_m)});
   }
   return steps;
 }
@@ -54,21 +59,27 @@ PeriodicMap<float> tops_of(const LayerMap& ranks, const std::vector<float>& heig
 }
 
 /// Adds the length of the ray's step inside clouds, for a whole row.
-void add_step(const PeriodicMap<float>& tops, int y, const RayStep& step,
-              std::vector<float>& in_cloud_m) {
+void add_step(const PeriodicMap<float>& tops, int y, const RayStep& step, float* in_cloud_m) {
   const int width = tops.width();
   const float* row = tops.row(wrapped(y + step.away_px.y, tops.height()));
   const int start = wrapped(step.away_px.x, width);
   const auto add = [&](const float* top, float* end_of_sum, float* sum) {
-    for (; sum != end_of_sum; ++sum, ++top) {
-      const float soft = std::min(*top, soft_m) + 1e-6F;
-      *sum += step.length_m * std::clamp((*top - step.height_m) / soft + 0.5F, 0.0F, 1.0F) *
-              (*top > 0.0F ? 1.0F : 0.0F);
-    }
+    const float per_rise = 1.0F / step.rise_m;
+    for (; sum != end_of_sum; ++sum, ++top)
+      *sum += step.length_m * std::clamp((*top - step.low_m) * per_rise, 0.0F, 1.0F);
   };
-  float* sums = in_cloud_m.data();
-  add(row + start, sums + (width - start), sums);
-  add(row, sums + width, sums + (width - start));
+  add(row + start, in_cloud_m + (width - start), in_cloud_m);
+  add(row, in_cloud_m + width, in_cloud_m + (width - start));
+}
+
+/// Light walks at random before it has lost its direction: over the transport mean free path, here
+/// the base of the kernel.
+PeriodicMap<float> diffused(const PeriodicMap<float>& in_cloud_m, const Droplets& droplets,
+                            double pixel_m) {
+  const double path_m = 1.0 / (droplets.extinction_per_m * (1.0 - droplets.asymmetry));
+  const double most_px = 0.25 * std::min(in_cloud_m.width(), in_cloud_m.height());
+  const int radius = static_cast<int>(std::min(0.25 * path_m / pixel_m, most_px));
+  return box_filtered(box_filtered(in_cloud_m, radius), radius);
 }
 
 double through_of(double brightness) {
@@ -92,16 +103,16 @@ LayerMap sunlit(const LayerMap& ranks, const std::vector<float>& height_m, const
                 const glm::dvec3& sun_direction, double pixel_m) {
   const PeriodicMap<float> tops = tops_of(ranks, height_m);
   const std::vector<RayStep> steps = ray_to_sun(height_m.back(), sun_direction, pixel_m);
-  LayerMap result(ranks.width(), ranks.height());
+  PeriodicMap<float> in_cloud_m(ranks.width(), ranks.height());
   parallel_for(static_cast<std::size_t>(ranks.height()), [&](std::size_t row) {
     const int y = static_cast<int>(row);
-    std::vector<float> in_cloud_m(static_cast<std::size_t>(ranks.width()));
-    for (const RayStep& step : steps) add_step(tops, y, step, in_cloud_m);
-    for (int x = 0; x < ranks.width(); ++x) {
-      const double depth =
-          droplets.extinction_per_m * static_cast<double>(in_cloud_m[static_cast<std::size_t>(x)]);
-      result.at(x, y) = static_cast<std::uint16_t>(65535.0 * base_brightness(droplets, depth));
-    }
+    for (const RayStep& step : steps) add_step(tops, y, step, in_cloud_m.row(y));
+  });
+  in_cloud_m = diffused(in_cloud_m, droplets, pixel_m);
+  LayerMap result(ranks.width(), ranks.height());
+  parallel_for_blocks(result.values().size(), [&](std::size_t i) {
+    const double depth = droplets.extinction_per_m * static_cast<double>(in_cloud_m.values()[i]);
+    result.values()[i] = static_cast<std::uint16_t>(65535.0 * base_brightness(droplets, depth));
   });
   return result;
 }
