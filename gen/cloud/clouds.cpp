@@ -68,7 +68,7 @@ std::vector<float> tops_m(const Layer& layer) {
   std::vector<float> tops(profile_steps + 1);
   for (int i = 0; i <= profile_steps; ++i)
     tops[static_cast<std::size_t>(i)] = static_cast<float>(
-        layer.thickness_m * relative_depth(layer, static_cast<double>(i) / profile_steps, 1.0));
+        top_m(layer, relative_depth(layer, static_cast<double>(i) / profile_steps, 1.0)));
   return tops;
 }
 
@@ -174,6 +174,10 @@ CloudState Clouds::at(double time_s) const {
   CloudState state{time_s, pixel_m_, {}};
   for (const auto& film : films_) state.layers.push_back(film->at(time_s));
   return state;
+}
+
+double top_m(const Layer& layer, double relative_depth) {
+  return layer.thickness_m * std::pow(relative_depth, 0.7);
 }
 
 double depth_factor(double amount) { return amount * (2.0 - amount); }

@@ -5,7 +5,9 @@
 #include <memory>
 
 #include "cloud/compose.h"
+#include "cloud/volume.h"
 #include "core/parallel.h"
+#include "light/daylight.h"
 
 /// What composing a frame of clouds costs. Per pixel and layer it reads a rank and a brightness of
 /// 2 bytes each and, from near memory, an entry of 16 bytes for each; per pixel it writes 16 bytes.
@@ -69,6 +71,20 @@ void copy_the_bytes(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations());
 }
 
+/// Lifting a layer to 256 x 256 x 64 voxels and baking its light.
+void lift_and_light(benchmark::State& state) {
+  const CloudState clouds = state_of(1, 1024);
+  const ThreadLimit limit(static_cast<int>(state.range(0)));
+  const light::Daylight day(scene::Sun{}, scene::Sky{});
+  const LayerState& layer = clouds.layers.front();
+  for (auto _ : state) {
+    const CloudVolume volume =
+        lifted(layer, clouds.pixel_m, {0.0, 0.0}, layer.layer->period_m, {256, 256, 64});
+    benchmark::DoNotOptimize(source_radiance(volume, cloud_light(day, {0.0, 0.0, 2.0})));
+  }
+}
+
+BENCHMARK(lift_and_light)->Arg(0)->Arg(1)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(copy_the_bytes)->Args({4, 4096, 0})->Args({4, 4096, 1})->UseRealTime();
 BENCHMARK(compose_frame)
     ->Args({4, 4096, 0})
