@@ -23,17 +23,18 @@ long remainder_of(long i, long period) {
   return rest < 0 ? rest + period : rest;
 }
 
-/// `count` values of a map's row from any column on.
-void copy_row(const LayerMap& map, long x, long y, int count, std::uint16_t* to) {
+/// `count` values of a map's row from any column on: where they lie, or in `room`, put together
+/// from the row's end and its start.
+const std::uint16_t* row_from(const LayerMap& map, long x, long y, int count, std::uint16_t* room) {
   const std::uint16_t* row = map.row(static_cast<int>(remainder_of(y, map.height())));
   long from = remainder_of(x, map.width());
-  while (count > 0) {
+  if (from + count <= map.width()) return row + from;
+  for (std::uint16_t* to = room; count > 0; from = 0) {
     const int run = static_cast<int>(std::min<long>(count, map.width() - from));
-    std::memcpy(to, row + from, static_cast<std::size_t>(run) * sizeof *to);
-    to += run;
+    to = std::copy_n(row + from, run, to);
     count -= run;
-    from = 0;
   }
+  return room;
 }
 
 /// Four floats that the processor adds and multiplies at once; glm::vec4 is taken apart.
@@ -43,10 +44,15 @@ using Float4 = float __attribute__((vector_size(16)));
 /// step less than 1.
 struct Shift {
   long x, y;
+  long nearest_x, nearest_y;
   std::array<std::uint16_t, 4> weights;
 
   explicit Shift(const glm::dvec2& by_px)
-      : x(std::lround(std::floor(by_px.x))), y(std::lround(std::floor(by_px.y))), weights() {
+      : x(std::lround(std::floor(by_px.x))),
+        y(std::lround(std::floor(by_px.y))),
+        nearest_x(std::lround(by_px.x)),
+        nearest_y(std::lround(by_px.y)),
+        weights() {
     const glm::dvec2 part = by_px - glm::floor(by_px);
     const auto whole = [](double share) { return static_cast<int>(share * 65535.0); };
     const int w10 = whole(part.x * (1.0 - part.y));
@@ -65,14 +71,14 @@ std::uint16_t scaled(std::uint16_t value, std::uint16_t weight) {
 /// `count` values from the map's pixel (x, y) + shift on.
 void shifted_row(const LayerMap& map, long x, long y, const Shift& shift, int count,
                  std::uint16_t* values) {
-  std::array<std::uint16_t, block_px + 1> low, high;
-  copy_row(map, x + shift.x, y + shift.y, count + 1, low.data());
-  copy_row(map, x + shift.x, y + shift.y + 1, count + 1, high.data());
+  std::array<std::uint16_t, block_px + 1> low_room, high_room;
+  const std::uint16_t* low = row_from(map, x + shift.x, y + shift.y, count + 1, low_room.data());
+  const std::uint16_t* high =
+      row_from(map, x + shift.x, y + shift.y + 1, count + 1, high_room.data());
   const auto [w00, w10, w01, w11] = shift.weights;
   for (int i = 0; i < count; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    values[at] = static_cast<std::uint16_t>(scaled(low[at], w00) + scaled(low[at + 1], w10) +
-                                            scaled(high[at], w01) + scaled(high[at + 1], w11));
+    values[i] = static_cast<std::uint16_t>(scaled(low[i], w00) + scaled(low[i + 1], w10) +
+                                           scaled(high[i], w01) + scaled(high[i + 1], w11));
   }
 }
 
@@ -101,25 +107,29 @@ void finish_stores() {
 
 /// The numbers of a sheet's maps under a block of the picture.
 struct BlockMaps {
-  std::array<std::uint16_t, block_px> ranks, sunlit;
+  std::array<std::uint16_t, block_px> ranks, room;
+  const std::uint16_t* sunlit = nullptr;  ///< in the map, or in `room`
 };
 
 /// Lays what is seen of `sheets` sheets over each other: the operator "over", premultiplied (Porter
 /// and Duff 1984). The compiler knows the number and keeps a pixel at hand for all of them.
 template <std::size_t sheets>
 void lay_over(const PlacedSheet* placed, const BlockMaps* maps, int count, float* pixels) {
-  std::array<const glm::vec4*, sheets> by_rank, by_light;
+  std::array<const float*, sheets> opacity_by_rank;
+  std::array<const glm::vec4*, sheets> colour_by_light;
+  std::array<const std::uint16_t*, sheets> sunlit;
   for (std::size_t s = 0; s < sheets; ++s) {
-    by_rank[s] = placed[s].sheet.by_rank.data();
-    by_light[s] = placed[s].sheet.by_light.data();
+    opacity_by_rank[s] = placed[s].sheet.opacity_by_rank.data();
+    colour_by_light[s] = placed[s].sheet.colour_by_light.data();
+    sunlit[s] = maps[s].sunlit;
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     Float4 pixel = {0.0F, 0.0F, 0.0F, 0.0F};
     for (std::size_t s = 0; s < sheets; ++s) {
-      Float4 front, light;
-      std::memcpy(&front, by_rank[s] + maps[s].ranks[i] / ranks_per_entry, sizeof front);
-      std::memcpy(&light, by_light[s] + maps[s].sunlit[i] / lights_per_entry, sizeof light);
-      pixel = front * light + (1.0F - front[3]) * pixel;
+      const float opacity = opacity_by_rank[s][maps[s].ranks[i] / ranks_per_entry];
+      Float4 colour;
+      std::memcpy(&colour, colour_by_light[s] + sunlit[s][i] / lights_per_entry, sizeof colour);
+      pixel = opacity * colour + (1.0F - opacity) * pixel;
     }
     store(pixel, pixels + 4 * i);
   }
@@ -140,7 +150,9 @@ void compose_block(const std::vector<PlacedSheet>& sheets, long x, long y, int c
   for (std::size_t s = 0; s < sheets.size(); ++s) {
     const auto& [sheet, shift] = sheets[s];
     shifted_row(sheet.map->ranks, x, y, shift, count, maps[s].ranks.data());
-    shifted_row(sheet.map->sunlit, x, y, shift, count, maps[s].sunlit.data());
+    // Light is smooth: the nearest pixel will do.
+    maps[s].sunlit = row_from(sheet.map->sunlit, x + shift.nearest_x, y + shift.nearest_y, count,
+                              maps[s].room.data());
   }
   lay_over_by_count[sheets.size()](sheets.data(), maps.data(), count, pixels);
 }

@@ -5,13 +5,13 @@
 namespace wold::cloud {
 namespace {
 
-glm::vec4 seen(const LayerState& state, double rank, double share) {
+float opacity(const LayerState& state, double rank, double share) {
   const LayerMoment& moment = state.moment;
   const double depth =
       optical_depth_of_rank(*state.layer, rank, moment.amount_is_alpha ? 1.0 : moment.amount);
-  double alpha = moment.shapes_by_alpha ? -share * std::expm1(-depth) : -std::expm1(-share * depth);
-  if (moment.amount_is_alpha) alpha *= moment.amount;
-  return {glm::vec3(moment.light * alpha), alpha};
+  const double alpha =
+      moment.shapes_by_alpha ? -share * std::expm1(-depth) : -std::expm1(-share * depth);
+  return static_cast<float>(moment.amount_is_alpha ? moment.amount * alpha : alpha);
 }
 
 /// What is left of the light where the whole layer would leave `brightness`.
@@ -23,20 +23,20 @@ double light_left(const LayerState& state, double brightness) {
 
 /// entry(value) for the middle of every entry's steps, in [0, 1].
 template <class Entry>
-std::vector<glm::vec4> table(int steps_per_entry, const Entry& entry) {
-  const int entries = 65536 / steps_per_entry;
-  std::vector<glm::vec4> values;
-  values.reserve(static_cast<std::size_t>(entries));
-  for (int i = 0; i < entries; ++i) values.push_back(entry((i + 0.5) / entries));
+auto table(unsigned steps_per_entry, const Entry& entry) {
+  const unsigned entries = 65536 / steps_per_entry;
+  std::vector<decltype(entry(0.0))> values;
+  values.reserve(entries);
+  for (unsigned i = 0; i < entries; ++i) values.push_back(entry((i + 0.5) / entries));
   return values;
 }
 
 Sheet sheet_of(const LayerState& state, const std::shared_ptr<const ShapeMaps>& map, double share,
                double pixel_m) {
   return {map, state.moment.way_m / pixel_m,
-          table(ranks_per_entry, [&](double rank) { return seen(state, rank, share); }),
+          table(ranks_per_entry, [&](double rank) { return opacity(state, rank, share); }),
           table(lights_per_entry, [&](double brightness) {
-            return glm::vec4(glm::vec3(static_cast<float>(light_left(state, brightness))), 1.0F);
+            return glm::vec4(glm::vec3(state.moment.light * light_left(state, brightness)), 1.0F);
           })};
 }
 

@@ -9,17 +9,18 @@
 namespace wold::cloud {
 
 /// Steps of a LayerMap's numbers that share one entry of a look-up table: clouds have steep edges,
-/// but their light changes gently.
-inline constexpr int ranks_per_entry = 4;
-inline constexpr int lights_per_entry = 64;
+/// but their light changes gently. The tables of four layers stay in near memory.
+inline constexpr unsigned ranks_per_entry = 4;
+inline constexpr unsigned lights_per_entry = 64;
 
-/// A shape's maps and what is seen of them at one moment, from below. A pixel has the product of
-/// its rank's and its light's entries. Sheets are laid over each other.
+/// A shape's maps and what is seen of them at one moment, from below: a pixel's premultiplied
+/// colour and opacity are the product of its rank's and its light's entries. Sheets are laid over
+/// each other.
 struct Sheet {
   std::shared_ptr<const ShapeMaps> map;
-  glm::dvec2 way_px = {};           ///< how far the map has drifted
-  std::vector<glm::vec4> by_rank;   ///< premultiplied linear colour in full light, and opacity
-  std::vector<glm::vec4> by_light;  ///< the share of the light, three times, and 1
+  glm::dvec2 way_px = {};                  ///< how far the map has drifted
+  std::vector<float> opacity_by_rank;      ///< in [0, 1]
+  std::vector<glm::vec4> colour_by_light;  ///< linear colour for the share of the light, and 1
 };
 
 /// A layer's sheets, the further one first: one, or two while its shape changes. Two sheets whose
