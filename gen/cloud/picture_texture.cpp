@@ -71,15 +71,20 @@ PeriodicMap<float> transposed(const PeriodicMap<float>& map) {
   return result;
 }
 
-/// Whether the step from the last column to the first is no larger than steps inside are.
+/// Mean step from the column before, which may be the last.
+double step_into(const PeriodicMap<float>& map, int x) {
+  double sum = 0.0;
+  for (int y = 0; y < map.height(); ++y)
+    sum += std::abs(static_cast<double>(map.at(x, y)) - map.wrapped(x - 1, y));
+  return sum / map.height();
+}
+
+/// Whether the step from the last column to the first is like the largest inside.
 bool closes(const PeriodicMap<float>& map) {
-  double inside = 0.0, across = 0.0;
-  for (int y = 0; y < map.height(); ++y) {
-    for (int x = 1; x < map.width(); ++x) inside += std::abs(map.at(x, y) - map.at(x - 1, y));
-    across += std::abs(map.at(0, y) - map.at(map.width() - 1, y));
-  }
-  constexpr double tolerated = 1.5;
-  return across * (map.width() - 1) <= tolerated * inside;
+  double inside = 0.0;
+  for (int x = 1; x < map.width(); ++x) inside = std::max(inside, step_into(map, x));
+  constexpr double tolerated = 1.25;
+  return step_into(map, 0) <= tolerated * inside;
 }
 
 /// Cross-fades the last columns into the first and cuts them off.

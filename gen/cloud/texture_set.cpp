@@ -44,7 +44,8 @@ std::vector<float> profile_of(const std::vector<PeriodicMap<float>>& opacities) 
   const double densest = optical_depth(sorted.back());
   std::vector<float> profile(profile_steps + 1);
   for (std::size_t i = 0; i < profile.size(); ++i) {
-    const std::size_t place = i * (sorted.size() - 1) / profile_steps;
+    // Pixel j has the rank (j + 1/2) / n.
+    const std::size_t place = std::min(i * sorted.size() / profile_steps, sorted.size() - 1);
     profile[i] = densest > 0.0 ? static_cast<float>(optical_depth(sorted[place]) / densest) : 0.0F;
   }
   return profile;
@@ -60,25 +61,36 @@ TextureSet picture_textures(const std::vector<std::string>& paths, int side_px) 
           std::min(static_cast<double>(densest), most_opacity)};
 }
 
-/// Trapezoidal weights over three lengths of decay.
+/// Steps over three lengths of decay.
 constexpr int smear_steps = 48;
 constexpr double decay_lengths = 3.0;
 constexpr double longest_decay = 0.1;  ///< in textures
+constexpr double detail_decay = 0.12;  ///< of the decay: details are torn, not washed out
+constexpr double detail_weight = 0.35;
 
-PeriodicMap<float> smeared(const PeriodicMap<float>& map, const glm::dvec2& downwind,
-                           double decay) {
-  PeriodicMap<float> result(map.width(), map.height());
-  parallel_for(static_cast<std::size_t>(map.height()), [&](std::size_t row) {
+/// Mean of the field up the wind, with weights that fall by e over `decay`.
+double mean_upwind(const PeriodicMap<float>& field, const glm::dvec2& place,
+                   const glm::dvec2& decay) {
+  double sum = 0.0, weights = 0.0;
+  for (int step = 0; step <= smear_steps; ++step) {
+    const double lengths = decay_lengths * step / smear_steps;
+    const double weight = std::exp(-lengths);
+    const glm::dvec2 from = place - decay * lengths;
+    sum += weight * field.sample(from.x, from.y);
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+PeriodicMap<float> drawn_out(const PeriodicMap<float>& field, const glm::dvec2& decay) {
+  PeriodicMap<float> result(field.width(), field.height());
+  parallel_for(static_cast<std::size_t>(field.height()), [&](std::size_t row) {
     const int y = static_cast<int>(row);
-    for (int x = 0; x < map.width(); ++x) {
-      const glm::dvec2 place((x + 0.5) / map.width(), (y + 0.5) / map.height());
-      double sum = 0.0;
-      for (int step = 0; step <= smear_steps; ++step) {
-        const double lengths = decay_lengths * step / smear_steps;
-        const glm::dvec2 from = place - downwind * (decay * lengths);
-        sum += std::exp(-lengths) * map.sample(from.x, from.y);
-      }
-      result.at(x, y) = static_cast<float>(sum);
+    for (int x = 0; x < field.width(); ++x) {
+      const glm::dvec2 place((x + 0.5) / field.width(), (y + 0.5) / field.height());
+      result.at(x, y) =
+          static_cast<float>(mean_upwind(field, place, decay) +
+                             detail_weight * mean_upwind(field, place, detail_decay * decay));
     }
   });
   return result;
@@ -98,11 +110,11 @@ TextureSet textures_of(const scene::CloudLayer& layer, const Recipe& recipe, int
 TextureSet sheared(const TextureSet& textures, double heading_rad, double shear) {
   if (shear <= 0.0) return textures;
   const glm::dvec2 downwind(std::sin(heading_rad), std::cos(heading_rad));
-  std::vector<PeriodicMap<float>> drawn_out;
+  std::vector<PeriodicMap<float>> fields;
   for (const PeriodicMap<float>& map : textures.ranks)
-    drawn_out.push_back(smeared(map, downwind, shear * longest_decay));
+    fields.push_back(drawn_out(map, downwind * (shear * longest_decay)));
   TextureSet result = textures;
-  result.ranks = ranked(drawn_out);
+  result.ranks = ranked(fields);
   return result;
 }
 

@@ -34,8 +34,9 @@ TextureSet textures_of(const scene::CloudLayer& layer, const Recipe& recipe, int
                        std::uint64_t key);
 
 /// The same clouds drawn out by wind that blows to `heading_rad` (clockwise from north): ranks are
-/// averaged down the wind with weights that fall by e over shear times a tenth of the texture, and
-/// ranked anew, so that cover and opacity stay. shear in [0, 1].
+/// averaged up the wind with weights that fall by e over shear times a tenth of the texture,
+/// details over an eighth of that, and ranked anew, so that cover and opacity stay. shear in [0,
+/// 1].
 TextureSet sheared(const TextureSet& textures, double heading_rad, double shear);
 
 }  // namespace wold::cloud
