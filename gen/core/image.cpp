@@ -40,6 +40,12 @@ void write_image(const std::filesystem::path& path, const Image& image, PixelFor
   });
 }
 
+ImageHeader read_image_header(const std::filesystem::path& path) {
+  auto in = OIIO::ImageInput::open(path.string());
+  if (!in) throw FileError(fmt::format("cannot read {}: {}", path.string(), OIIO::geterror()));
+  return {in->spec().width, in->spec().height, in->spec().nchannels};
+}
+
 Image read_image(const std::filesystem::path& path) {
   auto in = OIIO::ImageInput::open(path.string());
   if (!in) throw FileError(fmt::format("cannot read {}: {}", path.string(), OIIO::geterror()));

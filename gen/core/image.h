@@ -37,6 +37,16 @@ enum class PixelFormat { uint8, uint16, half, float32 };
 /// FileError.
 void write_image(const std::filesystem::path& path, const Image& image, PixelFormat format);
 
+/// What a picture's file says of it before its pixels are read.
+struct ImageHeader {
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+};
+
+/// Throws FileError when the file is missing or no picture.
+ImageHeader read_image_header(const std::filesystem::path& path);
+
 /// Reads any picture OpenImageIO knows, values as stored (8 and 16 bit scaled to [0, 1]). Throws
 /// FileError when it is missing or damaged.
 Image read_image(const std::filesystem::path& path);

@@ -11,6 +11,14 @@ namespace wold {
 /// exactly after `period` units in x and y.
 double gradient_noise(const glm::dvec2& at, std::uint64_t key, int period = 0);
 
+/// The same with a period of its own along each axis, for features that are longer than wide.
+double gradient_noise(const glm::dvec2& at, std::uint64_t key, const glm::ivec2& period);
+
+/// Cellular noise (Worley 1996, A cellular texture basis function): the distance, in cells, to the
+/// nearest of the points that lie one in each unit cell, keyed by `key` and the cell; in [0, 1.5).
+/// The field repeats exactly after `period` > 0 cells.
+double cell_noise(const glm::dvec2& at, std::uint64_t key, const glm::ivec2& period);
+
 /// Standard deviation of gradient_noise over the plane: closed form for unit gradients and the
 /// quintic fade s, 2 sqrt(A B) with A = integral of u^2 (1 - s)^2 and B = integral of s^2 on [0,
 /// 1].

@@ -14,7 +14,8 @@ namespace wold::scene {
 
 template <class T>
 concept PlainField = std::same_as<T, double> || std::same_as<T, std::string> ||
-    std::same_as<T, CurveChoice> || std::same_as<T, std::vector<CurveChoice>>;
+    std::same_as<T, CurveChoice> || std::same_as<T, std::vector<CurveChoice>> ||
+    std::same_as<T, std::optional<double>> || std::same_as<T, std::vector<std::string>>;
 
 template <class T>
 using ItemsOf = std::vector<

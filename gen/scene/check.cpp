@@ -86,6 +86,17 @@ struct FaultFinder {
     return Fault{with_unit(key, number)};
   }
 
+  MaybeFault operator()(const std::optional<double>& number) const {
+    return number ? (*this)(*number) : std::nullopt;
+  }
+
+  MaybeFault operator()(const std::vector<std::string>& paths) const {
+    if (MaybeFault fault = count_fault(key.list, paths.size())) return fault;
+    for (std::size_t i = 0; i < paths.size(); ++i)
+      if (paths[i].empty() || !is_path(paths[i])) return Fault{in_quotes(paths[i]), {i}};
+    return std::nullopt;
+  }
+
   MaybeFault operator()(const std::string& text) const {
     if (is_text_of(key, text)) return std::nullopt;
     return Fault{in_quotes(text)};

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "core/machine.h"
+#include "scene/cloud_consistency.h"
 #include "scene/sun_position.h"
 #include "scene/text.h"
 
@@ -268,6 +269,7 @@ void report_contradictions(const Scene& scene, const Places& places,
                                      [&](const auto& key) { return places.failed.count(key) > 0; });
     if (judged && !rule.holds) problems.push_back({blamed_place(rule, places), rule.message});
   }
+  report_cloud_contradictions(scene, places, problems);
 }
 
 }  // namespace wold::scene

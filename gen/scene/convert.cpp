@@ -31,6 +31,12 @@ Outcome one(const Node& node) {
   return WrongType{&node};
 }
 
+Outcome number_or_auto(const Node& node) {
+  if (scalar<std::string>(node) == automatic_word) return std::optional<double>();
+  if (const auto value = scalar<double>(node)) return std::optional<double>(*value);
+  return WrongType{&node};
+}
+
 template <class T>
 Outcome many(const Node& node) {
   const auto* items = items_of(node);
@@ -86,6 +92,10 @@ Outcome converted_to(const Key& key, const Node& node) {
       return one<std::int64_t>(node);
     case Kind::number:
       return one<double>(node);
+    case Kind::automatic:
+      return number_or_auto(node);
+    case Kind::files:
+      return many<std::string>(node);
     case Kind::name:
     case Kind::word:
     case Kind::file:

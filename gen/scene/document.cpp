@@ -60,13 +60,14 @@ toml::table parsed(std::string_view text, const std::string& file) {
 
 /// TOML's nesting of values is limited by toml++, so this recursion is, too.
 Node converted(const toml::node& node, const std::string& file) {
-  Node result{position(node.source(), file), Unusable{"a date or time"}};
+  Node result{position(node.source(), file), Unusable{"a date or time"}, false};
   if (const auto* integer = node.as_integer()) result.value = integer->get();
   if (const auto* number = node.as_floating_point()) result.value = number->get();
   if (const auto* text = node.as_string()) result.value = text->get();
   if (const auto* truth = node.as_boolean())
     result.value = Unusable{truth->get() ? "true" : "false"};
-  if (node.is_table()) result.value = Unusable{"a table"};
+  result.is_table = node.is_table();
+  if (result.is_table) result.value = Unusable{"a table"};
   if (const auto* array = node.as_array()) {
     std::vector<Node> items;
     for (const toml::node& item : *array) items.push_back(converted(item, file));
@@ -90,6 +91,17 @@ std::vector<Entry> entries_of(const toml::table& table, const std::string& table
       entries.push_back(
           {table_name, prefix + spelled(key), position(key.source(), file), converted(node, file)});
   return entries;
+}
+
+/// The tables of [[name]]; the array itself stays an entry, for those who expect something else.
+void append_items(const std::string& name, const toml::array& tables, const std::string& file,
+                  Document& document) {
+  for (std::size_t item = 0; item < tables.size(); ++item) {
+    const toml::table& table = *tables[item].as_table();
+    document.sections.push_back({name, position(table.source(), file), item});
+    const auto inner = entries_of(table, item_name(name, item), file);
+    document.entries.insert(document.entries.end(), inner.begin(), inner.end());
+  }
 }
 
 /// toml++ keeps keys by name; people read from the top.
@@ -125,7 +137,7 @@ Node override_value(const std::string& text, const SourcePosition& where) {
   try {
     table = parsed("value = " + text, where.file);
   } catch (const InputError&) {
-    if (is_bare_word(text)) return {where, text};
+    if (is_bare_word(text)) return {where, text, false};
     throw at(where, fmt::format("{} is not a TOML value; write text with spaces or signs as "
                                 "key='\"text\"'",
                                 in_quotes(text)));
@@ -148,6 +160,9 @@ Document read_document(std::string_view text, const std::string& file_name) {
     const auto inner = entries_of(*node.as_table(), spelled(key), file_name);
     document.entries.insert(document.entries.end(), inner.begin(), inner.end());
   }
+  for (const auto& [key, node] : root)
+    if (node.is_array_of_tables())
+      append_items(spelled(key), *node.as_array(), file_name, document);
   sort_by_position(document.sections);
   sort_by_position(document.entries);
   return document;

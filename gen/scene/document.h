@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -19,20 +20,22 @@ struct Unusable {
 struct Node {
   SourcePosition where;
   std::variant<std::int64_t, double, std::string, std::vector<Node>, Unusable> value;
+  bool is_table = false;
 };
 
 /// A key with its value.
 struct Entry {
   std::string table;     ///< the table it stands in, "" at the top level and for overrides
-  std::string name;      ///< dotted inside a table
+  std::string name;      ///< dotted inside a table; "clouds[1].kind" in the first of [[clouds]]
   SourcePosition where;  ///< of the key
   Node node;
 };
 
-/// A table of the top level.
+/// A table of the top level, or an item of an array of tables.
 struct Section {
   std::string name;
   SourcePosition where;
+  std::optional<std::size_t> item = std::nullopt;  ///< which one of an array, from 0
 };
 
 struct Document {

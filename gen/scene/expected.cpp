@@ -76,6 +76,10 @@ std::string expected(const Key& key) {
       return key.members.empty() ? "a whole number " + range_text(key) : range_text(key);
     case Kind::number:
       return "a number " + range_text(key);
+    case Kind::automatic:
+      return fmt::format("a number {}, or \"{}\"", range_text(key), automatic_word);
+    case Kind::files:
+      return fmt::format("a list of {} to {} paths of files", key.list.fewest, key.list.most);
     case Kind::name:
       return "a file name of 1 to 64 letters, digits, '_', '-' and '.' that starts with a letter "
              "or digit";

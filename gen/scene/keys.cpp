@@ -1,6 +1,7 @@
 #include "scene/keys.h"
 
 #include "scene/binding.h"
+#include "scene/key_builders.h"
 
 /// A key's field, for reading and writing alike.
 #define FIELD(path) \
@@ -8,67 +9,6 @@
 
 namespace wold::scene {
 namespace {
-
-struct Range {
-  double lowest;
-  double highest;
-};
-
-Key plain(Kind kind, const char* name, const char* unit, Range range, const char* doc) {
-  return {.name = name,
-          .unit = unit,
-          .doc = doc,
-          .kind = kind,
-          .lowest = range.lowest,
-          .highest = range.highest,
-          .words = {},
-          .members = {},
-          .list = {},
-          .points = {},
-          .get = {},
-          .set = {}};
-}
-
-Key number(const char* name, const char* unit, Range range, const char* doc) {
-  return plain(Kind::number, name, unit, range, doc);
-}
-
-Key integer(const char* name, const char* unit, Range range, const char* doc) {
-  return plain(Kind::integer, name, unit, range, doc);
-}
-
-Key word(const char* name, std::vector<std::string> words, const char* doc) {
-  Key key = plain(Kind::word, name, "", {0, 0}, doc);
-  key.words = std::move(words);
-  return key;
-}
-
-Key curve(const char* name, std::vector<std::string> words, const char* doc) {
-  Key key = plain(Kind::curve, name, "", {0, 1}, doc);
-  key.words = std::move(words);
-  key.points = {.fewest = 2, .most = 1000};
-  return key;
-}
-
-Key rates(const char* name, std::vector<std::string> words, std::size_t most, const char* doc) {
-  Key key = curve(name, std::move(words), doc);
-  key.kind = Kind::curves;
-  key.list = {.fewest = 0, .most = most};
-  key.points.order = Order::not_falling;
-  return key;
-}
-
-Key list(Kind kind, const char* name, const char* unit, Range range, ListRule rule,
-         const char* doc) {
-  Key key = plain(kind, name, unit, range, doc);
-  key.list = rule;
-  return key;
-}
-
-Key only(Key key, std::vector<std::int64_t> members) {
-  key.members = std::move(members);
-  return key;
-}
 
 constexpr ListRule pair = {.fewest = 2, .most = 2};
 constexpr ListRule colour = {.fewest = 3, .most = 3};
@@ -347,6 +287,15 @@ std::vector<Key> wind_keys() {
             FIELD(wind.waves_deg)),
       bound(number("wind.wave_length", "m", {0.5, 1000}, "Size of such places along the wind."),
             FIELD(wind.wave_length_m)),
+  };
+}
+
+std::vector<Key> film_keys() {
+  return {
+      bound(number("film.frame_seconds", "s", {0.001, 1e6},
+                   "Time that passes in the landscape from one frame to the next; how many frames "
+                   "there are, ageing.frames says."),
+            FIELD(film.frame_seconds)),
   };
 }
 

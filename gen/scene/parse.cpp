@@ -20,6 +20,9 @@ namespace wold::scene {
 namespace fs = std::filesystem;
 namespace {
 
+/// "clouds" of "clouds[1]".
+std::string_view array_of(std::string_view item) { return item.substr(0, item.find('[')); }
+
 bool is_table(std::string_view name) {
   return std::find(tables().begin(), tables().end(), name) != tables().end();
 }
@@ -27,28 +30,78 @@ bool is_table(std::string_view name) {
 /// What the passes work on.
 struct Reading {
   Scene scene;
+  std::map<std::string, Key, std::less<>> item_keys;  ///< of all items of arrays
   Places places;
   std::vector<Problem> problems;
 };
 
+std::string wrong_table_message(const std::string& name) {
+  if (const Key* key = find_key(name))
+    return fmt::format("{}: found a table, expected {}", key->name, expected(*key));
+  if (const TableArray* array = find_array(name))
+    return fmt::format("{0}: found the table [{0}], expected [[{0}]], once for each {1}", name,
+                       array->item);
+  return fmt::format("unknown table [{}]{}", shown(name), suggestion(nearest_table(name)));
+}
+
 void report_unknown_tables(const Document& document, Reading& reading) {
+  for (const Section& section : document.sections)
+    if (!section.item && !is_table(section.name))
+      reading.problems.push_back({section.where, wrong_table_message(section.name)});
+}
+
+/// Makes the items of all arrays, of defaults, and their keys.
+void append_items(const Document& document, Reading& reading) {
   for (const Section& section : document.sections) {
-    if (is_table(section.name)) continue;
-    const Key* key = find_key(section.name);
-    reading.problems.push_back(
-        {section.where,
-         key != nullptr ? fmt::format("{}: found a table, expected {}", key->name, expected(*key))
-                        : fmt::format("unknown table [{}]{}", shown(section.name),
-                                      suggestion(nearest_table(section.name)))});
+    const TableArray* array = section.item ? find_array(section.name) : nullptr;
+    if (array == nullptr) continue;
+    if (*section.item == array->most)
+      reading.problems.push_back(
+          {section.where, fmt::format("{}: found {} [[{}]], expected at most {}", array->name,
+                                      array->most + 1, array->name, array->most)});
+    if (*section.item >= array->most) continue;
+    array->append(reading.scene);
+    reading.places.given[item_name(array->name, *section.item)] = section.where;
+    for (const Key& key : item_keys(*array, *section.item)) reading.item_keys[key.name] = key;
   }
 }
 
-std::string unknown_key_message(const Entry& entry) {
+/// The keys of the item of an array that a table's name means: "clouds[1]"; none if it is none.
+std::vector<Key> keys_beside(const Reading& reading, std::string_view table) {
+  std::vector<Key> keys;
+  for (const auto& [name, key] : reading.item_keys)
+    if (table_of(name) == table) keys.push_back(key);
+  return keys;
+}
+
+const Key* known_key(const Reading& reading, std::string_view name) {
+  const auto found = reading.item_keys.find(name);
+  return found != reading.item_keys.end() ? &found->second : find_key(name);
+}
+
+std::string unknown_key_message(const Entry& entry, const Reading& reading) {
+  if (const TableArray* array = find_array(entry.name))
+    return fmt::format("{0}: found {1}, expected tables [[{0}]], one for each {2}", entry.name,
+                       description(entry.node), array->item);
+  if (const auto keys = keys_beside(reading, table_of(entry.name)); !keys.empty())
+    return fmt::format("unknown key {}{}", in_quotes(entry.name),
+                       suggestion(nearest_of(entry.name, keys)));
+  if (const TableArray* array = find_array(array_of(table_of(entry.name))))
+    return fmt::format("{}: there is no such {}, the scene has {} of them, {} is the first",
+                       shown(entry.name), array->item, array->count(reading.scene),
+                       item_name(array->name, 0));
   if (is_table(entry.name))
     return fmt::format("{}: found {}, expected the table [{}]", entry.name, description(entry.node),
                        entry.name);
   return fmt::format("unknown key {}{}", in_quotes(entry.name),
                      suggestion(nearest_key(entry.name)));
+}
+
+/// Whether it is an array of tables, whose items are read as tables, or an empty one.
+bool holds_items(const Entry& entry) {
+  const auto* items = std::get_if<std::vector<Node>>(&entry.node.value);
+  return find_array(entry.name) != nullptr && items != nullptr &&
+         std::ranges::all_of(*items, [](const Node& item) { return item.is_table; });
 }
 
 /// Names the item of a list by its place, people count from 1.
@@ -66,11 +119,17 @@ SourcePosition place_of(const Fault& fault, const Node& node) {
   return at->where;
 }
 
-/// The value of a key that holds a path, made absolute: relative ones start at `folder`.
+/// The value of a key that holds paths, made absolute: relative ones start at `folder`.
 Value rooted(const Key& key, const Value& value, const fs::path& folder) {
+  const auto absolute = [&](const std::string& path) {
+    return fs::absolute(folder / path).lexically_normal().string();
+  };
   const auto* text = std::get_if<std::string>(&value);
-  if (key.kind != Kind::file || text == nullptr || text->empty()) return value;
-  return fs::absolute(folder / *text).lexically_normal().string();
+  if (key.kind == Kind::file && text != nullptr && !text->empty()) return absolute(*text);
+  if (key.kind != Kind::files) return value;
+  auto paths = std::get<std::vector<std::string>>(value);
+  std::ranges::transform(paths, paths.begin(), absolute);
+  return paths;
 }
 
 std::optional<Problem> store(const Key& key, const Node& node, const fs::path& folder,
@@ -89,9 +148,9 @@ std::optional<Problem> store(const Key& key, const Node& node, const fs::path& f
 }
 
 void apply(const Entry& entry, const fs::path& folder, Reading& reading) {
-  const Key* key = find_key(entry.name);
+  const Key* key = known_key(reading, entry.name);
   if (key == nullptr) {
-    reading.problems.push_back({entry.where, unknown_key_message(entry)});
+    reading.problems.push_back({entry.where, unknown_key_message(entry, reading)});
     return;
   }
   reading.places.given[key->name] = entry.where;
@@ -101,10 +160,14 @@ void apply(const Entry& entry, const fs::path& folder, Reading& reading) {
   }
 }
 
+bool is_read_or_reported_with_its_table(const Entry& entry, const Reading& reading) {
+  if (entry.table.empty()) return holds_items(entry);
+  return !is_table(entry.table) && reading.places.given.count(entry.table) == 0;
+}
+
 void apply_entries(const Document& document, const fs::path& folder, Reading& reading) {
   for (const Entry& entry : document.entries) {
-    const bool reported_with_its_table = !entry.table.empty() && !is_table(entry.table);
-    if (!reported_with_its_table) apply(entry, folder, reading);
+    if (!is_read_or_reported_with_its_table(entry, reading)) apply(entry, folder, reading);
   }
 }
 
@@ -150,6 +213,7 @@ Scene parse_scene(std::string_view text, const std::string& file_name,
   const Document document = read_document(text, file_name);
   Reading reading;
   report_unknown_tables(document, reading);
+  append_items(document, reading);
   apply_entries(document, fs::path(file_name).parent_path(), reading);
   for (const std::string& override_text : overrides) apply_override(override_text, reading);
   report_contradictions(reading.scene, reading.places, reading.problems);

@@ -1,9 +1,12 @@
 #include "scene/registry.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "scene/keys.h"
 #include "scene/nearest.h"
+#include "scene/text.h"
 
 namespace wold::scene {
 namespace {
@@ -12,9 +15,18 @@ std::vector<Key> all_keys() {
   std::vector<Key> all;
   for (const auto& keys :
        {top_level_keys(), terrain_keys(), growth_keys(), grass_keys(), ageing_keys(), fur_keys(),
-        sun_keys(), sky_keys(), wind_keys(), camera_keys(), render_keys()})
+        sun_keys(), sky_keys(), wind_keys(), film_keys(), camera_keys(), render_keys()})
     all.insert(all.end(), keys.begin(), keys.end());
   return all;
+}
+
+std::vector<TableArray> all_arrays() {
+  return {{"clouds", "layer of clouds", most_cloud_layers,
+           [](const Scene& scene) { return scene.clouds.size(); },
+           [](Scene& scene) { scene.clouds.emplace_back(); }, cloud_keys},
+          {"cloud_events", "event on the clouds' time line", most_cloud_events,
+           [](const Scene& scene) { return scene.cloud_events.size(); },
+           [](Scene& scene) { scene.cloud_events.emplace_back(); }, cloud_event_keys}};
 }
 
 std::vector<std::string> all_tables() {
@@ -51,6 +63,24 @@ const Key* find_key(std::string_view name) {
   return found == keys.end() ? nullptr : &*found;
 }
 
+const std::vector<TableArray>& table_arrays() {
+  static const std::vector<TableArray> arrays = all_arrays();
+  return arrays;
+}
+
+const TableArray* find_array(std::string_view name) {
+  const auto& arrays = table_arrays();
+  const auto found = std::ranges::find(arrays, name, &TableArray::name);
+  return found == arrays.end() ? nullptr : &*found;
+}
+
+std::vector<Key> item_keys(const TableArray& array, std::size_t item) {
+  std::vector<Key> keys = array.keys(item);
+  for (Key& key : keys)
+    key.name = fmt::format("{}.{}", item_name(array.name, item), leaf_of(key.name));
+  return keys;
+}
+
 const std::vector<std::string>& tables() {
   static const std::vector<std::string> names = all_tables();
   return names;
@@ -75,6 +105,17 @@ std::string nearest_key(std::string_view name) {
   return near.empty() ? nearest(name, elsewhere) : near;
 }
 
-std::string nearest_table(std::string_view name) { return nearest(name, tables()); }
+std::string nearest_table(std::string_view name) {
+  std::vector<std::string> names = tables();
+  for (const TableArray& array : table_arrays()) names.push_back(array.name);
+  return nearest(name, names);
+}
+
+std::string nearest_of(std::string_view name, const std::vector<Key>& keys) {
+  std::vector<std::string> leaves;
+  for (const Key& key : keys) leaves.emplace_back(leaf_of(key.name));
+  const std::string near = nearest(leaf_of(name), leaves);
+  return near.empty() ? near : fmt::format("{}.{}", table_of(name), near);
+}
 
 }  // namespace wold::scene

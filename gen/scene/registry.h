@@ -16,19 +16,25 @@ namespace wold::scene {
 
 /// What a key holds.
 enum class Kind {
-  integer,   ///< std::int64_t
-  number,    ///< double; whole numbers are accepted
-  name,      ///< std::string, safe as a file name
-  word,      ///< std::string, one of `words`
-  file,      ///< std::string, an absolute path, or empty
-  integers,  ///< std::vector<std::int64_t>
-  numbers,   ///< std::vector<double>
-  curve,     ///< CurveChoice: one of `words`, or points
-  curves,    ///< std::vector<CurveChoice>
+  integer,    ///< std::int64_t
+  number,     ///< double; whole numbers are accepted
+  name,       ///< std::string, safe as a file name
+  automatic,  ///< std::optional<double>; without a number the word "auto"
+  word,       ///< std::string, one of `words`
+  file,       ///< std::string, an absolute path, or empty
+  files,      ///< std::vector<std::string>, absolute paths
+  integers,   ///< std::vector<std::int64_t>
+  numbers,    ///< std::vector<double>
+  curve,      ///< CurveChoice: one of `words`, or points
+  curves,     ///< std::vector<CurveChoice>
 };
 
-using Value = std::variant<std::int64_t, double, std::string, std::vector<std::int64_t>,
-                           std::vector<double>, CurveChoice, std::vector<CurveChoice>>;
+/// What stands for no number of Kind::automatic.
+inline constexpr const char* automatic_word = "auto";
+
+using Value = std::variant<std::int64_t, double, std::optional<double>, std::string,
+                           std::vector<std::int64_t>, std::vector<double>, std::vector<std::string>,
+                           CurveChoice, std::vector<CurveChoice>>;
 
 /// How the items of a list follow each other; increasing and decreasing are strict.
 enum class Order { any, increasing, decreasing, not_falling };
@@ -58,13 +64,34 @@ struct Key {
   std::function<void(Scene&, const Value&)> set;
 };
 
-/// All keys, table by table, in the order they are written.
+/// A table that may stand any number of times, as [[clouds]]: each is an item of a list of the
+/// scene and has the same keys.
+struct TableArray {
+  std::string name;      ///< "clouds"
+  std::string item;      ///< what one of them is: "layer of clouds"
+  std::size_t most = 1;  ///< items
+  std::function<std::size_t(const Scene&)> count;
+  std::function<void(Scene&)> append;  ///< one more item, of defaults
+  /// The keys of the item with that index, from 0: "clouds.kind", ...
+  std::function<std::vector<Key>(std::size_t item)> keys;
+};
+
+/// All keys of tables that stand once, table by table, in the order they are written.
 const std::vector<Key>& registry();
+
+/// All tables that may stand many times, in the order they are written, after the others.
+const std::vector<TableArray>& table_arrays();
 
 /// The key of that dotted name, or nullptr.
 const Key* find_key(std::string_view name);
 
-/// The tables' names in their order, without the top level: "terrain", "grass", ...
+/// The array of that name, or nullptr.
+const TableArray* find_array(std::string_view name);
+
+/// The keys of an item, from 0, under the names they have in messages: "clouds[1].kind", ...
+std::vector<Key> item_keys(const TableArray& array, std::size_t item);
+
+/// The names of the tables that stand once, in their order, without the top level: "terrain", ...
 const std::vector<std::string>& tables();
 
 /// "grass" of "grass.patch", "" of "seed".
@@ -75,6 +102,8 @@ std::string_view leaf_of(std::string_view name);
 /// The known key or table the user may have meant, "" when nothing is near.
 std::string nearest_key(std::string_view name);
 std::string nearest_table(std::string_view name);
+/// The one of these keys, all of one table, that the user may have meant.
+std::string nearest_of(std::string_view name, const std::vector<Key>& keys);
 
 /// What is wrong with a value: what was found, and where: in which item of a list (from 0), and in
 /// which point of that when it is a curve. Empty: in the value as a whole.

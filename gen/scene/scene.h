@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -174,6 +175,53 @@ struct Render {
   bool operator==(const Render&) const = default;
 };
 
+/// The time that passes in the landscape; frame k, from 1, shows it at (k - 1) frame_seconds.
+struct Film {
+  double frame_seconds = 10.0;
+
+  bool operator==(const Film&) const = default;
+};
+
+/// A layer of clouds. What is empty is as models/cloud has it for the kind, or as the pictures do.
+struct CloudLayer {
+  std::string kind = "cumulus";       ///< "stratus", "stratocumulus", "cumulus", "cirrus"
+  std::vector<std::string> textures;  ///< paths of pictures; none: made for the kind
+  std::optional<double> base_m;       ///< above the terrain's zero
+  std::optional<double> thickness_m;  ///< of the thickest clouds
+  std::optional<double> cell_m;       ///< side of the square that a texture covers
+  std::array<int, 2> cells = {8, 8};  ///< east and north; then the layer repeats
+  std::optional<double> cover;        ///< share of the sky that is covered
+  std::optional<double> opacity;      ///< of the densest place
+  double gathered = 1.0;              ///< at the film's start: 0 none of it is there, 1 all
+  std::string repeat = "blend";       ///< "blend", "paper"
+  std::string motion = "physical";    ///< "physical", "paper"
+  double speed_m_s = 8.0;
+  double heading_deg = 90.0;       ///< where it drifts to, clockwise from north
+  double gusts_m_s = 0.0;          ///< standard deviation of the velocity
+  std::string light = "physical";  ///< "physical", "paper"
+  std::string body = "sheet";      ///< "sheet", "volume"
+
+  bool operator==(const CloudLayer&) const = default;
+};
+
+/// Something that happens to the clouds on the film's time line. Each kind has keys of its own.
+struct CloudEvent {
+  std::string kind = "wind";  ///< "wind", "faster", "slower", "gather", "dissipate", "light"
+  int layer = 0;              ///< the number of a layer, from 1; 0: all
+  double start_s = 0.0;       ///< since the first frame
+  double duration_s = 60.0;
+  double heading_deg = 90.0;  ///< wind: where clouds drift to afterwards
+  double speed_m_s = 10.0;    ///< wind: afterwards
+  double shear = 1.0;         ///< wind: how far it changes the clouds' shape
+  double factor = 2.0;        ///< faster, slower: of the speed
+  double by = 1.0;            ///< gather, dissipate: share of the way to all, or to none
+  std::vector<double> colour = {0.7, 0.4, 0.4};  ///< light: afterwards; empty: of sun_elevation_deg
+  double sun_elevation_deg = 5.0;
+  std::string fade = "optical";  ///< "optical", "paper"
+
+  bool operator==(const CloudEvent&) const = default;
+};
+
 struct Scene {
   std::string name = "meadow";
   std::uint64_t seed = 1;
@@ -184,6 +232,9 @@ struct Scene {
   Sun sun;
   Sky sky;
   Wind wind;
+  Film film;
+  std::vector<CloudLayer> clouds;
+  std::vector<CloudEvent> cloud_events;
   Camera camera;
   Render render;
 

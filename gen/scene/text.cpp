@@ -24,6 +24,10 @@ std::string shown(std::string_view text) {
 
 std::string in_quotes(std::string_view text) { return fmt::format("\"{}\"", shown(text)); }
 
+std::string item_name(std::string_view array, std::size_t item) {
+  return fmt::format("{}[{}]", array, item + 1);
+}
+
 std::string number_text(double value) {
   const std::string text = fmt::format("{}", value);
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;

@@ -15,4 +15,7 @@ std::string shown(std::string_view text);
 /// The shortest text that reads back as the same number, always with a point or an exponent.
 std::string number_text(double value);
 
+/// The name of an item, from 0, of an array of tables, "clouds[1]": people count from 1.
+std::string item_name(std::string_view array, std::size_t item);
+
 }  // namespace wold::scene

@@ -23,6 +23,9 @@ std::string item_text(const std::string& text) {
   out << toml::toml_formatter(toml::value<std::string>(text), toml::format_flags::none);
   return out.str();
 }
+std::string item_text(const std::optional<double>& number) {
+  return number ? number_text(*number) : item_text(std::string(automatic_word));
+}
 std::string item_text(const CurveChoice& curve);
 
 template <class T>
@@ -44,13 +47,31 @@ struct ValueWriter {
   }
 };
 
+std::string assignment_text(const Key& key, const Scene& scene) {
+  return fmt::format("{} = {}\n", leaf_of(key.name), toml_text(key.get(scene)));
+}
+
+std::string line_text(const Key& key, const Scene& scene) {
+  return fmt::format("# {} Accepts {}.\n{}", key.doc, expected(key), assignment_text(key, scene));
+}
+
 /// The key with its comment, after its table's header when it is the first of the table.
 std::string key_text(const Key& key, const Scene& scene, std::string_view table_before) {
   std::string text;
   if (const std::string_view table = table_of(key.name); table != table_before)
     text += fmt::format("\n[{}]\n", table);
-  return text + fmt::format("# {} Accepts {}.\n{} = {}\n", key.doc, expected(key),
-                            leaf_of(key.name), toml_text(key.get(scene)));
+  return text + line_text(key, scene);
+}
+
+/// The items one after the other. Only the first explains its keys.
+std::string array_text(const TableArray& array, const Scene& scene) {
+  std::string text;
+  for (std::size_t item = 0; item < array.count(scene); ++item) {
+    text += fmt::format("\n[[{}]]\n", array.name);
+    for (const Key& key : array.keys(item))
+      text += item == 0 ? line_text(key, scene) : assignment_text(key, scene);
+  }
+  return text;
 }
 
 /// The keys one changes first.
@@ -71,10 +92,14 @@ void check_name(const Scene& scene) {
     throw InputError(fmt::format("name: found {}, expected {}", fault->found, expected(key)));
 }
 
-std::string markdown_row(const Key& key) {
-  static const Scene defaults;
+std::string markdown_row(const Key& key, const Scene& defaults) {
   return fmt::format("| `{}` | `{}` | {} | {} |\n", key.name, toml_text(key.get(defaults)),
                      expected(key), key.doc);
+}
+
+std::string markdown_heading(std::string_view heading, bool first) {
+  return fmt::format("{}**{}**\n\n| key | default | accepts | meaning |\n|---|---|---|---|\n",
+                     first ? "" : "\n", heading);
 }
 
 }  // namespace
@@ -88,6 +113,7 @@ std::string resolved_toml(const Scene& scene) {
     text += key_text(key, scene, table);
     table = table_of(key.name);
   }
+  for (const TableArray& array : table_arrays()) text += array_text(array, scene);
   return text;
 }
 
@@ -109,14 +135,21 @@ std::string starter_scene(const std::string& name) {
 }
 
 std::string keys_markdown() {
+  Scene defaults;
   std::string text, table = "none yet";
   for (const Key& key : registry()) {
     if (const std::string next(table_of(key.name)); next != table) {
-      text += fmt::format("{}**{}**\n\n| key | default | accepts | meaning |\n|---|---|---|---|\n",
-                          text.empty() ? "" : "\n", next.empty() ? "top level" : "[" + next + "]");
+      text += markdown_heading(next.empty() ? "top level" : "[" + next + "]", text.empty());
       table = next;
     }
-    text += markdown_row(key);
+    text += markdown_row(key, defaults);
+  }
+  for (const TableArray& array : table_arrays()) {
+    text += markdown_heading(
+        fmt::format("[[{}]], once for each {}, at most {}", array.name, array.item, array.most),
+        false);
+    array.append(defaults);
+    for (const Key& key : array.keys(0)) text += markdown_row(key, defaults);
   }
   return text;
 }

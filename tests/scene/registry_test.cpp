@@ -9,10 +9,25 @@
 namespace wold::scene {
 namespace {
 
+/// A scene with one item, of defaults, in every array of tables.
+Scene scene_with_items() {
+  Scene scene;
+  for (const TableArray& array : table_arrays()) array.append(scene);
+  return scene;
+}
+
+/// The keys of that scene.
+std::vector<Key> all_keys() {
+  std::vector<Key> keys = registry();
+  for (const TableArray& array : table_arrays())
+    for (const Key& key : array.keys(0)) keys.push_back(key);
+  return keys;
+}
+
 TEST(Registry, EveryKeyIsDescribedAndItsDefaultIsAccepted) {
-  const Scene defaults;
+  const Scene defaults = scene_with_items();
   std::set<std::string> names;
-  for (const Key& key : registry()) {
+  for (const Key& key : all_keys()) {
     SCOPED_TRACE(key.name);
     EXPECT_TRUE(names.insert(key.name).second) << "twice";
     EXPECT_EQ(key.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_."),
@@ -33,6 +48,10 @@ Value another_value(const Key& key, const Value& value) {
       return std::get<std::int64_t>(value) + 1;
     case Kind::number:
       return 0.5 * (std::get<double>(value) + key.highest);
+    case Kind::automatic:
+      return std::optional<double>(0.5 * (key.lowest + key.highest));
+    case Kind::files:
+      return std::vector<std::string>{"/other", "/and another"};
     case Kind::name:
       return "other";
     case Kind::file:
@@ -68,21 +87,21 @@ Value another_value(const Key& key, const Value& value) {
 }
 
 TEST(Registry, EveryKeyReachesAFieldOfItsOwn) {
-  const Scene defaults;
-  for (const Key& changed : registry()) {
+  const Scene defaults = scene_with_items();
+  for (const Key& changed : all_keys()) {
     SCOPED_TRACE(changed.name);
-    Scene scene;
+    Scene scene = defaults;
     const Value other = another_value(changed, changed.get(scene));
     ASSERT_FALSE(fault_of(changed, other));
     changed.set(scene, other);
-    for (const Key& key : registry())
+    for (const Key& key : all_keys())
       EXPECT_EQ(key.get(scene), key.name == changed.name ? other : key.get(defaults)) << key.name;
   }
 }
 
 TEST(Registry, TheManualListsEveryKeyOnce) {
   const std::string manual = keys_markdown();
-  for (const Key& key : registry()) {
+  for (const Key& key : all_keys()) {
     const std::string cell = "| `" + key.name + "` |";
     const std::size_t first = manual.find(cell);
     ASSERT_NE(first, std::string::npos) << key.name;

@@ -1,0 +1,211 @@
+#include "cloud/clouds.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <mutex>
+
+#include "cloud/texture_set.h"
+#include "core/error.h"
+#include "core/random.h"
+#include "light/daylight.h"
+#include "scene/sun_position.h"
+
+namespace wold::cloud {
+namespace {
+
+constexpr int most_period_px = 16384;
+constexpr int finest_cell_px = 1024;
+
+double cell_m_of(const scene::CloudLayer& layer, const Recipe& recipe) {
+  return layer.cell_m.value_or(recipe.cell_m);
+}
+
+glm::ivec2 period_px_of(const glm::ivec2& cells, double cell_m, double pixel_m, std::size_t layer) {
+  const glm::dvec2 period = glm::dvec2(cells) * cell_m / pixel_m;
+  if (!(std::max(period.x, period.y) <= most_period_px))
+    throw InputError(
+        fmt::format("clouds[{}]: a period of {} x {} cells of {} m has {:.0f} pixels "
+                    "of {} m, expected at most {}: fewer or smaller cells",
+                    layer + 1, cells.x, cells.y, cell_m, std::max(period.x, period.y), pixel_m,
+                    most_period_px));
+  return glm::max(glm::ivec2(glm::round(period)), glm::ivec2(2));
+}
+
+Layer layer_of(const scene::CloudLayer& described, const Recipe& recipe, const TextureSet& textures,
+               const glm::ivec2& period_px, double pixel_m) {
+  Layer layer;
+  layer.base_m = described.base_m.value_or(recipe.base_m);
+  layer.thickness_m = described.thickness_m.value_or(recipe.thickness_m);
+  layer.period_px = period_px;
+  layer.period_m = glm::dvec2(period_px) * pixel_m;
+  layer.is_volume = described.body == "volume";
+  layer.lit_as_paper = described.light == "paper";
+  layer.droplets = {recipe.extinction_per_km * 1e-3, recipe.asymmetry};
+  layer.seen_depth = -std::log1p(-textures.densest_opacity);
+  layer.cover = textures.cover;
+  layer.profile = textures.profile;
+  return layer;
+}
+
+glm::dvec3 direction_to(const scene::Sun& sun) {
+  const scene::SunPosition position = scene::sun_position(sun);
+  return light::direction_of(glm::radians(position.azimuth_deg),
+                             glm::radians(position.elevation_deg));
+}
+
+double profile_at(const std::vector<float>& profile, double rank) {
+  const double place = std::clamp(rank, 0.0, 1.0) * (static_cast<double>(profile.size()) - 1.0);
+  const auto low = std::min(static_cast<std::size_t>(place), profile.size() - 2);
+  const double part = place - static_cast<double>(low);
+  return (1.0 - part) * profile[low] + part * profile[low + 1];
+}
+
+/// Tops above the base by rank, of the whole layer.
+std::vector<float> tops_m(const Layer& layer) {
+  std::vector<float> tops(profile_steps + 1);
+  for (int i = 0; i <= profile_steps; ++i)
+    tops[static_cast<std::size_t>(i)] = static_cast<float>(
+        top_m(layer, relative_depth(layer, static_cast<double>(i) / profile_steps, 1.0)));
+  return tops;
+}
+
+/// The map's rank at a place, in [0, 1].
+double rank_at(const LayerMap& map, const glm::dvec2& place_px) {
+  return map.sample(place_px.x / map.width(), place_px.y / map.height()) / 65535.0;
+}
+
+/// Optical depth of a share of a shape, by alpha or by depth.
+double fade(double depth, double share, bool by_alpha) {
+  return by_alpha ? -std::log1p(share * std::expm1(-depth)) : share * depth;
+}
+
+}  // namespace
+
+/// A layer, its time line, and the maps of the shapes that were asked for last.
+struct Clouds::Film {
+  std::shared_ptr<const Layer> layer;
+  TextureSet textures;
+  glm::ivec2 cells;
+  bool repeats_as_paper;
+  std::uint64_t key;
+  glm::dvec3 sun_direction;
+  double pixel_m;
+  Timeline timeline;
+  std::mutex mutex;
+  std::map<std::size_t, std::shared_ptr<const ShapeMaps>> maps;  ///< by shape
+
+  ShapeMaps made_maps(std::size_t shape) const {
+    const Shape& drawn_out = timeline.shapes()[shape];
+    const TextureSet shaped = sheared(textures, drawn_out.heading_rad, drawn_out.shear);
+    const auto repeated = repeats_as_paper ? repeated_as_paper : repeated_by_blending;
+    LayerMap ranks = repeated(shaped, cells, layer->period_px, key);
+    LayerMap lit = sunlit(ranks, tops_m(*layer), layer->droplets, sun_direction, pixel_m);
+    return {std::move(ranks), std::move(lit)};
+  }
+
+  std::shared_ptr<const ShapeMaps> map_of(std::size_t shape) {
+    std::shared_ptr<const ShapeMaps>& map = maps[shape];
+    if (!map) map = std::make_shared<const ShapeMaps>(made_maps(shape));
+    return map;
+  }
+
+  LayerState at(double time_s) {
+    LayerState state;
+    state.layer = layer;
+    state.moment = timeline.at(time_s);
+    const std::size_t first = state.moment.shape, next = state.moment.next_shape;
+    const std::lock_guard lock(mutex);
+    std::erase_if(maps,
+                  [&](const auto& kept) { return kept.first != first && kept.first != next; });
+    state.map = map_of(first);
+    if (next != first && state.moment.next_share > 0.0) state.next_map = map_of(next);
+    return state;
+  }
+};
+
+Clouds::Clouds(const scene::Scene& scene, double pixel_m)
+    : pixel_m_(pixel_m), frame_seconds_(scene.film.frame_seconds) {
+  const glm::dvec3 sun_direction = direction_to(scene.sun);
+  for (std::size_t i = 0; i < scene.clouds.size(); ++i) {
+    const scene::CloudLayer& described = scene.clouds[i];
+    const Recipe recipe = recipe_of(described.kind);
+    const std::uint64_t key = random_bits({scene.seed, key_of("cloud layer"), i});
+    const double cell_m = cell_m_of(described, recipe);
+    const glm::ivec2 cells(described.cells[0], described.cells[1]);
+    const glm::ivec2 period_px = period_px_of(cells, cell_m, pixel_m, i);
+    const int side_px = std::clamp(period_px.x / cells.x, 1, finest_cell_px);
+    TextureSet textures = textures_of(described, recipe, side_px, key);
+    auto layer =
+        std::make_shared<const Layer>(layer_of(described, recipe, textures, period_px, pixel_m));
+    films_.push_back(std::shared_ptr<Film>(new Film{layer,
+                                                    std::move(textures),
+                                                    cells,
+                                                    described.repeat == "paper",
+                                                    key,
+                                                    sun_direction,
+                                                    pixel_m,
+                                                    Timeline(scene, i, cell_m),
+                                                    {},
+                                                    {}}));
+  }
+  std::ranges::stable_sort(films_, std::greater<>(),
+                           [](const auto& film) { return film->layer->base_m; });
+}
+
+double Clouds::usual_pixel_m(const scene::Scene& scene) {
+  constexpr double usual_period_px = 4096.0;
+  constexpr double usual_cell_px = 512.0;
+  double pixel_m = 0.0, smallest_cell_m = 0.0;
+  for (const scene::CloudLayer& layer : scene.clouds) {
+    const double cell_m = cell_m_of(layer, recipe_of(layer.kind));
+    pixel_m =
+        std::max(pixel_m, std::max(layer.cells[0], layer.cells[1]) * cell_m / usual_period_px);
+    smallest_cell_m = smallest_cell_m == 0.0 ? cell_m : std::min(smallest_cell_m, cell_m);
+  }
+  return std::max(pixel_m, smallest_cell_m / usual_cell_px);
+}
+
+CloudState Clouds::at_frame(int frame) const { return at((frame - 1) * frame_seconds_); }
+
+CloudState Clouds::at(double time_s) const {
+  CloudState state{time_s, pixel_m_, {}};
+  for (const auto& film : films_) state.layers.push_back(film->at(time_s));
+  return state;
+}
+
+double top_m(const Layer& layer, double relative_depth) {
+  return layer.thickness_m * std::pow(relative_depth, 0.7);
+}
+
+double depth_factor(double amount) { return amount * (2.0 - amount); }
+
+double relative_depth(const Layer& layer, double rank, double amount) {
+  const double cover = layer.cover * amount;
+  if (cover <= 0.0) return 0.0;
+  const double among_clouds = 1.0 - (1.0 - rank) / cover;
+  if (among_clouds <= 0.0) return 0.0;
+  // Clouds that gather grow and thicken.
+  return depth_factor(amount) * profile_at(layer.profile, among_clouds);
+}
+
+double optical_depth_of_rank(const Layer& layer, double rank, double amount) {
+  return layer.seen_depth * relative_depth(layer, rank, amount);
+}
+
+double optical_depth_at(const LayerState& state, double pixel_m, const glm::dvec2& place_m) {
+  const LayerMoment& moment = state.moment;
+  const glm::dvec2 place_px = (place_m - moment.way_m) / pixel_m;
+  const double amount = moment.amount_is_alpha ? 1.0 : moment.amount;
+  const auto depth_of = [&](const ShapeMaps& map, double share) {
+    const double depth = optical_depth_of_rank(*state.layer, rank_at(map.ranks, place_px), amount);
+    return fade(depth, share, moment.shapes_by_alpha);
+  };
+  double depth = depth_of(*state.map, 1.0 - moment.next_share);
+  if (state.next_map) depth += depth_of(*state.next_map, moment.next_share);
+  return moment.amount_is_alpha ? fade(depth, moment.amount, true) : depth;
+}
+
+}  // namespace wold::cloud

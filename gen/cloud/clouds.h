@@ -1,0 +1,94 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "cloud/recipe.h"
+#include "cloud/sunlit.h"
+#include "cloud/tiling.h"
+#include "cloud/timeline.h"
+#include "scene/scene.h"
+
+/// The clouds of a scene: what they are at any frame. A caller makes `Clouds` once, asks it for the
+/// `CloudState` of a frame, and has that composed into one picture (compose.h), or takes each
+/// layer's sheet (sheet.h), shadow (shadow.h) or volume (volume.h). World space: metres, x east, y
+/// north, z up; colours are linear.
+namespace wold::cloud {
+
+/// What stays the same in a layer.
+struct Layer {
+  Droplets droplets;
+  double base_m = 0.0;       ///< above the terrain's zero
+  double thickness_m = 0.0;  ///< of the thickest clouds
+  glm::dvec2 period_m = {};  ///< after which it repeats: a whole number of pixels
+  glm::ivec2 period_px = {};
+  bool is_volume = false;      ///< body = "volume"
+  bool lit_as_paper = false;   ///< light = "paper": as bright however thick
+  double seen_depth = 0.0;     ///< vertical optical depth of the densest place, as it is seen
+  double cover = 0.0;          ///< share of the sky, when the whole layer is there; above 1 it
+                               ///< has no thin places
+  std::vector<float> profile;  ///< TextureSet's
+};
+
+/// A shape of a layer over its whole period.
+struct ShapeMaps {
+  LayerMap ranks;
+  LayerMap sunlit;  ///< base_brightness in steps of 1/65536, of the whole layer in the scene's sun
+};
+
+/// A layer at one moment: its shapes' maps and what is made of them.
+struct LayerState {
+  std::shared_ptr<const Layer> layer;
+  LayerMoment moment;
+  std::shared_ptr<const ShapeMaps> map;       ///< of the shape, where it would be without drift
+  std::shared_ptr<const ShapeMaps> next_map;  ///< of the next shape; null while there is none
+};
+
+struct CloudState {
+  double time_s = 0.0;             ///< since the first frame
+  double pixel_m = 0.0;            ///< of the maps
+  std::vector<LayerState> layers;  ///< from the highest base to the lowest
+};
+
+class Clouds {
+ public:
+  /// Makes or reads all textures. pixel_m: side of the maps' pixels, > 0; layers' cells are
+  /// stretched, by less than a pixel per period, so that a period is a whole number of them. Throws
+  /// FileError for bad pictures, InputError when a layer's period would have more than 16384 pixels
+  /// along a side.
+  Clouds(const scene::Scene& scene, double pixel_m);
+
+  /// A pixel's side with which the longest period has 4096 pixels, but no finer than a 512th of
+  /// the smallest cell; 0 without clouds.
+  static double usual_pixel_m(const scene::Scene& scene);
+
+  /// `frame` >= 1, alone: no other frame is needed. Maps are made when they are first used.
+  CloudState at_frame(int frame) const;
+  /// time_s >= 0, since the first frame.
+  CloudState at(double time_s) const;
+
+ private:
+  struct Film;
+  std::vector<std::shared_ptr<Film>> films_;  ///< one for each layer, highest first
+  double pixel_m_;
+  double frame_seconds_;
+};
+
+/// Depth over that of the densest place of the whole layer, for a rank in [0, 1] when `amount` in
+/// [0, 1] of the layer has gathered. Rises with both; 0 outside the clouds.
+double relative_depth(const Layer& layer, double rank, double amount);
+
+/// Vertical optical depth likewise, as the eye sees it from below.
+double optical_depth_of_rank(const Layer& layer, double rank, double amount);
+
+/// The top above the base of a place with that relative depth in [0, 1]: thickness_m times its
+/// power 0.7, between a slab's, which has steep edges, and a lens's.
+double top_m(const Layer& layer, double relative_depth);
+
+/// How much less deep clouds are when `amount` in [0, 1] of a layer has gathered.
+double depth_factor(double amount);
+
+/// Vertical optical depth of the layer at a place of the world, all shapes and fades counted.
+double optical_depth_at(const LayerState& state, double pixel_m, const glm::dvec2& place_m);
+
+}  // namespace wold::cloud

@@ -1,0 +1,160 @@
+#include "cloud/drift.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+
+#include "core/random.h"
+
+namespace wold::cloud {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr int gust_waves = 8;
+constexpr double shortest_gust_s = 20.0, longest_gust_s = 900.0;
+
+double radians(double degrees) { return degrees * pi / 180.0; }
+
+/// The heading nearest to `from` that points where `to` does.
+double nearest_turn(double from, double to) { return from + std::remainder(to - from, 2.0 * pi); }
+
+glm::dvec2 east_north(const std::complex<double>& north_east) {
+  return {north_east.imag(), north_east.real()};
+}
+
+double share_done(const DriftSegment& segment, double seconds) {
+  return std::clamp(seconds / segment.duration_s, 0.0, 1.0);
+}
+
+struct Wave {
+  double per_s;  ///< angular frequency
+  double phase;
+};
+
+Wave gust_wave(int wave, int axis, std::uint64_t key) {
+  const double period_s = shortest_gust_s * std::pow(longest_gust_s / shortest_gust_s,
+                                                     static_cast<double>(wave) / (gust_waves - 1));
+  return {2.0 * pi / period_s,
+          2.0 * pi *
+              random_uniform({key, key_of("gust"), static_cast<std::uint64_t>(wave),
+                              static_cast<std::uint64_t>(axis)})};
+}
+
+/// Sum over the waves of `amplitude * value(wave)`, whose squared mean over time is deviation^2.
+template <class Value>
+glm::dvec2 gusts(double deviation_m_s, std::uint64_t key, const Value& value) {
+  const double amplitude = deviation_m_s * std::sqrt(2.0 / gust_waves);
+  glm::dvec2 sum(0.0);
+  for (int axis = 0; axis < 2; ++axis)
+    for (int wave = 0; wave < gust_waves; ++wave)
+      sum[axis] += amplitude * value(gust_wave(wave, axis, key));
+  return sum;
+}
+
+double speed_after(const scene::CloudEvent& event, double before_m_s) {
+  if (event.kind == "wind") return event.speed_m_s;
+  return event.kind == "faster" ? before_m_s * event.factor : before_m_s / event.factor;
+}
+
+}  // namespace
+
+glm::dvec2 way_m(const DriftSegment& segment, double seconds) {
+  using Complex = std::complex<double>;
+  const double t = seconds;
+  const double turn = (segment.heading_end_rad - segment.heading_rad) / segment.duration_s;
+  const double gain = (segment.speed_end_m_s - segment.speed_m_s) / segment.duration_s;
+  const double speed = segment.speed_m_s;
+  const Complex ahead = std::polar(1.0, segment.heading_rad);
+  constexpr double small_turn = 1e-3;  // below it the closed form loses digits, the series none
+  if (std::abs(turn * t) < small_turn) {
+    const Complex i(0.0, turn);
+    return east_north(ahead * (speed * t + (gain + speed * i) * t * t / 2.0 +
+                               (gain + speed * i / 2.0) * i * t * t * t / 3.0 +
+                               (gain / 2.0 + speed * i / 6.0) * i * i * t * t * t * t / 4.0));
+  }
+  const Complex turned = std::polar(1.0, turn * t);
+  const Complex i(0.0, 1.0);
+  return east_north(ahead * (((speed + gain * t) * turned - speed) / (i * turn) +
+                             gain * (turned - 1.0) / (turn * turn)));
+}
+
+glm::dvec2 gust_way_m(double deviation_m_s, double time_s, std::uint64_t key) {
+  return gusts(deviation_m_s, key, [&](const Wave& wave) {
+    return (std::sin(wave.per_s * time_s + wave.phase) - std::sin(wave.phase)) / wave.per_s;
+  });
+}
+
+glm::dvec2 gust_velocity_m_s(double deviation_m_s, double time_s, std::uint64_t key) {
+  return gusts(deviation_m_s, key,
+               [&](const Wave& wave) { return std::cos(wave.per_s * time_s + wave.phase); });
+}
+
+Drift::Drift(const scene::CloudLayer& layer, const std::vector<scene::CloudEvent>& in_order,
+             std::uint64_t key)
+    : gusts_m_s_(layer.gusts_m_s), key_(key) {
+  constexpr double for_ever_s = std::numeric_limits<double>::max();
+  double speed = layer.speed_m_s;
+  double heading = radians(layer.heading_deg);
+  double now_s = 0.0;
+  for (const scene::CloudEvent& event : in_order) {
+    if (event.start_s > now_s)
+      segments_.push_back({now_s, event.start_s - now_s, speed, speed, heading, heading});
+    const double next_speed = speed_after(event, speed);
+    const double next_heading =
+        event.kind == "wind" ? nearest_turn(heading, radians(event.heading_deg)) : heading;
+    segments_.push_back(
+        {event.start_s, event.duration_s, speed, next_speed, heading, next_heading});
+    now_s = event.start_s + event.duration_s;
+    speed = next_speed;
+    heading = next_heading;
+  }
+  segments_.push_back({now_s, for_ever_s, speed, speed, heading, heading});
+}
+
+glm::dvec2 Drift::way_m(double time_s) const {
+  glm::dvec2 way = gust_way_m(gusts_m_s_, time_s, key_);
+  for (const DriftSegment& segment : segments_) {
+    if (time_s <= segment.start_s) break;
+    way += cloud::way_m(segment, std::min(time_s - segment.start_s, segment.duration_s));
+  }
+  return way;
+}
+
+glm::dvec2 Drift::velocity_m_s(double time_s) const {
+  const DriftSegment* now = &segments_.front();
+  for (const DriftSegment& segment : segments_)
+    if (segment.start_s <= time_s) now = &segment;
+  const double share = share_done(*now, time_s - now->start_s);
+  const double heading = std::lerp(now->heading_rad, now->heading_end_rad, share);
+  return std::lerp(now->speed_m_s, now->speed_end_m_s, share) *
+             glm::dvec2(std::sin(heading), std::cos(heading)) +
+         gust_velocity_m_s(gusts_m_s_, time_s, key_);
+}
+
+PaperDrift::PaperDrift(const std::vector<scene::CloudEvent>& in_order, double frame_seconds,
+                       std::uint64_t key)
+    : rates_({{0.0, 1e-4}}),
+      frame_seconds_(frame_seconds),
+      start_(random_uniform({key, key_of("paper drift")})) {
+  constexpr double hurry = 0.01;
+  double rate = 1e-4;
+  for (const scene::CloudEvent& event : in_order) {
+    if (event.kind == "wind") rate = -rate;
+    const double added = event.kind == "faster" ? hurry : event.kind == "slower" ? -hurry : 0.0;
+    rates_.push_back({event.start_s, rate + added});
+    rates_.push_back({event.start_s + event.duration_s, rate});
+  }
+}
+
+glm::dvec2 PaperDrift::way_cells(double time_s) const {
+  double x = start_;
+  for (std::size_t i = 0; i < rates_.size() && rates_[i].start_s < time_s; ++i) {
+    const double end_s = i + 1 < rates_.size() ? std::min(time_s, rates_[i + 1].start_s) : time_s;
+    x += rates_[i].per_frame * (end_s - rates_[i].start_s) / frame_seconds_;
+  }
+  return {x, std::sin(x)};
+}
+
+}  // namespace wold::cloud

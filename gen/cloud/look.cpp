@@ -1,0 +1,53 @@
+#include "cloud/look.h"
+
+#include <cmath>
+
+namespace wold::cloud {
+namespace {
+
+float opacity(const LayerState& state, double rank, double share) {
+  const LayerMoment& moment = state.moment;
+  const double depth =
+      optical_depth_of_rank(*state.layer, rank, moment.amount_is_alpha ? 1.0 : moment.amount);
+  const double alpha =
+      moment.shapes_by_alpha ? -share * std::expm1(-depth) : -std::expm1(-share * depth);
+  return static_cast<float>(moment.amount_is_alpha ? moment.amount * alpha : alpha);
+}
+
+/// What is left of the light where the whole layer would leave `brightness`.
+double light_left(const LayerState& state, double brightness) {
+  if (state.layer->lit_as_paper) return 1.0;
+  const double amount = state.moment.amount_is_alpha ? 1.0 : state.moment.amount;
+  return brightness_of_less(brightness, depth_factor(amount));
+}
+
+/// entry(value) for the middle of every entry's steps, in [0, 1].
+template <class Entry>
+auto table(unsigned steps_per_entry, const Entry& entry) {
+  const unsigned entries = 65536 / steps_per_entry;
+  std::vector<decltype(entry(0.0))> values;
+  values.reserve(entries);
+  for (unsigned i = 0; i < entries; ++i) values.push_back(entry((i + 0.5) / entries));
+  return values;
+}
+
+Sheet sheet_of(const LayerState& state, const std::shared_ptr<const ShapeMaps>& map, double share,
+               double pixel_m) {
+  return {map, state.moment.way_m / pixel_m,
+          table(ranks_per_entry, [&](double rank) { return opacity(state, rank, share); }),
+          table(lights_per_entry, [&](double brightness) {
+            return glm::vec4(glm::vec3(state.moment.light * light_left(state, brightness)), 1.0F);
+          })};
+}
+
+}  // namespace
+
+std::vector<Sheet> sheets_of(const LayerState& state, double pixel_m) {
+  const double next_share = state.next_map ? state.moment.next_share : 0.0;
+  std::vector<Sheet> sheets;
+  if (next_share < 1.0) sheets.push_back(sheet_of(state, state.map, 1.0 - next_share, pixel_m));
+  if (next_share > 0.0) sheets.push_back(sheet_of(state, state.next_map, next_share, pixel_m));
+  return sheets;
+}
+
+}  // namespace wold::cloud

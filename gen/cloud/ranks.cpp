@@ -1,0 +1,79 @@
+#include "cloud/ranks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+#include "cloud/box_filter.h"
+
+namespace wold::cloud {
+namespace {
+
+struct Pixel {
+  float value;
+  float around;  ///< mean of the surroundings
+  std::uint32_t index;
+};
+
+/// Box filtered twice, which has no corners to show.
+PeriodicMap<float> surroundings(const PeriodicMap<float>& field) {
+  const int radius = std::max(1, std::min(field.width(), field.height()) / 16);
+  return box_filtered(box_filtered(field, radius), radius);
+}
+
+/// All pixels, field after field.
+std::vector<Pixel> pixels_of(const std::vector<PeriodicMap<float>>& fields) {
+  std::vector<Pixel> pixels;
+  for (const PeriodicMap<float>& field : fields) {
+    const PeriodicMap<float> around = surroundings(field);
+    for (std::size_t i = 0; i < around.values().size(); ++i)
+      pixels.push_back(
+          {field.values()[i], around.values()[i], static_cast<std::uint32_t>(pixels.size())});
+  }
+  return pixels;
+}
+
+}  // namespace
+
+std::vector<PeriodicMap<float>> ranked(const std::vector<PeriodicMap<float>>& fields) {
+  std::vector<Pixel> pixels = pixels_of(fields);
+  std::sort(pixels.begin(), pixels.end(), [](const Pixel& a, const Pixel& b) {
+    return std::tie(a.value, a.around, a.index) < std::tie(b.value, b.around, b.index);
+  });
+  std::vector<float> ranks(pixels.size());
+  for (std::size_t place = 0; place < pixels.size(); ++place)
+    ranks[pixels[place].index] =
+        static_cast<float>((static_cast<double>(place) + 0.5) / static_cast<double>(pixels.size()));
+  std::vector<PeriodicMap<float>> result;
+  auto next = ranks.begin();
+  for (const PeriodicMap<float>& field : fields) {
+    PeriodicMap<float>& map = result.emplace_back(field.width(), field.height());
+    const auto end = next + static_cast<std::ptrdiff_t>(map.values().size());
+    std::copy(next, end, map.values().begin());
+    next = end;
+  }
+  return result;
+}
+
+double rank_of_gaussian(double gaussian) {
+  return 0.5 * std::erfc(-gaussian / std::numbers::sqrt2);
+}
+
+double gaussian_of_rank(double rank) {
+  // Newton's method on the distribution's logarithm-free tail converges from Winitzki's (2008)
+  // approximation of the inverse error function in three steps to the last bits.
+  const double x = 2.0 * rank - 1.0;
+  const double log_term = std::log(4.0 * rank * (1.0 - rank));
+  constexpr double a = 0.147;
+  const double half = 2.0 / (std::numbers::pi * a) + 0.5 * log_term;
+  double gaussian = std::copysign(std::sqrt(std::sqrt(half * half - log_term / a) - half), x) *
+                    std::numbers::sqrt2;
+  for (int step = 0; step < 3; ++step) {
+    const double density = std::exp(-0.5 * gaussian * gaussian) / std::sqrt(2.0 * std::numbers::pi);
+    gaussian -= (rank_of_gaussian(gaussian) - rank) / density;
+  }
+  return gaussian;
+}
+
+}  // namespace wold::cloud

@@ -1,0 +1,84 @@
+#include "cloud/recipe.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include "core/error.h"
+#include "core/files.h"
+
+namespace wold::cloud {
+namespace {
+
+/// A recipe's file; every number asked for has to be there.
+class RecipeFile {
+ public:
+  explicit RecipeFile(const std::string& kind)
+      : file_(shipped_file(fmt::format("models/cloud/{}.toml", kind)).string()) {
+    try {
+      root_ = toml::parse(read_file(file_), file_);
+    } catch (const toml::parse_error& error) {
+      throw FileError(
+          fmt::format("{}:{}: {}", file_, error.source().begin.line, error.description()));
+    }
+  }
+
+  double number(const char* path) const {
+    const auto value = root_.at_path(path).value<double>();
+    if (!value) throw missing(path, "a number");
+    return *value;
+  }
+
+  glm::ivec2 pair(const std::string& path) const {
+    const auto x = root_.at_path(path + "[0]").value<int>();
+    const auto y = root_.at_path(path + "[1]").value<int>();
+    if (!x || !y || *x < 1 || *y < 1) throw missing(path, "two whole numbers from 1");
+    return {*x, *y};
+  }
+
+  Octaves octaves(const std::string& table) const {
+    if (!root_.contains(table)) return {};
+    return {number((table + ".weight").c_str()), pair(table + ".period"),
+            static_cast<int>(number((table + ".octaves").c_str())),
+            number((table + ".gain").c_str())};
+  }
+
+  std::vector<glm::dvec2> points(const char* name) const {
+    std::vector<glm::dvec2> points;
+    const toml::array* list = root_[name].as_array();
+    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i)
+      points.emplace_back(number(fmt::format("{}[{}][0]", name, i).c_str()),
+                          number(fmt::format("{}[{}][1]", name, i).c_str()));
+    if (points.size() < 2) throw missing(name, "at least two points");
+    return points;
+  }
+
+ private:
+  FileError missing(const std::string& path, const char* what) const {
+    return FileError(fmt::format("{}: {} is not {}", file_, path, what));
+  }
+
+  std::string file_;
+  toml::table root_;
+};
+
+}  // namespace
+
+Recipe recipe_of(const std::string& kind) {
+  const RecipeFile file(kind);
+  Recipe recipe;
+  recipe.base_m = file.number("base_m");
+  recipe.thickness_m = file.number("thickness_m");
+  recipe.cell_m = file.number("cell_m");
+  recipe.cover = file.number("cover");
+  recipe.opacity = file.number("opacity");
+  recipe.extinction_per_km = file.number("extinction_per_km");
+  recipe.asymmetry = file.number("asymmetry");
+  recipe.masses = file.octaves("masses");
+  recipe.billows = file.octaves("billows");
+  recipe.warp = file.number("warp.by");
+  recipe.warp_period = file.pair("warp.period");
+  recipe.profile = file.points("profile");
+  return recipe;
+}
+
+}  // namespace wold::cloud

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+namespace wold::cloud {
+
+/// Noise of several octaves: each has twice the frequency and `gain` times the height of the one
+/// before. Not used when its weight is 0.
+struct Octaves {
+  double weight = 0.0;
+  glm::ivec2 period = {1, 1};  ///< features across the texture, east and north, of the first octave
+  int count = 1;
+  double gain = 0.5;
+};
+
+/// What clouds of a kind are like: a file of models/cloud, where the numbers have their sources.
+struct Recipe {
+  // The layer.
+  double base_m = 0.0;
+  double thickness_m = 0.0;  ///< of the thickest place
+  double cell_m = 0.0;       ///< side of the square that a texture covers
+  double cover = 0.0;        ///< share of the sky; above 1 it has no thin places
+  double opacity = 0.0;      ///< of the densest place
+  // The droplets.
+  double extinction_per_km = 0.0;
+  double asymmetry = 0.0;  ///< mean cosine of the scattering angle
+  // The texture: a sum of noises, of which the highest share `cover` is cloud.
+  Octaves masses;     ///< gradient noise: where clouds stand
+  Octaves billows;    ///< cellular noise, upside down: round heads on heads
+  double warp = 0.0;  ///< how far noise displaces all of it, in textures
+  glm::ivec2 warp_period = {1, 1};
+  /// Optical depth over that of the densest place, from the edge, 0, to the densest, 1, by rank.
+  std::vector<glm::dvec2> profile;
+
+  /// Vertical optical depth, at the droplets' extinction, of the thickest place.
+  double optical_depth() const { return extinction_per_km * 1e-3 * thickness_m; }
+};
+
+/// The recipe of "stratus", "stratocumulus", "cumulus" or "cirrus". Throws FileError when the file
+/// is missing or damaged.
+Recipe recipe_of(const std::string& kind);
+
+}  // namespace wold::cloud

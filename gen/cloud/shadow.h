@@ -1,0 +1,17 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "cloud/clouds.h"
+#include "core/ground_map.h"
+
+namespace wold::cloud {
+
+/// Share of the sun's light that comes straight through all layers to the ground, in [0, 1], by
+/// world x and y: exp(-depth / sin(elevation)) of every layer where the ray to the sun meets its
+/// base. It multiplies the sun's part of a light map; `samples` along each side of the terrain.
+/// sun_direction: unit vector to a sun above the horizon.
+FactorMap sun_share(const CloudState& state, const Heightfield& terrain,
+                    const glm::dvec3& sun_direction, int samples);
+
+}  // namespace wold::cloud

@@ -1,0 +1,120 @@
+#include "cloud/sunlit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cloud/box_filter.h"
+#include "core/parallel.h"
+
+namespace wold::cloud {
+namespace {
+
+constexpr double from_the_ground = 0.2;
+constexpr int ray_steps = 32;
+/// A sun near the horizon would be followed for ever; farther clouds only redden it.
+constexpr double lowest_sine = 0.15;
+
+int wrapped(int i, int period) {
+  const int rest = i % period;
+  return rest < 0 ? rest + period : rest;
+}
+
+/// A part of the ray to the sun, from the base up.
+struct RayStep {
+  glm::ivec2 away_px;  ///< of its middle
+  float low_m;         ///< its lower end
+  float rise_m;
+  float length_m;
+};
+
+/// Steps that grow with the distance, as what is near shades most.
+std::vector<RayStep> ray_to_sun(double top_m, const glm::dvec3& sun_direction, double pixel_m) {
+  const double sine = std::max(sun_direction.z, lowest_sine);
+  const double length_m = top_m / sine;
+  const glm::dvec2 level(sun_direction.x, sun_direction.y);
+  const glm::dvec2 towards = glm::length(level) > 0.0 ? glm::normalize(level) : glm::dvec2(0.0);
+  const double across = std::sqrt(1.0 - sine * sine);
+  // From a third of the mean length to five thirds of it.
+  const auto share = [](double step) {
+    const double x = step / ray_steps;
+    return x * (1.0 + 2.0 * x) / 3.0;
+  };
+  std::vector<RayStep> steps;
+  for (int i = 0; i < ray_steps; ++i) {
+    const double from_m = length_m * share(i), to_m = length_m * share(i + 1);
+    const double away_m = across * 0.5 * (from_m + to_m);
+    steps.push_back({glm::ivec2(glm::round(towards * (away_m / pixel_m))),
+                     static_cast<float>(from_m * sine), static_cast<float>((to_m - from_m) * sine),
+                     static_cast<float>(to_m - from_m)});
+  }
+  return steps;
+}
+
+PeriodicMap<float> tops_of(const LayerMap& ranks, const std::vector<float>& height_m) {
+  PeriodicMap<float> tops(ranks.width(), ranks.height());
+  const std::size_t last = height_m.size() - 1;
+  for (std::size_t i = 0; i < ranks.values().size(); ++i)
+    tops.values()[i] = height_m[ranks.values()[i] * last / 65535];
+  return tops;
+}
+
+/// Adds the length of the ray's step inside clouds, for a whole row.
+void add_step(const PeriodicMap<float>& tops, int y, const RayStep& step, float* in_cloud_m) {
+  const int width = tops.width();
+  const float* row = tops.row(wrapped(y + step.away_px.y, tops.height()));
+  const int start = wrapped(step.away_px.x, width);
+  const auto add = [&](const float* top, float* end_of_sum, float* sum) {
+    const float per_rise = 1.0F / step.rise_m;
+    for (; sum != end_of_sum; ++sum, ++top)
+      *sum += step.length_m * std::clamp((*top - step.low_m) * per_rise, 0.0F, 1.0F);
+  };
+  add(row + start, in_cloud_m + (width - start), in_cloud_m);
+  add(row, in_cloud_m + width, in_cloud_m + (width - start));
+}
+
+/// Light walks at random before it has lost its direction: over the transport mean free path, here
+/// the base of the kernel.
+PeriodicMap<float> diffused(const PeriodicMap<float>& in_cloud_m, const Droplets& droplets,
+                            double pixel_m) {
+  const double path_m = 1.0 / (droplets.extinction_per_m * (1.0 - droplets.asymmetry));
+  const double most_px = 0.25 * std::min(in_cloud_m.width(), in_cloud_m.height());
+  const int radius = static_cast<int>(std::min(0.25 * path_m / pixel_m, most_px));
+  return box_filtered(box_filtered(in_cloud_m, radius), radius);
+}
+
+double through_of(double brightness) {
+  return (brightness - from_the_ground) / (1.0 - from_the_ground);
+}
+
+double brightness_of(double through) { return through + from_the_ground * (1.0 - through); }
+
+}  // namespace
+
+double base_brightness(const Droplets& droplets, double optical_depth) {
+  return brightness_of(1.0 / (1.0 + 0.75 * (1.0 - droplets.asymmetry) * optical_depth));
+}
+
+double brightness_of_less(double brightness, double factor) {
+  const double through = std::max(through_of(brightness), 1e-6);
+  return brightness_of(1.0 / (1.0 + factor * (1.0 / through - 1.0)));
+}
+
+LayerMap sunlit(const LayerMap& ranks, const std::vector<float>& height_m, const Droplets& droplets,
+                const glm::dvec3& sun_direction, double pixel_m) {
+  const PeriodicMap<float> tops = tops_of(ranks, height_m);
+  const std::vector<RayStep> steps = ray_to_sun(height_m.back(), sun_direction, pixel_m);
+  PeriodicMap<float> in_cloud_m(ranks.width(), ranks.height());
+  parallel_for(static_cast<std::size_t>(ranks.height()), [&](std::size_t row) {
+    const int y = static_cast<int>(row);
+    for (const RayStep& step : steps) add_step(tops, y, step, in_cloud_m.row(y));
+  });
+  in_cloud_m = diffused(in_cloud_m, droplets, pixel_m);
+  LayerMap result(ranks.width(), ranks.height());
+  parallel_for_blocks(result.values().size(), [&](std::size_t i) {
+    const double depth = droplets.extinction_per_m * static_cast<double>(in_cloud_m.values()[i]);
+    result.values()[i] = static_cast<std::uint16_t>(65535.0 * base_brightness(droplets, depth));
+  });
+  return result;
+}
+
+}  // namespace wold::cloud

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "cloud/tiling.h"
+
+namespace wold::cloud {
+
+/// What scatters in a cloud: without absorption, grey.
+struct Droplets {
+  double extinction_per_m = 0.0;
+  double asymmetry = 0.86;  ///< mean cosine of the scattering angle
+};
+
+/// Light that a cloud's base sends down, of the light that falls on its top: what two-stream
+/// diffusion lets through, T = 1 / (1 + 3/4 (1 - g) tau) (Bohren 1987, Multiple scattering of light
+/// and some of its observable consequences, American Journal of Physics 55:524), and of the rest
+/// the fifth that the ground beneath sends up again.
+double base_brightness(const Droplets& droplets, double optical_depth);
+
+/// That of a cloud that is `factor` in [0, 1] times as deep as one of the brightness given.
+double brightness_of_less(double brightness, double factor);
+
+/// The brightness at every pixel, in steps of 1/65535, with tau along the ray from the base to the
+/// sun: sunward edges are bright, and a cloud is darkest on its far side. height_m: the top above
+/// the flat base by rank, on equal steps from 0 to 1. sun_direction is a unit vector to a sun above
+/// the horizon; pixel_m > 0.
+LayerMap sunlit(const LayerMap& ranks, const std::vector<float>& height_m, const Droplets& droplets,
+                const glm::dvec3& sun_direction, double pixel_m);
+
+}  // namespace wold::cloud

@@ -1,0 +1,139 @@
+#include "cloud/volume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "cloud/optical_sweep.h"
+#include "cloud/scattering.h"
+#include "core/parallel.h"
+
+namespace wold::cloud {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+/// Of a column's height, over which extinction rises from the flat base.
+constexpr double soft_base = 1.0 / 7.0;
+
+/// Extinction over a column's height t in [0, 1], of any scale.
+double column_profile(double t) {
+  if (t <= 0.0 || t >= 1.0) return 0.0;
+  return std::min(1.0, t / soft_base) * std::sqrt(1.0 - t);
+}
+
+/// Fills a column so that its optical depth is `depth`; what is lower than a voxel is in the first.
+void fill_column(const CloudVolume& volume, double depth, double top_m, float* lowest,
+                 std::size_t stride) {
+  const double step_m = volume.box.voxel_m.z;
+  double sum = 0.0;
+  for (int z = 0; z < volume.box.voxels.z; ++z) sum += column_profile((z + 0.5) * step_m / top_m);
+  if (sum <= 0.0) {
+    *lowest = static_cast<float>(depth / step_m);
+    return;
+  }
+  const double scale = depth / (sum * step_m);
+  for (int z = 0; z < volume.box.voxels.z; ++z)
+    lowest[static_cast<std::size_t>(z) * stride] =
+        static_cast<float>(scale * column_profile((z + 0.5) * step_m / top_m));
+}
+
+bool is_period(const LayerState& state, const glm::dvec2& side_m) {
+  const glm::dvec2 difference = glm::abs(side_m - state.layer->period_m);
+  return std::max(difference.x, difference.y) < 1e-6 * side_m.x;
+}
+
+/// Optical depths of the droplets, from a voxel out of the cloud.
+struct Depths {
+  std::vector<float> to_sun, from_sun, up, down;
+};
+
+Depths depths_of(const CloudVolume& volume, const glm::dvec3& sun_direction) {
+  constexpr double lowest_sine = 0.15;  // a lower sun's light comes as if from there
+  glm::dvec3 to_sun = sun_direction;
+  to_sun.z = std::max(to_sun.z, lowest_sine);
+  to_sun = glm::normalize(to_sun);
+  const auto towards = [&](const glm::dvec3& direction) {
+    return depth_towards(volume.box, volume.extinction_per_m, direction);
+  };
+  return {towards(to_sun), towards(-to_sun), towards({0.0, 0.0, 1.0}), towards({0.0, 0.0, -1.0})};
+}
+
+/// Mean radiance of light that two-stream diffusion brings, per unit of irradiance.
+double diffuse_radiance(double asymmetry, double before, double behind) {
+  const TwoStream fluxes = two_stream(asymmetry, before, behind);
+  return (fluxes.onward + fluxes.back) / (2.0 * pi);
+}
+
+/// Source radiance per unit of the sun's irradiance: light that was not scattered yet by the phase
+/// function, and the rest of the fluxes, which come from all around.
+double sun_source(double asymmetry, double before, double behind, double cosine) {
+  const double unscattered = std::exp(-before);
+  return unscattered * henyey_greenstein(asymmetry, cosine) +
+         diffuse_radiance(asymmetry, before, behind) - unscattered / (2.0 * pi);
+}
+
+glm::dvec3 centre_m(const VoxelBox& box, int x, int y, int z) {
+  return box.corner_m + (glm::dvec3(x, y, z) + 0.5) * box.voxel_m;
+}
+
+}  // namespace
+
+CloudVolume lifted(const LayerState& state, double pixel_m, const glm::dvec2& south_west_m,
+                   const glm::dvec2& side_m, const glm::ivec3& voxels) {
+  const Layer& layer = *state.layer;
+  CloudVolume volume;
+  volume.box.corner_m = glm::dvec3(south_west_m, layer.base_m);
+  volume.box.voxel_m = glm::dvec3(side_m, layer.thickness_m) / glm::dvec3(voxels);
+  volume.box.voxels = voxels;
+  volume.box.repeats = is_period(state, side_m);
+  volume.asymmetry = layer.droplets.asymmetry;
+  if (layer.seen_depth > 0.0)
+    volume.droplets_per_seen =
+        std::max(1.0, layer.droplets.extinction_per_m * layer.thickness_m / layer.seen_depth);
+  volume.extinction_per_m.resize(volume.box.count());
+  const auto plane = static_cast<std::size_t>(voxels.x) * static_cast<std::size_t>(voxels.y);
+  parallel_for(static_cast<std::size_t>(voxels.y), [&](std::size_t y) {
+    for (int x = 0; x < voxels.x; ++x) {
+      const glm::dvec3 place = centre_m(volume.box, x, static_cast<int>(y), 0);
+      const double depth = optical_depth_at(state, pixel_m, place);
+      if (depth <= 0.0) continue;
+      fill_column(volume, depth, top_m(layer, depth / layer.seen_depth),
+                  &volume.extinction_per_m[y * static_cast<std::size_t>(voxels.x) +
+                                           static_cast<std::size_t>(x)],
+                  plane);
+    }
+  });
+  return volume;
+}
+
+CloudLight cloud_light(const light::Daylight& day, const glm::dvec3& eye_m) {
+  constexpr float ground_albedo = 0.2F;
+  return {day.sun_direction(), day.sun_irradiance(), day.sky_irradiance(), glm::vec3(ground_albedo),
+          eye_m};
+}
+
+std::vector<glm::vec3> source_radiance(const CloudVolume& volume, const CloudLight& light) {
+  const VoxelBox& box = volume.box;
+  const Depths depths = depths_of(volume, light.sun_direction);
+  const double k = volume.droplets_per_seen, g = volume.asymmetry;
+  std::vector<glm::vec3> source(box.count());
+  const auto rows = static_cast<std::size_t>(box.voxels.y) * static_cast<std::size_t>(box.voxels.z);
+  parallel_for(rows, [&](std::size_t row) {
+    const int y = static_cast<int>(row % static_cast<std::size_t>(box.voxels.y));
+    const int z = static_cast<int>(row / static_cast<std::size_t>(box.voxels.y));
+    for (int x = 0; x < box.voxels.x; ++x) {
+      const std::size_t i =
+          row * static_cast<std::size_t>(box.voxels.x) + static_cast<std::size_t>(x);
+      const glm::dvec3 from_eye = glm::normalize(centre_m(box, x, y, z) - light.eye_m);
+      const double to_sun = k * depths.to_sun[i], up = k * depths.up[i], down = k * depths.down[i];
+      const double sun =
+          sun_source(g, to_sun, k * depths.from_sun[i], glm::dot(from_eye, light.sun_direction));
+      source[i] = static_cast<float>(sun) * light.sun_irradiance +
+                  static_cast<float>(diffuse_radiance(g, up, down)) * light.sky_irradiance +
+                  static_cast<float>(diffuse_radiance(g, down, up)) * light.ground_irradiance;
+    }
+  });
+  return source;
+}
+
+}  // namespace wold::cloud

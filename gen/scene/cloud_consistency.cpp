@@ -1,0 +1,156 @@
+#include "scene/cloud_consistency.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "scene/keys.h"
+#include "scene/registry.h"
+#include "scene/text.h"
+
+namespace wold::scene {
+namespace {
+
+struct Report {
+  const Scene& scene;
+  const Places& places;
+  std::vector<Problem>& problems;
+
+  /// Of a key of an item, or of the item when the key was not given.
+  SourcePosition place(const std::string& item, const char* leaf) const {
+    const auto key = places.given.find(fmt::format("{}.{}", item, leaf));
+    if (key != places.given.end()) return key->second;
+    const auto table = places.given.find(item);
+    return table == places.given.end() ? SourcePosition{} : table->second;
+  }
+  bool failed(const std::string& item, const char* leaf) const {
+    return places.failed.count(fmt::format("{}.{}", item, leaf)) > 0;
+  }
+  void add(const std::string& item, const char* leaf, const std::string& message) {
+    problems.push_back({place(item, leaf), fmt::format("{}.{}: {}", item, leaf, message)});
+  }
+};
+
+std::string event_name(std::size_t event) { return item_name("cloud_events", event); }
+
+void report_missing_pictures(Report& report) {
+  for (std::size_t layer = 0; layer < report.scene.clouds.size(); ++layer)
+    for (const std::string& path : report.scene.clouds[layer].textures) {
+      std::error_code error;
+      if (!std::filesystem::is_regular_file(path, error))
+        report.add(item_name("clouds", layer), "textures",
+                   fmt::format("found {}, expected a file that is there", in_quotes(path)));
+    }
+}
+
+/// The keys that only events of some kinds have.
+std::vector<std::string> kinds_with(std::string_view leaf) {
+  if (leaf == "heading" || leaf == "speed" || leaf == "shear") return {"wind"};
+  if (leaf == "factor") return {"faster", "slower"};
+  if (leaf == "by") return {"gather", "dissipate"};
+  if (leaf == "colour" || leaf == "sun_elevation") return {"light"};
+  if (leaf == "fade") return {"wind", "gather", "dissipate"};
+  return {"wind", "faster", "slower", "gather", "dissipate", "light"};
+}
+
+/// A key is of no use to the event when another kind of event has it and it is not its default.
+void report_useless_keys(Report& report, std::size_t event) {
+  Scene plain;
+  plain.cloud_events.resize(event + 1);
+  const CloudEvent& found = report.scene.cloud_events[event];
+  for (const Key& key : cloud_event_keys(event)) {
+    const std::string leaf(leaf_of(key.name));
+    const auto kinds = kinds_with(leaf);
+    if (std::ranges::count(kinds, found.kind) > 0 || key.get(report.scene) == key.get(plain))
+      continue;
+    report.add(event_name(event), leaf.c_str(),
+               fmt::format("found in a \"{}\" event, expected only in: {}", found.kind,
+                           fmt::join(kinds, ", ")));
+  }
+}
+
+void report_missing_layer(Report& report, std::size_t event) {
+  const auto layers = static_cast<int>(report.scene.clouds.size());
+  const int layer = report.scene.cloud_events[event].layer;
+  if (layers > 0 && layer <= layers) return;
+  report.add(event_name(event), "layer",
+             fmt::format("found {}, but the scene has {} [[clouds]]", layer, layers));
+}
+
+void report_half_a_colour(Report& report, std::size_t event) {
+  const std::size_t items = report.scene.cloud_events[event].colour.size();
+  if (items != 0 && items != 3)
+    report.add(event_name(event), "colour",
+               fmt::format("found a list of {}, expected three numbers, or none", items));
+}
+
+std::string span_text(const CloudEvent& event) {
+  return fmt::format("\"{}\" from {} to {} s", event.kind, event.start_s,
+                     event.start_s + event.duration_s);
+}
+
+std::string line_text(const SourcePosition& where) {
+  return where.line == 0 ? "" : fmt::format(", line {}", where.line);
+}
+
+/// The events that change one thing of one layer, by their start.
+std::vector<std::size_t> changes(const Report& report, std::size_t layer, CloudChange change) {
+  const auto& events = report.scene.cloud_events;
+  std::vector<std::size_t> found;
+  for (std::size_t event = 0; event < events.size(); ++event) {
+    const bool judged =
+        !report.failed(event_name(event), "kind") && !report.failed(event_name(event), "layer") &&
+        !report.failed(event_name(event), "start") && !report.failed(event_name(event), "duration");
+    if (judged && happens_to(events[event], layer) && change_of(events[event]) == change)
+      found.push_back(event);
+  }
+  std::ranges::stable_sort(found, {}, [&](std::size_t event) { return events[event].start_s; });
+  return found;
+}
+
+void report_overlaps(Report& report, std::size_t layer, CloudChange change) {
+  const auto& events = report.scene.cloud_events;
+  const std::vector<std::size_t> in_order = changes(report, layer, change);
+  for (std::size_t i = 1; i < in_order.size(); ++i) {
+    const CloudEvent& before = events[in_order[i - 1]];
+    const CloudEvent& next = events[in_order[i]];
+    if (next.start_s >= before.start_s + before.duration_s) continue;
+    const std::string other = event_name(in_order[i - 1]);
+    report.add(event_name(in_order[i]), "start",
+               fmt::format("found {} on layer {}, before {} ({}{}) has ended; expected one change "
+                           "of a layer's {} after the other",
+                           span_text(next), layer + 1, span_text(before), other,
+                           line_text(report.place(other, "start")),
+                           change == CloudChange::drift    ? "drift"
+                           : change == CloudChange::amount ? "amount"
+                                                           : "light"));
+  }
+}
+
+}  // namespace
+
+CloudChange change_of(const CloudEvent& event) {
+  if (event.kind == "gather" || event.kind == "dissipate") return CloudChange::amount;
+  return event.kind == "light" ? CloudChange::light : CloudChange::drift;
+}
+
+bool happens_to(const CloudEvent& event, std::size_t layer) {
+  return event.layer == 0 || event.layer == static_cast<int>(layer) + 1;
+}
+
+void report_cloud_contradictions(const Scene& scene, const Places& places,
+                                 std::vector<Problem>& problems) {
+  Report report{scene, places, problems};
+  report_missing_pictures(report);
+  for (std::size_t event = 0; event < scene.cloud_events.size(); ++event) {
+    report_missing_layer(report, event);
+    report_half_a_colour(report, event);
+    report_useless_keys(report, event);
+  }
+  for (std::size_t layer = 0; layer < scene.clouds.size(); ++layer)
+    for (const CloudChange change : {CloudChange::drift, CloudChange::amount, CloudChange::light})
+      report_overlaps(report, layer, change);
+}
+
+}  // namespace wold::scene

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/registry.h"
+
+/// Keys by their kinds, still without their fields (binding.h).
+namespace wold::scene {
+
+/// Ends included.
+struct Range {
+  double lowest;
+  double highest;
+};
+
+inline Key plain(Kind kind, const char* name, const char* unit, Range range, const char* doc) {
+  return {.name = name,
+          .unit = unit,
+          .doc = doc,
+          .kind = kind,
+          .lowest = range.lowest,
+          .highest = range.highest,
+          .words = {},
+          .members = {},
+          .list = {},
+          .points = {},
+          .get = {},
+          .set = {}};
+}
+
+inline Key number(const char* name, const char* unit, Range range, const char* doc) {
+  return plain(Kind::number, name, unit, range, doc);
+}
+
+inline Key integer(const char* name, const char* unit, Range range, const char* doc) {
+  return plain(Kind::integer, name, unit, range, doc);
+}
+
+inline Key word(const char* name, std::vector<std::string> words, const char* doc) {
+  Key key = plain(Kind::word, name, "", {0, 0}, doc);
+  key.words = std::move(words);
+  return key;
+}
+
+inline Key curve(const char* name, std::vector<std::string> words, const char* doc) {
+  Key key = plain(Kind::curve, name, "", {0, 1}, doc);
+  key.words = std::move(words);
+  key.points = {.fewest = 2, .most = 1000};
+  return key;
+}
+
+inline Key rates(const char* name, std::vector<std::string> words, std::size_t most,
+                 const char* doc) {
+  Key key = curve(name, std::move(words), doc);
+  key.kind = Kind::curves;
+  key.list = {.fewest = 0, .most = most};
+  key.points.order = Order::not_falling;
+  return key;
+}
+
+inline Key list(Kind kind, const char* name, const char* unit, Range range, ListRule rule,
+                const char* doc) {
+  Key key = plain(kind, name, unit, range, doc);
+  key.list = rule;
+  return key;
+}
+
+inline Key only(Key key, std::vector<std::int64_t> members) {
+  key.members = std::move(members);
+  return key;
+}
+
+/// A number, or "auto".
+inline Key automatic(const char* name, const char* unit, Range range, const char* doc) {
+  return plain(Kind::automatic, name, unit, range, doc);
+}
+
+}  // namespace wold::scene

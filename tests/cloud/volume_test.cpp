@@ -1,0 +1,188 @@
+#include "cloud/volume.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "cloud/optical_sweep.h"
+#include "cloud/scattering.h"
+
+namespace wold::cloud {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double pixel_m = 50.0;
+
+CloudState one_layer(const char* kind) {
+  scene::Scene scene;
+  scene.clouds.resize(1);
+  scene.clouds[0].kind = kind;
+  scene.clouds[0].cell_m = 3200.0;
+  scene.clouds[0].cells = {2, 2};
+  return Clouds(scene, pixel_m).at(30.0);
+}
+
+CloudVolume lifted_period(const CloudState& state, const glm::ivec3& voxels) {
+  return lifted(state.layers[0], pixel_m, {0.0, 0.0}, state.layers[0].layer->period_m, voxels);
+}
+
+TEST(Scattering, PhaseFunctionIsOneOverTheSphere) {
+  for (const double g : {-0.3, 0.0, 0.5, 0.86}) {
+    double sum = 0.0, mean_cosine = 0.0;
+    const int steps = 20000;
+    for (int i = 0; i < steps; ++i) {
+      const double cosine = -1.0 + (i + 0.5) * 2.0 / steps;
+      const double share = henyey_greenstein(g, cosine) * 2.0 * pi * 2.0 / steps;
+      sum += share;
+      mean_cosine += share * cosine;
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-4);
+    EXPECT_NEAR(mean_cosine, g, 1e-4);
+  }
+}
+
+TEST(Scattering, TwoStreamReflectsWhatBohrenSaysAndLosesNothing) {
+  const double depths[] = {3.6, 10.0, 23.0, 50.0};
+  const double reflected[] = {0.274, 0.512, 0.707, 0.840};
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_NEAR(two_stream(0.86, 0.0, depths[i]).back, reflected[i], 1e-3);
+    const double through = two_stream(0.86, depths[i], 0.0).onward;
+    EXPECT_NEAR(through + reflected[i], 1.0, 1e-3);
+    for (double before = 0.0; before <= depths[i]; before += 0.9) {
+      const TwoStream inside = two_stream(0.86, before, depths[i] - before);
+      EXPECT_NEAR(inside.onward - inside.back, through, 1e-12);  // the net flux is the same
+    }
+  }
+}
+
+TEST(Sweep, HasASlabsDepthsInClosedForm) {
+  const VoxelBox box{{}, {10.0, 10.0, 5.0}, {16, 12, 20}, true};
+  const std::vector<float> extinction(box.count(), 0.02F);
+  const glm::dvec3 direction = glm::normalize(glm::dvec3(0.7, -0.4, 0.5));
+  const auto up = depth_towards(box, extinction, direction);
+  const auto down = depth_towards(box, extinction, -direction);
+  for (int z = 0; z < 20; ++z) {
+    const std::size_t i = static_cast<std::size_t>(z) * 192 + 37;
+    EXPECT_NEAR(up[i], 0.02 * (100.0 - (z + 0.5) * 5.0) / direction.z, 1e-4);
+    EXPECT_NEAR(up[i] + down[i], 0.02 * 100.0 / direction.z, 1e-4);
+  }
+}
+
+TEST(Sweep, ShadowsLieAwayFromTheSun) {
+  const VoxelBox box{{}, {10.0, 10.0, 10.0}, {9, 9, 4}, false};
+  std::vector<float> extinction(box.count());
+  extinction[3 * 81 + 4 * 9 + 4] = 0.1F;  // one voxel of the top, in the middle
+  const auto depth = depth_towards(box, extinction, glm::normalize(glm::dvec3(1.0, 0.0, 1.0)));
+  const double whole = 0.1 * 10.0 * std::sqrt(2.0);
+  EXPECT_NEAR(depth[2 * 81 + 4 * 9 + 3], 1.0 * whole, 1e-5);  // to the west, a voxel a plane
+  EXPECT_NEAR(depth[1 * 81 + 4 * 9 + 2], 1.0 * whole, 1e-5);
+  EXPECT_EQ(depth[1 * 81 + 4 * 9 + 4], 0.0F);
+}
+
+TEST(Volume, ColumnsHaveTheLayersOpacity) {
+  for (const char* kind : {"cumulus", "stratus", "cirrus"}) {
+    const CloudState state = one_layer(kind);
+    const CloudVolume volume = lifted_period(state, {64, 64, 16});
+    EXPECT_TRUE(volume.box.repeats);
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 64; ++x) {
+        double depth = 0.0;
+        for (int z = 0; z < 16; ++z)
+          depth += volume.box.voxel_m.z *
+                   static_cast<double>(
+                       volume.extinction_per_m[static_cast<std::size_t>((z * 64 + y) * 64 + x)]);
+        const glm::dvec2 place((x + 0.5) * 100.0, (y + 0.5) * 100.0);
+        const double wanted = optical_depth_at(state.layers[0], pixel_m, place);
+        EXPECT_NEAR(-std::expm1(-depth), -std::expm1(-wanted), 1e-3);
+      }
+  }
+}
+
+TEST(Volume, HasAFlatBaseAndHigherTopsWhereItIsDenser) {
+  const CloudState state = one_layer("cumulus");
+  const CloudVolume volume = lifted_period(state, {64, 64, 32});
+  EXPECT_EQ(volume.box.corner_m.z, state.layers[0].layer->base_m);
+  std::vector<std::pair<double, int>> tops;
+  for (int column = 0; column < 64 * 64; ++column) {
+    double depth = 0.0;
+    int top = -1;
+    for (int z = 0; z < 32; ++z) {
+      const float extinction =
+          volume.extinction_per_m[static_cast<std::size_t>(z * 64 * 64 + column)];
+      depth += static_cast<double>(extinction);
+      if (extinction > 0.0F) top = z;
+    }
+    if (top < 0) continue;
+    EXPECT_GT(volume.extinction_per_m[static_cast<std::size_t>(column)], 0.0F);  // at the base
+    tops.emplace_back(depth, top);
+  }
+  std::ranges::sort(tops);
+  ASSERT_GT(tops.size(), 100u);
+  EXPECT_TRUE(std::ranges::is_sorted(tops, {}, &std::pair<double, int>::second));
+  EXPECT_GE(tops.back().second, 28);
+}
+
+/// A slab of droplets with the sun overhead.
+CloudVolume slab(double depth) {
+  CloudVolume volume;
+  volume.box = {{0.0, 0.0, 1000.0}, {10.0, 10.0, 2.5}, {8, 8, 80}, true};
+  volume.extinction_per_m.assign(volume.box.count(), static_cast<float>(depth / 200.0));
+  return volume;
+}
+
+/// Radiance that leaves a column downwards, or upwards, by its source.
+double radiance_out(const CloudVolume& volume, const std::vector<glm::vec3>& source, bool down) {
+  double radiance = 0.0;
+  for (int i = 0; i < volume.box.voxels.z; ++i) {
+    const int z = down ? volume.box.voxels.z - 1 - i : i;
+    const auto at = static_cast<std::size_t>(z) * 64 + 20;
+    const double alpha =
+        -std::expm1(-static_cast<double>(volume.extinction_per_m[at]) * volume.box.voxel_m.z);
+    radiance += alpha * (static_cast<double>(source[at].g) - radiance);
+  }
+  return radiance;
+}
+
+TEST(Light, OfAThickSlabIsWhatTwoStreamReflectsAndLetsThrough) {
+  const CloudVolume volume = slab(40.0);
+  CloudLight light;
+  light.sun_irradiance = glm::vec3(1.0F);
+  light.eye_m = {40.0, 4000.0, 0.0};  // looks across the light, where there is no peak
+  const auto source = source_radiance(volume, light);
+  const double reflected = two_stream(0.86, 0.0, 40.0).back;
+  const double below = pi * radiance_out(volume, source, true);
+  const double above = pi * radiance_out(volume, source, false);
+  EXPECT_NEAR(below, 1.0 - reflected, 0.1);
+  EXPECT_NEAR(above, reflected, 0.15);
+  EXPECT_LT(below, 0.5 * above);  // dark bases
+}
+
+TEST(Light, MakesThinEdgesShineAroundTheSun) {
+  const CloudVolume volume = slab(0.3);
+  CloudLight light;
+  light.sun_irradiance = glm::vec3(1.0F);
+  light.eye_m = {40.0, 40.0, -1e6};  // looks up into the sun
+  const double into_the_sun = radiance_out(volume, source_radiance(volume, light), true);
+  light.eye_m = {40.0, 1e6, 1100.0};
+  const double across = radiance_out(volume, source_radiance(volume, light), true);
+  EXPECT_GT(into_the_sun, 20.0 * across);
+  // Scattered once: the way in and the way out make up the whole depth.
+  EXPECT_NEAR(into_the_sun, 0.3 * std::exp(-0.3) * henyey_greenstein(0.86, 1.0), 0.03);
+}
+
+TEST(Light, IsNeverNegativeOrEndless) {
+  const CloudVolume volume = lifted_period(one_layer("cumulus"), {48, 48, 16});
+  scene::Sun sun;
+  for (const double elevation : {1.0, 20.0, 90.0}) {
+    sun.elevation_deg = elevation;
+    const light::Daylight day(sun, scene::Sky{});
+    for (const glm::vec3& value : source_radiance(volume, cloud_light(day, {0.0, 0.0, 2.0})))
+      for (int c = 0; c < 3; ++c) {
+        EXPECT_GE(value[c], 0.0F);
+        EXPECT_LT(value[c], 10.0F * glm::max(1.0F, day.sun_irradiance()[c]));
+      }
+  }
+}
+
+}  // namespace
+}  // namespace wold::cloud
