@@ -58,6 +58,21 @@ Json write_standing_light(const Landscape& landscape, const fs::path& folder) {
   return write_ground_map(light, folder, "standing_light.exr", &standing);
 }
 
+/// Null under a clear sky.
+Json write_backdrop(const Landscape& landscape, const fs::path& folder) {
+  constexpr const char* name = "backdrop.exr";
+  if (!landscape.backdrop) {
+    fs::remove(folder / name);
+    return nullptr;
+  }
+  const landscape::Backdrop& backdrop = *landscape.backdrop;
+  write_image(folder / name, backdrop.picture, PixelFormat::half);
+  return {{"file", name},
+          {"corner_m", json_of(backdrop.corner_m)},
+          {"right_m", json_of(backdrop.right_m)},
+          {"up_m", json_of(backdrop.up_m)}};
+}
+
 void append(std::vector<float>& values, const glm::dvec3& v) {
   for (int axis = 0; axis < 3; ++axis) values.push_back(static_cast<float>(v[axis]));
 }
@@ -152,6 +167,7 @@ void write_frame_data(const Landscape& landscape, const fs::path& folder,
                       {"standing_light", write_standing_light(landscape, folder)},
                       {"ground", write_ground_map(landscape.ground, folder, "ground.exr")},
                       {"sky", "sky.exr"},
+                      {"backdrop", write_backdrop(landscape, folder)},
                       {"cells", write_cells(landscape, folder, picks)},
                       {"volumes", volumes_json(volumes, folder)},
                       {"blade_cells", write_blade_cells(landscape, folder)},

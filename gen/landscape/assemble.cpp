@@ -8,9 +8,11 @@
 #include <type_traits>
 #include <utility>
 
+#include "cloud/shadow.h"
 #include "core/colour.h"
 #include "grass/blade_patch.h"
 #include "grass/fibres.h"
+#include "landscape/cloudy_sky.h"
 #include "landscape/combed_light.h"
 #include "landscape/far_field.h"
 #include "landscape/haze.h"
@@ -70,6 +72,27 @@ FactorMap combed_light(const scene::Scene& scene, const Site& site, const View& 
   return combed_light_map(light, Combing(scene), site.terrain, view);
 }
 
+std::optional<cloud::CloudState> clouds_of(const Site& site, int frame) {
+  if (!site.clouds) return std::nullopt;
+  return site.clouds->at_frame(frame);
+}
+
+/// The light on the ground under clouds, which stand before the sun and change the sky.
+ColourMap clouded_light(const Site& site, const cloud::CloudState& clouds, const CloudySky& sky) {
+  const FactorMap sun_share =
+      cloud::sun_share(clouds, site.terrain, site.day.sun_direction(), site.light.sun.samples());
+  ColourMap light = product(site.light.sun, sun_share);
+  const glm::vec3 sky_factor = sky.irradiance() / site.day.sky_irradiance();
+  for (std::size_t i = 0; i < light.values().size(); ++i)
+    light.values()[i] += site.light.sky.values()[i] * sky_factor;
+  return light;
+}
+
+/// A distance from the camera that no ground reaches.
+double beyond_everything_m(const Landscape& landscape) {
+  return 2.0 * (landscape.terrain.size_m() + 2.0 * std::abs(landscape.camera.eye_m.z)) + 100.0;
+}
+
 std::map<int, PatchLook> far_looks(const scene::Scene& scene, int frame,
                                    const PatchLookup& lookup) {
   std::map<int, PatchLook> looks;
@@ -118,12 +141,16 @@ Landscape assemble(const scene::Scene& scene, const Site& site, int frame,
         landscape.blade_cells);
   const grass::AgeingModel model(scene.ageing, scene.grass.specular);
   const grass::WitheringPatch patch(scene, model, /*variant=*/0);
+  const std::optional<cloud::CloudState> clouds = clouds_of(site, frame);
+  const CloudySky sky(site.day, clouds.value_or(cloud::CloudState{}), landscape.camera.eye_m,
+                      scene.sky.visual_range_m);
+  const ColourMap light = clouds ? clouded_light(site, *clouds, sky) : site.light.together();
   const ColourMap grass_light =
-      product(site.light, combed_light(scene, site, view, patch.at(landscape.weathering), model));
+      product(light, combed_light(scene, site, view, patch.at(landscape.weathering), model));
   landscape.light =
       product(grass_light, weathering_tint(scene, frame, choices, grass_colour(patch, model)));
   landscape.standing = standing_grass(scene, terrain, site.growth, view);
-  landscape.ground = product(site.ground_reflectance, site.light);
+  landscape.ground = product(site.ground_reflectance, light);
   if (shows_distance(scene, site, landscape.camera)) {
     const Haze haze(site.day, landscape.camera.eye_m, scene.sky.visual_range_m);
     const Meadow meadow(scene, terrain, view, frame, far_looks(scene, frame, lookup));
@@ -132,7 +159,10 @@ Landscape assemble(const scene::Scene& scene, const Site& site, int frame,
     landscape.light =
         product(landscape.light, veil_of_grass(grass_light, terrain, view, meadow, haze));
   }
-  landscape.sky = site.day.sky_image(sky_width_px);
+  landscape.sky = clouds ? sky_picture(sky, sky_width_px) : site.day.sky_image(sky_width_px);
+  if (clouds)
+    landscape.backdrop = sky_backdrop(sky, landscape.camera, landscape.width_px,
+                                      landscape.height_px, beyond_everything_m(landscape));
   landscape.samples = scene.render.samples;
   landscape.exposure_gain = metered_gain(site.day) * std::exp2(scene.render.exposure);
   landscape.df3_bits = scene.render.df3_bits;

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,15 @@ struct Camera {
   double field_of_view_deg = 0.0;  ///< horizontal; up is +z
 };
 
+/// A picture of radiance on a rectangle far behind everything: what the camera sees of a sky that
+/// needs more pixels than Landscape::sky has. World space, metres.
+struct Backdrop {
+  Image picture;        ///< 3 channels, the upper row first
+  glm::dvec3 corner_m;  ///< lower left
+  glm::dvec3 right_m;   ///< from it to the lower right
+  glm::dvec3 up_m;      ///< and to the upper left
+};
+
 struct Landscape {
   int frame = 1;            ///< from 1
   double weathering = 0.0;  ///< the frame's weathering degree, for people
@@ -71,6 +81,7 @@ struct Landscape {
   Image sky;  ///< radiance by direction, 3 channels: column c looks to azimuth
               ///< 360 (c + 0.5) / width degrees clockwise from north, row r to
               ///< elevation 90 - 180 (r + 0.5) / height degrees
+  std::optional<Backdrop> backdrop;  ///< before the sky; none under a clear one
   Camera camera;
   int width_px = 0;
   int height_px = 0;

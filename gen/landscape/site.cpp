@@ -13,11 +13,14 @@ Site make_site(const scene::Scene& scene) {
   Heightfield terrain = terrain::make_ground(scene.terrain, scene.seed);
   FactorMap growth = growth_map(scene, terrain);
   const light::Daylight day(scene.sun, scene.sky);
-  ColourMap light = terrain::ground_light(terrain, day).together();
+  terrain::GroundLight light = terrain::ground_light(terrain, day);
   ColourMap reflectance =
       terrain::ground_reflectance(terrain, day.sun_direction(), scene.terrain, scene.seed, growth,
                                   canopy_transmittance(scene.grass));
-  return {std::move(terrain), std::move(growth), day, std::move(light), std::move(reflectance)};
+  std::optional<cloud::Clouds> clouds;
+  if (!scene.clouds.empty()) clouds.emplace(scene, cloud::Clouds::usual_pixel_m(scene));
+  return {std::move(terrain), std::move(growth),      day,
+          std::move(light),   std::move(reflectance), std::move(clouds)};
 }
 
 double canopy_transmittance(const scene::Grass& grass) {

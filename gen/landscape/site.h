@@ -1,8 +1,12 @@
 #pragma once
 
+#include <optional>
+
+#include "cloud/clouds.h"
 #include "core/ground_map.h"
 #include "light/daylight.h"
 #include "scene/scene.h"
+#include "terrain/lighting.h"
 
 namespace wold::landscape {
 
@@ -11,11 +15,12 @@ struct Site {
   Heightfield terrain;
   FactorMap growth;  ///< growth_map()'s
   light::Daylight day;
-  ColourMap light;               ///< of sun and sky on the ground, flat open ground is 1
+  terrain::GroundLight light;    ///< under a clear sky
   ColourMap ground_reflectance;  ///< of the bare ground, radiance over irradiance
+  std::optional<cloud::Clouds> clouds;
 };
 
-/// Throws what terrain::make_ground() and growth_map() throw.
+/// Throws what terrain::make_ground(), growth_map() and cloud::Clouds throw.
 Site make_site(const scene::Scene& scene);
 
 /// Share of the daylight that reaches the ground between the blades, (0, 1]: Beer and Lambert with

@@ -160,6 +160,13 @@ glm::vec3 Daylight::mean_sky_radiance(double elevation_rad) const {
                   static_cast<float>(degree - static_cast<double>(low)));
 }
 
+glm::vec3 Daylight::seen_radiance(const glm::dvec3& direction) const {
+  const glm::vec3 radiance = sky_radiance(direction);
+  if (direction.z < 0.0) return radiance;
+  const double from_sun_rad = std::acos(std::clamp(glm::dot(direction, sun_direction_), -1.0, 1.0));
+  return radiance + sun_irradiance_ * static_cast<float>(glare(from_sun_rad));
+}
+
 Image Daylight::sky_image(int width_px) const {
   Image image(width_px, width_px / 2, 3);
   parallel_for(static_cast<std::size_t>(image.height), [&](std::size_t row) {
@@ -167,11 +174,7 @@ Image Daylight::sky_image(int width_px) const {
     const double elevation_rad = pi * (0.5 - (y + 0.5) / image.height);
     for (int x = 0; x < image.width; ++x) {
       const glm::dvec3 to = direction_of(2.0 * pi * (x + 0.5) / image.width, elevation_rad);
-      glm::vec3 radiance = sky_radiance(to);
-      if (to.z >= 0.0) {
-        const double from_sun_rad = std::acos(std::clamp(glm::dot(to, sun_direction_), -1.0, 1.0));
-        radiance += sun_irradiance_ * static_cast<float>(glare(from_sun_rad));
-      }
+      const glm::vec3 radiance = seen_radiance(to);
       for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = radiance[c];
     }
   });

@@ -36,6 +36,10 @@ class Daylight {
   /// that fades into the horizon's haze.
   glm::vec3 sky_radiance(const glm::dvec3& direction) const;
 
+  /// sky_radiance() as a camera sees it: with a soft glow of limited radiance instead of the sun's
+  /// disc, so that no pixel outshines the rest by orders of magnitude.
+  glm::vec3 seen_radiance(const glm::dvec3& direction) const;
+
   /// Radiance of haze in a unit direction where it hides all; where it hides `share`, in [0, 1], of
   /// what is behind, that share of it is seen. Near haze, which hides little, has the light of all
   /// directions, distant haze that of the horizon.
@@ -44,10 +48,9 @@ class Daylight {
   /// Sky radiance averaged over azimuth, elevation in [0, pi/2] radians.
   glm::vec3 mean_sky_radiance(double elevation_rad) const;
 
-  /// The whole sphere as a picture of width x width/2 pixels: column c looks to azimuth
-  /// 360 (c + 0.5) / width degrees clockwise from north, row r to elevation 90 - 180 (r + 0.5) /
-  /// height degrees. The sun is a soft glow of limited radiance instead of its disc, so that no
-  /// pixel outshines the rest by orders of magnitude.
+  /// seen_radiance() of the whole sphere as a picture of width x width/2 pixels: column c looks to
+  /// azimuth 360 (c + 0.5) / width degrees clockwise from north, row r to elevation 90 - 180 (r +
+  /// 0.5) / height degrees.
   Image sky_image(int width_px) const;
 
  private:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <ostream>
 #include <string>
 
@@ -49,6 +50,22 @@ std::string write_grass_maps(const landscape::Landscape& scene, const fs::path& 
                      light_text("Light", "light", product(scene.light, scene.standing));
   if (!scene.blade_meshes.empty()) text += light_text("Blade_light", "blade_light", scene.light);
   return text;
+}
+
+/// Writes the backdrop's picture, if there is one, and where it stands.
+std::string write_backdrop(const std::optional<landscape::Backdrop>& backdrop,
+                           const fs::path& folder) {
+  const fs::path path = folder / "backdrop.exr";
+  if (!backdrop) {
+    fs::remove(path);
+    return {};
+  }
+  write_image(path, backdrop->picture, PixelFormat::half);
+  return fmt::format(
+      "#declare Backdrop_corner_m = {};\n"
+      "#declare Backdrop_right_m = {};\n"
+      "#declare Backdrop_up_m = {};\n",
+      vector(backdrop->corner_m), vector(backdrop->right_m), vector(backdrop->up_m));
 }
 
 std::string frame_text(const landscape::Landscape& scene, const std::string& terrain) {
@@ -109,12 +126,13 @@ void export_frame(const landscape::Landscape& scene, const fs::path& folder) {
   for (const landscape::BladeMesh& mesh : scene.blade_meshes) write_blades(mesh, data / "blades");
   const std::string terrain = write_terrain(scene.terrain, data);
   const std::string maps = write_grass_maps(scene, frame);
+  const std::string backdrop = write_backdrop(scene.backdrop, frame);
   write_map_picture(scene.ground, frame / "ground.exr");
   write_image(frame / "sky.exr", scene.sky, PixelFormat::half);
   write_file(frame / "cells.inc", [&](std::ostream& out) { write_cells(out, scene, used); });
   write_file(frame / "volumes.inc",
              [&](std::ostream& out) { write_volumes_list(out, scene, used); });
-  write_file(frame / "frame.inc", frame_text(scene, terrain) + maps);
+  write_file(frame / "frame.inc", frame_text(scene, terrain) + maps + backdrop);
   write_file(data / fmt::format("frame_{:04}.ini", scene.frame), frame_settings(scene));
   write_file(folder / "povray.ini", settings(scene));
 }

@@ -260,13 +260,38 @@ def set_sky(frame):
     nodes.link(background.outputs["Background"], output.inputs["Surface"])
 
 
+def backdrop_material(frame, picture):
+    material, nodes = new_material("backdrop")
+    image = nodes.add("ShaderNodeTexImage", image=frame.image(picture), extension="EXTEND")
+    emission = nodes.add("ShaderNodeEmission")
+    output = nodes.add("ShaderNodeOutputMaterial")
+    nodes.link(nodes.add("ShaderNodeTexCoord").outputs["UV"], image.inputs["Vector"])
+    nodes.link(image.outputs["Color"], emission.inputs["Color"])
+    nodes.link(emission.outputs["Emission"], output.inputs["Surface"])
+    return material
+
+
+def add_backdrop(frame):
+    """What the camera sees of a sky with clouds: a picture on a rectangle far behind everything."""
+    backdrop = frame["backdrop"]
+    if backdrop is None:
+        return
+    corner, right, up = (Vector(backdrop[key]) for key in ("corner_m", "right_m", "up_m"))
+    corners = (corner, corner + right, corner + right + up, corner + up)
+    points = array.array("f", [number for point in corners for number in point])
+    mesh = quad_mesh("backdrop", points, array.array("i", range(4)))
+    mesh.uv_layers.new().data.foreach_set("uv", (0, 0, 1, 0, 1, 1, 0, 1))
+    mesh.materials.append(backdrop_material(frame, backdrop["file"]))
+    add_object("backdrop", mesh)
+
+
 def set_camera(frame):
     view = frame["camera"]
     lens = bpy.data.cameras.new("camera")
     lens.sensor_fit = "HORIZONTAL"
     lens.angle = math.radians(view["field_of_view_deg"])
     lens.clip_start = 0.01
-    lens.clip_end = 10000.0
+    lens.clip_end = 100000.0
     eye = Vector(view["eye_m"])
     camera = add_object("camera", lens)
     camera.location = eye
@@ -434,6 +459,7 @@ def build(frame, options):
     add_terrain(frame)
     add_grass(frame)
     set_sky(frame)
+    add_backdrop(frame)
     set_camera(frame)
 
 

@@ -56,6 +56,9 @@ camera {
 }
 
 Sky(concat(Frame_folder, "sky.exr"))
+#ifdef (Backdrop_corner_m)
+  Backdrop(concat(Frame_folder, "backdrop.exr"))
+#end
 
 #include concat(Here, "data/", Terrain_file)
 Ground(concat(Frame_folder, "ground.exr"))

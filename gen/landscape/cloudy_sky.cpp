@@ -1,0 +1,190 @@
+#include "landscape/cloudy_sky.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "cloud/scattering.h"
+#include "core/parallel.h"
+
+namespace wold::landscape {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double earth_radius_m = 6.371e6;
+
+/// Height over which haze thins by e (Elterman 1968: aerosol of the lowest kilometres).
+constexpr double haze_height_m = 1200.0;
+
+/// Where a ray from the ground meets a layer `rise_m` above it: the distance along the ray and the
+/// cosine between the ray and the vertical there. The ray goes up at an elevation whose sine is
+/// given.
+struct Crossing {
+  double distance_m;
+  double cosine;
+};
+Crossing crossing(double sine, double rise_m) {
+  const double down_m = earth_radius_m * sine;
+  const double beyond_m2 = rise_m * (2.0 * earth_radius_m + rise_m);
+  // The difference of two large numbers, written so that it keeps its digits.
+  const double distance_m = beyond_m2 / (down_m + std::sqrt(down_m * down_m + beyond_m2));
+  return {distance_m, (down_m + distance_m) / (earth_radius_m + rise_m)};
+}
+
+/// Sunlight scattered once on its way down through a slab: optical depths along the line of sight
+/// and along the sun's rays.
+double scattered_once(double seen, double sunlit) {
+  if (std::abs(seen - sunlit) < 1e-3 * (seen + sunlit)) return seen * std::exp(-seen);
+  return seen * (std::exp(-sunlit) - std::exp(-seen)) / (seen - sunlit);
+}
+
+double rank_at(const cloud::LayerMap& map, const glm::dvec2& place_px) {
+  return map.sample(place_px.x / map.width(), place_px.y / map.height());
+}
+
+/// What a table has for a number of 16 bits.
+template <class Value>
+const Value& looked_up(const std::vector<Value>& table, double number, unsigned per_entry) {
+  const auto entry = static_cast<std::size_t>(number) / per_entry;
+  return table[std::min(entry, table.size() - 1)];
+}
+
+/// The mean of `radiance` over samples x samples places of a pixel.
+template <class Radiance>
+void fill(Image& picture, int samples, const Radiance& radiance) {
+  parallel_for(static_cast<std::size_t>(picture.height), [&](std::size_t row) {
+    const int y = static_cast<int>(row);
+    for (int x = 0; x < picture.width; ++x) {
+      glm::vec3 sum(0.0F);
+      for (int j = 0; j < samples; ++j)
+        for (int i = 0; i < samples; ++i)
+          sum += radiance(glm::dvec2(x + (i + 0.5) / samples, y + (j + 0.5) / samples));
+      sum /= static_cast<float>(samples * samples);
+      std::copy_n(&sum.x, 3, picture.pixel(x, y));
+    }
+  });
+}
+
+}  // namespace
+
+/// A line of sight where it meets a layer.
+struct CloudySky::Meeting {
+  glm::dvec2 place_m;
+  double cosine;
+  double sun_cosine;
+  float clear;         ///< share that haze before it lets through
+  double phase = 0.0;  ///< per steradian, of sunlight scattered into the line of sight
+};
+
+CloudySky::CloudySky(const light::Daylight& day, const cloud::CloudState& clouds,
+                     const glm::dvec3& eye_m, double visual_range_m)
+    : day_(day),
+      eye_m_(eye_m),
+      visual_range_m_(visual_range_m),
+      pixel_m_(clouds.pixel_m),
+      daylight_(day.sun_irradiance() * static_cast<float>(day.sun_direction().z) +
+                day.sky_irradiance()) {
+  for (const cloud::LayerState& state : clouds.layers) {
+    const cloud::Layer& layer = *state.layer;
+    const double rise_m = layer.base_m - eye_m.z;
+    if (layer.is_volume || rise_m <= 0.0) continue;
+    layers_.push_back(
+        {cloud::sheets_of(state, clouds.pixel_m), rise_m,
+         layer.droplets.extinction_per_m * layer.thickness_m / std::max(layer.seen_depth, 1e-6),
+         layer.droplets.asymmetry, glm::vec3(state.moment.light)});
+  }
+}
+
+glm::vec3 CloudySky::radiance(const glm::dvec3& direction) const {
+  return clouded(day_.seen_radiance(direction), direction);
+}
+
+glm::vec3 CloudySky::irradiance() const {
+  constexpr int rings = 24;
+  constexpr int azimuths = 48;
+  glm::dvec3 sum(0.0);
+  for (int r = 0; r < rings; ++r)
+    for (int a = 0; a < azimuths; ++a) {
+      // Rings of equal sin^2: each direction lights level ground alike.
+      const double elevation = std::asin(std::sqrt((r + 0.5) / rings));
+      const glm::dvec3 direction = light::direction_of(2.0 * pi * (a + 0.5) / azimuths, elevation);
+      sum += glm::dvec3(clouded(day_.sky_radiance(direction), direction));
+    }
+  return glm::vec3(sum * (pi / (rings * azimuths)));
+}
+
+/// What is seen of the layers before the clear sky.
+glm::vec3 CloudySky::clouded(glm::vec3 behind, const glm::dvec3& direction) const {
+  if (direction.z <= 0.0) return behind;
+  for (const Layer& layer : layers_) behind = before(behind, layer, direction);
+  return behind;
+}
+
+glm::vec3 CloudySky::before(const glm::vec3& behind, const Layer& layer,
+                            const glm::dvec3& direction) const {
+  const auto [distance_m, cosine] = crossing(direction.z, layer.rise_m);
+  const double in_haze_m =
+      distance_m * -std::expm1(-layer.rise_m / haze_height_m) * haze_height_m / layer.rise_m;
+  const Meeting meeting{
+      glm::dvec2(eye_m_) + glm::dvec2(direction) * distance_m, cosine,
+      std::max(day_.sun_direction().z, 0.05),
+      static_cast<float>(1.0 - light::haze_share(in_haze_m, visual_range_m_)),
+      cloud::henyey_greenstein(layer.asymmetry, glm::dot(direction, day_.sun_direction()))};
+  if (meeting.clear < 1.0F / 512.0F) return behind;
+  glm::vec3 seen = behind;
+  for (const cloud::Sheet& sheet : layer.sheets) seen = before(seen, layer, sheet, meeting);
+  return glm::mix(behind, seen, meeting.clear);
+}
+
+glm::vec3 CloudySky::before(const glm::vec3& behind, const Layer& layer, const cloud::Sheet& sheet,
+                            const Meeting& meeting) const {
+  const glm::dvec2 place_px = meeting.place_m / pixel_m_ - sheet.way_px;
+  const double opacity = double{looked_up(
+      sheet.opacity_by_rank, rank_at(sheet.map->ranks, place_px), cloud::ranks_per_entry)};
+  if (opacity <= 0.0) return behind;
+  const double depth = -std::log1p(-std::min(opacity, 0.999999));
+  const glm::vec3 diffuse(looked_up(sheet.colour_by_light, rank_at(sheet.map->sunlit, place_px),
+                                    cloud::lights_per_entry));
+  const double droplets = depth * layer.droplets_per_seen;
+  const double once =
+      meeting.phase * scattered_once(droplets / meeting.cosine, droplets / meeting.sun_cosine);
+  const float through = std::exp(static_cast<float>(-depth / meeting.cosine));
+  return behind * through + diffuse * daylight_ * ((1.0F - through) / static_cast<float>(pi)) +
+         day_.sun_irradiance() * layer.light_colour * static_cast<float>(once);
+}
+
+Image sky_picture(const CloudySky& sky, int width_px) {
+  constexpr int samples = 2;
+  Image picture(width_px, width_px / 2, 3);
+  fill(picture, samples, [&](const glm::dvec2& at) {
+    return sky.radiance(
+        light::direction_of(2.0 * pi * at.x / picture.width, pi * (0.5 - at.y / picture.height)));
+  });
+  return picture;
+}
+
+Backdrop sky_backdrop(const CloudySky& sky, const Camera& camera, int width_px, int height_px,
+                      double distance_m) {
+  constexpr double margin = 1.06;
+  constexpr int samples = 3;
+  const glm::dvec3 forward = glm::normalize(camera.target_m - camera.eye_m);
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 0, 1)));
+  const double width_m =
+      2.0 * distance_m * margin * std::tan(camera.field_of_view_deg * pi / 360.0);
+  Backdrop backdrop;
+  backdrop.picture = Image(static_cast<int>(std::ceil(width_px * margin)),
+                           static_cast<int>(std::ceil(height_px * margin)), 3);
+  const Image& picture = backdrop.picture;
+  backdrop.right_m = right * width_m;
+  backdrop.up_m = glm::cross(right, forward) * (width_m * picture.height / picture.width);
+  backdrop.corner_m =
+      camera.eye_m + forward * distance_m - (backdrop.right_m + backdrop.up_m) / 2.0;
+  fill(backdrop.picture, samples, [&](const glm::dvec2& at) {
+    const glm::dvec3 place_m = backdrop.corner_m + backdrop.right_m * (at.x / picture.width) +
+                               backdrop.up_m * (1.0 - at.y / picture.height);
+    return sky.radiance(glm::normalize(place_m - camera.eye_m));
+  });
+  return backdrop;
+}
+
+}  // namespace wold::landscape

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "cloud/clouds.h"
+#include "cloud/look.h"
+#include "core/image.h"
+#include "landscape/landscape.h"
+#include "light/daylight.h"
+
+namespace wold::landscape {
+
+/// The sky as one eye sees it: the clear sky behind sheets of cloud, which are curved like the
+/// Earth and sink into the haze with their distance.
+///
+/// A sheet lets through exp(-tau / mu), tau its vertical optical depth and mu the cosine between
+/// line of sight and vertical there. It sends what two-stream diffusion leaves of the daylight
+/// (cloud/sunlit.h), and, where it is thin, sunlight that was scattered once, which makes edges
+/// near the sun shine.
+class CloudySky {
+ public:
+  /// `day` has to outlive it. Layers that are volumes, or not above the eye, are left out.
+  CloudySky(const light::Daylight& day, const cloud::CloudState& clouds, const glm::dvec3& eye_m,
+            double visual_range_m);
+
+  /// Radiance from a unit direction.
+  glm::vec3 radiance(const glm::dvec3& direction) const;
+
+  /// Irradiance by the whole sky, without the sun's disc, on level ground.
+  glm::vec3 irradiance() const;
+
+ private:
+  struct Layer {
+    std::vector<cloud::Sheet> sheets;  ///< the further one first
+    double rise_m;                     ///< of its base over the eye
+    double droplets_per_seen;          ///< optical depth of the droplets over that which is seen
+    double asymmetry;
+    glm::vec3 light_colour;
+  };
+  struct Meeting;
+
+  glm::vec3 clouded(glm::vec3 behind, const glm::dvec3& direction) const;
+  glm::vec3 before(const glm::vec3& behind, const Layer& layer, const glm::dvec3& direction) const;
+  glm::vec3 before(const glm::vec3& behind, const Layer& layer, const cloud::Sheet& sheet,
+                   const Meeting& meeting) const;
+
+  const light::Daylight& day_;
+  glm::dvec3 eye_m_;
+  double visual_range_m_;
+  double pixel_m_;
+  glm::vec3 daylight_;  ///< irradiance of level ground in the open
+  std::vector<Layer> layers_;
+};
+
+/// The whole sphere, as Landscape::sky has it.
+Image sky_picture(const CloudySky& sky, int width_px);
+
+/// What of the sky the camera sees, as sharp as its picture and a little larger: a rectangle that
+/// faces the camera `distance_m` away.
+Backdrop sky_backdrop(const CloudySky& sky, const Camera& camera, int width_px, int height_px,
+                      double distance_m);
+
+}  // namespace wold::landscape
