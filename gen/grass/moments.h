@@ -23,8 +23,6 @@ using Four = float __attribute__((vector_size(16)));
 /// its trace is the area.
 class Moments {
  public:
-  enum Term : std::size_t { xx, yy, xy, xz, yz, normal, albedo = 8, specular = 11 };
-
   /// Nothing when written Moments(); left open where thousands are about to be set.
   Moments() = default;
   /// Those of one square metre.
@@ -35,10 +33,11 @@ class Moments {
   void add(const Moments& per_area, float by_area_m2) {
     for (std::size_t i = 0; i < sum_.size(); ++i) sum_[i] += by_area_m2 * per_area.sum_[i];
   }
-  float operator[](std::size_t term) const { return sum_[term / 4][term % 4]; }
+  /// The sums, in fours as they are kept.
+  const Four& four(std::size_t k) const { return sum_[k]; }
 
  private:
-  std::array<Four, 3> sum_;
+  std::array<Four, 3> sum_;  ///< xx, yy, xy, xz; yz, normal; albedo, specular
 };
 
 /// Writes the means that sums over voxels of these areas stand for into the texel, from `begin` on.

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <numeric>
 
 #include "core/parallel.h"
 #include "grass/texel_builder.h"
@@ -111,7 +110,9 @@ class PointContributions {
   PointContributions(const Points& points, const TexelShape& shape)
       : points_(points), shape_(shape), begin_(static_cast<std::size_t>(shape.height) + 1) {
     std::vector<std::vector<std::uint32_t>> place(parts);
-    parallel_for(parts, [&](std::size_t part) { place[part] = count(part); });
+    std::array<double, parts> part_m2{};
+    parallel_for(parts, [&](std::size_t part) { place[part] = count(part, part_m2[part]); });
+    for (double area_m2 : part_m2) area_m2_ += area_m2;
     counts_to_places(place);
     footprints_ = std::make_unique_for_overwrite<Footprint[]>(begin_.back());
     moments_ = std::make_unique_for_overwrite<Moments[]>(begin_.back());
@@ -132,6 +133,7 @@ class PointContributions {
       each(slice + 1, [&](std::size_t i) { share(i, footprints_[i].below(), visit); });
   }
   const Moments& moments(std::size_t which) const { return moments_[which]; }
+  double area_m2() const { return area_m2_; }
 
  private:
   static constexpr std::size_t parts = 32;
@@ -146,10 +148,13 @@ class PointContributions {
         body(static_cast<std::uint32_t>(p),
              static_cast<std::size_t>(shape_.slice(points_.position_m[p].z * voxels_per_m)));
   }
-  /// How many of a part's points lie in each slice.
-  std::vector<std::uint32_t> count(std::size_t part) const {
+  /// How many of a part's points lie in each slice; adds up their area.
+  std::vector<std::uint32_t> count(std::size_t part, double& area_m2) const {
     std::vector<std::uint32_t> count(static_cast<std::size_t>(shape_.height));
-    each_of_part(part, [&](std::uint32_t, std::size_t slice) { ++count[slice]; });
+    each_of_part(part, [&](std::uint32_t p, std::size_t slice) {
+      ++count[slice];
+      area_m2 += double{points_.area_m2[p]};
+    });
     return count;
   }
   /// From how many points each part has in each slice to where the first of them goes.
@@ -183,6 +188,7 @@ class PointContributions {
 
   const Points& points_;
   TexelShape shape_;
+  double area_m2_ = 0.0;
   std::vector<std::uint32_t> begin_;  ///< first footprint of each slice, and the end
   std::unique_ptr<Footprint[]> footprints_;
   std::unique_ptr<Moments[]> moments_;
@@ -191,8 +197,8 @@ class PointContributions {
 }  // namespace
 
 Texel rasterise_points(const Points& points, const TexelShape& shape) {
-  const double area_m2 = std::accumulate(points.area_m2.begin(), points.area_m2.end(), 0.0);
-  return build_texel(shape, PointContributions(points, shape), area_m2);
+  const PointContributions contributions(points, shape);
+  return build_texel(shape, contributions, contributions.area_m2());
 }
 
 }  // namespace wold::grass

@@ -19,6 +19,7 @@ class SliceAreas {
 
   template <std::size_t Count>
   void add(std::span<const VoxelShare, Count> shares) {
+    empty_ = false;
     for (const VoxelShare& to : shares) {
       area_m2_[to.ground] += to.area_m2;
       touched_[to.ground / stretch] = 1;
@@ -31,6 +32,7 @@ class SliceAreas {
  private:
   static constexpr std::size_t stretch = 16;  // voxels
 
+  bool empty_ = true;
   std::vector<float> area_m2_;
   std::vector<std::uint16_t> touched_;  ///< 1 for stretches that are; bytes could alias all else
   std::vector<VoxelShare> above_;
