@@ -47,7 +47,7 @@ void write_densities(const KeptSlice& slice, int z, double per_area, Texel& texe
 
 /// Gathers bits of grass into a texel. Slices are made independently, each in two passes: areas
 /// first, then, for the voxels that are bright enough to be seen, everything else (write_means()).
-/// A meadow touches four times as many voxels as it fills visibly, and a slice stays in the
+/// A meadow touches nearly twice as many voxels as it fills visibly, and a slice stays in the
 /// processor's cache.
 ///
 /// Voxels too faint to see (visible.h) are left out and their area is given to the others, in
