@@ -7,7 +7,7 @@ namespace wold::grass {
 std::vector<VoxelShare> SliceAreas::take_above(float least_m2) {
   if (empty_) return {};
   empty_ = true;
-  VoxelShare* above = above_.data();
+  VoxelShare* above = above_.get();
   for (std::size_t at = 0; at < touched_.size(); ++at) {
     if (touched_[at] == 0) continue;
     touched_[at] = 0;
@@ -20,7 +20,7 @@ std::vector<VoxelShare> SliceAreas::take_above(float least_m2) {
     }
     std::fill_n(area_m2, stretch, 0.0F);
   }
-  return {above_.data(), above};
+  return {above_.get(), above};
 }
 
 void SliceMoments::start(std::span<const VoxelShare> voxels) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -15,7 +16,7 @@ class SliceAreas {
   explicit SliceAreas(const TexelShape& shape)
       : area_m2_(shape.slice_voxels() + stretch),
         touched_(area_m2_.size() / stretch),
-        above_(area_m2_.size()) {}
+        above_(std::make_unique_for_overwrite<VoxelShare[]>(area_m2_.size())) {}
 
   template <std::size_t Count>
   void add(std::span<const VoxelShare, Count> shares) {
@@ -34,8 +35,8 @@ class SliceAreas {
 
   bool empty_ = true;
   std::vector<float> area_m2_;
-  std::vector<std::uint16_t> touched_;  ///< 1 for stretches that are; bytes could alias all else
-  std::vector<VoxelShare> above_;
+  std::vector<std::uint16_t> touched_;   ///< 1 for stretches that are; bytes could alias all else
+  std::unique_ptr<VoxelShare[]> above_;  ///< room for what take_above() finds
 };
 
 /// Moments summed up over some voxels of a slice; shares of others are left out.

@@ -24,11 +24,11 @@ Texel texel_for(const TexelShape& shape, const std::vector<KeptSlice>& slices) {
   return texel;
 }
 
-void write_densities(const KeptSlice& slice, int z, double per_area, Texel& texel) {
+void write_densities(const KeptSlice& slice, int z, float per_area, Texel& texel) {
   const std::uint32_t first = texel.shape.linear(0, 0, z);
   for (std::size_t i = 0; i < slice.voxels.size(); ++i) {
     texel.voxel[slice.begin + i] = first + slice.voxels[i].ground;
-    texel.density[slice.begin + i] = static_cast<float>(per_area * double{slice.voxels[i].area_m2});
+    texel.density[slice.begin + i] = per_area * slice.voxels[i].area_m2;
   }
 }
 

@@ -43,7 +43,7 @@ double area_m2_of(const std::vector<KeptSlice>& slices);
 Texel texel_for(const TexelShape& shape, const std::vector<KeptSlice>& slices);
 
 /// Writes which voxels a slice has and how dense they are.
-void write_densities(const KeptSlice& slice, int z, double per_area, Texel& texel);
+void write_densities(const KeptSlice& slice, int z, float per_area, Texel& texel);
 
 /// Gathers bits of grass into a texel. Slices are made independently, each in two passes: areas
 /// first, then, for the voxels that are bright enough to be seen, everything else (write_means()).
@@ -60,7 +60,7 @@ template <class Contributions>
 Texel build_texel(const TexelShape& shape, const Contributions& contributions, double area_m2) {
   auto slices = voxels_above(shape, contributions, faintest_density(shape));
   if (area_m2_of(slices) == 0.0) slices = voxels_above(shape, contributions, 0.0F);
-  const double per_area = area_m2 / area_m2_of(slices) / shape.voxel_volume_m3();
+  const auto per_area = static_cast<float>(area_m2 / area_m2_of(slices) / shape.voxel_volume_m3());
   Texel texel = texel_for(shape, slices);
   const auto room = [&] { return SliceMoments(shape); };
   parallel_for_in_rooms(slices.size(), room, [&](std::size_t z, SliceMoments& moments) {
