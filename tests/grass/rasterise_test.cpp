@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/parallel.h"
 #include "grass/texel_builder.h"
 #include "small_meadow.h"
 
@@ -71,6 +72,21 @@ TEST(Rasterise, ConstantFieldStaysConstant) {
     EXPECT_GT(glm::dot(texel.normal[i], points.normal[0]), 1.0F - 1e-6F);
   }
   EXPECT_TRUE(std::is_sorted(texel.voxel.begin(), texel.voxel.end()));
+}
+
+TEST(Rasterise, IsTheSameForAnyNumberOfThreads) {
+  std::vector<glm::vec3> places;
+  for (int i = 0; i < 3000; ++i)
+    places.emplace_back(0.0007F * static_cast<float>(i * 13 % 151),
+                        0.0011F * static_cast<float>(i * i % 97),
+                        0.0005F * static_cast<float>(i * 7 % 163));
+  const Points points = loose_points(places);
+  const Texel many = rasterise_points(points, shape);
+  const ThreadLimit limit(1);
+  const Texel one = rasterise_points(points, shape);
+  EXPECT_EQ(many.voxel, one.voxel);
+  EXPECT_EQ(many.density, one.density);
+  EXPECT_EQ(many.tangent, one.tangent);
 }
 
 /// A bit of grass.
