@@ -4,6 +4,10 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <mutex>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace wold {
 
@@ -19,6 +23,30 @@ void parallel_for_blocks(std::size_t count, const Body& body) {
   parallel_for((count + block - 1) / block, [&](std::size_t b) {
     const std::size_t end = std::min(count, (b + 1) * block);
     for (std::size_t i = b * block; i < end; ++i) body(i);
+  });
+}
+
+/// parallel_for() for bodies that need room to work in: body(i, room), where make() gives a room.
+/// There are no more rooms than threads; bodies use them in turn and have to leave them as they
+/// were.
+template <class Make, class Body>
+void parallel_for_in_rooms(std::size_t count, const Make& make, const Body& body) {
+  using Room = std::invoke_result_t<Make>;
+  std::mutex mutex;
+  std::vector<std::unique_ptr<Room>> free;
+  const auto enter = [&]() -> std::unique_ptr<Room> {
+    const std::lock_guard lock(mutex);
+    if (free.empty()) return nullptr;
+    auto room = std::move(free.back());
+    free.pop_back();
+    return room;
+  };
+  parallel_for(count, [&](std::size_t i) {
+    auto room = enter();
+    if (!room) room = std::make_unique<Room>(make());
+    body(i, *room);
+    const std::lock_guard lock(mutex);
+    free.push_back(std::move(room));
   });
 }
 

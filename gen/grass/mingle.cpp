@@ -11,7 +11,7 @@ namespace wold::grass {
 namespace {
 
 /// The voxels of all samples, each of which stays where it is.
-class SampleContributions : public Contributions {
+class SampleContributions {
  public:
   explicit SampleContributions(std::span<const Texel> samples) : samples_(samples) {
     std::size_t voxels = 0;
@@ -21,7 +21,8 @@ class SampleContributions : public Contributions {
     }
   }
 
-  void each_in_slice(int z, const Visit& visit) const override {
+  template <class Visit>
+  void each_in_slice(int z, const Visit& visit) const {
     for (std::size_t k = 0; k < samples_.size(); ++k) {
       const Texel& sample = samples_[k];
       const std::uint32_t begin = sample.shape.linear(0, 0, z);
@@ -30,33 +31,22 @@ class SampleContributions : public Contributions {
       auto i = static_cast<std::size_t>(std::lower_bound(voxel.begin(), voxel.end(), begin) -
                                         voxel.begin());
       for (; i < voxel.size() && voxel[i] < end; ++i) {
-        const VoxelShare whole{voxel[i] - begin, 1.0F};
-        visit(first_[k] + i, {&whole, 1});
+        const VoxelShare whole{voxel[i] - begin, area_m2(sample, i)};
+        visit(first_[k] + i, std::span<const VoxelShare, 1>(&whole, 1));
       }
     }
   }
 
-  float area_m2(std::size_t which) const override {
-    const auto [sample, voxel] = find(which);
-    return area_m2(*sample, voxel);
-  }
-
-  Contribution contribution(std::size_t which) const override {
-    const auto [sample, voxel] = find(which);
-    return {area_m2(*sample, voxel), sample->tangent[voxel], sample->normal[voxel],
-            sample->albedo[voxel], sample->specular[voxel]};
+  Moments moments(std::size_t which) const {
+    const auto after = std::upper_bound(first_.begin(), first_.end(), which);
+    const auto k = static_cast<std::size_t>(after - first_.begin()) - 1;
+    const Texel& sample = samples_[k];
+    const std::size_t voxel = which - first_[k];
+    return {sample.tangent[voxel], sample.normal[voxel], sample.albedo[voxel],
+            sample.specular[voxel]};
   }
 
  private:
-  struct Place {
-    const Texel* sample;
-    std::size_t voxel;
-  };
-  Place find(std::size_t which) const {
-    const auto after = std::upper_bound(first_.begin(), first_.end(), which);
-    const auto sample = static_cast<std::size_t>(after - first_.begin()) - 1;
-    return {&samples_[sample], which - first_[sample]};
-  }
   static float area_m2(const Texel& sample, std::size_t voxel) {
     return static_cast<float>(double{sample.density[voxel]} * sample.shape.voxel_volume_m3());
   }

@@ -1,129 +1,111 @@
 #include "grass/rasterise.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <numeric>
+#include <memory>
 
 #include "core/parallel.h"
+#include "grass/footprint.h"
 #include "grass/texel_builder.h"
 
 namespace wold::grass {
 namespace {
 
-constexpr float sigma_voxels = 0.6F;
-
-/// exp(-d^2 / (2 sigma^2)) for the voxel `middle`, which `place` lies in, and its two neighbours.
-std::array<float, 3> gaussian(float place, int middle) {
-  std::array<float, 3> weight;
-  for (int i = 0; i < 3; ++i) {
-    const float apart = place - (static_cast<float>(middle + i - 1) + 0.5F);
-    weight[static_cast<std::size_t>(i)] =
-        std::exp(apart * apart * (-0.5F / (sigma_voxels * sigma_voxels)));
-  }
-  return weight;
-}
-
-float sum(const std::array<float, 3>& weight) { return weight[0] + weight[1] + weight[2]; }
-
-/// What both neighbours get.
-float outer(const std::array<float, 3>& weight) { return weight[0] + weight[2]; }
-
-/// The 3^3 voxels around a point but for the eight corners: a Gaussian in space is the product of
-/// one for each axis.
-struct Footprint {
-  std::uint32_t point;
-  std::array<std::uint32_t, 3> column;  ///< x of the voxels
-  std::array<std::uint32_t, 3> line;    ///< place of their rows in the slice
-  std::array<float, 3> x, y, z;         ///< weights; without the corners they sum to one
-
-  /// The shares of the slice `up` (0 to 2) of the three.
-  std::size_t shares(std::size_t up, std::array<VoxelShare, 9>& result) const {
-    std::size_t count = 0;
-    for (std::size_t j = 0; j < 3; ++j)
-      for (std::size_t i = 0; i < 3; ++i)
-        if (up == 1 || i == 1 || j == 1)
-          result[count++] = {line[j] + column[i], z[up] * y[j] * x[i]};
-    return count;
-  }
-};
-
-Footprint footprint(const glm::vec3& position_m, const TexelShape& shape) {
-  const glm::vec3 place = position_m * static_cast<float>(1.0 / shape.voxel_m);
-  const glm::ivec2 middle(glm::floor(glm::vec2(place)));
-  const int slice = shape.slice(place.z);
-  Footprint result;
-  for (int i = 0; i < 3; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    result.column[at] = static_cast<std::uint32_t>(shape.wrapped(middle.x + i - 1));
-    result.line[at] = shape.linear(0, shape.wrapped(middle.y + i - 1), 0);
-  }
-  result.x = gaussian(place.x, middle.x);
-  result.y = gaussian(place.y, middle.y);
-  result.z = gaussian(std::clamp(place.z, 0.0F, static_cast<float>(shape.height)), slice);
-  if (slice == 0) result.z[0] = 0.0F;
-  if (slice + 1 == shape.height) result.z[2] = 0.0F;
-  const float corners = outer(result.x) * outer(result.y) * outer(result.z);
-  const float whole = sum(result.x) * sum(result.y) * sum(result.z) - corners;
-  for (float& weight : result.z) weight /= whole;
-  return result;
-}
-
-/// The points of a texel, ordered by the slice they lie in.
-class PointContributions : public Contributions {
+/// The points of a texel in the order of the slices they lie in, and by their number within a
+/// slice. They are counted and sorted part by part, each of them points that follow one another.
+class PointContributions {
  public:
   PointContributions(const Points& points, const TexelShape& shape)
-      : points_(points), begin_(static_cast<std::size_t>(shape.height) + 1, 0) {
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (points.area_m2[i] > 0.0F) ++begin_[slice(i, shape) + 1];
-    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    std::vector<std::size_t> next = begin_;
+      : points_(points), shape_(shape), begin_(static_cast<std::size_t>(shape.height) + 1) {
+    std::vector<std::vector<std::uint32_t>> place(parts);
+    std::array<double, parts> part_m2{};
+    parallel_for(parts, [&](std::size_t part) { place[part] = count(part, part_m2[part]); });
+    for (double area_m2 : part_m2) area_m2_ += area_m2;
+    counts_to_places(place);
+    footprints_ = std::make_unique_for_overwrite<Footprint[]>(begin_.back());
+    moments_ = std::make_unique_for_overwrite<Moments[]>(begin_.back());
     std::vector<std::uint32_t> order(begin_.back());
-    for (std::uint32_t i = 0; i < points.size(); ++i)
-      if (points.area_m2[i] > 0.0F) order[next[slice(i, shape)]++] = i;
-    footprints_.resize(order.size());
-    parallel_for_blocks(order.size(), [&](std::size_t i) {
-      footprints_[i] = footprint(points.position_m[order[i]], shape);
-      footprints_[i].point = order[i];
+    parallel_for(parts, [&](std::size_t part) {
+      each_of_part(part,
+                   [&](std::uint32_t p, std::size_t slice) { order[place[part][slice]++] = p; });
     });
+    parallel_for_blocks(order.size(), [&](std::size_t i) { put(order[i], i); });
   }
 
-  void each_in_slice(int z, const Visit& visit) const override {
-    std::array<VoxelShare, 9> shares;
-    const int slices = static_cast<int>(begin_.size()) - 1;
-    for (int own = std::max(z - 1, 0); own < std::min(z + 2, slices); ++own) {
-      const auto begin = begin_[static_cast<std::size_t>(own)];
-      const auto end = begin_[static_cast<std::size_t>(own) + 1];
-      for (std::size_t at = begin; at < end; ++at) {
-        const Footprint& around = footprints_[at];
-        const std::size_t count = around.shares(static_cast<std::size_t>(z - own + 1), shares);
-        visit(around.point, {shares.data(), count});
-      }
-    }
+  template <class Visit>
+  void each_in_slice(int z, const Visit& visit) const {
+    const auto slice = static_cast<std::size_t>(z);
+    if (z > 0) each(slice - 1, [&](std::size_t i) { share(i, footprints_[i].above(), visit); });
+    each(slice, [&](std::size_t i) { share(i, footprints_[i].own(), visit); });
+    if (slice + 2 < begin_.size())
+      each(slice + 1, [&](std::size_t i) { share(i, footprints_[i].below(), visit); });
   }
-  float area_m2(std::size_t which) const override { return points_.area_m2[which]; }
-  Contribution contribution(std::size_t which) const override {
-    return {points_.area_m2[which], points_.tangent[which], points_.normal[which],
-            points_.albedo[which], points_.specular[which]};
-  }
+  const Moments& moments(std::size_t which) const { return moments_[which]; }
+  double area_m2() const { return area_m2_; }
 
  private:
-  std::size_t slice(std::size_t point, const TexelShape& shape) const {
-    return static_cast<std::size_t>(
-        shape.slice(points_.position_m[point].z * static_cast<float>(1.0 / shape.voxel_m)));
+  static constexpr std::size_t parts = 32;
+
+  /// Calls body(point, its slice) for every point of a part that has area.
+  template <class Body>
+  void each_of_part(std::size_t part, const Body& body) const {
+    const auto voxels_per_m = static_cast<float>(1.0 / shape_.voxel_m);
+    const std::size_t end = points_.size() * (part + 1) / parts;
+    for (std::size_t p = points_.size() * part / parts; p < end; ++p)
+      if (points_.area_m2[p] > 0.0F)
+        body(static_cast<std::uint32_t>(p),
+             static_cast<std::size_t>(shape_.slice(points_.position_m[p].z * voxels_per_m)));
+  }
+  /// How many of a part's points lie in each slice; adds up their area.
+  std::vector<std::uint32_t> count(std::size_t part, double& area_m2) const {
+    std::vector<std::uint32_t> count(static_cast<std::size_t>(shape_.height));
+    each_of_part(part, [&](std::uint32_t p, std::size_t slice) {
+      ++count[slice];
+      area_m2 += double{points_.area_m2[p]};
+    });
+    return count;
+  }
+  /// From how many points each part has in each slice to where the first of them goes.
+  void counts_to_places(std::vector<std::vector<std::uint32_t>>& place) {
+    std::uint32_t next = 0;
+    for (std::size_t slice = 0; slice + 1 < begin_.size(); ++slice) {
+      for (auto& of_part : place) {
+        const std::uint32_t count = of_part[slice];
+        of_part[slice] = next;
+        next += count;
+      }
+      begin_[slice + 1] = next;
+    }
+  }
+  /// Made in their place: a copy would wait for what has just been written.
+  void put(std::uint32_t p, std::size_t i) {
+    std::construct_at(&footprints_[i], points_.position_m[p], points_.area_m2[p], shape_);
+    std::construct_at(&moments_[i], points_.tangent[p], points_.normal[p], points_.albedo[p],
+                      points_.specular[p]);
+  }
+
+  template <class Body>
+  void each(std::size_t slice, const Body& body) const {
+    for (std::size_t i = begin_[slice]; i < begin_[slice + 1]; ++i) body(i);
+  }
+  template <std::size_t Count, class Visit>
+  static void share(std::size_t which, const std::array<VoxelShare, Count>& shares,
+                    const Visit& visit) {
+    visit(which, std::span<const VoxelShare, Count>(shares));
   }
 
   const Points& points_;
-  std::vector<std::size_t> begin_;  ///< first footprint of each slice, and the end
-  std::vector<Footprint> footprints_;
+  TexelShape shape_;
+  double area_m2_ = 0.0;
+  std::vector<std::uint32_t> begin_;  ///< first footprint of each slice, and the end
+  std::unique_ptr<Footprint[]> footprints_;
+  std::unique_ptr<Moments[]> moments_;
 };
 
 }  // namespace
 
 Texel rasterise_points(const Points& points, const TexelShape& shape) {
-  double area_m2 = 0.0;
-  for (float area : points.area_m2) area_m2 += double{area};
-  return build_texel(shape, PointContributions(points, shape), area_m2);
+  const PointContributions contributions(points, shape);
+  return build_texel(shape, contributions, contributions.area_m2());
 }
 
 }  // namespace wold::grass

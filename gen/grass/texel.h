@@ -33,6 +33,7 @@ struct TexelShape {
   int slice(float z_voxels) const { return std::clamp(static_cast<int>(z_voxels), 0, height - 1); }
   /// A coordinate beyond the tile's border, brought back.
   int wrapped(int i) const {
+    if (i >= 0 && i < side) return i;
     const int rest = i % side;
     return rest < 0 ? rest + side : rest;
   }

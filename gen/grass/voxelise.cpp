@@ -73,7 +73,7 @@ std::vector<BladeVoxel> gathered(std::vector<Speck>& specks) {
 }
 
 /// The voxels of straight blades, ordered by slice.
-class BladeContributions : public Contributions {
+class BladeContributions {
  public:
   BladeContributions(const std::vector<Blade>& blades, const TexelShape& shape, glm::vec3 albedo,
                      float specular)
@@ -81,31 +81,30 @@ class BladeContributions : public Contributions {
     for (const Blade& blade : blades)
       for (const BladeVoxel& voxel : voxelise_blade(blade, shape)) {
         if (voxel.voxel.z >= shape.height) continue;
-        slices_[static_cast<std::size_t>(voxel.voxel.z)].push_back(all_.size());
-        all_.push_back({voxel.area_m2, AxisFrame(blade).along, voxel.normal, albedo, specular});
-        ground_.push_back(
-            shape.linear(shape.wrapped(voxel.voxel.x), shape.wrapped(voxel.voxel.y), 0));
+        slices_[static_cast<std::size_t>(voxel.voxel.z)].push_back(shares_.size());
+        shares_.push_back(
+            {shape.linear(shape.wrapped(voxel.voxel.x), shape.wrapped(voxel.voxel.y), 0),
+             voxel.area_m2});
+        moments_.emplace_back(AxisFrame(blade).along, voxel.normal, albedo, specular);
       }
   }
   double area_m2() const {
     double sum = 0.0;
-    for (const Contribution& one : all_) sum += double{one.area_m2};
+    for (const VoxelShare& share : shares_) sum += double{share.area_m2};
     return sum;
   }
 
-  void each_in_slice(int z, const Visit& visit) const override {
-    for (std::size_t which : slices_[static_cast<std::size_t>(z)]) {
-      const VoxelShare all{ground_[which], 1.0F};
-      visit(which, {&all, 1});
-    }
+  template <class Visit>
+  void each_in_slice(int z, const Visit& visit) const {
+    for (std::size_t which : slices_[static_cast<std::size_t>(z)])
+      visit(which, std::span<const VoxelShare, 1>(&shares_[which], 1));
   }
-  float area_m2(std::size_t which) const override { return all_[which].area_m2; }
-  Contribution contribution(std::size_t which) const override { return all_[which]; }
+  const Moments& moments(std::size_t which) const { return moments_[which]; }
 
  private:
   std::vector<std::vector<std::size_t>> slices_;
-  std::vector<Contribution> all_;
-  std::vector<std::uint32_t> ground_;
+  std::vector<VoxelShare> shares_;
+  std::vector<Moments> moments_;
 };
 
 }  // namespace

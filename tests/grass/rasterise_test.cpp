@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/parallel.h"
 #include "grass/texel_builder.h"
 #include "small_meadow.h"
 
@@ -73,24 +74,51 @@ TEST(Rasterise, ConstantFieldStaysConstant) {
   EXPECT_TRUE(std::is_sorted(texel.voxel.begin(), texel.voxel.end()));
 }
 
-/// Everything in the one voxel of a texel.
-class OneVoxel : public Contributions {
- public:
-  explicit OneVoxel(const std::vector<Contribution>& all) : all_(all) {}
-  void each_in_slice(int, const Visit& visit) const override {
-    const VoxelShare whole{0, 1.0F};
-    for (std::size_t i = 0; i < all_.size(); ++i) visit(i, {&whole, 1});
-  }
-  float area_m2(std::size_t which) const override { return all_[which].area_m2; }
-  Contribution contribution(std::size_t which) const override { return all_[which]; }
+TEST(Rasterise, IsTheSameForAnyNumberOfThreads) {
+  std::vector<glm::vec3> places;
+  for (int i = 0; i < 3000; ++i)
+    places.emplace_back(0.0007F * static_cast<float>(i * 13 % 151),
+                        0.0011F * static_cast<float>(i * i % 97),
+                        0.0005F * static_cast<float>(i * 7 % 163));
+  const Points points = loose_points(places);
+  const Texel many = rasterise_points(points, shape);
+  const ThreadLimit limit(1);
+  const Texel one = rasterise_points(points, shape);
+  EXPECT_EQ(many.voxel, one.voxel);
+  EXPECT_EQ(many.density, one.density);
+  EXPECT_EQ(many.tangent, one.tangent);
+}
 
- private:
-  const std::vector<Contribution>& all_;
+/// A bit of grass.
+struct Bit {
+  float area_m2;
+  glm::vec3 tangent, normal, albedo;
+  float specular;
 };
 
-Texel mixed_in_one_voxel(const std::vector<Contribution>& all) {
+/// Everything in the one voxel of a texel.
+class OneVoxel {
+ public:
+  explicit OneVoxel(const std::vector<Bit>& all) : all_(all) {}
+  template <class Visit>
+  void each_in_slice(int, const Visit& visit) const {
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      const VoxelShare whole{0, all_[i].area_m2};
+      visit(i, std::span<const VoxelShare, 1>(&whole, 1));
+    }
+  }
+  Moments moments(std::size_t which) const {
+    const Bit& bit = all_[which];
+    return {bit.tangent, bit.normal, bit.albedo, bit.specular};
+  }
+
+ private:
+  const std::vector<Bit>& all_;
+};
+
+Texel mixed_in_one_voxel(const std::vector<Bit>& all) {
   double area_m2 = 0.0;
-  for (const Contribution& one : all) area_m2 += double{one.area_m2};
+  for (const Bit& one : all) area_m2 += double{one.area_m2};
   return build_texel({1, 1, 1.0}, OneVoxel(all), area_m2);
 }
 
