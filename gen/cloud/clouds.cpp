@@ -34,9 +34,10 @@ glm::ivec2 period_px_of(const glm::ivec2& cells, double cell_m, double pixel_m, 
   return glm::max(glm::ivec2(glm::round(period)), glm::ivec2(2));
 }
 
-Layer layer_of(const scene::CloudLayer& described, const Recipe& recipe, const TextureSet& textures,
-               const glm::ivec2& period_px, double pixel_m) {
+Layer layer_of(std::uint64_t key, const scene::CloudLayer& described, const Recipe& recipe,
+               const TextureSet& textures, const glm::ivec2& period_px, double pixel_m) {
   Layer layer;
+  layer.key = key;
   layer.base_m = described.base_m.value_or(recipe.base_m);
   layer.thickness_m = described.thickness_m.value_or(recipe.thickness_m);
   layer.period_px = period_px;
@@ -138,8 +139,8 @@ Clouds::Clouds(const scene::Scene& scene, double pixel_m)
     const glm::ivec2 period_px = period_px_of(cells, cell_m, pixel_m, i);
     const int side_px = std::clamp(period_px.x / cells.x, 1, finest_cell_px);
     TextureSet textures = textures_of(described, recipe, side_px, key);
-    auto layer =
-        std::make_shared<const Layer>(layer_of(described, recipe, textures, period_px, pixel_m));
+    auto layer = std::make_shared<const Layer>(
+        layer_of(key, described, recipe, textures, period_px, pixel_m));
     films_.push_back(std::shared_ptr<Film>(new Film{layer,
                                                     std::move(textures),
                                                     cells,

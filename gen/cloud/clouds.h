@@ -17,6 +17,7 @@ namespace wold::cloud {
 
 /// What stays the same in a layer.
 struct Layer {
+  std::uint64_t key = 0;  ///< of its randomness
   Droplets droplets;
   double base_m = 0.0;       ///< above the terrain's zero
   double thickness_m = 0.0;  ///< of the thickest clouds

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "cloud/billow_box.h"
 #include "cloud/optical_sweep.h"
 #include "cloud/scattering.h"
 #include "core/parallel.h"
+#include "core/random.h"
 
 namespace wold::cloud {
 namespace {
@@ -21,20 +23,52 @@ double column_profile(double t) {
   return std::min(1.0, t / soft_base) * std::sqrt(1.0 - t);
 }
 
-/// Fills a column so that its optical depth is `depth`; what is lower than a voxel is in the first.
-void fill_column(const CloudVolume& volume, double depth, double top_m, float* lowest,
-                 std::size_t stride) {
+/// Round heads in a layer, that drift with it and repeat with its period.
+class LayerBillows {
+ public:
+  explicit LayerBillows(const LayerState& state) : box_(state.layer->key) {
+    // Heads of a quarter of the thickness, as many as make the period whole.
+    const double wanted_m = 0.25 * BillowBox::heads * state.layer->thickness_m;
+    const glm::dvec2 boxes = glm::max(glm::round(state.layer->period_m / wanted_m), 1.0);
+    per_m_ = glm::dvec3(boxes / state.layer->period_m, 1.0 / wanted_m);
+    origin_m_ = glm::dvec3(state.moment.way_m, state.layer->base_m);
+  }
+  double at(const glm::dvec3& place_m) const {
+    return static_cast<double>(box_.at(glm::vec3((place_m - origin_m_) * per_m_)));
+  }
+
+ private:
+  BillowBox box_;
+  glm::dvec3 per_m_, origin_m_;
+};
+
+/// What is left of a column's extinction between the heads; nothing is lost at the flat base.
+double eroded(double profile, double t, double billow) {
+  constexpr double depth = 0.9;
+  const double bites = std::clamp((t - 0.05) / 0.3, 0.0, 1.0);
+  return std::max(0.0, profile - depth * bites * (1.0 - billow));
+}
+
+/// Fills a column from its lowest voxel's centre up so that its optical depth is `depth`; what is
+/// lower than a voxel is in the first.
+void fill_column(const CloudVolume& volume, const LayerBillows& billows, double depth, double top_m,
+                 glm::dvec3 centre_m, float* lowest, std::size_t stride) {
   const double step_m = volume.box.voxel_m.z;
+  const int voxels = std::min(volume.box.voxels.z, static_cast<int>(std::ceil(top_m / step_m)));
   double sum = 0.0;
-  for (int z = 0; z < volume.box.voxels.z; ++z) sum += column_profile((z + 0.5) * step_m / top_m);
+  for (int z = 0; z < voxels; ++z, centre_m.z += step_m) {
+    const double t = (z + 0.5) * step_m / top_m;
+    const double profile = column_profile(t);
+    const double left = profile > 0.0 ? eroded(profile, t, billows.at(centre_m)) : 0.0;
+    lowest[static_cast<std::size_t>(z) * stride] = static_cast<float>(left);
+    sum += left;
+  }
   if (sum <= 0.0) {
     *lowest = static_cast<float>(depth / step_m);
     return;
   }
-  const double scale = depth / (sum * step_m);
-  for (int z = 0; z < volume.box.voxels.z; ++z)
-    lowest[static_cast<std::size_t>(z) * stride] =
-        static_cast<float>(scale * column_profile((z + 0.5) * step_m / top_m));
+  const auto scale = static_cast<float>(depth / (sum * step_m));
+  for (int z = 0; z < voxels; ++z) lowest[static_cast<std::size_t>(z) * stride] *= scale;
 }
 
 bool is_period(const LayerState& state, const glm::dvec2& side_m) {
@@ -91,13 +125,14 @@ CloudVolume lifted(const LayerState& state, double pixel_m, const glm::dvec2& so
     volume.droplets_per_seen =
         std::max(1.0, layer.droplets.extinction_per_m * layer.thickness_m / layer.seen_depth);
   volume.extinction_per_m.resize(volume.box.count());
+  const LayerBillows billows(state);
   const auto plane = static_cast<std::size_t>(voxels.x) * static_cast<std::size_t>(voxels.y);
   parallel_for(static_cast<std::size_t>(voxels.y), [&](std::size_t y) {
     for (int x = 0; x < voxels.x; ++x) {
       const glm::dvec3 place = centre_m(volume.box, x, static_cast<int>(y), 0);
       const double depth = optical_depth_at(state, pixel_m, place);
       if (depth <= 0.0) continue;
-      fill_column(volume, depth, top_m(layer, depth / layer.seen_depth),
+      fill_column(volume, billows, depth, top_m(layer, depth / layer.seen_depth), place,
                   &volume.extinction_per_m[y * static_cast<std::size_t>(voxels.x) +
                                            static_cast<std::size_t>(x)],
                   plane);
