@@ -202,11 +202,11 @@ double optical_depth_at(const LayerState& state, double pixel_m, const glm::dvec
   const double amount = moment.amount_is_alpha ? 1.0 : moment.amount;
   const auto depth_of = [&](const ShapeMaps& map, double share) {
     const double depth = optical_depth_of_rank(*state.layer, rank_at(map.ranks, place_px), amount);
-    return fade(depth, share, moment.shapes_by_alpha);
+    const double faded = fade(depth, share, moment.shapes_by_alpha);
+    return moment.amount_is_alpha ? fade(faded, moment.amount, true) : faded;
   };
-  double depth = depth_of(*state.map, 1.0 - moment.next_share);
-  if (state.next_map) depth += depth_of(*state.next_map, moment.next_share);
-  return moment.amount_is_alpha ? fade(depth, moment.amount, true) : depth;
+  const double depth = depth_of(*state.map, 1.0 - moment.next_share);
+  return state.next_map ? depth + depth_of(*state.next_map, moment.next_share) : depth;
 }
 
 }  // namespace wold::cloud

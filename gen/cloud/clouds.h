@@ -10,9 +10,9 @@
 #include "scene/scene.h"
 
 /// The clouds of a scene: what they are at any frame. A caller makes `Clouds` once, asks it for the
-/// `CloudState` of a frame, and has that composed into one picture (compose.h), or takes each
-/// layer's sheet (sheet.h), shadow (shadow.h) or volume (volume.h). World space: metres, x east, y
-/// north, z up; colours are linear.
+/// `CloudState` of a frame, and has that composed into one picture of the sky or takes each layer's
+/// picture (compose.h), the shadow on the ground (shadow.h), or a volume with its light (volume.h).
+/// World space: metres, x east, y north, z up; colours are linear.
 namespace wold::cloud {
 
 /// What stays the same in a layer.

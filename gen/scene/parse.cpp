@@ -87,7 +87,7 @@ std::string unknown_key_message(const Entry& entry, const Reading& reading) {
     return fmt::format("unknown key {}{}", in_quotes(entry.name),
                        suggestion(nearest_of(entry.name, keys)));
   if (const TableArray* array = find_array(array_of(table_of(entry.name))))
-    return fmt::format("{}: there is no such {}, the scene has {} of them, {} is the first",
+    return fmt::format("{}: there is no such {}; the scene has {} of them, counted from {}",
                        shown(entry.name), array->item, array->count(reading.scene),
                        item_name(array->name, 0));
   if (is_table(entry.name))

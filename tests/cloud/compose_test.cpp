@@ -185,6 +185,22 @@ TEST(Clouds, RefuseMoreThanTheyCanHold) {
   EXPECT_EQ(Clouds::usual_pixel_m(scene), 3200.0 / 512);
 }
 
+TEST(Clouds, OfAnyScalesLieOverEachOther) {
+  scene::Scene scene = one_layer();
+  scene.clouds[0].cell_m = 10.0;  // far smaller than a pixel
+  scene.clouds.push_back(scene.clouds[0]);
+  scene.clouds[1].cell_m = 100000.0;
+  scene.clouds[1].cells = {1, 64};
+  scene.cloud_events = {{.kind = "faster", .start_s = 5, .duration_s = 0.001, .factor = 100}};
+  const double usual_m = Clouds::usual_pixel_m(scene);
+  EXPECT_NEAR(usual_m, 64 * 100000.0 / 4096.0, 1e-9);
+  const Clouds clouds(scene, 4.0 * usual_m);
+  for (const double time_s : {0.0, 5.0005, 1e9}) {
+    const Image image = composed(clouds.at(time_s), window);
+    for (const float value : image.values) EXPECT_TRUE(value >= 0.0F && value <= 1.0F);
+  }
+}
+
 TEST(Clouds, AClearSkyComposesToNothing) {
   const Image image = composed(Clouds(scene::Scene{}, pixel_m).at(0.0), window);
   EXPECT_EQ(image.values, std::vector<float>(image.values.size(), 0.0F));

@@ -94,10 +94,10 @@ TEST(CloudScene, OverridesReachEveryItem) {
   EXPECT_EQ(scene.clouds[0].base_m, std::nullopt);
   EXPECT_EQ(scene.clouds[1].cover, 0.75);
   expect_problem("[[clouds]]\n",
-                 "--set clouds[2].cover=1: clouds[2].cover: there is no such layer of clouds, the "
-                 "scene has 1 of them, clouds[1] is the first",
+                 "--set clouds[2].cover=1: clouds[2].cover: there is no such layer of clouds; the "
+                 "scene has 1 of them, counted from clouds[1]",
                  {"clouds[2].cover=1"});
-  expect_problem("", "--set clouds.cover=1: clouds.cover: there is no such layer of clouds, the",
+  expect_problem("", "--set clouds.cover=1: clouds.cover: there is no such layer of clouds; the",
                  {"clouds.cover=1"});
 }
 
