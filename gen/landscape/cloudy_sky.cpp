@@ -16,6 +16,13 @@ constexpr double earth_radius_m = 6.371e6;
 /// Height over which haze thins by e (Elterman 1968: aerosol of the lowest kilometres).
 constexpr double haze_height_m = 1200.0;
 
+/// What an eye makes out: half a pixel of a picture 1000 pixels and 60 degrees wide.
+constexpr double finest_angle_rad = 5e-4;
+
+/// Logarithm of how much deeper a cloud is where its field is higher by 1. Only fine detail is
+/// shaded by this, and gently: light has been scattered too often to show more.
+constexpr double shade_per_field = 1.0;
+
 /// Where a ray from the ground meets a layer `rise_m` above it: the distance along the ray and the
 /// cosine between the ray and the vertical there. The ray goes up at an elevation whose sine is
 /// given.
@@ -49,6 +56,13 @@ const Value& looked_up(const std::vector<Value>& table, double number, unsigned 
   return table[std::min(entry, table.size() - 1)];
 }
 
+/// The light of a place, in 65536ths, where detail makes the cloud deeper or less so.
+double shaded(double light, double detail) {
+  return std::min(
+      65535.0 * cloud::brightness_of_less(light / 65535.0, std::exp(shade_per_field * detail)),
+      65535.0);
+}
+
 /// The mean of `radiance` over samples x samples places of a pixel.
 template <class Radiance>
 void fill(Image& picture, int samples, const Radiance& radiance) {
@@ -72,8 +86,9 @@ struct CloudySky::Meeting {
   glm::dvec2 place_m;
   double cosine;
   double sun_cosine;
-  float clear;         ///< share that haze before it lets through
-  double phase = 0.0;  ///< per steradian, of sunlight scattered into the line of sight
+  float clear;          ///< share that haze before it lets through
+  double phase = 0.0;   ///< per steradian, of sunlight scattered into the line of sight
+  double detail = 0.0;  ///< of the field, finer than the layer's map
 };
 
 CloudySky::CloudySky(const light::Daylight& day, const cloud::CloudState& clouds,
@@ -89,7 +104,7 @@ CloudySky::CloudySky(const light::Daylight& day, const cloud::CloudState& clouds
     const double rise_m = layer.base_m - eye_m.z;
     if (layer.is_volume || rise_m <= 0.0) continue;
     layers_.push_back(
-        {cloud::sheets_of(state, clouds.pixel_m), rise_m,
+        {state.layer, state.moment.way_m, cloud::sheets_of(state, clouds.pixel_m), rise_m,
          layer.droplets.extinction_per_m * layer.thickness_m / std::max(layer.seen_depth, 1e-6),
          layer.droplets.asymmetry, glm::vec3(state.moment.light)});
   }
@@ -125,12 +140,14 @@ glm::vec3 CloudySky::before(const glm::vec3& behind, const Layer& layer,
   const auto [distance_m, cosine] = crossing(direction.z, layer.rise_m);
   const double in_haze_m =
       distance_m * -std::expm1(-layer.rise_m / haze_height_m) * haze_height_m / layer.rise_m;
-  const Meeting meeting{
+  Meeting meeting{
       glm::dvec2(eye_m_) + glm::dvec2(direction) * distance_m, cosine,
       std::max(day_.sun_direction().z, 0.05),
       static_cast<float>(1.0 - light::haze_share(in_haze_m, visual_range_m_)),
       cloud::henyey_greenstein(layer.asymmetry, glm::dot(direction, day_.sun_direction()))};
   if (meeting.clear < 1.0F / 512.0F) return behind;
+  meeting.detail = layer.made->detail.at(meeting.place_m - layer.way_m,
+                                         finest_angle_rad * distance_m / std::sqrt(cosine));
   glm::vec3 seen = behind;
   for (const cloud::Sheet& sheet : layer.sheets) seen = before(seen, layer, sheet, meeting);
   return glm::mix(behind, seen, meeting.clear);
@@ -139,11 +156,15 @@ glm::vec3 CloudySky::before(const glm::vec3& behind, const Layer& layer,
 glm::vec3 CloudySky::before(const glm::vec3& behind, const Layer& layer, const cloud::Sheet& sheet,
                             const Meeting& meeting) const {
   const glm::dvec2 place_px = meeting.place_m / pixel_m_ - sheet.way_px;
-  const double opacity = double{looked_up(
-      sheet.opacity_by_rank, rank_at(sheet.map->ranks, place_px), cloud::ranks_per_entry)};
+  const double number = rank_at(sheet.map->ranks, place_px);
+  const double rise = cloud::rank_rise(*layer.made, number / 65535.0, meeting.detail);
+  const double opacity =
+      double{looked_up(sheet.opacity_by_rank, std::clamp(number + 65535.0 * rise, 0.0, 65535.0),
+                       cloud::ranks_per_entry)};
   if (opacity <= 0.0) return behind;
   const double depth = -std::log1p(-std::min(opacity, 0.999999));
-  const glm::vec3 diffuse(looked_up(sheet.colour_by_light, rank_at(sheet.map->sunlit, place_px),
+  const glm::vec3 diffuse(looked_up(sheet.colour_by_light,
+                                    shaded(rank_at(sheet.map->sunlit, place_px), meeting.detail),
                                     cloud::lights_per_entry));
   const double droplets = depth * layer.droplets_per_seen;
   const double once =
