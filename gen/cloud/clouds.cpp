@@ -148,8 +148,9 @@ Clouds::Clouds(const scene::Scene& scene, double pixel_m)
     const glm::ivec2 period_px = period_px_of(cells, cell_m, pixel_m, i);
     const int side_px = std::clamp(period_px.x / cells.x, 1, finest_cell_px);
     TextureSet textures = textures_of(described, recipe, side_px, key);
-    auto layer = std::make_shared<const Layer>(
-        layer_of(key, described, recipe, textures, period_px, pixel_m));
+    auto layer =
+        std::make_shared<Layer>(layer_of(key, described, recipe, textures, period_px, pixel_m));
+    layer->number = static_cast<int>(i) + 1;
     films_.push_back(std::shared_ptr<Film>(new Film{layer,
                                                     std::move(textures),
                                                     cells,

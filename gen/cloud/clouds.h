@@ -18,6 +18,7 @@ namespace wold::cloud {
 
 /// What stays the same in a layer.
 struct Layer {
+  int number = 1;         ///< of the scene's layers, from 1
   std::uint64_t key = 0;  ///< of its randomness
   Droplets droplets;
   double base_m = 0.0;       ///< above the terrain's zero
