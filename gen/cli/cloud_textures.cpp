@@ -26,14 +26,15 @@ void encode(Image& picture) {
 void write_cloud_textures(const cloud::Clouds& clouds, const std::filesystem::path& folder) {
   const cloud::CloudState state = clouds.at(0.0);
   make_folder(folder);
-  for (cloud::LayerState layer : state.layers) {
+  parallel_for(state.layers.size(), [&](std::size_t i) {
+    cloud::LayerState layer = state.layers[i];
     layer.moment = {};
     layer.next_map = nullptr;
     Image picture = cloud::layer_picture(layer, state.pixel_m);
     encode(picture);
     write_image(folder / fmt::format("layer_{}.png", layer.layer->number), picture,
                 PixelFormat::uint8);
-  }
+  });
 }
 
 }  // namespace wold::cli

@@ -56,6 +56,7 @@ Detail::Detail(const Recipe& recipe, int side_px, double cell_m, const glm::dvec
 
 void Detail::add(const Octaves& octaves, const std::shared_ptr<const PeriodicMap<float>>& tile,
                  int side_px, double cell_m, const glm::dvec2& period_m, std::uint64_t key) {
+  const double highest = double{*std::ranges::max_element(tile->values())};
   for (int i = octaves_in_map(octaves, side_px); i < octaves.count; ++i) {
     const glm::dvec2 feature_m = cell_m / glm::dvec2(octaves.period) / std::exp2(i);
     const glm::dvec2 tiles =
@@ -67,6 +68,7 @@ void Detail::add(const Octaves& octaves, const std::shared_ptr<const PeriodicMap
                          random_uniform({key, key_of("detail y"), number})},
                         std::min(feature_m.x, feature_m.y),
                         octaves.weight * std::pow(octaves.gain, i)});
+    most_ += octaves_.back().height * std::max(highest, 0.0);
   }
 }
 

@@ -31,6 +31,9 @@ class Detail {
   /// finer than what a sample stands for, footprint_m, are faded out.
   double at(const glm::dvec2& place_m, double footprint_m) const;
 
+  /// No more than this is ever added.
+  double most() const { return most_; }
+
  private:
   struct Octave {
     std::shared_ptr<const PeriodicMap<float>> tile;
@@ -43,6 +46,7 @@ class Detail {
            int side_px, double cell_m, const glm::dvec2& period_m, std::uint64_t key);
 
   std::vector<Octave> octaves_;
+  double most_ = 0.0;
 };
 
 }  // namespace wold::cloud

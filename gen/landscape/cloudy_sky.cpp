@@ -56,27 +56,20 @@ const Value& looked_up(const std::vector<Value>& table, double number, unsigned 
   return table[std::min(entry, table.size() - 1)];
 }
 
+/// Opacity for a number of the sheet's ranks where detail adds to the field.
+double opacity_at(const cloud::Sheet& sheet, const cloud::Layer& layer, double number,
+                  double detail) {
+  const double rise = cloud::rank_rise(layer, number / 65535.0, detail);
+  return double{looked_up(sheet.opacity_by_rank, std::clamp(number + 65535.0 * rise, 0.0, 65535.0),
+                          cloud::ranks_per_entry)};
+}
+
 /// The light of a place, in 65536ths, where detail makes the cloud deeper or less so.
 double shaded(double light, double detail) {
+  if (detail == 0.0) return light;
   return std::min(
       65535.0 * cloud::brightness_of_less(light / 65535.0, std::exp(shade_per_field * detail)),
       65535.0);
-}
-
-/// The mean of `radiance` over samples x samples places of a pixel.
-template <class Radiance>
-void fill(Image& picture, int samples, const Radiance& radiance) {
-  parallel_for(static_cast<std::size_t>(picture.height), [&](std::size_t row) {
-    const int y = static_cast<int>(row);
-    for (int x = 0; x < picture.width; ++x) {
-      glm::vec3 sum(0.0F);
-      for (int j = 0; j < samples; ++j)
-        for (int i = 0; i < samples; ++i)
-          sum += radiance(glm::dvec2(x + (i + 0.5) / samples, y + (j + 0.5) / samples));
-      sum /= static_cast<float>(samples * samples);
-      std::copy_n(&sum.x, 3, picture.pixel(x, y));
-    }
-  });
 }
 
 }  // namespace
@@ -86,9 +79,9 @@ struct CloudySky::Meeting {
   glm::dvec2 place_m;
   double cosine;
   double sun_cosine;
-  float clear;          ///< share that haze before it lets through
-  double phase = 0.0;   ///< per steradian, of sunlight scattered into the line of sight
-  double detail = 0.0;  ///< of the field, finer than the layer's map
+  float clear;               ///< share that haze before it lets through
+  double phase = 0.0;        ///< per steradian, of sunlight scattered into the line of sight
+  double footprint_m = 0.0;  ///< what the eye makes out there
 };
 
 CloudySky::CloudySky(const light::Daylight& day, const cloud::CloudState& clouds,
@@ -146,8 +139,7 @@ glm::vec3 CloudySky::before(const glm::vec3& behind, const Layer& layer,
       static_cast<float>(1.0 - light::haze_share(in_haze_m, visual_range_m_)),
       cloud::henyey_greenstein(layer.asymmetry, glm::dot(direction, day_.sun_direction()))};
   if (meeting.clear < 1.0F / 512.0F) return behind;
-  meeting.detail = layer.made->detail.at(meeting.place_m - layer.way_m,
-                                         finest_angle_rad * distance_m / std::sqrt(cosine));
+  meeting.footprint_m = finest_angle_rad * distance_m / std::sqrt(cosine);
   glm::vec3 seen = behind;
   for (const cloud::Sheet& sheet : layer.sheets) seen = before(seen, layer, sheet, meeting);
   return glm::mix(behind, seen, meeting.clear);
@@ -157,14 +149,14 @@ glm::vec3 CloudySky::before(const glm::vec3& behind, const Layer& layer, const c
                             const Meeting& meeting) const {
   const glm::dvec2 place_px = meeting.place_m / pixel_m_ - sheet.way_px;
   const double number = rank_at(sheet.map->ranks, place_px);
-  const double rise = cloud::rank_rise(*layer.made, number / 65535.0, meeting.detail);
-  const double opacity =
-      double{looked_up(sheet.opacity_by_rank, std::clamp(number + 65535.0 * rise, 0.0, 65535.0),
-                       cloud::ranks_per_entry)};
+  const cloud::Layer& made = *layer.made;
+  if (opacity_at(sheet, made, number, made.detail.most()) <= 0.0) return behind;
+  const double detail = made.detail.at(meeting.place_m - layer.way_m, meeting.footprint_m);
+  const double opacity = opacity_at(sheet, made, number, detail);
   if (opacity <= 0.0) return behind;
   const double depth = -std::log1p(-std::min(opacity, 0.999999));
   const glm::vec3 diffuse(looked_up(sheet.colour_by_light,
-                                    shaded(rank_at(sheet.map->sunlit, place_px), meeting.detail),
+                                    shaded(rank_at(sheet.map->sunlit, place_px), detail),
                                     cloud::lights_per_entry));
   const double droplets = depth * layer.droplets_per_seen;
   const double once =
@@ -174,12 +166,27 @@ glm::vec3 CloudySky::before(const glm::vec3& behind, const Layer& layer, const c
          day_.sun_irradiance() * layer.light_colour * static_cast<float>(once);
 }
 
+void CloudySky::paint(Image& picture, int samples, const DirectionOf& direction) const {
+  parallel_for(static_cast<std::size_t>(picture.height), [&](std::size_t row) {
+    const int y = static_cast<int>(row);
+    for (int x = 0; x < picture.width; ++x) {
+      const glm::vec3 clear = day_.seen_radiance(direction(glm::dvec2(x + 0.5, y + 0.5)));
+      glm::vec3 sum(0.0F);
+      for (int j = 0; j < samples; ++j)
+        for (int i = 0; i < samples; ++i)
+          sum += clouded(clear,
+                         direction(glm::dvec2(x + (i + 0.5) / samples, y + (j + 0.5) / samples)));
+      sum /= static_cast<float>(samples * samples);
+      std::copy_n(&sum.x, 3, picture.pixel(x, y));
+    }
+  });
+}
+
 Image sky_picture(const CloudySky& sky, int width_px) {
   constexpr int samples = 2;
   Image picture(width_px, width_px / 2, 3);
-  fill(picture, samples, [&](const glm::dvec2& at) {
-    return sky.radiance(
-        light::direction_of(2.0 * pi * at.x / picture.width, pi * (0.5 - at.y / picture.height)));
+  sky.paint(picture, samples, [&](const glm::dvec2& at) {
+    return light::direction_of(2.0 * pi * at.x / picture.width, pi * (0.5 - at.y / picture.height));
   });
   return picture;
 }
@@ -187,7 +194,7 @@ Image sky_picture(const CloudySky& sky, int width_px) {
 Backdrop sky_backdrop(const CloudySky& sky, const Camera& camera, int width_px, int height_px,
                       double distance_m) {
   constexpr double margin = 1.06;
-  constexpr int samples = 3;
+  constexpr int samples = 2;
   const glm::dvec3 forward = glm::normalize(camera.target_m - camera.eye_m);
   const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 0, 1)));
   const double width_m =
@@ -200,10 +207,10 @@ Backdrop sky_backdrop(const CloudySky& sky, const Camera& camera, int width_px, 
   backdrop.up_m = glm::cross(right, forward) * (width_m * picture.height / picture.width);
   backdrop.corner_m =
       camera.eye_m + forward * distance_m - (backdrop.right_m + backdrop.up_m) / 2.0;
-  fill(backdrop.picture, samples, [&](const glm::dvec2& at) {
+  sky.paint(backdrop.picture, samples, [&](const glm::dvec2& at) {
     const glm::dvec3 place_m = backdrop.corner_m + backdrop.right_m * (at.x / picture.width) +
                                backdrop.up_m * (1.0 - at.y / picture.height);
-    return sky.radiance(glm::normalize(place_m - camera.eye_m));
+    return glm::normalize(place_m - camera.eye_m);
   });
   return backdrop;
 }

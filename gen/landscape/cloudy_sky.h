@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <glm/glm.hpp>
 #include <memory>
 #include <vector>
@@ -28,6 +29,13 @@ class CloudySky {
 
   /// Radiance from a unit direction.
   glm::vec3 radiance(const glm::dvec3& direction) const;
+
+  /// The unit direction that a place in a picture looks to, in pixels from its upper left corner.
+  using DirectionOf = std::function<glm::dvec3(const glm::dvec2&)>;
+
+  /// Radiance, the mean over samples x samples places of each pixel. Clouds have edges; the clear
+  /// sky behind them counts as the same all over a pixel.
+  void paint(Image& picture, int samples, const DirectionOf& direction) const;
 
   /// Irradiance by the whole sky, without the sun's disc, on level ground.
   glm::vec3 irradiance() const;
