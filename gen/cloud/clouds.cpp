@@ -113,7 +113,8 @@ struct Clouds::Film {
     const auto repeated = repeats_as_paper ? repeated_as_paper : repeated_by_blending;
     LayerMap ranks = repeated(shaped, cells, layer->period_px, key);
     LayerMap lit = sunlit(ranks, tops_m(*layer), layer->droplets, sun_direction, pixel_m);
-    return {std::move(ranks), std::move(lit)};
+    constexpr double smoothed = 0.7;
+    return {std::move(ranks), std::move(lit), 1.0 - smoothed * drawn_out.shear};
   }
 
   std::shared_ptr<const ShapeMaps> map_of(std::size_t shape) {

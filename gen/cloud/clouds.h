@@ -39,6 +39,7 @@ struct Layer {
 struct ShapeMaps {
   LayerMap ranks;
   LayerMap sunlit;  ///< base_brightness in steps of 1/65536, of the whole layer in the scene's sun
+  double detail = 1.0;  ///< share of Layer::detail that wind has not smoothed away
 };
 
 /// A layer at one moment: its shapes' maps and what is made of them.

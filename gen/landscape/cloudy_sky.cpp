@@ -150,8 +150,9 @@ glm::vec3 CloudySky::before(const glm::vec3& behind, const Layer& layer, const c
   const glm::dvec2 place_px = meeting.place_m / pixel_m_ - sheet.way_px;
   const double number = rank_at(sheet.map->ranks, place_px);
   const cloud::Layer& made = *layer.made;
-  if (opacity_at(sheet, made, number, made.detail.most()) <= 0.0) return behind;
-  const double detail = made.detail.at(meeting.place_m - layer.way_m, meeting.footprint_m);
+  if (opacity_at(sheet, made, number, sheet.map->detail * made.detail.most()) <= 0.0) return behind;
+  const double detail =
+      sheet.map->detail * made.detail.at(meeting.place_m - layer.way_m, meeting.footprint_m);
   const double opacity = opacity_at(sheet, made, number, detail);
   if (opacity <= 0.0) return behind;
   const double depth = -std::log1p(-std::min(opacity, 0.999999));
