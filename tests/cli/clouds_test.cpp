@@ -95,7 +95,10 @@ TEST_F(CloudFilm, WritesTexturesThatCanBeUsedAgain) {
   const Result again = wold(
       "generate cloudy.toml --quiet --renderer blender --out again --frames 1 "
       "--set 'clouds[1].textures=[\"out/clouds/layer_2.png\"]'");
-  EXPECT_EQ(again.code, 0) << again.err;
+  ASSERT_EQ(again.code, 0) << again.err;
+  const auto changed =
+      different(frame("again", "blender", "0001"), frame("out", "blender", "0001"));
+  EXPECT_THAT(changed, testing::Contains(testing::StartsWith("backdrop.")));
 }
 
 }  // namespace
