@@ -12,6 +12,7 @@
 #include "core/colour.h"
 #include "grass/blade_patch.h"
 #include "grass/fibres.h"
+#include "landscape/cloud_boxes.h"
 #include "landscape/cloudy_sky.h"
 #include "landscape/combed_light.h"
 #include "landscape/far_field.h"
@@ -88,9 +89,24 @@ ColourMap clouded_light(const Site& site, const cloud::CloudState& clouds, const
   return light;
 }
 
-/// A distance from the camera that no ground reaches.
+/// A distance from the camera that no ground and no cloud reaches.
 double beyond_everything_m(const Landscape& landscape) {
-  return 2.0 * (landscape.terrain.size_m() + 2.0 * std::abs(landscape.camera.eye_m.z)) + 100.0;
+  double size_m = landscape.terrain.size_m() + 2.0 * std::abs(landscape.camera.eye_m.z) + 100.0;
+  for (const CloudBox& box : landscape.clouds)
+    size_m = std::max(size_m, box.voxels.x * box.voxel_m + box.corner_m.z);
+  return 2.0 * size_m;
+}
+
+/// What of the clouds is volume, and the rest as the camera sees it.
+void set_clouds(Landscape& landscape, const scene::Scene& scene, const Site& site,
+                const cloud::CloudState& clouds) {
+  const Camera& camera = landscape.camera;
+  const double visual_range_m = scene.sky.visual_range_m;
+  const auto windows = cloud_windows(clouds, camera);
+  landscape.clouds = cloud_boxes(clouds, windows, site.day, camera.eye_m, visual_range_m);
+  const CloudySky behind(site.day, clouds, camera.eye_m, visual_range_m, windows);
+  landscape.backdrop = sky_backdrop(behind, camera, landscape.width_px, landscape.height_px,
+                                    beyond_everything_m(landscape));
 }
 
 std::map<int, PatchLook> far_looks(const scene::Scene& scene, int frame,
@@ -160,9 +176,7 @@ Landscape assemble(const scene::Scene& scene, const Site& site, int frame,
         product(landscape.light, veil_of_grass(grass_light, terrain, view, meadow, haze));
   }
   landscape.sky = clouds ? sky_picture(sky, sky_width_px) : site.day.sky_image(sky_width_px);
-  if (clouds)
-    landscape.backdrop = sky_backdrop(sky, landscape.camera, landscape.width_px,
-                                      landscape.height_px, beyond_everything_m(landscape));
+  if (clouds) set_clouds(landscape, scene, site, *clouds);
   landscape.samples = scene.render.samples;
   landscape.exposure_gain = metered_gain(site.day) * std::exp2(scene.render.exposure);
   landscape.df3_bits = scene.render.df3_bits;
