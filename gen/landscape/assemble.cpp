@@ -121,15 +121,19 @@ std::map<int, PatchLook> far_looks(const scene::Scene& scene, int frame,
 /// that meters them opens by most of a stop.
 constexpr double card_exposure = 1.6;
 
+/// The same under clouds, which are white cards themselves.
+constexpr double card_exposure_clouds = 1.2;
+
 /// Exposure of the sky at 20 degrees of elevation at which it is about to burn out: there the
 /// camera stops opening. A low sun lights the sky more than the ground.
 constexpr double brightest_sky = 0.9;
 
 /// Factor on every radiance as a camera's meter sets it.
-double metered_gain(const light::Daylight& day) {
+double metered_gain(const light::Daylight& day, bool clouds) {
   constexpr double elevation_rad = 20.0 * std::numbers::pi / 180.0;
   const double sky = luminance(day.mean_sky_radiance(elevation_rad));
-  return std::min(card_exposure * std::numbers::pi, brightest_sky / sky);
+  return std::min((clouds ? card_exposure_clouds : card_exposure) * std::numbers::pi,
+                  brightest_sky / sky);
 }
 
 }  // namespace
@@ -178,7 +182,8 @@ Landscape assemble(const scene::Scene& scene, const Site& site, int frame,
   landscape.sky = clouds ? sky_picture(sky, sky_width_px) : site.day.sky_image(sky_width_px);
   if (clouds) set_clouds(landscape, scene, site, *clouds);
   landscape.samples = scene.render.samples;
-  landscape.exposure_gain = metered_gain(site.day) * std::exp2(scene.render.exposure);
+  landscape.exposure_gain =
+      metered_gain(site.day, clouds.has_value()) * std::exp2(scene.render.exposure);
   landscape.df3_bits = scene.render.df3_bits;
   return landscape;
 }
