@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "blender/export.h"
+#include "cli/cloud_textures.h"
 #include "core/files.h"
 #include "landscape/assemble.h"
 #include "landscape/far_field.h"
@@ -50,6 +51,7 @@ void Film::generate(Progress& progress) {
   write_file(job_.out / "scene.toml", scene::resolved_toml(job_.scene));
   choose_cells(progress);
   make_texels(progress);
+  if (site_.clouds) write_cloud_textures(*site_.clouds, job_.out / "clouds");
   export_frames(progress);
 }
 

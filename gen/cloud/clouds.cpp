@@ -23,6 +23,11 @@ double cell_m_of(const scene::CloudLayer& layer, const Recipe& recipe) {
   return layer.cell_m.value_or(recipe.cell_m);
 }
 
+/// Whether nothing of the layer is finer than its map's pixels.
+bool is_all_in_its_map(const scene::CloudLayer& layer) {
+  return layer.body == "volume" || !layer.textures.empty();
+}
+
 glm::ivec2 period_px_of(const glm::ivec2& cells, double cell_m, double pixel_m, std::size_t layer) {
   const glm::dvec2 period = glm::dvec2(cells) * cell_m / pixel_m;
   if (!(std::max(period.x, period.y) <= most_period_px))
@@ -48,6 +53,10 @@ Layer layer_of(std::uint64_t key, const scene::CloudLayer& described, const Reci
   layer.seen_depth = -std::log1p(-textures.densest_opacity);
   layer.cover = textures.cover;
   layer.profile = textures.profile;
+  layer.rank_per_field = textures.rank_per_field;
+  if (textures.field_px > 0)
+    layer.detail =
+        Detail(recipe, textures.field_px, cell_m_of(described, recipe), layer.period_m, key);
   return layer;
 }
 
@@ -139,8 +148,9 @@ Clouds::Clouds(const scene::Scene& scene, double pixel_m)
     const glm::ivec2 period_px = period_px_of(cells, cell_m, pixel_m, i);
     const int side_px = std::clamp(period_px.x / cells.x, 1, finest_cell_px);
     TextureSet textures = textures_of(described, recipe, side_px, key);
-    auto layer = std::make_shared<const Layer>(
-        layer_of(key, described, recipe, textures, period_px, pixel_m));
+    auto layer =
+        std::make_shared<Layer>(layer_of(key, described, recipe, textures, period_px, pixel_m));
+    layer->number = static_cast<int>(i) + 1;
     films_.push_back(std::shared_ptr<Film>(new Film{layer,
                                                     std::move(textures),
                                                     cells,
@@ -157,8 +167,9 @@ Clouds::Clouds(const scene::Scene& scene, double pixel_m)
 }
 
 double Clouds::usual_pixel_m(const scene::Scene& scene) {
-  constexpr double usual_period_px = 4096.0;
-  constexpr double usual_cell_px = 512.0;
+  const double sharpness = std::ranges::any_of(scene.clouds, is_all_in_its_map) ? 2.0 : 1.0;
+  const double usual_period_px = 2048.0 * sharpness;
+  const double usual_cell_px = 256.0 * sharpness;
   double pixel_m = 0.0, smallest_cell_m = 0.0;
   for (const scene::CloudLayer& layer : scene.clouds) {
     const double cell_m = cell_m_of(layer, recipe_of(layer.kind));
@@ -179,6 +190,11 @@ CloudState Clouds::at(double time_s) const {
 
 double top_m(const Layer& layer, double relative_depth) {
   return layer.thickness_m * std::pow(relative_depth, 0.7);
+}
+
+double rank_rise(const Layer& layer, double rank, double field) {
+  if (layer.rank_per_field.empty() || field == 0.0) return 0.0;
+  return profile_at(layer.rank_per_field, rank) * field;
 }
 
 double depth_factor(double amount) { return amount * (2.0 - amount); }

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "cloud/detail.h"
 #include "cloud/recipe.h"
 #include "cloud/sunlit.h"
 #include "cloud/tiling.h"
@@ -17,6 +18,7 @@ namespace wold::cloud {
 
 /// What stays the same in a layer.
 struct Layer {
+  int number = 1;         ///< of the scene's layers, from 1
   std::uint64_t key = 0;  ///< of its randomness
   Droplets droplets;
   double base_m = 0.0;       ///< above the terrain's zero
@@ -29,6 +31,8 @@ struct Layer {
   double cover = 0.0;          ///< share of the sky, when the whole layer is there; above 1 it
                                ///< has no thin places
   std::vector<float> profile;  ///< TextureSet's
+  Detail detail;               ///< what the maps are too coarse for
+  std::vector<float> rank_per_field;  ///< TextureSet's
 };
 
 /// A shape of a layer over its whole period.
@@ -59,8 +63,9 @@ class Clouds {
   /// along a side.
   Clouds(const scene::Scene& scene, double pixel_m);
 
-  /// A pixel's side with which the longest period has 4096 pixels, but no finer than a 512th of
-  /// the smallest cell; 0 without clouds.
+  /// A pixel's side with which the longest period has 2048 pixels, but no finer than a 256th of
+  /// the smallest cell: what is smaller, Layer::detail has. It has half that side where a layer is
+  /// a volume or has pictures, which are without detail; 0 without clouds.
   static double usual_pixel_m(const scene::Scene& scene);
 
   /// `frame` >= 1, alone: no other frame is needed. Maps are made when they are first used.
@@ -74,6 +79,9 @@ class Clouds {
   double pixel_m_;
   double frame_seconds_;
 };
+
+/// How much `field` more of the textures' field raises a rank in [0, 1] near which it is added.
+double rank_rise(const Layer& layer, double rank, double field);
 
 /// Depth over that of the densest place of the whole layer, for a rank in [0, 1] when `amount` in
 /// [0, 1] of the layer has gathered. Rises with both; 0 outside the clouds.

@@ -1,6 +1,6 @@
 #include "cloud/procedural_texture.h"
 
-#include "core/noise.h"
+#include "cloud/texture_noise.h"
 #include "core/parallel.h"
 #include "core/random.h"
 
@@ -24,16 +24,6 @@ double sum_of(const Octaves& octaves, const glm::dvec2& place, std::uint64_t key
     period *= 2;
   }
   return sum;
-}
-
-double perlin(const glm::dvec2& at, std::uint64_t key, const glm::ivec2& period) {
-  return gradient_noise(at, key, period) / gradient_noise_deviation;
-}
-
-/// Round heads: half-spheres, nearly, on the points of cellular noise.
-double head(const glm::dvec2& at, std::uint64_t key, const glm::ivec2& period) {
-  const double distance = cell_noise(at, key, period);
-  return 1.0 - distance * distance;
 }
 
 glm::dvec2 displaced(const Recipe& recipe, const glm::dvec2& place, std::uint64_t key) {

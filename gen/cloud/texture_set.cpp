@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloud/detail.h"
 #include "cloud/picture_texture.h"
 #include "cloud/procedural_texture.h"
 #include "cloud/ranks.h"
@@ -25,12 +26,38 @@ std::vector<float> sampled(const Curve& curve) {
   return values;
 }
 
-TextureSet made_textures(const Recipe& recipe, int side_px, std::uint64_t key) {
+/// 1 over the slope of the field by rank, from the field's means over equal steps of rank.
+std::vector<float> slopes(const std::vector<PeriodicMap<float>>& fields,
+                          const std::vector<PeriodicMap<float>>& ranks) {
+  std::vector<double> sums(slope_steps), counts(slope_steps);
+  for (std::size_t map = 0; map < fields.size(); ++map)
+    for (std::size_t i = 0; i < fields[map].values().size(); ++i) {
+      const auto step = static_cast<std::size_t>(ranks[map].values()[i] * slope_steps);
+      sums[step] += fields[map].values()[i];
+      counts[step] += 1.0;
+    }
+  std::vector<float> slopes(slope_steps + 1);
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    const std::size_t high = std::clamp<std::size_t>(i, 1, slope_steps - 1), low = high - 1;
+    const double rise = sums[high] / counts[high] - sums[low] / counts[low];
+    // Not a number where too few pixels leave a step empty.
+    slopes[i] = rise > 0.0 ? static_cast<float>(1.0 / (slope_steps * rise)) : 0.0F;
+  }
+  return slopes;
+}
+
+TextureSet made_textures(Recipe recipe, int side_px, std::uint64_t key) {
+  side_px = std::min(side_px, finest_procedural_px);
+  recipe.masses.count = octaves_in_map(recipe.masses, side_px);
+  recipe.billows.count = octaves_in_map(recipe.billows, side_px);
   std::vector<PeriodicMap<float>> fields;
   for (std::uint64_t i = 0; i < procedural_textures; ++i)
-    fields.push_back(procedural_field(recipe, std::min(side_px, finest_procedural_px),
-                                      random_bits({key, key_of("cloud texture"), i})));
-  return {ranked(fields), sampled(Curve(recipe.profile)), recipe.cover, recipe.opacity};
+    fields.push_back(
+        procedural_field(recipe, side_px, random_bits({key, key_of("cloud texture"), i})));
+  std::vector<PeriodicMap<float>> ranks = ranked(fields);
+  std::vector<float> rank_per_field = slopes(fields, ranks);
+  return {std::move(ranks), sampled(Curve(recipe.profile)), recipe.cover, recipe.opacity,
+          side_px,          std::move(rank_per_field)};
 }
 
 double optical_depth(double opacity) { return -std::log1p(-std::min(opacity, most_opacity)); }
@@ -57,8 +84,12 @@ TextureSet picture_textures(const std::vector<std::string>& paths, int side_px) 
   float densest = 0.0F;
   for (const PeriodicMap<float>& map : opacities)
     densest = std::max(densest, *std::ranges::max_element(map.values()));
-  return {ranked(opacities), profile_of(opacities), 1.0,
-          std::min(static_cast<double>(densest), most_opacity)};
+  return {ranked(opacities),
+          profile_of(opacities),
+          1.0,
+          std::min(static_cast<double>(densest), most_opacity),
+          0,
+          {}};
 }
 
 /// Steps over three lengths of decay.

@@ -18,18 +18,26 @@ struct TextureSet {
   std::vector<float> profile;
   double cover = 1.0;            ///< share of the sky that is covered
   double densest_opacity = 0.0;  ///< in [0, 0.995]
+  /// Of procedural textures: pixels along a side, and how much the rank rises per unit of the field
+  /// (procedural_field()), by rank on equal steps from 0 to 1. Pictures have none.
+  int field_px = 0;
+  std::vector<float> rank_per_field = {};
 };
 
 /// Steps of TextureSet::profile.
 inline constexpr int profile_steps = 4096;
 
+/// Steps of TextureSet::rank_per_field.
+inline constexpr int slope_steps = 128;
+
 /// Textures that procedural clouds choose from, as many as the paper has.
 inline constexpr int procedural_textures = 3;
 
 /// The layer's textures: its pictures, or made by the recipe with at most 512 pixels a side, keyed
-/// by `key`. side_px in [1, 1024]: about as many pixels as a cell will be drawn with, so that none
-/// are drawn that nobody sees; cover and opacity are the layer's, or else the recipe's or the
-/// pictures' own. Throws FileError for a picture that is missing, damaged or too large.
+/// by `key`, without the octaves that are too fine for them (detail.h). side_px in [1, 1024]: about
+/// as many pixels as a cell will be drawn with, so that none are drawn that nobody sees; cover and
+/// opacity are the layer's, or else the recipe's or the pictures' own. Throws FileError for a
+/// picture that is missing, damaged or too large.
 TextureSet textures_of(const scene::CloudLayer& layer, const Recipe& recipe, int side_px,
                        std::uint64_t key);
 

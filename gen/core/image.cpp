@@ -28,6 +28,8 @@ OIIO::TypeDesc stored_type(PixelFormat format) {
 void write_image(const std::filesystem::path& path, const Image& image, PixelFormat format) {
   write_file_by_path(path, [&](const std::filesystem::path& temporary) {
     OIIO::ImageSpec spec(image.width, image.height, image.channels, stored_type(format));
+    // Otherwise colours are divided by alpha in some formats.
+    spec.attribute("oiio:UnassociatedAlpha", 1);
     if (path.extension() == ".exr") {
       spec.attribute("compression", "zip");
       // Without it OpenImageIO stores the time, and the same picture has other bytes every second.
@@ -47,7 +49,9 @@ ImageHeader read_image_header(const std::filesystem::path& path) {
 }
 
 Image read_image(const std::filesystem::path& path) {
-  auto in = OIIO::ImageInput::open(path.string());
+  OIIO::ImageSpec as_stored;
+  as_stored.attribute("oiio:UnassociatedAlpha", 1);
+  auto in = OIIO::ImageInput::open(path.string(), &as_stored);
   if (!in) throw FileError(fmt::format("cannot read {}: {}", path.string(), OIIO::geterror()));
   const OIIO::ImageSpec& spec = in->spec();
   Image image(spec.width, spec.height, spec.nchannels);

@@ -14,6 +14,13 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double earth_radius_m = 6.371e6;
 
+/// What an eye makes out: half a pixel of a picture 1000 pixels and 60 degrees wide.
+constexpr double finest_angle_rad = 5e-4;
+
+/// Logarithm of how much deeper a cloud is where its field is higher by 1. Only fine detail is
+/// shaded by this, and gently: light has been scattered too often to show more.
+constexpr double shade_per_field = 1.0;
+
 /// Where a ray from the ground meets a layer `rise_m` above it: the distance along the ray and the
 /// cosine between the ray and the vertical there. The ray goes up at an elevation whose sine is
 /// given.
@@ -47,6 +54,13 @@ const Value& looked_up(const std::vector<Value>& table, double number, unsigned 
   return table[std::min(entry, table.size() - 1)];
 }
 
+/// The light of a place, in 65536ths, where detail makes the cloud deeper or less so.
+double shaded(double light, double detail) {
+  return std::min(
+      65535.0 * cloud::brightness_of_less(light / 65535.0, std::exp(shade_per_field * detail)),
+      65535.0);
+}
+
 /// The mean of `radiance` over samples x samples places of a pixel.
 template <class Radiance>
 void fill(Image& picture, int samples, const Radiance& radiance) {
@@ -70,9 +84,10 @@ struct CloudySky::Meeting {
   glm::dvec2 place_m;
   double cosine;
   double sun_cosine;
-  double share;        ///< of the layer there that is a sheet
-  float clear;         ///< share that haze before it lets through
-  double phase = 0.0;  ///< per steradian, of sunlight scattered into the line of sight
+  double share;         ///< of the layer there that is a sheet
+  float clear;          ///< share that haze before it lets through
+  double phase = 0.0;   ///< per steradian, of sunlight scattered into the line of sight
+  double detail = 0.0;  ///< of the field, finer than the layer's map
 };
 
 CloudySky::CloudySky(const light::Daylight& day, const cloud::CloudState& clouds,
@@ -90,7 +105,7 @@ CloudySky::CloudySky(const light::Daylight& day, const cloud::CloudState& clouds
     const double rise_m = layer.base_m - eye_m.z;
     if (rise_m <= 0.0) continue;
     layers_.push_back(
-        {cloud::sheets_of(state, clouds.pixel_m), rise_m,
+        {state.layer, state.moment.way_m, cloud::sheets_of(state, clouds.pixel_m), rise_m,
          layer.droplets.extinction_per_m * layer.thickness_m / std::max(layer.seen_depth, 1e-6),
          layer.droplets.asymmetry, glm::vec3(state.moment.light),
          windows.empty() ? std::nullopt : windows[i]});
@@ -126,7 +141,7 @@ glm::vec3 CloudySky::before(const glm::vec3& behind, const Layer& layer,
                             const glm::dvec3& direction) const {
   const auto [distance_m, cosine] = crossing(direction.z, layer.rise_m);
   const glm::dvec2 place_m = glm::dvec2(eye_m_) + glm::dvec2(direction) * distance_m;
-  const Meeting meeting{
+  Meeting meeting{
       place_m,
       cosine,
       std::max(day_.sun_direction().z, 0.05),
@@ -134,6 +149,8 @@ glm::vec3 CloudySky::before(const glm::vec3& behind, const Layer& layer,
       static_cast<float>(clear_share(distance_m, layer.rise_m, visual_range_m_)),
       cloud::henyey_greenstein(layer.asymmetry, glm::dot(direction, day_.sun_direction()))};
   if (meeting.clear < 1.0F / 512.0F || meeting.share <= 0.0) return behind;
+  meeting.detail = layer.made->detail.at(place_m - layer.way_m,
+                                         finest_angle_rad * distance_m / std::sqrt(cosine));
   glm::vec3 seen = behind;
   for (const cloud::Sheet& sheet : layer.sheets) seen = before(seen, layer, sheet, meeting);
   return glm::mix(behind, seen, meeting.clear);
@@ -142,11 +159,15 @@ glm::vec3 CloudySky::before(const glm::vec3& behind, const Layer& layer,
 glm::vec3 CloudySky::before(const glm::vec3& behind, const Layer& layer, const cloud::Sheet& sheet,
                             const Meeting& meeting) const {
   const glm::dvec2 place_px = meeting.place_m / pixel_m_ - sheet.way_px;
-  const double opacity = double{looked_up(
-      sheet.opacity_by_rank, rank_at(sheet.map->ranks, place_px), cloud::ranks_per_entry)};
+  const double number = rank_at(sheet.map->ranks, place_px);
+  const double rise = cloud::rank_rise(*layer.made, number / 65535.0, meeting.detail);
+  const double opacity =
+      double{looked_up(sheet.opacity_by_rank, std::clamp(number + 65535.0 * rise, 0.0, 65535.0),
+                       cloud::ranks_per_entry)};
   if (opacity <= 0.0) return behind;
   const double depth = meeting.share * -std::log1p(-std::min(opacity, 0.999999));
-  const glm::vec3 diffuse(looked_up(sheet.colour_by_light, rank_at(sheet.map->sunlit, place_px),
+  const glm::vec3 diffuse(looked_up(sheet.colour_by_light,
+                                    shaded(rank_at(sheet.map->sunlit, place_px), meeting.detail),
                                     cloud::lights_per_entry));
   const double droplets = depth * layer.droplets_per_seen;
   const double once =

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -19,7 +20,8 @@ namespace wold::landscape {
 /// A sheet lets through exp(-tau / mu), tau its vertical optical depth and mu the cosine between
 /// line of sight and vertical there. It sends what two-stream diffusion leaves of the daylight
 /// (cloud/sunlit.h), and, where it is thin, sunlight that was scattered once, which makes edges
-/// near the sun shine.
+/// near the sun shine. Where an eye makes out more than a layer's map has, the layer's detail is
+/// seen as well: what it adds to the field changes opacity and shade.
 class CloudySky {
  public:
   /// `day` has to outlive it. Layers that are not above the eye are left out, and what of a layer
@@ -35,6 +37,8 @@ class CloudySky {
 
  private:
   struct Layer {
+    std::shared_ptr<const cloud::Layer> made;
+    glm::dvec2 way_m;
     std::vector<cloud::Sheet> sheets;  ///< the further one first
     double rise_m;                     ///< of its base over the eye
     double droplets_per_seen;          ///< optical depth of the droplets over that which is seen
