@@ -13,7 +13,8 @@
 ///     folder/data/blades/NAME.*            meshes, shared by all frames (blade_files.h)
 ///     folder/data/frame_0001/frame.json    what the frame is made of; written last
 ///     folder/data/frame_0001/*.f32, *.i32  raw little-endian arrays (frame_data.h)
-///     folder/data/frame_0001/*.exr         light, ground and sky (frame_data.h)
+///     folder/data/frame_0001/*.exr         light, ground, sky, backdrop (frame_data.h)
+///     folder/data/frame_0001/cloud_*.vdb   clouds that are volumes
 namespace wold::blender {
 
 /// Writes everything this frame needs below folder/data. Only volumes that cells use are written,

@@ -4,6 +4,7 @@
 
 #include "blender/arrays.h"
 #include "blender/placement.h"
+#include "blender/volume_file.h"
 #include "core/files.h"
 #include "core/image.h"
 #include "core/random.h"
@@ -71,6 +72,18 @@ Json write_backdrop(const Landscape& landscape, const fs::path& folder) {
           {"corner_m", json_of(backdrop.corner_m)},
           {"right_m", json_of(backdrop.right_m)},
           {"up_m", json_of(backdrop.up_m)}};
+}
+
+Json write_clouds(const Landscape& landscape, const fs::path& folder) {
+  Json list = Json::array();
+  for (const landscape::CloudBox& cloud : landscape.clouds) {
+    const std::string name = cloud.name + ".vdb";
+    write_cloud(folder / name, cloud);
+    list.push_back({{"file", name},
+                    {"bytes", fs::file_size(folder / name)},
+                    {"corner_m", json_of(cloud.corner_m)}});
+  }
+  return list;
 }
 
 void append(std::vector<float>& values, const glm::dvec3& v) {
@@ -167,6 +180,7 @@ void write_frame_data(const Landscape& landscape, const fs::path& folder,
                       {"standing_light", write_standing_light(landscape, folder)},
                       {"ground", write_ground_map(landscape.ground, folder, "ground.exr")},
                       {"sky", "sky.exr"},
+                      {"clouds", write_clouds(landscape, folder)},
                       {"backdrop", write_backdrop(landscape, folder)},
                       {"cells", write_cells(landscape, folder, picks)},
                       {"volumes", volumes_json(volumes, folder)},

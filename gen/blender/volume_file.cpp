@@ -83,13 +83,21 @@ void add_border(Grid& grid, const glm::ivec3& voxels) {
 }
 
 template <class Grid>
-void prepare(Grid& grid, const char* name, const landscape::Volume& volume) {
-  add_border(grid, volume.voxels);
+void prepare(Grid& grid, const char* name, const glm::ivec3& voxels, double voxel_m) {
+  add_border(grid, voxels);
   grid.clearMetadata();
   grid.setName(name);
-  grid.setTransform(cycles_transform(volume.voxel_m));
+  grid.setTransform(cycles_transform(voxel_m));
   grid.setGridClass(openvdb::GRID_FOG_VOLUME);
   grid.setSaveFloatAsHalf(true);
+}
+
+void write_grids(const fs::path& path, const openvdb::FloatGrid::Ptr& density,
+                 const openvdb::Vec3SGrid::Ptr& emission, const glm::ivec3& voxels, double voxel_m,
+                 const openvdb::MetaMap& metadata) {
+  prepare(*density, "density", voxels, voxel_m);
+  prepare(*emission, "emission", voxels, voxel_m);
+  write_vdb(path, {density, emission}, metadata);
 }
 
 }  // namespace
@@ -101,11 +109,27 @@ void write_volume(const fs::path& path, const landscape::Volume& volume) {
   const auto radiance = read_grid<openvdb::Vec3SGrid>(volume.vdb, volume.emission_grid);
   leave_out_empty_voxels(*density);
   auto emission = emission_per_metre(*density, *radiance);
-  prepare(*density, "density", volume);
-  prepare(*emission, "emission", volume);
   openvdb::MetaMap metadata;
   metadata.insertMeta(content_key, openvdb::StringMetadata(content));
-  write_vdb(path, {density, emission}, metadata);
+  write_grids(path, density, emission, volume.voxels, volume.voxel_m, metadata);
+}
+
+void write_cloud(const fs::path& path, const landscape::CloudBox& cloud) {
+  auto density = openvdb::FloatGrid::create(0.0F);
+  auto emission = openvdb::Vec3SGrid::create(openvdb::Vec3s(0.0F));
+  auto rho = density->getAccessor();
+  auto glow = emission->getAccessor();
+  std::size_t i = 0;
+  for (int z = 1; z <= cloud.voxels.z; ++z)
+    for (int y = 1; y <= cloud.voxels.y; ++y)
+      for (int x = 1; x <= cloud.voxels.x; ++x, ++i) {
+        const float extinction = cloud.extinction_per_m[i];
+        if (!(extinction > 0.0F)) continue;
+        const glm::vec3 gain = extinction * cloud.radiance[i];
+        rho.setValue(openvdb::Coord(x, y, z), extinction);
+        glow.setValue(openvdb::Coord(x, y, z), openvdb::Vec3s(gain.x, gain.y, gain.z));
+      }
+  write_grids(path, density, emission, cloud.voxels, cloud.voxel_m, {});
 }
 
 }  // namespace wold::blender

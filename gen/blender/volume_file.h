@@ -14,4 +14,7 @@ namespace wold::blender {
 /// volume's content; one that is there with the same content stays. Throws FileError.
 void write_volume(const std::filesystem::path& path, const landscape::Volume& volume);
 
+/// Writes a cloud likewise, always anew.
+void write_cloud(const std::filesystem::path& path, const landscape::CloudBox& cloud);
+
 }  // namespace wold::blender

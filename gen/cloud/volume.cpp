@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "cloud/billow_box.h"
+#include "cloud/box_filter.h"
 #include "cloud/optical_sweep.h"
 #include "cloud/scattering.h"
 #include "core/parallel.h"
@@ -110,6 +111,27 @@ glm::dvec3 centre_m(const VoxelBox& box, int x, int y, int z) {
   return box.corner_m + (glm::dvec3(x, y, z) + 0.5) * box.voxel_m;
 }
 
+/// Vertical optical depth of every column.
+PeriodicMap<float> depth_map(const LayerState& state, double pixel_m, const VoxelBox& box) {
+  PeriodicMap<float> depths(box.voxels.x, box.voxels.y);
+  parallel_for(static_cast<std::size_t>(box.voxels.y), [&](std::size_t row) {
+    const int y = static_cast<int>(row);
+    for (int x = 0; x < box.voxels.x; ++x)
+      depths.at(x, y) =
+          static_cast<float>(optical_depth_at(state, pixel_m, centre_m(box, x, y, 0)));
+  });
+  return depths;
+}
+
+/// What tops follow: single columns would stand out of a cloud like needles. thickness_px: the
+/// layer's, in columns.
+PeriodicMap<float> smoothed(const PeriodicMap<float>& depths, double thickness_px) {
+  constexpr double radius = 0.08;  // of the thickness
+  const int radius_px = std::min(static_cast<int>(std::lround(radius * thickness_px)),
+                                 (std::min(depths.width(), depths.height()) - 1) / 2);
+  return box_filtered(box_filtered(depths, radius_px), radius_px);
+}
+
 }  // namespace
 
 CloudVolume lifted(const LayerState& state, double pixel_m, const glm::dvec2& south_west_m,
@@ -125,14 +147,17 @@ CloudVolume lifted(const LayerState& state, double pixel_m, const glm::dvec2& so
     volume.droplets_per_seen =
         std::max(1.0, layer.droplets.extinction_per_m * layer.thickness_m / layer.seen_depth);
   volume.extinction_per_m.resize(volume.box.count());
+  const PeriodicMap<float> depths = depth_map(state, pixel_m, volume.box);
+  const PeriodicMap<float> smooth = smoothed(depths, layer.thickness_m / volume.box.voxel_m.x);
   const LayerBillows billows(state);
   const auto plane = static_cast<std::size_t>(voxels.x) * static_cast<std::size_t>(voxels.y);
   parallel_for(static_cast<std::size_t>(voxels.y), [&](std::size_t y) {
     for (int x = 0; x < voxels.x; ++x) {
       const glm::dvec3 place = centre_m(volume.box, x, static_cast<int>(y), 0);
-      const double depth = optical_depth_at(state, pixel_m, place);
+      const double depth{depths.at(x, static_cast<int>(y))};
       if (depth <= 0.0) continue;
-      fill_column(volume, billows, depth, top_m(layer, depth / layer.seen_depth), place,
+      const double neighbours{smooth.at(x, static_cast<int>(y))};
+      fill_column(volume, billows, depth, top_m(layer, neighbours / layer.seen_depth), place,
                   &volume.extinction_per_m[y * static_cast<std::size_t>(voxels.x) +
                                            static_cast<std::size_t>(x)],
                   plane);

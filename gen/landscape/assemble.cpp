@@ -3,26 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 
-#include "cloud/shadow.h"
-#include "core/colour.h"
 #include "grass/blade_patch.h"
 #include "grass/fibres.h"
-#include "landscape/cloudy_sky.h"
 #include "landscape/combed_light.h"
+#include "landscape/exposure.h"
 #include "landscape/far_field.h"
+#include "landscape/frame_sky.h"
 #include "landscape/haze.h"
 #include "landscape/tint.h"
 #include "landscape/view.h"
 
 namespace wold::landscape {
 namespace {
-
-constexpr int sky_width_px = 1024;
 
 /// Each different patch once, in ascending order of `key`, and the cells that refer to them.
 template <class Key, class Lookup, class Patch, class Instance>
@@ -72,27 +68,6 @@ FactorMap combed_light(const scene::Scene& scene, const Site& site, const View& 
   return combed_light_map(light, Combing(scene), site.terrain, view);
 }
 
-std::optional<cloud::CloudState> clouds_of(const Site& site, int frame) {
-  if (!site.clouds) return std::nullopt;
-  return site.clouds->at_frame(frame);
-}
-
-/// The light on the ground under clouds, which stand before the sun and change the sky.
-ColourMap clouded_light(const Site& site, const cloud::CloudState& clouds, const CloudySky& sky) {
-  const FactorMap sun_share =
-      cloud::sun_share(clouds, site.terrain, site.day.sun_direction(), site.light.sun.samples());
-  ColourMap light = product(site.light.sun, sun_share);
-  const glm::vec3 sky_factor = sky.irradiance() / site.day.sky_irradiance();
-  for (std::size_t i = 0; i < light.values().size(); ++i)
-    light.values()[i] += site.light.sky.values()[i] * sky_factor;
-  return light;
-}
-
-/// A distance from the camera that no ground reaches.
-double beyond_everything_m(const Landscape& landscape) {
-  return 2.0 * (landscape.terrain.size_m() + 2.0 * std::abs(landscape.camera.eye_m.z)) + 100.0;
-}
-
 std::map<int, PatchLook> far_looks(const scene::Scene& scene, int frame,
                                    const PatchLookup& lookup) {
   std::map<int, PatchLook> looks;
@@ -101,19 +76,27 @@ std::map<int, PatchLook> far_looks(const scene::Scene& scene, int frame,
   return looks;
 }
 
-/// A white card in the open is exposed above white: grass and sky are dark subjects, and a camera
-/// that meters them opens by most of a stop.
-constexpr double card_exposure = 1.6;
-
-/// Exposure of the sky at 20 degrees of elevation at which it is about to burn out: there the
-/// camera stops opening. A low sun lights the sky more than the ground.
-constexpr double brightest_sky = 0.9;
-
-/// Factor on every radiance as a camera's meter sets it.
-double metered_gain(const light::Daylight& day) {
-  constexpr double elevation_rad = 20.0 * std::numbers::pi / 180.0;
-  const double sky = luminance(day.mean_sky_radiance(elevation_rad));
-  return std::min(card_exposure * std::numbers::pi, brightest_sky / sky);
+/// Light on the grass, how much of it stands, and the ground with what is painted on it.
+void set_ground(Landscape& landscape, const scene::Scene& scene, const Site& site,
+                std::span<const CellChoice> choices, const ColourMap& light,
+                const PatchLookup& lookup) {
+  const int frame = landscape.frame;
+  const View view(landscape.camera, landscape.width_px, landscape.height_px);
+  const grass::AgeingModel model(scene.ageing, scene.grass.specular);
+  const grass::WitheringPatch patch(scene, model, /*variant=*/0);
+  const ColourMap grass_light =
+      product(light, combed_light(scene, site, view, patch.at(landscape.weathering), model));
+  landscape.light =
+      product(grass_light, weathering_tint(scene, frame, choices, grass_colour(patch, model)));
+  landscape.standing = standing_grass(scene, site.terrain, site.growth, view);
+  landscape.ground = product(site.ground_reflectance, light);
+  if (!shows_distance(scene, site, landscape.camera)) return;
+  const Haze haze(site.day, landscape.camera.eye_m, scene.sky.visual_range_m);
+  const Meadow meadow(scene, site.terrain, view, frame, far_looks(scene, frame, lookup));
+  paint_far_grass(landscape.ground, scene, site.terrain, site.growth, grass_light, view, meadow);
+  veil_ground(landscape.ground, site.terrain, view, haze);
+  landscape.light =
+      product(landscape.light, veil_of_grass(grass_light, site.terrain, view, meadow, haze));
 }
 
 }  // namespace
@@ -126,46 +109,24 @@ bool shows_distance(const scene::Scene& scene, const Site& site, const Camera& c
 
 Landscape assemble(const scene::Scene& scene, const Site& site, int frame,
                    std::span<const CellChoice> choices, const PatchLookup& lookup) {
-  const Heightfield& terrain = site.terrain;
   Landscape landscape;
   landscape.frame = frame;
   landscape.weathering = scene.ageing.frames.at(static_cast<std::size_t>(frame - 1));
-  landscape.terrain = terrain;
+  landscape.terrain = site.terrain;
   landscape.patch_m = scene.grass.patch_m;
-  landscape.camera = resolved_camera(scene.camera, terrain, time_of_frame(scene, frame));
+  landscape.camera = resolved_camera(scene.camera, site.terrain, time_of_frame(scene, frame));
   landscape.width_px = scene.render.size_px[0];
   landscape.height_px = scene.render.size_px[1];
-  const View view(landscape.camera, landscape.width_px, landscape.height_px);
+  landscape.samples = scene.render.samples;
+  landscape.df3_bits = scene.render.df3_bits;
+  landscape.exposure_gain =
+      metered_gain(site.day, site.clouds.has_value()) * std::exp2(scene.render.exposure);
   place(choices, /*blades=*/false, volume_key, lookup.volume, landscape.volumes, landscape.cells);
   place(choices, /*blades=*/true, blades_key, lookup.blades, landscape.blade_meshes,
         landscape.blade_cells);
-  const grass::AgeingModel model(scene.ageing, scene.grass.specular);
-  const grass::WitheringPatch patch(scene, model, /*variant=*/0);
-  const std::optional<cloud::CloudState> clouds = clouds_of(site, frame);
-  const CloudySky sky(site.day, clouds.value_or(cloud::CloudState{}), landscape.camera.eye_m,
-                      scene.sky.visual_range_m);
-  const ColourMap light = clouds ? clouded_light(site, *clouds, sky) : site.light.together();
-  const ColourMap grass_light =
-      product(light, combed_light(scene, site, view, patch.at(landscape.weathering), model));
-  landscape.light =
-      product(grass_light, weathering_tint(scene, frame, choices, grass_colour(patch, model)));
-  landscape.standing = standing_grass(scene, terrain, site.growth, view);
-  landscape.ground = product(site.ground_reflectance, light);
-  if (shows_distance(scene, site, landscape.camera)) {
-    const Haze haze(site.day, landscape.camera.eye_m, scene.sky.visual_range_m);
-    const Meadow meadow(scene, terrain, view, frame, far_looks(scene, frame, lookup));
-    paint_far_grass(landscape.ground, scene, terrain, site.growth, grass_light, view, meadow);
-    veil_ground(landscape.ground, terrain, view, haze);
-    landscape.light =
-        product(landscape.light, veil_of_grass(grass_light, terrain, view, meadow, haze));
-  }
-  landscape.sky = clouds ? sky_picture(sky, sky_width_px) : site.day.sky_image(sky_width_px);
-  if (clouds)
-    landscape.backdrop = sky_backdrop(sky, landscape.camera, landscape.width_px,
-                                      landscape.height_px, beyond_everything_m(landscape));
-  landscape.samples = scene.render.samples;
-  landscape.exposure_gain = metered_gain(site.day) * std::exp2(scene.render.exposure);
-  landscape.df3_bits = scene.render.df3_bits;
+  const FrameSky sky(scene, site, frame, landscape.camera.eye_m);
+  set_ground(landscape, scene, site, choices, sky.light(), lookup);
+  sky.show(landscape);
   return landscape;
 }
 

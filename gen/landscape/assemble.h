@@ -27,10 +27,7 @@ bool shows_distance(const scene::Scene& scene, const Site& site, const Camera& c
 /// One frame (from 1) as the exporters want it: `choices` are choose_cells', `lookup` is called
 /// once for each different volume or mesh, in ascending order, and what it gives are the
 /// landscape's in that order.
-///
-/// exposure_gain is 1.6 pi 2^exposure: under the daylight's unit, a white Lambertian sheet that
-/// lies in the open comes out as 1.6; meadow and sky then have a camera's brightness. Less with a
-/// low sun: the sky at 20 degrees of elevation comes out as 0.9 at most.
+/// exposure_gain is metered_gain() (exposure.h) times 2^exposure.
 Landscape assemble(const scene::Scene& scene, const Site& site, int frame,
                    std::span<const CellChoice> choices, const PatchLookup& lookup);
 

@@ -6,15 +6,13 @@
 
 #include "cloud/scattering.h"
 #include "core/parallel.h"
+#include "landscape/cloud_haze.h"
 
 namespace wold::landscape {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double earth_radius_m = 6.371e6;
-
-/// Height over which haze thins by e (Elterman 1968: aerosol of the lowest kilometres).
-constexpr double haze_height_m = 1200.0;
 
 /// What an eye makes out: half a pixel of a picture 1000 pixels and 60 degrees wide.
 constexpr double finest_angle_rad = 5e-4;
@@ -79,27 +77,31 @@ struct CloudySky::Meeting {
   glm::dvec2 place_m;
   double cosine;
   double sun_cosine;
+  double share;              ///< of the layer there that is a sheet
   float clear;               ///< share that haze before it lets through
   double phase = 0.0;        ///< per steradian, of sunlight scattered into the line of sight
   double footprint_m = 0.0;  ///< what the eye makes out there
 };
 
 CloudySky::CloudySky(const light::Daylight& day, const cloud::CloudState& clouds,
-                     const glm::dvec3& eye_m, double visual_range_m)
+                     const glm::dvec3& eye_m, double visual_range_m,
+                     const std::vector<std::optional<CloudWindow>>& windows)
     : day_(day),
       eye_m_(eye_m),
       visual_range_m_(visual_range_m),
       pixel_m_(clouds.pixel_m),
       daylight_(day.sun_irradiance() * static_cast<float>(day.sun_direction().z) +
                 day.sky_irradiance()) {
-  for (const cloud::LayerState& state : clouds.layers) {
+  for (std::size_t i = 0; i < clouds.layers.size(); ++i) {
+    const cloud::LayerState& state = clouds.layers[i];
     const cloud::Layer& layer = *state.layer;
     const double rise_m = layer.base_m - eye_m.z;
-    if (layer.is_volume || rise_m <= 0.0) continue;
+    if (rise_m <= 0.0) continue;
     layers_.push_back(
         {state.layer, state.moment.way_m, cloud::sheets_of(state, clouds.pixel_m), rise_m,
          layer.droplets.extinction_per_m * layer.thickness_m / std::max(layer.seen_depth, 1e-6),
-         layer.droplets.asymmetry, glm::vec3(state.moment.light)});
+         layer.droplets.asymmetry, glm::vec3(state.moment.light),
+         windows.empty() ? std::nullopt : windows[i]});
   }
 }
 
@@ -131,14 +133,15 @@ glm::vec3 CloudySky::clouded(glm::vec3 behind, const glm::dvec3& direction) cons
 glm::vec3 CloudySky::before(const glm::vec3& behind, const Layer& layer,
                             const glm::dvec3& direction) const {
   const auto [distance_m, cosine] = crossing(direction.z, layer.rise_m);
-  const double in_haze_m =
-      distance_m * -std::expm1(-layer.rise_m / haze_height_m) * haze_height_m / layer.rise_m;
+  const glm::dvec2 place_m = glm::dvec2(eye_m_) + glm::dvec2(direction) * distance_m;
   Meeting meeting{
-      glm::dvec2(eye_m_) + glm::dvec2(direction) * distance_m, cosine,
+      place_m,
+      cosine,
       std::max(day_.sun_direction().z, 0.05),
-      static_cast<float>(1.0 - light::haze_share(in_haze_m, visual_range_m_)),
+      layer.window ? 1.0 - layer.window->share(place_m) : 1.0,
+      static_cast<float>(clear_share(distance_m, layer.rise_m, visual_range_m_)),
       cloud::henyey_greenstein(layer.asymmetry, glm::dot(direction, day_.sun_direction()))};
-  if (meeting.clear < 1.0F / 512.0F) return behind;
+  if (meeting.clear < 1.0F / 512.0F || meeting.share <= 0.0) return behind;
   meeting.footprint_m = finest_angle_rad * distance_m / std::sqrt(cosine);
   glm::vec3 seen = behind;
   for (const cloud::Sheet& sheet : layer.sheets) seen = before(seen, layer, sheet, meeting);
@@ -155,7 +158,7 @@ glm::vec3 CloudySky::before(const glm::vec3& behind, const Layer& layer, const c
       sheet.map->detail * made.detail.at(meeting.place_m - layer.way_m, meeting.footprint_m);
   const double opacity = opacity_at(sheet, made, number, detail);
   if (opacity <= 0.0) return behind;
-  const double depth = -std::log1p(-std::min(opacity, 0.999999));
+  const double depth = meeting.share * -std::log1p(-std::min(opacity, 0.999999));
   const glm::vec3 diffuse(looked_up(sheet.colour_by_light,
                                     shaded(rank_at(sheet.map->sunlit, place_px), detail),
                                     cloud::lights_per_entry));

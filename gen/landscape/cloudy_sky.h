@@ -3,11 +3,13 @@
 #include <functional>
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "cloud/clouds.h"
 #include "cloud/look.h"
 #include "core/image.h"
+#include "landscape/cloud_boxes.h"
 #include "landscape/landscape.h"
 #include "light/daylight.h"
 
@@ -23,9 +25,10 @@ namespace wold::landscape {
 /// seen as well: what it adds to the field changes opacity and shade.
 class CloudySky {
  public:
-  /// `day` has to outlive it. Layers that are volumes, or not above the eye, are left out.
+  /// `day` has to outlive it. Layers that are not above the eye are left out, and what of a layer
+  /// stands as a volume in its window; no windows at all: nothing does.
   CloudySky(const light::Daylight& day, const cloud::CloudState& clouds, const glm::dvec3& eye_m,
-            double visual_range_m);
+            double visual_range_m, const std::vector<std::optional<CloudWindow>>& windows = {});
 
   /// Radiance from a unit direction.
   glm::vec3 radiance(const glm::dvec3& direction) const;
@@ -49,6 +52,7 @@ class CloudySky {
     double droplets_per_seen;          ///< optical depth of the droplets over that which is seen
     double asymmetry;
     glm::vec3 light_colour;
+    std::optional<CloudWindow> window;
   };
   struct Meeting;
 

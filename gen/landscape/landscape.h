@@ -66,6 +66,16 @@ struct Backdrop {
   glm::dvec3 up_m;      ///< and to the upper left
 };
 
+/// A cloud as a volume that stands in world space, as voxels in memory: x fastest, then y, then z.
+struct CloudBox {
+  std::string name;  ///< unique in the frame, safe as a file name
+  glm::ivec3 voxels;
+  double voxel_m = 0.0;
+  glm::dvec3 corner_m;  ///< lowest, in the south-west
+  std::vector<float> extinction_per_m;
+  std::vector<glm::vec3> radiance;  ///< source: a ray's gains extinction * radiance * ds
+};
+
 struct Landscape {
   int frame = 1;            ///< from 1
   double weathering = 0.0;  ///< the frame's weathering degree, for people
@@ -78,9 +88,10 @@ struct Landscape {
   ColourMap light;                     ///< multiplies the radiance of all grass, by world x and y
   FactorMap standing;                  ///< multiplies the extinction of the volumes, likewise
   ColourMap ground;                    ///< radiance of the bare ground, by world x and y
-  Image sky;  ///< radiance by direction, 3 channels: column c looks to azimuth
-              ///< 360 (c + 0.5) / width degrees clockwise from north, row r to
-              ///< elevation 90 - 180 (r + 0.5) / height degrees
+  Image sky;                     ///< radiance by direction, 3 channels: column c looks to azimuth
+                                 ///< 360 (c + 0.5) / width degrees clockwise from north, row r to
+                                 ///< elevation 90 - 180 (r + 0.5) / height degrees
+  std::vector<CloudBox> clouds;  ///< from the highest to the lowest
   std::optional<Backdrop> backdrop;  ///< before the sky; none under a clear one
   Camera camera;
   int width_px = 0;

@@ -68,6 +68,13 @@ std::string write_backdrop(const std::optional<landscape::Backdrop>& backdrop,
       vector(backdrop->corner_m), vector(backdrop->right_m), vector(backdrop->up_m));
 }
 
+std::string clouds_text(const std::vector<landscape::CloudBox>& clouds) {
+  std::string text;
+  for (const landscape::CloudBox& cloud : clouds)
+    text += fmt::format("Cloud(\"{}\", {})\n", cloud.name, vector(cloud.corner_m));
+  return text;
+}
+
 std::string frame_text(const landscape::Landscape& scene, const std::string& terrain) {
   return fmt::format(
       "// Frame {}, weathering degree {}. Metres; x east, y north, z up.\n"
@@ -132,6 +139,8 @@ void export_frame(const landscape::Landscape& scene, const fs::path& folder) {
   write_file(frame / "cells.inc", [&](std::ostream& out) { write_cells(out, scene, used); });
   write_file(frame / "volumes.inc",
              [&](std::ostream& out) { write_volumes_list(out, scene, used); });
+  for (const landscape::CloudBox& cloud : scene.clouds) write_cloud(cloud, scene.df3_bits, frame);
+  write_file(frame / "clouds.inc", clouds_text(scene.clouds));
   write_file(frame / "frame.inc", frame_text(scene, terrain) + maps + backdrop);
   write_file(data / fmt::format("frame_{:04}.ini", scene.frame), frame_settings(scene));
   write_file(folder / "povray.ini", settings(scene));

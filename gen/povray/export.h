@@ -13,7 +13,8 @@ namespace wold::povray {
 ///     data/frame_0001/frame.inc     camera, exposure, scales of the maps
 ///     data/frame_0001/volumes.inc   the volumes and meshes this frame uses
 ///     data/frame_0001/cells.inc     one macro call per cell
-///     data/frame_0001/*.df3, *.exr  light on the grass; ground and sky
+///     data/frame_0001/clouds.inc    one macro call per cloud that is a volume
+///     data/frame_0001/*.df3, *.exr  light on the grass, clouds; ground, sky, backdrop
 ///     data/terrain_<hash>.inc       the ground's triangles, shared by frames with the same ground
 ///     data/blades/<name>*           meshes, shared by all frames
 ///     data/volumes/<name>*          shared by all frames

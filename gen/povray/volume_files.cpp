@@ -54,15 +54,40 @@ std::vector<float> weighted_channel(std::span<const float> extinction,
   return product;
 }
 
-std::string description(const landscape::Volume& volume, int bits, glm::ivec3 voxels,
-                        float extinction_max, glm::vec3 emission_max) {
-  return content_line(volume, bits) +
+/// A volume's numbers and what is said about them.
+struct Grids {
+  std::string name;
+  std::string first_line;  ///< of the .inc
+  glm::ivec3 voxels;
+  double voxel_m;
+  std::span<const float> extinction;
+  std::span<const glm::vec3> radiance;
+};
+
+std::string description(const Grids& grids, float extinction_max, glm::vec3 emission_max) {
+  return grids.first_line +
          fmt::format(
              "#declare Voxels = {};\n"
              "#declare Voxel_m = {};\n"
              "#declare Extinction_max = {};  // 1/m, of the largest number in _d\n"
              "#declare Emission_max = {};  // radiance/m, in _r, _g, _b\n",
-             vector(voxels), number(volume.voxel_m), number(extinction_max), vector(emission_max));
+             vector(grids.voxels), number(grids.voxel_m), number(extinction_max),
+             vector(emission_max));
+}
+
+/// Four df3 files and the .inc that vouches for them: it is gone before the first of them is
+/// replaced and written after the last.
+void write_grids(const Grids& grids, int bits, const fs::path& folder) {
+  const fs::path inc = folder / (grids.name + ".inc");
+  fs::remove(inc);
+  const float extinction_max =
+      write_grid(grid_file(folder, grids.name, 0), grids.extinction, grids.voxels, bits);
+  glm::vec3 emission_max(0.0F);
+  for (int channel = 0; channel < 3; ++channel)
+    emission_max[channel] =
+        write_grid(grid_file(folder, grids.name, channel + 1),
+                   weighted_channel(grids.extinction, grids.radiance, channel), grids.voxels, bits);
+  write_file(inc, description(grids, extinction_max, emission_max));
 }
 
 }  // namespace
@@ -100,8 +125,6 @@ int filled_height(std::span<const float> values, glm::ivec3 voxels) {
 void write_volume(const landscape::Volume& volume, int bits, const fs::path& folder) {
   if (is_there(volume, bits, folder)) return;
   make_folder(folder);
-  // It vouches for the grids: gone before the first of them is replaced, written after the last.
-  fs::remove(folder / (volume.name + ".inc"));
   const glm::ivec3 first(1);
   std::vector<float> extinction = read_dense_floats(volume.vdb, "density", first, volume.voxels);
   glm::ivec3 voxels = volume.voxels;
@@ -109,15 +132,15 @@ void write_volume(const landscape::Volume& volume, int bits, const fs::path& fol
   extinction.resize(static_cast<std::size_t>(voxels.x) * static_cast<std::size_t>(voxels.y) *
                     static_cast<std::size_t>(voxels.z));
   const auto radiance = read_dense_vectors(volume.vdb, volume.emission_grid, first, voxels);
-  const float extinction_max =
-      write_grid(grid_file(folder, volume.name, 0), extinction, voxels, bits);
-  glm::vec3 emission_max(0.0F);
-  for (int channel = 0; channel < 3; ++channel)
-    emission_max[channel] =
-        write_grid(grid_file(folder, volume.name, channel + 1),
-                   weighted_channel(extinction, radiance, channel), voxels, bits);
-  write_file(folder / (volume.name + ".inc"),
-             description(volume, bits, voxels, extinction_max, emission_max));
+  write_grids(
+      {volume.name, content_line(volume, bits), voxels, volume.voxel_m, extinction, radiance}, bits,
+      folder);
+}
+
+void write_cloud(const landscape::CloudBox& cloud, int bits, const fs::path& folder) {
+  write_grids({cloud.name, "// A cloud.\n", cloud.voxels, cloud.voxel_m, cloud.extinction_per_m,
+               cloud.radiance},
+              bits, folder);
 }
 
 }  // namespace wold::povray

@@ -22,6 +22,9 @@ std::vector<float> padded(std::span<const float> values, glm::ivec3 voxels);
 /// Height of the last slice with a value above zero, in voxels; at least 1.
 int filled_height(std::span<const float> values, glm::ivec3 voxels);
 
+/// Writes a cloud likewise, always anew.
+void write_cloud(const landscape::CloudBox& cloud, int bits, const std::filesystem::path& folder);
+
 /// Writes below `folder` <name>_d.df3 (extinction), <name>_r.df3, _g.df3, _b.df3 (extinction times
 /// source radiance per channel; 8 or 16 bit integers of the volume's own maxima) and, last,
 /// <name>.inc with size, maxima and content hash. Does nothing when the .inc already has this

@@ -302,12 +302,12 @@ def set_camera(frame):
 # The grass ----------------------------------------------------------------------------------
 
 
-def load_volume(frame, entry, number):
+def load_volume(frame, entry, name):
     """Blender shows a missing volume as nothing and ends abruptly on a damaged one: both are
     looked for here."""
     path = frame.path(entry["file"])
     check_size(path, entry["bytes"])
-    volume = bpy.data.volumes.new(f"volume {number:05d}")
+    volume = bpy.data.volumes.new(name)
     volume.filepath = path
     volume.render.space = "WORLD"  # extinction is per metre of the world, whatever the shear
     if not volume.grids.load():
@@ -325,7 +325,7 @@ def load_volumes(frame):
     collection = bpy.data.collections.new("volumes")
     materials = {}
     for number, entry in enumerate(frame["volumes"]):
-        volume = load_volume(frame, entry, number)
+        volume = load_volume(frame, entry, f"volume {number:05d}")
         step = round(entry["step_voxels"], 2)
         if step not in materials:
             materials[step] = grass_material(frame, step)
@@ -412,6 +412,36 @@ def add_grass(frame):
     add_instances(frame, frame["blade_cells"], load_blades(frame))
 
 
+# The clouds ---------------------------------------------------------------------------------
+
+
+def cloud_material():
+    """Like grass, without the maps of the ground."""
+    material, nodes = new_material("cloud")
+    material.cycles.volume_step_rate = 2.0  # voxels
+    density = nodes.add("ShaderNodeAttribute", attribute_name="density")
+    radiance = nodes.add("ShaderNodeAttribute", attribute_name="emission")
+    absorption = nodes.add("ShaderNodeVolumeAbsorption")
+    absorption.inputs["Color"].default_value = (0, 0, 0, 1)
+    emission = nodes.add("ShaderNodeEmission")
+    both = nodes.add("ShaderNodeAddShader")
+    output = nodes.add("ShaderNodeOutputMaterial")
+    nodes.link(density.outputs["Fac"], absorption.inputs["Density"])
+    nodes.link(radiance.outputs["Vector"], emission.inputs["Color"])
+    nodes.link(absorption.outputs["Volume"], both.inputs[0])
+    nodes.link(emission.outputs["Emission"], both.inputs[1])
+    nodes.link(both.outputs["Shader"], output.inputs["Volume"])
+    return material
+
+
+def add_clouds(frame):
+    """The clouds that are volumes; the others are in the backdrop."""
+    for number, entry in enumerate(frame["clouds"]):
+        volume = load_volume(frame, entry, f"cloud {number}")
+        volume.materials.append(cloud_material())
+        add_object(volume.name, volume).location = entry["corner_m"]
+
+
 # The picture --------------------------------------------------------------------------------
 
 
@@ -459,6 +489,7 @@ def build(frame, options):
     add_terrain(frame)
     add_grass(frame)
     set_sky(frame)
+    add_clouds(frame)
     add_backdrop(frame)
     set_camera(frame)
 

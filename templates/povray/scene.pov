@@ -45,6 +45,7 @@ global_settings {
 
 #include concat(Frame_folder, "frame.inc")
 #include concat(Here, "grass.inc")
+#include concat(Here, "clouds.inc")
 #include concat(Here, "surroundings.inc")
 
 camera {
@@ -65,3 +66,4 @@ Ground(concat(Frame_folder, "ground.exr"))
 
 #include concat(Frame_folder, "volumes.inc")
 #include concat(Frame_folder, "cells.inc")
+#include concat(Frame_folder, "clouds.inc")

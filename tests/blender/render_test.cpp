@@ -14,6 +14,7 @@
 #include "core/files.h"
 #include "core/image.h"
 #include "core/vdb_file.h"
+#include "support/cloudy_view.h"
 #include "support/synthetic_landscape.h"
 
 namespace wold::blender {
@@ -227,6 +228,22 @@ TEST_F(BlenderRender, JointsOfCellsCannotBeSeen) {
         ASSERT_NEAR(linear_of(picture.pixel(x, y)[1]), want, 0.008) << "pixel " << x << ", " << y;
       }
     EXPECT_GT(inside, 160 * 90 / 3);
+  }
+}
+
+// A cloud stands in the air, and behind it the backdrop, the right way up.
+TEST_F(BlenderRender, CloudsAreBeforeTheBackdrop) {
+  test::make_cloudy_view(landscape);
+  ASSERT_EQ(run(), 0) << read_file(folder / "log");
+  const Image picture = read_image(folder / "picture.png");
+  const Eye eye(landscape);
+  for (const glm::dvec3 direction : {glm::dvec3(0.02, 1.0, 0.12), glm::dvec3(0.1, 1.0, 0.3),
+                                     glm::dvec3(0.2, 1.0, 0.25), glm::dvec3(-0.2, 1.0, 0.1)}) {
+    const glm::dvec3 unit = glm::normalize(direction);
+    const glm::dvec2 at = eye.pixel_of_direction(unit);
+    const double wanted = test::radiance_of_cloudy_view(landscape, unit);
+    const float value = picture.pixel(static_cast<int>(at.x), static_cast<int>(at.y))[1];
+    EXPECT_NEAR(double{linear_of(value)} / landscape.exposure_gain, wanted, 0.03 * wanted);
   }
 }
 

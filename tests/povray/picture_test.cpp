@@ -12,6 +12,7 @@
 #include "core/image.h"
 #include "povray/constant_meadow.h"
 #include "povray/export.h"
+#include "support/cloudy_view.h"
 #include "support/synthetic_landscape.h"
 
 namespace wold::povray {
@@ -202,6 +203,21 @@ TEST_F(Picture, LightAndGrowthFollowTheWorldNotTheCell) {
       EXPECT_NEAR(radiance(picture, scene, x, y, 1), expected(1.0, north_m), 0.001);
       EXPECT_NEAR(radiance(picture, scene, x, y, 2), expected(north_m / 3.0, north_m), 0.001);
     }
+}
+
+// A cloud stands in the air, and behind it the backdrop, the right way up.
+TEST_F(Picture, CloudsAreBeforeTheBackdrop) {
+  landscape::Landscape scene = test::constant_meadow({}, folder / "texels");
+  test::make_cloudy_view(scene);
+  const Image picture = render(scene);
+  for (const glm::dvec3 direction : {glm::dvec3(0.02, 1.0, 0.12), glm::dvec3(0.1, 1.0, 0.3),
+                                     glm::dvec3(0.2, 1.0, 0.25), glm::dvec3(-0.2, 1.0, 0.1)}) {
+    const glm::dvec3 unit = glm::normalize(direction);
+    const glm::dvec2 at = pixel_of(scene, unit);
+    const double wanted = test::radiance_of_cloudy_view(scene, unit);
+    EXPECT_NEAR(radiance(picture, scene, static_cast<int>(at.x), static_cast<int>(at.y)), wanted,
+                0.02 * wanted);
+  }
 }
 
 TEST_F(Picture, BareCommandsWorkHereAndFromAbove) {

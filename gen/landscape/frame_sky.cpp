@@ -1,0 +1,61 @@
+#include "landscape/frame_sky.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cloud/shadow.h"
+#include "landscape/cloud_boxes.h"
+
+namespace wold::landscape {
+namespace {
+
+constexpr int sky_width_px = 1024;
+
+std::optional<cloud::CloudState> clouds_of(const Site& site, int frame) {
+  if (!site.clouds) return std::nullopt;
+  return site.clouds->at_frame(frame);
+}
+
+/// A distance from the camera that no ground and no cloud reaches.
+double beyond_everything_m(const Landscape& landscape) {
+  double size_m = landscape.terrain.size_m() + 2.0 * std::abs(landscape.camera.eye_m.z) + 100.0;
+  for (const CloudBox& box : landscape.clouds)
+    size_m = std::max(size_m, box.voxels.x * box.voxel_m + box.corner_m.z);
+  return 2.0 * size_m;
+}
+
+}  // namespace
+
+FrameSky::FrameSky(const scene::Scene& scene, const Site& site, int frame, const glm::dvec3& eye_m)
+    : scene_(scene),
+      site_(site),
+      clouds_(clouds_of(site, frame)),
+      sheets_(site.day, clouds_.value_or(cloud::CloudState{}), eye_m, scene.sky.visual_range_m) {}
+
+ColourMap FrameSky::light() const {
+  if (!clouds_) return site_.light.together();
+  const FactorMap sun_share = cloud::sun_share(*clouds_, site_.terrain, site_.day.sun_direction(),
+                                               site_.light.sun.samples());
+  ColourMap light = product(site_.light.sun, sun_share);
+  const glm::vec3 sky_factor = sheets_.irradiance() / site_.day.sky_irradiance();
+  for (std::size_t i = 0; i < light.values().size(); ++i)
+    light.values()[i] += site_.light.sky.values()[i] * sky_factor;
+  return light;
+}
+
+void FrameSky::show(Landscape& landscape) const {
+  if (!clouds_) {
+    landscape.sky = site_.day.sky_image(sky_width_px);
+    return;
+  }
+  landscape.sky = sky_picture(sheets_, sky_width_px);
+  const Camera& camera = landscape.camera;
+  const double visual_range_m = scene_.sky.visual_range_m;
+  const auto windows = cloud_windows(*clouds_, camera);
+  landscape.clouds = cloud_boxes(*clouds_, windows, site_.day, camera.eye_m, visual_range_m);
+  const CloudySky behind(site_.day, *clouds_, camera.eye_m, visual_range_m, windows);
+  landscape.backdrop = sky_backdrop(behind, camera, landscape.width_px, landscape.height_px,
+                                    beyond_everything_m(landscape));
+}
+
+}  // namespace wold::landscape

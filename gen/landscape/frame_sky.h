@@ -1,0 +1,30 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "landscape/cloudy_sky.h"
+#include "landscape/site.h"
+
+namespace wold::landscape {
+
+/// The sky of one frame: clear, or with the clouds of that moment.
+class FrameSky {
+ public:
+  /// Frame from 1. `scene` and `site` have to outlive it.
+  FrameSky(const scene::Scene& scene, const Site& site, int frame, const glm::dvec3& eye_m);
+
+  /// The light on the ground. Clouds stand before the sun and change the sky's own light.
+  ColourMap light() const;
+
+  /// Sets the sky and its clouds as the landscape's camera sees them.
+  void show(Landscape& landscape) const;
+
+ private:
+  const scene::Scene& scene_;
+  const Site& site_;
+  std::optional<cloud::CloudState> clouds_;
+  CloudySky sheets_;  ///< all layers
+};
+
+}  // namespace wold::landscape
