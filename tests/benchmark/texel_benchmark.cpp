@@ -121,7 +121,8 @@ TexelDemand everything(const scene::Scene& scene) {
   for (int level = 0; level < static_cast<int>(grass.levels.size()); ++level) levels[level] = {0};
   TexelDemand demand;
   for (int variant = 0; variant < grass.variants; ++variant)
-    for (int key_frame = 0; key_frame < static_cast<int>(scene::key_frames(scene).size()); ++key_frame)
+    for (int key_frame = 0; key_frame < static_cast<int>(scene::key_frames(scene).size());
+         ++key_frame)
       demand[variant][key_frame] = levels;
   return demand;
 }
