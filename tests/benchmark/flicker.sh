@@ -7,5 +7,5 @@ here=$(cd "$(dirname "$0")/../.." && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 "$here/build/wold" render "$here/examples/flight.toml" --quiet --size 480x270 --out "$work" \
-  --set 'camera.eye_end=[]' --set 'camera.target_end=[]' "$@"
+  --set 'camera.eye_end=[]' --set 'camera.target_end=[]' "$@" >/dev/null
 "$here/build/flicker" "$work"/frames/*/*.png
