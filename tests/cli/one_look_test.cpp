@@ -22,6 +22,9 @@ struct Film {
   bool clear;  ///< the skyline stands out from the sky
 };
 
+/// For the names of tests, which would have the object's bytes else.
+void PrintTo(const Film& film, std::ostream* out) { *out << film.example; }
+
 /// Mean of the box x box pixels from a pixel on, of a channel.
 double blurred(const Image& picture, int x, int y, int channel) {
   double sum = 0.0;
