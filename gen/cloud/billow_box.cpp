@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloud/periodic_map.h"
 #include "core/parallel.h"
 #include "core/random.h"
 
 namespace wold::cloud {
 namespace {
-
-int wrapped(int i, int period) {
-  const int rest = i % period;
-  return rest < 0 ? rest + period : rest;
-}
 
 /// The points of one octave, one in each cell.
 std::vector<glm::vec3> points_of(int cells, std::uint64_t key) {
@@ -34,8 +30,9 @@ float nearest2(const std::vector<glm::vec3>& points, int cells, const glm::vec3&
     for (int j = -1; j <= 1; ++j)
       for (int i = -1; i <= 1; ++i) {
         const glm::ivec3 cell = low + glm::ivec3(i, j, k);
-        const int number = (wrapped(cell.z, cells) * cells + wrapped(cell.y, cells)) * cells +
-                           wrapped(cell.x, cells);
+        const int number =
+            (wrapped_index(cell.z, cells) * cells + wrapped_index(cell.y, cells)) * cells +
+            wrapped_index(cell.x, cells);
         const glm::vec3 away = glm::vec3(cell) + points[static_cast<std::size_t>(number)] - place;
         nearest = std::min(nearest, glm::dot(away, away));
       }
@@ -69,8 +66,8 @@ float BillowBox::at(const glm::vec3& place) const {
     const glm::ivec3 step(corner & 1, corner >> 1 & 1, corner >> 2);
     const glm::vec3 weights = glm::mix(1.0F - part, part, glm::vec3(step));
     const glm::ivec3 at = low + step;
-    const int number =
-        (wrapped(at.z, side) * side + wrapped(at.y, side)) * side + wrapped(at.x, side);
+    const int number = (wrapped_index(at.z, side) * side + wrapped_index(at.y, side)) * side +
+                       wrapped_index(at.x, side);
     sum += weights.x * weights.y * weights.z * values_[static_cast<std::size_t>(number)];
   }
   return sum;

@@ -189,6 +189,11 @@ CloudState Clouds::at(double time_s) const {
   return state;
 }
 
+double droplets_per_seen(const Layer& layer) {
+  if (layer.seen_depth <= 0.0) return 1.0;
+  return std::max(1.0, layer.droplets.extinction_per_m * layer.thickness_m / layer.seen_depth);
+}
+
 double top_m(const Layer& layer, double relative_depth) {
   return layer.thickness_m * std::pow(relative_depth, 0.7);
 }

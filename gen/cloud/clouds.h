@@ -91,6 +91,10 @@ double relative_depth(const Layer& layer, double rank, double amount);
 /// Vertical optical depth likewise, as the eye sees it from below.
 double optical_depth_of_rank(const Layer& layer, double rank, double amount);
 
+/// Optical depth of the droplets over that which is seen, at least 1: thick clouds scatter more
+/// than opacities below 1 tell.
+double droplets_per_seen(const Layer& layer);
+
 /// The top above the base of a place with that relative depth in [0, 1]: thickness_m times its
 /// power 0.7, between a slab's, which has steep edges, and a lens's.
 double top_m(const Layer& layer, double relative_depth);

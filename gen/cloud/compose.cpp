@@ -18,16 +18,11 @@ namespace {
 /// Pixels at a time: their colours, ranks and looks stay in the processor's nearest memory.
 constexpr int block_px = 512;
 
-long remainder_of(long i, long period) {
-  const long rest = i % period;
-  return rest < 0 ? rest + period : rest;
-}
-
 /// `count` values of a map's row from any column on: where they lie, or in `room`, put together
 /// from the row's end and its start.
 const std::uint16_t* row_from(const LayerMap& map, long x, long y, int count, std::uint16_t* room) {
-  const std::uint16_t* row = map.row(static_cast<int>(remainder_of(y, map.height())));
-  long from = remainder_of(x, map.width());
+  const std::uint16_t* row = map.row(wrapped_index(y, map.height()));
+  int from = wrapped_index(x, map.width());
   if (from + count <= map.width()) return row + from;
   for (std::uint16_t* to = room; count > 0; from = 0) {
     const int run = static_cast<int>(std::min<long>(count, map.width() - from));

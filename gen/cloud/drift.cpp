@@ -15,8 +15,6 @@ constexpr double pi = std::numbers::pi;
 constexpr int gust_waves = 8;
 constexpr double shortest_gust_s = 20.0, longest_gust_s = 900.0;
 
-double radians(double degrees) { return degrees * pi / 180.0; }
-
 /// The heading nearest to `from` that points where `to` does.
 double nearest_turn(double from, double to) { return from + std::remainder(to - from, 2.0 * pi); }
 
@@ -96,14 +94,14 @@ Drift::Drift(const scene::CloudLayer& layer, const std::vector<scene::CloudEvent
     : gusts_m_s_(layer.gusts_m_s), key_(key) {
   constexpr double for_ever_s = std::numeric_limits<double>::max();
   double speed = layer.speed_m_s;
-  double heading = radians(layer.heading_deg);
+  double heading = glm::radians(layer.heading_deg);
   double now_s = 0.0;
   for (const scene::CloudEvent& event : in_order) {
     if (event.start_s > now_s)
       segments_.push_back({now_s, event.start_s - now_s, speed, speed, heading, heading});
     const double next_speed = speed_after(event, speed);
     const double next_heading =
-        event.kind == "wind" ? nearest_turn(heading, radians(event.heading_deg)) : heading;
+        event.kind == "wind" ? nearest_turn(heading, glm::radians(event.heading_deg)) : heading;
     segments_.push_back(
         {event.start_s, event.duration_s, speed, next_speed, heading, next_heading});
     now_s = event.start_s + event.duration_s;

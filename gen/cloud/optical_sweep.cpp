@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "cloud/periodic_map.h"
 #include "core/parallel.h"
 
 namespace wold::cloud {
@@ -15,17 +16,13 @@ struct Plane {
 
   float at(int x, int y) const {
     if (repeats) {
-      x = wrapped(x, width);
-      y = wrapped(y, height);
+      x = wrapped_index(x, width);
+      y = wrapped_index(y, height);
     } else if (x < 0 || y < 0 || x >= width || y >= height) {
       return 0.0F;
     }
     return values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                   static_cast<std::size_t>(x)];
-  }
-  static int wrapped(int i, int period) {
-    const int rest = i % period;
-    return rest < 0 ? rest + period : rest;
   }
 };
 

@@ -8,6 +8,12 @@
 
 namespace wold::cloud {
 
+/// Where an index falls in a row of `period` > 0 places that repeats: in [0, period).
+inline int wrapped_index(long i, int period) {
+  const long rest = i % period;
+  return static_cast<int>(rest < 0 ? rest + period : rest);
+}
+
 /// A picture that continues at its other side: width x height values on cell centres, rows from
 /// the south, x east. Any whole indices are good.
 template <class T>
@@ -36,7 +42,7 @@ class PeriodicMap {
 
   /// Any indices.
   const T& wrapped(long x, long y) const {
-    return at(remainder_of(x, width_), remainder_of(y, height_));
+    return at(wrapped_index(x, width_), wrapped_index(y, height_));
   }
 
   /// Bilinear; (s, t) in periods, any numbers below 2^31 periods.
@@ -58,10 +64,6 @@ class PeriodicMap {
  private:
   std::size_t offset(int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_);
-  }
-  static int remainder_of(long i, int period) {
-    const long rest = i % period;
-    return static_cast<int>(rest < 0 ? rest + period : rest);
   }
 
   int width_ = 0;

@@ -9,15 +9,7 @@
 namespace wold::cloud {
 namespace {
 
-constexpr double from_the_ground = 0.2;
 constexpr int ray_steps = 32;
-/// A sun near the horizon would be followed for ever; farther clouds only redden it.
-constexpr double lowest_sine = 0.15;
-
-int wrapped(int i, int period) {
-  const int rest = i % period;
-  return rest < 0 ? rest + period : rest;
-}
 
 /// A part of the ray to the sun, from the base up.
 struct RayStep {
@@ -29,7 +21,7 @@ struct RayStep {
 
 /// Steps that grow with the distance, as what is near shades most.
 std::vector<RayStep> ray_to_sun(double top_m, const glm::dvec3& sun_direction, double pixel_m) {
-  const double sine = std::max(sun_direction.z, lowest_sine);
+  const double sine = std::max(sun_direction.z, lowest_sun_sine);
   const double length_m = top_m / sine;
   const glm::dvec2 level(sun_direction.x, sun_direction.y);
   const glm::dvec2 towards = glm::length(level) > 0.0 ? glm::normalize(level) : glm::dvec2(0.0);
@@ -61,8 +53,8 @@ PeriodicMap<float> tops_of(const LayerMap& ranks, const std::vector<float>& heig
 /// Adds the length of the ray's step inside clouds, for a whole row.
 void add_step(const PeriodicMap<float>& tops, int y, const RayStep& step, float* in_cloud_m) {
   const int width = tops.width();
-  const float* row = tops.row(wrapped(y + step.away_px.y, tops.height()));
-  const int start = wrapped(step.away_px.x, width);
+  const float* row = tops.row(wrapped_index(y + step.away_px.y, tops.height()));
+  const int start = wrapped_index(step.away_px.x, width);
   const auto add = [&](const float* top, float* end_of_sum, float* sum) {
     const float per_rise = 1.0F / step.rise_m;
     for (; sum != end_of_sum; ++sum, ++top)
@@ -83,10 +75,10 @@ PeriodicMap<float> diffused(const PeriodicMap<float>& in_cloud_m, const Droplets
 }
 
 double through_of(double brightness) {
-  return (brightness - from_the_ground) / (1.0 - from_the_ground);
+  return (brightness - ground_albedo) / (1.0 - ground_albedo);
 }
 
-double brightness_of(double through) { return through + from_the_ground * (1.0 - through); }
+double brightness_of(double through) { return through + ground_albedo * (1.0 - through); }
 
 }  // namespace
 

@@ -7,6 +7,13 @@
 
 namespace wold::cloud {
 
+/// Of the ground beneath clouds, which sends light up again: meadows.
+inline constexpr double ground_albedo = 0.2;
+
+/// A sun lower than of this sine shines into clouds as if from there: its rays would be followed
+/// for ever, and farther clouds only redden it.
+inline constexpr double lowest_sun_sine = 0.15;
+
 /// What scatters in a cloud: without absorption, grey.
 struct Droplets {
   double extinction_per_m = 0.0;

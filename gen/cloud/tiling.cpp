@@ -68,11 +68,6 @@ std::vector<PeriodicMap<float>> gaussianised(const std::vector<PeriodicMap<float
   return result;
 }
 
-int wrapped(int i, int period) {
-  const int rest = i % period;
-  return rest < 0 ? rest + period : rest;
-}
-
 double cubed(double x) { return x * x * x; }
 
 }  // namespace
@@ -99,10 +94,10 @@ std::array<Patch, 3> TriangleGrid::around(const glm::dvec2& place) const {
   const double sum = weights[0] + weights[1] + weights[2];
   std::array<Patch, 3> patches;
   for (std::size_t i = 0; i < 3; ++i) {
-    const int row = wrapped(corners[i].y, vertices_.y);
+    const int row = wrapped_index(corners[i].y, vertices_.y);
     // After a period to the north the skewed axes have gone half as many vertices to the east.
     const int along = corners[i].x + (corners[i].y - row) / 2;
-    patches[i] = {{wrapped(along, vertices_.x), row}, weights[i] / sum};
+    patches[i] = {{wrapped_index(along, vertices_.x), row}, weights[i] / sum};
   }
   return patches;
 }

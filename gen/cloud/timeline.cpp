@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/random.h"
 #include "light/sunlight.h"
@@ -12,8 +11,6 @@ namespace wold::cloud {
 namespace {
 
 using scene::CloudEvent;
-
-double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 
 /// The events that change this of the layer, by their start.
 std::vector<CloudEvent> changes(const scene::Scene& scene, std::size_t layer,
@@ -55,8 +52,9 @@ glm::dvec3 colour_of(const CloudEvent& event, double turbidity) {
 }  // namespace
 
 glm::dvec3 sunlight_colour(double sun_elevation_deg, double turbidity) {
-  const glm::dvec3 relative = light::direct_sunlight_klx(radians(sun_elevation_deg), turbidity) /
-                              light::direct_sunlight_klx(radians(90.0), turbidity);
+  const glm::dvec3 relative =
+      light::direct_sunlight_klx(glm::radians(sun_elevation_deg), turbidity) /
+      light::direct_sunlight_klx(glm::radians(90.0), turbidity);
   const glm::dvec3 positive = glm::max(relative, glm::dvec3(0.0));
   return positive / std::max({positive.r, positive.g, positive.b});
 }
@@ -73,7 +71,7 @@ Timeline::Timeline(const scene::Scene& scene, std::size_t layer, double cell_m)
   for (const CloudEvent& event : lights_)
     light_colours_.push_back(colour_of(event, scene.sky.turbidity));
   for (const CloudEvent& event : winds_)
-    shapes_.push_back({radians(event.heading_deg), event.shear});
+    shapes_.push_back({glm::radians(event.heading_deg), event.shear});
   if (scene.clouds[layer].motion == "paper")
     paper_drift_.emplace(changes(scene, layer, scene::CloudChange::drift), scene.film.frame_seconds,
                          layer_key(scene, layer));

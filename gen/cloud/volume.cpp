@@ -83,9 +83,8 @@ struct Depths {
 };
 
 Depths depths_of(const CloudVolume& volume, const glm::dvec3& sun_direction) {
-  constexpr double lowest_sine = 0.15;  // a lower sun's light comes as if from there
   glm::dvec3 to_sun = sun_direction;
-  to_sun.z = std::max(to_sun.z, lowest_sine);
+  to_sun.z = std::max(to_sun.z, lowest_sun_sine);
   to_sun = glm::normalize(to_sun);
   const auto towards = [&](const glm::dvec3& direction) {
     return depth_towards(volume.box, volume.extinction_per_m, direction);
@@ -143,9 +142,7 @@ CloudVolume lifted(const LayerState& state, double pixel_m, const glm::dvec2& so
   volume.box.voxels = voxels;
   volume.box.repeats = is_period(state, side_m);
   volume.asymmetry = layer.droplets.asymmetry;
-  if (layer.seen_depth > 0.0)
-    volume.droplets_per_seen =
-        std::max(1.0, layer.droplets.extinction_per_m * layer.thickness_m / layer.seen_depth);
+  volume.droplets_per_seen = droplets_per_seen(layer);
   volume.extinction_per_m.resize(volume.box.count());
   const PeriodicMap<float> depths = depth_map(state, pixel_m, volume.box);
   const PeriodicMap<float> smooth = smoothed(depths, layer.thickness_m / volume.box.voxel_m.x);
@@ -167,9 +164,8 @@ CloudVolume lifted(const LayerState& state, double pixel_m, const glm::dvec2& so
 }
 
 CloudLight cloud_light(const light::Daylight& day, const glm::dvec3& eye_m) {
-  constexpr float ground_albedo = 0.2F;
-  return {day.sun_direction(), day.sun_irradiance(), day.sky_irradiance(), glm::vec3(ground_albedo),
-          eye_m};
+  return {day.sun_direction(), day.sun_irradiance(), day.sky_irradiance(),
+          glm::vec3(static_cast<float>(ground_albedo)), eye_m};
 }
 
 std::vector<glm::vec3> source_radiance(const CloudVolume& volume, const CloudLight& light) {

@@ -7,9 +7,8 @@
 
 namespace wold::grass {
 
-/// About `count` fibres that stand for all of a patch: places at equal steps through its blades,
-/// each where a blade has as much area towards the root as towards the tip, and half-way there and
-/// beyond.
+/// About `count` > 0 fibres that stand for a patch by area: of every so many blades the three in
+/// the middles of the thirds of its area. Albedo is linear sRGB.
 std::vector<Fibre> representative_fibres(const BladePatch& patch, const AgeingModel& model,
                                          int count);
 

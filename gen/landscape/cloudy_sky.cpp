@@ -39,7 +39,7 @@ Crossing crossing(double sine, double rise_m) {
 /// Sunlight scattered once on its way down through a slab: optical depths along the line of sight
 /// and along the sun's rays.
 double scattered_once(double seen, double sunlit) {
-  if (std::abs(seen - sunlit) < 1e-3 * (seen + sunlit)) return seen * std::exp(-seen);
+  if (std::abs(seen - sunlit) <= 1e-3 * (seen + sunlit)) return seen * std::exp(-seen);
   return seen * (std::exp(-sunlit) - std::exp(-seen)) / (seen - sunlit);
 }
 
@@ -76,7 +76,6 @@ double shaded(double light, double detail) {
 struct CloudySky::Meeting {
   glm::dvec2 place_m;
   double cosine;
-  double sun_cosine;
   double share;              ///< of the layer there that is a sheet
   float clear;               ///< share that haze before it lets through
   double phase = 0.0;        ///< per steradian, of sunlight scattered into the line of sight
@@ -90,18 +89,16 @@ CloudySky::CloudySky(const light::Daylight& day, const cloud::CloudState& clouds
       eye_m_(eye_m),
       visual_range_m_(visual_range_m),
       pixel_m_(clouds.pixel_m),
+      sun_cosine_(std::max(day.sun_direction().z, cloud::lowest_sun_sine)),
       daylight_(day.sun_irradiance() * static_cast<float>(day.sun_direction().z) +
                 day.sky_irradiance()) {
   for (std::size_t i = 0; i < clouds.layers.size(); ++i) {
     const cloud::LayerState& state = clouds.layers[i];
-    const cloud::Layer& layer = *state.layer;
-    const double rise_m = layer.base_m - eye_m.z;
+    const double rise_m = state.layer->base_m - eye_m.z;
     if (rise_m <= 0.0) continue;
-    layers_.push_back(
-        {state.layer, state.moment.way_m, cloud::sheets_of(state, clouds.pixel_m), rise_m,
-         layer.droplets.extinction_per_m * layer.thickness_m / std::max(layer.seen_depth, 1e-6),
-         layer.droplets.asymmetry, glm::vec3(state.moment.light),
-         windows.empty() ? std::nullopt : windows[i]});
+    layers_.push_back({state.layer, state.moment.way_m, cloud::sheets_of(state, clouds.pixel_m),
+                       rise_m, glm::vec3(state.moment.light),
+                       windows.empty() ? std::nullopt : windows[i]});
   }
 }
 
@@ -134,13 +131,10 @@ glm::vec3 CloudySky::before(const glm::vec3& behind, const Layer& layer,
                             const glm::dvec3& direction) const {
   const auto [distance_m, cosine] = crossing(direction.z, layer.rise_m);
   const glm::dvec2 place_m = glm::dvec2(eye_m_) + glm::dvec2(direction) * distance_m;
-  Meeting meeting{
-      place_m,
-      cosine,
-      std::max(day_.sun_direction().z, 0.05),
-      layer.window ? 1.0 - layer.window->share(place_m) : 1.0,
-      static_cast<float>(clear_share(distance_m, layer.rise_m, visual_range_m_)),
-      cloud::henyey_greenstein(layer.asymmetry, glm::dot(direction, day_.sun_direction()))};
+  Meeting meeting{place_m, cosine, layer.window ? 1.0 - layer.window->share(place_m) : 1.0,
+                  static_cast<float>(clear_share(distance_m, layer.rise_m, visual_range_m_)),
+                  cloud::henyey_greenstein(layer.made->droplets.asymmetry,
+                                           glm::dot(direction, day_.sun_direction()))};
   if (meeting.clear < 1.0F / 512.0F || meeting.share <= 0.0) return behind;
   meeting.footprint_m = finest_angle_rad * distance_m / std::sqrt(cosine);
   glm::vec3 seen = behind;
@@ -162,9 +156,9 @@ glm::vec3 CloudySky::before(const glm::vec3& behind, const Layer& layer, const c
   const glm::vec3 diffuse(looked_up(sheet.colour_by_light,
                                     shaded(rank_at(sheet.map->sunlit, place_px), detail),
                                     cloud::lights_per_entry));
-  const double droplets = depth * layer.droplets_per_seen;
+  const double droplets = depth * cloud::droplets_per_seen(made);
   const double once =
-      meeting.phase * scattered_once(droplets / meeting.cosine, droplets / meeting.sun_cosine);
+      meeting.phase * scattered_once(droplets / meeting.cosine, droplets / sun_cosine_);
   const float through = std::exp(static_cast<float>(-depth / meeting.cosine));
   return behind * through + diffuse * daylight_ * ((1.0F - through) / static_cast<float>(pi)) +
          day_.sun_irradiance() * layer.light_colour * static_cast<float>(once);

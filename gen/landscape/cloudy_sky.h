@@ -49,8 +49,6 @@ class CloudySky {
     glm::dvec2 way_m;
     std::vector<cloud::Sheet> sheets;  ///< the further one first
     double rise_m;                     ///< of its base over the eye
-    double droplets_per_seen;          ///< optical depth of the droplets over that which is seen
-    double asymmetry;
     glm::vec3 light_colour;
     std::optional<CloudWindow> window;
   };
@@ -65,6 +63,7 @@ class CloudySky {
   glm::dvec3 eye_m_;
   double visual_range_m_;
   double pixel_m_;
+  double sun_cosine_;   ///< of the angle between vertical and sunlight in clouds
   glm::vec3 daylight_;  ///< irradiance of level ground in the open
   std::vector<Layer> layers_;
 };

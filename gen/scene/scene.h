@@ -139,7 +139,7 @@ struct Sky {
   bool operator==(const Sky&) const = default;
 };
 
-/// What it has done to the grass.
+/// The wind that has combed the grass.
 struct Wind {
   double heading_deg = 75.0;   ///< where it blows to, clockwise from north
   double lean_deg = 15.0;      ///< mean angle by which the grass leans over

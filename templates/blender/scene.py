@@ -128,12 +128,29 @@ def new_material(name):
     return material, Nodes(material.node_tree)
 
 
+def glow(nodes, colour):
+    """The surface's radiance is `colour`, an output socket."""
+    emission = nodes.add("ShaderNodeEmission")
+    nodes.link(colour, emission.inputs["Color"])
+    nodes.link(emission.outputs["Emission"], nodes.add("ShaderNodeOutputMaterial").inputs["Surface"])
+
+
+def medium(nodes, extinction, radiance):
+    """A volume shader that absorbs by `extinction` (1/m) and adds `radiance` (per m), sockets."""
+    absorption = nodes.add("ShaderNodeVolumeAbsorption")
+    absorption.inputs["Color"].default_value = (0, 0, 0, 1)
+    emission = nodes.add("ShaderNodeEmission")
+    both = nodes.add("ShaderNodeAddShader")
+    nodes.link(extinction, absorption.inputs["Density"])
+    nodes.link(radiance, emission.inputs["Color"])
+    nodes.link(absorption.outputs["Volume"], both.inputs[0])
+    nodes.link(emission.outputs["Emission"], both.inputs[1])
+    return both.outputs["Shader"]
+
+
 def ground_material(frame):
     material, nodes = new_material("ground")
-    emission = nodes.add("ShaderNodeEmission")
-    output = nodes.add("ShaderNodeOutputMaterial")
-    nodes.link(map_outputs(nodes, frame, frame["ground"])["Color"], emission.inputs["Color"])
-    nodes.link(emission.outputs["Emission"], output.inputs["Surface"])
+    glow(nodes, map_outputs(nodes, frame, frame["ground"])["Color"])
     return material
 
 
@@ -147,10 +164,6 @@ def grass_material(frame, step_voxels):
     ground = map_outputs(nodes, frame, frame["standing_light"])
     standing = nodes.add("ShaderNodeMath", operation="MULTIPLY")
     lit = nodes.add("ShaderNodeVectorMath", operation="MULTIPLY")
-    absorption = nodes.add("ShaderNodeVolumeAbsorption")
-    absorption.inputs["Color"].default_value = (0, 0, 0, 1)
-    emission = nodes.add("ShaderNodeEmission")
-    both = nodes.add("ShaderNodeAddShader")
     output = nodes.add("ShaderNodeOutputMaterial")
     # Cycles passes over the unused side of a mix with all that leads to it: where there is no
     # grass, which is most of the air, neither light nor colour is looked up.
@@ -160,14 +173,10 @@ def grass_material(frame, step_voxels):
     nodes.link(density.outputs["Fac"], there.inputs[0])
     nodes.link(density.outputs["Fac"], standing.inputs[0])
     nodes.link(ground["Alpha"], standing.inputs[1])
-    nodes.link(standing.outputs["Value"], absorption.inputs["Density"])
     nodes.link(radiance.outputs["Vector"], lit.inputs[0])
     nodes.link(ground["Color"], lit.inputs[1])
-    nodes.link(lit.outputs["Vector"], emission.inputs["Color"])
-    nodes.link(absorption.outputs["Volume"], both.inputs[0])
-    nodes.link(emission.outputs["Emission"], both.inputs[1])
     nodes.link(there.outputs["Value"], grass.inputs["Fac"])
-    nodes.link(both.outputs["Shader"], grass.inputs[2])
+    nodes.link(medium(nodes, standing.outputs["Value"], lit.outputs["Vector"]), grass.inputs[2])
     nodes.link(grass.outputs["Shader"], output.inputs["Volume"])
     return material
 
@@ -177,12 +186,9 @@ def blades_material(frame):
     material, nodes = new_material("blades")
     radiance = nodes.add("ShaderNodeAttribute", attribute_name="radiance")
     lit = nodes.add("ShaderNodeVectorMath", operation="MULTIPLY")
-    emission = nodes.add("ShaderNodeEmission")
-    output = nodes.add("ShaderNodeOutputMaterial")
     nodes.link(radiance.outputs["Vector"], lit.inputs[0])
     nodes.link(map_outputs(nodes, frame, frame["light"])["Color"], lit.inputs[1])
-    nodes.link(lit.outputs["Vector"], emission.inputs["Color"])
-    nodes.link(emission.outputs["Emission"], output.inputs["Surface"])
+    glow(nodes, lit.outputs["Vector"])
     return material
 
 
@@ -263,11 +269,8 @@ def set_sky(frame):
 def backdrop_material(frame, picture):
     material, nodes = new_material("backdrop")
     image = nodes.add("ShaderNodeTexImage", image=frame.image(picture), extension="EXTEND")
-    emission = nodes.add("ShaderNodeEmission")
-    output = nodes.add("ShaderNodeOutputMaterial")
     nodes.link(nodes.add("ShaderNodeTexCoord").outputs["UV"], image.inputs["Vector"])
-    nodes.link(image.outputs["Color"], emission.inputs["Color"])
-    nodes.link(emission.outputs["Emission"], output.inputs["Surface"])
+    glow(nodes, image.outputs["Color"])
     return material
 
 
@@ -421,16 +424,8 @@ def cloud_material():
     material.cycles.volume_step_rate = 2.0  # voxels
     density = nodes.add("ShaderNodeAttribute", attribute_name="density")
     radiance = nodes.add("ShaderNodeAttribute", attribute_name="emission")
-    absorption = nodes.add("ShaderNodeVolumeAbsorption")
-    absorption.inputs["Color"].default_value = (0, 0, 0, 1)
-    emission = nodes.add("ShaderNodeEmission")
-    both = nodes.add("ShaderNodeAddShader")
-    output = nodes.add("ShaderNodeOutputMaterial")
-    nodes.link(density.outputs["Fac"], absorption.inputs["Density"])
-    nodes.link(radiance.outputs["Vector"], emission.inputs["Color"])
-    nodes.link(absorption.outputs["Volume"], both.inputs[0])
-    nodes.link(emission.outputs["Emission"], both.inputs[1])
-    nodes.link(both.outputs["Shader"], output.inputs["Volume"])
+    shader = medium(nodes, density.outputs["Fac"], radiance.outputs["Vector"])
+    nodes.link(shader, nodes.add("ShaderNodeOutputMaterial").inputs["Volume"])
     return material
 
 
