@@ -5,28 +5,11 @@
 
 #include "core/error.h"
 #include "scene/parse.h"
+#include "scene/problems.h"
 #include "scene/write.h"
 
 namespace wold::scene {
 namespace {
-
-std::vector<std::string> problems_of(const std::string& text,
-                                     const std::vector<std::string>& overrides = {}) {
-  std::vector<std::string> messages;
-  try {
-    parse_scene(text, "a.toml", overrides);
-  } catch (const InputError& error) {
-    for (const Problem& problem : error.problems()) messages.push_back(to_string(problem));
-  }
-  return messages;
-}
-
-void expect_problem(const std::string& text, const std::string& start,
-                    const std::vector<std::string>& overrides = {}) {
-  const auto problems = problems_of(text, overrides);
-  ASSERT_EQ(problems.size(), 1u) << text;
-  EXPECT_EQ(problems[0].substr(0, start.size()), start);
-}
 
 TEST(CloudScene, ReadsLayersAndEventsInTheirOrder) {
   const Scene scene = parse_scene(

@@ -6,34 +6,11 @@
 #include <fstream>
 
 #include "core/error.h"
+#include "scene/problems.h"
 #include "scene/write.h"
 
 namespace wold::scene {
 namespace {
-
-using Overrides = std::vector<std::string>;
-
-std::vector<std::string> problems_of(const std::string& text, const Overrides& overrides = {}) {
-  std::vector<std::string> messages;
-  try {
-    parse_scene(text, "a.toml", overrides);
-  } catch (const InputError& error) {
-    for (const Problem& problem : error.problems()) messages.push_back(to_string(problem));
-  }
-  return messages;
-}
-
-void expect_start(const std::string& text, const std::string& start) {
-  EXPECT_EQ(text.substr(0, start.size()), start);
-}
-
-/// The text has exactly one problem, which starts like this.
-void expect_problem(const std::string& text, const std::string& start,
-                    const Overrides& overrides = {}) {
-  const auto problems = problems_of(text, overrides);
-  ASSERT_EQ(problems.size(), 1u) << text;
-  expect_start(problems[0], start);
-}
 
 TEST(Parse, ReadsEveryKindOfValueAndKeepsOtherDefaults) {
   const Scene scene = parse_scene(
