@@ -76,6 +76,36 @@ struct CloudBox {
   std::vector<glm::vec3> radiance;  ///< source: a ray's gains extinction * radiance * ds
 };
 
+/// A snow crystal or aggregate as flakes show it.
+struct FlakePicture {
+  std::string name;  ///< unique, safe as a file name, different for different pictures
+  Image opacity;     ///< 1 channel in [0, 1], square, transparent along its border
+};
+
+/// A flake: a rectangle in world space, metres. What moves while the picture is exposed is as much
+/// longer and less opaque.
+struct Flake {
+  glm::vec3 centre_m;
+  glm::vec3 right_m;     ///< from its centre to the middle of its right side
+  glm::vec3 up_m;        ///< to the middle of its upper side
+  int picture = 0;       ///< index into Flakes::pictures
+  float opacity = 1.0F;  ///< multiplies the picture's
+};
+
+/// Flakes that are seen singly; all have the same radiance.
+struct Flakes {
+  std::vector<FlakePicture> pictures;
+  std::vector<Flake> flakes;  ///< from the farthest to the nearest
+  glm::vec3 radiance{0.0F};
+};
+
+/// A homogeneous medium that fills the world: a ray's radiance L over a length s becomes
+/// L exp(-extinction s) + radiance (1 - exp(-extinction s)).
+struct Fog {
+  double extinction_per_m = 0.0;
+  glm::vec3 radiance{0.0F};
+};
+
 struct Landscape {
   int frame = 1;            ///< from 1
   double weathering = 0.0;  ///< the frame's weathering degree, for people
@@ -93,6 +123,8 @@ struct Landscape {
                                  ///< elevation 90 - 180 (r + 0.5) / height degrees
   std::vector<CloudBox> clouds;  ///< from the highest to the lowest
   std::optional<Backdrop> backdrop;  ///< before the sky; none under a clear one
+  Flakes flakes;
+  std::optional<Fog> fog;
   Camera camera;
   int width_px = 0;
   int height_px = 0;

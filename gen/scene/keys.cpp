@@ -287,6 +287,16 @@ std::vector<Key> wind_keys() {
             FIELD(wind.waves_deg)),
       bound(number("wind.wave_length", "m", {0.5, 1000}, "Size of such places along the wind."),
             FIELD(wind.wave_length_m)),
+      bound(
+          word("wind.field", {"steady", "gusts", "tornado"},
+               "How it carries flakes: evenly, in gusts that every flake feels in its own way, or "
+               "round a tornado on the terrain's middle that drifts with the wind."),
+          FIELD(wind.field)),
+      bound(number("wind.speed", "m/s", {0, 60}, "How fast it carries flakes."),
+            FIELD(wind.speed_m_s)),
+      bound(number("wind.turbulence", "", {0, 1},
+                   "Standard deviation of that speed over its mean, in gusts."),
+            FIELD(wind.turbulence)),
   };
 }
 

@@ -17,6 +17,9 @@ std::vector<Key> sun_keys();
 std::vector<Key> sky_keys();
 std::vector<Key> wind_keys();
 std::vector<Key> film_keys();
+std::vector<Key> weather_keys();
+std::vector<Key> snowfall_keys();
+std::vector<Key> snow_cover_keys();
 std::vector<Key> camera_keys();
 std::vector<Key> render_keys();
 

@@ -139,12 +139,15 @@ struct Sky {
   bool operator==(const Sky&) const = default;
 };
 
-/// The wind that has combed the grass.
+/// The wind that has combed the grass and carries the flakes.
 struct Wind {
-  double heading_deg = 75.0;   ///< where it blows to, clockwise from north
-  double lean_deg = 15.0;      ///< mean angle by which the grass leans over
-  double waves_deg = 9.0;      ///< standard deviation of that angle from place to place
-  double wave_length_m = 6.0;  ///< size of such places, along the wind
+  double heading_deg = 75.0;    ///< where it blows to, clockwise from north
+  double lean_deg = 15.0;       ///< mean angle by which the grass leans over
+  double waves_deg = 9.0;       ///< standard deviation of that angle from place to place
+  double wave_length_m = 6.0;   ///< size of such places, along the wind
+  std::string field = "gusts";  ///< of flakes: "steady", "gusts", "tornado"
+  double speed_m_s = 1.5;       ///< of flakes
+  double turbulence = 0.25;     ///< standard deviation of that speed over its mean, in gusts
 
   bool operator==(const Wind&) const = default;
 };
@@ -180,6 +183,41 @@ struct Film {
   double frame_seconds = 10.0;
 
   bool operator==(const Film&) const = default;
+};
+
+/// What falls and how warm it is while the film lasts.
+struct Weather {
+  double temperature_c = -2.0;      ///< at the terrain's zero
+  double precipitation_mm_h = 0.0;  ///< of water
+  std::string table;  ///< path of comma-separated values over time, see snow/weather.h; it wins
+  double earlier_h = 0.0;  ///< for how long it had been so when the film starts
+
+  bool operator==(const Weather&) const = default;
+};
+
+/// Flakes in the air.
+struct Snowfall {
+  std::string strength = "weather";  ///< "weather", "light", "moderate", "blizzard"
+  std::string motion = "physical";   ///< "physical", "paper"
+  std::string crystal = "mixed";     ///< "mixed", "dendrite", "plate", "column", "aggregate"
+  int flakes = 0;  ///< drawn in the picture, about; 0: 30000, or the paper's 500, 1000 or 4000
+  std::array<double, 3> box_m = {16.0, 16.0, 10.0};  ///< the paper's: east, north, up
+  double shutter_s = 0.008;                        ///< how long each picture is exposed
+
+  bool operator==(const Snowfall&) const = default;
+};
+
+/// Snow on the ground and on the grass.
+struct SnowCover {
+  std::string cover = "depth";   ///< "depth", "paper", "none"
+  double initial_mm = 0.0;       ///< of water that lies when the weather begins
+  double drifting = 0.5;         ///< k of 1 + k tanh(Sx / 15 degrees)
+  double melt_mm_per_day = 3.0;  ///< degree-day factor, per kelvin above 0 degrees Celsius
+  double feature_m = 0.35;       ///< size of the first patches of white
+  double facet_m2 = 800.0;       ///< mean area, of the paper's cover
+  double white_after_mm = 8.0;   ///< of water, of the paper's cover: gamma is 1
+
+  bool operator==(const SnowCover&) const = default;
 };
 
 /// A layer of clouds. What is empty is as models/cloud has it for the kind, or as the pictures do.
@@ -233,6 +271,9 @@ struct Scene {
   Sky sky;
   Wind wind;
   Film film;
+  Weather weather;
+  Snowfall snowfall;
+  SnowCover snow_cover;
   std::vector<CloudLayer> clouds;
   std::vector<CloudEvent> cloud_events;
   Camera camera;
