@@ -161,7 +161,7 @@ TEST(Parse, SuggestsTheNearestKnownName) {
 TEST(Parse, ReportsEverythingAtOnceFromTheTop) {
   const auto problems = problems_of(
       "sed = 1\n[sun]\nelevation = 0\n[grass]\nblades = 0\npatch = 'x'\n"
-      "[camera]\neye = [50, 1]\n[weather]\nrain = 1\n",
+      "[camera]\neye = [50, 1]\n[meteor]\nrain = 1\n",
       {"render.samples=0", "nonsense"});
   ASSERT_EQ(problems.size(), 8u);
   EXPECT_EQ(problems[0], "a.toml:1:1: unknown key \"sed\"; did you mean \"seed\"?");
@@ -169,7 +169,7 @@ TEST(Parse, ReportsEverythingAtOnceFromTheTop) {
   expect_start(problems[2], "a.toml:5:10: grass.blades: ");
   expect_start(problems[3], "a.toml:6:9: grass.patch: ");
   expect_start(problems[4], "a.toml:8:1: camera.eye: ");
-  EXPECT_EQ(problems[5], "a.toml:9:2: unknown table [weather]");
+  EXPECT_EQ(problems[5], "a.toml:9:2: unknown table [meteor]");
   expect_start(problems[6], "--set render.samples=0: render.samples: ");
   expect_start(problems[7], "--set nonsense: expected key=valu");
 }

@@ -117,7 +117,7 @@ TEST(Registry, KnowsWhatTheUserMayHaveMeant) {
   EXPECT_EQ(nearest_key("turbidity"), "sky.turbidity");
   EXPECT_EQ(nearest_key("zebra"), "");
   EXPECT_EQ(nearest_table("camrea"), "camera");
-  EXPECT_EQ(nearest_table("weather"), "");
+  EXPECT_EQ(nearest_table("meteor"), "");
 }
 
 }  // namespace
