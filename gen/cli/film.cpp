@@ -43,7 +43,7 @@ Film::Film(const Job& job)
       site_(landscape::make_site(job.scene)),
       texels_(
           job.scene,
-          grass::make_lighting(site_.day, landscape::film_eye_direction(job.scene, site_.terrain)),
+          landscape::film_lighting(job.scene, site_),
           job.out / "texels") {}
 
 void Film::generate(Progress& progress) {

@@ -11,11 +11,16 @@
 #include "grass/fibres.h"
 #include "landscape/combed_light.h"
 #include "landscape/exposure.h"
+#include "landscape/falling_snow.h"
 #include "landscape/far_field.h"
+#include "landscape/film_lighting.h"
 #include "landscape/frame_sky.h"
 #include "landscape/haze.h"
+#include "landscape/snowy_air.h"
+#include "landscape/snowy_ground.h"
 #include "landscape/tint.h"
 #include "landscape/view.h"
+#include "scene/winter.h"
 
 namespace wold::landscape {
 namespace {
@@ -63,7 +68,7 @@ FactorMap combed_light(const scene::Scene& scene, const Site& site, const View& 
                        const grass::BladePatch& patch, const grass::AgeingModel& model) {
   constexpr int fibres = 150;
   const CombedLight light(grass::representative_fibres(patch, model, fibres),
-                          grass::make_lighting(site.day, film_eye_direction(scene, site.terrain)),
+                          film_lighting(scene, site),
                           static_cast<float>(scene.grass.gloss));
   return combed_light_map(light, Combing(scene), site.terrain, view);
 }
@@ -76,10 +81,15 @@ std::map<int, PatchLook> far_looks(const scene::Scene& scene, int frame,
   return looks;
 }
 
+Subject subject_of(const scene::Scene& scene) {
+  if (scene::may_lie(scene) || scene::may_snow(scene)) return Subject::snow;
+  return scene.clouds.empty() ? Subject::meadow : Subject::clouds;
+}
+
 /// Light on the grass, how much of it stands, and the ground with what is painted on it.
 void set_ground(Landscape& landscape, const scene::Scene& scene, const Site& site,
-                std::span<const CellChoice> choices, const ColourMap& light,
-                const PatchLookup& lookup) {
+                std::span<const CellChoice> choices, const SnowyGround& ground,
+                const ColourMap& light, const PatchLookup& lookup) {
   const int frame = landscape.frame;
   const View view(landscape.camera, landscape.width_px, landscape.height_px);
   const grass::AgeingModel model(scene.ageing, scene.grass.specular);
@@ -89,11 +99,12 @@ void set_ground(Landscape& landscape, const scene::Scene& scene, const Site& sit
   landscape.light =
       product(grass_light, weathering_tint(scene, frame, choices, grass_colour(patch, model)));
   landscape.standing = standing_grass(scene, site.terrain, site.growth, view);
-  landscape.ground = product(site.ground_reflectance, light);
+  landscape.ground = product(ground.reflectance(), light);
   if (!shows_distance(scene, site, landscape.camera)) return;
   const Haze haze(site.day, landscape.camera.eye_m, scene.sky.visual_range_m);
   const Meadow meadow(scene, site.terrain, view, frame, far_looks(scene, frame, lookup));
-  paint_far_grass(landscape.ground, scene, site.terrain, site.growth, grass_light, view, meadow);
+  paint_far_grass(landscape.ground, scene, site.terrain, ground.growth(), grass_light, view,
+                  meadow);
   veil_ground(landscape.ground, site.terrain, view, haze);
   landscape.light =
       product(landscape.light, veil_of_grass(grass_light, site.terrain, view, meadow, haze));
@@ -112,21 +123,26 @@ Landscape assemble(const scene::Scene& scene, const Site& site, int frame,
   Landscape landscape;
   landscape.frame = frame;
   landscape.weathering = scene.ageing.frames.at(static_cast<std::size_t>(frame - 1));
-  landscape.terrain = site.terrain;
   landscape.patch_m = scene.grass.patch_m;
   landscape.camera = resolved_camera(scene.camera, site.terrain, time_of_frame(scene, frame));
   landscape.width_px = scene.render.size_px[0];
   landscape.height_px = scene.render.size_px[1];
   landscape.samples = scene.render.samples;
   landscape.df3_bits = scene.render.df3_bits;
-  landscape.exposure_gain =
-      metered_gain(site.day, site.clouds.has_value()) * std::exp2(scene.render.exposure);
+  landscape.exposure_gain = metered_gain(site.day, subject_of(scene)) * std::exp2(scene.render.exposure);
   place(choices, /*blades=*/false, volume_key, lookup.volume, landscape.volumes, landscape.cells);
   place(choices, /*blades=*/true, blades_key, lookup.blades, landscape.blade_meshes,
         landscape.blade_cells);
+  const SnowyGround ground(scene, site, frame);
+  landscape.terrain = ground.surface();
   const FrameSky sky(scene, site, frame, landscape.camera.eye_m);
-  set_ground(landscape, scene, site, choices, sky.light(), lookup);
-  sky.show(landscape);
+  ColourMap light = sky.light(ground.light());
+  const double snow_per_m = snow_extinction_per_m(scene, site, frame);
+  const SnowyAir air(site.day, snow_per_m, ground.mean_albedo());
+  if (snow_per_m > 0.0) light = air.light(light, ground.light().sky);
+  set_ground(landscape, scene, site, choices, ground, light, lookup);
+  sky.show(landscape, snow_per_m > 0.0);
+  if (snow_per_m > 0.0) let_it_snow(scene, site, air, landscape);
   return landscape;
 }
 

@@ -4,9 +4,12 @@
 
 namespace wold::landscape {
 
+/// What a camera has before it that it must not burn out.
+enum class Subject { meadow, clouds, snow };
+
 /// Factor on every radiance as a camera's meter sets it: pi times how a white card in the open is
-/// exposed, 1.6 or, in a scene with clouds, 1.2; less with a low sun, so that the sky at 20 degrees
-/// of elevation comes out as 0.9 at most.
-double metered_gain(const light::Daylight& day, bool clouds);
+/// exposed, 1.6 for grass, 1.2 with clouds, 0.85 with snow; less with a low sun, so that the sky at
+/// 20 degrees of elevation comes out as 0.9 at most.
+double metered_gain(const light::Daylight& day, Subject subject);
 
 }  // namespace wold::landscape

@@ -32,28 +32,29 @@ FrameSky::FrameSky(const scene::Scene& scene, const Site& site, int frame, const
       clouds_(clouds_of(site, frame)),
       sheets_(site.day, clouds_.value_or(cloud::CloudState{}), eye_m, scene.sky.visual_range_m) {}
 
-ColourMap FrameSky::light() const {
-  if (!clouds_) return site_.light.together();
+ColourMap FrameSky::light(const terrain::GroundLight& clear) const {
+  if (!clouds_) return clear.together();
   const FactorMap sun_share = cloud::sun_share(*clouds_, site_.terrain, site_.day.sun_direction(),
-                                               site_.light.sun.samples());
-  ColourMap light = product(site_.light.sun, sun_share);
+                                               clear.sun.samples());
+  ColourMap light = product(clear.sun, sun_share);
   const glm::vec3 sky_factor = sheets_.irradiance() / site_.day.sky_irradiance();
   for (std::size_t i = 0; i < light.values().size(); ++i)
-    light.values()[i] += site_.light.sky.values()[i] * sky_factor;
+    light.values()[i] += clear.sky.values()[i] * sky_factor;
   return light;
 }
 
-void FrameSky::show(Landscape& landscape) const {
-  if (!clouds_) {
+void FrameSky::show(Landscape& landscape, bool with_backdrop) const {
+  if (!clouds_ && !with_backdrop) {
     landscape.sky = site_.day.sky_image(sky_width_px);
     return;
   }
   landscape.sky = sky_picture(sheets_, sky_width_px);
+  const cloud::CloudState clouds = clouds_.value_or(cloud::CloudState{});
   const Camera& camera = landscape.camera;
   const double visual_range_m = scene_.sky.visual_range_m;
-  const auto windows = cloud_windows(*clouds_, camera);
-  landscape.clouds = cloud_boxes(*clouds_, windows, site_.day, camera.eye_m, visual_range_m);
-  const CloudySky behind(site_.day, *clouds_, camera.eye_m, visual_range_m, windows);
+  const auto windows = cloud_windows(clouds, camera);
+  landscape.clouds = cloud_boxes(clouds, windows, site_.day, camera.eye_m, visual_range_m);
+  const CloudySky behind(site_.day, clouds, camera.eye_m, visual_range_m, windows);
   landscape.backdrop = sky_backdrop(behind, camera, landscape.width_px, landscape.height_px,
                                     beyond_everything_m(landscape));
 }

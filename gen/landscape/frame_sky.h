@@ -14,11 +14,13 @@ class FrameSky {
   /// Frame from 1. `scene` and `site` have to outlive it.
   FrameSky(const scene::Scene& scene, const Site& site, int frame, const glm::dvec3& eye_m);
 
-  /// The light on the ground. Clouds stand before the sun and change the sky's own light.
-  ColourMap light() const;
+  /// The light on the ground that has `clear` under a clear sky. Clouds stand before the sun and
+  /// change the sky's own light.
+  ColourMap light(const terrain::GroundLight& clear) const;
 
-  /// Sets the sky and its clouds as the landscape's camera sees them.
-  void show(Landscape& landscape) const;
+  /// Sets the sky and its clouds as the landscape's camera sees them: a clear sky without, and
+  /// with a backdrop only when asked to.
+  void show(Landscape& landscape, bool with_backdrop) const;
 
  private:
   const scene::Scene& scene_;

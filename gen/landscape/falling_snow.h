@@ -1,0 +1,19 @@
+#pragma once
+
+#include "landscape/landscape.h"
+#include "landscape/site.h"
+#include "landscape/snowy_air.h"
+#include "scene/scene.h"
+
+namespace wold::landscape {
+
+/// Extinction of the snow in a frame's (from 1) air where its camera is, as it is seen; 0 when none
+/// falls or it rains.
+double snow_extinction_per_m(const scene::Scene& scene, const Site& site, int frame);
+
+/// Sets the flakes before the landscape's camera and the fog that stands for all others, in that
+/// light. Its frame, camera, terrain and size have to be set.
+void let_it_snow(const scene::Scene& scene, const Site& site, const SnowyAir& air,
+                 Landscape& landscape);
+
+}  // namespace wold::landscape

@@ -1,0 +1,160 @@
+#include "landscape/snowy_ground.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/noise.h"
+#include "core/parallel.h"
+#include "core/random.h"
+#include "scene/winter.h"
+#include "terrain/lighting.h"
+
+namespace wold::landscape {
+namespace {
+
+/// Of a meadow's grass, seen from above: what is reported of the ground's surroundings.
+constexpr double grass_albedo = 0.2;
+
+/// A map of the ground every 2 cm, 4097 a side at most: white spots have sharp edges.
+int white_samples(double size_m) { return map_samples(size_m, 0.02); }
+
+/// One pass of the binomial filter 1 2 1 along both axes.
+Heightfield smoothed(const Heightfield& map) {
+  const auto inside = [&](int i) { return std::clamp(i, 0, map.samples() - 1); };
+  Heightfield result = map;
+  parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < map.samples(); ++i) {
+      float sum = 0.0F;
+      for (int dj = -1; dj <= 1; ++dj)
+        for (int di = -1; di <= 1; ++di)
+          sum += map.at(inside(i + di), inside(j + dj)) *
+                 static_cast<float>((2 - std::abs(di)) * (2 - std::abs(dj)));
+      result.at(i, j) = sum / 16.0F;
+    }
+  });
+  return result;
+}
+
+/// Snow heaps where tufts hold it: a share of its depth.
+Fbm heaps(std::uint64_t seed) {
+  return {random_bits({seed, key_of("snow cover"), 0, key_of("heaps")}), 3, 0.7};
+}
+constexpr double heap_feature_m = 0.55;
+constexpr double heap_share = 0.16;
+
+/// Snow as deep as a step of the map hides a bump of that size: so many passes of smoothing.
+int smoothing_passes(double depth_m, double step_m) {
+  constexpr double most = 24.0;
+  const double radius_steps = 1.2 * depth_m / step_m;
+  return static_cast<int>(std::ceil(std::min(most, 2.0 * radius_steps * radius_steps)));
+}
+
+/// Share of a canopy that stands out of snow; blades lean, so that most of one is in its lower two
+/// thirds.
+float share_above(const scene::Grass& grass, float depth_m) {
+  const auto canopy_m = static_cast<float>(0.67 * grass.height_m);
+  return std::clamp(1.0F - depth_m / canopy_m, 0.0F, 1.0F);
+}
+
+double mean(const FactorMap& map) {
+  double sum = 0.0;
+  for (const float value : map.values()) sum += double{value};
+  return sum / static_cast<double>(map.values().size());
+}
+
+/// The ground raised by snow: at most smooth, at least a third of the depth above the bare ground.
+Heightfield snow_surface(const scene::Scene& scene, const Heightfield& terrain,
+                         const FactorMap& depth_m, const FactorMap& white) {
+  const Fbm heaped = heaps(scene.seed);
+  FactorMap snow_m(terrain.samples(), terrain.size_m());
+  parallel_for(static_cast<std::size_t>(terrain.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < terrain.samples(); ++i) {
+      const glm::dvec2 at_m = glm::dvec2(i, j) * terrain.step_m();
+      const double heap = std::tanh(fbm(at_m / heap_feature_m, heaped));
+      snow_m.at(i, j) = depth_m.sample(at_m.x, at_m.y) * white.sample(at_m.x, at_m.y) *
+                        static_cast<float>(1.0 + heap_share * heap);
+    }
+  });
+  Heightfield smooth = terrain;
+  for (std::size_t k = 0; k < smooth.values().size(); ++k)
+    smooth.values()[k] += snow_m.values()[k];
+  for (int pass = smoothing_passes(mean(snow_m), terrain.step_m()); pass > 0; --pass)
+    smooth = smoothed(smooth);
+  for (std::size_t k = 0; k < smooth.values().size(); ++k)
+    smooth.values()[k] =
+        std::max(smooth.values()[k], terrain.values()[k] + snow_m.values()[k] / 3.0F);
+  return smooth;
+}
+
+/// How coarse snow is where it lies: grains, ripples and what has fallen off blades, as factors on
+/// its albedo.
+class Grain {
+ public:
+  explicit Grain(std::uint64_t seed)
+      : ripples_{random_bits({seed, key_of("snow cover"), 0, key_of("grain")}), 4, 0.4} {}
+  float at(const glm::dvec2& at_m) const {
+    return static_cast<float>(1.0 - 0.035 * (1.0 + std::tanh(fbm(at_m / 0.25, ripples_))));
+  }
+
+ private:
+  Fbm ripples_;
+};
+
+/// Old snow loses its red first; shadows and depth make it blue (Wiscombe and Warren 1980).
+glm::vec3 snow_albedo(float albedo) { return albedo * glm::vec3(0.985F, 1.0F, 1.015F); }
+
+}  // namespace
+
+SnowyGround::SnowyGround(const scene::Scene& scene, const Site& site, int frame)
+    : scene_(scene), site_(site), surface_(site.terrain) {
+  if (!site.snow) return;
+  const snow::SnowGround::State state = site.snow->at(scene::time_s(scene, frame));
+  if (!(state.fallen_mm > 0.0)) return;
+  white_ = site.snow->white(state, white_samples(surface_.size_m()));
+  depth_m_ = state.depth_m;
+  albedo_ = static_cast<float>(mean(state.albedo));
+  if (scene.snow_cover.cover == "paper") return;  // the ground's shape stays
+  surface_ = snow_surface(scene, site.terrain, depth_m_, *white_);
+  light_ = terrain::ground_light(surface_, site.day);
+}
+
+const terrain::GroundLight& SnowyGround::light() const { return light_ ? *light_ : site_.light; }
+
+ColourMap SnowyGround::reflectance() const {
+  if (is_bare()) return site_.ground_reflectance;
+  ColourMap map(white_->samples(), white_->size_m());
+  const Grain grain(scene_.seed);
+  const double under_grass = canopy_transmittance(scene_.grass);
+  const glm::vec3 snow = snow_albedo(albedo_) / std::numbers::pi_v<float>;
+  parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < map.samples(); ++i) {
+      const glm::dvec2 at_m = glm::dvec2(i, j) * map.step_m();
+      const float above = share_above(scene_.grass, depth_m_.sample(at_m.x, at_m.y));
+      const double shade = above * site_.growth.sample(at_m.x, at_m.y);
+      const glm::vec3 white =
+          snow * (grain.at(at_m) * static_cast<float>(std::pow(under_grass, shade)));
+      map.at(i, j) =
+          glm::mix(site_.ground_reflectance.sample(at_m.x, at_m.y), white, white_->at(i, j));
+    }
+  });
+  return map;
+}
+
+FactorMap SnowyGround::growth() const {
+  if (is_bare()) return site_.growth;
+  FactorMap above(depth_m_.samples(), depth_m_.size_m());
+  std::ranges::transform(depth_m_.values(), above.values().begin(),
+                         [&](float depth_m) { return share_above(scene_.grass, depth_m); });
+  return product(site_.growth, above);
+}
+
+double SnowyGround::mean_albedo() const {
+  if (is_bare()) return grass_albedo;
+  return std::lerp(grass_albedo, double{albedo_}, mean(*white_));
+}
+
+}  // namespace wold::landscape

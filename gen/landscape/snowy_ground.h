@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+
+#include "core/ground_map.h"
+#include "landscape/site.h"
+#include "scene/scene.h"
+
+namespace wold::landscape {
+
+/// The ground of one frame with the snow that lies on it.
+class SnowyGround {
+ public:
+  /// Frame from 1. `scene` and `site` have to outlive it.
+  SnowyGround(const scene::Scene& scene, const Site& site, int frame);
+
+  /// Ground and snow, as high as they are: snow lies smooth over what is smaller than it is deep,
+  /// heaped a little where tufts stand.
+  const Heightfield& surface() const { return surface_; }
+
+  /// Sun and sky on that surface.
+  const terrain::GroundLight& light() const;
+
+  /// What the surface makes of the light that falls on it, radiance over irradiance: bare ground as
+  /// Site has it, and snow, darker where grass still stands over it.
+  ColourMap reflectance() const;
+
+  /// Where grass grows, less by what of it is under snow.
+  FactorMap growth() const;
+
+  /// Mean albedo of ground and snow, of which a share of what stands is white.
+  double mean_albedo() const;
+
+ private:
+  bool is_bare() const { return !white_; }
+
+  const scene::Scene& scene_;
+  const Site& site_;
+  Heightfield surface_;
+  std::optional<terrain::GroundLight> light_;  ///< where it is not the site's
+  std::optional<FactorMap> white_;             ///< share of the ground that is white
+  FactorMap depth_m_;
+  float albedo_ = 0.9F;
+};
+
+}  // namespace wold::landscape
