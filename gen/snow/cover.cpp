@@ -1,0 +1,141 @@
+#include "snow/cover.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/error.h"
+#include "snow/drifting.h"
+
+namespace wold::snow {
+namespace {
+
+constexpr double seconds_per_hour = 3600.0;
+
+void require_numbers(const Heightfield& terrain) {
+  const std::vector<float>& heights = terrain.values();
+  const auto bad = std::ranges::find_if_not(heights, [](float z) { return std::isfinite(z); });
+  if (bad == heights.end()) return;
+  const auto place = bad - heights.begin();
+  throw InputError(fmt::format(
+      "the terrain's height in column {} of row {} is {}; expected a finite number of metres",
+      place % terrain.samples(), place / terrain.samples(), *bad));
+}
+
+/// The terrain with as many samples as snow is reckoned for.
+Heightfield coarsened(const Heightfield& terrain) {
+  constexpr int most_samples = 1025;
+  require_numbers(terrain);
+  if (terrain.samples() <= most_samples) return terrain;
+  Heightfield result(most_samples, terrain.size_m());
+  for (int j = 0; j < most_samples; ++j)
+    for (int i = 0; i < most_samples; ++i)
+      result.at(i, j) = terrain.sample(i * result.step_m(), j * result.step_m());
+  return result;
+}
+
+double mean(const std::vector<float>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// An hour, or so short that a short film is followed closely.
+double film_step(const scene::Scene& scene) {
+  constexpr double steps = 24.0;
+  const auto frames = static_cast<double>(scene.ageing.frames.size());
+  const double film_s = scene.film.frame_seconds * (frames - 1.0);
+  return film_s > 0.0 ? std::min(film_s / steps, seconds_per_hour) : seconds_per_hour;
+}
+
+template <class Value>
+FactorMap map_of(const Heightfield& terrain, const Value& value) {
+  FactorMap map(terrain.samples(), terrain.size_m());
+  parallel_for_blocks(map.values().size(),
+                      [&](std::size_t i) { map.values()[i] = static_cast<float>(value(i)); });
+  return map;
+}
+
+}  // namespace
+
+SnowGround::SnowGround(const scene::Scene& scene, const Heightfield& terrain,
+                       WeatherFunction weather)
+    : cover_(scene.snow_cover),
+      seed_(scene.seed),
+      weather_(std::move(weather)),
+      terrain_(coarsened(terrain)),
+      mean_height_m_(mean(terrain_.values())),
+      earlier_s_(scene.weather.earlier_h * seconds_per_hour),
+      earlier_steps_(static_cast<std::size_t>(std::ceil(scene.weather.earlier_h))),
+      film_step_s_(film_step(scene)),
+      classes_(terrain_.values()) {
+  if (cover_.cover == "depth") slide_.emplace(terrain_);
+  progress_ = beginning();
+}
+
+SnowGround::Progress SnowGround::beginning() const {
+  const Snowpack initial{cover_.initial_mm, cover_.initial_mm / fresh_density_kg_m3(0.0), 0.0};
+  Progress progress{
+      0, {terrain_.values().size(), slide_ ? initial : Snowpack{}}, cover_.initial_mm};
+  if (slide_) slide_->settle(progress.packs);
+  return progress;
+}
+
+double SnowGround::step_start_s(std::size_t step) const {
+  if (step < earlier_steps_)
+    return earlier_s_ * (static_cast<double>(step) / static_cast<double>(earlier_steps_) - 1.0);
+  return static_cast<double>(step - earlier_steps_) * film_step_s_;
+}
+
+SnowGround::State SnowGround::at(double time_s) const {
+  const std::lock_guard lock(mutex_);
+  if (time_s < step_start_s(progress_.steps)) progress_ = beginning();
+  while (step_start_s(progress_.steps + 1) <= time_s) {
+    take_step(progress_, step_start_s(progress_.steps), step_start_s(progress_.steps + 1));
+    ++progress_.steps;
+  }
+  const double start_s = step_start_s(progress_.steps);
+  Progress now = progress_;
+  if (time_s > start_s) take_step(now, start_s, time_s);
+  const SnowpackField& packs = now.packs;
+  return {map_of(terrain_, [&](std::size_t i) { return packs.depth_m[i]; }),
+          map_of(terrain_, [&](std::size_t i) { return packs.water_mm[i]; }),
+          map_of(terrain_, [&](std::size_t i) { return visible_albedo(packs.age[i]); }),
+          now.fallen_mm};
+}
+
+void SnowGround::take_step(Progress& progress, double start_s, double end_s) const {
+  const double hours = (end_s - start_s) / seconds_per_hour;
+  const WeatherMoment weather = weather_(0.5 * (start_s + end_s));
+  const std::vector<PackStep> steps = classes_.steps(weather, hours, cover_.melt_mm_per_day);
+  progress.fallen_mm += pack_step(weather, mean_height_m_, hours, cover_.melt_mm_per_day).snow_mm;
+  if (!slide_) return;
+  advance(progress.packs, classes_, steps, drift_of(weather).values());
+  slide_->settle(progress.packs);
+}
+
+const FactorMap& SnowGround::drift_of(const WeatherMoment& weather) const {
+  constexpr double sector_deg = 15.0;
+  constexpr int sectors = 24, calm = -1;
+  const bool drifts = cover_.drifting > 0.0 && weather.wind_speed_m_s > 0.0;
+  const int turns =
+      static_cast<int>(std::lround(std::remainder(weather.wind_heading_deg, 360.0) / sector_deg));
+  const int sector = drifts ? (turns + sectors) % sectors : calm;
+  const auto known = drifts_.find(sector);
+  if (known != drifts_.end()) return known->second;
+  FactorMap drift = drifts ? drift_factor(terrain_, sector * sector_deg, cover_.drifting)
+                           : FactorMap(terrain_.samples(), terrain_.size_m(), 1.0F);
+  return drifts_.emplace(sector, std::move(drift)).first->second;
+}
+
+FactorMap SnowGround::white(const State& state, int samples) const {
+  if (cover_.cover == "none") return {samples, terrain_.size_m(), 0.0F};
+  const FactorMap shares =
+      map_of(terrain_, [&](std::size_t i) { return cover_share(state.water_mm.values()[i]); });
+  const std::lock_guard lock(mutex_);
+  if (!patches_ || patches_->samples() != samples)
+    patches_.emplace(terrain_, samples, cover_.feature_m, seed_);
+  return patches_->white_map(shares);
+}
+
+}  // namespace wold::snow

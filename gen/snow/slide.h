@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/ground_map.h"
+#include "snow/snowpack_field.h"
+
+namespace wold::snow {
+
+/// How deep snow can lie on a slope, m, vertically: 3178.4 slope^-1.998 from 10 degrees on
+/// (Bernhardt and Schulz 2010, SnowSlide: A simple routine for calculating gravitational snow
+/// transport), infinite on gentler ground.
+double most_depth_m(double slope_deg);
+
+/// Snow that slopes are too steep for slides to lower ground.
+class SnowSlide {
+ public:
+  /// Heights are finite.
+  explicit SnowSlide(const Heightfield& terrain);
+
+  /// Moves what is above most_depth_m() from the highest place to the lowest, with its share of
+  /// the water: to those of the eight neighbours whose ground is lower, by how far the surface of
+  /// snow drops to them; where it drops to none, by how far the ground does. After it no place is
+  /// above its limit but pits of the ground and lowest places of the border, from where there is no
+  /// way down; all water and depth is kept. `packs` has a place per sample of the terrain.
+  void settle(SnowpackField& packs) const;
+
+ private:
+  struct Place {
+    std::uint32_t index;
+    float most_m;
+  };
+  void shed(SnowpackField& packs, const Place& place) const;
+
+  Heightfield terrain_;
+  std::vector<Place> steep_;  ///< that have a limit, from the highest
+};
+
+}  // namespace wold::snow
