@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+
+#include "core/random.h"
 
 namespace wold::test {
 namespace {
@@ -41,7 +44,60 @@ double opacity_at(const landscape::Flakes& flakes, const landscape::Flake& flake
   return double{*picture.pixel(column, row)} * double{flake.opacity};
 }
 
+/// A star of `arms` arms with soft edges.
+landscape::FlakePicture star(const char* name, int arms) {
+  constexpr int side = 64;
+  landscape::FlakePicture picture{name, Image(side, side, 1)};
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const glm::dvec2 at = (glm::dvec2(x, y) + 0.5) * (2.0 / side) - 1.0;
+      const double edge = 0.6 + 0.3 * std::cos(arms * std::atan2(at.y, at.x));
+      *picture.opacity.pixel(x, y) =
+          static_cast<float>(std::clamp((edge - glm::length(at)) / 0.2, 0.0, 1.0));
+    }
+  return picture;
+}
+
+/// Flake `number`, where a ray to a random place of the picture is at a random distance.
+landscape::Flake flake_in_view(const landscape::Landscape& scene, int number, double reach_m) {
+  const auto random = [&](const char* purpose) {
+    return random_uniform(
+        {1, key_of("flake"), static_cast<std::uint64_t>(number), key_of(purpose)});
+  };
+  const glm::dvec3 forward = glm::normalize(scene.camera.target_m - scene.camera.eye_m);
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0.0, 0.0, 1.0)));
+  const glm::dvec3 up = glm::cross(right, forward);
+  const double half_width = std::tan(scene.camera.field_of_view_deg * std::numbers::pi / 360.0);
+  const double half_height = half_width * scene.height_px / scene.width_px;
+  const double away_m = 0.3 + (reach_m - 0.3) * std::cbrt(random("away"));
+  const glm::dvec3 centre_m =
+      scene.camera.eye_m + away_m * (forward + right * half_width * (2.0 * random("x") - 1.0) +
+                                     up * half_height * (2.0 * random("y") - 1.0));
+  const double turn = 2.0 * std::numbers::pi * random("turn");
+  const double lean = std::numbers::pi * random("lean");
+  const glm::dvec3 own_right(std::cos(turn), std::sin(turn), 0.0);
+  const glm::dvec3 own_up = glm::cross(own_right, glm::dvec3(0.0, 0.0, 1.0)) * std::cos(lean) +
+                            glm::dvec3(0.0, 0.0, std::sin(lean));
+  const double half_m = 0.001 + 0.002 * random("size");
+  const double longer = number % 2 == 0 ? 1.0 : 3.0;
+  return {glm::vec3(centre_m), glm::vec3(own_right * half_m), glm::vec3(own_up * half_m * longer),
+          number % 3, static_cast<float>(random("opacity") / longer)};
+}
+
 }  // namespace
+
+void add_flakes(landscape::Landscape& scene, int count, double reach_m) {
+  landscape::Flakes& flakes = scene.flakes;
+  flakes.radiance = glm::vec3(0.2F, 0.21F, 0.23F);
+  flakes.pictures = {star("star_3", 3), star("star_6", 6), star("round", 0)};
+  for (int number = 0; number < count; ++number)
+    flakes.flakes.push_back(flake_in_view(scene, number, reach_m));
+  const auto away_m = [&](const landscape::Flake& flake) {
+    return glm::distance(glm::dvec3(flake.centre_m), scene.camera.eye_m);
+  };
+  std::stable_sort(flakes.flakes.begin(), flakes.flakes.end(),
+                   [&](const auto& one, const auto& other) { return away_m(one) > away_m(other); });
+}
 
 void make_snowy_view(landscape::Landscape& scene) {
   scene.cells.clear();

@@ -20,4 +20,8 @@ std::vector<glm::dvec3> directions_of_snowy_view();
 /// fog and each flake in turn lets part of the light through and adds its own. Channel of green.
 double radiance_of_snowy_view(const landscape::Landscape& scene, const glm::dvec3& direction);
 
+/// Adds `count` keyed flakes of three pictures before the camera, 0.3 to `reach_m` away, as wide as
+/// 6 mm and turned any way, some drawn out by their fall and fainter; and no fog.
+void add_flakes(landscape::Landscape& scene, int count, double reach_m);
+
 }  // namespace wold::test
