@@ -81,7 +81,7 @@ void export_frame(const Landscape& landscape, const fs::path& folder) {
                   step_voxels(landscape, volume.voxel_m, distances_m[used[i]])};
     write_volume(entries[i].file, volume);
   });
-  write_frame_data(landscape, frame_folder, entries, picks_of(landscape, used), blades_folder);
+  write_frame_data(landscape, frame_folder, entries, picks_of(landscape, used), folder / "data");
 }
 
 void export_scene(const fs::path& folder) {

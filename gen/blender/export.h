@@ -11,6 +11,7 @@
 ///     folder/scene.py
 ///     folder/data/volumes/NAME.vdb         shared by all frames
 ///     folder/data/blades/NAME.*            meshes, shared by all frames (blade_files.h)
+///     folder/data/flakes/NAME.png          pictures of flakes, shared by all frames
 ///     folder/data/frame_0001/frame.json    what the frame is made of; written last
 ///     folder/data/frame_0001/*.f32, *.i32  raw little-endian arrays (frame_data.h)
 ///     folder/data/frame_0001/*.exr         light, ground, sky, backdrop (frame_data.h)

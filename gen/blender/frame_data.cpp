@@ -86,6 +86,59 @@ Json write_clouds(const Landscape& landscape, const fs::path& folder) {
   return list;
 }
 
+/// A list with `value(flake)` of each flake.
+template <class Value>
+auto of_each(const std::vector<landscape::Flake>& flakes, const Value& value) {
+  std::vector<decltype(value(flakes.front()))> values;
+  values.reserve(flakes.size());
+  for (const landscape::Flake& flake : flakes) values.push_back(value(flake));
+  return values;
+}
+
+Json write_flake_pictures(const std::vector<landscape::FlakePicture>& pictures,
+                          const fs::path& pictures_folder, const fs::path& folder) {
+  make_folder(pictures_folder);
+  Json list = Json::array();
+  for (const landscape::FlakePicture& picture : pictures) {
+    const fs::path path = pictures_folder / (picture.name + ".png");
+    if (!fs::exists(path)) write_image(path, picture.opacity, PixelFormat::uint8);
+    list.push_back(path.lexically_relative(folder).generic_string());
+  }
+  return list;
+}
+
+/// Null without any.
+Json write_flakes(const Landscape& landscape, const fs::path& folder,
+                  const fs::path& pictures_folder) {
+  using landscape::Flake;
+  const landscape::Flakes& flakes = landscape.flakes;
+  if (flakes.flakes.empty()) {
+    for (const char* name : {"flake_corners_m.f32", "flake_pictures.i32", "flake_opacities.f32"})
+      fs::remove(folder / name);
+    return nullptr;
+  }
+  const glm::dvec3& eye_m = landscape.camera.eye_m;
+  write_array(folder / "flake_corners_m.f32", of_each(flakes.flakes, [&](const Flake& flake) {
+                return corners_from(eye_m, flake);
+              }));
+  write_array(folder / "flake_pictures.i32",
+              of_each(flakes.flakes, [](const Flake& flake) { return flake.picture; }));
+  write_array(folder / "flake_opacities.f32",
+              of_each(flakes.flakes, [](const Flake& flake) { return flake.opacity; }));
+  return {{"count", flakes.flakes.size()},
+          {"corners", "flake_corners_m.f32"},
+          {"picks", "flake_pictures.i32"},
+          {"opacities", "flake_opacities.f32"},
+          {"pictures", write_flake_pictures(flakes.pictures, pictures_folder, folder)},
+          {"radiance", json_of(flakes.radiance)}};
+}
+
+/// Null without any.
+Json fog_json(const std::optional<landscape::Fog>& fog) {
+  if (!fog) return nullptr;
+  return {{"extinction_per_m", fog->extinction_per_m}, {"radiance", json_of(fog->radiance)}};
+}
+
 void append(std::vector<float>& values, const glm::dvec3& v) {
   for (int axis = 0; axis < 3; ++axis) values.push_back(static_cast<float>(v[axis]));
 }
@@ -167,7 +220,7 @@ Json blades_json(const Landscape& landscape, const fs::path& blades, const fs::p
 
 void write_frame_data(const Landscape& landscape, const fs::path& folder,
                       const std::vector<VolumeEntry>& volumes, const std::vector<int>& picks,
-                      const fs::path& blades_folder) {
+                      const fs::path& shared_folder) {
   write_image(folder / "sky.exr", landscape.sky, PixelFormat::float32);
   const Json frame = {{"frame", landscape.frame},
                       {"weathering", landscape.weathering},
@@ -185,7 +238,9 @@ void write_frame_data(const Landscape& landscape, const fs::path& folder,
                       {"cells", write_cells(landscape, folder, picks)},
                       {"volumes", volumes_json(volumes, folder)},
                       {"blade_cells", write_blade_cells(landscape, folder)},
-                      {"blades", blades_json(landscape, blades_folder, folder)}};
+                      {"blades", blades_json(landscape, shared_folder / "blades", folder)},
+                      {"flakes", write_flakes(landscape, folder, shared_folder / "flakes")},
+                      {"fog", fog_json(landscape.fog)}};
   write_file(folder / "frame.json", frame.dump(2) + "\n");
 }
 

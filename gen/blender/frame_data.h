@@ -15,7 +15,9 @@ struct VolumeEntry {
 };
 
 /// Writes a frame's arrays, pictures and frame.json into `folder`. `volumes` are the ones in use
-/// and `picks` is each cell's index into them; the landscape's meshes lie in `blades_folder`.
+/// and `picks` is each cell's index into them; the landscape's meshes lie in "blades" of
+/// `shared_folder`; its pictures of flakes are written to "flakes" there, NAME.png, of which the
+/// name says what is in them: what is there already stays.
 ///
 ///   heights_m.f32          samples x samples, x fastest: the terrain
 ///   positions_m.f32        3 per cell
@@ -24,12 +26,16 @@ struct VolumeEntry {
 ///   second_turns_rad.f32
 ///   picks.i32              1 per cell
 ///   blade_*.*32            the same five for the cells that are drawn as blades
+///   flake_corners_m.f32    12 per flake: its corners from the lower left on against the clock,
+///                          from the camera's eye; this and the next two only with flakes
+///   flake_pictures.i32     1 per flake: index of its picture
+///   flake_opacities.f32    1 per flake
 ///   light.exr, ground.exr  samples x samples on the corners of the terrain, north at the top
 ///   sky.exr                as landscape::Landscape::sky
 ///
 /// Arrays are little-endian without a header. Throws FileError.
 void write_frame_data(const landscape::Landscape& landscape, const std::filesystem::path& folder,
                       const std::vector<VolumeEntry>& volumes, const std::vector<int>& picks,
-                      const std::filesystem::path& blades_folder);
+                      const std::filesystem::path& shared_folder);
 
 }  // namespace wold::blender

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <memory>
@@ -91,6 +92,14 @@ struct Flake {
   int picture = 0;       ///< index into Flakes::pictures
   float opacity = 1.0F;  ///< multiplies the picture's
 };
+
+/// The flake's corners as its picture has them: lower left, lower right, upper right, upper left;
+/// metres from a place near the flake, where floats are fine enough for it.
+inline std::array<glm::vec3, 4> corners_from(const glm::dvec3& place_m, const Flake& flake) {
+  const glm::vec3 centre_m(glm::dvec3(flake.centre_m) - place_m);
+  return {centre_m - flake.right_m - flake.up_m, centre_m + flake.right_m - flake.up_m,
+          centre_m + flake.right_m + flake.up_m, centre_m - flake.right_m + flake.up_m};
+}
 
 /// Flakes that are seen singly; all have the same radiance.
 struct Flakes {

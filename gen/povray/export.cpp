@@ -10,6 +10,7 @@
 
 #include "core/files.h"
 #include "povray/blade_files.h"
+#include "povray/flake_files.h"
 #include "povray/ground_files.h"
 #include "povray/settings.h"
 #include "povray/text.h"
@@ -66,6 +67,18 @@ std::string write_backdrop(const std::optional<landscape::Backdrop>& backdrop,
       "#declare Backdrop_right_m = {};\n"
       "#declare Backdrop_up_m = {};\n",
       vector(backdrop->corner_m), vector(backdrop->right_m), vector(backdrop->up_m));
+}
+
+std::string air_text(const landscape::Landscape& scene) {
+  std::string text;
+  if (!scene.flakes.flakes.empty())
+    text += fmt::format("#declare Flake_radiance = {};\n", vector(scene.flakes.radiance));
+  if (scene.fog)
+    text += fmt::format(
+        "#declare Fog_extinction_per_m = {};\n"
+        "#declare Fog_radiance = {};\n",
+        number(scene.fog->extinction_per_m), vector(scene.fog->radiance));
+  return text;
 }
 
 std::string clouds_text(const std::vector<landscape::CloudBox>& clouds) {
@@ -141,7 +154,8 @@ void export_frame(const landscape::Landscape& scene, const fs::path& folder) {
              [&](std::ostream& out) { write_volumes_list(out, scene, used); });
   for (const landscape::CloudBox& cloud : scene.clouds) write_cloud(cloud, scene.df3_bits, frame);
   write_file(frame / "clouds.inc", clouds_text(scene.clouds));
-  write_file(frame / "frame.inc", frame_text(scene, terrain) + maps + backdrop);
+  write_flakes(scene.flakes, scene.camera.eye_m, frame, data / "flakes");
+  write_file(frame / "frame.inc", frame_text(scene, terrain) + maps + backdrop + air_text(scene));
   write_file(data / fmt::format("frame_{:04}.ini", scene.frame), frame_settings(scene));
   write_file(folder / "povray.ini", settings(scene));
 }

@@ -102,6 +102,13 @@ class Nodes:
         self.tree.links.new(source, target)
 
 
+def constant(nodes, colour):
+    """An output socket: the same three numbers everywhere."""
+    output = nodes.add("ShaderNodeRGB").outputs["Color"]
+    output.default_value = (*colour, 1.0)
+    return output
+
+
 def map_outputs(nodes, frame, ground_map):
     """Colour and Alpha of a map of the ground at the shaded point, as output sockets.
 
@@ -246,6 +253,14 @@ def add_terrain(frame):
     add_object("terrain", mesh)
 
 
+def add_fog(nodes, output, fog):
+    """The world's volume: the same everywhere, without an end."""
+    extinction = nodes.add("ShaderNodeValue").outputs["Value"]
+    extinction.default_value = fog["extinction_per_m"]
+    gained = [fog["extinction_per_m"] * channel for channel in fog["radiance"]]  # per metre
+    nodes.link(medium(nodes, extinction, constant(nodes, gained)), output.inputs["Volume"])
+
+
 def set_sky(frame):
     """The sky's first column looks north and azimuth runs clockwise; Blender's panorama begins in
     the west, hence the quarter-turn."""
@@ -264,6 +279,9 @@ def set_sky(frame):
     nodes.link(turn.outputs["Vector"], panorama.inputs["Vector"])
     nodes.link(panorama.outputs["Color"], background.inputs["Color"])
     nodes.link(background.outputs["Background"], output.inputs["Surface"])
+    if frame["fog"]:
+        world.cycles.homogeneous_volume = True  # worked out at once, not step by step
+        add_fog(nodes, output, frame["fog"])
 
 
 def backdrop_material(frame, picture):
@@ -437,6 +455,46 @@ def add_clouds(frame):
         add_object(volume.name, volume).location = entry["corner_m"]
 
 
+# The flakes ---------------------------------------------------------------------------------
+
+
+def flake_material(frame, picture, radiance):
+    """As much of `radiance` as the picture's and the flake's own opacity cover."""
+    material, nodes = new_material("flake")
+    image = nodes.add("ShaderNodeTexImage", image=frame.image(picture), extension="CLIP")
+    own = nodes.add("ShaderNodeAttribute", attribute_name="opacity")
+    covered = nodes.add("ShaderNodeMath", operation="MULTIPLY")
+    emission = nodes.add("ShaderNodeEmission")
+    flake = nodes.add("ShaderNodeMixShader")
+    nodes.link(nodes.add("ShaderNodeTexCoord").outputs["UV"], image.inputs["Vector"])
+    nodes.link(image.outputs["Color"], covered.inputs[0])
+    nodes.link(own.outputs["Fac"], covered.inputs[1])
+    nodes.link(constant(nodes, radiance), emission.inputs["Color"])
+    nodes.link(covered.outputs["Value"], flake.inputs["Fac"])
+    nodes.link(nodes.add("ShaderNodeBsdfTransparent").outputs["BSDF"], flake.inputs[1])
+    nodes.link(emission.outputs["Emission"], flake.inputs[2])
+    nodes.link(flake.outputs["Shader"], nodes.add("ShaderNodeOutputMaterial").inputs["Surface"])
+    return material
+
+
+def add_flakes(frame):
+    """All flakes as one mesh that counts from the eye."""
+    flakes = frame["flakes"]
+    if flakes is None:
+        return
+    count = flakes["count"]
+    mesh = quad_mesh("flakes", frame.numbers(flakes["corners"], "f", 12 * count),
+                     array.array("i", range(4 * count)))
+    places = array.array("f", (0, 0, 1, 0, 1, 1, 0, 1)) * count
+    mesh.uv_layers.new().data.foreach_set("uv", places)
+    opacities = frame.numbers(flakes["opacities"], "f", count)
+    mesh.attributes.new("opacity", "FLOAT", "FACE").data.foreach_set("value", opacities)
+    for picture in flakes["pictures"]:
+        mesh.materials.append(flake_material(frame, picture, flakes["radiance"]))
+    mesh.polygons.foreach_set("material_index", frame.numbers(flakes["picks"], "i", count))
+    add_object("flakes", mesh).location = frame["camera"]["eye_m"]
+
+
 # The picture --------------------------------------------------------------------------------
 
 
@@ -449,6 +507,7 @@ def set_light_transport(samples):
     cycles.use_adaptive_sampling = False
     cycles.use_denoising = False
     cycles.max_bounces = 0
+    cycles.transparent_max_bounces = 1024  # flakes in a row: beyond, a ray would end in black
     cycles.volume_max_steps = 1024
     cycles.pixel_filter_type = "BLACKMAN_HARRIS"
 
@@ -486,6 +545,7 @@ def build(frame, options):
     set_sky(frame)
     add_clouds(frame)
     add_backdrop(frame)
+    add_flakes(frame)
     set_camera(frame)
 
 

@@ -47,6 +47,7 @@ global_settings {
 #include concat(Here, "grass.inc")
 #include concat(Here, "clouds.inc")
 #include concat(Here, "surroundings.inc")
+#include concat(Here, "air.inc")
 
 camera {
   location Eye_m * Units_per_m
@@ -67,3 +68,11 @@ Ground(concat(Frame_folder, "ground.exr"))
 #include concat(Frame_folder, "volumes.inc")
 #include concat(Frame_folder, "cells.inc")
 #include concat(Frame_folder, "clouds.inc")
+
+#ifdef (Flake_radiance)
+  #include concat(Frame_folder, "flakes.inc")
+  Falling_flakes()
+#end
+#ifdef (Fog_extinction_per_m)
+  Fog()
+#end

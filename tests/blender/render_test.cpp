@@ -15,6 +15,7 @@
 #include "core/image.h"
 #include "core/vdb_file.h"
 #include "support/cloudy_view.h"
+#include "support/snowy_view.h"
 #include "support/synthetic_landscape.h"
 
 namespace wold::blender {
@@ -244,6 +245,22 @@ TEST_F(BlenderRender, CloudsAreBeforeTheBackdrop) {
     const double wanted = test::radiance_of_cloudy_view(landscape, unit);
     const float value = picture.pixel(static_cast<int>(at.x), static_cast<int>(at.y))[1];
     EXPECT_NEAR(double{linear_of(value)} / landscape.exposure_gain, wanted, 0.03 * wanted);
+  }
+}
+
+// Flakes let through what they do not cover, from both sides, and fog lies between them all.
+TEST_F(BlenderRender, FlakesAndFogShowWhatTheirFormulaeSay) {
+  test::make_snowy_view(landscape);
+  landscape.flakes.flakes[1].right_m *= -1.0F;  // seen from behind
+  ASSERT_EQ(run(), 0) << read_file(folder / "log");
+  const Image picture = read_image(folder / "picture.png");
+  const Eye eye(landscape);
+  for (const glm::dvec3& direction : test::directions_of_snowy_view()) {
+    const glm::dvec2 at = eye.pixel_of_direction(direction);
+    const double wanted = test::radiance_of_snowy_view(landscape, direction);
+    const float value = picture.pixel(static_cast<int>(at.x), static_cast<int>(at.y))[1];
+    EXPECT_NEAR(double{linear_of(value)} / landscape.exposure_gain, wanted, 0.015 * wanted)
+        << direction.x << ", " << direction.y << ", " << direction.z;
   }
 }
 

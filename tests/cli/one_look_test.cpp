@@ -9,12 +9,11 @@
 #include "core/files.h"
 #include "core/image.h"
 #include "program.h"
+#include "support/blurred_difference.h"
 
 /// The promise of one look: both renderers show the same landscape.
 namespace wold::test {
 namespace {
-
-constexpr int box = 8;
 
 struct Film {
   const char* example;
@@ -24,25 +23,6 @@ struct Film {
 
 /// For the names of tests, which would have the object's bytes else.
 void PrintTo(const Film& film, std::ostream* out) { *out << film.example; }
-
-/// Mean of the box x box pixels from a pixel on, of a channel.
-double blurred(const Image& picture, int x, int y, int channel) {
-  double sum = 0.0;
-  for (int j = 0; j < box; ++j)
-    for (int i = 0; i < box; ++i) sum += double{picture.pixel(x + i, y + j)[channel]};
-  return sum / (box * box);
-}
-
-/// Mean absolute difference of two pictures in [0, 1] after a box blur.
-double blurred_difference(const Image& a, const Image& b) {
-  double sum = 0.0;
-  int count = 0;
-  for (int y = 0; y + box <= a.height; ++y)
-    for (int x = 0; x + box <= a.width; ++x)
-      for (int c = 0; c < 3; ++c, ++count)
-        sum += std::abs(blurred(a, x, y, c) - blurred(b, x, y, c));
-  return sum / count;
-}
 
 /// First row from the top, column by column, that is no longer sky: grass and rock are darker than
 /// what is above them. Where it lies between two rows is read off the brightness.

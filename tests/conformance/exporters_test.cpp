@@ -13,6 +13,7 @@
 #include "core/files.h"
 #include "core/parallel.h"
 #include "povray/export.h"
+#include "support/snowy_view.h"
 #include "support/synthetic_landscape.h"
 
 namespace wold {
@@ -47,6 +48,8 @@ class Exporters : public testing::TestWithParam<Exporter> {
     fs::remove_all(folder);
     landscape =
         test::synthetic_landscape({.cells_per_side = 2, .height_voxels = 8}, folder / "texels");
+    test::add_flakes(landscape, 40, 5.0);
+    landscape.fog = landscape::Fog{0.01, glm::vec3(0.1F)};
   }
   ~Exporters() override { fs::remove_all(folder); }
 
@@ -80,6 +83,20 @@ TEST_P(Exporters, WritingOverItselfChangesNothing) {
   const auto once = all_files(folder / "out");
   GetParam().run(landscape, folder / "out");
   EXPECT_TRUE(once == all_files(folder / "out"));
+}
+
+// What a frame had of snow and fog goes when it is written again without.
+TEST_P(Exporters, NoFlakesAndNoFogLeaveNothingOfThemInTheFrame) {
+  Landscape dry = landscape;
+  dry.flakes = {};
+  dry.fog.reset();
+  GetParam().run(dry, folder / "dry");
+  GetParam().run(landscape, folder / "out");
+  EXPECT_FALSE(all_files(folder / "dry/data/frame_0001") ==
+               all_files(folder / "out/data/frame_0001"));
+  GetParam().run(dry, folder / "out");
+  EXPECT_TRUE(all_files(folder / "dry/data/frame_0001") ==
+              all_files(folder / "out/data/frame_0001"));
 }
 
 // A file stands where the folder should be: root may write anywhere, so permissions prove nothing.

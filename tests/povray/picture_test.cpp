@@ -13,6 +13,7 @@
 #include "povray/constant_meadow.h"
 #include "povray/export.h"
 #include "support/cloudy_view.h"
+#include "support/snowy_view.h"
 #include "support/synthetic_landscape.h"
 
 namespace wold::povray {
@@ -217,6 +218,21 @@ TEST_F(Picture, CloudsAreBeforeTheBackdrop) {
     const double wanted = test::radiance_of_cloudy_view(scene, unit);
     EXPECT_NEAR(radiance(picture, scene, static_cast<int>(at.x), static_cast<int>(at.y)), wanted,
                 0.02 * wanted);
+  }
+}
+
+// Flakes let through what they do not cover, from both sides, and fog lies between them all.
+TEST_F(Picture, FlakesAndFogShowWhatTheirFormulaeSay) {
+  landscape::Landscape scene = test::constant_meadow({}, folder / "texels");
+  test::make_snowy_view(scene);
+  scene.flakes.flakes[1].right_m *= -1.0F;  // seen from behind
+  const Image picture = render(scene);
+  for (const glm::dvec3& direction : test::directions_of_snowy_view()) {
+    const glm::dvec2 at = pixel_of(scene, direction);
+    const double wanted = test::radiance_of_snowy_view(scene, direction);
+    EXPECT_NEAR(radiance(picture, scene, static_cast<int>(at.x), static_cast<int>(at.y), 1), wanted,
+                0.015 * wanted)
+        << direction.x << ", " << direction.y << ", " << direction.z;
   }
 }
 

@@ -1,0 +1,60 @@
+// Both renderers show what the landscape says, alike. Skipped where one of them is missing.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "blender/export.h"
+#include "core/files.h"
+#include "core/image.h"
+#include "povray/export.h"
+#include "support/blurred_difference.h"
+#include "support/snowy_view.h"
+#include "support/synthetic_landscape.h"
+#include "support/temporary_folder.h"
+
+namespace wold {
+namespace {
+
+namespace fs = std::filesystem;
+using landscape::Landscape;
+
+bool is_installed(const char* renderer) {
+  return std::system(fmt::format("command -v {} > /dev/null", renderer).c_str()) == 0;
+}
+
+Image run(const std::string& command, const fs::path& folder) {
+  if (std::system(fmt::format("cd '{}' && {} > log 2>&1", folder.string(), command).c_str()) != 0)
+    ADD_FAILURE() << read_file(folder / "log");
+  return read_image(folder / "picture.png");
+}
+
+Image blender_picture(const Landscape& landscape, const fs::path& folder) {
+  blender::export_frame(landscape, folder);
+  blender::export_scene(folder);
+  return run("blender -b --python-exit-code 1 -P scene.py -- 1 --out picture.png", folder);
+}
+
+Image povray_picture(const Landscape& landscape, const fs::path& folder) {
+  povray::export_frame(landscape, folder);
+  povray::export_scene(folder);
+  return run("povray data/frame_0001.ini +Opicture.png", folder);
+}
+
+// Grass under snowfall in fog: near flakes of many pixels, far ones of a part of one.
+TEST(OnePicture, SnowfallAndFogAreAlike) {
+  for (const char* renderer : {"blender", "povray"})
+    if (!is_installed(renderer))
+      GTEST_SKIP() << "no " << renderer << " on this machine: the pictures are not compared";
+  const test::TemporaryFolder folder("one_picture");
+  Landscape landscape = test::synthetic_landscape({}, folder.path() / "texels");
+  test::add_flakes(landscape, 3000, 4.0);
+  landscape.fog = landscape::Fog{0.1, glm::vec3(0.1F, 0.11F, 0.12F)};
+  const Image blender = blender_picture(landscape, folder.path() / "blender");
+  const Image povray = povray_picture(landscape, folder.path() / "povray");
+  const double difference = test::blurred_difference(blender, povray);
+  EXPECT_LE(difference, 1.0 / 255.0) << 255.0 * difference << " of 255";
+}
+
+}  // namespace
+}  // namespace wold
