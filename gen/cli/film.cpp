@@ -41,10 +41,7 @@ std::vector<std::string> wanted_renderers(const scene::Scene& scene) {
 Film::Film(const Job& job)
     : job_(job),
       site_(landscape::make_site(job.scene)),
-      texels_(
-          job.scene,
-          landscape::film_lighting(job.scene, site_),
-          job.out / "texels") {}
+      texels_(job.scene, landscape::film_lighting(job.scene, site_), job.out / "texels") {}
 
 void Film::generate(Progress& progress) {
   make_folder(job_.out);

@@ -11,11 +11,11 @@
 #include "grass/fibres.h"
 #include "landscape/combed_light.h"
 #include "landscape/exposure.h"
-#include "landscape/falling_snow.h"
 #include "landscape/far_field.h"
 #include "landscape/film_lighting.h"
 #include "landscape/frame_sky.h"
 #include "landscape/haze.h"
+#include "landscape/snow_in_air.h"
 #include "landscape/snowy_air.h"
 #include "landscape/snowy_ground.h"
 #include "landscape/tint.h"
@@ -68,8 +68,7 @@ FactorMap combed_light(const scene::Scene& scene, const Site& site, const View& 
                        const grass::BladePatch& patch, const grass::AgeingModel& model) {
   constexpr int fibres = 150;
   const CombedLight light(grass::representative_fibres(patch, model, fibres),
-                          film_lighting(scene, site),
-                          static_cast<float>(scene.grass.gloss));
+                          film_lighting(scene, site), static_cast<float>(scene.grass.gloss));
   return combed_light_map(light, Combing(scene), site.terrain, view);
 }
 
@@ -129,7 +128,8 @@ Landscape assemble(const scene::Scene& scene, const Site& site, int frame,
   landscape.height_px = scene.render.size_px[1];
   landscape.samples = scene.render.samples;
   landscape.df3_bits = scene.render.df3_bits;
-  landscape.exposure_gain = metered_gain(site.day, subject_of(scene)) * std::exp2(scene.render.exposure);
+  landscape.exposure_gain =
+      metered_gain(site.day, subject_of(scene)) * std::exp2(scene.render.exposure);
   place(choices, /*blades=*/false, volume_key, lookup.volume, landscape.volumes, landscape.cells);
   place(choices, /*blades=*/true, blades_key, lookup.blades, landscape.blade_meshes,
         landscape.blade_cells);

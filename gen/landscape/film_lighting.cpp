@@ -1,6 +1,6 @@
 #include "landscape/film_lighting.h"
 
-#include "landscape/falling_snow.h"
+#include "landscape/snow_in_air.h"
 #include "landscape/view.h"
 #include "scene/winter.h"
 
@@ -16,9 +16,9 @@ void add(grass::Lighting& sum, const light::Daylight& day, const SnowyAir& air, 
   const auto& rings = grass::sky_rings();
   for (std::size_t ring = 0; ring < rings.size(); ++ring) {
     const double elevation = rings[ring].elevation;
-    sum.sky_radiance[ring] += air.sky_radiance(day.mean_sky_radiance(elevation),
-                                               light::direction_of(0.0, elevation)) *
-                              share;
+    sum.sky_radiance[ring] +=
+        air.sky_radiance(day.mean_sky_radiance(elevation), light::direction_of(0.0, elevation)) *
+        share;
   }
 }
 
@@ -32,8 +32,8 @@ grass::Lighting film_lighting(const scene::Scene& scene, const Site& site) {
   lighting.sky_radiance.assign(grass::sky_rings().size(), glm::vec3(0.0F));
   const auto frames = static_cast<int>(scene.ageing.frames.size());
   for (int frame = 1; frame <= frames; ++frame)
-    add(lighting, site.day, SnowyAir(site.day, snow_extinction_per_m(scene, site, frame),
-                                     mean_ground_albedo),
+    add(lighting, site.day,
+        SnowyAir(site.day, snow_extinction_per_m(scene, site, frame), mean_ground_albedo),
         1.0F / static_cast<float>(frames));
   return lighting;
 }

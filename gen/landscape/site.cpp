@@ -4,10 +4,16 @@
 #include <utility>
 
 #include "landscape/growth.h"
+#include "scene/winter.h"
 #include "terrain/ground.h"
 #include "terrain/lighting.h"
 
 namespace wold::landscape {
+
+Snow::Snow(const scene::Scene& scene, const Heightfield& terrain)
+    : weather(scene),
+      pictures(scene.seed),
+      ground(scene, terrain, [made = weather](double time_s) { return made.at(time_s); }) {}
 
 Site make_site(const scene::Scene& scene) {
   Heightfield terrain = terrain::make_ground(scene.terrain, scene.seed);
@@ -19,8 +25,11 @@ Site make_site(const scene::Scene& scene) {
                                   canopy_transmittance(scene.grass));
   std::optional<cloud::Clouds> clouds;
   if (!scene.clouds.empty()) clouds.emplace(scene, cloud::Clouds::usual_pixel_m(scene));
-  return {std::move(terrain), std::move(growth),      day,
-          std::move(light),   std::move(reflectance), std::move(clouds)};
+  std::shared_ptr<const Snow> snow;
+  if (scene::may_snow(scene) || scene::may_lie(scene))
+    snow = std::make_shared<const Snow>(scene, terrain);
+  return {std::move(terrain), std::move(growth), day, std::move(light), std::move(reflectance),
+          std::move(clouds),  std::move(snow)};
 }
 
 double canopy_transmittance(const scene::Grass& grass) {

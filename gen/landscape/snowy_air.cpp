@@ -97,8 +97,7 @@ void veil_backdrop(const SnowyAir& air, const Fog& fog, const glm::dvec3& eye_m,
                                backdrop.up_m * (1.0 - (r + 0.5) / picture.height) - eye_m;
       const double distance_m = glm::length(way_m);
       float* pixel = picture.pixel(c, r);
-      const glm::vec3 wanted =
-          air.sky_radiance({pixel[0], pixel[1], pixel[2]}, way_m / distance_m);
+      const glm::vec3 wanted = air.sky_radiance({pixel[0], pixel[1], pixel[2]}, way_m / distance_m);
       const glm::vec3 stands = behind(wanted, fog, std::exp(-fog.extinction_per_m * distance_m));
       std::copy_n(&stands.x, 3, pixel);
     }
@@ -109,8 +108,7 @@ void veil_backdrop(const SnowyAir& air, const Fog& fog, const glm::dvec3& eye_m,
 
 void show_through(const SnowyAir& air, const Fog& fog, Landscape& landscape) {
   veil_sphere(air, landscape.sky);
-  if (landscape.backdrop)
-    veil_backdrop(air, fog, landscape.camera.eye_m, *landscape.backdrop);
+  if (landscape.backdrop) veil_backdrop(air, fog, landscape.camera.eye_m, *landscape.backdrop);
 }
 
 }  // namespace wold::landscape

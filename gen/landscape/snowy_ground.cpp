@@ -79,8 +79,7 @@ Heightfield snow_surface(const scene::Scene& scene, const Heightfield& terrain,
     }
   });
   Heightfield smooth = terrain;
-  for (std::size_t k = 0; k < smooth.values().size(); ++k)
-    smooth.values()[k] += snow_m.values()[k];
+  for (std::size_t k = 0; k < smooth.values().size(); ++k) smooth.values()[k] += snow_m.values()[k];
   for (int pass = smoothing_passes(mean(snow_m), terrain.step_m()); pass > 0; --pass)
     smooth = smoothed(smooth);
   for (std::size_t k = 0; k < smooth.values().size(); ++k)
@@ -111,9 +110,10 @@ glm::vec3 snow_albedo(float albedo) { return albedo * glm::vec3(0.985F, 1.0F, 1.
 SnowyGround::SnowyGround(const scene::Scene& scene, const Site& site, int frame)
     : scene_(scene), site_(site), surface_(site.terrain) {
   if (!site.snow) return;
-  const snow::SnowGround::State state = site.snow->at(scene::time_s(scene, frame));
+  const snow::SnowGround& snow = site.snow->ground;
+  const snow::SnowGround::State state = snow.at(scene::time_s(scene, frame));
   if (!(state.fallen_mm > 0.0)) return;
-  white_ = site.snow->white(state, white_samples(surface_.size_m()));
+  white_ = snow.white(state, white_samples(surface_.size_m()));
   depth_m_ = state.depth_m;
   albedo_ = static_cast<float>(mean(state.albedo));
   if (scene.snow_cover.cover == "paper") return;  // the ground's shape stays

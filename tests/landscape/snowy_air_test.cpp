@@ -70,8 +70,8 @@ TEST(SnowyAir, IsSeenThroughItsFog) {
   Landscape landscape;
   landscape.camera.eye_m = {1.0, 2.0, 3.0};
   landscape.sky = Image(8, 4, 3);
-  landscape.backdrop = Backdrop{Image(6, 4, 3), {-200.0, 300.0, 0.0}, {400.0, 0.0, 0.0},
-                                {0.0, 0.0, 250.0}};
+  landscape.backdrop =
+      Backdrop{Image(6, 4, 3), {-200.0, 300.0, 0.0}, {400.0, 0.0, 0.0}, {0.0, 0.0, 250.0}};
   show_through(air, fog, landscape);
   const Backdrop& backdrop = *landscape.backdrop;
   for (int r = 0; r < 4; ++r)
