@@ -1,9 +1,155 @@
 #include "snow/weather.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "scene/registry.h"
+#include "snow/weather_table.h"
 
 namespace wold::snow {
+namespace {
+
+constexpr double seconds_per_hour = 3600.0;
+
+TableColumn column_like(const char* name, const char* key_name) {
+  const scene::Key& key = *scene::find_key(key_name);
+  return {.name = name, .lowest = key.lowest, .highest = key.highest, .unit = key.unit};
+}
+
+glm::dvec2 wind_of(const WeatherMoment& moment) {
+  const double heading = glm::radians(moment.wind_heading_deg);
+  return moment.wind_speed_m_s * glm::dvec2(std::sin(heading), std::cos(heading));
+}
+
+double heading_deg(const glm::dvec2& wind) {
+  const double heading = glm::degrees(std::atan2(wind.x, wind.y));
+  return heading < 0.0 ? heading + 360.0 : heading;
+}
+
+WeatherMoment of_keys(const scene::Scene& scene) {
+  return {scene.weather.temperature_c, scene.weather.precipitation_mm_h, scene.wind.speed_m_s,
+          scene.wind.heading_deg};
+}
+
+/// What snowfall.strength makes of the weather.
+WeatherMoment with_strength(WeatherMoment moment, const std::string& strength) {
+  static const std::map<std::string, double> rates_mm_h = {
+      {"light", 0.4}, {"moderate", 1.2}, {"blizzard", 4.0}};
+  const auto rate = rates_mm_h.find(strength);
+  if (rate == rates_mm_h.end()) return moment;
+  moment.precipitation_mm_h = rate->second;
+  moment.temperature_c = std::min(moment.temperature_c, 0.0);
+  return moment;
+}
+
+/// The integral of |a + (b - a) x| for x in [0, share], times `duration_s`: the exact length of the
+/// way in a wind that changes evenly.
+double run_of(const glm::dvec2& a, const glm::dvec2& b, double share, double duration_s) {
+  const glm::dvec2 change = b - a;
+  const double c = glm::length(change);
+  if (c <= 1e-9 * (glm::length(a) + glm::length(b))) return glm::length(a) * share * duration_s;
+  // Along the change the wind is c x + s, across it h.
+  const double s = glm::dot(a, change) / c;
+  const double h = std::abs(a.x * change.y - a.y * change.x) / c;
+  const auto integral = [&](double along) {
+    const double speed = std::hypot(along, h);
+    return 0.5 * (along * speed + (h > 0.0 ? h * h * std::asinh(along / h) : 0.0));
+  };
+  return (integral(s + c * share) - integral(s)) / c * duration_s;
+}
+
+}  // namespace
 
 double snow_share(double temperature_c) { return std::clamp(1.0 - 0.5 * temperature_c, 0.0, 1.0); }
+
+double snow_mm_h(const WeatherMoment& weather, double height_m) {
+  return weather.precipitation_mm_h *
+         snow_share(weather.temperature_c - lapse_k_per_m * height_m);
+}
+
+std::vector<Weather::Row> Weather::rows_of_table(const scene::Scene& scene) {
+  const std::vector<std::vector<double>> table = read_table(
+      scene.weather.table, {{.name = "hours", .unit = "h", .rises = true, .required = true},
+                            column_like("temperature_c", "weather.temperature"),
+                            column_like("precipitation_mm_h", "weather.precipitation"),
+                            column_like("wind_speed_m_s", "wind.speed"),
+                            column_like("wind_heading_deg", "wind.heading")});
+  std::vector<Row> rows(table[0].size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    WeatherMoment& moment = rows[i].moment;
+    moment = of_keys(scene);
+    rows[i].time_s = seconds_per_hour * table[0][i];
+    const std::array fields = {&moment.temperature_c, &moment.precipitation_mm_h,
+                               &moment.wind_speed_m_s, &moment.wind_heading_deg};
+    for (std::size_t field = 0; field < fields.size(); ++field)
+      if (!table[field + 1].empty()) *fields[field] = table[field + 1][i];
+  }
+  return rows;
+}
+
+Weather::Weather(const scene::Scene& scene)
+    : rows_(scene.weather.table.empty() ? std::vector<Row>{{.moment = of_keys(scene)}}
+                                        : rows_of_table(scene)),
+      earlier_s_(seconds_per_hour * scene.weather.earlier_h) {
+  for (Row& row : rows_) {
+    row.moment = with_strength(row.moment, scene.snowfall.strength);
+    row.wind_m_s = wind_of(row.moment);
+  }
+  rows_[0].way_m = rows_[0].time_s * rows_[0].wind_m_s;
+  rows_[0].run_m = rows_[0].time_s * rows_[0].moment.wind_speed_m_s;
+  for (std::size_t i = 1; i < rows_.size(); ++i) {
+    const Row& last = rows_[i - 1];
+    const double seconds = rows_[i].time_s - last.time_s;
+    rows_[i].way_m = last.way_m + 0.5 * seconds * (last.wind_m_s + rows_[i].wind_m_s);
+    rows_[i].run_m = last.run_m + run_of(last.wind_m_s, rows_[i].wind_m_s, 1.0, seconds);
+  }
+}
+
+Weather::Span Weather::span_at(double time_s) const {
+  const double now_s = time_s + earlier_s_;
+  const auto after = std::upper_bound(rows_.begin(), rows_.end(), now_s,
+                                      [](double t, const Row& row) { return t < row.time_s; });
+  if (after == rows_.begin())
+    return {rows_.front(), rows_.front(), 0.0, now_s - rows_.front().time_s};
+  const Row& before = *(after - 1);
+  if (after == rows_.end()) return {before, before, 0.0, now_s - before.time_s};
+  return {before, *after, (now_s - before.time_s) / (after->time_s - before.time_s), 0.0};
+}
+
+WeatherMoment Weather::at(double time_s) const {
+  const Span span = span_at(time_s);
+  const glm::dvec2 wind = glm::mix(span.before.wind_m_s, span.after.wind_m_s, span.share);
+  const WeatherMoment& a = span.before.moment;
+  const WeatherMoment& b = span.after.moment;
+  const double speed = glm::length(wind);
+  return {std::lerp(a.temperature_c, b.temperature_c, span.share),
+          std::lerp(a.precipitation_mm_h, b.precipitation_mm_h, span.share), speed,
+          speed > 0.0 ? heading_deg(wind) : a.wind_heading_deg};
+}
+
+glm::dvec2 Weather::wind_way_m(double time_s) const {
+  const auto [before, after, share, beyond_s] = span_at(time_s);
+  const double seconds = share * (after.time_s - before.time_s);
+  const glm::dvec2 mean = before.wind_m_s + 0.5 * share * (after.wind_m_s - before.wind_m_s);
+  return before.way_m + seconds * mean + beyond_s * before.wind_m_s;
+}
+
+double Weather::wind_run_m(double time_s) const {
+  const auto [before, after, share, beyond_s] = span_at(time_s);
+  return before.run_m +
+         run_of(before.wind_m_s, after.wind_m_s, share, after.time_s - before.time_s) +
+         beyond_s * before.moment.wind_speed_m_s;
+}
+
+double Weather::heaviest_snow_mm_h() const {
+  double heaviest = 0.0;
+  for (const Row& row : rows_)
+    heaviest =
+        std::max(heaviest, row.moment.precipitation_mm_h * snow_share(row.moment.temperature_c));
+  return heaviest;
+}
 
 }  // namespace wold::snow

@@ -19,21 +19,27 @@ struct WeatherMoment {
 inline constexpr double lapse_k_per_m = 0.0065;
 
 /// Share of precipitation that is snow at an air temperature: 1 below 0, 0 above 2 degrees Celsius,
-/// linear between (reference: half at 1 degree).
+/// linear between: half at 1 degree, where as much falls as snow as as rain.
 double snow_share(double temperature_c);
 
-/// The scene's weather over time: constant as the keys of [weather], [wind] and
-/// [snowfall] say, or linear between the rows of weather.table.
+/// What of a moment's precipitation is snow at a height above the terrain's zero, as water.
+double snow_mm_h(const WeatherMoment& weather, double height_m);
+
+/// The scene's weather over time: constant as the keys of [weather], [wind] and [snowfall] say, or
+/// linear between the rows of weather.table; the wind as a vector.
 ///
 /// The table is comma-separated values with a header; columns by name, in any order: hours
 /// (rising, since the weather began), and any of temperature_c, precipitation_mm_h,
-/// wind_speed_m_s, wind_heading_deg (shorter way round). Before the first and after the last row
-/// the nearest row holds.
+/// wind_speed_m_s, wind_heading_deg. Before the first and after the last row the nearest row holds.
+///
+/// snowfall.strength "light", "moderate" and "blizzard" put 0.4, 1.2 or 4 mm/h in the place of all
+/// precipitation and lower what is warmer than 0 degrees to that, so that all of it is snow.
 class Weather {
  public:
-  /// Throws InputError with file, line, what was found and what was expected: for a missing or
-  /// unknown column, a number that is none or out of the range of the key it replaces (NaN,
-  /// infinity, a negative rate), hours that do not rise.
+  /// Throws InputError with file, line, column, what was found and what was expected, once for
+  /// everything found: a missing, unknown or repeated column, a number that is none or out of the
+  /// range of the key it replaces (NaN, infinity, a negative rate), hours that do not rise.
+  /// Throws FileError when the table cannot be read.
   explicit Weather(const scene::Scene& scene);
 
   /// `time_s` since the first frame; negative down to -earlier_s().
@@ -43,15 +49,32 @@ class Weather {
   double earlier_s() const { return earlier_s_; }
 
   /// The way, east and north in metres, that the mean wind has blown since the weather began: the
-  /// exact integral of at()'s wind as a piecewise linear vector.
+  /// exact integral of at()'s wind.
   glm::dvec2 wind_way_m(double time_s) const;
+
+  /// How far it has blown since then, whichever way: the integral of its speed.
+  double wind_run_m(double time_s) const;
+
+  /// The highest rate of snow at the terrain's zero, in mm of water per hour.
+  double heaviest_snow_mm_h() const;
 
  private:
   struct Row {
-    double time_s;  ///< since the weather began
-    WeatherMoment moment;
-    glm::dvec2 way_m;  ///< the wind's, until then
+    double time_s = 0.0;  ///< since the weather began
+    WeatherMoment moment = {};
+    glm::dvec2 wind_m_s{0.0};  ///< east and north
+    glm::dvec2 way_m{0.0};     ///< the wind's, until then
+    double run_m = 0.0;
   };
+  /// What there is between two rows, or beyond the outer ones.
+  struct Span {
+    const Row& before;
+    const Row& after;
+    double share = 0.0;     ///< of the way from one to the other
+    double beyond_s = 0.0;  ///< since the last row, or, negative, until the first
+  };
+  Span span_at(double time_s) const;
+  static std::vector<Row> rows_of_table(const scene::Scene& scene);
   std::vector<Row> rows_;  ///< one at least
   double earlier_s_ = 0.0;
 };

@@ -1,0 +1,51 @@
+#include "snow/fall_speed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace wold::snow {
+namespace {
+
+struct Law {
+  double a;
+  double b;
+  double least_mm;
+  double greatest_mm;
+};
+
+/// Locatelli and Hobbs's rows, in the order of Crystal.
+constexpr std::array<Law, crystal_kinds> laws = {{
+    {0.69, 0.41, 0.2, 3.0},   // assemblages of plates, side planes, bullets and columns
+    {0.69, 0.41, 0.2, 3.0},   // the same
+    {0.62, 0.33, 1.8, 4.0},   // densely rimed dendrites, the only single ones
+    {0.80, 0.16, 2.0, 10.0},  // aggregates of unrimed dendrites
+}};
+
+std::array<double, crystal_kinds> mixed_shares(double diameter_mm) {
+  constexpr double first_aggregates_mm = 1.5, most_are_mm = 5.0;  // our choice
+  constexpr double dendrites = 0.15, most_aggregates = 0.8, plates = 0.6;
+  const double grown = std::clamp(
+      (diameter_mm - first_aggregates_mm) / (most_are_mm - first_aggregates_mm), 0.0, 1.0);
+  const double aggregates = most_aggregates * grown;
+  const double rest = 1.0 - dendrites - aggregates;
+  return {plates * rest, (1.0 - plates) * rest, dendrites, aggregates};
+}
+
+}  // namespace
+
+double fall_speed_m_s(Crystal crystal, double diameter_mm) {
+  const Law& law = laws[static_cast<std::size_t>(crystal)];
+  return law.a * std::pow(std::clamp(diameter_mm, law.least_mm, law.greatest_mm), law.b);
+}
+
+std::array<double, crystal_kinds> crystal_shares(const std::string& choice, double diameter_mm) {
+  if (choice == "mixed") return mixed_shares(diameter_mm);
+  std::array<double, crystal_kinds> shares = {};
+  const auto* const found = std::find(crystal_names.begin(), crystal_names.end(), choice);
+  if (found == crystal_names.end()) throw std::invalid_argument("no crystal is called " + choice);
+  shares[static_cast<std::size_t>(found - crystal_names.begin())] = 1.0;
+  return shares;
+}
+
+}  // namespace wold::snow

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+namespace wold::snow {
+
+/// What a flake is.
+enum class Crystal { plate, column, dendrite, aggregate };
+inline constexpr std::size_t crystal_kinds = 4;
+inline constexpr std::array<const char*, crystal_kinds> crystal_names = {"plate", "column",
+                                                                         "dendrite", "aggregate"};
+
+/// Terminal speed in still air by greatest diameter: Locatelli and Hobbs 1974 (Fall speeds and
+/// masses of solid precipitation particles, table 1), V = a D^b, D in mm, measured between 750 and
+/// 1500 m above the sea. Outside the diameters that were measured the nearest one's speed holds.
+double fall_speed_m_s(Crystal crystal, double diameter_mm);
+
+/// Shares of the crystals among flakes of a diameter; they sum to 1. `choice` is a crystal's name,
+/// or "mixed": small flakes are plates and columns, large ones aggregates, some dendrites
+/// throughout. Throws std::invalid_argument for another name.
+std::array<double, crystal_kinds> crystal_shares(const std::string& choice, double diameter_mm);
+
+}  // namespace wold::snow

@@ -1,0 +1,200 @@
+#include "snow/falling_snow.h"
+
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/parallel.h"
+#include "core/random.h"
+#include "snow/near_field.h"
+
+namespace wold::snow {
+namespace {
+
+constexpr double nearest_m = 0.15;  ///< nearer flakes would hide the picture
+constexpr int usual_flakes = 30000;
+
+/// The air between two distances from the eye and the flakes that it shows.
+struct Shell {
+  double from_m;
+  double to_m;
+  PeriodicCube cube;
+  std::uint64_t flakes;  ///< in the cube
+  std::uint64_t key;
+};
+
+/// The smallest ball about all that is seen within a distance: as far as half a right angle the
+/// one through the eye and the view's corners, then the one about those corners.
+struct Ball {
+  glm::dvec3 centre_m;
+  double radius_m;
+};
+
+Ball ball_about(const Frustum& frustum, double distance_m) {
+  const double half = frustum.half_angle();
+  const bool narrow = half < std::numbers::pi / 4.0;
+  const double ahead_m = distance_m * (narrow ? 0.5 / std::cos(half) : std::cos(half));
+  const double radius_m = distance_m * (narrow ? 0.5 / std::cos(half) : std::sin(half));
+  return {frustum.eye_m() + ahead_m * frustum.ahead(), std::max(radius_m, distance_m - ahead_m)};
+}
+
+double drawn_share(double distance_m, double reach_m) { return std::exp(-distance_m / reach_m); }
+
+/// Flakes per steradian that are drawn beyond a distance: n times the integral of r^2 k(r).
+double drawn_beyond(double distance_m, const NearField& field) {
+  const double x = distance_m / field.reach_m;
+  return field.number_per_m3 * std::pow(field.reach_m, 3) * (x * x + 2.0 * x + 2.0) * std::exp(-x);
+}
+
+std::vector<Shell> shells_of(const Frustum& frustum, const NearField& field,
+                             double farthest_own_way_m, std::uint64_t key) {
+  std::vector<Shell> shells;
+  double from_m = 0.0;
+  double to_m = 1.0;
+  while (drawn_beyond(from_m, field) * frustum.solid_angle_sr() > 0.5) {
+    const Ball ball = ball_about(frustum, to_m);
+    const double half_side_m = ball.radius_m + farthest_own_way_m;
+    const double side_m = 2.0 * half_side_m;
+    const double number =
+        field.number_per_m3 * drawn_share(from_m, field.reach_m) * side_m * side_m * side_m;
+    shells.push_back({from_m,
+                      to_m,
+                      {ball.centre_m - half_side_m, side_m},
+                      static_cast<std::uint64_t>(std::llround(number)),
+                      random_bits({key, key_of("shell"), shells.size(), 0})});
+    from_m = to_m;
+    to_m *= 2.0;
+  }
+  return shells;
+}
+
+/// One of the shells' flakes from `first` on, at most block_flakes.
+struct Block {
+  const Shell* shell;
+  std::uint64_t first;
+};
+constexpr std::uint64_t block_flakes = 8192;
+
+std::vector<Block> blocks_of(const std::vector<Shell>& shells) {
+  std::vector<Block> blocks;
+  for (const Shell& shell : shells)
+    for (std::uint64_t first = 0; first < shell.flakes; first += block_flakes)
+      blocks.push_back({&shell, first});
+  return blocks;
+}
+
+/// Picks what is seen out of a block of flakes.
+class Gatherer {
+ public:
+  Gatherer(const FlakeMotion& motion, const FlakeMotion::Moment& moment, const FlakeLook& look,
+           const Frustum& frustum, const Heightfield& ground, double reach_m)
+      : motion_(motion),
+        moment_(moment),
+        look_(look),
+        frustum_(frustum),
+        ground_(ground),
+        reach_m_(reach_m),
+        margin_m_(motion.farthest_own_way_m()) {}
+
+  std::vector<SeenFlake> seen(const Block& block) const {
+    std::vector<SeenFlake> seen;
+    const Shell& shell = *block.shell;
+    const std::uint64_t end = std::min(shell.flakes, block.first + block_flakes);
+    for (std::uint64_t i = block.first; i < end; ++i) {
+      const auto drifting = motion_.drifting(shell.key, i, moment_, shell.cube);
+      if (!may_be_seen(drifting.place_m, shell)) continue;
+      const Flake flake = motion_.flake(drifting, moment_);
+      if (is_seen(flake, shell)) seen.push_back(look_.seen(flake));
+    }
+    return seen;
+  }
+
+ private:
+  bool may_be_seen(const glm::dvec3& place_m, const Shell& shell) const {
+    const glm::dvec3 away = place_m - frustum_.eye_m();
+    const double distance2 = glm::dot(away, away);
+    const double near_m = std::max(0.0, shell.from_m - margin_m_);
+    const double far_m = shell.to_m + margin_m_;
+    return distance2 > near_m * near_m && distance2 <= far_m * far_m &&
+           frustum_.touches(place_m, margin_m_);
+  }
+
+  bool is_seen(const Flake& flake, const Shell& shell) const {
+    const double distance_m = glm::distance(flake.centre_m, frustum_.eye_m());
+    if (distance_m <= std::max(shell.from_m, nearest_m) || distance_m > shell.to_m) return false;
+    if (!frustum_.touches(flake.centre_m, flake.diameter_m)) return false;
+    const double luck = random_uniform({flake.bits, key_of("drawn"), 0, 0});
+    if (luck >= drawn_share(distance_m - shell.from_m, reach_m_)) return false;
+    return flake.centre_m.z >
+           static_cast<double>(ground_.sample(flake.centre_m.x, flake.centre_m.y));
+  }
+
+  const FlakeMotion& motion_;
+  const FlakeMotion::Moment& moment_;
+  const FlakeLook& look_;
+  const Frustum& frustum_;
+  const Heightfield& ground_;
+  double reach_m_;
+  double margin_m_;
+};
+
+/// The parts one after the other, sorted from the farthest to the nearest.
+std::vector<SeenFlake> farthest_first(const std::vector<std::vector<SeenFlake>>& parts,
+                                      const glm::dvec3& eye_m) {
+  struct Place {
+    float nearness;  ///< rises towards the eye
+    std::uint32_t part, index;
+    bool operator<(const Place& other) const {
+      if (nearness != other.nearness) return nearness < other.nearness;
+      return part != other.part ? part < other.part : index < other.index;
+    }
+  };
+  std::vector<Place> places;
+  for (std::uint32_t part = 0; part < parts.size(); ++part)
+    for (std::uint32_t i = 0; i < parts[part].size(); ++i) {
+      const glm::vec3 away = parts[part][i].centre_m - glm::vec3(eye_m);
+      places.push_back({-glm::dot(away, away), part, i});
+    }
+  tbb::parallel_sort(places.begin(), places.end());
+  std::vector<SeenFlake> sorted(places.size());
+  parallel_for_blocks(places.size(),
+                      [&](std::size_t i) { sorted[i] = parts[places[i].part][places[i].index]; });
+  return sorted;
+}
+
+std::optional<FlakeMotion> motion_of(const scene::Scene& scene, const Weather& weather) {
+  const double heaviest = weather.heaviest_snow_mm_h();
+  if (heaviest <= 0.0) return std::nullopt;
+  return FlakeMotion(scene, weather, heaviest);
+}
+
+}  // namespace
+
+FallingSnow::FallingSnow(const scene::Scene& scene, const Weather& weather,
+                         const FlakePictures& pictures)
+    : weather_(weather),
+      pictures_(pictures),
+      motion_(motion_of(scene, weather)),
+      key_(random_bits({scene.seed, key_of("snow"), 0, key_of("flakes")})),
+      flakes_(scene.snowfall.flakes > 0 ? scene.snowfall.flakes : usual_flakes),
+      shutter_s_(scene.snowfall.shutter_s) {}
+
+SeenFlakes FallingSnow::at(double time_s, const SnowView& view, const Heightfield& ground) const {
+  const double rate_mm_h = snow_mm_h(weather_.at(time_s), view.eye_m.z);
+  constexpr double least_rate_mm_h = 1e-3;  // a flake in 2 m3, and none of them seen
+  if (!motion_ || rate_mm_h < least_rate_mm_h) return {};
+  const Frustum frustum(view);
+  const NearField field = near_field(rate_mm_h, frustum.solid_angle_sr(), flakes_);
+  const FlakeMotion::Moment moment = motion_->moment(time_s, rate_mm_h);
+  const FlakeLook look(pictures_, frustum, shutter_s_, time_s);
+  const Gatherer gatherer(*motion_, moment, look, frustum, ground, field.reach_m);
+  const std::vector<Shell> shells = shells_of(frustum, field, motion_->farthest_own_way_m(), key_);
+  const std::vector<Block> blocks = blocks_of(shells);
+  std::vector<std::vector<SeenFlake>> parts(blocks.size());
+  parallel_for(blocks.size(), [&](std::size_t i) { parts[i] = gatherer.seen(blocks[i]); });
+  return {farthest_first(parts, view.eye_m), field.fog_extinction_per_m};
+}
+
+}  // namespace wold::snow

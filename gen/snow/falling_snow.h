@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+#include "core/ground_map.h"
+#include "scene/scene.h"
+#include "snow/crystal_picture.h"
+#include "snow/flake_look.h"
+#include "snow/flake_motion.h"
+#include "snow/snow_view.h"
+#include "snow/weather.h"
+
+namespace wold::snow {
+
+/// What a view sees of the snow in the air.
+struct SeenFlakes {
+  std::vector<SeenFlake> flakes;      ///< from the farthest to the nearest
+  double fog_extinction_per_m = 0.0;  ///< of all that are not among them, everywhere the same
+};
+
+/// Flakes of physical sizes and speeds, as a view sees them; see FlakeMotion and NearField.
+///
+/// The air within (2^(j-1), 2^j] m of the eye shows population j, which repeats itself in the world
+/// after a cube that just holds what can be seen of it. So flakes stay where they are while the
+/// camera moves or turns, and far air, where few flakes are drawn, has few.
+class FallingSnow {
+ public:
+  /// `pictures` has to outlive this.
+  FallingSnow(const scene::Scene& scene, const Weather& weather, const FlakePictures& pictures);
+
+  /// At `time_s` since the first frame, above the ground. Nothing where no snow falls: the
+  /// weather's precipitation that is snow at the eye's height counts.
+  SeenFlakes at(double time_s, const SnowView& view, const Heightfield& ground) const;
+
+ private:
+  Weather weather_;
+  const FlakePictures& pictures_;
+  std::optional<FlakeMotion> motion_;  ///< none when nothing ever falls
+  std::uint64_t key_;
+  double flakes_;
+  double shutter_s_;
+};
+
+}  // namespace wold::snow

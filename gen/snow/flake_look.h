@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+
+#include "snow/crystal_picture.h"
+#include "snow/fall_speed.h"
+#include "snow/snow_view.h"
+
+namespace wold::snow {
+
+/// A flake as a rectangle in world space, metres: as landscape::Flake.
+struct SeenFlake {
+  glm::vec3 centre_m{0.0F};
+  glm::vec3 right_m{0.0F};  ///< from its centre to the middle of its right side
+  glm::vec3 up_m{0.0F};     ///< to the middle of its upper side
+  int picture = 0;          ///< index into FlakePictures::all()
+  float opacity = 1.0F;     ///< multiplies the picture's
+};
+
+/// A flake in the air.
+struct Flake {
+  glm::dvec3 centre_m{0.0};
+  glm::dvec3 velocity_m_s{0.0};
+  double diameter_m = 0.0;  ///< see flake_diameter_mm()
+  Crystal crystal = Crystal::aggregate;
+  std::uint64_t bits = 0;  ///< 64 random ones of its own
+};
+
+/// Farther away flakes are white discs that do not turn (the paper, 2).
+inline constexpr double textured_within_m = 3.5;
+
+/// How flakes look to a view at one moment.
+///
+/// Whatever a flake is drawn as, the opacity over its rectangle as the eye sees it sums up to its
+/// cross-section pi / 4 D^2, so that the drawn flakes dim what lies behind them as much as the size
+/// distribution says.
+class FlakeLook {
+ public:
+  /// `shutter_s`: how long a picture is exposed. `pictures` has to outlive this.
+  FlakeLook(const FlakePictures& pictures, const Frustum& frustum, double shutter_s, double time_s);
+
+  /// A streak when the flake moves by more than its size while it is exposed, a crystal when it is
+  /// near, else a disc. None is thinner than a pixel: it would be fainter instead.
+  SeenFlake seen(const Flake& flake) const;
+
+ private:
+  SeenFlake streak(const Flake& flake, const glm::dvec3& towards_eye, const glm::dvec3& way_m,
+                   double pixel_m) const;
+  SeenFlake disc(const Flake& flake, const glm::dvec3& towards_eye, double pixel_m) const;
+  SeenFlake crystal(const Flake& flake, const glm::dvec3& towards_eye, double pixel_m) const;
+
+  const FlakePictures& pictures_;
+  const Frustum& frustum_;
+  double shutter_s_;
+  double time_s_;
+};
+
+}  // namespace wold::snow

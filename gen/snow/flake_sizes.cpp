@@ -1,0 +1,77 @@
+#include "snow/flake_sizes.h"
+
+#include <cmath>
+
+#include "snow/near_field.h"
+#include "snow/size_distribution.h"
+
+namespace wold::snow {
+namespace {
+
+/// Mean speed of flakes of a size.
+double mean_speed_m_s(const std::string& choice, double diameter_mm) {
+  const auto shares = crystal_shares(choice, diameter_mm);
+  double mean = 0.0;
+  for (std::size_t i = 0; i < crystal_kinds; ++i)
+    mean += shares[i] * fall_speed_m_s(static_cast<Crystal>(i), diameter_mm);
+  return mean;
+}
+
+/// Mean speed of the water in the air, flakes of all sizes: that of x^3 exp(-x) / 6, x = Lambda d.
+double speed_of_water_m_s(const std::string& choice, double lambda_per_mm) {
+  constexpr int steps = 600;
+  constexpr double highest = 30.0, step = highest / steps;
+  double sum = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    const double x = (i + 0.5) * step;
+    sum += step * x * x * x * std::exp(-x) / 6.0 *
+           mean_speed_m_s(choice, flake_diameter_mm(x / lambda_per_mm));
+  }
+  return sum;
+}
+
+}  // namespace
+
+FlakeSizes::FlakeSizes(double rate_mm_h, const std::string& crystal) : ranks_(1U << rank_bits) {
+  const SizeDistribution sizes = gunn_marshall(rate_mm_h);
+  constexpr double g_per_m2_s_of_mm_h = 1000.0 / 3600.0;
+  const double factor = g_per_m2_s_of_mm_h * rate_mm_h / sizes.water_g_per_m3() /
+                        speed_of_water_m_s(crystal, sizes.lambda_per_mm);
+  for (std::size_t rank = 0; rank < ranks_.size(); ++rank) {
+    const double u = (static_cast<double>(rank) + 0.5) / static_cast<double>(ranks_.size());
+    const double deviate = -std::log1p(-u);
+    const double diameter_mm = flake_diameter_mm(least_melted_mm + deviate / sizes.lambda_per_mm);
+    const auto shares = crystal_shares(crystal, diameter_mm);
+    ranks_[rank].deviate = static_cast<float>(deviate);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < crystal_kinds; ++i) {
+      sum += shares[i];
+      ranks_[rank].shares_up_to[i] = static_cast<float>(sum);
+      ranks_[rank].speed_m_s[i] =
+          static_cast<float>(factor * fall_speed_m_s(static_cast<Crystal>(i), diameter_mm));
+    }
+    ranks_[rank].shares_up_to.back() = 2.0F;  // whatever the sum was rounded to
+  }
+}
+
+FlakeSizes::Body FlakeSizes::body(std::uint64_t bits) const {
+  const auto rank = static_cast<std::uint32_t>(bits & ((1U << rank_bits) - 1U));
+  const float choice = static_cast<float>((bits >> 12) & 1023U) / 1024.0F;
+  const double spread = static_cast<double>((bits >> 22) & 1023U) / 1023.0;
+  const Rank& of_rank = ranks_[rank];
+  std::size_t crystal = 0;
+  while (choice >= of_rank.shares_up_to[crystal]) ++crystal;
+  constexpr double deviation = 0.12, half_width = deviation * 1.7320508;  // evenly spread
+  return {
+      rank, static_cast<Crystal>(crystal),
+      static_cast<double>(of_rank.speed_m_s[crystal]) * (1.0 + half_width * (2.0 * spread - 1.0))};
+}
+
+double FlakeSizes::diameter_m(std::uint32_t rank, double lambda_per_mm) const {
+  constexpr double m_per_mm = 1e-3;
+  const double melted_mm =
+      least_melted_mm + static_cast<double>(ranks_[rank].deviate) / lambda_per_mm;
+  return m_per_mm * flake_diameter_mm(melted_mm);
+}
+
+}  // namespace wold::snow

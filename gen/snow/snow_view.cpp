@@ -1,0 +1,51 @@
+#include "snow/snow_view.h"
+
+#include <cmath>
+
+namespace wold::snow {
+namespace {
+
+constexpr glm::dvec3 east(1.0, 0.0, 0.0);
+constexpr glm::dvec3 zenith(0.0, 0.0, 1.0);
+
+/// Level and across `along`; east where that is vertical.
+glm::dvec3 level_across(const glm::dvec3& along) {
+  const glm::dvec3 across = glm::cross(along, zenith);
+  const double length = glm::length(across);
+  return length > 1e-9 ? across / length : east;
+}
+
+}  // namespace
+
+Frustum::Frustum(const SnowView& view)
+    : eye_m_(view.eye_m),
+      ahead_(glm::normalize(view.target_m - view.eye_m)),
+      right_(level_across(ahead_)),
+      up_(glm::cross(right_, ahead_)),
+      half_width_(std::tan(0.5 * glm::radians(view.field_of_view_deg))),
+      half_height_(half_width_ * view.height_px / view.width_px),
+      pixel_angle_(2.0 * half_width_ / view.width_px) {}
+
+bool Frustum::touches(const glm::dvec3& centre_m, double radius_m) const {
+  const glm::dvec3 from_eye = centre_m - eye_m_;
+  const double depth = glm::dot(from_eye, ahead_);
+  const auto inside = [&](const glm::dvec3& side, double half) {
+    return std::abs(glm::dot(from_eye, side)) <=
+           half * depth + radius_m * std::sqrt(1.0 + half * half);
+  };
+  return depth > -radius_m && inside(right_, half_width_) && inside(up_, half_height_);
+}
+
+double Frustum::solid_angle_sr() const {
+  return 4.0 * std::atan(half_width_ * half_height_ /
+                         std::sqrt(1.0 + half_width_ * half_width_ + half_height_ * half_height_));
+}
+
+double Frustum::half_angle() const { return std::atan(std::hypot(half_width_, half_height_)); }
+
+Facing facing(const glm::dvec3& towards_eye) {
+  const glm::dvec3 right = level_across(-towards_eye);
+  return {right, glm::cross(towards_eye, right)};
+}
+
+}  // namespace wold::snow

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+
+#include "snow/weather.h"
+
+namespace wold::snow {
+
+/// A displacement and its rate.
+struct Motion {
+  glm::dvec3 way_m{0.0};
+  glm::dvec3 velocity_m_s{0.0};
+};
+
+/// What carries a flake besides its fall, as a closed form of time: no frame needs another.
+///
+/// The mean wind has come a way s since the weather began; turbulence is carried along with it
+/// (Taylor 1938, The spectrum of turbulence), so that a flake meets gusts at points of that way:
+/// each is a sum of sines A cos(2 pi s / l + phase) of displacement, whose velocities have the
+/// standard deviation turbulence times the wind's speed, along both axes, and half of it upwards.
+/// Long ones, of 6 to 90 m, are common to all flakes about the eye; each flake has short ones, of
+/// 1.5 and 4 m, of its own, a quarter of the variance: neighbours agree by 0.75.
+class WindField {
+ public:
+  /// turbulence 0: steady.
+  WindField(const Weather& weather, double turbulence, std::uint64_t key);
+
+  /// The mean wind and the gusts that all flakes feel.
+  Motion common(double time_s) const;
+
+  /// What own_gust() needs to know of a moment.
+  struct Moment {
+    double run_m = 0.0;
+    double speed_m_s = 0.0;
+  };
+  Moment moment(double time_s) const;
+
+  /// A flake's own gusts; `bits` are 64 random ones of its own.
+  Motion own_gust(const Moment& moment, std::uint64_t bits) const;
+  /// No flake's own gusts displace it farther.
+  double farthest_own_gust_m() const;
+
+ private:
+  static constexpr std::size_t common_waves = 6;
+  struct Wave {
+    double per_m;  ///< turns
+    double phase;
+  };
+  Weather weather_;
+  double turbulence_;
+  std::array<std::array<Wave, common_waves>, 3> common_;  ///< by axis
+};
+
+}  // namespace wold::snow
