@@ -9,6 +9,7 @@
 #include "core/files.h"
 #include "landscape/assemble.h"
 #include "landscape/far_field.h"
+#include "landscape/film_lighting.h"
 #include "landscape/view.h"
 #include "povray/export.h"
 #include "scene/write.h"
