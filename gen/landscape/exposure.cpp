@@ -20,7 +20,7 @@ double card_exposure(Subject subject) {
     case Subject::snow:
       break;
   }
-  return 0.85;
+  return 0.95;
 }
 
 /// Exposure of the sky at 20 degrees of elevation at which it is about to burn out: there the

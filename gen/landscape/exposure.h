@@ -8,7 +8,7 @@ namespace wold::landscape {
 enum class Subject { meadow, clouds, snow };
 
 /// Factor on every radiance as a camera's meter sets it: pi times how a white card in the open is
-/// exposed, 1.6 for grass, 1.2 with clouds, 0.85 with snow; less with a low sun, so that the sky at
+/// exposed, 1.6 for grass, 1.2 with clouds, 0.95 with snow; less with a low sun, so that the sky at
 /// 20 degrees of elevation comes out as 0.9 at most.
 double metered_gain(const light::Daylight& day, Subject subject);
 

@@ -58,6 +58,10 @@ float share_above(const scene::Grass& grass, float depth_m) {
   return std::clamp(1.0F - depth_m / canopy_m, 0.0F, 1.0F);
 }
 
+/// Exponent of the canopy's transmittance for snow below: white ground lights the blades from below,
+/// and they send half of what they held back down again.
+constexpr double shading_under_grass = 0.5;
+
 double mean(const FactorMap& map) {
   double sum = 0.0;
   for (const float value : map.values()) sum += double{value};
@@ -134,7 +138,7 @@ ColourMap SnowyGround::reflectance() const {
     for (int i = 0; i < map.samples(); ++i) {
       const glm::dvec2 at_m = glm::dvec2(i, j) * map.step_m();
       const float above = share_above(scene_.grass, depth_m_.sample(at_m.x, at_m.y));
-      const double shade = above * site_.growth.sample(at_m.x, at_m.y);
+      const double shade = shading_under_grass * above * site_.growth.sample(at_m.x, at_m.y);
       const glm::vec3 white =
           snow * (grain.at(at_m) * static_cast<float>(std::pow(under_grass, shade)));
       map.at(i, j) =
