@@ -71,7 +71,7 @@ void SnowSlide::settle(SnowpackField& packs) const {
     return a_m != b_m ? a_m < b_m : a > b;
   };
   // Snow only ever comes from higher ground, so a place has all it gets when its turn comes.
-  std::vector<std::size_t> heap, fed;
+  std::vector<std::size_t> heap, overfed;
   for (std::size_t i = 0; i < most_m_.size(); ++i)
     if (is_too_deep(i)) heap.push_back(i);
   std::make_heap(heap.begin(), heap.end(), is_lower);
@@ -79,18 +79,17 @@ void SnowSlide::settle(SnowpackField& packs) const {
     std::pop_heap(heap.begin(), heap.end(), is_lower);
     const std::size_t highest = heap.back();
     heap.pop_back();
-    if (!is_too_deep(highest)) continue;  // was there twice
-    fed.clear();
-    shed(packs, highest, fed);
-    for (std::size_t place : fed)
-      if (is_too_deep(place)) {
-        heap.push_back(place);
-        std::push_heap(heap.begin(), heap.end(), is_lower);
-      }
+    overfed.clear();
+    shed(packs, highest, overfed);
+    for (std::size_t place : overfed) {
+      heap.push_back(place);
+      std::push_heap(heap.begin(), heap.end(), is_lower);
+    }
   }
 }
 
-void SnowSlide::shed(SnowpackField& packs, std::size_t from, std::vector<std::size_t>& fed) const {
+void SnowSlide::shed(SnowpackField& packs, std::size_t from,
+                     std::vector<std::size_t>& overfed) const {
   const auto side = static_cast<std::size_t>(terrain_.samples());
   LowerNeighbours below(terrain_, static_cast<int>(from % side), static_cast<int>(from / side));
   if (below.count == 0) return;
@@ -105,8 +104,10 @@ void SnowSlide::shed(SnowpackField& packs, std::size_t from, std::vector<std::si
     if (water_mm > 0.0)  // the surface is a mixture of both
       packs.age[to.index] += (packs.age[from] - packs.age[to.index]) * share * excess_mm / water_mm;
     packs.water_mm[to.index] = water_mm;
-    packs.depth_m[to.index] += share * excess_m;
-    fed.push_back(to.index);
+    const double depth_m = packs.depth_m[to.index] + share * excess_m;
+    if (depth_m > most_m_[to.index] && packs.depth_m[to.index] <= most_m_[to.index])
+      overfed.push_back(to.index);
+    packs.depth_m[to.index] = depth_m;
   }
   packs.water_mm[from] -= excess_mm;
   packs.depth_m[from] = most_m_[from];

@@ -26,7 +26,8 @@ class SnowSlide {
   void settle(SnowpackField& packs) const;
 
  private:
-  void shed(SnowpackField& packs, std::size_t from, std::vector<std::size_t>& fed) const;
+  /// Adds the places that are too deep only now to `overfed`.
+  void shed(SnowpackField& packs, std::size_t from, std::vector<std::size_t>& overfed) const;
 
   Heightfield terrain_;
   std::vector<float> most_m_;  ///< most_depth_m() of each place
