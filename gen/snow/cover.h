@@ -70,7 +70,7 @@ class SnowGround {
 
   mutable std::mutex mutex_;                     ///< of what is kept between calls
   mutable Progress progress_;                    ///< of the latest call
-  mutable std::map<int, FactorMap> drifts_;      ///< by sector of the wind's heading
+  mutable std::map<int, FactorMap> drifts_;      ///< by drift_heading_deg()
   mutable std::optional<WhitePatches> patches_;  ///< of the latest map's samples
 };
 
