@@ -70,13 +70,14 @@ SnowGround::SnowGround(const scene::Scene& scene, const Heightfield& terrain,
       film_step_s_(film_step(scene)),
       classes_(terrain_.values()) {
   if (cover_.cover == "depth") slide_.emplace(terrain_);
+  if (cover_.cover == "paper") facets_.emplace(terrain_, cover_.facet_m2);
   progress_ = beginning();
 }
 
 SnowGround::Progress SnowGround::beginning() const {
-  const Snowpack initial{cover_.initial_mm, cover_.initial_mm / fresh_density_kg_m3(0.0), 0.0};
-  Progress progress{
-      0, {terrain_.values().size(), slide_ ? initial : Snowpack{}}, cover_.initial_mm};
+  Progress progress{0,
+                    {terrain_.values().size(), slide_ ? fresh_pack(cover_.initial_mm) : Snowpack{}},
+                    cover_.initial_mm};
   if (slide_) slide_->settle(progress.packs);
   return progress;
 }
@@ -115,21 +116,20 @@ void SnowGround::take_step(Progress& progress, double start_s, double end_s) con
 }
 
 const FactorMap& SnowGround::drift_of(const WeatherMoment& weather) const {
-  constexpr double sector_deg = 15.0;
-  constexpr int sectors = 24, calm = -1;
-  const bool drifts = cover_.drifting > 0.0 && weather.wind_speed_m_s > 0.0;
-  const int turns =
-      static_cast<int>(std::lround(std::remainder(weather.wind_heading_deg, 360.0) / sector_deg));
-  const int sector = drifts ? (turns + sectors) % sectors : calm;
-  const auto known = drifts_.find(sector);
+  const int heading_deg = drift_heading_deg(weather, cover_.drifting);
+  const auto known = drifts_.find(heading_deg);
   if (known != drifts_.end()) return known->second;
-  FactorMap drift = drifts ? drift_factor(terrain_, sector * sector_deg, cover_.drifting)
-                           : FactorMap(terrain_.samples(), terrain_.size_m(), 1.0F);
-  return drifts_.emplace(sector, std::move(drift)).first->second;
+  FactorMap drift = heading_deg >= 0 ? drift_factor(terrain_, heading_deg, cover_.drifting)
+                                     : FactorMap(terrain_.samples(), terrain_.size_m(), 1.0F);
+  return drifts_.emplace(heading_deg, std::move(drift)).first->second;
 }
 
 FactorMap SnowGround::white(const State& state, int samples) const {
   if (cover_.cover == "none") return {samples, terrain_.size_m(), 0.0F};
+  if (facets_) {
+    const double gamma = std::min(state.fallen_mm / cover_.white_after_mm, 1.0);
+    return paper_white(*facets_, terrain_.size_m(), gamma, samples, seed_);
+  }
   const FactorMap shares =
       map_of(terrain_, [&](std::size_t i) { return cover_share(state.water_mm.values()[i]); });
   const std::lock_guard lock(mutex_);

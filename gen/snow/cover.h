@@ -7,6 +7,7 @@
 
 #include "core/ground_map.h"
 #include "scene/scene.h"
+#include "snow/facets.h"
 #include "snow/slide.h"
 #include "snow/snowpack_field.h"
 #include "snow/weather.h"
@@ -39,7 +40,8 @@ class SnowGround {
   State at(double time_s) const;
 
   /// Share of the ground that is white, [0, 1], on a map of `samples` >= 2 along a side over the
-  /// same square: of cover "depth" where its snow lies, patch by patch; of "none" nowhere.
+  /// same square: of cover "depth" where its snow lies, patch by patch; of "paper" where
+  /// its noise has whitened the ground, at gamma = fallen_mm / white_after; of "none" nowhere.
   FactorMap white(const State& state, int samples) const;
 
  private:
@@ -63,11 +65,12 @@ class SnowGround {
   std::size_t earlier_steps_;
   double film_step_s_;
   HeightClasses classes_;
-  std::optional<SnowSlide> slide_;
+  std::optional<SnowSlide> slide_;  ///< of cover "depth"
+  std::optional<Facets> facets_;    ///< of cover "paper"
 
   mutable std::mutex mutex_;                     ///< of what is kept between calls
   mutable Progress progress_;                    ///< of the latest call
-  mutable std::map<int, FactorMap> drifts_;      ///< by sector of the wind's heading
+  mutable std::map<int, FactorMap> drifts_;      ///< by drift_heading_deg()
   mutable std::optional<WhitePatches> patches_;  ///< of the latest map's samples
 };
 

@@ -97,17 +97,30 @@ double drift_weight(double shelter_deg, double drifting) {
   return 1.0 + drifting * std::tanh(shelter_deg / scale_deg);
 }
 
-FactorMap drift_factor(const Heightfield& terrain, double heading_deg, double drifting) {
-  FactorMap factor = shelter_deg(terrain, heading_deg);
-  std::vector<float>& values = factor.values();
+FactorMap drift_weights(const Heightfield& terrain, double heading_deg, double drifting) {
+  FactorMap weights = shelter_deg(terrain, heading_deg);
+  std::vector<float>& values = weights.values();
   parallel_for_blocks(values.size(), [&](std::size_t i) {
     values[i] = static_cast<float>(drift_weight(values[i], drifting));
   });
+  return weights;
+}
+
+FactorMap drift_factor(const Heightfield& terrain, double heading_deg, double drifting) {
+  FactorMap factor = drift_weights(terrain, heading_deg, drifting);
+  std::vector<float>& values = factor.values();
   const double mean =
       std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
   if (mean > 0.0)
     for (float& value : values) value = static_cast<float>(value / mean);
   return factor;
+}
+
+int drift_heading_deg(const WeatherMoment& weather, double drifting) {
+  constexpr int sector_deg = 15, sectors = 24;
+  if (!(weather.wind_speed_m_s > 0.0 && drifting > 0.0)) return -1;
+  const double turns = std::remainder(weather.wind_heading_deg, 360.0) / sector_deg;
+  return static_cast<int>(std::lround(turns) + sectors) % sectors * sector_deg;
 }
 
 }  // namespace wold::snow

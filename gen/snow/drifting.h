@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/ground_map.h"
+#include "snow/weather.h"
 
 namespace wold::snow {
 
@@ -19,7 +20,14 @@ FactorMap shelter_deg(const Heightfield& terrain, double heading_deg);
 /// Snowfall in a place of shelter over that in the open: 1 + drifting tanh(Sx / 15 degrees).
 double drift_weight(double shelter_deg, double drifting);
 
-/// drift_weight() over its mean on the map: wind moves snow and makes none.
+/// drift_weight() of every place.
+FactorMap drift_weights(const Heightfield& terrain, double heading_deg, double drifting);
+
+/// drift_weights() over their mean on the map: wind moves snow and makes none.
 FactorMap drift_factor(const Heightfield& terrain, double heading_deg, double drifting);
+
+/// The heading of a wind to 15 degrees, in [0, 360): drifts are reckoned for so many winds. -1 where
+/// nothing drifts.
+int drift_heading_deg(const WeatherMoment& weather, double drifting);
 
 }  // namespace wold::snow

@@ -53,36 +53,48 @@ double most_depth_m(double slope_deg) {
   return 3178.4 * std::pow(slope_deg, -1.998);
 }
 
-SnowSlide::SnowSlide(const Heightfield& terrain) : terrain_(terrain) {
+SnowSlide::SnowSlide(const Heightfield& terrain)
+    : terrain_(terrain), most_m_(terrain.values().size()) {
   const auto side = static_cast<std::size_t>(terrain.samples());
-  std::vector<float> limits_m(side * side);
   parallel_for(side, [&](std::size_t j) {
-    const double y_m = static_cast<double>(j) * terrain.step_m();
     for (std::size_t i = 0; i < side; ++i)
-      limits_m[j * side + i] = static_cast<float>(most_depth_m(
-          terrain::slope_deg(terrain, static_cast<double>(i) * terrain.step_m(), y_m)));
-  });
-  for (std::size_t place = 0; place < limits_m.size(); ++place)
-    if (std::isfinite(limits_m[place]))
-      steep_.push_back({static_cast<std::uint32_t>(place), limits_m[place]});
-  const std::vector<float>& heights_m = terrain_.values();
-  std::stable_sort(steep_.begin(), steep_.end(), [&](const Place& a, const Place& b) {
-    return heights_m[a.index] > heights_m[b.index];
+      most_m_[j * side + i] = static_cast<float>(
+          most_depth_m(terrain::slope_deg(terrain, static_cast<double>(i) * terrain.step_m(),
+                                          static_cast<double>(j) * terrain.step_m())));
   });
 }
 
 void SnowSlide::settle(SnowpackField& packs) const {
-  for (const Place& place : steep_)
-    if (packs.depth_m[place.index] > place.most_m) shed(packs, place);
+  const auto is_too_deep = [&](std::size_t i) { return packs.depth_m[i] > most_m_[i]; };
+  const auto is_lower = [&](std::size_t a, std::size_t b) {
+    const float a_m = terrain_.values()[a], b_m = terrain_.values()[b];
+    return a_m != b_m ? a_m < b_m : a > b;
+  };
+  // Snow only ever comes from higher ground, so a place has all it gets when its turn comes.
+  std::vector<std::size_t> heap, overfed;
+  for (std::size_t i = 0; i < most_m_.size(); ++i)
+    if (is_too_deep(i)) heap.push_back(i);
+  std::make_heap(heap.begin(), heap.end(), is_lower);
+  while (!heap.empty()) {
+    std::pop_heap(heap.begin(), heap.end(), is_lower);
+    const std::size_t highest = heap.back();
+    heap.pop_back();
+    overfed.clear();
+    shed(packs, highest, overfed);
+    for (std::size_t place : overfed) {
+      heap.push_back(place);
+      std::push_heap(heap.begin(), heap.end(), is_lower);
+    }
+  }
 }
 
-void SnowSlide::shed(SnowpackField& packs, const Place& place) const {
-  const std::size_t from = place.index;
+void SnowSlide::shed(SnowpackField& packs, std::size_t from,
+                     std::vector<std::size_t>& overfed) const {
   const auto side = static_cast<std::size_t>(terrain_.samples());
   LowerNeighbours below(terrain_, static_cast<int>(from % side), static_cast<int>(from / side));
   if (below.count == 0) return;
   below.add_snow(packs.depth_m[from], packs.depth_m);
-  const double excess_m = packs.depth_m[from] - place.most_m;
+  const double excess_m = packs.depth_m[from] - most_m_[from];
   const double excess_mm = packs.water_mm[from] * excess_m / packs.depth_m[from];
   const double drop_m = below.drop_m();
   for (std::size_t n = 0; n < below.count; ++n) {
@@ -92,10 +104,13 @@ void SnowSlide::shed(SnowpackField& packs, const Place& place) const {
     if (water_mm > 0.0)  // the surface is a mixture of both
       packs.age[to.index] += (packs.age[from] - packs.age[to.index]) * share * excess_mm / water_mm;
     packs.water_mm[to.index] = water_mm;
-    packs.depth_m[to.index] += share * excess_m;
+    const double depth_m = packs.depth_m[to.index] + share * excess_m;
+    if (depth_m > most_m_[to.index] && packs.depth_m[to.index] <= most_m_[to.index])
+      overfed.push_back(to.index);
+    packs.depth_m[to.index] = depth_m;
   }
   packs.water_mm[from] -= excess_mm;
-  packs.depth_m[from] = place.most_m;
+  packs.depth_m[from] = most_m_[from];
 }
 
 }  // namespace wold::snow

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "core/ground_map.h"
@@ -27,14 +26,11 @@ class SnowSlide {
   void settle(SnowpackField& packs) const;
 
  private:
-  struct Place {
-    std::uint32_t index;
-    float most_m;
-  };
-  void shed(SnowpackField& packs, const Place& place) const;
+  /// Adds the places that are too deep only now to `overfed`.
+  void shed(SnowpackField& packs, std::size_t from, std::vector<std::size_t>& overfed) const;
 
   Heightfield terrain_;
-  std::vector<Place> steep_;  ///< that have a limit, from the highest
+  std::vector<float> most_m_;  ///< most_depth_m() of each place
 };
 
 }  // namespace wold::snow

@@ -26,7 +26,7 @@ void require_numbers(const WeatherMoment& weather) {
 HeightClasses::HeightClasses(std::span<const float> heights_m) : of_place_(heights_m.size()) {
   constexpr double most_classes = 65535.0;
   const auto [low, high] = std::ranges::minmax(heights_m);
-  low_m_ = low;
+  low_m_ = std::floor(low);  // tiles of a ground have the same classes
   class_m_ = std::max(1.0, (static_cast<double>(high) - low_m_) / most_classes);
   count_ = static_cast<std::size_t>((high - low_m_) / class_m_ + 0.5) + 1;
   parallel_for_blocks(of_place_.size(), [&](std::size_t place) {

@@ -97,7 +97,7 @@ double threshold(double share, double ramp) {
 WhitePatches::WhitePatches(const Heightfield& terrain, int samples, double feature_m,
                            std::uint64_t seed)
     : ranks_(samples, terrain.size_m()) {
-  constexpr double drawn_to_hollows = 0.5;
+  constexpr double drawn_to_hollows = 0.35;
   const FactorMap hollow = hollows(terrain, feature_m);
   const Fbm noise = patch_noise(ranks_.step_m(), feature_m, seed);
   const auto late = [&](const glm::dvec2& at_m) {  // about mean 0, deviation 1

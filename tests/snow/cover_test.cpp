@@ -89,6 +89,17 @@ TEST(SnowGround, IsWhiteAboveTheSnowLineAndGrowsWhileItSnows) {
   EXPECT_LT(before.at(150, 5), 0.2F);
 }
 
+TEST(SnowGround, WhitensAsThePaperHasItWithoutDepth) {
+  scene::Scene scene = snowy_scene();
+  scene.snow_cover.cover = "paper";
+  scene.snow_cover.white_after_mm = 16.0;
+  const SnowGround ground(scene, hillside(), [](double) { return WeatherMoment{-9.0, 2.0}; });
+  const SnowGround::State state = ground.at(-5.5 * 3600.0);  // 2 mm to start with and 2 mm more
+  EXPECT_EQ(mean(state.depth_m), 0.0);
+  EXPECT_NEAR(state.fallen_mm, 4.0, 1e-9);
+  EXPECT_NEAR(mean(ground.white(state, 601)), 1.0 - std::exp(-1.0), 4e-3);
+}
+
 TEST(SnowGround, RefusesWhatIsNoNumber) {
   Heightfield terrain = hillside();
   terrain.at(7, 3) = std::nanf("");

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <glm/glm.hpp>
+#include <map>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "core/tiled_image.h"
+#include "scene/scene.h"
+#include "snow/cover.h"
+
+namespace wold::snow {
+
+/// A square terrain that may be larger than memory: samples x samples heights, step_m apart.
+struct LargeGround {
+  int samples = 2;
+  double step_m = 1.0;
+  /// Fills in the heights of side x side samples from `first` on, row by row, x fastest. Called by
+  /// several threads at a time.
+  std::function<void(const glm::ivec2& first, int side, std::span<float> heights_m)> heights;
+};
+
+/// A terrain in memory, which has to outlive it.
+LargeGround large_ground(const Heightfield& terrain);
+
+/// What lies on a square about the camera: side x side samples, x fastest.
+struct CoverLevel {
+  int side = 0;
+  double step_m = 0.0;
+  glm::dvec2 first_m = {};  ///< of sample (0, 0) from the terrain's south-western corner
+  std::vector<float> depth_m;
+  std::vector<float> white;   ///< share of the ground
+  std::vector<float> albedo;  ///< of the snow, in visible light
+};
+
+/// The snow of a ground of any size: on disk as tiled pictures, in memory a few tiles and what the
+/// camera sees. It is SnowGround's reckoning by whole hours, tile by tile. Each tile is reckoned
+/// with an apron of its neighbours' ground and snow, so that wind and slides pass over its borders;
+/// what is left out is snow that slides farther than the apron's 16 samples within one pass (a day
+/// at most) over the ground.
+class LargeCover {
+ public:
+  struct Limits {
+    int tile_samples = 256;   ///< side of a tile; a multiple of 16
+    int tiles_at_a_time = 8;  ///< in memory, with their aprons
+    double cache_mb = 64.0;   ///< of tiles that are read
+  };
+
+  /// `folder` exists and is this object's alone: it keeps the two hours of the latest view there,
+  /// as "hour_<hour since the weather began>_level_<l>.tif" with the channels water in mm, depth
+  /// in m and age; a level has half the samples of the one before. The scene's cover is "depth".
+  LargeCover(const scene::Scene& scene, LargeGround ground, WeatherFunction weather,
+             std::filesystem::path folder, Limits limits);
+
+  /// Brings the pictures of a whole hour >= 0 since the weather began to disk, from the latest
+  /// earlier hour that is there, and removes those of all hours but it and the one before. Throws
+  /// InputError for heights or weather that are no numbers, FileError for the disk.
+  void reckon(int hour);
+
+  /// What lies about a place at a time since the first frame: squares of at most 64 x 64 samples
+  /// about it, each with twice the step of the one before, the last over the whole ground. Between
+  /// whole hours snow changes evenly. What it costs does not depend on the ground's size, but for
+  /// hours that are new. One call at a time.
+  std::vector<CoverLevel> view(double time_s, const glm::dvec2& eye_m);
+
+ private:
+  struct Window;
+  /// Packs of a square of a level's picture, kept for the next view.
+  struct Square {
+    int hour = -1;
+    glm::ivec2 first = {};
+    std::vector<float> values;  ///< water, depth and age in turn
+  };
+
+  TiledExtent extent(int level) const;
+  std::filesystem::path picture(int hour, int level) const;
+  void pass(int from_hour, int to_hour);
+  void remove(int hour);
+  Window window(const glm::ivec2& tile) const;
+  SnowpackField packs(const Window& window, int hour) const;
+  void know_mean_drift(int heading_deg);
+  FactorMap drift(const Window& window, int heading_deg) const;
+  const std::vector<float>& square(int level, int hour, const glm::ivec2& first, int side);
+  CoverLevel level_view(int level, double hours, const glm::dvec2& eye_m);
+
+  scene::SnowCover cover_;
+  double earlier_s_;
+  LargeGround ground_;
+  WeatherFunction weather_;
+  std::filesystem::path folder_;
+  Limits limits_;
+  TiledImages images_;
+  int levels_ = 1;
+  std::set<int> hours_;                ///< on disk
+  std::map<int, double> mean_drifts_;  ///< of drift_weights() on all the ground, by heading
+  std::map<std::pair<int, int>, Square> squares_;  ///< by level and whether the hour is odd
+};
+
+}  // namespace wold::snow
