@@ -69,7 +69,8 @@ void draw_branch(Canvas& canvas, const Draws& draws, const BranchRow& row, doubl
   const glm::dvec2 along = direction(row.arm_angle + row.side * sixth_turn);
   const glm::dvec2 foot = start * row.arm_length * along_arm;
   const glm::dvec2 tip = foot + length * along;
-  canvas.stroke(foot, tip, width, 0.45 * width, 0.85);
+  canvas.stroke(foot, tip, 2.2 * width, 1.2 * width, 0.45);
+  canvas.stroke(foot, tip, width, 0.45 * width, 0.9);
   const int twigs = static_cast<int>(length / draws.between(0.06, 0.11, "twigs"));
   for (int twig = 1; twig < twigs; ++twig) {
     const double share = static_cast<double>(twig) / twigs;
@@ -85,15 +86,16 @@ void draw_branch(Canvas& canvas, const Draws& draws, const BranchRow& row, doubl
 /// Six arms grew in the same air, so that their branches agree, but for accidents.
 void draw_dendrite(Canvas& canvas, const Draws& draws) {
   const int branches = draws.whole(6, 11, "branches");
-  const double width = draws.between(0.034, 0.05, "width");
+  const double width = draws.between(0.036, 0.056, "width");
   const double first = draws.between(0.14, 0.3, "first");
   const double bushy = draws.between(0.6, 1.0, "bushy");
-  const double core = draws.between(0.07, 0.16, "core");
+  const double core = draws.between(0.1, 0.24, "core");
   canvas.polygon(hexagon(core), 0.75);
   outline(canvas, hexagon(core), 0.02, 0.9);
   for (std::uint64_t arm = 0; arm < 6; ++arm) {
     const double angle = static_cast<double>(arm) * sixth_turn;
     const double length = draws.between(0.86, 0.94, "arm", arm);
+    canvas.stroke({0.0, 0.0}, length * direction(angle), 2.8 * width, 1.2 * width, 0.5);
     canvas.stroke({0.0, 0.0}, length * direction(angle), 1.3 * width, 0.5 * width, 0.95);
     for (std::uint64_t side = 0; side < 2; ++side) {
       const BranchRow row = {angle, length, side == 0 ? 1.0 : -1.0, 2 * arm + side};
@@ -132,7 +134,18 @@ void draw_plate(Canvas& canvas, const Draws& draws) {
     const double ring_radius =
         radius * draws.between(0.2, 0.85, "ring", static_cast<std::uint64_t>(ring));
     outline(canvas, hexagon(ring_radius), 0.03, 0.72);
-    canvas.polygon(hexagon(0.6 * ring_radius), 0.52);
+    canvas.polygon(hexagon(0.6 * ring_radius), 0.47);
+  }
+  for (int i = 0; i < 6; ++i) {
+    const glm::dvec2 rib = direction(i * sixth_turn);
+    const glm::dvec2 next = direction((i + 1) * sixth_turn);
+    constexpr std::uint64_t ridges = 5;
+    for (std::uint64_t ridge = 0; ridge < ridges; ++ridge) {
+      const double at = radius * draws.between(0.25, 0.9, "ridge", ridge);
+      const double length = 0.3 * at * draws.between(0.3, 1.0, "ridge length", ridge);
+      canvas.stroke(at * rib, at * rib + length * (next - rib), 0.02, 0.01, 0.6);
+      canvas.stroke(at * next, at * next + length * (rib - next), 0.02, 0.01, 0.6);
+    }
   }
   for (int i = 0; i < 6; ++i)
     canvas.stroke(0.1 * direction(i * sixth_turn), 0.95 * radius * direction(i * sixth_turn), 0.045,
@@ -159,58 +172,71 @@ void draw_prism(Canvas& canvas, const Draws& draws, const glm::dvec2& centre, do
   }
 }
 
-/// A column, or a few needles that grew together.
-void draw_column(Canvas& canvas, const Draws& draws) {
+/// A few needles that grew together.
+void draw_needles(Canvas& canvas, const Draws& draws, double width) {
   const double angle = draws.between(0.0, pi, "angle");
-  if (draws.between(0.0, 1.0, "needles") < 0.5) {
-    draw_prism(canvas, draws, {0.0, 0.0}, angle, draws.between(0.65, 0.85, "length"),
-               draws.between(0.2, 0.3, "width"));
-    return;
-  }
-  const int needles = draws.whole(2, 4, "count");
+  const int needles = draws.whole(3, 5, "count");
   for (int i = 0; i < needles; ++i) {
     const auto which = static_cast<std::uint64_t>(i);
-    const double turned = angle + draws.between(-0.3, 0.3, "turned", which);
-    const glm::dvec2 centre =
-        draws.between(-0.12, 0.12, "aside", which) * direction(angle + pi / 2);
-    const double half = draws.between(0.6, 0.8, "half", which);
-    canvas.stroke(centre - half * direction(turned), centre + half * direction(turned), 0.14, 0.06,
-                  0.85);
+    const glm::dvec2 along = draws.between(0.55, 0.85, "half", which) *
+                             direction(angle + draws.between(-0.25, 0.25, "turned", which));
+    const glm::dvec2 middle =
+        draws.between(-0.15, 0.15, "aside", which) * direction(angle + pi / 2.0);
+    const glm::dvec2 near_end = middle - 0.85 * along;
+    const glm::dvec2 far_end = middle + 0.85 * along;
+    canvas.stroke(middle - along, near_end, 0.2 * width, width, 0.7);
+    canvas.stroke(near_end, far_end, width, width, 0.65);
+    canvas.stroke(near_end, far_end, 0.3 * width, 0.3 * width, 0.9);
+    canvas.stroke(far_end, middle + along, width, 0.2 * width, 0.7);
   }
 }
 
-/// Dendrites, plates and needles, caught in each other at all tilts, with splinters about them.
-void draw_aggregate(Canvas& canvas, const Draws& draws, int side_px) {
-  const int parts = draws.whole(9, 14, "parts");
-  for (int i = 0; i < parts; ++i) {
-    const auto part = static_cast<std::uint64_t>(i);
-    const Draws own(draws.key(part));
-    const double size = own.between(0.28, 0.5, "size");
-    // Evenly over radii, so that the middle is the densest.
-    const double away = (0.9 - size) * own.between(0.0, 1.0, "away");
-    const double tilt = own.between(0.35, 1.0, "tilt");
-    const glm::dmat2 tilted = turn(own.between(0.0, pi, "tilted")) *
-                              glm::dmat2(size, 0.0, 0.0, size * tilt) *
-                              turn(own.between(0.0, pi, "turned"));
-    Canvas body(side_px);
-    body.place({tilted, away * direction(own.between(0.0, 2.0 * pi, "where"))});
-    const double kind = own.between(0.0, 1.0, "kind");
-    if (kind < 0.7)
-      draw_dendrite(body, own);
-    else if (kind < 0.8)
-      draw_plate(body, own);
-    else
-      draw_column(body, own);
-    canvas.lay_over(body);
-  }
-  constexpr std::uint64_t splinters = 70;
+/// A column, or needles.
+void draw_column(Canvas& canvas, const Draws& draws) {
+  if (draws.between(0.0, 1.0, "needles") < 0.4)
+    draw_needles(canvas, draws, 0.16);
+  else
+    draw_prism(canvas, draws, {0.0, 0.0}, draws.between(0.0, pi, "angle"),
+               draws.between(0.65, 0.85, "length"), draws.between(0.24, 0.36, "width"));
+}
+
+/// Part of an aggregate, caught in it at any tilt.
+Placing caught(const Draws& draws, double size) {
+  // Evenly over radii, so that the middle is the densest.
+  const double away = (0.94 - size) * draws.between(0.0, 1.0, "away");
+  const double tilt = draws.between(0.3, 1.0, "tilt");
+  return {turn(draws.between(0.0, pi, "tilted")) * glm::dmat2(size, 0.0, 0.0, size * tilt) *
+              turn(draws.between(0.0, pi, "turned")),
+          away * direction(draws.between(0.0, 2.0 * pi, "where"))};
+}
+
+/// Splinters of broken branches, more of them in the middle.
+void draw_splinters(Canvas& canvas, const Draws& draws) {
+  constexpr std::uint64_t splinters = 120;
   for (std::uint64_t i = 0; i < splinters; ++i) {
     const double angle = draws.between(0.0, 2.0 * pi, "splinter angle", i);
-    const glm::dvec2 from = draws.between(0.1, 0.78, "splinter", i) * direction(angle);
+    const double away = draws.between(0.0, 0.62, "splinter", i);
+    const glm::dvec2 from = away * direction(angle);
     const double heading = draws.between(0.0, 2.0 * pi, "splinter heading", i);
     const double length = draws.between(0.05, 0.16, "splinter length", i);
-    canvas.stroke(from, from + length * direction(heading), 0.022, 0.012, 0.6);
+    canvas.stroke(from, from + length * direction(heading), 0.03, 0.015, 0.55);
   }
+}
+
+/// Dendrites, for the most part, and needles.
+void draw_aggregate(Canvas& canvas, const Draws& draws, int side_px) {
+  const int parts = draws.whole(12, 18, "parts");
+  for (int i = 0; i < parts; ++i) {
+    const Draws own(draws.key(static_cast<std::uint64_t>(i)));
+    Canvas body(side_px);
+    body.place(caught(own, own.between(0.32, 0.62, "size")));
+    if (own.between(0.0, 1.0, "kind") < 0.8)
+      draw_dendrite(body, own);
+    else
+      draw_needles(body, own, 0.06);
+    canvas.lay_over(body);
+  }
+  draw_splinters(canvas, draws);
 }
 
 /// 1 at 0, falling smoothly to 0 at 1.

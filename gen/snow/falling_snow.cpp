@@ -25,19 +25,19 @@ struct Shell {
   std::uint64_t key;
 };
 
-/// The smallest ball about all that is seen within a distance: as far as half a right angle the
-/// one through the eye and the view's corners, then the one about those corners.
+/// The smallest ball about all that is seen between two distances, with its centre straight ahead:
+/// about the corners of the view at the farther one, or at both.
 struct Ball {
   glm::dvec3 centre_m;
   double radius_m;
 };
 
-Ball ball_about(const Frustum& frustum, double distance_m) {
-  const double half = frustum.half_angle();
-  const bool narrow = half < std::numbers::pi / 4.0;
-  const double ahead_m = distance_m * (narrow ? 0.5 / std::cos(half) : std::cos(half));
-  const double radius_m = distance_m * (narrow ? 0.5 / std::cos(half) : std::sin(half));
-  return {frustum.eye_m() + ahead_m * frustum.ahead(), std::max(radius_m, distance_m - ahead_m)};
+Ball ball_about(const Frustum& frustum, double from_m, double to_m) {
+  const double cosine = std::cos(frustum.half_angle());
+  const double sine = std::sin(frustum.half_angle());
+  const double ahead_m = std::min(to_m * cosine, 0.5 * (from_m + to_m) / cosine);
+  const double to_corners_m = std::hypot(to_m * cosine - ahead_m, to_m * sine);
+  return {frustum.eye_m() + ahead_m * frustum.ahead(), std::max(to_corners_m, to_m - ahead_m)};
 }
 
 double drawn_share(double distance_m, double reach_m) { return std::exp(-distance_m / reach_m); }
@@ -54,18 +54,17 @@ std::vector<Shell> shells_of(const Frustum& frustum, const NearField& field,
   double from_m = 0.0;
   double to_m = 1.0;
   while (drawn_beyond(from_m, field) * frustum.solid_angle_sr() > 0.5) {
-    const Ball ball = ball_about(frustum, to_m);
-    const double half_side_m = ball.radius_m + farthest_own_way_m;
-    const double side_m = 2.0 * half_side_m;
+    const Ball ball = ball_about(frustum, from_m, to_m);
+    const double side_m = 2.0 * (ball.radius_m + farthest_own_way_m);
     const double number =
         field.number_per_m3 * drawn_share(from_m, field.reach_m) * side_m * side_m * side_m;
     shells.push_back({from_m,
                       to_m,
-                      {ball.centre_m - half_side_m, side_m},
+                      {ball.centre_m, side_m},
                       static_cast<std::uint64_t>(std::llround(number)),
                       random_bits({key, key_of("shell"), shells.size(), 0})});
     from_m = to_m;
-    to_m *= 2.0;
+    to_m *= std::numbers::sqrt2;  // the least work
   }
   return shells;
 }
@@ -125,7 +124,7 @@ class Gatherer {
     const double distance_m = glm::distance(flake.centre_m, frustum_.eye_m());
     if (distance_m <= std::max(shell.from_m, nearest_m) || distance_m > shell.to_m) return false;
     if (!frustum_.touches(flake.centre_m, flake.diameter_m)) return false;
-    const double luck = random_uniform({flake.bits, key_of("drawn"), 0, 0});
+    const double luck = random_uniform({flake.bits, 0, 0, 0});
     if (luck >= drawn_share(distance_m - shell.from_m, reach_m_)) return false;
     return flake.centre_m.z >
            static_cast<double>(ground_.sample(flake.centre_m.x, flake.centre_m.y));

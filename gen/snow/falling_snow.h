@@ -23,9 +23,9 @@ struct SeenFlakes {
 
 /// Flakes of physical sizes and speeds, as a view sees them; see FlakeMotion and NearField.
 ///
-/// The air within (2^(j-1), 2^j] m of the eye shows population j, which repeats itself in the world
-/// after a cube that just holds what can be seen of it. So flakes stay where they are while the
-/// camera moves or turns, and far air, where few flakes are drawn, has few.
+/// The air within sqrt(2)^(j-1) to sqrt(2)^j m of the eye shows population j, which repeats itself
+/// in the world after a cube that just holds what can be seen of it. So flakes stay where they are
+/// while the camera moves or turns, and far air, where few flakes are drawn, has few.
 class FallingSnow {
  public:
   /// `pictures` has to outlive this.

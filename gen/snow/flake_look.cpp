@@ -19,6 +19,11 @@ double cross_section_m2(const Flake& flake) {
   return 0.25 * std::numbers::pi * flake.diameter_m * flake.diameter_m;
 }
 
+int individual_of(const Flake& flake) {
+  static_assert(FlakePictures::individuals == 4);
+  return static_cast<int>(flake.bits >> 62);
+}
+
 /// Ten random bits as a number in [0, 1).
 double share_of(std::uint64_t bits, int place) {
   return static_cast<double>((bits >> (10 * place)) & 1023U) / 1024.0;
@@ -37,10 +42,17 @@ SeenFlake FlakeLook::seen(const Flake& flake) const {
   const double pixel_m = distance_m * frustum_.pixel_angle();
   const glm::dvec3 way_m =
       shutter_s_ * (flake.velocity_m_s - glm::dot(flake.velocity_m_s, towards_eye) * towards_eye);
-  if (glm::length(way_m) > std::max(flake.diameter_m, pixel_m))
+  const bool near = distance_m <= textured_within_m;
+  const double size_m = near ? crystal_side_m(flake) : flake.diameter_m;
+  if (glm::length(way_m) > std::max(size_m, pixel_m))
     return streak(flake, towards_eye, way_m, pixel_m);
-  if (distance_m > textured_within_m) return disc(flake, towards_eye, pixel_m);
-  return crystal(flake, towards_eye, pixel_m);
+  return near ? crystal(flake, towards_eye, pixel_m) : disc(flake, towards_eye, pixel_m);
+}
+
+double FlakeLook::crystal_side_m(const Flake& flake) const {
+  const int finest = pictures_.crystal(flake.crystal, individual_of(flake), 0);
+  const double mean = static_cast<double>(pictures_.mean_opacity(finest));
+  return std::sqrt(cross_section_m2(flake) / (mean * mean_tilt_cosine));
 }
 
 SeenFlake FlakeLook::streak(const Flake& flake, const glm::dvec3& towards_eye,
@@ -66,22 +78,18 @@ SeenFlake FlakeLook::disc(const Flake& flake, const glm::dvec3& towards_eye, dou
 
 SeenFlake FlakeLook::crystal(const Flake& flake, const glm::dvec3& towards_eye,
                              double pixel_m) const {
-  const int individual = static_cast<int>(flake.bits >> 62);
-  static_assert(FlakePictures::individuals == 4);
-  const int finest = pictures_.crystal(flake.crystal, individual, 0);
-  const double mean = static_cast<double>(pictures_.mean_opacity(finest));
-  const double side = std::sqrt(cross_section_m2(flake) / (mean * mean_tilt_cosine));
+  const double side = crystal_side_m(flake);
   const int level =
       std::clamp(static_cast<int>(std::floor(std::log2(FlakePictures::finest_px * pixel_m / side))),
                  0, FlakePictures::levels - 1);
 
   // Tumbling at 0.5 to 2 turns a second, swaying slower (reference: 1 to 3 Hz for aggregates).
   const double turns_per_s = 0.5 + 1.5 * share_of(flake.bits, 0);
-  const double spin =
-      share_of(flake.bits, 1) + (share_of(flake.bits, 2) - 0.5) * turns_per_s * time_s_;
-  const double tilt =
-      most_tilt *
-      static_cast<double>(sine_of_turns(turns_per_s * time_s_ + share_of(flake.bits, 3)));
+  const double spins_per_s = (share_of(flake.bits, 2) - 0.5) * turns_per_s;
+  const auto spin = static_cast<float>(off_whole(share_of(flake.bits, 1) + spins_per_s * time_s_));
+  const auto tilting =
+      static_cast<float>(off_whole(share_of(flake.bits, 3) + turns_per_s * time_s_));
+  const double tilt = most_tilt * static_cast<double>(sine_of_turns(tilting));
   const auto [right, up] = facing(towards_eye);
   const auto sine = static_cast<double>(sine_of_turns(spin));
   const auto cosine = static_cast<double>(cosine_of_turns(spin));
@@ -89,7 +97,7 @@ SeenFlake FlakeLook::crystal(const Flake& flake, const glm::dvec3& towards_eye,
   const glm::dvec3 across = cosine * up - sine * right;
   const glm::dvec3 tilted = std::cos(tilt) * across + std::sin(tilt) * towards_eye;
   return {flake.centre_m, 0.5 * side * axis, 0.5 * side * tilted,
-          pictures_.crystal(flake.crystal, individual, level), 1.0F};
+          pictures_.crystal(flake.crystal, individual_of(flake), level), 1.0F};
 }
 
 }  // namespace wold::snow

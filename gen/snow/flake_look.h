@@ -45,6 +45,7 @@ class FlakeLook {
   SeenFlake seen(const Flake& flake) const;
 
  private:
+  double crystal_side_m(const Flake& flake) const;
   SeenFlake streak(const Flake& flake, const glm::dvec3& towards_eye, const glm::dvec3& way_m,
                    double pixel_m) const;
   SeenFlake disc(const Flake& flake, const glm::dvec3& towards_eye, double pixel_m) const;

@@ -20,17 +20,18 @@ double third_of(std::uint64_t bits, int place) {
   return static_cast<double>((bits >> (21 * place)) & 0x1fffffU) * 0x1.0p-21;
 }
 
-Motion sway(double diameter_m, double time_s, std::uint64_t bits) {
+WindField::Gust sway(double diameter_m, double time_s, std::uint64_t bits) {
   const double wide = least_sway + (1.0 - least_sway) * third_of(bits, 0);
   const double height_m = farthest_sway_m * wide * std::min(1.0, diameter_m / sways_most_m);
   const double rad_s =
       slowest_sway_rad_s + (fastest_sway_rad_s - slowest_sway_rad_s) * third_of(bits, 1);
-  const double phase = rad_s * time_s / (2.0 * std::numbers::pi) + third_of(bits, 2);
-  // An ellipse that leans either way.
-  const double across_phase = phase + 0.7 * third_of(bits, 0);
-  const double rate = height_m * rad_s;
-  return {height_m * glm::dvec3(sine_of_turns(phase), sine_of_turns(across_phase), 0.0F),
-          rate * glm::dvec3(cosine_of_turns(phase), cosine_of_turns(across_phase), 0.0F)};
+  const auto phase =
+      static_cast<float>(off_whole(rad_s * time_s / (2.0 * std::numbers::pi) + third_of(bits, 2)));
+  const float across = phase + 0.7F * static_cast<float>(third_of(bits, 0));  // leans either way
+  return {
+      static_cast<float>(height_m) * glm::vec3(sine_of_turns(phase), sine_of_turns(across), 0.0F),
+      static_cast<float>(height_m * rad_s) *
+          glm::vec3(cosine_of_turns(phase), cosine_of_turns(across), 0.0F)};
 }
 
 }  // namespace
@@ -50,24 +51,24 @@ FlakeMotion::Drifting FlakeMotion::drifting(std::uint64_t population_key, std::u
   const std::uint64_t key = mixed(population_key ^ index);
   const std::uint64_t start = mixed(key ^ key_of("start"));
   const FlakeSizes::Body body = sizes_.body(key);
-  glm::dvec3 way_m = moment.common.way_m - cube.low_m;
-  way_m.z -= body.speed_m_s * moment.time_s;
-  const double per_side = 1.0 / cube.side_m;
-  glm::dvec3 place_m;
-  for (glm::length_t axis = 0; axis < 3; ++axis)
-    place_m[axis] =
-        cube.low_m[axis] + cube.side_m * fraction(third_of(start, axis) + per_side * way_m[axis]);
+  const glm::dvec3 fall_m(0.0, 0.0, body.speed_m_s * moment.time_s);
+  const glm::dvec3 sides = (moment.common.way_m - fall_m - cube.centre_m) * (1.0 / cube.side_m) +
+                           glm::dvec3(third_of(start, 0), third_of(start, 1), third_of(start, 2));
+  const glm::dvec3 place_m =
+      cube.centre_m +
+      cube.side_m * glm::dvec3(off_whole(sides.x), off_whole(sides.y), off_whole(sides.z));
   return {place_m, body, key};
 }
 
 Flake FlakeMotion::flake(const Drifting& drifting, const Moment& moment) const {
   const double diameter_m = sizes_.diameter_m(drifting.body.rank, moment.lambda_per_mm);
-  const Motion gust = wind_.own_gust(moment.gusts, mixed(drifting.key ^ key_of("gust")));
-  const Motion swaying = sway(diameter_m, moment.time_s, mixed(drifting.key ^ key_of("sway")));
-  const glm::dvec3 fall(0.0, 0.0, -drifting.body.speed_m_s);
-  return {drifting.place_m + gust.way_m + swaying.way_m,
-          moment.common.velocity_m_s + gust.velocity_m_s + swaying.velocity_m_s + fall, diameter_m,
-          drifting.body.crystal, mixed(drifting.key ^ key_of("look"))};
+  const auto gust = wind_.own_gust(moment.gusts, mixed(drifting.key ^ key_of("gust")));
+  const auto swaying = sway(diameter_m, moment.time_s, mixed(drifting.key ^ key_of("sway")));
+  const glm::dvec3 fall_m_s(0.0, 0.0, -drifting.body.speed_m_s);
+  return {
+      drifting.place_m + glm::dvec3(gust.way_m + swaying.way_m),
+      moment.common.velocity_m_s + fall_m_s + glm::dvec3(gust.velocity_m_s + swaying.velocity_m_s),
+      diameter_m, drifting.body.crystal, mixed(drifting.key ^ key_of("look"))};
 }
 
 double FlakeMotion::farthest_own_way_m() const {

@@ -13,7 +13,7 @@ namespace wold::snow {
 
 /// A cube whose content repeats itself throughout the world.
 struct PeriodicCube {
-  glm::dvec3 low_m{0.0};  ///< its lowest corner, where one looks at it
+  glm::dvec3 centre_m{0.0};  ///< of the repetition that one looks at
   double side_m = 1.0;
 };
 

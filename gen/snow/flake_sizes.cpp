@@ -50,7 +50,6 @@ FlakeSizes::FlakeSizes(double rate_mm_h, const std::string& crystal) : ranks_(1U
       ranks_[rank].speed_m_s[i] =
           static_cast<float>(factor * fall_speed_m_s(static_cast<Crystal>(i), diameter_mm));
     }
-    ranks_[rank].shares_up_to.back() = 2.0F;  // whatever the sum was rounded to
   }
 }
 
@@ -60,7 +59,8 @@ FlakeSizes::Body FlakeSizes::body(std::uint64_t bits) const {
   const double spread = static_cast<double>((bits >> 22) & 1023U) / 1023.0;
   const Rank& of_rank = ranks_[rank];
   std::size_t crystal = 0;
-  while (choice >= of_rank.shares_up_to[crystal]) ++crystal;
+  for (std::size_t i = 0; i + 1 < crystal_kinds; ++i)
+    crystal += choice >= of_rank.shares_up_to[i] ? 1 : 0;
   constexpr double deviation = 0.12, half_width = deviation * 1.7320508;  // evenly spread
   return {
       rank, static_cast<Crystal>(crystal),

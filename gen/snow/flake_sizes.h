@@ -35,7 +35,7 @@ class FlakeSizes {
   /// The diameter at a rate of snowfall with that Lambda, see gunn_marshall().
   double diameter_m(std::uint32_t rank, double lambda_per_mm) const;
 
-  static constexpr int rank_bits = 12;
+  static constexpr int rank_bits = 11;
 
  private:
   struct Rank {

@@ -1,28 +1,28 @@
 #pragma once
 
-#include <cstdint>
-
-/// Phases in turns, for loops over millions of flakes: sines without a library call, the same on
-/// every machine.
+/// Phases in turns, for loops over millions of flakes: without branches and library calls, the same
+/// on every machine.
 namespace wold::snow {
 
-/// x - floor(x), for |x| < 2^62.
-inline double fraction(double x) {
-  const double rest = x - static_cast<double>(static_cast<std::int64_t>(x));
-  return rest < 0.0 ? rest + 1.0 : rest;
+/// What is left of x beside the nearest whole number, in [-0.5, 0.5]; |x| < 2^51. Adding 1.5 * 2^52
+/// rounds to a whole number.
+inline double off_whole(double x) {
+  constexpr double rounder = 0x1.8p52;
+  return x - ((x + rounder) - rounder);
 }
 
-/// sin(2 pi turns) within 4e-6: its Taylor series to the ninth order on a quarter turn.
-inline float sine_of_turns(double turns) {
-  auto x = static_cast<float>(fraction(turns) - 0.5);  // half a turn on: the sign changes
-  if (x > 0.25F) x = 0.5F - x;
-  if (x < -0.25F) x = -0.5F - x;
-  const float a = x * 6.28318531F;
+/// cos(2 pi turns) within 4e-6 and the rounding of `turns`; |turns| < 2^22. It is sin(2 pi t) for
+/// t = 1/4 - |turns|, by the Taylor series to the ninth order.
+inline float cosine_of_turns(float turns) {
+  constexpr float rounder = 0x1.8p23F;
+  const float rest = turns - ((turns + rounder) - rounder);
+  const float t = 0.25F - (rest < 0.0F ? -rest : rest);
+  const float a = t * 6.28318531F;
   const float b = a * a;
-  return -a * (1.0F + b * (-1.0F / 6.0F +
-                           b * (1.0F / 120.0F + b * (-1.0F / 5040.0F + b * (1.0F / 362880.0F)))));
+  return a * (1.0F + b * (-1.0F / 6.0F +
+                          b * (1.0F / 120.0F + b * (-1.0F / 5040.0F + b * (1.0F / 362880.0F)))));
 }
 
-inline float cosine_of_turns(double turns) { return sine_of_turns(turns + 0.25); }
+inline float sine_of_turns(float turns) { return cosine_of_turns(turns - 0.25F); }
 
 }  // namespace wold::snow

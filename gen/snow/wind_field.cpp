@@ -10,7 +10,7 @@ namespace wold::snow {
 namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
-constexpr double own_share = 0.25;  ///< of the variance
+constexpr double own_deviation = 0.5;  ///< over the whole; of the variance a quarter
 constexpr double shortest_common_m = 6.0, longest_common_m = 90.0;
 constexpr std::array<double, 2> own_lengths_m = {1.5, 4.0};
 constexpr std::array<double, 3> axis_share = {1.0, 1.0, 0.5};
@@ -42,9 +42,10 @@ Motion WindField::common(double time_s) const {
   const double run_m = weather_.wind_run_m(time_s);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double height =
-        wave_height(axis_share[axis] * turbulence_ * std::sqrt(1.0 - own_share), common_waves);
+        wave_height(axis_share[axis] * turbulence_ * std::sqrt(1.0 - own_deviation * own_deviation),
+                    common_waves);
     for (const Wave& wave : common_[axis]) {
-      const double phase = two_pi * fraction(wave.per_m * run_m + wave.phase);
+      const double phase = two_pi * off_whole(wave.per_m * run_m + wave.phase);
       const auto i = static_cast<glm::length_t>(axis);
       motion.way_m[i] += height / (two_pi * wave.per_m) * std::sin(phase);
       motion.velocity_m_s[i] += height * now.wind_speed_m_s * std::cos(phase);
@@ -54,27 +55,39 @@ Motion WindField::common(double time_s) const {
 }
 
 WindField::Moment WindField::moment(double time_s) const {
-  return {weather_.wind_run_m(time_s), weather_.at(time_s).wind_speed_m_s};
+  const double run_m = weather_.wind_run_m(time_s);
+  Moment moment = {{}, static_cast<float>(weather_.at(time_s).wind_speed_m_s)};
+  for (std::size_t i = 0; i < own_lengths_m.size(); ++i)
+    moment.phases[i] = static_cast<float>(off_whole(run_m / own_lengths_m[i]));
+  return moment;
 }
 
-Motion WindField::own_gust(const Moment& moment, std::uint64_t bits) const {
-  Motion motion;
-  const double height = wave_height(turbulence_ * std::sqrt(own_share), own_lengths_m.size());
-  for (const double length_m : own_lengths_m)
-    for (glm::length_t axis = 0; axis < 3; ++axis) {
-      constexpr std::uint64_t bits_each = 10;
-      const double phase = moment.run_m / length_m + static_cast<double>(bits & 1023U) / 1024.0;
-      bits >>= bits_each;
-      const double along = height * axis_share[static_cast<std::size_t>(axis)];
-      motion.way_m[axis] += along * length_m / two_pi * static_cast<double>(sine_of_turns(phase));
-      motion.velocity_m_s[axis] +=
-          along * moment.speed_m_s * static_cast<double>(cosine_of_turns(phase));
-    }
-  return motion;
+WindField::Gust WindField::own_gust(const Moment& moment, std::uint64_t bits) const {
+  constexpr std::size_t waves = 3 * own_lengths_m.size();
+  std::array<float, waves> sines;
+  std::array<float, waves> cosines;
+  for (std::size_t i = 0; i < waves; ++i) {
+    constexpr std::uint64_t bits_each = 10;
+    const auto own = static_cast<float>((bits >> (bits_each * i)) & 1023U) / 1024.0F;
+    cosines[i] = moment.phases[i / 3] + own;
+  }
+  for (std::size_t i = 0; i < waves; ++i) sines[i] = sine_of_turns(cosines[i]);
+  for (std::size_t i = 0; i < waves; ++i) cosines[i] = cosine_of_turns(cosines[i]);
+  Gust gust = {glm::vec3(0.0F), glm::vec3(0.0F)};
+  const auto height = static_cast<float>(wave_height(turbulence_ * own_deviation, 2));
+  const glm::vec3 along = height * glm::vec3(axis_share[0], axis_share[1], axis_share[2]);
+  for (std::size_t length = 0; length < own_lengths_m.size(); ++length) {
+    const std::size_t i = 3 * length;
+    const auto radius_m = static_cast<float>(own_lengths_m[length] / two_pi);
+    gust.way_m += radius_m * along * glm::vec3(sines[i], sines[i + 1], sines[i + 2]);
+    gust.velocity_m_s +=
+        moment.speed_m_s * along * glm::vec3(cosines[i], cosines[i + 1], cosines[i + 2]);
+  }
+  return gust;
 }
 
 double WindField::farthest_own_gust_m() const {
-  const double height = wave_height(turbulence_ * std::sqrt(own_share), own_lengths_m.size());
+  const double height = wave_height(turbulence_ * own_deviation, own_lengths_m.size());
   double sum_m = 0.0;
   for (const double length_m : own_lengths_m) sum_m += height * length_m / two_pi;
   constexpr double longest_diagonal = 1.5;  // of the axes' shares: sqrt(1 + 1 + 1/4)

@@ -32,13 +32,17 @@ class WindField {
 
   /// What own_gust() needs to know of a moment.
   struct Moment {
-    double run_m = 0.0;
-    double speed_m_s = 0.0;
+    std::array<float, 2> phases;  ///< of the own gusts, in turns
+    float speed_m_s = 0.0F;
   };
   Moment moment(double time_s) const;
 
   /// A flake's own gusts; `bits` are 64 random ones of its own.
-  Motion own_gust(const Moment& moment, std::uint64_t bits) const;
+  struct Gust {
+    glm::vec3 way_m;
+    glm::vec3 velocity_m_s;
+  };
+  Gust own_gust(const Moment& moment, std::uint64_t bits) const;
   /// No flake's own gusts displace it farther.
   double farthest_own_gust_m() const;
 
