@@ -83,6 +83,8 @@ Blade make_blade(const scene::Grass& grass, const scene::Ageing& ageing, const B
   blade.head_start = static_cast<float>(head_start(ageing, random));
   blade.onset = static_cast<float>(ageing.onset_spread * random.normal("onset"));
   blade.brightness = positive_spread(1.0, 0.12, random.normal("brightness"));
+  blade.lump_m = static_cast<float>(0.03 + 0.04 * random.uniform("lump"));
+  blade.lump_phase = static_cast<float>(random.uniform("lump phase"));
   return blade;
 }
 
