@@ -24,6 +24,7 @@ struct Blade {
   float brightness = 1.0F;      ///< factor on its albedo
   float lump_m = 0.045F;        ///< from lump to lump of the snow along it
   float lump_phase = 0.0F;      ///< where the first one lies, 0 to 1
+  std::uint64_t tufts = 0;      ///< key of where snow gathers, of all the blades of a variant
 };
 
 /// Samples that are mingled into a patch (paper 1 section 4.1); 1 without mingling.

@@ -52,8 +52,7 @@ void each_ridge_strip(const Blade& blade, const BladePose& pose, double patch_m,
         ridge.half_width_m * glm::dot(aside, level),
         ridge.half_height_m * glm::dot(aside, from_plane(blade, upper_side(at.tangent))));
     const glm::vec2 half_way = 0.5F * length_m / segments * at.tangent;
-    const glm::dvec2 half =
-        on_ground(reach_m * aside, direction, patch_m);
+    const glm::dvec2 half = on_ground(reach_m * aside, direction, patch_m);
     visit(Strip{place(ridge.centre_m - half_way), place(ridge.centre_m + half_way), half, begin,
                 end, ridge.centre_m.y - half_way.y, ridge.centre_m.y + half_way.y, true});
   }

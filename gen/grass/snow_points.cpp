@@ -10,6 +10,9 @@
 namespace wold::grass {
 namespace {
 
+/// Area of points that stand for a solid body, over the body's.
+constexpr float solid = 2.0F;
+
 /// A point of a ridge.
 struct SnowPoint {
   float arc_m;
@@ -34,7 +37,7 @@ void add_pair(const Blade& blade, const SnowRidge& ridge, const AxisPoint& at, i
   for (const float sign : {-1.0F, 1.0F}) {
     glm::vec3 place_m = centre_m + sign * offset_m;
     place_m.z = std::max(place_m.z, 0.0F);
-    points.push_back({arc_m, 0.5F * ridge.area_m() * step_m, place_m,
+    points.push_back({arc_m, 0.5F * solid * ridge.area_m() * step_m, place_m,
                       from_plane(blade, at.tangent), up});
   }
 }

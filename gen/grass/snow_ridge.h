@@ -16,8 +16,11 @@ inline constexpr double blade_snow_kg_m3 = 100.0;
 /// is wide, 4 mm: a tenth of that.
 inline constexpr double leaf_snow_kg_m2 = 0.1 * 6.0 * (0.27 + 46.0 / blade_snow_kg_m3);
 
-/// Albedo of fresh snow, linear sRGB (visible 0.9 to 0.95), a little less in the red.
-inline constexpr glm::vec3 snow_albedo{0.89F, 0.91F, 0.94F};
+/// Diffuse coefficient md of fresh snow, linear sRGB: its visible albedo, 0.9 with a little less in
+/// the red, times 1.1, because opaque lumps send light back to where it came from while fibres
+/// scatter alike in all directions (a diffuse sphere at phase angles of 60 to 90 degrees: 1.6 to
+/// 0.85 of the even).
+inline constexpr glm::vec3 snow_albedo{0.97F, 0.985F, 1.0F};
 
 /// Share of the snow that stays on a blade whose tangent has this horizontal part, the sine of its
 /// angle from the vertical: none up to 20 degrees, all from 65 degrees on (modelling choice: cold
@@ -41,8 +44,9 @@ struct SnowRidge {
 
 /// The ridge at `along` (0 root to 1 tip), where the axis is `at`.
 ///
-/// Its section is what lies there over its density. It covers the blade's whole width from a
-/// quarter of the most on, a little beyond its edges, and is no higher than the blade is wide.
+/// Snow gathers in tufts of 6 cm that neighbouring blades share, and in lumps along each blade.
+/// The section is what lies there over its density. It covers the blade's whole width from
+/// half of the most on, a little beyond its edges, and is no higher than the blade is wide.
 SnowRidge snow_ridge(const Blade& blade, const BladePose& pose, float along, const AxisPoint& at);
 
 /// The direction of a blade's plane that its upper side faces.

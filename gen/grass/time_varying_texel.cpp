@@ -147,7 +147,8 @@ std::filesystem::path TimeVaryingTexel::texel_path(int variant, const PatchState
   return folder_ / fmt::format("v{}_{}.vdb", variant, state.name());
 }
 
-std::filesystem::path TimeVaryingTexel::volume_path(int variant, const PatchState& state, int level) const {
+std::filesystem::path TimeVaryingTexel::volume_path(int variant, const PatchState& state,
+                                                    int level) const {
   const int side = scene_.grass.levels[static_cast<std::size_t>(level)];
   return folder_ / fmt::format("v{}_{}_{:03}.vdb", variant, state.name(), side);
 }
@@ -182,7 +183,8 @@ Tubes TimeVaryingTexel::points(int variant, const PatchState& state) const {
                      shape_.voxel_m);
 }
 
-bool TimeVaryingTexel::is_current(int variant, const PatchState& state, const LevelTurns& levels) const {
+bool TimeVaryingTexel::is_current(int variant, const PatchState& state,
+                                  const LevelTurns& levels) const {
   if (file_content(texel_path(variant, state)) != content(variant, state)) return false;
   return std::all_of(levels.begin(), levels.end(), [&](const auto& level) {
     return file_content(volume_path(variant, state, level.first)) ==

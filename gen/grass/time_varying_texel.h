@@ -8,8 +8,8 @@
 
 #include "core/progress.h"
 #include "core/tubes.h"
-#include "grass/dynamics.h"
 #include "grass/blade_patch.h"
+#include "grass/dynamics.h"
 #include "grass/patch_state.h"
 #include "grass/samples.h"
 #include "grass/shading.h"
@@ -54,7 +54,8 @@ class TimeVaryingTexel {
   TexelShape level_shape(int level) const;
 
   /// Makes what is demanded and not in the folder yet. Variants run in parallel, key frames in
-  /// order, each under all the snow it is wanted with. Throws FileError; whole files stay, so a later call resumes.
+  /// order, each under all the snow it is wanted with. Throws FileError; whole files stay, so a
+  /// later call resumes.
   StageTimes generate(const TexelDemand& demand, Progress& progress) const;
 
   /// The blades that a variant's texel stands for in a state, and the points it is made of, shaded
@@ -80,8 +81,8 @@ class TimeVaryingTexel {
   /// Texel and levels of the samples as they stand; adds to the times.
   void make_texel(int variant, const PatchState& state, const Samples& samples,
                   const LevelTurns& levels, StageTimes& times) const;
-  void store(int variant, const PatchState& state, const Texel& texel, const std::vector<VolumeData>& baked,
-             const LevelTurns& levels) const;
+  void store(int variant, const PatchState& state, const Texel& texel,
+             const std::vector<VolumeData>& baked, const LevelTurns& levels) const;
 
   scene::Scene scene_;
   std::vector<double> key_frames_;  ///< weathering degrees
