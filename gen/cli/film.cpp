@@ -58,7 +58,7 @@ void Film::choose_cells(Progress& progress) {
   for (const int frame : job_.frames) {
     cells_.push_back(landscape::choose_cells(job_.scene, site_.terrain, site_.growth, frame));
     for (const landscape::CellChoice& cell : cells_.back())
-      if (!cell.blades) demand_[cell.variant][cell.key_frame][cell.level].insert(cell.turn);
+      if (!cell.blades) demand_[cell.variant][cell.state()][cell.level].insert(cell.turn);
     demand_far_field(frame);
     progress.advance(1, fmt::format("frame {}: {} cells", frame, cells_.back().size()));
   }
@@ -70,41 +70,42 @@ void Film::demand_far_field(int frame) {
   const landscape::Camera camera = landscape::resolved_camera(
       scene.camera, site_.terrain, landscape::time_of_frame(scene, frame));
   if (!landscape::shows_distance(scene, site_, camera)) return;
-  for (const int key_frame : landscape::far_key_frames(scene, frame))
+  for (const grass::PatchState& state : landscape::far_states(scene, frame))
     for (int variant = 0; variant < scene.grass.variants; ++variant)
-      demand_[variant][key_frame][coarsest_level(scene.grass)].insert(0);
+      demand_[variant][state][coarsest_level(scene.grass)].insert(0);
 }
 
 void Film::make_texels(Progress& progress) { texels_.generate(demand_, progress); }
 
 landscape::Volume Film::volume(const landscape::CellChoice& cell) const {
   const int side = job_.scene.grass.levels[static_cast<std::size_t>(cell.level)];
-  const auto& turns = demand_.at(cell.variant).at(cell.key_frame).at(cell.level);
+  const auto& turns = demand_.at(cell.variant).at(cell.state()).at(cell.level);
   landscape::Volume volume;
-  volume.name = fmt::format("v{}_k{:02}_q{}_{:03}", cell.variant, cell.key_frame, cell.turn, side);
-  volume.vdb = texels_.volume_path(cell.variant, cell.key_frame, cell.level);
+  volume.name = fmt::format("v{}_{}_q{}_{:03}", cell.variant, cell.state().name(), cell.turn, side);
+  volume.vdb = texels_.volume_path(cell.variant, cell.state(), cell.level);
   volume.emission_grid = fmt::format("emission_q{}", cell.turn);
-  volume.content = texels_.volume_content(cell.variant, cell.key_frame, cell.level, turns);
+  volume.content = texels_.volume_content(cell.variant, cell.state(), cell.level, turns);
   volume.voxels = {side, side, texels_.level_shape(cell.level).height};
   volume.voxel_m = job_.scene.grass.patch_m / side;
   return volume;
 }
 
 landscape::BladeMesh Film::blades(const landscape::CellChoice& cell) {
-  landscape::BladeMesh& mesh = blades_[{cell.variant, cell.key_frame}];
+  landscape::BladeMesh& mesh = blades_[{cell.variant, cell.state()}];
   if (mesh.tubes) return mesh;
   const bool points = job_.scene.render.grass == "points";
-  mesh.name = fmt::format("{}{}_k{:02}_{}", points ? 'p' : 'v', cell.variant, cell.key_frame,
-                          texels_.content(cell.variant, cell.key_frame));
-  mesh.tubes = std::make_shared<const Tubes>(points ? texels_.points(cell.variant, cell.key_frame)
-                                                    : texels_.blades(cell.variant, cell.key_frame));
+  mesh.name = fmt::format("{}{}_{}_{}", points ? 'p' : 'v', cell.variant, cell.state().name(),
+                          texels_.content(cell.variant, cell.state()));
+  mesh.tubes = std::make_shared<const Tubes>(points ? texels_.points(cell.variant, cell.state())
+                                                    : texels_.blades(cell.variant, cell.state()));
   return mesh;
 }
 
-std::vector<landscape::Volume> Film::far_volumes(int key_frame) const {
+std::vector<landscape::Volume> Film::far_volumes(const grass::PatchState& state) const {
   std::vector<landscape::Volume> volumes;
   landscape::CellChoice choice;
-  choice.key_frame = key_frame;
+  choice.key_frame = state.key_frame;
+  choice.snow = state.snow;
   choice.level = coarsest_level(job_.scene.grass);
   for (; choice.variant < job_.scene.grass.variants; ++choice.variant)
     volumes.push_back(volume(choice));
@@ -116,7 +117,7 @@ void Film::export_frames(Progress& progress) {
   const landscape::PatchLookup lookup = {
       [&](const landscape::CellChoice& cell) { return volume(cell); },
       [&](const landscape::CellChoice& cell) { return blades(cell); },
-      [&](int key_frame) { return far_volumes(key_frame); }};
+      [&](const grass::PatchState& state) { return far_volumes(state); }};
   for (const std::string& renderer : renderers) export_program(renderer, job_.out / renderer);
   progress.begin("scene files", job_.frames.size() * renderers.size());
   for (std::size_t i = 0; i < job_.frames.size(); ++i) {

@@ -30,7 +30,7 @@ class Film {
   void make_texels(Progress& progress);
   landscape::Volume volume(const landscape::CellChoice& cell) const;
   landscape::BladeMesh blades(const landscape::CellChoice& cell);
-  std::vector<landscape::Volume> far_volumes(int key_frame) const;
+  std::vector<landscape::Volume> far_volumes(const grass::PatchState& state) const;
   void demand_far_field(int frame);
   void export_frames(Progress& progress);
 
@@ -39,7 +39,7 @@ class Film {
   grass::TimeVaryingTexel texels_;
   std::vector<std::vector<landscape::CellChoice>> cells_;  ///< per frame of the job
   grass::TexelDemand demand_;
-  std::map<std::pair<int, int>, landscape::BladeMesh> blades_;  ///< by variant and key frame
+  std::map<std::pair<int, grass::PatchState>, landscape::BladeMesh> blades_;  ///< by variant
 };
 
 /// The renderers a scene asks for, by their folder names: "blender", "povray".

@@ -67,7 +67,7 @@ float keel_depth_m(const scene::Grass& grass, const Blade& blade, float load) {
 }
 
 Blade make_blade(const scene::Grass& grass, const scene::Ageing& ageing, const BladeRandom& random,
-                 const glm::vec2& root_m) {
+                 const glm::vec2& root_m, std::uint64_t tufts) {
   const double heading = 2.0 * std::numbers::pi * random.uniform("heading");
   const double lean_deg = grass.lean_deg + grass.lean_spread_deg * random.normal("lean");
   Blade blade;
@@ -83,6 +83,9 @@ Blade make_blade(const scene::Grass& grass, const scene::Ageing& ageing, const B
   blade.head_start = static_cast<float>(head_start(ageing, random));
   blade.onset = static_cast<float>(ageing.onset_spread * random.normal("onset"));
   blade.brightness = positive_spread(1.0, 0.12, random.normal("brightness"));
+  blade.lump_m = static_cast<float>(0.03 + 0.04 * random.uniform("lump"));
+  blade.lump_phase = static_cast<float>(random.uniform("lump phase"));
+  blade.tufts = tufts;
   return blade;
 }
 
@@ -95,12 +98,14 @@ int sample_count(const scene::Grass& grass) {
 std::vector<Blade> scatter_blades(const scene::Grass& grass, const scene::Ageing& ageing,
                                   std::uint64_t seed, int variant, int sample) {
   const int count = sample_blades(grass, sample);
+  const auto tufts =
+      random_bits({seed, key_of("tufts"), static_cast<std::uint64_t>(variant), key_of("snow")});
   std::vector<Blade> blades;
   blades.reserve(static_cast<std::size_t>(count));
   for (int number = 0; number < count; ++number) {
     const BladeRandom random(seed, variant, sample, number);
-    blades.push_back(
-        make_blade(grass, ageing, random, stratified_root(random, number, count, grass.patch_m)));
+    blades.push_back(make_blade(grass, ageing, random,
+                                stratified_root(random, number, count, grass.patch_m), tufts));
   }
   if (ageing.fur.clumps > 0) clump(blades, ageing, grass.patch_m, seed, variant);
   return blades;

@@ -22,6 +22,9 @@ struct Blade {
   float head_start = 0.0F;      ///< its own weathering degree while the meadow is fresh
   float onset = 0.0F;           ///< how far it is ahead (+) or behind (-) in weathering degree
   float brightness = 1.0F;      ///< factor on its albedo
+  float lump_m = 0.045F;        ///< from lump to lump of the snow along it
+  float lump_phase = 0.0F;      ///< where the first one lies, 0 to 1
+  std::uint64_t tufts = 0;      ///< key of where snow gathers, of all the blades of a variant
 };
 
 /// Samples that are mingled into a patch (paper 1 section 4.1); 1 without mingling.
@@ -41,7 +44,7 @@ Blade mean_blade(const scene::Grass& grass, const scene::Ageing& ageing);
 /// How blades bow: turning about their roots (paper 1), or as elastic blades under their weight.
 enum class DroopRule { paper, elastica };
 
-/// How far a blade has withered.
+/// How far a blade has withered, and what it bears.
 struct BladePose {
   DroopRule rule = DroopRule::paper;
   float droop = 0.0F;            ///< c of the paper's rule, rad / sqrt(m)
@@ -49,6 +52,7 @@ struct BladePose {
   float length_scale = 1.0F;     ///< of arc lengths
   float vein_width = 1.0F;       ///< of distances from the axis, vein tissue
   float mesophyll_width = 1.0F;  ///< the same, mesophyll tissue
+  float snow = 0.0F;             ///< share of the snow it can carry, 0 to 1
 };
 
 }  // namespace wold::grass

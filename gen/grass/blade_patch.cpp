@@ -1,6 +1,11 @@
 #include "grass/blade_patch.h"
 
+#include <algorithm>
+#include <numbers>
+#include <optional>
+
 #include "grass/samples.h"
+#include "grass/snow_ridge.h"
 
 namespace wold::grass {
 
@@ -10,16 +15,30 @@ WitheringPatch::WitheringPatch(const scene::Scene& scene, const AgeingModel& mod
     samples_.push_back(scatter_blades(scene.grass, scene.ageing, scene.seed, variant, sample));
 }
 
-BladePatch WitheringPatch::at(double weathering) const {
+BladePatch WitheringPatch::at(double weathering, double snow) const {
   BladePatch patch;
   patch.patch_m = patch_m_;
   for (std::size_t sample = 0; sample < samples_.size(); ++sample)
     for (const Blade& blade : samples_[sample]) {
       patch.blades.push_back(blade);
       patch.ages.push_back(AgeingModel::blade_age(blade, rates_[sample](weathering)));
-      patch.poses.push_back(model_.pose(blade, patch.ages.back()));
+      patch.poses.push_back(model_.pose(blade, patch.ages.back(), snow));
     }
   return patch;
+}
+
+SeenPlace seen_place(const BladePatch& patch, const AgeingModel& model, std::size_t i, double along,
+                     const AxisPoint& at) {
+  const Blade& blade = patch.blades[i];
+  const BladePose& pose = patch.poses[i];
+  const SeenPlace leaf{model.albedo(blade, patch.ages[i], along), model.specular(patch.ages[i])};
+  const SnowRidge ridge = snow_ridge(blade, pose, static_cast<float>(along), at);
+  if (ridge.half_height_m <= 0.0F) return leaf;
+  const float radius_m = blade.radius_m * pose.mesophyll_width * (1.0F - static_cast<float>(along));
+  const float covered = std::min(ridge.half_width_m / radius_m, 1.0F);
+  const float leaf_m = std::numbers::pi_v<float> / 2.0F * radius_m * (1.0F - 0.5F * covered);
+  const float snow = ridge.area_m() / (ridge.area_m() + leaf_m);
+  return {glm::mix(leaf.albedo, snow_albedo, snow), leaf.specular * (1.0F - snow)};
 }
 
 glm::vec3 mean_albedo(const BladePatch& patch, const AgeingModel& model) {
@@ -27,9 +46,14 @@ glm::vec3 mean_albedo(const BladePatch& patch, const AgeingModel& model) {
   double weights = 0.0;
   for (std::size_t i = 0; i < patch.blades.size(); ++i) {
     const Blade& blade = patch.blades[i];
+    const float length_m = blade.length_m * patch.poses[i].length_scale;
+    std::optional<BladeAxis> axis;  // only snow asks for it
+    if (patch.poses[i].snow > 0.0F) axis.emplace(blade, patch.poses[i]);
     for (const double along : {0.1, 0.3, 0.5, 0.7, 0.9}) {
       const double area = (1.0 - along) * double{blade.radius_m * blade.length_m};
-      sum += area * glm::dvec3(model.albedo(blade, patch.ages[i], along));
+      const AxisPoint at =
+          axis ? axis->at(length_m * static_cast<float>(along)) : AxisPoint{{0, 0}, {0, 1}};
+      sum += area * glm::dvec3(seen_place(patch, model, i, along, at).albedo);
       weights += area;
     }
   }

@@ -20,8 +20,9 @@ class WitheringPatch {
  public:
   WitheringPatch(const scene::Scene& scene, const AgeingModel& model, int variant);
 
-  /// The patch at a weathering degree of the meadow, in [0, 1].
-  BladePatch at(double weathering) const;
+  /// The patch at a weathering degree of the meadow, in [0, 1], under the share `snow` in [0, 1] of
+  /// what its blades can carry.
+  BladePatch at(double weathering, double snow = 0.0) const;
 
  private:
   const AgeingModel& model_;
@@ -30,7 +31,18 @@ class WitheringPatch {
   std::vector<std::vector<Blade>> samples_;
 };
 
-/// Mean albedo of all blades, by their area.
+/// What is seen of a place of a blade.
+struct SeenPlace {
+  glm::vec3 albedo;
+  float specular;
+};
+
+/// Leaf and the snow on it at `along` (0 root to 1 tip), where the axis is `at`: a mean by area. A
+/// ridge hides half of the blade that it covers.
+SeenPlace seen_place(const BladePatch& patch, const AgeingModel& model, std::size_t blade,
+                     double along, const AxisPoint& at);
+
+/// Mean albedo of all blades and the snow on them, by the blades' area.
 glm::vec3 mean_albedo(const BladePatch& patch, const AgeingModel& model);
 
 }  // namespace wold::grass

@@ -22,7 +22,7 @@ BladePicture::BladePicture(const BladePatch& patch, const glm::dvec3& direction,
             Pixel& pixel = pixels_[at];
             if (pixel.blade != nothing && pixel.height_m >= height) return;
             const float along = std::lerp(strip.along_a, strip.along_b, static_cast<float>(t));
-            pixel = {blade, along, height};
+            pixel = {blade, along, height, strip.snow};
           });
         });
 }

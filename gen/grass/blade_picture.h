@@ -9,14 +9,15 @@
 namespace wold::grass {
 
 /// What is seen of a tiled patch of opaque blades along a direction: for every pixel of the
-/// ground's plane, which tiles too, the blade nearest to the eye.
+/// ground's plane, which tiles too, the blade nearest to the eye, or the snow on it.
 class BladePicture {
  public:
   static constexpr std::uint32_t nothing = 0xFFFFFFFFU;
   struct Pixel {
     std::uint32_t blade = nothing;
     float along = 0.0F;     ///< place on it: 0 root, 1 tip
-    float height_m = 0.0F;  ///< of its axis there
+    float height_m = 0.0F;  ///< of its axis there, or the snow's
+    bool snow = false;
   };
 
   /// direction: unit, towards the eye or the light, z > 0. `side`: pixels along the patch.

@@ -11,7 +11,8 @@ namespace wold::grass {
 /// patch hides it. The reference for the texel, and what stands nearest to the camera.
 ///
 /// Rings are triangles whose outline is as long as the circle's of the cone: a convex body shows
-/// its outline over pi on average, so both cover the same. Positions are those of the patch,
+/// its outline over pi on average, so both cover the same. Snow lies on them in tubes of its own
+/// (snow_ridge.h), two to a blade that bears some, roof-shaped. Positions are those of the patch,
 /// metres, not wrapped; the patch stands unturned.
 Tubes blade_tubes(const BladePatch& patch, const AgeingModel& model, const Lighting& lighting,
                   const FibreLook& look);

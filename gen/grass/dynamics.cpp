@@ -87,8 +87,8 @@ double AgeingModel::local_age(double age, double along) {
   return std::clamp(age + tip_lead * midway(age) * (2.0 * along - 1.0), 0.0, 1.0);
 }
 
-BladePose AgeingModel::pose(const Blade& blade, double age) const {
-  return blade_pose(blade, ageing_, 1.0 - water_(age), heaviest_load_(age));
+BladePose AgeingModel::pose(const Blade& blade, double age, double snow) const {
+  return blade_pose(blade, ageing_, 1.0 - water_(age), heaviest_load_(age), snow);
 }
 
 glm::vec3 AgeingModel::albedo(const Blade& blade, double age, double along) const {
@@ -108,20 +108,30 @@ PointDynamics::PointDynamics(const AgeingModel& model, std::vector<Blade> blades
       poses_(blades_.size()) {}
 
 void PointDynamics::advance_to(double weathering) {
+  weathering_ = weathering;
   parallel_for(blades_.size(), [&](std::size_t blade) {
-    const WitheredBlade now = apply_forces(blade, weathering);
-    move(blade, now);
-    update_frames(blade);
-    update_material(blade, now);
+    stand(blade, weathering, /*snow=*/0.0);
     merge_blade(points_, points_.blade_begin[blade], points_.blade_begin[blade + 1],
                 merge_distance_m_);
   });
 }
 
-PointDynamics::WitheredBlade PointDynamics::apply_forces(std::size_t number, double weathering) {
+void PointDynamics::bear(double snow) {
+  parallel_for(blades_.size(), [&](std::size_t blade) { stand(blade, weathering_, snow); });
+}
+
+void PointDynamics::stand(std::size_t blade, double weathering, double snow) {
+  const WitheredBlade now = apply_forces(blade, weathering, snow);
+  move(blade, now);
+  update_frames(blade);
+  update_material(blade, now);
+}
+
+PointDynamics::WitheredBlade PointDynamics::apply_forces(std::size_t number, double weathering,
+                                                         double snow) {
   const Blade& blade = blades_[number];
   const double age = AgeingModel::blade_age(blade, weathering);
-  poses_[number] = model_.pose(blade, age);
+  poses_[number] = model_.pose(blade, age, snow);
   const float length_m = blade.length_m * poses_[number].length_scale;
   const BladeAxis axis(blade, poses_[number]);
   WitheredBlade now;

@@ -23,7 +23,8 @@ class AgeingModel {
   /// The blade's own weathering degree when the meadow's is `weathering`: from its head start to 1,
   /// monotone, ahead or behind by its onset in between.
   static double blade_age(const Blade& blade, double weathering);
-  BladePose pose(const Blade& blade, double age) const;
+  /// `snow`: share of the snow it can carry that lies on it, 0 to 1.
+  BladePose pose(const Blade& blade, double age, double snow = 0.0) const;
   /// Leaves die from the tip down: age at `along`, 0 at the root to 1 at the tip.
   static double local_age(double age, double along);
   /// Albedo of a blade of that age at `along`.
@@ -49,8 +50,13 @@ class PointDynamics {
 
   /// One step: forces, motion, frame, material, merging. `weathering` in [0, 1], not before the
   /// last one. The state depends on `weathering` alone, not on the steps that led there, but for
-  /// merged points, which stay merged.
+  /// merged points, which stay merged. Blades are free of snow afterwards.
   void advance_to(double weathering);
+
+  /// The blades as they stand at the last step's weathering under snow: `snow` in [0, 1] is the
+  /// share of what they can carry. It leaves no trace: under 0 all is what advance_to() left but
+  /// for points it merged, whose places are those of one of the two.
+  void bear(double snow);
 
   const Points& points() const { return points_; }
   const std::vector<Blade>& blades() const { return blades_; }
@@ -68,7 +74,9 @@ class PointDynamics {
   };
   struct Between;
 
-  WitheredBlade apply_forces(std::size_t blade, double weathering);
+  /// All of a step but the merging.
+  void stand(std::size_t blade, double weathering, double snow);
+  WitheredBlade apply_forces(std::size_t blade, double weathering, double snow);
   void move(std::size_t blade, const WitheredBlade& now);
   void update_frames(std::size_t blade);
   void update_material(std::size_t blade, const WitheredBlade& now);
@@ -77,6 +85,7 @@ class PointDynamics {
   std::vector<Blade> blades_;
   Points points_;
   float merge_distance_m_;
+  double weathering_ = 0.0;
   std::vector<BladePose> poses_;
 };
 

@@ -17,10 +17,11 @@ std::vector<Fibre> representative_fibres(const BladePatch& patch, const AgeingMo
   for (std::size_t i = 0; i < patch.blades.size(); i += step) {
     const BladeAxis axis(patch.blades[i], patch.poses[i]);
     const float length_m = patch.blades[i].length_m * patch.poses[i].length_scale;
-    for (const float along : places)
-      fibres.push_back({from_plane(patch.blades[i], axis.at(along * length_m).tangent),
-                        model.albedo(patch.blades[i], patch.ages[i], double{along}),
-                        model.specular(patch.ages[i])});
+    for (const float along : places) {
+      const AxisPoint at = axis.at(along * length_m);
+      const SeenPlace seen = seen_place(patch, model, i, double{along}, at);
+      fibres.push_back({from_plane(patch.blades[i], at.tangent), seen.albedo, seen.specular});
+    }
   }
   return fibres;
 }

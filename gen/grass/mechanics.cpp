@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
+
+#include "grass/snow_ridge.h"
 
 namespace wold::grass {
 namespace {
@@ -17,6 +20,12 @@ constexpr double vein_share = 0.1;
 constexpr double gravity_m_s2 = 9.81;
 /// Of the whole fresh leaf, with the air in it (modelling choice).
 constexpr double leaf_kg_m3 = 800.0;
+/// Of a fresh leaf (modelling choice, fresh_load()).
+constexpr double leaf_thickness_m = 0.0002;
+/// What a leaf's snow weighs at most, the fresh leaf being 1: 2.7.
+constexpr double snow_per_leaf = leaf_snow_kg_m2 / (leaf_kg_m3 * leaf_thickness_m);
+/// Polar angle beyond which snow turns no tip.
+constexpr double lowest_tip = 75.0 * std::numbers::pi / 180.0;
 /// Water in a fresh leaf: 240 % of its dry mass (models/ageing/water_standard.toml).
 constexpr double water_mass_share = 240.0 / 340.0;
 /// Water lost when turgor is gone; grasses lose it near a relative water content of 0.8 (modelling
@@ -27,6 +36,16 @@ constexpr double thinnest = 0.1;
 
 /// Linear scale of a body that lost this share of its volume alike in all directions.
 double linear_scale(double volume_strain) { return std::cbrt(1.0 - volume_strain); }
+
+/// E I of a blade after `water_lost`, that of the fresh one being 1.
+double relative_stiffness(const scene::Ageing& ageing, double water_lost) {
+  const TissueState tissue = tissue_state(ageing, water_lost);
+  const double turgor = std::max(1.0 - water_lost / turgor_loss, 0.0);
+  const double modulus = (1.0 - ageing.turgor_support) * tissue.modulus_vein_pa / fresh_vein_pa +
+                         ageing.turgor_support * turgor;
+  const double thickness = std::max(1.0 - tissue.strain_mesophyll, thinnest);
+  return modulus * thickness * thickness * thickness;
+}
 
 }  // namespace
 
@@ -56,13 +75,8 @@ double fresh_load(const Blade& blade) {
 }
 
 double relative_load(const scene::Ageing& ageing, double water_lost) {
-  const TissueState tissue = tissue_state(ageing, water_lost);
   const double weight = 1.0 - water_mass_share * water_lost;
-  const double turgor = std::max(1.0 - water_lost / turgor_loss, 0.0);
-  const double modulus = (1.0 - ageing.turgor_support) * tissue.modulus_vein_pa / fresh_vein_pa +
-                         ageing.turgor_support * turgor;
-  const double thickness = std::max(1.0 - tissue.strain_mesophyll, thinnest);
-  return weight / (modulus * thickness * thickness * thickness);
+  return weight / relative_stiffness(ageing, water_lost);
 }
 
 Curve heaviest_load(const scene::Ageing& ageing, const Curve& water) {
@@ -77,8 +91,17 @@ Curve heaviest_load(const scene::Ageing& ageing, const Curve& water) {
   return Curve(std::move(points));
 }
 
+float snowed_droop(const Blade& blade, float droop, double snow) {
+  const double root = std::sqrt(double{blade.length_m});
+  const double turned = double{droop} * root;
+  const double left = lowest_tip - double{blade.lean} - turned;
+  if (left <= 0.0 || snow <= 0.0) return droop;
+  const double weighed = turned * snow_per_leaf * snow;
+  return droop + static_cast<float>(left * -std::expm1(-weighed / left) / root);
+}
+
 BladePose blade_pose(const Blade& blade, const scene::Ageing& ageing, double water_lost,
-                     double heaviest) {
+                     double heaviest, double snow) {
   const TissueState tissue = tissue_state(ageing, water_lost);
   const double vein = vein_share * tissue.modulus_vein_pa;
   const double mesophyll = (1.0 - vein_share) * tissue.modulus_mesophyll_pa;
@@ -86,9 +109,13 @@ BladePose blade_pose(const Blade& blade, const scene::Ageing& ageing, double wat
       (vein * tissue.strain_vein + mesophyll * tissue.strain_mesophyll) / (vein + mesophyll);
   BladePose pose;
   pose.rule = ageing.droop_rule == "elastica" ? DroopRule::elastica : DroopRule::paper;
-  pose.load = static_cast<float>(fresh_load(blade) * heaviest);
+  pose.load = static_cast<float>(
+      fresh_load(blade) *
+      (heaviest + snow_per_leaf * snow / relative_stiffness(ageing, water_lost)));
   pose.droop = blade.fresh_droop +
                blade.droop_rate * static_cast<float>(relieved_loss(water_lost, ageing.stiffening));
+  pose.droop = snowed_droop(blade, pose.droop, snow);
+  pose.snow = static_cast<float>(snow);
   pose.length_scale = static_cast<float>(linear_scale(axial));
   pose.vein_width = static_cast<float>(linear_scale(tissue.strain_vein));
   pose.mesophyll_width = static_cast<float>(linear_scale(tissue.strain_mesophyll));

@@ -48,10 +48,20 @@ double relative_load(const scene::Ageing& ageing, double water_lost);
 /// while limp sets as it dries: a fallen blade does not stand up again.
 Curve heaviest_load(const scene::Ageing& ageing, const Curve& water);
 
+/// The paper's droop c of a blade on which the share `snow` of the snow it can carry lies (0 to 1).
+///
+/// Loads add up, and a small load turns the tip in proportion: with the droop c from the blade's
+/// own weight the snow's turns it by c sqrt(L) times the ratio of the weights. The way to
+/// lying is short, so it is approached exponentially: no snow turns a tip beyond a polar angle of
+/// 75 degrees, where it points at the ground; a blade that lies lower stays there. Without snow
+/// it is `droop` again.
+float snowed_droop(const Blade& blade, float droop, double snow);
+
 /// Shape of a blade after `water_lost`: lengths follow the stiff veins and the mesophyll bonded to
 /// them, by their stiffness; widths follow each tissue's own strain; the paper's droop grows as
-/// support is lost, the elastica's load is `heaviest` times the fresh one.
+/// support is lost, the elastica's load is `heaviest` times the fresh one. The share `snow` of the
+/// snow that it can carry (0 to 1) bends it further for as long as it lies.
 BladePose blade_pose(const Blade& blade, const scene::Ageing& ageing, double water_lost,
-                     double heaviest);
+                     double heaviest, double snow = 0.0);
 
 }  // namespace wold::grass

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "grass/blade_light.h"
+#include "grass/snow_points.h"
 
 namespace wold::grass {
 namespace {
@@ -41,11 +42,12 @@ void append_octahedron(const BladePlace& place, std::vector<glm::vec3>& vertices
 }  // namespace
 
 Tubes point_tubes(const BladePatch& patch, std::span<const PointDynamics> samples,
-                  const Lighting& lighting, const FibreLook& look) {
+                  const Lighting& lighting, const FibreLook& look, double snow_step_m) {
   std::vector<BladePlace> places;
   std::uint32_t first_blade = 0;
   for (const PointDynamics& sample : samples) {
     append_places(sample.points(), first_blade, places);
+    append_places(snow_points(sample.blades(), sample.poses(), snow_step_m), first_blade, places);
     first_blade += static_cast<std::uint32_t>(sample.points().blades());
   }
   constexpr int rings = 3;

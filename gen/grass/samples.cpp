@@ -4,6 +4,7 @@
 #include "grass/ageing_curves.h"
 #include "grass/mingle.h"
 #include "grass/rasterise.h"
+#include "grass/snow_points.h"
 
 namespace wold::grass {
 namespace {
@@ -39,13 +40,23 @@ Samples::Samples(const scene::Scene& scene, const TexelShape& shape, int variant
 }
 
 void Samples::advance_to(double weathering) {
+  snow_ = 0.0;
   for (std::size_t i = 0; i < samples_.size(); ++i) samples_[i].advance_to(rates_[i](weathering));
+}
+
+void Samples::bear(double snow) {
+  snow_ = snow;
+  for (PointDynamics& sample : samples_) sample.bear(snow);
 }
 
 Texel Samples::texel() const {
   std::vector<Texel> texels;
-  for (const PointDynamics& sample : samples_)
+  for (const PointDynamics& sample : samples_) {
     texels.push_back(rasterise_points(sample.points(), shape_));
+    if (snow_ == 0.0) continue;
+    const Points snow = snow_points(sample.blades(), sample.poses(), shape_.voxel_m);
+    if (snow.size() > 0) texels.push_back(rasterise_points(snow, shape_));
+  }
   // A single sample is its own sum; adding it up anew would only round it.
   return texels.size() == 1 ? std::move(texels.front()) : mingle(texels);
 }

@@ -28,7 +28,11 @@ class Samples {
   /// the last one.
   void advance_to(double weathering);
 
-  /// The samples' texels, mingled.
+  /// Puts snow on all blades, the share `snow` in [0, 1] of what they can carry, until the next
+  /// step.
+  void bear(double snow);
+
+  /// The samples' texels and that of the snow on them, mingled.
   Texel texel() const;
 
   std::span<const PointDynamics> all() const { return samples_; }
@@ -39,6 +43,7 @@ class Samples {
   TexelShape shape_;
   std::vector<Curve> rates_;
   std::vector<PointDynamics> samples_;
+  double snow_ = 0.0;
 };
 
 }  // namespace wold::grass

@@ -5,28 +5,67 @@
 #include <glm/glm.hpp>
 
 #include "grass/axis.h"
+#include "grass/snow_ridge.h"
 
 /// Silhouettes of bent blades, projected along a direction onto the plane of the ground and drawn
 /// into a square of pixels that tiles like the patch.
 namespace wold::grass {
 
-/// A straight piece of a blade on the ground's plane, in patches: the parallelogram from a - half
-/// to b + half.
+/// A straight piece of a blade, or of the snow on it, on the ground's plane, in patches: the
+/// parallelogram from a - half to b + half.
 struct Strip {
   glm::dvec2 a, b, half;
   float along_a, along_b;    ///< place on the blade: 0 root, 1 tip
   float height_a, height_b;  ///< of the axis above the ground, m
+  bool snow = false;
 };
 
+/// Where a ray along `direction` (towards the eye, z > 0) through a place meets the ground's plane,
+/// in patches.
+inline glm::dvec2 on_ground(const glm::vec3& place_m, const glm::vec3& direction, double patch_m) {
+  const glm::vec2 slope = glm::vec2(direction) / direction.z;
+  return glm::dvec2((glm::vec2(place_m) - place_m.z * slope) / static_cast<float>(patch_m));
+}
+
+/// Calls visit(strip) for the pieces of the ridge of snow on a blade.
+template <class Visit>
+void each_ridge_strip(const Blade& blade, const BladePose& pose, double patch_m,
+                      const glm::vec3& direction, const Visit& visit) {
+  constexpr int segments = 48;
+  const float length_m = blade.length_m * pose.length_scale;
+  const glm::vec3 level(-blade.heading.y, blade.heading.x, 0.0F);
+  const auto place = [&](const glm::vec2& in_plane_m) {
+    return on_ground(glm::vec3(blade.root_m, 0.0F) + from_plane(blade, in_plane_m), direction,
+                     patch_m);
+  };
+  const BladeAxis axis(blade, pose);
+  for (int i = 0; i < segments; ++i) {
+    const float begin = static_cast<float>(i) / segments;
+    const float end = static_cast<float>(i + 1) / segments;
+    const float along = 0.5F * (begin + end);
+    const AxisPoint at = axis.at(length_m * along);
+    const SnowRidge ridge = snow_ridge(blade, pose, along, at);
+    if (ridge.half_height_m <= 0.0F) continue;
+    const glm::vec3 across = glm::cross(from_plane(blade, at.tangent), direction);
+    const glm::vec3 aside = across / std::max(glm::length(across), 1e-3F);
+    const float reach_m = std::hypot(
+        ridge.half_width_m * glm::dot(aside, level),
+        ridge.half_height_m * glm::dot(aside, from_plane(blade, upper_side(at.tangent))));
+    const glm::vec2 half_way = 0.5F * length_m / segments * at.tangent;
+    const glm::dvec2 half = on_ground(reach_m * aside, direction, patch_m);
+    visit(Strip{place(ridge.centre_m - half_way), place(ridge.centre_m + half_way), half, begin,
+                end, ridge.centre_m.y - half_way.y, ridge.centre_m.y + half_way.y, true});
+  }
+}
+
 /// Calls visit(strip) for `segments` pieces of the blade, seen along `direction` (unit, towards the
-/// eye, z > 0).
+/// eye, z > 0), and for those of its snow.
 template <class Visit>
 void each_strip(const Blade& blade, const BladePose& pose, int segments, double patch_m,
                 const glm::vec3& direction, const Visit& visit) {
   const float length_m = blade.length_m * pose.length_scale;
-  const glm::vec2 slope = glm::vec2(direction) / direction.z;
-  const auto on_ground = [&](const glm::vec3& place_m) {
-    return glm::dvec2((glm::vec2(place_m) - place_m.z * slope) / static_cast<float>(patch_m));
+  const auto place = [&](const glm::vec3& place_m) {
+    return on_ground(place_m, direction, patch_m);
   };
   const BladeAxis axis(blade, pose);
   AxisPoint from = axis.at(0.0F);
@@ -37,11 +76,12 @@ void each_strip(const Blade& blade, const BladePose& pose, int segments, double 
     const glm::vec3 across = glm::cross(from_plane(blade, to.tangent), direction);
     const float sine = std::max(glm::length(across), 1e-3F);
     const float radius = blade.radius_m * pose.mesophyll_width * (1.0F - 0.5F * (begin + end));
-    visit(Strip{on_ground(on_patch_m(blade, from)), on_ground(on_patch_m(blade, to)),
-                on_ground(across / sine * radius), begin, end, from.position_m.y, to.position_m.y});
+    visit(Strip{place(on_patch_m(blade, from)), place(on_patch_m(blade, to)),
+                place(across / sine * radius), begin, end, from.position_m.y, to.position_m.y});
     from = to;
     begin = end;
   }
+  if (pose.snow > 0.0F) each_ridge_strip(blade, pose, patch_m, direction, visit);
 }
 
 /// The whole numbers x in [first, end) for which linear functions of x lie between bounds.

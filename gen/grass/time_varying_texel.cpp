@@ -143,55 +143,63 @@ TexelShape TimeVaryingTexel::level_shape(int level) const {
   return shape;
 }
 
-std::filesystem::path TimeVaryingTexel::texel_path(int variant, int key_frame) const {
-  return folder_ / fmt::format("v{}_k{:02}.vdb", variant, key_frame);
+std::filesystem::path TimeVaryingTexel::texel_path(int variant, const PatchState& state) const {
+  return folder_ / fmt::format("v{}_{}.vdb", variant, state.name());
 }
 
-std::filesystem::path TimeVaryingTexel::volume_path(int variant, int key_frame, int level) const {
+std::filesystem::path TimeVaryingTexel::volume_path(int variant, const PatchState& state,
+                                                    int level) const {
   const int side = scene_.grass.levels[static_cast<std::size_t>(level)];
-  return folder_ / fmt::format("v{}_k{:02}_{:03}.vdb", variant, key_frame, side);
+  return folder_ / fmt::format("v{}_{}_{:03}.vdb", variant, state.name(), side);
 }
 
-std::string TimeVaryingTexel::content(int variant, int key_frame) const {
-  return content_hash(fmt::format("{} {} {}", variant, key_frame, basis_));
+std::string TimeVaryingTexel::content(int variant, const PatchState& state) const {
+  std::string snow;
+  if (state.snow > 0) snow = fmt::format(" snow {} of {}", state.snow, snow_levels);
+  return content_hash(fmt::format("{} {} {}{}", variant, state.key_frame, basis_, snow));
 }
 
-std::string TimeVaryingTexel::volume_content(int variant, int key_frame, int level,
+std::string TimeVaryingTexel::volume_content(int variant, const PatchState& state, int level,
                                              const std::set<int>& turns) const {
   return content_hash(
-      fmt::format("{} {} {}", content(variant, key_frame), level, fmt::join(turns, ",")));
+      fmt::format("{} {} {}", content(variant, state), level, fmt::join(turns, ",")));
 }
 
-Tubes TimeVaryingTexel::blades(int variant, int key_frame) const {
-  const double weathering = key_frames_[static_cast<std::size_t>(key_frame)];
-  return blade_tubes(WitheringPatch(scene_, model_, variant).at(weathering), model_, lighting_,
-                     fibre_look(scene_.grass));
+BladePatch TimeVaryingTexel::patch(int variant, const PatchState& state) const {
+  return WitheringPatch(scene_, model_, variant)
+      .at(key_frames_[static_cast<std::size_t>(state.key_frame)], state.snow_share());
 }
 
-Tubes TimeVaryingTexel::points(int variant, int key_frame) const {
-  const auto now = static_cast<std::size_t>(key_frame);
+Tubes TimeVaryingTexel::blades(int variant, const PatchState& state) const {
+  return blade_tubes(patch(variant, state), model_, lighting_, fibre_look(scene_.grass));
+}
+
+Tubes TimeVaryingTexel::points(int variant, const PatchState& state) const {
+  const auto now = static_cast<std::size_t>(state.key_frame);
   Samples samples(scene_, shape_, variant, model_);
   for (std::size_t step = 0; step <= now; ++step) samples.advance_to(key_frames_[step]);
-  return point_tubes(WitheringPatch(scene_, model_, variant).at(key_frames_[now]), samples.all(),
-                     lighting_, fibre_look(scene_.grass));
+  if (state.snow > 0) samples.bear(state.snow_share());
+  return point_tubes(patch(variant, state), samples.all(), lighting_, fibre_look(scene_.grass),
+                     shape_.voxel_m);
 }
 
-bool TimeVaryingTexel::is_current(int variant, int key_frame, const LevelTurns& levels) const {
-  if (file_content(texel_path(variant, key_frame)) != content(variant, key_frame)) return false;
+bool TimeVaryingTexel::is_current(int variant, const PatchState& state,
+                                  const LevelTurns& levels) const {
+  if (file_content(texel_path(variant, state)) != content(variant, state)) return false;
   return std::all_of(levels.begin(), levels.end(), [&](const auto& level) {
-    return file_content(volume_path(variant, key_frame, level.first)) ==
-           volume_content(variant, key_frame, level.first, level.second);
+    return file_content(volume_path(variant, state, level.first)) ==
+           volume_content(variant, state, level.first, level.second);
   });
 }
 
 StageTimes TimeVaryingTexel::generate(const TexelDemand& demand, Progress& progress) const {
   make_folder(folder_);
-  std::vector<std::pair<int, std::map<int, LevelTurns>>> missing;
+  std::vector<std::pair<int, std::map<PatchState, LevelTurns>>> missing;
   std::size_t count = 0;
-  for (const auto& [variant, key_frames] : demand) {
-    missing.emplace_back(variant, std::map<int, LevelTurns>{});
-    for (const auto& [key_frame, levels] : key_frames)
-      if (!is_current(variant, key_frame, levels)) missing.back().second[key_frame] = levels;
+  for (const auto& [variant, states] : demand) {
+    missing.emplace_back(variant, std::map<PatchState, LevelTurns>{});
+    for (const auto& [state, levels] : states)
+      if (!is_current(variant, state, levels)) missing.back().second[state] = levels;
     count += missing.back().second.size();
   }
   progress.begin("texels", count);
@@ -207,49 +215,57 @@ StageTimes TimeVaryingTexel::generate(const TexelDemand& demand, Progress& progr
 }
 
 StageTimes TimeVaryingTexel::generate_variant(int variant,
-                                              const std::map<int, LevelTurns>& key_frames,
+                                              const std::map<PatchState, LevelTurns>& states,
                                               Progress& progress) const {
-  const scene::Grass& grass = scene_.grass;
   StageTimes times;
   Samples samples = [&] {
     const Stopwatch watch(times.sampling);
     return Samples(scene_, shape_, variant, model_);
   }();
-  for (int key_frame = 0; key_frame <= key_frames.rbegin()->first; ++key_frame) {
+  auto wanted = states.begin();
+  for (int key_frame = 0; wanted != states.end(); ++key_frame) {
     {
       const Stopwatch watch(times.dynamics);
       samples.advance_to(key_frames_[static_cast<std::size_t>(key_frame)]);
     }
     ++times.steps;
     times.points += static_cast<long>(samples.points());
-    const auto wanted = key_frames.find(key_frame);
-    if (wanted == key_frames.end()) continue;
-    Texel texel;
-    {
-      const Stopwatch watch(times.conversion);
-      texel = samples.texel();
+    for (; wanted != states.end() && wanted->first.key_frame == key_frame; ++wanted) {
+      if (wanted->first.snow > 0) {
+        const Stopwatch watch(times.dynamics);
+        samples.bear(wanted->first.snow_share());
+      }
+      make_texel(variant, wanted->first, samples, wanted->second, times);
+      progress.advance(1, texel_path(variant, wanted->first).stem().string());
     }
-    std::vector<VolumeData> baked;
-    {
-      const Stopwatch watch(times.baking);
-      baked = bake_levels(texel, samples.all(), lighting_, fibre_look(grass), grass.levels,
-                          all_turns(wanted->second));
-    }
-    {
-      const Stopwatch watch(times.storing);
-      store(variant, key_frame, texel, baked, wanted->second);
-    }
-    progress.advance(1, texel_path(variant, key_frame).stem().string());
   }
   return times;
 }
 
-void TimeVaryingTexel::store(int variant, int key_frame, const Texel& texel,
+void TimeVaryingTexel::make_texel(int variant, const PatchState& state, const Samples& samples,
+                                  const LevelTurns& levels, StageTimes& times) const {
+  const scene::Grass& grass = scene_.grass;
+  Texel texel;
+  {
+    const Stopwatch watch(times.conversion);
+    texel = samples.texel();
+  }
+  std::vector<VolumeData> baked;
+  {
+    const Stopwatch watch(times.baking);
+    baked = bake_levels(texel, samples.all(), lighting_, fibre_look(grass), grass.levels,
+                        all_turns(levels));
+  }
+  const Stopwatch watch(times.storing);
+  store(variant, state, texel, baked, levels);
+}
+
+void TimeVaryingTexel::store(int variant, const PatchState& state, const Texel& texel,
                              const std::vector<VolumeData>& baked, const LevelTurns& levels) const {
   for (const auto& [level, turns] : levels)
-    write_volume(volume_path(variant, key_frame, level), baked[static_cast<std::size_t>(level)],
-                 turns, volume_content(variant, key_frame, level, turns));
-  write_texel(texel_path(variant, key_frame), texel, content(variant, key_frame));
+    write_volume(volume_path(variant, state, level), baked[static_cast<std::size_t>(level)], turns,
+                 volume_content(variant, state, level, turns));
+  write_texel(texel_path(variant, state), texel, content(variant, state));
 }
 
 }  // namespace wold::grass

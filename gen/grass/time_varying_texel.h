@@ -8,7 +8,10 @@
 
 #include "core/progress.h"
 #include "core/tubes.h"
+#include "grass/blade_patch.h"
 #include "grass/dynamics.h"
+#include "grass/patch_state.h"
+#include "grass/samples.h"
 #include "grass/shading.h"
 #include "grass/texel.h"
 #include "grass/volume_data.h"
@@ -18,8 +21,8 @@ namespace wold::grass {
 
 /// Quarter-turns wanted of each level of one texel.
 using LevelTurns = std::map<int, std::set<int>>;
-/// What a film needs: demand[variant][key frame][level] = turns.
-using TexelDemand = std::map<int, std::map<int, LevelTurns>>;
+/// What a film needs: demand[variant][key frame and snow][level] = turns.
+using TexelDemand = std::map<int, std::map<PatchState, LevelTurns>>;
 
 /// Seconds that the threads together spent in each step of making texels, for the benchmark.
 struct StageTimes {
@@ -37,8 +40,9 @@ struct StageTimes {
 std::string texel_models();
 
 /// The time-varying texel of a scene's meadow, T(x, y, z, wd): computed on demand and kept in a
-/// folder of .vdb files, one `v<variant>_k<key frame>.vdb` for the texel itself and one
-/// `v<variant>_k<key frame>_<side>.vdb` for each demanded level, baked for the scene's light.
+/// folder of .vdb files, one `v<variant>_<state>.vdb` for the texel itself and one
+/// `v<variant>_<state>_<side>.vdb` for each demanded level, baked for the scene's light; the state
+/// is PatchState's name.
 class TimeVaryingTexel {
  public:
   /// `lighting` is what the levels are baked for. Throws what AgeingModel's constructor throws.
@@ -50,30 +54,35 @@ class TimeVaryingTexel {
   TexelShape level_shape(int level) const;
 
   /// Makes what is demanded and not in the folder yet. Variants run in parallel, key frames in
-  /// order. Throws FileError; whole files stay, so a later call resumes.
+  /// order, each under all the snow it is wanted with. Throws FileError; whole files stay, so a
+  /// later call resumes.
   StageTimes generate(const TexelDemand& demand, Progress& progress) const;
 
-  /// The blades that a variant's texel stands for at a key frame, and the points it is made of,
-  /// shaded for the same light.
-  Tubes blades(int variant, int key_frame) const;
-  Tubes points(int variant, int key_frame) const;
+  /// The blades that a variant's texel stands for in a state, and the points it is made of, shaded
+  /// for the same light.
+  Tubes blades(int variant, const PatchState& state) const;
+  Tubes points(int variant, const PatchState& state) const;
   /// What both were made from: equal for equal tubes.
-  std::string content(int variant, int key_frame) const;
+  std::string content(int variant, const PatchState& state) const;
 
   /// Files of generate(); `level` indexes the scene's levels.
-  std::filesystem::path texel_path(int variant, int key_frame) const;
-  std::filesystem::path volume_path(int variant, int key_frame, int level) const;
+  std::filesystem::path texel_path(int variant, const PatchState& state) const;
+  std::filesystem::path volume_path(int variant, const PatchState& state, int level) const;
 
   /// What a demanded level's file was made from: equal for equal files.
-  std::string volume_content(int variant, int key_frame, int level,
+  std::string volume_content(int variant, const PatchState& state, int level,
                              const std::set<int>& turns) const;
 
  private:
-  bool is_current(int variant, int key_frame, const LevelTurns& levels) const;
-  StageTimes generate_variant(int variant, const std::map<int, LevelTurns>& key_frames,
+  BladePatch patch(int variant, const PatchState& state) const;
+  bool is_current(int variant, const PatchState& state, const LevelTurns& levels) const;
+  StageTimes generate_variant(int variant, const std::map<PatchState, LevelTurns>& states,
                               Progress& progress) const;
-  void store(int variant, int key_frame, const Texel& texel, const std::vector<VolumeData>& baked,
-             const LevelTurns& levels) const;
+  /// Texel and levels of the samples as they stand; adds to the times.
+  void make_texel(int variant, const PatchState& state, const Samples& samples,
+                  const LevelTurns& levels, StageTimes& times) const;
+  void store(int variant, const PatchState& state, const Texel& texel,
+             const std::vector<VolumeData>& baked, const LevelTurns& levels) const;
 
   scene::Scene scene_;
   std::vector<double> key_frames_;  ///< weathering degrees

@@ -9,6 +9,7 @@
 
 #include "grass/blade_patch.h"
 #include "grass/fibres.h"
+#include "landscape/canopy_snow.h"
 #include "landscape/combed_light.h"
 #include "landscape/exposure.h"
 #include "landscape/far_field.h"
@@ -42,24 +43,30 @@ void place(std::span<const CellChoice> choices, bool blades, const Key& key, con
     if (choice.blades == blades) cells.push_back({choice.world_from_cell, numbers.at(key(choice))});
 }
 
-std::tuple<int, int, int, int> volume_key(const CellChoice& choice) {
-  return {choice.variant, choice.key_frame, choice.turn, choice.level};
+std::tuple<int, grass::PatchState, int, int> volume_key(const CellChoice& choice) {
+  return {choice.variant, choice.state(), choice.turn, choice.level};
 }
 
-std::pair<int, int> blades_key(const CellChoice& choice) {
-  return {choice.variant, choice.key_frame};
+std::pair<int, grass::PatchState> blades_key(const CellChoice& choice) {
+  return {choice.variant, choice.state()};
 }
 
-/// Mean colour of the meadow's grass by weathering degree.
-GrassColour grass_colour(const grass::WitheringPatch& patch, const grass::AgeingModel& model) {
+/// Mean colour of the meadow's grass by weathering degree, under `snow` and what the cells show.
+GrassColour grass_colour(const grass::WitheringPatch& patch, const grass::AgeingModel& model,
+                         double snow, std::span<const CellChoice> choices) {
   constexpr int steps = 64;
-  std::vector<glm::vec3> colours;
-  for (int i = 0; i <= steps; ++i)
-    colours.push_back(grass::mean_albedo(patch.at(static_cast<double>(i) / steps), model));
-  return [colours](double weathering) {
+  std::map<double, std::vector<glm::vec3>> colours = {{snow, {}}};
+  for (const CellChoice& choice : choices) colours[choice.state().snow_share()];
+  for (auto& [share, by_weathering] : colours)
+    for (int i = 0; i <= steps; ++i)
+      by_weathering.push_back(
+          grass::mean_albedo(patch.at(static_cast<double>(i) / steps, share), model));
+  return [colours](double weathering, double share) {
+    const std::vector<glm::vec3>& by_weathering = colours.at(share);
     const double place = std::clamp(weathering, 0.0, 1.0) * steps;
     const auto i = std::min(static_cast<std::size_t>(place), std::size_t{steps - 1});
-    return glm::mix(colours[i], colours[i + 1], static_cast<float>(place - static_cast<double>(i)));
+    return glm::mix(by_weathering[i], by_weathering[i + 1],
+                    static_cast<float>(place - static_cast<double>(i)));
   };
 }
 
@@ -72,11 +79,11 @@ FactorMap combed_light(const scene::Scene& scene, const Site& site, const View& 
   return combed_light_map(light, Combing(scene), site.terrain, view);
 }
 
-std::map<int, PatchLook> far_looks(const scene::Scene& scene, int frame,
-                                   const PatchLookup& lookup) {
-  std::map<int, PatchLook> looks;
-  for (const int key_frame : far_key_frames(scene, frame))
-    looks.emplace(key_frame, PatchLook(lookup.far(key_frame)));
+std::map<grass::PatchState, PatchLook> far_looks(const scene::Scene& scene, int frame,
+                                                 const PatchLookup& lookup) {
+  std::map<grass::PatchState, PatchLook> looks;
+  for (const grass::PatchState& state : far_states(scene, frame))
+    looks.emplace(state, PatchLook(lookup.far(state)));
   return looks;
 }
 
@@ -93,10 +100,12 @@ void set_ground(Landscape& landscape, const scene::Scene& scene, const Site& sit
   const View view(landscape.camera, landscape.width_px, landscape.height_px);
   const grass::AgeingModel model(scene.ageing, scene.grass.specular);
   const grass::WitheringPatch patch(scene, model, /*variant=*/0);
+  const double snow = canopy_snow(scene, frame);
   const ColourMap grass_light =
-      product(light, combed_light(scene, site, view, patch.at(landscape.weathering), model));
-  landscape.light =
-      product(grass_light, weathering_tint(scene, frame, choices, grass_colour(patch, model)));
+      product(light, combed_light(scene, site, view, patch.at(landscape.weathering, snow), model));
+  landscape.light = product(
+      grass_light,
+      weathering_tint(scene, frame, choices, snow, grass_colour(patch, model, snow, choices)));
   landscape.standing = standing_grass(scene, site.terrain, site.growth, view);
   landscape.ground = product(ground.reflectance(), light);
   if (!shows_distance(scene, site, landscape.camera)) return;

@@ -11,14 +11,14 @@
 
 namespace wold::landscape {
 
-/// What stands on the cells: the baked volume of a choice, of which only variant, key_frame, turn
-/// and level count, or its blades, for which only variant and key_frame do.
+/// What stands on the cells: the baked volume of a choice, of which only variant, state, turn and
+/// level count, or its blades, for which only variant and state do.
 struct PatchLookup {
   std::function<Volume(const CellChoice&)> volume;
   std::function<BladeMesh(const CellChoice&)> blades;
-  /// The unturned volumes of a key frame, as coarse as there are, of every variant: what the far
-  /// field looks like. Called for far_key_frames() where shows_distance().
-  std::function<std::vector<Volume>(int)> far = {};
+  /// The unturned volumes of a state, as coarse as there are, of every variant: what the far field
+  /// looks like. Called for far_states() where shows_distance().
+  std::function<std::vector<Volume>(const grass::PatchState&)> far = {};
 };
 
 /// Whether what a camera sees is so far that grass is painted on the ground, or haze shows.

@@ -10,6 +10,7 @@
 #include "core/noise.h"
 #include "core/parallel.h"
 #include "core/random.h"
+#include "landscape/canopy_snow.h"
 #include "landscape/combing.h"
 #include "landscape/far_field.h"
 #include "landscape/view.h"
@@ -81,6 +82,13 @@ int choose_key_frame(const scene::Scene& scene, const std::vector<double>& keys,
   if (above == keys.end()) return below;
   const double share = (wanted - *(above - 1)) / (*above - *(above - 1));
   return cell_uniform(scene, cell, "key frame") < share ? below + 1 : below;
+}
+
+/// The level of snow below or above a share of what blades can carry.
+int choose_snow(const scene::Scene& scene, double canopy_snow, const glm::ivec2& cell) {
+  const double wanted = grass::PatchState::level_of(canopy_snow);
+  const auto below = static_cast<int>(wanted);
+  return cell_uniform(scene, cell, "snow") < wanted - below ? below + 1 : below;
 }
 
 /// Whether a level is fine enough where one metre covers `pixels_per_m`.
@@ -160,7 +168,8 @@ Grown grown_in(const FactorMap& growth, const glm::ivec2& cell, double patch_m) 
 
 /// All of the choice but where the cell stands.
 CellChoice choose_cell(const scene::Scene& scene, const glm::ivec2& cell, const Texel& texel,
-                       const std::vector<double>& key_frames, int frame, double pixels_per_m) {
+                       const std::vector<double>& key_frames, double canopy_snow, int frame,
+                       double pixels_per_m) {
   CellChoice choice;
   choice.cell = cell;
   const double jittered = pixels_per_m * (0.9 + 0.2 * cell_uniform(scene, cell, "level"));
@@ -171,6 +180,7 @@ CellChoice choose_cell(const scene::Scene& scene, const glm::ivec2& cell, const 
   const bool turns = !choice.blades && scene.ageing.fur.clumps == 0;  // a coat has one nap
   choice.turn = turns ? texel.turn % turns_of_level(side) : 0;
   choice.key_frame = choose_key_frame(scene, key_frames, cell, frame);
+  choice.snow = choose_snow(scene, canopy_snow, cell);
   return choice;
 }
 
@@ -249,6 +259,7 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
   const Sight sight(scene, terrain, camera);
   const Combing combing(scene);
   const std::vector<double> key_frames = scene::key_frames(scene);
+  const double snow = canopy_snow(scene, frame);
   std::vector<std::optional<CellChoice>> candidates(texels.size());
   parallel_for_blocks(texels.size(), [&](std::size_t k) {
     const glm::ivec2 cell(static_cast<int>(k) % per_side, static_cast<int>(k) / per_side);
@@ -256,7 +267,7 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
     const Grown grown = grown_in(growth, cell, scene.grass.patch_m);
     if (grown.most <= 0.0F || !sight.may_see(middle_m)) return;
     const CellChoice choice =
-        choose_cell(scene, cell, texels[k], key_frames, frame, sight.pixels(middle_m));
+        choose_cell(scene, cell, texels[k], key_frames, snow, frame, sight.pixels(middle_m));
     if (choice.blades && cell_uniform(scene, cell, "grown") >= double{grown.mean}) return;
     candidates[k] = choice;
     candidates[k]->world_from_cell =

@@ -6,21 +6,25 @@
 #include <vector>
 
 #include "core/ground_map.h"
+#include "grass/patch_state.h"
 #include "scene/scene.h"
 
 namespace wold::landscape {
 
 /// Which texel stands on a cell of the terrain, and how. `key_frame` and `level` are indices into
-/// the scene's grass.key_frames and grass.levels; `turn` counts quarter-turns counter-clockwise,
-/// seen from above.
+/// the scene's grass.key_frames and grass.levels; `snow` is a level of PatchState; `turn` counts
+/// quarter-turns counter-clockwise, seen from above.
 struct CellChoice {
   glm::dmat4 world_from_cell{1.0};  ///< see Cell in landscape.h
   glm::ivec2 cell{0};               ///< column (east) and row (north), from 0
   int variant = 0;
   int key_frame = 0;
+  int snow = 0;
   int turn = 0;
   int level = 0;
   bool blades = false;  ///< drawn as a mesh of blades or points, not as the volume of `level`
+
+  grass::PatchState state() const { return {key_frame, snow}; }
 };
 
 /// Cells per side of the terrain: whole patches only.
@@ -48,11 +52,11 @@ std::pair<double, double> weathering_range(const scene::Scene& scene, int frame)
 /// so far that far_share() paints it. `growth` is growth_map()'s; where it is thin, blades stand on
 /// as many cells as it says, while volumes are thinned in space. Variant and turn by keyed choice,
 /// so that neighbours differ; the key frame by keyed dithering between the two nearest to the local
-/// weathering; the coarsest level whose voxels cover at most grass.pixels_per_voxel, with a keyed
-/// tenth of jitter, so that no ring shows where levels change. Only `level` (and with it the turns
-/// allowed) and whether a cell is listed depend on the camera. Cells are drawn as render.grass
-/// asks: with "auto" as blades where even the finest level is too coarse. Frame from 1; throws
-/// InputError when the scene has no such frame.
+/// weathering, the level of snow likewise to canopy_snow(); the coarsest level whose voxels cover
+/// at most grass.pixels_per_voxel, with a keyed tenth of jitter, so that no ring shows where levels
+/// change. Only `level` (and with it the turns allowed) and whether a cell is listed depend on the
+/// camera. Cells are drawn as render.grass asks: with "auto" as blades where even the finest level
+/// is too coarse. Frame from 1; throws InputError when the scene has no such frame.
 std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfield& terrain,
                                      const FactorMap& growth, int frame);
 

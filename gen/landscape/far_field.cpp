@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "landscape/canopy_snow.h"
 #include "landscape/cells.h"
 #include "landscape/each_in_view.h"
 #include "scene/key_frames.h"
@@ -27,13 +28,14 @@ glm::dvec3 in_cell(const glm::dvec3& sight, const glm::dvec2& gradient, const gl
 }  // namespace
 
 Meadow::Meadow(const scene::Scene& scene, const Heightfield& terrain, const View& view, int frame,
-               std::map<int, PatchLook> looks)
+               std::map<grass::PatchState, PatchLook> looks)
     : scene_(scene),
       terrain_(terrain),
       view_(view),
       frame_(frame),
       combing_(scene),
       key_frames_(scene::key_frames(scene)),
+      snow_(grass::PatchState::level_of(canopy_snow(scene, frame))),
       looks_(std::move(looks)) {}
 
 FarLook Meadow::look(const glm::dvec3& at_m) const {
@@ -44,9 +46,15 @@ FarLook Meadow::look(const glm::dvec3& at_m) const {
   const auto above = std::upper_bound(key_frames_.begin() + 1, key_frames_.end() - 1, weathering);
   const auto key = static_cast<int>(above - key_frames_.begin());
   const double share = (weathering - *(above - 1)) / (*above - *(above - 1));
-  return thickened(
-      mixed(looks_.at(key - 1).along(direction), looks_.at(key).along(direction), share),
-      slope_factor(gradient));
+  return thickened(mixed(at_key_frame(key - 1, direction), at_key_frame(key, direction), share),
+                   slope_factor(gradient));
+}
+
+FarLook Meadow::at_key_frame(int key_frame, const glm::dvec3& direction) const {
+  const auto below = static_cast<int>(snow_);
+  const FarLook look = looks_.at({key_frame, below}).along(direction);
+  if (snow_ == below) return look;
+  return mixed(look, looks_.at({key_frame, below + 1}).along(direction), snow_ - below);
 }
 
 double far_share(const scene::Grass& grass, const View& view, const glm::dvec3& at_m) {
@@ -67,14 +75,17 @@ bool has_far_field(const scene::Scene& scene, const Heightfield& terrain, const 
   return false;
 }
 
-std::vector<int> far_key_frames(const scene::Scene& scene, int frame) {
+std::vector<grass::PatchState> far_states(const scene::Scene& scene, int frame) {
   const std::vector<double> keys = scene::key_frames(scene);
   const auto [least, most] = weathering_range(scene, frame);
   const auto first = std::upper_bound(keys.begin() + 1, keys.end() - 1, least) - 1;
   const auto last = std::upper_bound(keys.begin() + 1, keys.end() - 1, most);
-  std::vector<int> frames;
-  for (auto key = first; key <= last; ++key) frames.push_back(static_cast<int>(key - keys.begin()));
-  return frames;
+  const double snow = grass::PatchState::level_of(canopy_snow(scene, frame));
+  std::vector<grass::PatchState> states;
+  for (auto key = first; key <= last; ++key)
+    for (auto level = static_cast<int>(snow); level < snow + 1.0; ++level)
+      states.emplace_back(static_cast<int>(key - keys.begin()), level);
+  return states;
 }
 
 void paint_far_grass(ColourMap& ground, const scene::Scene& scene, const Heightfield& terrain,

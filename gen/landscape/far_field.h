@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/ground_map.h"
+#include "grass/patch_state.h"
 #include "landscape/combing.h"
 #include "landscape/patch_look.h"
 #include "landscape/view.h"
@@ -19,28 +20,33 @@ double far_share(const scene::Grass& grass, const View& view, const glm::dvec3& 
 /// Whether any of the terrain's grass is painted, seen so.
 bool has_far_field(const scene::Scene& scene, const Heightfield& terrain, const View& view);
 
-/// The key frames whose looks a Meadow needs in a frame (from 1), ascending.
-std::vector<int> far_key_frames(const scene::Scene& scene, int frame);
+/// The states whose looks a Meadow needs in a frame (from 1), ascending.
+std::vector<grass::PatchState> far_states(const scene::Scene& scene, int frame);
 
 /// What the meadow of a frame (from 1) looks like where single blades cannot be told apart.
 class Meadow {
  public:
-  /// `looks` by key frame: those of far_key_frames(). The others have to outlive it.
+  /// `looks`: those of far_states(). The others have to outlive it.
   Meadow(const scene::Scene& scene, const Heightfield& terrain, const View& view, int frame,
-         std::map<int, PatchLook> looks);
+         std::map<grass::PatchState, PatchLook> looks);
 
   /// The look along the line of sight to a place on the ground, of full growth under light 1: that
-  /// of the two key frames around the weathering there, sheared to the slope and combed.
+  /// of the two key frames around the weathering there and of the two levels around the snow,
+  /// sheared to the slope and combed.
   FarLook look(const glm::dvec3& at_m) const;
 
  private:
+  /// At a key frame, along a direction of the patch.
+  FarLook at_key_frame(int key_frame, const glm::dvec3& direction) const;
+
   const scene::Scene& scene_;
   const Heightfield& terrain_;
   const View& view_;
   int frame_;
   Combing combing_;
   std::vector<double> key_frames_;
-  std::map<int, PatchLook> looks_;
+  double snow_;  ///< canopy_snow(), in levels
+  std::map<grass::PatchState, PatchLook> looks_;
 };
 
 /// Paints the far grass over the ground's radiance by its share: what the meadow shows along the

@@ -32,12 +32,15 @@ Site make_site(const scene::Scene& scene) {
           std::move(clouds),  std::move(snow)};
 }
 
-double canopy_transmittance(const scene::Grass& grass) {
+double leaf_area_index(const scene::Grass& grass) {
   const double blade_m2 = 0.5 * grass.height_m * grass.width_m;
-  const double leaf_area_index = grass.blades * blade_m2 / (grass.patch_m * grass.patch_m);
+  return grass.blades * blade_m2 / (grass.patch_m * grass.patch_m);
+}
+
+double canopy_transmittance(const scene::Grass& grass) {
   constexpr double ross = 0.5;
   constexpr double mean_slant_cosine = 0.5;
-  return std::exp(-ross * leaf_area_index / mean_slant_cosine);
+  return std::exp(-ross * leaf_area_index(grass) / mean_slant_cosine);
 }
 
 }  // namespace wold::landscape

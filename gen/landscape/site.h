@@ -37,6 +37,9 @@ struct Site {
 /// Throws what terrain::make_ground(), growth_map(), cloud::Clouds and Snow's parts throw.
 Site make_site(const scene::Scene& scene);
 
+/// Leaf area, one side, of the scene's tapering blades per area of ground.
+double leaf_area_index(const scene::Grass& grass);
+
 /// Share of the daylight that reaches the ground between the blades, (0, 1]: Beer and Lambert with
 /// the leaf area of the scene's tapering blades and Ross' G = 0.5, along a path 60 degrees off the
 /// vertical, the mean of a cosine-weighted hemisphere's secants (2).

@@ -10,21 +10,21 @@
 namespace wold::landscape {
 namespace {
 
-/// The key frame of every cell of the terrain, row by row; -1 where none stands.
-std::vector<int> key_frames(std::span<const CellChoice> choices, int per_side) {
-  std::vector<int> frames(static_cast<std::size_t>(per_side * per_side), -1);
+/// What every cell of the terrain shows, row by row; nothing where none stands.
+std::vector<const CellChoice*> shown_cells(std::span<const CellChoice> choices, int per_side) {
+  std::vector<const CellChoice*> shown(static_cast<std::size_t>(per_side * per_side), nullptr);
   for (const CellChoice& choice : choices)
-    frames[static_cast<std::size_t>(choice.cell.y * per_side + choice.cell.x)] = choice.key_frame;
-  return frames;
+    shown[static_cast<std::size_t>(choice.cell.y * per_side + choice.cell.x)] = &choice;
+  return shown;
 }
 
 }  // namespace
 
 ColourMap weathering_tint(const scene::Scene& scene, int frame, std::span<const CellChoice> choices,
-                          const GrassColour& colour) {
+                          double snow, const GrassColour& colour) {
   constexpr int samples_per_cell = 8;
   const int per_side = cells_per_side(scene);
-  const std::vector<int> frames = key_frames(choices, per_side);
+  const std::vector<const CellChoice*> cells = shown_cells(choices, per_side);
   const std::vector<double> degrees = scene::key_frames(scene);
   constexpr double most_samples = 4097.0;
   const double step_m = scene.grass.patch_m / samples_per_cell;
@@ -36,13 +36,13 @@ ColourMap weathering_tint(const scene::Scene& scene, int frame, std::span<const 
     for (int i = 0; i < tint.samples(); ++i) {
       const glm::dvec2 at_m = glm::dvec2(i, j) * tint.step_m();
       const glm::ivec2 cell = glm::min(glm::ivec2(at_m / scene.grass.patch_m), per_side - 1);
-      const int key_frame = frames[static_cast<std::size_t>(cell.y * per_side + cell.x)];
-      if (key_frame < 0) continue;
-      const double shown = degrees[static_cast<std::size_t>(key_frame)];
-      const glm::vec3 wanted = colour(local_weathering(scene, at_m, frame));
+      const CellChoice* choice = cells[static_cast<std::size_t>(cell.y * per_side + cell.x)];
+      if (choice == nullptr) continue;
+      const glm::vec3 shown = colour(degrees[static_cast<std::size_t>(choice->key_frame)],
+                                     choice->state().snow_share());
+      const glm::vec3 wanted = colour(local_weathering(scene, at_m, frame), snow);
       constexpr glm::vec3 least(1e-3F);  // a channel may be empty
-      tint.at(i, j) =
-          glm::clamp(glm::max(wanted, least) / glm::max(colour(shown), least), 0.5F, 2.0F);
+      tint.at(i, j) = glm::clamp(glm::max(wanted, least) / glm::max(shown, least), 0.5F, 2.0F);
     }
   });
   return tint;

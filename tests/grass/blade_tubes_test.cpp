@@ -111,7 +111,7 @@ TEST(PointTubes, ShowTheAreaOfTheirPoints) {
   double area_m2 = 0.0;
   for (const float area : samples.front().points().area_m2) area_m2 += double{area};
   const Tubes tubes =
-      point_tubes(patch_of(blades, 0.4), samples, test::slanting_light(), {24.0F, 0.006});
+      point_tubes(patch_of(blades, 0.4), samples, test::slanting_light(), {24.0F, 0.006}, 0.004);
   EXPECT_NEAR(surface_m2(tubes) / 4.0 / area_m2, 1.0, 1e-4);
   EXPECT_GT(tubes.count(), 10 * blades.size());
 }

@@ -100,15 +100,15 @@ TEST(WeatheringTint, RestoresTheWantedColour) {
   const scene::Scene scene = small_meadow();
   const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
   const std::vector<CellChoice> choices = choose_cells(scene, terrain, grown(scene), 2);
-  const GrassColour colour = [](double degree) {
+  const GrassColour colour = [](double degree, double) {
     return glm::vec3(0.2, 0.3, 0.1) * static_cast<float>(1.0 + degree);
   };
-  const ColourMap tint = weathering_tint(scene, 2, choices, colour);
+  const ColourMap tint = weathering_tint(scene, 2, choices, /*snow=*/0.0, colour);
   for (const CellChoice& choice : choices) {
     const glm::dvec2 centre_m = (glm::dvec2(choice.cell) + 0.5) * scene.grass.patch_m;
     const double shown = scene::key_frames(scene)[static_cast<std::size_t>(choice.key_frame)];
-    const glm::vec3 got = tint.sample(centre_m.x, centre_m.y) * colour(shown);
-    EXPECT_NEAR(got.g, colour(local_weathering(scene, centre_m, 2)).g, 1e-5);
+    const glm::vec3 got = tint.sample(centre_m.x, centre_m.y) * colour(shown, 0.0);
+    EXPECT_NEAR(got.g, colour(local_weathering(scene, centre_m, 2), 0.0).g, 1e-5);
   }
   const ColourMap light = product(ColourMap(5, 8.0, glm::vec3(2.0F)), tint);
   EXPECT_EQ(light.samples(), tint.samples());

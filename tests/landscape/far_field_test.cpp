@@ -97,8 +97,9 @@ TEST(FarField, ShowsWhatTheVolumeWouldShow) {
   scene::Scene scene = plain_scene();
   const Heightfield flat(41, 400.0);
   const View view(resolved_camera(scene.camera, flat, 0.0), 960, 540);
-  std::map<int, PatchLook> looks;
-  for (const int key_frame : far_key_frames(scene, 2)) looks.emplace(key_frame, std::span(&fog, 1));
+  std::map<grass::PatchState, PatchLook> looks;
+  for (const grass::PatchState& state : far_states(scene, 2))
+    looks.emplace(state, std::span(&fog, 1));
   const glm::vec3 bare(0.005F);
   ColourMap ground(401, 400.0, bare);
   const ColourMap light(2, 400.0, glm::vec3(0.8F));
@@ -130,8 +131,9 @@ TEST(Haze, FollowsKoschmieder) {
   EXPECT_NEAR(haze.before(glm::vec3(1.0F), at_m).g - seen.g, left, 2e-3);
   const glm::vec3 air = day.haze_radiance({0.0, 1.0, 0.0}, 1.0 - left);
   EXPECT_NEAR(seen.g, (1.0 - left) * double{air.g}, 2e-3);
-  std::map<int, PatchLook> looks;
-  for (const int key_frame : far_key_frames(scene, 2)) looks.emplace(key_frame, std::span(&fog, 1));
+  std::map<grass::PatchState, PatchLook> looks;
+  for (const grass::PatchState& state : far_states(scene, 2))
+    looks.emplace(state, std::span(&fog, 1));
   const Meadow meadow(scene, flat, view, 2, looks);
   const ColourMap light(401, 400.0, glm::vec3(0.8F));
   const glm::dvec3 far_m(200.0, 300.0, 0.0);

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cmath>
+#include <compare>
+#include <string>
+
+namespace wold::grass {
+
+/// Steps in which snow on blades grows from none to all they can carry: patches are made for each.
+/// Thin snow whitens fast, so that even steps of the square root of the share look even.
+inline constexpr int snow_levels = 8;
+
+/// What a patch of grass looks like: how far it has withered and how much snow lies on its blades.
+struct PatchState {
+  int key_frame = 0;  ///< index into scene::key_frames()
+  int snow = 0;       ///< level, 0 to snow_levels
+
+  PatchState(int of_key_frame, int of_snow = 0) : key_frame(of_key_frame), snow(of_snow) {}
+
+  /// Share of the snow the blades can carry.
+  double snow_share() const {
+    return static_cast<double>(snow * snow) / (snow_levels * snow_levels);
+  }
+  /// Where a share in [0, 1] lies among the levels.
+  static double level_of(double snow_share) { return snow_levels * std::sqrt(snow_share); }
+  /// For file names: "k03", under snow "k03_s2".
+  std::string name() const;
+
+  auto operator<=>(const PatchState&) const = default;
+};
+
+}  // namespace wold::grass

@@ -1,0 +1,66 @@
+#include "landscape/canopy_snow.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grass/snow_ridge.h"
+#include "landscape/site.h"
+#include "snow/weather.h"
+
+namespace wold::landscape {
+namespace {
+
+constexpr double hour_s = 3600.0;
+constexpr double step_s = 600.0;
+constexpr double cold_hours = 60.0;
+constexpr double warm_hours = 1.5;
+
+double canopy_cover(double leaf_area_index) { return -std::expm1(-0.5 * leaf_area_index); }
+
+/// The share after constant weather: it approaches where catching and unloading are in balance.
+double after(double share, double caught_per_h, double unloaded_per_h, double hours) {
+  const double rate_per_h = caught_per_h + unloaded_per_h;
+  const double balance = caught_per_h / rate_per_h;
+  return balance + (share - balance) * std::exp(-rate_per_h * hours);
+}
+
+}  // namespace
+
+double canopy_capacity_mm(double leaf_area_index) {
+  return grass::leaf_snow_kg_m2 * leaf_area_index;
+}
+
+double unloading_per_h(double temperature_c) {
+  return std::lerp(1.0 / cold_hours, 1.0 / warm_hours, std::clamp(temperature_c, 0.0, 1.0));
+}
+
+double intercepted_share(double leaf_area_index, double share,
+                         const std::function<CanopyWeather(double)>& weather, double from_s,
+                         double to_s) {
+  const double capacity_mm = canopy_capacity_mm(leaf_area_index);
+  const double caught_per_mm = canopy_cover(leaf_area_index) / capacity_mm;
+  for (double begin_s = from_s; begin_s < to_s; begin_s += step_s) {
+    const double end_s = std::min(begin_s + step_s, to_s);
+    const CanopyWeather now = weather(0.5 * (begin_s + end_s));
+    share = after(share, caught_per_mm * now.snowfall_mm_h, unloading_per_h(now.temperature_c),
+                  (end_s - begin_s) / hour_s);
+  }
+  return std::clamp(share, 0.0, 1.0);
+}
+
+double canopy_snow(const scene::Scene& scene, int frame) {
+  if (scene.snow_cover.cover == "none" || scene.ageing.fur.clumps > 0) return 0.0;
+  const double leaf_area = leaf_area_index(scene.grass);
+  const double caught_per_mm = canopy_cover(leaf_area) / canopy_capacity_mm(leaf_area);
+  const double initial = -std::expm1(-caught_per_mm * scene.snow_cover.initial_mm);
+  const snow::Weather weather(scene);
+  const auto on_canopy = [&](double time_s) {
+    const snow::WeatherMoment now = weather.at(time_s);
+    return CanopyWeather{now.temperature_c,
+                         now.precipitation_mm_h * snow::snow_share(now.temperature_c)};
+  };
+  return intercepted_share(leaf_area, initial, on_canopy, -weather.earlier_s(),
+                           (frame - 1) * scene.film.frame_seconds);
+}
+
+}  // namespace wold::landscape
