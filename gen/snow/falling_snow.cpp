@@ -164,7 +164,7 @@ std::vector<SeenFlake> farthest_first(const std::vector<std::vector<SeenFlake>>&
 }
 
 std::optional<FlakeMotion> motion_of(const scene::Scene& scene, const Weather& weather) {
-  const double heaviest = weather.heaviest_snow_mm_h();
+  const double heaviest = weather.heaviest_mm_h();
   if (heaviest <= 0.0) return std::nullopt;
   return FlakeMotion(scene, weather, heaviest);
 }
@@ -192,7 +192,7 @@ SeenFlakes FallingSnow::at(double time_s, const SnowView& view, const Heightfiel
   const Frustum frustum(view);
   const NearField field = near_field(rate_mm_h, frustum.solid_angle_sr(), flakes_);
   const FlakeMotion::Moment moment = motion_->moment(time_s, rate_mm_h);
-  const FlakeLook look(pictures_, frustum, shutter_s_, time_s);
+  const FlakeLook look(pictures_, frustum, shutter_s_);
   const Gatherer gatherer(*motion_, moment, look, frustum, ground, field.reach_m);
   const std::vector<Shell> shells = shells_of(frustum, field, motion_->farthest_own_way_m(), key_);
   const std::vector<Block> blocks = blocks_of(shells);

@@ -139,11 +139,9 @@ double Weather::wind_run_m(double time_s) const {
          beyond_s * before.moment.wind_speed_m_s;
 }
 
-double Weather::heaviest_snow_mm_h() const {
+double Weather::heaviest_mm_h() const {
   double heaviest = 0.0;
-  for (const Row& row : rows_)
-    heaviest =
-        std::max(heaviest, row.moment.precipitation_mm_h * snow_share(row.moment.temperature_c));
+  for (const Row& row : rows_) heaviest = std::max(heaviest, row.moment.precipitation_mm_h);
   return heaviest;
 }
 

@@ -52,8 +52,8 @@ class Weather {
   /// How far it has blown since then, whichever way: the integral of its speed.
   double wind_run_m(double time_s) const;
 
-  /// The highest rate of snow at the terrain's zero, in mm of water per hour.
-  double heaviest_snow_mm_h() const;
+  /// The highest rate of precipitation, in mm of water per hour.
+  double heaviest_mm_h() const;
 
  private:
   struct Row {
