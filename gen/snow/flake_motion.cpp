@@ -77,7 +77,11 @@ Flake FlakeMotion::flake(const Drifting& drifting, const Moment& moment) const {
   return {
       drifting.place_m + glm::dvec3(gust.way_m + swaying.way_m),
       moment.common.velocity_m_s + fall_m_s + glm::dvec3(gust.velocity_m_s + swaying.velocity_m_s),
-      diameter_m, drifting.body.crystal, mixed(drifting.key ^ key_of("look"))};
+      diameter_m,
+      drifting.body.crystal,
+      look,
+      turned(spins_per_s, third_of(look, 1)),
+      turned(turns_per_s, third_of(look, 0))};
 }
 
 double FlakeMotion::farthest_own_way_m() const {

@@ -125,6 +125,11 @@ WeatherMoment Weather::at(double time_s) const {
           speed > 0.0 ? heading_deg(wind) : a.wind_heading_deg};
 }
 
+double Weather::snow_mm_h(double time_s, double height_m) const {
+  const WeatherMoment now = at(time_s);
+  return now.precipitation_mm_h * snow_share(now.temperature_c - lapse_k_per_m * height_m);
+}
+
 glm::dvec2 Weather::wind_way_m(double time_s) const {
   const auto [before, after, share, beyond_s] = span_at(time_s);
   const double seconds = share * (after.time_s - before.time_s);

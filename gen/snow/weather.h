@@ -45,6 +45,9 @@ class Weather {
   /// For how long the weather had lasted when the film starts.
   double earlier_s() const { return earlier_s_; }
 
+  /// Snow that falls at a height above the terrain's zero, in mm of water per hour.
+  double snow_mm_h(double time_s, double height_m) const;
+
   /// The way, east and north in metres, that the mean wind has blown since the weather began: the
   /// exact integral of at()'s wind.
   glm::dvec2 wind_way_m(double time_s) const;
