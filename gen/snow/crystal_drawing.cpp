@@ -226,7 +226,7 @@ void draw_splinters(Canvas& canvas, const Draws& draws) {
 
 /// Dendrites, for the most part, and needles.
 void draw_aggregate(Canvas& canvas, const Draws& draws, int side_px) {
-  const int parts = draws.whole(12, 18, "parts");
+  const int parts = draws.whole(8, 12, "parts");
   for (int i = 0; i < parts; ++i) {
     const Draws own(draws.key(static_cast<std::uint64_t>(i)));
     Canvas body(side_px);

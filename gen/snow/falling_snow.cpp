@@ -146,7 +146,8 @@ SeenFlakes FallingSnow::at(double time_s, const SnowView& view, const Heightfiel
     gathering.add(shell.flakes, [&](std::uint64_t i, std::vector<SeenFlake>& seen) {
       picker.pick(shell, i, seen);
     });
-  if (tornado_) gathering.add(*tornado_, time_s, look, frustum, ground);
+  const FlakeLook whirled(pictures_, frustum, std::max(shutter_s_, whirl_shutter_s));
+  if (tornado_) gathering.add(*tornado_, time_s, whirled, frustum, ground);
   return {gathering.farthest_first(view.eye_m), field.fog_extinction_per_m};
 }
 

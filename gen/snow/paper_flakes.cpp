@@ -154,7 +154,8 @@ SeenFlakes PaperSnow::at(double time_s, const SnowView& view, const Heightfield&
                   seen.push_back(look.seen(shown));
                   seen.back().opacity *= flake_now.colour.a;
                 });
-  if (tornado_) gathering.add(*tornado_, time_s, look, frustum, ground);
+  const FlakeLook whirled(pictures_, frustum, std::max(shutter_s_, whirl_shutter_s));
+  if (tornado_) gathering.add(*tornado_, time_s, whirled, frustum, ground);
   return {gathering.farthest_first(view.eye_m),
           gunn_marshall(rate_mm_h).extinction_per_m(seen_efficiency)};
 }

@@ -40,7 +40,7 @@ class Gathering {
     });
   }
 
-  /// A tornado's flakes that are in view.
+  /// A tornado's flakes that are in view, by `look`, which should have whirl_shutter_s at least.
   void add(const Tornado& tornado, double time_s, const FlakeLook& look, const Frustum& frustum,
            const Heightfield& ground);
 

@@ -11,7 +11,7 @@ namespace wold::snow {
 namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
-constexpr double widening = 2.0794415;  ///< k = log 8
+constexpr double widening = 2.4849066;  ///< k = log 12
 constexpr double core = 0.6;            ///< r_c over the funnel's radius
 constexpr double updraught = 0.35;      ///< w over v_core
 constexpr double share_at_foot = 0.2;
@@ -30,9 +30,9 @@ Tornado::Tornado(const scene::Scene& scene, std::uint64_t key, std::uint64_t fla
       middle_m_(0.5 * scene.terrain.size_m),
       wander_m_(0.1 * scene.terrain.size_m),
       height_m_(std::clamp(0.6 * scene.terrain.size_m, 10.0, 120.0)),
-      foot_radius_m_(0.025 * height_m_),
+      foot_radius_m_(0.02 * height_m_),
       speed_m_s_(std::max(8.0, 4.0 * scene.wind.speed_m_s)) {
-  constexpr double optical_depth = 0.8;
+  constexpr double optical_depth = 0.6;
   const double silhouette_m2 =
       2.0 * height_m_ * foot_radius_m_ * (std::exp(widening) - 1.0) / widening;
   flake_m_ = std::sqrt(
@@ -51,7 +51,9 @@ glm::dvec2 Tornado::foot_m(double time_s) const {
 }
 
 Tornado::Whirl Tornado::rising(std::uint64_t i, double time_s) const {
-  const double share = 0.25 + 0.85 * std::sqrt(draw(i, key_of("radius")));
+  // Mostly about the radius where they are fastest, few inside, ragged outside.
+  const double share = 0.25 + 0.5 * std::sqrt(draw(i, key_of("radius"))) +
+                       0.6 * std::pow(draw(i, key_of("radius too")), 3.0);
   const double up_m_s = updraught * speed_m_s_ * (0.6 + 0.8 * draw(i, key_of("rise")));
   const double cycles = time_s * up_m_s / height_m_ + draw(i, key_of("start"));
   const double cycle = std::floor(cycles);

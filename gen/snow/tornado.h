@@ -9,9 +9,12 @@
 
 namespace wold::snow {
 
+/// Wisps are drawn out along their way for at least so long.
+inline constexpr double whirl_shutter_s = 0.04;
+
 /// A funnel of whirling snow (the paper, figure 7) over the terrain's middle, about which it
 /// wanders; as high as 0.6 of the terrain is wide, from 10 to 120 m. Its radius grows exponentially
-/// with height, eightfold.
+/// with height, twelvefold.
 ///
 /// Flakes rise evenly and keep their share of the radius, so they move on helices that widen. They
 /// circle as in Burgers and Rott's vortex, v = 1.398 v_core (r_c / r) (1 - exp(-1.256 (r /
