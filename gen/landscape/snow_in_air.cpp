@@ -4,8 +4,8 @@
 
 #include "landscape/view.h"
 #include "scene/winter.h"
-#include "snow/falling_snow.h"
 #include "snow/size_distribution.h"
+#include "snow/snow_in_air.h"
 
 namespace wold::landscape {
 namespace {
@@ -40,7 +40,7 @@ double snow_extinction_per_m(const scene::Scene& scene, const Site& site, int fr
   if (!site.snow) return 0.0;
   const Camera camera = resolved_camera(scene.camera, site.terrain, time_of_frame(scene, frame));
   const double rate_mm_h =
-      snow::snow_mm_h(site.snow->weather.at(scene::time_s(scene, frame)), camera.eye_m.z);
+      site.snow->weather.snow_mm_h(scene::time_s(scene, frame), camera.eye_m.z);
   return snow::gunn_marshall(rate_mm_h).extinction_per_m(snow::seen_efficiency);
 }
 
@@ -48,7 +48,7 @@ void let_it_snow(const scene::Scene& scene, const Site& site, const SnowyAir& ai
                  Landscape& landscape) {
   const Snow& snow = *site.snow;
   const snow::SeenFlakes seen =
-      snow::FallingSnow(scene, snow.weather, snow.pictures)
+      snow::SnowInAir(scene, snow.weather, snow.pictures)
           .at(scene::time_s(scene, landscape.frame), view_of(landscape), landscape.terrain);
   landscape.flakes = with_used_pictures(snow.pictures, seen.flakes);
   landscape.flakes.radiance = air.radiance();

@@ -19,13 +19,18 @@ constexpr double snow_column_m = 3000.0;
 /// leaves a little of the gloom.
 constexpr double gloom = 0.85;
 
-/// How far the overcast sky keeps the clear one's colour: clouds scatter all colours alike, but
-/// what reaches them while the sun is low is blue.
-constexpr double blue_share = 0.18;
+/// Clouds scatter all colours alike, but what reaches them is bluer than sunlight, the more so the
+/// lower the sun: at dusk ozone takes the yellow out of light that comes through much air (Hulburt
+/// 1953). The camera's white stays that of the day.
+constexpr double blue_by_day = 0.12;
+constexpr double blue_at_dusk = 0.75;
+constexpr double dusk_sine = 0.2;
 
 glm::vec3 overcast_irradiance(const light::Daylight& day) {
-  const glm::vec3 sky = day.sky_irradiance() / static_cast<float>(luminance(day.sky_irradiance()));
-  const glm::vec3 colour = glm::mix(glm::vec3(1.0F), sky, static_cast<float>(blue_share));
+  constexpr glm::vec3 blue(0.66F, 0.93F, 1.5F);
+  const double low = std::max(0.0, 1.0 - day.sun_direction().z / dusk_sine);
+  const auto share = static_cast<float>(std::lerp(blue_by_day, blue_at_dusk, low));
+  const glm::vec3 colour = glm::mix(glm::vec3(1.0F), blue, share);
   return colour * static_cast<float>(gloom / luminance(colour));
 }
 

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double sixth_turn = pi / 3.0;
+constexpr double reach = 0.9;  ///< leaves the border of the coarsest level transparent
 
 /// Keyed numbers of one crystal.
 class Draws {
@@ -203,7 +204,7 @@ void draw_column(Canvas& canvas, const Draws& draws) {
 /// Part of an aggregate, caught in it at any tilt.
 Placing caught(const Draws& draws, double size) {
   // Evenly over radii, so that the middle is the densest.
-  const double away = (0.94 - size) * draws.between(0.0, 1.0, "away");
+  const double away = (0.86 - 0.94 * size) * draws.between(0.0, 1.0, "away");
   const double tilt = draws.between(0.3, 1.0, "tilt");
   return {turn(draws.between(0.0, pi, "tilted")) * glm::dmat2(size, 0.0, 0.0, size * tilt) *
               turn(draws.between(0.0, pi, "turned")),
@@ -225,7 +226,7 @@ void draw_splinters(Canvas& canvas, const Draws& draws) {
 
 /// Dendrites, for the most part, and needles.
 void draw_aggregate(Canvas& canvas, const Draws& draws, int side_px) {
-  const int parts = draws.whole(12, 18, "parts");
+  const int parts = draws.whole(8, 12, "parts");
   for (int i = 0; i < parts; ++i) {
     const Draws own(draws.key(static_cast<std::uint64_t>(i)));
     Canvas body(side_px);
@@ -261,7 +262,7 @@ Image smooth(int side_px, const Opacity& opacity) {
 Image drawn_crystal(Crystal crystal, int side_px, std::uint64_t key) {
   const Draws draws(key);
   Canvas canvas(side_px);
-  canvas.place({turn(draws.between(0.0, sixth_turn, "turned")), {0.0, 0.0}});
+  canvas.place({reach * turn(draws.between(0.0, sixth_turn, "turned")), {0.0, 0.0}});
   switch (crystal) {
     case Crystal::plate:
       draw_plate(canvas, draws);

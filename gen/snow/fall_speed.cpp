@@ -48,4 +48,11 @@ std::array<double, crystal_kinds> crystal_shares(const std::string& choice, doub
   return shares;
 }
 
+Crystal picked_crystal(const std::array<double, crystal_kinds>& shares, double uniform) {
+  std::size_t crystal = 0;
+  double sum = shares[0];
+  while (uniform >= sum && crystal + 1 < crystal_kinds) sum += shares[++crystal];
+  return static_cast<Crystal>(crystal);
+}
+
 }  // namespace wold::snow

@@ -22,4 +22,7 @@ double fall_speed_m_s(Crystal crystal, double diameter_mm);
 /// throughout. Throws std::invalid_argument for another name.
 std::array<double, crystal_kinds> crystal_shares(const std::string& choice, double diameter_mm);
 
+/// The crystal that a uniform number in [0, 1) picks by those shares.
+Crystal picked_crystal(const std::array<double, crystal_kinds>& shares, double uniform);
+
 }  // namespace wold::snow

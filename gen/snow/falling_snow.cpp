@@ -1,19 +1,15 @@
 #include "snow/falling_snow.h"
 
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "core/parallel.h"
 #include "core/random.h"
 #include "snow/near_field.h"
 
 namespace wold::snow {
 namespace {
 
-constexpr double nearest_m = 0.15;  ///< nearer flakes would hide the picture
 constexpr int usual_flakes = 30000;
 
 /// The air between two distances from the eye and the flakes that it shows.
@@ -69,26 +65,11 @@ std::vector<Shell> shells_of(const Frustum& frustum, const NearField& field,
   return shells;
 }
 
-/// One of the shells' flakes from `first` on, at most block_flakes.
-struct Block {
-  const Shell* shell;
-  std::uint64_t first;
-};
-constexpr std::uint64_t block_flakes = 8192;
-
-std::vector<Block> blocks_of(const std::vector<Shell>& shells) {
-  std::vector<Block> blocks;
-  for (const Shell& shell : shells)
-    for (std::uint64_t first = 0; first < shell.flakes; first += block_flakes)
-      blocks.push_back({&shell, first});
-  return blocks;
-}
-
-/// Picks what is seen out of a block of flakes.
-class Gatherer {
+/// Picks what is seen of a shell's flakes.
+class Picker {
  public:
-  Gatherer(const FlakeMotion& motion, const FlakeMotion::Moment& moment, const FlakeLook& look,
-           const Frustum& frustum, const Heightfield& ground, double reach_m)
+  Picker(const FlakeMotion& motion, const FlakeMotion::Moment& moment, const FlakeLook& look,
+         const Frustum& frustum, const Heightfield& ground, double reach_m)
       : motion_(motion),
         moment_(moment),
         look_(look),
@@ -97,17 +78,12 @@ class Gatherer {
         reach_m_(reach_m),
         margin_m_(motion.farthest_own_way_m()) {}
 
-  std::vector<SeenFlake> seen(const Block& block) const {
-    std::vector<SeenFlake> seen;
-    const Shell& shell = *block.shell;
-    const std::uint64_t end = std::min(shell.flakes, block.first + block_flakes);
-    for (std::uint64_t i = block.first; i < end; ++i) {
-      const auto drifting = motion_.drifting(shell.key, i, moment_, shell.cube);
-      if (!may_be_seen(drifting.place_m, shell)) continue;
-      const Flake flake = motion_.flake(drifting, moment_);
-      if (is_seen(flake, shell)) seen.push_back(look_.seen(flake));
-    }
-    return seen;
+  void pick(const Shell& shell, std::uint64_t index, std::vector<SeenFlake>& seen) const {
+    const auto drifting = motion_.drifting(shell.key, index, moment_, shell.cube);
+    if (!may_be_seen(drifting.place_m, shell)) return;
+    const Flake flake = motion_.flake(drifting, moment_);
+    if (is_shown(flake, shell) && is_in_view(flake, frustum_, ground_))
+      seen.push_back(look_.seen(flake));
   }
 
  private:
@@ -120,14 +96,11 @@ class Gatherer {
            frustum_.touches(place_m, margin_m_);
   }
 
-  bool is_seen(const Flake& flake, const Shell& shell) const {
+  bool is_shown(const Flake& flake, const Shell& shell) const {
     const double distance_m = glm::distance(flake.centre_m, frustum_.eye_m());
-    if (distance_m <= std::max(shell.from_m, nearest_m) || distance_m > shell.to_m) return false;
-    if (!frustum_.touches(flake.centre_m, flake.diameter_m)) return false;
-    const double luck = random_uniform({flake.bits, 0, 0, 0});
-    if (luck >= drawn_share(distance_m - shell.from_m, reach_m_)) return false;
-    return flake.centre_m.z >
-           static_cast<double>(ground_.sample(flake.centre_m.x, flake.centre_m.y));
+    return distance_m > shell.from_m && distance_m <= shell.to_m &&
+           random_uniform({flake.bits, key_of("drawn"), 0, 0}) <
+               drawn_share(distance_m - shell.from_m, reach_m_);
   }
 
   const FlakeMotion& motion_;
@@ -139,32 +112,8 @@ class Gatherer {
   double margin_m_;
 };
 
-/// The parts one after the other, sorted from the farthest to the nearest.
-std::vector<SeenFlake> farthest_first(const std::vector<std::vector<SeenFlake>>& parts,
-                                      const glm::dvec3& eye_m) {
-  struct Place {
-    float nearness;  ///< rises towards the eye
-    std::uint32_t part, index;
-    bool operator<(const Place& other) const {
-      if (nearness != other.nearness) return nearness < other.nearness;
-      return part != other.part ? part < other.part : index < other.index;
-    }
-  };
-  std::vector<Place> places;
-  for (std::uint32_t part = 0; part < parts.size(); ++part)
-    for (std::uint32_t i = 0; i < parts[part].size(); ++i) {
-      const glm::vec3 away = parts[part][i].centre_m - glm::vec3(eye_m);
-      places.push_back({-glm::dot(away, away), part, i});
-    }
-  tbb::parallel_sort(places.begin(), places.end());
-  std::vector<SeenFlake> sorted(places.size());
-  parallel_for_blocks(places.size(),
-                      [&](std::size_t i) { sorted[i] = parts[places[i].part][places[i].index]; });
-  return sorted;
-}
-
 std::optional<FlakeMotion> motion_of(const scene::Scene& scene, const Weather& weather) {
-  const double heaviest = weather.heaviest_snow_mm_h();
+  const double heaviest = weather.heaviest_mm_h();
   if (heaviest <= 0.0) return std::nullopt;
   return FlakeMotion(scene, weather, heaviest);
 }
@@ -178,22 +127,28 @@ FallingSnow::FallingSnow(const scene::Scene& scene, const Weather& weather,
       motion_(motion_of(scene, weather)),
       key_(random_bits({scene.seed, key_of("snow"), 0, key_of("flakes")})),
       flakes_(scene.snowfall.flakes > 0 ? scene.snowfall.flakes : usual_flakes),
-      shutter_s_(scene.snowfall.shutter_s) {}
+      shutter_s_(scene.snowfall.shutter_s) {
+  if (scene.wind.field == "tornado")
+    tornado_.emplace(scene, key_, static_cast<std::uint64_t>(flakes_));
+}
 
 SeenFlakes FallingSnow::at(double time_s, const SnowView& view, const Heightfield& ground) const {
-  const double rate_mm_h = snow_mm_h(weather_.at(time_s), view.eye_m.z);
+  const double rate_mm_h = weather_.snow_mm_h(time_s, view.eye_m.z);
   constexpr double least_rate_mm_h = 1e-3;  // a flake in 2 m3, and none of them seen
   if (!motion_ || rate_mm_h < least_rate_mm_h) return {};
   const Frustum frustum(view);
   const NearField field = near_field(rate_mm_h, frustum.solid_angle_sr(), flakes_);
   const FlakeMotion::Moment moment = motion_->moment(time_s, rate_mm_h);
-  const FlakeLook look(pictures_, frustum, shutter_s_, time_s);
-  const Gatherer gatherer(*motion_, moment, look, frustum, ground, field.reach_m);
-  const std::vector<Shell> shells = shells_of(frustum, field, motion_->farthest_own_way_m(), key_);
-  const std::vector<Block> blocks = blocks_of(shells);
-  std::vector<std::vector<SeenFlake>> parts(blocks.size());
-  parallel_for(blocks.size(), [&](std::size_t i) { parts[i] = gatherer.seen(blocks[i]); });
-  return {farthest_first(parts, view.eye_m), field.fog_extinction_per_m};
+  const FlakeLook look(pictures_, frustum, shutter_s_);
+  const Picker picker(*motion_, moment, look, frustum, ground, field.reach_m);
+  Gathering gathering;
+  for (const Shell& shell : shells_of(frustum, field, motion_->farthest_own_way_m(), key_))
+    gathering.add(shell.flakes, [&](std::uint64_t i, std::vector<SeenFlake>& seen) {
+      picker.pick(shell, i, seen);
+    });
+  const FlakeLook whirled(pictures_, frustum, std::max(shutter_s_, whirl_shutter_s));
+  if (tornado_) gathering.add(*tornado_, time_s, whirled, frustum, ground);
+  return {gathering.farthest_first(view.eye_m), field.fog_extinction_per_m};
 }
 
 }  // namespace wold::snow

@@ -1,25 +1,18 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/glm.hpp>
 #include <optional>
-#include <vector>
 
 #include "core/ground_map.h"
 #include "scene/scene.h"
 #include "snow/crystal_picture.h"
-#include "snow/flake_look.h"
 #include "snow/flake_motion.h"
+#include "snow/seen_flakes.h"
 #include "snow/snow_view.h"
+#include "snow/tornado.h"
 #include "snow/weather.h"
 
 namespace wold::snow {
-
-/// What a view sees of the snow in the air.
-struct SeenFlakes {
-  std::vector<SeenFlake> flakes;      ///< from the farthest to the nearest
-  double fog_extinction_per_m = 0.0;  ///< of all that are not among them, everywhere the same
-};
 
 /// Flakes of physical sizes and speeds, as a view sees them; see FlakeMotion and NearField.
 ///
@@ -39,6 +32,7 @@ class FallingSnow {
   Weather weather_;
   const FlakePictures& pictures_;
   std::optional<FlakeMotion> motion_;  ///< none when nothing ever falls
+  std::optional<Tornado> tornado_;
   std::uint64_t key_;
   double flakes_;
   double shutter_s_;

@@ -24,16 +24,10 @@ int individual_of(const Flake& flake) {
   return static_cast<int>(flake.bits >> 62);
 }
 
-/// Ten random bits as a number in [0, 1).
-double share_of(std::uint64_t bits, int place) {
-  return static_cast<double>((bits >> (10 * place)) & 1023U) / 1024.0;
-}
-
 }  // namespace
 
-FlakeLook::FlakeLook(const FlakePictures& pictures, const Frustum& frustum, double shutter_s,
-                     double time_s)
-    : pictures_(pictures), frustum_(frustum), shutter_s_(shutter_s), time_s_(time_s) {}
+FlakeLook::FlakeLook(const FlakePictures& pictures, const Frustum& frustum, double shutter_s)
+    : pictures_(pictures), frustum_(frustum), shutter_s_(shutter_s) {}
 
 SeenFlake FlakeLook::seen(const Flake& flake) const {
   const glm::dvec3 to_eye = frustum_.eye_m() - flake.centre_m;
@@ -83,16 +77,10 @@ SeenFlake FlakeLook::crystal(const Flake& flake, const glm::dvec3& towards_eye,
       std::clamp(static_cast<int>(std::floor(std::log2(FlakePictures::finest_px * pixel_m / side))),
                  0, FlakePictures::levels - 1);
 
-  // Tumbling at 0.5 to 2 turns a second, swaying slower (reference: 1 to 3 Hz for aggregates).
-  const double turns_per_s = 0.5 + 1.5 * share_of(flake.bits, 0);
-  const double spins_per_s = (share_of(flake.bits, 2) - 0.5) * turns_per_s;
-  const auto spin = static_cast<float>(off_whole(share_of(flake.bits, 1) + spins_per_s * time_s_));
-  const auto tilting =
-      static_cast<float>(off_whole(share_of(flake.bits, 3) + turns_per_s * time_s_));
-  const double tilt = most_tilt * static_cast<double>(sine_of_turns(tilting));
+  const double tilt = most_tilt * static_cast<double>(sine_of_turns(flake.tilt_turns));
   const auto [right, up] = facing(towards_eye);
-  const auto sine = static_cast<double>(sine_of_turns(spin));
-  const auto cosine = static_cast<double>(cosine_of_turns(spin));
+  const auto sine = static_cast<double>(sine_of_turns(flake.spin_turns));
+  const auto cosine = static_cast<double>(cosine_of_turns(flake.spin_turns));
   const glm::dvec3 axis = cosine * right + sine * up;
   const glm::dvec3 across = cosine * up - sine * right;
   const glm::dvec3 tilted = std::cos(tilt) * across + std::sin(tilt) * towards_eye;

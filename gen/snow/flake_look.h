@@ -24,21 +24,23 @@ struct Flake {
   glm::dvec3 velocity_m_s{0.0};
   double diameter_m = 0.0;  ///< see flake_diameter_mm()
   Crystal crystal = Crystal::aggregate;
-  std::uint64_t bits = 0;  ///< 64 random ones of its own
+  std::uint64_t bits = 0;   ///< 64 random ones of its own
+  float spin_turns = 0.0F;  ///< about the way to the eye
+  float tilt_turns = 0.0F;  ///< where it is in its tumbling to either side of facing the eye
 };
 
 /// Farther away flakes are white discs that do not turn (the paper, 2).
 inline constexpr double textured_within_m = 3.5;
 
-/// How flakes look to a view at one moment.
+/// How flakes look to a view.
 ///
 /// Whatever a flake is drawn as, the opacity over its rectangle as the eye sees it sums up to its
 /// cross-section pi / 4 D^2, so that the drawn flakes dim what lies behind them as much as the size
 /// distribution says.
 class FlakeLook {
  public:
-  /// `shutter_s`: how long a picture is exposed. `pictures` has to outlive this.
-  FlakeLook(const FlakePictures& pictures, const Frustum& frustum, double shutter_s, double time_s);
+  /// `shutter_s`: how long a picture is exposed. Pictures and frustum have to outlive this.
+  FlakeLook(const FlakePictures& pictures, const Frustum& frustum, double shutter_s);
 
   /// A streak when the flake moves by more than its size while it is exposed, a crystal when it is
   /// near, else a disc. None is thinner than a pixel: it would be fainter instead.
@@ -54,7 +56,6 @@ class FlakeLook {
   const FlakePictures& pictures_;
   const Frustum& frustum_;
   double shutter_s_;
-  double time_s_;
 };
 
 }  // namespace wold::snow

@@ -15,6 +15,9 @@ namespace {
 constexpr double least_sway = 0.15, farthest_sway_m = 0.2, sways_most_m = 0.01;
 constexpr double slowest_sway_rad_s = 2.0, fastest_sway_rad_s = 5.0;
 
+/// They tumble at 0.5 to 2.5 turns a second (Li 2024: 1 to 3 for aggregates).
+constexpr double slowest_turn_per_s = 0.5, turn_range_per_s = 2.0;
+
 /// Twenty-one random bits as a number in [0, 1).
 double third_of(std::uint64_t bits, int place) {
   return static_cast<double>((bits >> (21 * place)) & 0x1fffffU) * 0x1.0p-21;
@@ -64,11 +67,21 @@ Flake FlakeMotion::flake(const Drifting& drifting, const Moment& moment) const {
   const double diameter_m = sizes_.diameter_m(drifting.body.rank, moment.lambda_per_mm);
   const auto gust = wind_.own_gust(moment.gusts, mixed(drifting.key ^ key_of("gust")));
   const auto swaying = sway(diameter_m, moment.time_s, mixed(drifting.key ^ key_of("sway")));
+  const std::uint64_t look = mixed(drifting.key ^ key_of("look"));
+  const double turns_per_s = slowest_turn_per_s + turn_range_per_s * third_of(look, 2);
+  const double spins_per_s = (third_of(look, 1) - 0.5) * turns_per_s;
+  const auto turned = [&](double per_s, double start) {
+    return static_cast<float>(off_whole(per_s * moment.time_s + start));
+  };
   const glm::dvec3 fall_m_s(0.0, 0.0, -drifting.body.speed_m_s);
   return {
       drifting.place_m + glm::dvec3(gust.way_m + swaying.way_m),
       moment.common.velocity_m_s + fall_m_s + glm::dvec3(gust.velocity_m_s + swaying.velocity_m_s),
-      diameter_m, drifting.body.crystal, mixed(drifting.key ^ key_of("look"))};
+      diameter_m,
+      drifting.body.crystal,
+      look,
+      turned(spins_per_s, third_of(look, 1)),
+      turned(turns_per_s, third_of(look, 0))};
 }
 
 double FlakeMotion::farthest_own_way_m() const {

@@ -65,11 +65,6 @@ double run_of(const glm::dvec2& a, const glm::dvec2& b, double share, double dur
 
 double snow_share(double temperature_c) { return std::clamp(1.0 - 0.5 * temperature_c, 0.0, 1.0); }
 
-double snow_mm_h(const WeatherMoment& weather, double height_m) {
-  return weather.precipitation_mm_h *
-         snow_share(weather.temperature_c - lapse_k_per_m * height_m);
-}
-
 std::vector<Weather::Row> Weather::rows_of_table(const scene::Scene& scene) {
   const std::vector<std::vector<double>> table = read_table(
       scene.weather.table, {{.name = "hours", .unit = "h", .rises = true, .required = true},
@@ -130,6 +125,11 @@ WeatherMoment Weather::at(double time_s) const {
           speed > 0.0 ? heading_deg(wind) : a.wind_heading_deg};
 }
 
+double Weather::snow_mm_h(double time_s, double height_m) const {
+  const WeatherMoment now = at(time_s);
+  return now.precipitation_mm_h * snow_share(now.temperature_c - lapse_k_per_m * height_m);
+}
+
 glm::dvec2 Weather::wind_way_m(double time_s) const {
   const auto [before, after, share, beyond_s] = span_at(time_s);
   const double seconds = share * (after.time_s - before.time_s);
@@ -144,11 +144,9 @@ double Weather::wind_run_m(double time_s) const {
          beyond_s * before.moment.wind_speed_m_s;
 }
 
-double Weather::heaviest_snow_mm_h() const {
+double Weather::heaviest_mm_h() const {
   double heaviest = 0.0;
-  for (const Row& row : rows_)
-    heaviest =
-        std::max(heaviest, row.moment.precipitation_mm_h * snow_share(row.moment.temperature_c));
+  for (const Row& row : rows_) heaviest = std::max(heaviest, row.moment.precipitation_mm_h);
   return heaviest;
 }
 

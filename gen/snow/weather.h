@@ -22,9 +22,6 @@ inline constexpr double lapse_k_per_m = 0.0065;
 /// linear between: half at 1 degree, where as much falls as snow as as rain.
 double snow_share(double temperature_c);
 
-/// What of a moment's precipitation is snow at a height above the terrain's zero, as water.
-double snow_mm_h(const WeatherMoment& weather, double height_m);
-
 /// The scene's weather over time: constant as the keys of [weather], [wind] and [snowfall] say, or
 /// linear between the rows of weather.table; the wind as a vector.
 ///
@@ -48,6 +45,9 @@ class Weather {
   /// For how long the weather had lasted when the film starts.
   double earlier_s() const { return earlier_s_; }
 
+  /// Snow that falls at a height above the terrain's zero, in mm of water per hour.
+  double snow_mm_h(double time_s, double height_m) const;
+
   /// The way, east and north in metres, that the mean wind has blown since the weather began: the
   /// exact integral of at()'s wind.
   glm::dvec2 wind_way_m(double time_s) const;
@@ -55,8 +55,8 @@ class Weather {
   /// How far it has blown since then, whichever way: the integral of its speed.
   double wind_run_m(double time_s) const;
 
-  /// The highest rate of snow at the terrain's zero, in mm of water per hour.
-  double heaviest_snow_mm_h() const;
+  /// The highest rate of precipitation, in mm of water per hour.
+  double heaviest_mm_h() const;
 
  private:
   struct Row {

@@ -63,7 +63,9 @@ class TableReader {
   }
 
  private:
-  void note(std::string message) { problems_.push_back({{file_, line_, 0}, std::move(message)}); }
+  void note(std::size_t field, std::string message) {
+    problems_.push_back({{file_, line_, static_cast<int>(field) + 1}, std::move(message)});
+  }
 
   std::vector<std::string> known_names() const {
     std::vector<std::string> names;
@@ -78,37 +80,40 @@ class TableReader {
       const std::string name = header.GetFieldDefn(field)->GetNameRef();
       const auto place = std::find(known.begin(), known.end(), name);
       if (place == known.end())
-        note(fmt::format("found a column \"{}\", expected {}{}", name, fmt::join(known, ", "),
+        note(found.size(),
+             fmt::format("found a column \"{}\", expected {}{}", name, fmt::join(known, ", "),
                          scene::suggestion(scene::nearest(name, known))));
       else if (std::find(found.begin(), found.end(), name) != found.end())
-        note(fmt::format("found the column \"{}\" twice, expected it once", name));
+        note(found.size(), fmt::format("found the column \"{}\" twice, expected it once", name));
       found.push_back(name);
       column_of_field_.push_back(static_cast<std::size_t>(place - known.begin()));
     }
     for (const TableColumn& column : columns_)
       if (column.required && std::find(found.begin(), found.end(), column.name) == found.end())
-        note(fmt::format("found no column \"{}\", expected the header's line to name it",
-                         column.name));
+        note(0, fmt::format("found no column \"{}\", expected the header's line to name it",
+                            column.name));
   }
 
   void read_rows(OGRLayer& layer) {
     for (const auto& row : layer) {
       ++line_;
       for (std::size_t field = 0; field < column_of_field_.size(); ++field)
-        read_cell(column_of_field_[field], row->GetFieldAsString(static_cast<int>(field)));
+        read_cell(field, row->GetFieldAsString(static_cast<int>(field)));
     }
-    if (line_ == 1) note("found no rows, expected at least one line of numbers after the header");
+    if (line_ == 1)
+      note(0, "found no rows, expected at least one line of numbers after the header");
   }
 
-  void read_cell(std::size_t index, const std::string& text) {
-    const TableColumn& column = columns_[index];
-    std::vector<double>& above = numbers_[index];
+  void read_cell(std::size_t field, const std::string& text) {
+    const TableColumn& column = columns_[column_of_field_[field]];
+    std::vector<double>& above = numbers_[column_of_field_[field]];
     const std::optional<double> value = number_in(text);
     if (!value || !(*value >= column.lowest && *value <= column.highest)) {
-      note(fmt::format("{}: found {}, expected a number {}", column.name,
-                       text.empty() ? "nothing" : text, range_text(column)));
+      note(field, fmt::format("{}: found {}, expected a number {}", column.name,
+                              text.empty() ? "nothing" : text, range_text(column)));
     } else if (column.rises && !above.empty() && !(*value > above.back())) {
-      note(fmt::format("{}: found {} after {:g}, expected a larger number than in the line above",
+      note(field,
+           fmt::format("{}: found {} after {:g}, expected a larger number than in the line above",
                        column.name, text, above.back()));
     } else {
       above.push_back(*value);

@@ -1,0 +1,163 @@
+#include "snow/paper_flakes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/random.h"
+#include "snow/size_distribution.h"
+#include "snow/turns.h"
+
+namespace wold::snow {
+namespace {
+
+constexpr double two_pi = 2.0 * std::numbers::pi;
+constexpr double gravity_m_s2 = 9.81;
+constexpr double step_s = 0.04;  ///< dt, of 25 pictures a second
+
+double draw(std::uint64_t key, std::uint64_t purpose) {
+  return static_cast<double>(mixed(key ^ purpose) >> 11) * 0x1.0p-53;
+}
+
+/// The place x repeated every `side` that lies in [low, low + side).
+double wrapped(double x, double low, double side) {
+  return low + side * (off_whole((x - low) / side - 0.5) + 0.5);
+}
+
+/// The distance at which 1/e of the flakes are drawn.
+double reach_of(const glm::dvec3& box_m) { return 0.5 * std::min(box_m.x, box_m.y); }
+
+}  // namespace
+
+glm::dvec3 PaperFlake::velocity_m_s() const {
+  return v0_m_s + vf_m_s + vr_m_s + glm::dvec3(0.0, 0.0, -gravity_m_s2 * step_s);
+}
+
+PaperSnow::PaperSnow(const scene::Scene& scene, const Weather& weather,
+                     const FlakePictures& pictures)
+    : weather_(weather),
+      pictures_(pictures),
+      wind_(weather, scene.wind.field == "steady" ? 0.0 : scene.wind.turbulence,
+            random_bits({scene.seed, key_of("paper snow"), 0, key_of("wind")})),
+      key_(random_bits({scene.seed, key_of("paper snow"), 0, key_of("flakes")})),
+      box_m_(scene.snowfall.box_m[0], scene.snowfall.box_m[1], scene.snowfall.box_m[2]),
+      crystal_(scene.snowfall.crystal),
+      asked_for_(scene.snowfall.flakes),
+      shutter_s_(scene.snowfall.shutter_s) {
+  constexpr std::uint64_t most_of_the_papers = 4000;
+  if (scene.wind.field == "tornado")
+    tornado_.emplace(
+        scene, key_,
+        asked_for_ > 0.0 ? static_cast<std::uint64_t>(asked_for_) : most_of_the_papers);
+}
+
+PaperSnow::Moment PaperSnow::moment(double time_s) const {
+  return {time_s, wind_.common(time_s), wind_.moment(time_s)};
+}
+
+PaperFlake PaperSnow::flake(std::uint64_t i, const Moment& moment, const PaperBox& box) const {
+  const std::uint64_t key = mixed(key_ ^ i);
+  PaperFlake flake;
+  flake.size_m = 0.006 + 0.01 * draw(key, key_of("size"));
+  flake.colour.a = static_cast<float>(0.7 + 0.3 * draw(key, key_of("alpha")));
+  flake.v0_m_s = {0.0, 0.0, -(0.5 + 0.5 * draw(key, key_of("v0")))};
+  flake.rot_per_s = draw(key, key_of("rot")) - 0.5;
+  flake.angle_turns = off_whole(draw(key, key_of("angle")) + flake.rot_per_s * moment.time_s);
+
+  const auto gust = wind_.own_gust(moment.gusts, mixed(key ^ key_of("vf")));
+  flake.vf_m_s = moment.common.velocity_m_s + glm::dvec3(gust.velocity_m_s);
+  flake.vf_m_s.z = 0.0;  // the height says when a flake is born again
+  constexpr double flutter_m_s = 0.3;
+  const double flutter_per_s = 0.3 + 0.7 * draw(key, key_of("flutter"));
+  const auto flutter =
+      static_cast<float>(off_whole(draw(key, key_of("vr")) + flutter_per_s * moment.time_s));
+  const glm::dvec2 circle(cosine_of_turns(flutter), sine_of_turns(flutter));
+  flake.vr_m_s = flutter_m_s * glm::dvec3(-circle.y, circle.x, 0.0);
+
+  const double z_m =
+      box.size_m.z * draw(key, key_of("start")) + flake.velocity_m_s().z * moment.time_s;
+  const double boxes = (z_m - box.low_m.z) / box.size_m.z;
+  flake.start_assign = -static_cast<std::int64_t>(std::floor(boxes));
+  flake.pos_m.z = box.low_m.z + box.size_m.z * (boxes - std::floor(boxes));
+
+  const std::uint64_t birth = mixed(key ^ static_cast<std::uint64_t>(flake.start_assign));
+  const glm::dvec2 way_m = glm::dvec2(moment.common.way_m) + glm::dvec2(glm::vec3(gust.way_m)) +
+                           flutter_m_s / (two_pi * flutter_per_s) * circle;
+  flake.pos_m.x =
+      wrapped(box.size_m.x * draw(birth, key_of("x")) + way_m.x, box.low_m.x, box.size_m.x);
+  flake.pos_m.y =
+      wrapped(box.size_m.y * draw(birth, key_of("z")) + way_m.y, box.low_m.y, box.size_m.y);
+  return flake;
+}
+
+double PaperSnow::flakes_in_view(double rate_mm_h) const {
+  if (asked_for_ > 0.0) return asked_for_;
+  constexpr std::array<glm::dvec2, 4> figure_6 = {
+      {{0.0, 0.0}, {0.4, 500.0}, {1.2, 1000.0}, {4.0, 4000.0}}};
+  for (std::size_t i = 1; i < figure_6.size(); ++i) {
+    const glm::dvec2& low = figure_6[i - 1];
+    const glm::dvec2& high = figure_6[i];
+    if (rate_mm_h <= high.x)
+      return std::lerp(low.y, high.y, (rate_mm_h - low.x) / (high.x - low.x));
+  }
+  return figure_6.back().y;
+}
+
+PaperBox PaperSnow::box_of(const Frustum& frustum, const Heightfield& ground) const {
+  const glm::dvec3& eye_m = frustum.eye_m();
+  const glm::dvec2 ahead(frustum.ahead());
+  // Most of it before the eye: half its lesser side ahead, or none where the view is steep.
+  const glm::dvec2 centre_m = glm::dvec2(eye_m) + 0.5 * std::min(box_m_.x, box_m_.y) * ahead;
+  const auto ground_m = static_cast<double>(ground.sample(eye_m.x, eye_m.y));
+  // From the ground, unless the eye is so high that it would not see the top.
+  const double bottom_m = std::max(ground_m, eye_m.z - 0.5 * box_m_.z);
+  return {{centre_m - 0.5 * glm::dvec2(box_m_), bottom_m}, box_m_};
+}
+
+Flake PaperSnow::flake_of(const PaperFlake& flake, std::uint64_t bits) const {
+  constexpr double mm_per_m = 1000.0;
+  return {flake.pos_m,
+          flake.velocity_m_s(),
+          flake.size_m,
+          picked_crystal(crystal_shares(crystal_, mm_per_m * flake.size_m),
+                         draw(bits, key_of("crystal"))),
+          bits,
+          static_cast<float>(flake.angle_turns)};
+}
+
+SeenFlakes PaperSnow::at(double time_s, const SnowView& view, const Heightfield& ground) const {
+  const double rate_mm_h = weather_.snow_mm_h(time_s, view.eye_m.z);
+  if (!(rate_mm_h > 0.0)) return {};
+  const Frustum frustum(view);
+  const PaperBox box = box_of(frustum, ground);
+  const Moment now = moment(time_s);
+  const FlakeLook look(pictures_, frustum, shutter_s_);
+
+  // Of n flakes per m3 those in view are n times the integral of exp(-r / reach) over the pyramid,
+  // as far as the box goes.
+  const double reach_m = reach_of(box_m_);
+  const double x = std::min(box_m_.x, box_m_.y) / reach_m;
+  const double seen_m3 = frustum.solid_angle_sr() * std::pow(reach_m, 3) *
+                         (2.0 - (x * x + 2.0 * x + 2.0) * std::exp(-x));
+  const double in_box = flakes_in_view(rate_mm_h) * box_m_.x * box_m_.y * box_m_.z / seen_m3;
+
+  Gathering gathering;
+  gathering.add(static_cast<std::uint64_t>(std::llround(in_box)),
+                [&](std::uint64_t i, std::vector<SeenFlake>& seen) {
+                  const PaperFlake flake_now = flake(i, now, box);
+                  const double distance_m = glm::distance(flake_now.pos_m, frustum.eye_m());
+                  const std::uint64_t bits = mixed(mixed(key_ ^ i) ^ key_of("look"));
+                  if (draw(bits, key_of("drawn")) >= std::exp(-distance_m / reach_m)) return;
+                  const Flake shown = flake_of(flake_now, bits);
+                  if (!is_in_view(shown, frustum, ground)) return;
+                  seen.push_back(look.seen(shown));
+                  seen.back().opacity *= flake_now.colour.a;
+                });
+  const FlakeLook whirled(pictures_, frustum, std::max(shutter_s_, whirl_shutter_s));
+  if (tornado_) gathering.add(*tornado_, time_s, whirled, frustum, ground);
+  return {gathering.farthest_first(view.eye_m),
+          gunn_marshall(rate_mm_h).extinction_per_m(seen_efficiency)};
+}
+
+}  // namespace wold::snow

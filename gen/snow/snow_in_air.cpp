@@ -1,0 +1,22 @@
+#include "snow/snow_in_air.h"
+
+namespace wold::snow {
+namespace {
+
+std::variant<FallingSnow, PaperSnow> snow_of(const scene::Scene& scene, const Weather& weather,
+                                             const FlakePictures& pictures) {
+  if (scene.snowfall.motion == "paper") return PaperSnow(scene, weather, pictures);
+  return FallingSnow(scene, weather, pictures);
+}
+
+}  // namespace
+
+SnowInAir::SnowInAir(const scene::Scene& scene, const Weather& weather,
+                     const FlakePictures& pictures)
+    : snow_(snow_of(scene, weather, pictures)) {}
+
+SeenFlakes SnowInAir::at(double time_s, const SnowView& view, const Heightfield& ground) const {
+  return std::visit([&](const auto& snow) { return snow.at(time_s, view, ground); }, snow_);
+}
+
+}  // namespace wold::snow
