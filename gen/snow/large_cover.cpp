@@ -97,6 +97,7 @@ void LargeCover::reckon(int hour) {
   int from = later == hours_.begin() ? -1 : *std::prev(later);
   while (from < hour) {
     const int to = from < 0 ? 0 : std::min(from + longest_pass_h, hour);
+    remove(to);  // from another time
     pass(from, to);
     from = to;
   }
