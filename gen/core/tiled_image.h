@@ -25,8 +25,8 @@ struct TiledExtent {
 void write_tiled_image(const std::filesystem::path& path, const TiledExtent& extent, int at_a_time,
                        const std::function<void(glm::ivec2 tile, std::span<float> values)>& fill);
 
-/// Reads rectangles of tiled pictures and keeps their latest tiles in memory, up to a limit. Safe
-/// for any number of threads.
+/// Reads rectangles of tiled pictures and keeps their latest tiles in memory, up to a limit: that
+/// of the latest object, for the tiles of all. Safe for any number of threads.
 class TiledImages {
  public:
   explicit TiledImages(double memory_mb);

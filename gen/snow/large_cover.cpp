@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 #include <system_error>
+#include <tuple>
 
 #include "core/error.h"
 #include "snow/drifting.h"
@@ -19,14 +20,8 @@ constexpr int view_side = 64;    ///< samples of a level
 constexpr int slide_apron = 16;  ///< samples that snow may slide in a pass
 
 /// How far beyond its border a tile is felt.
-int apron(const LargeGround& ground) {
-  return slide_apron + static_cast<int>(std::ceil(farthest_shelter_m / ground.step_m));
-}
-
-/// What a tile is reckoned on: a square of the ground that holds it and its apron, moved inwards at
-/// the ground's border.
-int window_side(const LargeGround& ground, int tile_samples) {
-  return std::min(ground.samples, tile_samples + 2 * apron(ground));
+int apron(double step_m) {
+  return slide_apron + static_cast<int>(std::ceil(farthest_shelter_m / step_m));
 }
 
 void require_number(float height_m, const glm::ivec2& at) {
@@ -38,11 +33,13 @@ void require_number(float height_m, const glm::ivec2& at) {
 
 }  // namespace
 
+/// What a tile is reckoned on: a square of the ground that holds it and its apron, moved inwards at
+/// the ground's border.
 struct LargeCover::Window {
+  int side = 0;
   glm::ivec2 first = {};       ///< of the ground's samples
   glm::ivec2 tile_first = {};  ///< of the window's samples
   glm::ivec2 tile_count = {};  ///< less than a tile at the ground's far borders
-  Heightfield heights;
 
   /// Calls body(sample of the tile, index in the window) for the tile's samples.
   template <class Body>
@@ -50,7 +47,7 @@ struct LargeCover::Window {
     for (int y = 0; y < tile_count.y; ++y)
       for (int x = 0; x < tile_count.x; ++x)
         body(glm::ivec2(x, y),
-             static_cast<std::size_t>((tile_first.y + y) * heights.samples() + tile_first.x + x));
+             static_cast<std::size_t>((tile_first.y + y) * side + tile_first.x + x));
   }
 };
 
@@ -63,25 +60,31 @@ LargeGround large_ground(const Heightfield& terrain) {
           }};
 }
 
-LargeCover::LargeCover(const scene::Scene& scene, LargeGround ground, WeatherFunction weather,
-                       std::filesystem::path folder, Limits limits)
+LargeCover::LargeCover(const scene::Scene& scene, const LargeGround& ground,
+                       WeatherFunction weather, std::filesystem::path folder, Limits limits)
     : cover_(scene.snow_cover),
       earlier_s_(scene.weather.earlier_h * seconds_per_hour),
-      ground_(std::move(ground)),
+      samples_(ground.samples),
+      step_m_(ground.step_m),
       weather_(std::move(weather)),
       folder_(std::move(folder)),
       limits_(limits),
       images_(limits.cache_mb) {
-  if (ground_.samples < 2 || !(ground_.step_m > 0.0))
+  if (samples_ < 2 || !(step_m_ > 0.0))
     throw InputError(
         fmt::format("a ground for snow needs at least 2 samples and a positive step, "
                     "got {} and {} m",
-                    ground_.samples, ground_.step_m));
+                    samples_, step_m_));
   while (extent(levels_ - 1).size_px.x > view_side) ++levels_;
+  write_ground(ground);
+}
+
+TiledExtent LargeCover::extent_of(int channel_count) const {
+  return {glm::ivec2(samples_), channel_count, limits_.tile_samples};
 }
 
 TiledExtent LargeCover::extent(int level) const {
-  TiledExtent result{glm::ivec2(ground_.samples), channels, limits_.tile_samples};
+  TiledExtent result = extent_of(channels);
   for (int i = 0; i < level; ++i) result = halved(result);
   return result;
 }
@@ -97,6 +100,7 @@ void LargeCover::reckon(int hour) {
   int from = later == hours_.begin() ? -1 : *std::prev(later);
   while (from < hour) {
     const int to = from < 0 ? 0 : std::min(from + longest_pass_h, hour);
+    remove(to);  // from another time
     pass(from, to);
     from = to;
   }
@@ -114,33 +118,93 @@ void LargeCover::remove(int hour) {
   hours_.erase(hour);
 }
 
+LargeCover::Window LargeCover::window(const glm::ivec2& tile) const {
+  const int side = std::min(samples_, limits_.tile_samples + 2 * apron(step_m_));
+  const glm::ivec2 first_of_tile = tile * limits_.tile_samples;
+  const glm::ivec2 first =
+      glm::clamp(first_of_tile - apron(step_m_), glm::ivec2(0), glm::ivec2(samples_ - side));
+  return {side, first, first_of_tile - first,
+          glm::min(glm::ivec2(samples_) - first_of_tile, glm::ivec2(limits_.tile_samples))};
+}
+
+std::vector<float> LargeCover::read(const std::filesystem::path& path, const Window& window,
+                                    int channel_count) const {
+  std::vector<float> values(static_cast<std::size_t>(window.side) *
+                            static_cast<std::size_t>(window.side * channel_count));
+  images_.read(path, window.first, glm::ivec2(window.side), channel_count, values);
+  return values;
+}
+
+/// Heights and how deep snow can lie, so that neither is asked for again by the hour.
+void LargeCover::write_ground(const LargeGround& ground) {
+  const auto fill = [&](const glm::ivec2& tile, std::span<float> values) {
+    const Window around = window(tile);
+    Heightfield heights(around.side, (around.side - 1) * step_m_);
+    ground.heights(around.first, around.side, heights.values());
+    for (int y = 0; y < around.side; ++y)
+      for (int x = 0; x < around.side; ++x)
+        require_number(heights.at(x, y), around.first + glm::ivec2(x, y));
+    const FactorMap most_m = most_depths_m(heights);
+    around.each_of_tile([&](const glm::ivec2& at, std::size_t place) {
+      const auto value = static_cast<std::size_t>(at.y * limits_.tile_samples + at.x) * 2;
+      values[value] = heights.values()[place];
+      values[value + 1] = most_m.values()[place];
+    });
+  };
+  images_.forget(folder_ / "ground.tif");
+  write_tiled_image(folder_ / "ground.tif", extent_of(2), limits_.tiles_at_a_time, fill);
+}
+
+/// Heights and how deep snow can lie.
+std::pair<Heightfield, FactorMap> LargeCover::ground(const Window& window) const {
+  const std::vector<float> values = read(folder_ / "ground.tif", window, 2);
+  const double size_m = (window.side - 1) * step_m_;
+  std::pair<Heightfield, FactorMap> result(std::piecewise_construct,
+                                           std::forward_as_tuple(window.side, size_m),
+                                           std::forward_as_tuple(window.side, size_m));
+  for (std::size_t i = 0; 2 * i < values.size(); ++i) {
+    result.first.values()[i] = values[2 * i];
+    result.second.values()[i] = values[2 * i + 1];
+  }
+  return result;
+}
+
+/// The weights of a wind, and their mean over the whole ground.
+void LargeCover::write_drift(int heading_deg) {
+  if (heading_deg < 0 || drifts_.contains(heading_deg)) return;
+  const glm::ivec2 tiles = extent_of(1).tiles();
+  std::vector<double> sums(static_cast<std::size_t>(tiles.x * tiles.y), 0.0);
+  const auto fill = [&](const glm::ivec2& tile, std::span<float> values) {
+    const Window around = window(tile);
+    const FactorMap weights = drift_weights(ground(around).first, heading_deg, cover_.drifting);
+    double& sum = sums[static_cast<std::size_t>(tile.y * tiles.x + tile.x)];
+    around.each_of_tile([&](const glm::ivec2& at, std::size_t place) {
+      const float weight = weights.values()[place];
+      values[static_cast<std::size_t>(at.y * limits_.tile_samples + at.x)] = weight;
+      sum += weight;
+    });
+  };
+  const std::filesystem::path path = folder_ / fmt::format("drift_{:03}.tif", heading_deg);
+  images_.forget(path);
+  write_tiled_image(path, extent_of(1), limits_.tiles_at_a_time, fill);
+  const double places = static_cast<double>(samples_) * samples_;
+  drifts_[heading_deg] = {path, std::accumulate(sums.begin(), sums.end(), 0.0) / places};
+}
+
 /// Brings all tiles from one whole hour to a later one; from -1, the snow that lies at first.
 void LargeCover::pass(int from_hour, int to_hour) {
   std::vector<WeatherMoment> weather;
   for (int hour = std::max(from_hour, 0); hour < to_hour; ++hour)
     weather.push_back(weather_((hour + 0.5) * seconds_per_hour - earlier_s_));
-  for (const WeatherMoment& hour : weather) know_mean_drift(drift_heading_deg(hour, cover_.drifting));
+  for (const WeatherMoment& hour : weather) write_drift(drift_heading_deg(hour, cover_.drifting));
   const auto reckon_tile = [&](const glm::ivec2& tile, std::span<float> values) {
     const Window around = window(tile);
-    const SnowSlide slide(around.heights);
-    const HeightClasses classes(around.heights.values());
-    SnowpackField lying = packs(around, from_hour);
-    std::map<int, FactorMap> drifts;
-    slide.settle(lying);
-    for (const WeatherMoment& hour : weather) {
-      const int heading_deg = drift_heading_deg(hour, cover_.drifting);
-      FactorMap& factor = drifts[heading_deg];
-      if (factor.samples() == 0) factor = drift(around, heading_deg);
-      advance(lying, classes, classes.steps(hour, 1.0, cover_.melt_mm_per_day), factor.values());
-      slide.settle(lying);
-    }
-    around.each_of_tile([&](const glm::ivec2& at, std::size_t i) {
-      float* const value =
-          values.data() +
-          static_cast<std::ptrdiff_t>(at.y * limits_.tile_samples + at.x) * channels;
-      value[0] = static_cast<float>(lying.water_mm[i]);
-      value[1] = static_cast<float>(lying.depth_m[i]);
-      value[2] = static_cast<float>(lying.age[i]);
+    const SnowpackField lying = after(around, packs(around, from_hour), weather);
+    around.each_of_tile([&](const glm::ivec2& at, std::size_t place) {
+      const auto value = static_cast<std::size_t>(at.y * limits_.tile_samples + at.x) * channels;
+      values[value] = static_cast<float>(lying.water_mm[place]);
+      values[value + 1] = static_cast<float>(lying.depth_m[place]);
+      values[value + 2] = static_cast<float>(lying.age[place]);
     });
   };
   write_tiled_image(picture(to_hour, 0), extent(0), limits_.tiles_at_a_time, reckon_tile);
@@ -150,28 +214,37 @@ void LargeCover::pass(int from_hour, int to_hour) {
   hours_.insert(to_hour);
 }
 
-LargeCover::Window LargeCover::window(const glm::ivec2& tile) const {
-  const int side = window_side(ground_, limits_.tile_samples);
-  const glm::ivec2 first_of_tile = tile * limits_.tile_samples;
-  const glm::ivec2 first =
-      glm::clamp(first_of_tile - apron(ground_), glm::ivec2(0), glm::ivec2(ground_.samples - side));
-  Window result{
-      first, first_of_tile - first,
-      glm::min(glm::ivec2(ground_.samples) - first_of_tile, glm::ivec2(limits_.tile_samples)),
-      Heightfield(side, (side - 1) * ground_.step_m)};
-  ground_.heights(first, side, result.heights.values());
-  for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x)
-      require_number(result.heights.at(x, y), first + glm::ivec2(x, y));
-  return result;
+/// The packs of a window after hours of weather.
+SnowpackField LargeCover::after(const Window& window, SnowpackField packs,
+                                const std::vector<WeatherMoment>& hours) const {
+  auto [heights, most_m] = ground(window);
+  const HeightClasses classes(heights.values());
+  const SnowSlide slide(std::move(heights), std::move(most_m));
+  slide.settle(packs);
+  std::map<int, std::vector<float>> drifts;
+  for (const WeatherMoment& hour : hours) {
+    const int heading_deg = drift_heading_deg(hour, cover_.drifting);
+    std::vector<float>& factor = drifts[heading_deg];
+    if (factor.empty()) factor = drift(window, heading_deg);
+    advance(packs, classes, classes.steps(hour, 1.0, cover_.melt_mm_per_day), factor);
+    slide.settle(packs);
+  }
+  return packs;
+}
+
+std::vector<float> LargeCover::drift(const Window& window, int heading_deg) const {
+  const std::size_t places = static_cast<std::size_t>(window.side) * window.side;
+  if (heading_deg < 0) return std::vector<float>(places, 1.0F);
+  const Drift& drift = drifts_.at(heading_deg);
+  std::vector<float> factor = read(drift.weights, window, 1);
+  for (float& value : factor) value = static_cast<float>(value / drift.mean);
+  return factor;
 }
 
 SnowpackField LargeCover::packs(const Window& window, int hour) const {
-  const std::size_t places = window.heights.values().size();
+  const std::size_t places = static_cast<std::size_t>(window.side) * window.side;
   if (hour < 0) return {places, fresh_pack(cover_.initial_mm)};
-  std::vector<float> values(places * channels);
-  images_.read(picture(hour, 0), window.first, glm::ivec2(window.heights.samples()), channels,
-               values);
+  const std::vector<float> values = read(picture(hour, 0), window, channels);
   SnowpackField packs(places, {});
   for (std::size_t i = 0; i < places; ++i) {
     packs.water_mm[i] = values[i * channels];
@@ -179,28 +252,6 @@ SnowpackField LargeCover::packs(const Window& window, int hour) const {
     packs.age[i] = values[i * channels + 2];
   }
   return packs;
-}
-
-void LargeCover::know_mean_drift(int heading_deg) {
-  if (heading_deg < 0 || mean_drifts_.contains(heading_deg)) return;
-  const glm::ivec2 tiles = extent(0).tiles();
-  std::vector<double> sums(static_cast<std::size_t>(tiles.x * tiles.y), 0.0);
-  parallel_for(sums.size(), [&](std::size_t i) {
-    const Window around = window({static_cast<int>(i) % tiles.x, static_cast<int>(i) / tiles.x});
-    const FactorMap weights = drift_weights(around.heights, heading_deg, cover_.drifting);
-    around.each_of_tile(
-        [&](const glm::ivec2&, std::size_t place) { sums[i] += weights.values()[place]; });
-  });
-  const double places = static_cast<double>(ground_.samples) * ground_.samples;
-  mean_drifts_[heading_deg] = std::accumulate(sums.begin(), sums.end(), 0.0) / places;
-}
-
-FactorMap LargeCover::drift(const Window& window, int heading_deg) const {
-  if (heading_deg < 0) return {window.heights.samples(), window.heights.size_m(), 1.0F};
-  FactorMap factor = drift_weights(window.heights, heading_deg, cover_.drifting);
-  const double mean = mean_drifts_.at(heading_deg);
-  for (float& value : factor.values()) value = static_cast<float>(value / mean);
-  return factor;
 }
 
 std::vector<CoverLevel> LargeCover::view(double time_s, const glm::dvec2& eye_m) {
@@ -220,11 +271,11 @@ CoverLevel LargeCover::level_view(int level, double hours, const glm::dvec2& eye
   const double scale = std::exp2(level);
   CoverLevel result;
   result.side = std::min(view_side, samples);
-  result.step_m = ground_.step_m * scale;
+  result.step_m = step_m_ * scale;
   const glm::ivec2 middle =
       glm::ivec2(glm::floor(eye_m / (result.step_m * snap) + 0.5)) * snap - view_side / 2;
   const glm::ivec2 first = glm::clamp(middle, glm::ivec2(0), glm::ivec2(samples - result.side));
-  result.first_m = (glm::dvec2(first) * scale + 0.5 * (scale - 1.0)) * ground_.step_m;
+  result.first_m = (glm::dvec2(first) * scale + 0.5 * (scale - 1.0)) * step_m_;
 
   const int hour = static_cast<int>(hours);
   const auto share = static_cast<float>(hours - hour);

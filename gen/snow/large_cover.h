@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/tiled_image.h"
@@ -51,13 +52,16 @@ class LargeCover {
 
   /// `folder` exists and is this object's alone: it keeps the two hours of the latest view there,
   /// as "hour_<hour since the weather began>_level_<l>.tif" with the channels water in mm, depth
-  /// in m and age; a level has half the samples of the one before. The scene's cover is "depth".
-  LargeCover(const scene::Scene& scene, LargeGround ground, WeatherFunction weather,
+  /// in m and age; a level has half the samples of the one before. First it writes, tile by tile,
+  /// "ground.tif" with heights and most_depths_m(), and later "drift_<heading>.tif" for each wind
+  /// that comes. Rows of pictures go north. The scene's cover is "depth". Throws InputError for
+  /// heights that are no numbers, FileError for the disk.
+  LargeCover(const scene::Scene& scene, const LargeGround& ground, WeatherFunction weather,
              std::filesystem::path folder, Limits limits);
 
   /// Brings the pictures of a whole hour >= 0 since the weather began to disk, from the latest
   /// earlier hour that is there, and removes those of all hours but it and the one before. Throws
-  /// InputError for heights or weather that are no numbers, FileError for the disk.
+  /// InputError for weather that is no number, FileError for the disk.
   void reckon(int hour);
 
   /// What lies about a place at a time since the first frame: squares of at most 64 x 64 samples
@@ -76,26 +80,38 @@ class LargeCover {
   };
 
   TiledExtent extent(int level) const;
+  TiledExtent extent_of(int channels) const;
   std::filesystem::path picture(int hour, int level) const;
+  void write_ground(const LargeGround& ground);
+  void write_drift(int heading_deg);
   void pass(int from_hour, int to_hour);
   void remove(int hour);
   Window window(const glm::ivec2& tile) const;
+  std::vector<float> read(const std::filesystem::path& path, const Window& window,
+                          int channels) const;
   SnowpackField packs(const Window& window, int hour) const;
-  void know_mean_drift(int heading_deg);
-  FactorMap drift(const Window& window, int heading_deg) const;
+  std::pair<Heightfield, FactorMap> ground(const Window& window) const;
+  std::vector<float> drift(const Window& window, int heading_deg) const;
+  SnowpackField after(const Window& window, SnowpackField packs,
+                      const std::vector<WeatherMoment>& hours) const;
   const std::vector<float>& square(int level, int hour, const glm::ivec2& first, int side);
   CoverLevel level_view(int level, double hours, const glm::dvec2& eye_m);
 
   scene::SnowCover cover_;
   double earlier_s_;
-  LargeGround ground_;
+  int samples_;
+  double step_m_;
   WeatherFunction weather_;
   std::filesystem::path folder_;
   Limits limits_;
   TiledImages images_;
   int levels_ = 1;
-  std::set<int> hours_;                ///< on disk
-  std::map<int, double> mean_drifts_;  ///< of drift_weights() on all the ground, by heading
+  std::set<int> hours_;  ///< on disk
+  struct Drift {
+    std::filesystem::path weights;
+    double mean;
+  };
+  std::map<int, Drift> drifts_;                    ///< drift_weights() by heading
   std::map<std::pair<int, int>, Square> squares_;  ///< by level and whether the hour is odd
 };
 

@@ -53,27 +53,27 @@ double most_depth_m(double slope_deg) {
   return 3178.4 * std::pow(slope_deg, -1.998);
 }
 
-SnowSlide::SnowSlide(const Heightfield& terrain)
-    : terrain_(terrain), most_m_(terrain.values().size()) {
-  const auto side = static_cast<std::size_t>(terrain.samples());
-  parallel_for(side, [&](std::size_t j) {
-    for (std::size_t i = 0; i < side; ++i)
-      most_m_[j * side + i] = static_cast<float>(
-          most_depth_m(terrain::slope_deg(terrain, static_cast<double>(i) * terrain.step_m(),
-                                          static_cast<double>(j) * terrain.step_m())));
+FactorMap most_depths_m(const Heightfield& terrain) {
+  FactorMap result(terrain.samples(), terrain.size_m());
+  parallel_for(static_cast<std::size_t>(terrain.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < terrain.samples(); ++i)
+      result.at(i, j) = static_cast<float>(
+          most_depth_m(terrain::slope_deg(terrain, i * terrain.step_m(), j * terrain.step_m())));
   });
+  return result;
 }
 
 void SnowSlide::settle(SnowpackField& packs) const {
-  const auto is_too_deep = [&](std::size_t i) { return packs.depth_m[i] > most_m_[i]; };
+  const std::vector<float>& most_m = most_m_.values();
   const auto is_lower = [&](std::size_t a, std::size_t b) {
     const float a_m = terrain_.values()[a], b_m = terrain_.values()[b];
     return a_m != b_m ? a_m < b_m : a > b;
   };
   // Snow only ever comes from higher ground, so a place has all it gets when its turn comes.
   std::vector<std::size_t> heap, overfed;
-  for (std::size_t i = 0; i < most_m_.size(); ++i)
-    if (is_too_deep(i)) heap.push_back(i);
+  for (std::size_t i = 0; i < most_m.size(); ++i)
+    if (packs.depth_m[i] > most_m[i]) heap.push_back(i);
   std::make_heap(heap.begin(), heap.end(), is_lower);
   while (!heap.empty()) {
     std::pop_heap(heap.begin(), heap.end(), is_lower);
@@ -94,7 +94,8 @@ void SnowSlide::shed(SnowpackField& packs, std::size_t from,
   LowerNeighbours below(terrain_, static_cast<int>(from % side), static_cast<int>(from / side));
   if (below.count == 0) return;
   below.add_snow(packs.depth_m[from], packs.depth_m);
-  const double excess_m = packs.depth_m[from] - most_m_[from];
+  const std::vector<float>& most_m = most_m_.values();
+  const double excess_m = packs.depth_m[from] - most_m[from];
   const double excess_mm = packs.water_mm[from] * excess_m / packs.depth_m[from];
   const double drop_m = below.drop_m();
   for (std::size_t n = 0; n < below.count; ++n) {
@@ -105,12 +106,12 @@ void SnowSlide::shed(SnowpackField& packs, std::size_t from,
       packs.age[to.index] += (packs.age[from] - packs.age[to.index]) * share * excess_mm / water_mm;
     packs.water_mm[to.index] = water_mm;
     const double depth_m = packs.depth_m[to.index] + share * excess_m;
-    if (depth_m > most_m_[to.index] && packs.depth_m[to.index] <= most_m_[to.index])
+    if (depth_m > most_m[to.index] && packs.depth_m[to.index] <= most_m[to.index])
       overfed.push_back(to.index);
     packs.depth_m[to.index] = depth_m;
   }
   packs.water_mm[from] -= excess_mm;
-  packs.depth_m[from] = most_m_[from];
+  packs.depth_m[from] = most_m[from];
 }
 
 }  // namespace wold::snow

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "core/ground_map.h"
@@ -12,11 +13,15 @@ namespace wold::snow {
 /// transport), infinite on gentler ground.
 double most_depth_m(double slope_deg);
 
+/// most_depth_m() of every place of a terrain of finite heights.
+FactorMap most_depths_m(const Heightfield& terrain);
+
 /// Snow that slopes are too steep for slides to lower ground.
 class SnowSlide {
  public:
-  /// Heights are finite.
-  explicit SnowSlide(const Heightfield& terrain);
+  SnowSlide(Heightfield terrain, FactorMap most_depths_m)
+      : terrain_(std::move(terrain)), most_m_(std::move(most_depths_m)) {}
+  explicit SnowSlide(const Heightfield& terrain) : SnowSlide(terrain, most_depths_m(terrain)) {}
 
   /// Moves what is above most_depth_m() from the highest place to the lowest, with its share of
   /// the water: to those of the eight neighbours whose ground is lower, by how far the surface of
@@ -30,7 +35,7 @@ class SnowSlide {
   void shed(SnowpackField& packs, std::size_t from, std::vector<std::size_t>& overfed) const;
 
   Heightfield terrain_;
-  std::vector<float> most_m_;  ///< most_depth_m() of each place
+  FactorMap most_m_;
 };
 
 }  // namespace wold::snow
