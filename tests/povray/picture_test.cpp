@@ -13,6 +13,7 @@
 #include "povray/constant_meadow.h"
 #include "povray/export.h"
 #include "support/cloudy_view.h"
+#include "support/detailed_ground.h"
 #include "support/snowy_view.h"
 #include "support/synthetic_landscape.h"
 
@@ -169,6 +170,19 @@ TEST_F(Picture, GroundShowsAPlaceWhereTheCameraSeesIt) {
   const glm::dvec2 found = bright_spot(picture, 0.6F);
   EXPECT_NEAR(found.x, wanted.x, 0.75);
   EXPECT_NEAR(found.y, wanted.y, 0.75);
+}
+
+// Each at its place, sharp; what pixels leave of a sample's peak is at least 0.85 of it.
+TEST_F(Picture, FinerPicturesOfTheGroundAreSeenWhereTheyAre) {
+  landscape::Landscape scene = test::constant_meadow({}, folder / "texels");
+  test::make_detailed_ground(scene);
+  const Image picture = render(scene);
+  for (const auto& [place_m, wanted] : test::places_of_detailed_ground()) {
+    const glm::dvec2 at = pixel_of(scene, place_m - scene.camera.eye_m);
+    EXPECT_NEAR(radiance(picture, scene, static_cast<int>(at.x), static_cast<int>(at.y)), wanted,
+                std::abs(wanted - 0.1) > 0.06 ? 0.03 : 0.003)
+        << place_m.x << ", " << place_m.y;
+  }
 }
 
 // Light that grows eastward in red and northward in blue on grass that grows northward, seen from
