@@ -29,18 +29,19 @@ inline void make_detailed_ground(landscape::Landscape& scene) {
 struct PlaceOfGround {
   glm::dvec3 place_m;
   double radiance;
+  double tolerance;  ///< wide where half a pixel aside it is another
 };
 
 /// Places on make_detailed_ground()'s ground and what is seen there: outside, half way into a soft
 /// border, and on both colours of the chequer.
 inline std::vector<PlaceOfGround> places_of_detailed_ground() {
-  return {{{23.5, 32.0, 0.0}, 0.05},   // the coarsest, beside the finer
-          {{26.0, 30.5, 0.0}, 0.075},  // half way into the soft border of 4 m
-          {{29.5, 34.0, 0.0}, 0.1},    // the finer, beside the finest
-          {{33.0, 32.0, 0.0}, 0.2},    // samples 12 and 16 of the finest
-          {{33.25, 32.0, 0.0}, 0.0},   // its neighbour
-          {{33.125, 32.0, 0.0}, 0.1},  // between the two
-          {{35.0, 33.25, 0.0}, 0.0}};
+  return {{{23.5, 32.0, 0.0}, 0.05, 0.003},   // the coarsest, beside the finer
+          {{26.0, 30.5, 0.0}, 0.075, 0.003},  // half way into the soft border of 4 m
+          {{29.5, 34.0, 0.0}, 0.1, 0.003},    // the finer, beside the finest
+          {{33.0, 32.0, 0.0}, 0.2, 0.03},     // samples 12 and 16 of the finest
+          {{33.25, 32.0, 0.0}, 0.0, 0.03},    // its neighbour
+          {{33.125, 32.0, 0.0}, 0.1, 0.03},   // between the two
+          {{35.0, 33.25, 0.0}, 0.0, 0.03}};
 }
 
 }  // namespace wold::test
