@@ -1,5 +1,8 @@
 #include "blender/frame_data.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "blender/arrays.h"
@@ -49,6 +52,36 @@ Json write_ground_map(const ColourMap& map, const fs::path& folder, const char* 
                       const FactorMap* fourth = nullptr) {
   write_image(folder / name, picture_of(map, fourth), PixelFormat::half);
   return {{"file", name}, {"samples", map.samples()}, {"size_m", map.size_m()}};
+}
+
+/// How much of a finer picture of the ground is seen: none along its edge, all inside its border.
+FactorMap fading_in(const landscape::GroundDetail& detail, double border_m) {
+  const ColourMap& map = detail.map;
+  FactorMap seen(map.samples(), map.size_m());
+  const int last = map.samples() - 1;
+  for (int j = 0; j <= last; ++j)
+    for (int i = 0; i <= last; ++i) {
+      const int from_edge = std::min({i, j, last - i, last - j});
+      seen.at(i, j) = static_cast<float>(std::min(1.0, from_edge * map.step_m() / border_m));
+    }
+  return seen;
+}
+
+/// Finer pictures of the ground, coarse to fine, with how much of them is seen as fourth channel.
+Json write_ground_details(const Landscape& landscape, const fs::path& folder) {
+  const auto name = [](std::size_t number) { return fmt::format("ground_detail_{}.exr", number); };
+  const std::size_t count = landscape.ground_details.size();
+  for (std::size_t stale = count + 1; fs::remove(folder / name(stale));) ++stale;
+  Json list = Json::array();
+  const ColourMap* coarser = &landscape.ground;
+  for (std::size_t i = 0; i < count; ++i) {
+    const landscape::GroundDetail& detail = landscape.ground_details[i];
+    const FactorMap seen = fading_in(detail, soft_border_m(*coarser, detail));
+    list.push_back(write_ground_map(detail.map, folder, name(i + 1).c_str(), &seen));
+    list.back()["corner_m"] = {detail.corner_m.x, detail.corner_m.y};
+    coarser = &detail.map;
+  }
+  return list;
 }
 
 /// The light on the volumes with how much of them stands as its fourth channel: one look-up.
@@ -232,6 +265,7 @@ void write_frame_data(const Landscape& landscape, const fs::path& folder,
                       {"light", write_ground_map(landscape.light, folder, "light.exr")},
                       {"standing_light", write_standing_light(landscape, folder)},
                       {"ground", write_ground_map(landscape.ground, folder, "ground.exr")},
+                      {"ground_details", write_ground_details(landscape, folder)},
                       {"sky", "sky.exr"},
                       {"clouds", write_clouds(landscape, folder)},
                       {"backdrop", write_backdrop(landscape, folder)},

@@ -31,6 +31,8 @@ struct VolumeEntry {
 ///   flake_pictures.i32     1 per flake: index of its picture
 ///   flake_opacities.f32    1 per flake
 ///   light.exr, ground.exr  samples x samples on the corners of the terrain, north at the top
+///   ground_detail_1.exr    finer pictures of parts of the ground, likewise on their corners; the
+///                          fourth channel says how much of them is seen
 ///   sky.exr                as landscape::Landscape::sky
 ///
 /// Arrays are little-endian without a header. Throws FileError.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <glm/glm.hpp>
@@ -115,6 +116,17 @@ struct Fog {
   glm::vec3 radiance{0.0F};
 };
 
+/// A finer picture of a square part of the ground, seen there in place of the coarser one.
+struct GroundDetail {
+  ColourMap map;  ///< by place from `corner_m`
+  glm::dvec2 corner_m{0.0};
+};
+
+/// How far inside its edge a finer picture has wholly replaced the coarser: two of its pixels.
+inline double soft_border_m(const ColourMap& coarser, const GroundDetail& finer) {
+  return std::min(2.0 * coarser.step_m(), 0.25 * finer.map.size_m());
+}
+
 struct Landscape {
   int frame = 1;            ///< from 1
   double weathering = 0.0;  ///< the frame's weathering degree, for people
@@ -127,6 +139,7 @@ struct Landscape {
   ColourMap light;                     ///< multiplies the radiance of all grass, by world x and y
   FactorMap standing;                  ///< multiplies the extinction of the volumes, likewise
   ColourMap ground;                    ///< radiance of the bare ground, by world x and y
+  std::vector<GroundDetail> ground_details;  ///< coarse to fine, each inside the one before
   Image sky;                     ///< radiance by direction, 3 channels: column c looks to azimuth
                                  ///< 360 (c + 0.5) / width degrees clockwise from north, row r to
                                  ///< elevation 90 - 180 (r + 0.5) / height degrees

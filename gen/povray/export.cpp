@@ -148,6 +148,7 @@ void export_frame(const landscape::Landscape& scene, const fs::path& folder) {
   const std::string maps = write_grass_maps(scene, frame);
   const std::string backdrop = write_backdrop(scene.backdrop, frame);
   write_map_picture(scene.ground, frame / "ground.exr");
+  const std::string details = write_ground_details(scene, frame);
   write_image(frame / "sky.exr", scene.sky, PixelFormat::half);
   write_file(frame / "cells.inc", [&](std::ostream& out) { write_cells(out, scene, used); });
   write_file(frame / "volumes.inc",
@@ -155,7 +156,8 @@ void export_frame(const landscape::Landscape& scene, const fs::path& folder) {
   for (const landscape::CloudBox& cloud : scene.clouds) write_cloud(cloud, scene.df3_bits, frame);
   write_file(frame / "clouds.inc", clouds_text(scene.clouds));
   write_flakes(scene.flakes, scene.camera.eye_m, frame, data / "flakes");
-  write_file(frame / "frame.inc", frame_text(scene, terrain) + maps + backdrop + air_text(scene));
+  write_file(frame / "frame.inc",
+             frame_text(scene, terrain) + maps + details + backdrop + air_text(scene));
   write_file(data / fmt::format("frame_{:04}.ini", scene.frame), frame_settings(scene));
   write_file(folder / "povray.ini", settings(scene));
 }

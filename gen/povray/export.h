@@ -15,7 +15,8 @@ namespace wold::povray {
 ///     data/frame_0001/cells.inc     one macro call per cell
 ///     data/frame_0001/clouds.inc    one macro call per cloud that is a volume
 ///     data/frame_0001/flakes.inc    the flakes as one mesh; none, no file
-///     data/frame_0001/*.df3, *.exr  light on the grass, clouds; ground, sky, backdrop
+///     data/frame_0001/*.df3, *.exr  light on the grass, clouds; ground and its details,
+///                                   sky, backdrop
 ///     data/terrain_<hash>.inc       the ground's triangles, shared by frames with the same ground
 ///     data/blades/<name>*           meshes, shared by all frames
 ///     data/flakes/<name>.png        pictures of flakes, shared by all frames

@@ -85,4 +85,24 @@ void write_map_picture(const ColourMap& map, const fs::path& path) {
   write_image(path, picture, PixelFormat::half);
 }
 
+std::string write_ground_details(const landscape::Landscape& scene, const fs::path& folder) {
+  const auto path = [&](std::size_t number) {
+    return folder / fmt::format("ground_detail_{}.exr", number);
+  };
+  const std::size_t count = scene.ground_details.size();
+  for (std::size_t stale = count + 1; fs::remove(path(stale));) ++stale;
+  if (count == 0) return {};
+  std::string text = fmt::format("#declare Ground_detail = array[{}][5] {{\n", count);
+  const ColourMap* coarser = &scene.ground;
+  for (std::size_t i = 0; i < count; ++i) {
+    const landscape::GroundDetail& detail = scene.ground_details[i];
+    write_map_picture(detail.map, path(i + 1));
+    text += fmt::format("  {{ {}, {}, {}, {}, {} }},\n", number(detail.corner_m.x),
+                        number(detail.corner_m.y), detail.map.samples(),
+                        number(detail.map.step_m()), number(soft_border_m(*coarser, detail)));
+    coarser = &detail.map;
+  }
+  return text + "}  // west and south edge, samples, step, soft border: metres\n";
+}
+
 }  // namespace wold::povray

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/ground_map.h"
+#include "landscape/landscape.h"
 
 namespace wold::povray {
 
@@ -21,6 +22,12 @@ float write_factor(const FactorMap& factor, const std::filesystem::path& path);
 /// write_factor(). Returns the value of the largest integer for each channel. Throws FileError.
 glm::vec3 write_light(const ColourMap& light, const std::filesystem::path& folder,
                       const std::string& stem);
+
+/// Writes the finer pictures of the ground as ground_detail_1.exr and so on, like
+/// write_map_picture(), and removes those of an earlier run. Returns what frame.inc says of them:
+/// nothing without any. Throws FileError.
+std::string write_ground_details(const landscape::Landscape& scene,
+                                 const std::filesystem::path& folder);
 
 /// Writes a map as an OpenEXR picture (half floats) whose pixel centres are the map's samples,
 /// north at the top. Throws FileError.

@@ -109,7 +109,7 @@ def constant(nodes, colour):
     return output
 
 
-def map_outputs(nodes, frame, ground_map):
+def map_outputs(nodes, frame, ground_map, corner_m=(0, 0), extension="EXTEND"):
     """Colour and Alpha of a map of the ground at the shaded point, as output sockets.
 
     The map's values lie on the corners of its grid, the first and last on the terrain's border; a
@@ -120,9 +120,9 @@ def map_outputs(nodes, frame, ground_map):
     # Not a Mapping node: it works out its rotation anew at every step of every ray.
     place = nodes.add("ShaderNodeVectorMath", operation="MULTIPLY_ADD")
     place.inputs[1].default_value = (scale, scale, 0)
-    place.inputs[2].default_value = (0.5 / samples, 0.5 / samples, 0)
+    place.inputs[2].default_value = (*(0.5 / samples - scale * edge for edge in corner_m), 0)
     picture = nodes.add("ShaderNodeTexImage", image=frame.image(ground_map["file"]),
-                        extension="EXTEND")
+                        extension=extension)
     nodes.link(position, place.inputs[0])
     nodes.link(place.outputs["Vector"], picture.inputs["Vector"])
     return picture.outputs
@@ -156,8 +156,17 @@ def medium(nodes, extinction, radiance):
 
 
 def ground_material(frame):
+    """The whole ground's picture, and over it the finer ones as far as they are seen."""
     material, nodes = new_material("ground")
-    glow(nodes, map_outputs(nodes, frame, frame["ground"])["Color"])
+    colour = map_outputs(nodes, frame, frame["ground"])["Color"]
+    for detail in frame["ground_details"]:
+        finer = map_outputs(nodes, frame, detail, detail["corner_m"], "CLIP")
+        seen = nodes.add("ShaderNodeMixRGB")
+        nodes.link(finer["Alpha"], seen.inputs["Fac"])
+        nodes.link(colour, seen.inputs["Color1"])
+        nodes.link(finer["Color"], seen.inputs["Color2"])
+        colour = seen.outputs["Color"]
+    glow(nodes, colour)
     return material
 
 

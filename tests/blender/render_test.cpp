@@ -15,6 +15,7 @@
 #include "core/image.h"
 #include "core/vdb_file.h"
 #include "support/cloudy_view.h"
+#include "support/detailed_ground.h"
 #include "support/snowy_view.h"
 #include "support/synthetic_landscape.h"
 
@@ -261,6 +262,20 @@ TEST_F(BlenderRender, FlakesAndFogShowWhatTheirFormulaeSay) {
     const float value = picture.pixel(static_cast<int>(at.x), static_cast<int>(at.y))[1];
     EXPECT_NEAR(double{linear_of(value)} / landscape.exposure_gain, wanted, 0.015 * wanted)
         << direction.x << ", " << direction.y << ", " << direction.z;
+  }
+}
+
+// Each at its place and sharp: a sample's colour, not a mean of two.
+TEST_F(BlenderRender, FinerPicturesOfTheGroundAreSeenWhereTheyAre) {
+  test::make_detailed_ground(landscape);
+  ASSERT_EQ(run(), 0) << read_file(folder / "log");
+  const Image picture = read_image(folder / "picture.png");
+  const Eye eye(landscape);
+  for (const auto& [place_m, wanted, tolerance] : test::places_of_detailed_ground()) {
+    const glm::dvec2 at = eye.pixel_of_direction(place_m - landscape.camera.eye_m);
+    const float value = picture.pixel(static_cast<int>(at.x), static_cast<int>(at.y))[1];
+    EXPECT_NEAR(double{linear_of(value)} / landscape.exposure_gain, wanted, tolerance)
+        << place_m.x << ", " << place_m.y;
   }
 }
 

@@ -50,6 +50,7 @@ class Exporters : public testing::TestWithParam<Exporter> {
         test::synthetic_landscape({.cells_per_side = 2, .height_voxels = 8}, folder / "texels");
     test::add_flakes(landscape, 40, 5.0);
     landscape.fog = landscape::Fog{0.01, glm::vec3(0.1F)};
+    landscape.ground_details = {{ColourMap(3, 0.5), {0.2, 0.3}}, {ColourMap(3, 0.2), {0.3, 0.4}}};
   }
   ~Exporters() override { fs::remove_all(folder); }
 
@@ -85,11 +86,13 @@ TEST_P(Exporters, WritingOverItselfChangesNothing) {
   EXPECT_TRUE(once == all_files(folder / "out"));
 }
 
-// What a frame had of snow and fog goes when it is written again without.
-TEST_P(Exporters, NoFlakesAndNoFogLeaveNothingOfThemInTheFrame) {
+// What a frame had of flakes, fog and finer pictures of the ground goes when it is written again
+// without.
+TEST_P(Exporters, WhatAFrameHasNoMoreLeavesNothingInIt) {
   Landscape dry = landscape;
   dry.flakes = {};
   dry.fog.reset();
+  dry.ground_details.clear();
   GetParam().run(dry, folder / "dry");
   GetParam().run(landscape, folder / "out");
   EXPECT_FALSE(all_files(folder / "dry/data/frame_0001") ==

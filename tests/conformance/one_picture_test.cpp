@@ -49,7 +49,7 @@ TEST(OnePicture, SnowfallAndFogAreAlike) {
   const test::TemporaryFolder folder("one_picture");
   Landscape landscape = test::synthetic_landscape({}, folder.path() / "texels");
   test::add_flakes(landscape, 3000, 4.0);
-  landscape.fog = landscape::Fog{0.1, glm::vec3(0.1F, 0.11F, 0.12F)};
+  landscape.fog = landscape::Fog{0.02, glm::vec3(0.1F, 0.11F, 0.12F)};
   const Image blender = blender_picture(landscape, folder.path() / "blender");
   const Image povray = povray_picture(landscape, folder.path() / "povray");
   const double difference = test::blurred_difference(blender, povray);

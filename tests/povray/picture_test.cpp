@@ -13,6 +13,7 @@
 #include "povray/constant_meadow.h"
 #include "povray/export.h"
 #include "support/cloudy_view.h"
+#include "support/detailed_ground.h"
 #include "support/snowy_view.h"
 #include "support/synthetic_landscape.h"
 
@@ -169,6 +170,19 @@ TEST_F(Picture, GroundShowsAPlaceWhereTheCameraSeesIt) {
   const glm::dvec2 found = bright_spot(picture, 0.6F);
   EXPECT_NEAR(found.x, wanted.x, 0.75);
   EXPECT_NEAR(found.y, wanted.y, 0.75);
+}
+
+// Each at its place and sharp: a sample's colour, not a mean of two.
+TEST_F(Picture, FinerPicturesOfTheGroundAreSeenWhereTheyAre) {
+  landscape::Landscape scene = test::constant_meadow({}, folder / "texels");
+  test::make_detailed_ground(scene);
+  const Image picture = render(scene);
+  for (const auto& [place_m, wanted, tolerance] : test::places_of_detailed_ground()) {
+    const glm::dvec2 at = pixel_of(scene, place_m - scene.camera.eye_m);
+    EXPECT_NEAR(radiance(picture, scene, static_cast<int>(at.x), static_cast<int>(at.y)), wanted,
+                tolerance)
+        << place_m.x << ", " << place_m.y;
+  }
 }
 
 // Light that grows eastward in red and northward in blue on grass that grows northward, seen from
