@@ -47,15 +47,24 @@ class FlakeLook {
   SeenFlake seen(const Flake& flake) const;
 
  private:
-  double crystal_side_m(const Flake& flake) const;
-  SeenFlake streak(const Flake& flake, const glm::dvec3& towards_eye, const glm::dvec3& way_m,
-                   double pixel_m) const;
-  SeenFlake disc(const Flake& flake, const glm::dvec3& towards_eye, double pixel_m) const;
-  SeenFlake crystal(const Flake& flake, const glm::dvec3& towards_eye, double pixel_m) const;
+  /// A flake as the eye sees it; lengths in metres.
+  struct Sight {
+    const Flake& flake;
+    glm::vec3 centre;
+    glm::vec3 towards_eye;
+    float diameter;
+    float pixel;
+  };
+  float crystal_side(const Sight& sight) const;
+  SeenFlake streak(const Sight& sight, const glm::vec3& way, float way_length) const;
+  SeenFlake disc(const Sight& sight) const;
+  SeenFlake crystal(const Sight& sight) const;
 
   const FlakePictures& pictures_;
   const Frustum& frustum_;
-  double shutter_s_;
+  float shutter_s_;
+  float streak_area_;  ///< cross-section over mean opacity, of a flake of diameter 1
+  float disc_side_;    ///< of the square whose picture has such a flake's cross-section
 };
 
 }  // namespace wold::snow

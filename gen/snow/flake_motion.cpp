@@ -1,6 +1,7 @@
 #include "snow/flake_motion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -20,21 +21,21 @@ constexpr double slowest_turn_per_s = 0.5, turn_range_per_s = 2.0;
 
 /// Twenty-one random bits as a number in [0, 1).
 double third_of(std::uint64_t bits, int place) {
-  return static_cast<double>((bits >> (21 * place)) & 0x1fffffU) * 0x1.0p-21;
+  return static_cast<double>(static_cast<int>((bits >> (21 * place)) & 0x1fffffU)) * 0x1.0p-21;
 }
 
 WindField::Gust sway(double diameter_m, double time_s, std::uint64_t bits) {
   const double wide = least_sway + (1.0 - least_sway) * third_of(bits, 0);
-  const double height_m = farthest_sway_m * wide * std::min(1.0, diameter_m / sways_most_m);
+  const double height_m = farthest_sway_m * wide * std::min(1.0, diameter_m * (1.0 / sways_most_m));
   const double rad_s =
       slowest_sway_rad_s + (fastest_sway_rad_s - slowest_sway_rad_s) * third_of(bits, 1);
+  constexpr double turns_per_rad = 0.5 / std::numbers::pi;
   const auto phase =
-      static_cast<float>(off_whole(rad_s * time_s / (2.0 * std::numbers::pi) + third_of(bits, 2)));
+      static_cast<float>(off_whole(turns_per_rad * rad_s * time_s + third_of(bits, 2)));
   const float across = phase + 0.7F * static_cast<float>(third_of(bits, 0));  // leans either way
-  return {
-      static_cast<float>(height_m) * glm::vec3(sine_of_turns(phase), sine_of_turns(across), 0.0F),
-      static_cast<float>(height_m * rad_s) *
-          glm::vec3(cosine_of_turns(phase), cosine_of_turns(across), 0.0F)};
+  const auto waving = sines_and_cosines(std::array<float, 2>{phase, across});
+  return {static_cast<float>(height_m) * glm::vec3(waving[0], waving[1], 0.0F),
+          static_cast<float>(height_m * rad_s) * glm::vec3(waving[2], waving[3], 0.0F)};
 }
 
 }  // namespace
@@ -45,7 +46,7 @@ FlakeMotion::FlakeMotion(const scene::Scene& scene, const Weather& weather, doub
       sizes_(rate_mm_h, scene.snowfall.crystal) {}
 
 FlakeMotion::Moment FlakeMotion::moment(double time_s, double rate_mm_h) const {
-  return {time_s, gunn_marshall(rate_mm_h).lambda_per_mm, wind_.common(time_s),
+  return {time_s, sizes_.diameters_m(gunn_marshall(rate_mm_h).lambda_per_mm), wind_.common(time_s),
           wind_.moment(time_s)};
 }
 
@@ -64,7 +65,7 @@ FlakeMotion::Drifting FlakeMotion::drifting(std::uint64_t population_key, std::u
 }
 
 Flake FlakeMotion::flake(const Drifting& drifting, const Moment& moment) const {
-  const double diameter_m = sizes_.diameter_m(drifting.body.rank, moment.lambda_per_mm);
+  const auto diameter_m = static_cast<double>(moment.diameters_m[drifting.body.rank]);
   const auto gust = wind_.own_gust(moment.gusts, mixed(drifting.key ^ key_of("gust")));
   const auto swaying = sway(diameter_m, moment.time_s, mixed(drifting.key ^ key_of("sway")));
   const std::uint64_t look = mixed(drifting.key ^ key_of("look"));

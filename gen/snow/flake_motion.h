@@ -2,7 +2,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <string>
+#include <vector>
 
 #include "snow/flake_look.h"
 #include "snow/flake_sizes.h"
@@ -27,8 +27,8 @@ class FlakeMotion {
 
   /// What all flakes share at a time.
   struct Moment {
-    double time_s = 0.0;  ///< since the first frame
-    double lambda_per_mm = 1.0;
+    double time_s = 0.0;                  ///< since the first frame
+    std::vector<float> diameters_m = {};  ///< see FlakeSizes
     Motion common = {};
     WindField::Moment gusts = {};
   };

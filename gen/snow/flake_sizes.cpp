@@ -67,11 +67,14 @@ FlakeSizes::Body FlakeSizes::body(std::uint64_t bits) const {
       static_cast<double>(of_rank.speed_m_s[crystal]) * (1.0 + half_width * (2.0 * spread - 1.0))};
 }
 
-double FlakeSizes::diameter_m(std::uint32_t rank, double lambda_per_mm) const {
+std::vector<float> FlakeSizes::diameters_m(double lambda_per_mm) const {
   constexpr double m_per_mm = 1e-3;
-  const double melted_mm =
-      least_melted_mm + static_cast<double>(ranks_[rank].deviate) / lambda_per_mm;
-  return m_per_mm * flake_diameter_mm(melted_mm);
+  std::vector<float> diameters(ranks_.size());
+  for (std::size_t rank = 0; rank < ranks_.size(); ++rank)
+    diameters[rank] = static_cast<float>(
+        m_per_mm * flake_diameter_mm(least_melted_mm +
+                                     static_cast<double>(ranks_[rank].deviate) / lambda_per_mm));
+  return diameters;
 }
 
 }  // namespace wold::snow

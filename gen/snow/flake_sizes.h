@@ -32,8 +32,8 @@ class FlakeSizes {
   /// spread by a standard deviation of 12 % (measured at Hokuriku: 12 of 100 cm/s).
   Body body(std::uint64_t bits) const;
 
-  /// The diameter at a rate of snowfall with that Lambda, see gunn_marshall().
-  double diameter_m(std::uint32_t rank, double lambda_per_mm) const;
+  /// Diameters by rank, at a rate of snowfall with that Lambda, see gunn_marshall().
+  std::vector<float> diameters_m(double lambda_per_mm) const;
 
   static constexpr int rank_bits = 11;
 

@@ -16,8 +16,16 @@ constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double gravity_m_s2 = 9.81;
 constexpr double step_s = 0.04;  ///< dt, of 25 pictures a second
 
+constexpr double flutter_m_s = 0.3, slowest_flutter_per_s = 0.3, flutter_range_per_s = 0.7;
+
 double draw(std::uint64_t key, std::uint64_t purpose) {
-  return static_cast<double>(mixed(key ^ purpose) >> 11) * 0x1.0p-53;
+  return static_cast<double>(static_cast<std::int64_t>(mixed(key ^ purpose) >> 11)) * 0x1.0p-53;
+}
+
+/// One of two numbers in [0, 1) of 64 random bits.
+double half_of(std::uint64_t bits, int place) {
+  return static_cast<double>(static_cast<std::int64_t>((bits >> (32 * place)) & 0xffffffffU)) *
+         0x1.0p-32;
 }
 
 /// The place x repeated every `side` that lies in [low, low + side).
@@ -26,7 +34,7 @@ double wrapped(double x, double low, double side) {
 }
 
 /// The distance at which 1/e of the flakes are drawn.
-double reach_of(const glm::dvec3& box_m) { return 0.5 * std::min(box_m.x, box_m.y); }
+double reach_of(const glm::dvec3& box_m) { return std::min(box_m.x, box_m.y); }
 
 }  // namespace
 
@@ -56,39 +64,59 @@ PaperSnow::Moment PaperSnow::moment(double time_s) const {
   return {time_s, wind_.common(time_s), wind_.moment(time_s)};
 }
 
-PaperFlake PaperSnow::flake(std::uint64_t i, const Moment& moment, const PaperBox& box) const {
+PaperSnow::Drifting PaperSnow::drifting(std::uint64_t i, const Moment& moment,
+                                        const PaperBox& box) const {
   const std::uint64_t key = mixed(key_ ^ i);
+  const std::uint64_t start = mixed(key ^ key_of("start"));
+  const double v0_m_s = -(0.5 + 0.5 * half_of(start, 0));
+  const double fall_m_s = v0_m_s - gravity_m_s2 * step_s;
+  const double boxes = half_of(start, 1) + (fall_m_s * moment.time_s - box.low_m.z) / box.size_m.z;
+  const double whole = std::floor(boxes);
+  const auto births = -static_cast<std::int64_t>(whole);
+  const std::uint64_t birth = mixed(key ^ static_cast<std::uint64_t>(births));
+  return {
+      key,
+      births,
+      {wrapped(box.size_m.x * half_of(birth, 0) + moment.common.way_m.x, box.low_m.x, box.size_m.x),
+       wrapped(box.size_m.y * half_of(birth, 1) + moment.common.way_m.y, box.low_m.y, box.size_m.y),
+       box.low_m.z + box.size_m.z * (boxes - whole)},
+      v0_m_s};
+}
+
+PaperFlake PaperSnow::flake(const Drifting& drifting, const Moment& moment) const {
+  const std::uint64_t key = drifting.key;
   PaperFlake flake;
+  flake.start_assign = drifting.births;
   flake.size_m = 0.006 + 0.01 * draw(key, key_of("size"));
   flake.colour.a = static_cast<float>(0.7 + 0.3 * draw(key, key_of("alpha")));
-  flake.v0_m_s = {0.0, 0.0, -(0.5 + 0.5 * draw(key, key_of("v0")))};
   flake.rot_per_s = draw(key, key_of("rot")) - 0.5;
   flake.angle_turns = off_whole(draw(key, key_of("angle")) + flake.rot_per_s * moment.time_s);
 
+  // Level winds alone: the height says when a flake is born again.
   const auto gust = wind_.own_gust(moment.gusts, mixed(key ^ key_of("vf")));
-  flake.vf_m_s = moment.common.velocity_m_s + glm::dvec3(gust.velocity_m_s);
-  flake.vf_m_s.z = 0.0;  // the height says when a flake is born again
-  constexpr double flutter_m_s = 0.3;
-  const double flutter_per_s = 0.3 + 0.7 * draw(key, key_of("flutter"));
+  flake.v0_m_s = {0.0, 0.0, drifting.v0_m_s};
+  flake.vf_m_s = {
+      glm::dvec2(moment.common.velocity_m_s) + glm::dvec2(gust.velocity_m_s.x, gust.velocity_m_s.y),
+      0.0};
+  const double flutter_per_s =
+      slowest_flutter_per_s + flutter_range_per_s * draw(key, key_of("flutter"));
   const auto flutter =
       static_cast<float>(off_whole(draw(key, key_of("vr")) + flutter_per_s * moment.time_s));
   const glm::dvec2 circle(cosine_of_turns(flutter), sine_of_turns(flutter));
   flake.vr_m_s = flutter_m_s * glm::dvec3(-circle.y, circle.x, 0.0);
 
-  const double z_m =
-      box.size_m.z * draw(key, key_of("start")) + flake.velocity_m_s().z * moment.time_s;
-  const double boxes = (z_m - box.low_m.z) / box.size_m.z;
-  flake.start_assign = -static_cast<std::int64_t>(std::floor(boxes));
-  flake.pos_m.z = box.low_m.z + box.size_m.z * (boxes - std::floor(boxes));
-
-  const std::uint64_t birth = mixed(key ^ static_cast<std::uint64_t>(flake.start_assign));
-  const glm::dvec2 way_m = glm::dvec2(moment.common.way_m) + glm::dvec2(glm::vec3(gust.way_m)) +
-                           flutter_m_s / (two_pi * flutter_per_s) * circle;
-  flake.pos_m.x =
-      wrapped(box.size_m.x * draw(birth, key_of("x")) + way_m.x, box.low_m.x, box.size_m.x);
-  flake.pos_m.y =
-      wrapped(box.size_m.y * draw(birth, key_of("z")) + way_m.y, box.low_m.y, box.size_m.y);
+  const glm::dvec2 own_way_m =
+      glm::dvec2(gust.way_m.x, gust.way_m.y) + flutter_m_s / (two_pi * flutter_per_s) * circle;
+  flake.pos_m = drifting.place_m + glm::dvec3(own_way_m, 0.0);
   return flake;
+}
+
+PaperFlake PaperSnow::flake(std::uint64_t i, const Moment& moment, const PaperBox& box) const {
+  return flake(drifting(i, moment, box), moment);
+}
+
+double PaperSnow::farthest_own_way_m() const {
+  return wind_.farthest_own_gust_m() + flutter_m_s / (two_pi * slowest_flutter_per_s);
 }
 
 double PaperSnow::flakes_in_view(double rate_mm_h) const {
@@ -115,7 +143,7 @@ PaperBox PaperSnow::box_of(const Frustum& frustum, const Heightfield& ground) co
   return {{centre_m - 0.5 * glm::dvec2(box_m_), bottom_m}, box_m_};
 }
 
-Flake PaperSnow::flake_of(const PaperFlake& flake, std::uint64_t bits) const {
+Flake PaperSnow::shown(const PaperFlake& flake, std::uint64_t bits) const {
   constexpr double mm_per_m = 1000.0;
   return {flake.pos_m,
           flake.velocity_m_s(),
@@ -142,16 +170,19 @@ SeenFlakes PaperSnow::at(double time_s, const SnowView& view, const Heightfield&
                          (2.0 - (x * x + 2.0 * x + 2.0) * std::exp(-x));
   const double in_box = flakes_in_view(rate_mm_h) * box_m_.x * box_m_.y * box_m_.z / seen_m3;
 
+  const double margin_m = farthest_own_way_m();
   Gathering gathering;
   gathering.add(static_cast<std::uint64_t>(std::llround(in_box)),
                 [&](std::uint64_t i, std::vector<SeenFlake>& seen) {
-                  const PaperFlake flake_now = flake(i, now, box);
-                  const double distance_m = glm::distance(flake_now.pos_m, frustum.eye_m());
-                  const std::uint64_t bits = mixed(mixed(key_ ^ i) ^ key_of("look"));
+                  const Drifting drift = drifting(i, now, box);
+                  if (!frustum.touches(drift.place_m, margin_m)) return;
+                  const double distance_m = glm::distance(drift.place_m, frustum.eye_m());
+                  const std::uint64_t bits = mixed(drift.key ^ key_of("look"));
                   if (draw(bits, key_of("drawn")) >= std::exp(-distance_m / reach_m)) return;
-                  const Flake shown = flake_of(flake_now, bits);
-                  if (!is_in_view(shown, frustum, ground)) return;
-                  seen.push_back(look.seen(shown));
+                  const PaperFlake flake_now = flake(drift, now);
+                  const Flake as_seen = shown(flake_now, bits);
+                  if (!is_in_view(as_seen, frustum, ground)) return;
+                  seen.push_back(look.seen(as_seen));
                   seen.back().opacity *= flake_now.colour.a;
                 });
   const FlakeLook whirled(pictures_, frustum, std::max(shutter_s_, whirl_shutter_s));

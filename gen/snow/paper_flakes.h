@@ -53,7 +53,8 @@ class PaperSnow {
 
   /// As FallingSnow::at(). About as many as asked for are in view, or the paper's (figure 6): 500
   /// at 0.4 mm/h, 1000 at 1.2, 4000 at 4 and linear between. The share that is drawn falls with the
-  /// distance (figure 3), to 1/e at half the box. All snow that falls is fog besides.
+  /// distance (figure 3), to 1/e at the
+  /// length of the box. All snow that falls is fog besides.
   SeenFlakes at(double time_s, const SnowView& view, const Heightfield& ground) const;
 
   /// What all flakes share at a time.
@@ -63,11 +64,22 @@ class PaperSnow {
     WindField::Moment gusts = {};
   };
   Moment moment(double time_s) const;
-  /// Flake i at a time, in that window.
+  /// Flake i at a time, in that window, wrapped at its sides but for its own gusts and flutter.
   PaperFlake flake(std::uint64_t i, const Moment& moment, const PaperBox& box) const;
 
  private:
-  Flake flake_of(const PaperFlake& flake, std::uint64_t bits) const;
+  /// Where a flake is but for its own gusts and flutter, which take it less than
+  /// farthest_own_way_m() away.
+  struct Drifting {
+    std::uint64_t key;
+    std::int64_t births;
+    glm::dvec3 place_m;
+    double v0_m_s;
+  };
+  Drifting drifting(std::uint64_t i, const Moment& moment, const PaperBox& box) const;
+  PaperFlake flake(const Drifting& drifting, const Moment& moment) const;
+  double farthest_own_way_m() const;
+  Flake shown(const PaperFlake& flake, std::uint64_t bits) const;
   double flakes_in_view(double rate_mm_h) const;
   PaperBox box_of(const Frustum& frustum, const Heightfield& ground) const;
 

@@ -5,14 +5,14 @@
 namespace wold::snow {
 namespace {
 
-constexpr glm::dvec3 east(1.0, 0.0, 0.0);
-constexpr glm::dvec3 zenith(0.0, 0.0, 1.0);
-
-/// Level and across `along`; east where that is vertical.
-glm::dvec3 level_across(const glm::dvec3& along) {
-  const glm::dvec3 across = glm::cross(along, zenith);
-  const double length = glm::length(across);
-  return length > 1e-9 ? across / length : east;
+/// Level, to the right of `along`; east where that is vertical.
+template <class Vector>
+Vector level_across(const Vector& along) {
+  using Number = typename Vector::value_type;
+  const Number length = std::sqrt(along.x * along.x + along.y * along.y);
+  if (!(length > Number(1e-6))) return {Number(1), Number(0), Number(0)};
+  const Number scale = Number(1) / length;
+  return {along.y * scale, -along.x * scale, Number(0)};
 }
 
 }  // namespace
@@ -43,8 +43,8 @@ double Frustum::solid_angle_sr() const {
 
 double Frustum::half_angle() const { return std::atan(std::hypot(half_width_, half_height_)); }
 
-Facing facing(const glm::dvec3& towards_eye) {
-  const glm::dvec3 right = level_across(-towards_eye);
+Facing facing(const glm::vec3& towards_eye) {
+  const glm::vec3 right = level_across(-towards_eye);
   return {right, glm::cross(towards_eye, right)};
 }
 

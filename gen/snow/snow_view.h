@@ -36,11 +36,11 @@ class Frustum {
 
 /// The sides of an upright rectangle.
 struct Facing {
-  glm::dvec3 right;
-  glm::dvec3 up;
+  glm::vec3 right;
+  glm::vec3 up;
 };
 
 /// Unit vectors across `towards_eye`, itself one; `right` is level.
-Facing facing(const glm::dvec3& towards_eye);
+Facing facing(const glm::vec3& towards_eye);
 
 }  // namespace wold::snow

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <array>
+#include <cmath>
+#include <cstddef>
+
 /// Phases in turns, for loops over millions of flakes: without branches and library calls, the same
 /// on every machine.
 namespace wold::snow {
@@ -16,7 +20,7 @@ inline double off_whole(double x) {
 inline float cosine_of_turns(float turns) {
   constexpr float rounder = 0x1.8p23F;
   const float rest = turns - ((turns + rounder) - rounder);
-  const float t = 0.25F - (rest < 0.0F ? -rest : rest);
+  const float t = 0.25F - std::abs(rest);
   const float a = t * 6.28318531F;
   const float b = a * a;
   return a * (1.0F + b * (-1.0F / 6.0F +
@@ -24,5 +28,17 @@ inline float cosine_of_turns(float turns) {
 }
 
 inline float sine_of_turns(float turns) { return cosine_of_turns(turns - 0.25F); }
+
+/// Sines of all the turns, then their cosines: four or more at a time.
+template <std::size_t count>
+std::array<float, 2 * count> sines_and_cosines(const std::array<float, count>& turns) {
+  std::array<float, 2 * count> both;
+  for (std::size_t i = 0; i < count; ++i) {
+    both[i] = turns[i] - 0.25F;
+    both[count + i] = turns[i];
+  }
+  for (float& value : both) value = cosine_of_turns(value);
+  return both;
+}
 
 }  // namespace wold::snow

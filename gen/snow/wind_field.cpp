@@ -23,7 +23,10 @@ double wave_height(double deviation, std::size_t waves) {
 }  // namespace
 
 WindField::WindField(const Weather& weather, double turbulence, std::uint64_t key)
-    : weather_(weather), turbulence_(turbulence) {
+    : weather_(weather),
+      turbulence_(turbulence),
+      own_heights_(wave_height(turbulence * own_deviation, own_lengths_m.size()) *
+                   glm::dvec3(axis_share[0], axis_share[1], axis_share[2])) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t wave = 0; wave < common_waves; ++wave) {
       const double share = static_cast<double>(wave) / (common_waves - 1);
@@ -64,34 +67,31 @@ WindField::Moment WindField::moment(double time_s) const {
 
 WindField::Gust WindField::own_gust(const Moment& moment, std::uint64_t bits) const {
   constexpr std::size_t waves = 3 * own_lengths_m.size();
-  std::array<float, waves> sines;
-  std::array<float, waves> cosines;
+  std::array<float, waves> turns;
   for (std::size_t i = 0; i < waves; ++i) {
     constexpr std::uint64_t bits_each = 10;
-    const auto own = static_cast<float>((bits >> (bits_each * i)) & 1023U) / 1024.0F;
-    cosines[i] = moment.phases[i / 3] + own;
+    const auto own = static_cast<float>(static_cast<int>((bits >> (bits_each * i)) & 1023U));
+    turns[i] = moment.phases[i / 3] + own * (1.0F / 1024.0F);
   }
-  for (std::size_t i = 0; i < waves; ++i) sines[i] = sine_of_turns(cosines[i]);
-  for (std::size_t i = 0; i < waves; ++i) cosines[i] = cosine_of_turns(cosines[i]);
+  const auto waving = sines_and_cosines(turns);
   Gust gust = {glm::vec3(0.0F), glm::vec3(0.0F)};
-  const auto height = static_cast<float>(wave_height(turbulence_ * own_deviation, 2));
-  const glm::vec3 along = height * glm::vec3(axis_share[0], axis_share[1], axis_share[2]);
   for (std::size_t length = 0; length < own_lengths_m.size(); ++length) {
-    const std::size_t i = 3 * length;
-    const auto radius_m = static_cast<float>(own_lengths_m[length] / two_pi);
-    gust.way_m += radius_m * along * glm::vec3(sines[i], sines[i + 1], sines[i + 2]);
-    gust.velocity_m_s +=
-        moment.speed_m_s * along * glm::vec3(cosines[i], cosines[i + 1], cosines[i + 2]);
+    const float* const sines = &waving[3 * length];
+    const float* const cosines = &waving[waves + 3 * length];
+    constexpr float per_turn = static_cast<float>(1.0 / two_pi);
+    const float radius_m = static_cast<float>(own_lengths_m[length]) * per_turn;
+    gust.way_m += radius_m * glm::vec3(sines[0], sines[1], sines[2]);
+    gust.velocity_m_s += moment.speed_m_s * glm::vec3(cosines[0], cosines[1], cosines[2]);
   }
+  gust.way_m *= own_heights_;
+  gust.velocity_m_s *= own_heights_;
   return gust;
 }
 
 double WindField::farthest_own_gust_m() const {
-  const double height = wave_height(turbulence_ * own_deviation, own_lengths_m.size());
   double sum_m = 0.0;
-  for (const double length_m : own_lengths_m) sum_m += height * length_m / two_pi;
-  constexpr double longest_diagonal = 1.5;  // of the axes' shares: sqrt(1 + 1 + 1/4)
-  return longest_diagonal * sum_m;
+  for (const double length_m : own_lengths_m) sum_m += length_m / two_pi;
+  return sum_m * static_cast<double>(glm::length(own_heights_));
 }
 
 }  // namespace wold::snow

@@ -54,6 +54,7 @@ class WindField {
   };
   Weather weather_;
   double turbulence_;
+  glm::vec3 own_heights_;  ///< of own gusts' sines, over the wind's speed, by axis
   std::array<std::array<Wave, common_waves>, 3> common_;  ///< by axis
 };
 

@@ -82,6 +82,7 @@ TEST(PaperSnow, IsBornAgainAtTheTopElsewhere) {
   EXPECT_GT(births, 150);
 }
 
+/// But for its flutter and own gusts, which are no longer than a metre or so.
 TEST(PaperSnow, StaysInTheBoxHoweverFastTheWind) {
   scene::Scene scene = paper_scene("blizzard");
   scene.wind.speed_m_s = 60.0;
@@ -92,7 +93,7 @@ TEST(PaperSnow, StaysInTheBoxHoweverFastTheWind) {
   for (std::uint64_t i = 0; i < 2000; ++i) {
     const glm::dvec3 in_box = snow.flake(i, moment, box).pos_m - box.low_m;
     for (int axis = 0; axis < 3; ++axis)
-      ASSERT_TRUE(in_box[axis] >= -1e-6 && in_box[axis] <= box.size_m[axis] + 1e-6);
+      ASSERT_TRUE(in_box[axis] >= -1.2 && in_box[axis] <= box.size_m[axis] + 1.2);
   }
 }
 
@@ -122,8 +123,8 @@ TEST(PaperSnow, DensityFallsWithDistance) {
     if (distance_m < 4.0) near_count += 1.0;
     if (distance_m > 6.0 && distance_m < 8.0) far_count += 1.0;
   }
-  // Shells of 64 and 296 m3 / 3 sr; exp(-r / 8) has the means 0.693 and 0.411 there.
-  EXPECT_NEAR(far_count / near_count, 296.0 * 0.411 / (64.0 * 0.693), 0.2);
+  // Shells of 64 and 296 m3 / 3 sr; exp(-r / 16) has the means 0.831 and 0.642 there.
+  EXPECT_NEAR(far_count / near_count, 296.0 * 0.642 / (64.0 * 0.831), 0.2);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <vector>
 
 #include "core/random.h"
 #include "snow/fall_speed.h"
@@ -82,12 +83,13 @@ TEST(CrystalShares, SumToOneAndGrowIntoAggregates) {
 TEST(FlakeSizes, AreExponentialAboveTheLeast) {
   const double lambda = gunn_marshall(1.0).lambda_per_mm;
   const FlakeSizes sizes(1.0, "mixed");
+  const std::vector<float> diameters_m = sizes.diameters_m(lambda);
   double sum = 0.0;
   int above = 0;
   const int flakes = 200000;
   for (int i = 0; i < flakes; ++i) {
     const auto body = sizes.body(mixed(static_cast<std::uint64_t>(i)));
-    const double diameter_mm = 1e3 * sizes.diameter_m(body.rank, lambda);
+    const double diameter_mm = 1e3 * static_cast<double>(diameters_m[body.rank]);
     const double beyond_mm = std::cbrt(0.17 * diameter_mm * diameter_mm) - least_melted_mm;
     sum += beyond_mm;
     above += beyond_mm > 1.0 / lambda ? 1 : 0;
