@@ -27,7 +27,7 @@ struct Meadow {
   explicit Meadow(const scene::Scene& of, double weathering = 0.2)
       : scene(of),
         model(scene.ageing, scene.grass.specular),
-        samples(scene, test::small_shape(), 0, model) {
+        samples(scene, test::small_shape(104), 0, model) {
     samples.advance_to(weathering);
   }
   scene::Scene scene;
