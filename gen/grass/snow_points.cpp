@@ -10,8 +10,10 @@
 namespace wold::grass {
 namespace {
 
-/// Area of points that stand for a solid body, over the body's.
-constexpr float solid = 2.0F;
+/// Area of a ridge's points over its own, for voxels of the size of a step.
+float solid(const SnowRidge& ridge, float step_m) {
+  return 1.0F + 2.0F * std::min(2.0F * ridge.half_height_m / step_m, 1.0F);
+}
 
 /// A point of a ridge.
 struct SnowPoint {
@@ -37,7 +39,7 @@ void add_pair(const Blade& blade, const SnowRidge& ridge, const AxisPoint& at, i
   for (const float sign : {-1.0F, 1.0F}) {
     glm::vec3 place_m = centre_m + sign * offset_m;
     place_m.z = std::max(place_m.z, 0.0F);
-    points.push_back({arc_m, 0.5F * solid * ridge.area_m() * step_m, place_m,
+    points.push_back({arc_m, 0.5F * solid(ridge, step_m) * ridge.area_m() * step_m, place_m,
                       from_plane(blade, at.tangent), up});
   }
 }

@@ -1,17 +1,13 @@
 #include <gtest/gtest.h>
 
-#include <numbers>
-
-#include "core/files.h"
 #include "grass/axis.h"
 #include "grass/blade_picture.h"
 #include "grass/blade_tubes.h"
+#include "grass/patch_state.h"
 #include "grass/samples.h"
 #include "grass/snow_points.h"
 #include "grass/snow_ridge.h"
-#include "grass/time_varying_texel.h"
 #include "small_meadow.h"
-#include "support/temporary_folder.h"
 
 namespace wold::grass {
 namespace {
@@ -27,7 +23,7 @@ struct Meadow {
   explicit Meadow(const scene::Scene& of, double weathering = 0.2)
       : scene(of),
         model(scene.ageing, scene.grass.specular),
-        samples(scene, test::small_shape(), 0, model) {
+        samples(scene, test::small_shape(104), 0, model) {
     samples.advance_to(weathering);
   }
   scene::Scene scene;
@@ -35,17 +31,15 @@ struct Meadow {
   Samples samples;
 };
 
-/// What the texel's columns show of its albedo from above or below, by what they cover; with every
-/// voxel `times` as dense.
-glm::dvec3 seen_albedo(const Texel& texel, bool from_above, double times) {
+/// What the texel's columns show of its albedo from above or below, by what they cover.
+glm::dvec3 seen_albedo(const Texel& texel, bool from_above) {
   std::vector<double> through(texel.shape.slice_voxels(), 1.0);
   glm::dvec3 sum(0.0);
   double covered = 0.0;
   for (std::size_t k = 0; k < texel.size(); ++k) {
     const std::size_t i = from_above ? texel.size() - 1 - k : k;
     double& left = through[texel.voxel[i] % texel.shape.slice_voxels()];
-    const double hidden =
-        left * -std::expm1(-times * double{texel.density[i]} * texel.shape.voxel_m);
+    const double hidden = left * -std::expm1(-double{texel.density[i]} * texel.shape.voxel_m);
     sum += hidden * glm::dvec3(texel.albedo[i]);
     covered += hidden;
     left -= hidden;
@@ -135,56 +129,104 @@ TEST_P(SnowRule, BendsBladesForAsLongAsItLies) {
   PointDynamics dynamics(model, blades, sample_points(blades, shape, 2.0, 1), /*merge=*/0.0);
   dynamics.advance_to(0.2);
   const std::vector<glm::vec3> before = dynamics.points().position_m;
-  double highest_before = 1.0;
-  double first = 0.0;
-  double last = 0.0;
-  for (int level = 0; level <= 4; ++level) {
-    dynamics.bear(level / 4.0);
-    double tips = 0.0;
+  const auto mean_tip_m = [&](double snow) {
+    dynamics.bear(snow);
+    double sum = 0.0;
     for (std::size_t i = 0; i < blades.size(); ++i) {
       const BladePose& pose = dynamics.poses()[i];
-      tips += double{
+      sum += double{
           BladeAxis(blades[i], pose).at(blades[i].length_m * pose.length_scale).position_m.y};
     }
-    tips /= static_cast<double>(blades.size());
-    EXPECT_LT(tips, highest_before);
-    highest_before = tips;
-    (level == 0 ? first : last) = tips;
+    return sum / static_cast<double>(blades.size());
+  };
+  const double free_m = mean_tip_m(0.0);
+  double higher_m = free_m;
+  for (const double snow : {0.25, 0.5, 0.75, 1.0}) {
+    const double tip_m = mean_tip_m(snow);
+    EXPECT_LT(tip_m, higher_m);
+    higher_m = tip_m;
   }
-  EXPECT_LT(last, 0.7 * first);
-  EXPECT_GT(last, 0.0);
+  EXPECT_LT(higher_m, 0.7 * free_m);
+  EXPECT_GT(higher_m, 0.05 * free_m);
   dynamics.bear(0.0);
   EXPECT_EQ(dynamics.points().position_m, before);
 }
 
+// Every level whitens the meadow, in steps the eye takes for even, and more from above than from
+// below, where the blades hide their snow.
 TEST(Snow, WhitensFromAboveMoreThanFromBelow) {
   Meadow meadow(test::small_scene());
-  double above = 0.0;
-  for (int level = 0; level <= 8; ++level) {
+  double before = seen_albedo(meadow.samples.texel(), /*from_above=*/true).b;
+  for (int level = 1; level <= snow_levels; ++level) {
     meadow.samples.bear(PatchState(0, level).snow_share());
     const Texel texel = meadow.samples.texel();
-    const double now = seen_albedo(texel, /*from_above=*/true, 1.0).b;
-    const double below = seen_albedo(texel, /*from_above=*/false, 1.0).b;
-    std::printf("level %d above %.4f below %.4f area %.5f\n", level, now, below, texel.area_m2());
-    if (level > 0) {
-      EXPECT_GT(now, above + 0.01) << level;
-      EXPECT_GT(now, 1.1 * below) << level;
-    }
-    above = now;
+    const double above = seen_albedo(texel, /*from_above=*/true).b;
+    EXPECT_GT(above, before + 0.04) << level;
+    EXPECT_LT(above, before + 0.14) << level;
+    EXPECT_GT(above, 1.25 * seen_albedo(texel, /*from_above=*/false).b) << level;
+    before = above;
   }
 }
 
 TEST(Snow, TexelAndBladesShowTheSameColour) {
   Meadow meadow(test::small_scene());
   const WitheringPatch patch(meadow.scene, meadow.model, 0);
-  for (const double share : {0.0, 0.25, 0.5, 1.0}) {
+  const auto difference = [&](double share) {
     meadow.samples.bear(share);
-    const glm::dvec3 texel = seen_albedo(meadow.samples.texel(), /*from_above=*/true, 1.0);
-    const glm::dvec3 blades = seen_albedo(patch.at(0.2, share), meadow.model);
-    std::printf("share %.2f texel %.3f %.3f %.3f blades %.3f %.3f %.3f mean %.3f\n", share, texel.r,
-                texel.g, texel.b, blades.r, blades.g, blades.b,
-                double{mean_albedo(patch.at(0.2, share), meadow.model).b});
+    return glm::length(seen_albedo(meadow.samples.texel(), /*from_above=*/true) -
+                       seen_albedo(patch.at(0.2, share), meadow.model)) /
+           std::sqrt(3.0);
+  };
+  EXPECT_LT(difference(0.0), 0.005);
+  EXPECT_LT(difference(0.1), 0.03);
+  EXPECT_LT(difference(0.25), 0.02);
+  EXPECT_LT(difference(0.5), 0.05);
+  EXPECT_LT(difference(1.0), 0.15);
+}
+
+TEST(Snow, PointsAreWhiteDullAndWhereTheRidgesAre) {
+  const AgeingModel model(test::small_scene().ageing, 0.1);
+  const std::vector<Blade> blades = test::small_blades();
+  std::vector<BladePose> poses;
+  for (const Blade& blade : blades) poses.push_back(model.pose(blade, 0.2, /*snow=*/0.5));
+  const Points points = snow_points(blades, poses, 0.0024);
+  ASSERT_GT(points.size(), 10 * blades.size());
+  EXPECT_EQ(points.blades(), blades.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_EQ(points.albedo[i], snow_albedo);
+    EXPECT_EQ(points.specular[i], 0.0F);
+    EXPECT_GT(points.area_m2[i], 0.0F);
+    EXPECT_GE(points.position_m[i].z, 0.0F);
+    EXPECT_GE(points.normal[i].z, 0.3F);  // the least level place that holds snow: 20 degrees
+    EXPECT_NEAR(glm::dot(points.normal[i], points.tangent[i]), 0.0F, 1e-5F);
   }
+  for (BladePose& pose : poses) pose.snow = 0.0F;
+  EXPECT_EQ(snow_points(blades, poses, 0.0024).size(), 0U);
+}
+
+// Snow adds tubes of its own, whiter than any leaf, after those of the blades.
+TEST(Snow, LiesOnBladesInTubesOfItsOwn) {
+  const scene::Scene scene = test::small_scene();
+  const AgeingModel model(scene.ageing, 0.1);
+  const WitheringPatch patch(scene, model, 0);
+  const auto tubes = [&](double snow) {
+    return blade_tubes(patch.at(0.2, snow), model, test::slanting_light(), {24.0F, 0.006});
+  };
+  const Tubes bare = tubes(0.0);
+  EXPECT_EQ(bare.count(), patch.at(0.2).blades.size());
+  const Tubes some = tubes(0.1);
+  const Tubes full = tubes(1.0);
+  EXPECT_GT(some.count(), bare.count());
+  EXPECT_GT(full.count(), some.count());
+  EXPECT_LE(full.count(), 3 * bare.count());
+  EXPECT_EQ(full.vertices_m.size(), full.radiance.size() * 3);
+  const auto blueness = [](const Tubes& of, std::size_t begin, std::size_t end) {
+    glm::vec3 sum(0.0F);
+    for (std::size_t i = begin; i < end; ++i) sum += of.radiance[i];
+    return sum.b / sum.g;
+  };
+  const std::size_t of_blades = bare.radiance.size();
+  EXPECT_GT(blueness(full, of_blades, full.radiance.size()), 3.0F * blueness(full, 0, of_blades));
 }
 
 }  // namespace

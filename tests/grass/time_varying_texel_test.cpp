@@ -60,6 +60,23 @@ TEST(TimeVaryingTexel, SameBytesWithAnyNumberOfThreads) {
   EXPECT_NE(hashes.at("v0_k01.vdb"), hashes.at("v1_k01.vdb"));
 }
 
+// Snow comes and goes: what is made besides under snow changes nothing, and files without it have
+// the names and bytes they have always had.
+TEST(TimeVaryingTexel, SnowLeavesNoTrace) {
+  const wold::test::TemporaryFolder bare("tvt_bare");
+  const wold::test::TemporaryFolder snowed("tvt_snowed");
+  TexelDemand demand;
+  for (int key_frame : {0, 2}) demand[0][key_frame] = {{0, {0}}, {1, {3}}};
+  generate(bare.path(), demand);
+  for (int key_frame : {0, 1}) demand[0][{key_frame, 3}] = {{0, {0}}};
+  generate(snowed.path(), demand);
+  const auto with_snow = hashes_of(snowed.path());
+  for (const auto& [name, hash] : hashes_of(bare.path())) EXPECT_EQ(with_snow.at(name), hash);
+  EXPECT_NE(with_snow.at("v0_k00_s3.vdb"), with_snow.at("v0_k00.vdb"));
+  EXPECT_EQ(with_snow.count("v0_k01_s3_062.vdb"), 1U);
+  EXPECT_EQ(with_snow.size(), 2U * 3U + 2U * 2U);
+}
+
 TEST(TimeVaryingTexel, MakesOnlyWhatIsMissing) {
   const wold::test::TemporaryFolder folder("tvt_resume");
   generate(folder.path(), everything());

@@ -1,0 +1,56 @@
+#include "landscape/canopy_snow.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace wold::landscape {
+namespace {
+
+constexpr double hour_s = 3600.0;
+
+/// The share after constant weather.
+double share_after(double hours, double temperature_c, double snowfall_mm_h, double share = 0.0,
+                   double leaf_area_index = 2.0) {
+  const auto weather = [&](double) { return CanopyWeather{temperature_c, snowfall_mm_h}; };
+  return intercepted_share(leaf_area_index, share, weather, 0.0, hours * hour_s);
+}
+
+// A tenth of 6.0 (0.27 + 46 / 100) per unit of leaf area.
+TEST(CanopySnow, CapacityFollowsTheLeafArea) {
+  EXPECT_NEAR(canopy_capacity_mm(1.0), 0.438, 1e-12);
+  EXPECT_NEAR(canopy_capacity_mm(3.0), 1.314, 1e-12);
+}
+
+// Snow that falls faster than it comes off: Hedstrom and Pomeroy's 1 - exp(-C P / I_max).
+TEST(CanopySnow, CatchesAsHedstromAndPomeroySay) {
+  for (const double fallen_mm : {0.1, 0.5, 1.0, 3.0}) {
+    const double cover = 1.0 - std::exp(-1.0);
+    const double caught = 1.0 - std::exp(-cover * fallen_mm / 0.876);
+    EXPECT_NEAR(share_after(0.1, -5.0, 10.0 * fallen_mm), caught, 2e-3);
+  }
+}
+
+TEST(CanopySnow, TwoToFourMillimetresLoadAMeadow) {
+  EXPECT_GT(share_after(1.0, -3.0, 2.0, 0.0, 1.0), 0.8);
+  EXPECT_GT(share_after(1.0, -3.0, 4.0, 0.0, 3.0), 0.88);
+  EXPECT_LT(share_after(1.0, -3.0, 0.2, 0.0, 2.0), 0.2);
+}
+
+TEST(CanopySnow, ComesOffInDaysInTheColdInHoursInTheWarm) {
+  EXPECT_NEAR(share_after(60.0, -5.0, 0.0, 0.8), 0.8 / std::exp(1.0), 1e-9);
+  EXPECT_NEAR(share_after(1.5, 3.0, 0.0, 0.8), 0.8 / std::exp(1.0), 1e-9);
+  EXPECT_LT(share_after(12.0, 2.0, 0.0, 1.0), 1e-3);
+}
+
+// However long the weather lasts, it stays in [0, 1]; an interval in two halves is the same.
+TEST(CanopySnow, IsBoundedAndAddsUp) {
+  const double half = share_after(6.0, -2.0, 0.05);
+  EXPECT_NEAR(share_after(6.0, -2.0, 0.05, half), share_after(12.0, -2.0, 0.05), 1e-12);
+  EXPECT_LE(share_after(10000.0, -20.0, 50.0), 1.0);
+  EXPECT_GE(share_after(10000.0, 20.0, 0.0, 1.0), 0.0);
+  EXPECT_EQ(share_after(0.0, -2.0, 1.0, 0.3), 0.3);
+}
+
+}  // namespace
+}  // namespace wold::landscape
