@@ -76,6 +76,7 @@ LargeCover::LargeCover(const scene::Scene& scene, const LargeGround& ground,
                     "got {} and {} m",
                     samples_, step_m_));
   while (extent(levels_ - 1).size_px.x > view_side) ++levels_;
+  squares_.resize(static_cast<std::size_t>(levels_));
   write_ground(ground);
 }
 
@@ -260,8 +261,9 @@ std::vector<CoverLevel> LargeCover::view(double time_s, const glm::dvec2& eye_m)
   reckon(hour);
   reckon(hour + 1);
   std::vector<CoverLevel> levels(static_cast<std::size_t>(levels_));
-  for (int level = 0; level < levels_; ++level)
-    levels[static_cast<std::size_t>(level)] = level_view(level, hours, eye_m);
+  parallel_for(levels.size(), [&](std::size_t level) {
+    levels[level] = level_view(static_cast<int>(level), hours, eye_m);
+  });
   return levels;
 }
 
@@ -299,7 +301,7 @@ CoverLevel LargeCover::level_view(int level, double hours, const glm::dvec2& eye
 
 const std::vector<float>& LargeCover::square(int level, int hour, const glm::ivec2& first,
                                              int side) {
-  Square& kept = squares_[{level, hour % 2}];
+  Square& kept = squares_[static_cast<std::size_t>(level)][static_cast<std::size_t>(hour % 2)];
   if (kept.hour != hour || kept.first != first) {
     kept.values.resize(static_cast<std::size_t>(side * side) * channels);
     images_.read(picture(hour, level), first, glm::ivec2(side), channels, kept.values);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <glm/glm.hpp>
@@ -111,8 +112,8 @@ class LargeCover {
     std::filesystem::path weights;
     double mean;
   };
-  std::map<int, Drift> drifts_;                    ///< drift_weights() by heading
-  std::map<std::pair<int, int>, Square> squares_;  ///< by level and whether the hour is odd
+  std::map<int, Drift> drifts_;                 ///< drift_weights() by heading
+  std::vector<std::array<Square, 2>> squares_;  ///< by level and whether the hour is odd
 };
 
 }  // namespace wold::snow
