@@ -30,7 +30,8 @@ class Frustum {
 
  private:
   glm::dvec3 eye_m_, ahead_, right_, up_;
-  double half_width_, half_height_;  ///< of the picture, one metre ahead
+  double half_width_, half_height_;    ///< of the picture, one metre ahead
+  double slant_width_, slant_height_;  ///< from the eye to there, where the other one is 0
   double pixel_angle_;
 };
 
