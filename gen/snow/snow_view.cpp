@@ -28,14 +28,6 @@ Frustum::Frustum(const SnowView& view)
       slant_height_(std::hypot(1.0, half_height_)),
       pixel_angle_(2.0 * half_width_ / view.width_px) {}
 
-bool Frustum::touches(const glm::dvec3& centre_m, double radius_m) const {
-  const glm::dvec3 from_eye = centre_m - eye_m_;
-  const double depth = glm::dot(from_eye, ahead_);
-  return depth > -radius_m &&
-         std::abs(glm::dot(from_eye, right_)) <= half_width_ * depth + slant_width_ * radius_m &&
-         std::abs(glm::dot(from_eye, up_)) <= half_height_ * depth + slant_height_ * radius_m;
-}
-
 double Frustum::solid_angle_sr() const {
   return 4.0 * std::atan(half_width_ * half_height_ /
                          std::sqrt(1.0 + half_width_ * half_width_ + half_height_ * half_height_));
