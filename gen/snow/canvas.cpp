@@ -10,8 +10,8 @@ Canvas::Canvas(int side_px)
     : side_(side_px * samples),
       values_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_)) {}
 
-void Canvas::raise(const glm::dvec2& low, const glm::dvec2& high,
-                   const std::function<double(const glm::dvec2&)>& opacity) {
+template <class Opacity>
+void Canvas::raise(const glm::dvec2& low, const glm::dvec2& high, const Opacity& opacity) {
   const double step = 2.0 / side_;
   const auto index = [&](double at) {
     return std::clamp(static_cast<int>(std::floor((at + 1.0) / step)), 0, side_ - 1);

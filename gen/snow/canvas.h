@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -36,9 +35,9 @@ class Canvas {
   Image picture() const;
 
  private:
-  /// Raises samples of the box of centre and half sides to `opacity(at)`.
-  void raise(const glm::dvec2& low, const glm::dvec2& high,
-             const std::function<double(const glm::dvec2&)>& opacity);
+  /// Raises the samples between two corners to `opacity(at)`.
+  template <class Opacity>
+  void raise(const glm::dvec2& low, const glm::dvec2& high, const Opacity& opacity);
   static constexpr int samples = 3;  ///< along a pixel's side
   int side_;                         ///< in samples
   std::vector<float> values_;

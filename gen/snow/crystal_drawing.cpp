@@ -203,8 +203,8 @@ void draw_column(Canvas& canvas, const Draws& draws) {
 
 /// Part of an aggregate, caught in it at any tilt.
 Placing caught(const Draws& draws, double size) {
-  // Evenly over radii, so that the middle is the densest.
-  const double away = (0.86 - 0.94 * size) * draws.between(0.0, 1.0, "away");
+  // Nearly evenly over radii, so that the middle is the densest.
+  const double away = (0.88 - 0.94 * size) * std::pow(draws.between(0.0, 1.0, "away"), 0.8);
   const double tilt = draws.between(0.3, 1.0, "tilt");
   return {turn(draws.between(0.0, pi, "tilted")) * glm::dmat2(size, 0.0, 0.0, size * tilt) *
               turn(draws.between(0.0, pi, "turned")),
@@ -230,7 +230,7 @@ void draw_aggregate(Canvas& canvas, const Draws& draws, int side_px) {
   for (int i = 0; i < parts; ++i) {
     const Draws own(draws.key(static_cast<std::uint64_t>(i)));
     Canvas body(side_px);
-    body.place(caught(own, own.between(0.32, 0.62, "size")));
+    body.place(caught(own, own.between(0.34, 0.6, "size")));
     if (own.between(0.0, 1.0, "kind") < 0.8)
       draw_dendrite(body, own);
     else

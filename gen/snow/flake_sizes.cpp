@@ -53,20 +53,6 @@ FlakeSizes::FlakeSizes(double rate_mm_h, const std::string& crystal) : ranks_(1U
   }
 }
 
-FlakeSizes::Body FlakeSizes::body(std::uint64_t bits) const {
-  const auto rank = static_cast<std::uint32_t>(bits & ((1U << rank_bits) - 1U));
-  const float choice = static_cast<float>((bits >> 12) & 1023U) / 1024.0F;
-  const double spread = static_cast<double>((bits >> 22) & 1023U) / 1023.0;
-  const Rank& of_rank = ranks_[rank];
-  std::size_t crystal = 0;
-  for (std::size_t i = 0; i + 1 < crystal_kinds; ++i)
-    crystal += choice >= of_rank.shares_up_to[i] ? 1 : 0;
-  constexpr double deviation = 0.12, half_width = deviation * 1.7320508;  // evenly spread
-  return {
-      rank, static_cast<Crystal>(crystal),
-      static_cast<double>(of_rank.speed_m_s[crystal]) * (1.0 + half_width * (2.0 * spread - 1.0))};
-}
-
 std::vector<float> FlakeSizes::diameters_m(double lambda_per_mm) const {
   constexpr double m_per_mm = 1e-3;
   std::vector<float> diameters(ranks_.size());

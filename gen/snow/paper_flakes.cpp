@@ -71,7 +71,7 @@ PaperSnow::Drifting PaperSnow::drifting(std::uint64_t i, const Moment& moment,
   const double v0_m_s = -(0.5 + 0.5 * half_of(start, 0));
   const double fall_m_s = v0_m_s - gravity_m_s2 * step_s;
   const double boxes = half_of(start, 1) + (fall_m_s * moment.time_s - box.low_m.z) / box.size_m.z;
-  const double whole = std::floor(boxes);
+  const double whole = boxes - 0.5 - off_whole(boxes - 0.5);
   const auto births = -static_cast<std::int64_t>(whole);
   const std::uint64_t birth = mixed(key ^ static_cast<std::uint64_t>(births));
   return {

@@ -53,8 +53,10 @@ class PaperSnow {
 
   /// As FallingSnow::at(). About as many as asked for are in view, or the paper's (figure 6): 500
   /// at 0.4 mm/h, 1000 at 1.2, 4000 at 4 and linear between. The share that is drawn falls with the
-  /// distance (figure 3), to 1/e at the
-  /// length of the box. All snow that falls is fog besides.
+  /// distance (figure 3), to 1/e at the length of the box. All snow that falls is fog besides.
+  ///
+  /// The eye stands at the middle of the box's back side, and on its ground, unless it is higher
+  /// than half the box: then at half its height.
   SeenFlakes at(double time_s, const SnowView& view, const Heightfield& ground) const;
 
   /// What all flakes share at a time.

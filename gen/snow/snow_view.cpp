@@ -24,17 +24,9 @@ Frustum::Frustum(const SnowView& view)
       up_(glm::cross(right_, ahead_)),
       half_width_(std::tan(0.5 * glm::radians(view.field_of_view_deg))),
       half_height_(half_width_ * view.height_px / view.width_px),
+      slant_width_(std::hypot(1.0, half_width_)),
+      slant_height_(std::hypot(1.0, half_height_)),
       pixel_angle_(2.0 * half_width_ / view.width_px) {}
-
-bool Frustum::touches(const glm::dvec3& centre_m, double radius_m) const {
-  const glm::dvec3 from_eye = centre_m - eye_m_;
-  const double depth = glm::dot(from_eye, ahead_);
-  const auto inside = [&](const glm::dvec3& side, double half) {
-    return std::abs(glm::dot(from_eye, side)) <=
-           half * depth + radius_m * std::sqrt(1.0 + half * half);
-  };
-  return depth > -radius_m && inside(right_, half_width_) && inside(up_, half_height_);
-}
 
 double Frustum::solid_angle_sr() const {
   return 4.0 * std::atan(half_width_ * half_height_ /

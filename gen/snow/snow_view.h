@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <glm/glm.hpp>
 
 namespace wold::snow {
@@ -21,7 +22,13 @@ class Frustum {
   const glm::dvec3& eye_m() const { return eye_m_; }
   const glm::dvec3& ahead() const { return ahead_; }
   /// Whether any of a ball is seen (or nearly, about the pyramid's edges).
-  bool touches(const glm::dvec3& centre_m, double radius_m) const;
+  bool touches(const glm::dvec3& centre_m, double radius_m) const {
+    const glm::dvec3 from_eye = centre_m - eye_m_;
+    const double depth = glm::dot(from_eye, ahead_);
+    return depth > -radius_m &&
+           std::abs(glm::dot(from_eye, right_)) <= half_width_ * depth + slant_width_ * radius_m &&
+           std::abs(glm::dot(from_eye, up_)) <= half_height_ * depth + slant_height_ * radius_m;
+  }
   double solid_angle_sr() const;
   /// Between the middle and a corner of the picture.
   double half_angle() const;
@@ -30,7 +37,8 @@ class Frustum {
 
  private:
   glm::dvec3 eye_m_, ahead_, right_, up_;
-  double half_width_, half_height_;  ///< of the picture, one metre ahead
+  double half_width_, half_height_;    ///< of the picture, one metre ahead
+  double slant_width_, slant_height_;  ///< from the eye to there, where the other one is 0
   double pixel_angle_;
 };
 
