@@ -12,7 +12,7 @@ namespace {
 
 /// Area of a ridge's points over its own, for voxels of the size of a step.
 float solid(const SnowRidge& ridge, float step_m) {
-  return 1.0F + 2.0F * std::min(2.0F * ridge.half_height_m / step_m, 1.0F);
+  return 1.0F + 0.5F * std::min(2.0F * ridge.half_height_m / step_m, 1.0F);
 }
 
 /// A point of a ridge.
