@@ -283,8 +283,9 @@ CoverLevel LargeCover::level_view(int level, double hours, const glm::dvec2& eye
   CoverLevel result;
   result.side = std::min(view_side, samples);
   result.step_m = step_m_ * scale;
+  const glm::dvec2 on_ground_m = glm::clamp(eye_m, 0.0, (samples_ - 1) * step_m_);
   const glm::ivec2 middle =
-      glm::ivec2(glm::floor(eye_m / (result.step_m * snap) + 0.5)) * snap - view_side / 2;
+      glm::ivec2(glm::floor(on_ground_m / (result.step_m * snap) + 0.5)) * snap - view_side / 2;
   const glm::ivec2 first = glm::clamp(middle, glm::ivec2(0), glm::ivec2(samples - result.side));
   result.first_m = (glm::dvec2(first) * scale + 0.5 * (scale - 1.0)) * step_m_;
 
