@@ -26,8 +26,8 @@ FactorMap drift_weights(const Heightfield& terrain, double heading_deg, double d
 /// drift_weights() over their mean on the map: wind moves snow and makes none.
 FactorMap drift_factor(const Heightfield& terrain, double heading_deg, double drifting);
 
-/// The heading of a wind to 15 degrees, in [0, 360): drifts are reckoned for so many winds. -1 where
-/// nothing drifts.
+/// The heading of a wind to 15 degrees, in [0, 360): drifts are reckoned for so many winds. -1
+/// where nothing drifts.
 int drift_heading_deg(const WeatherMoment& weather, double drifting);
 
 }  // namespace wold::snow

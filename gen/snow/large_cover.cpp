@@ -31,6 +31,15 @@ void require_number(float height_m, const glm::ivec2& at) {
       at.y, height_m));
 }
 
+/// Values a share of the way from `before` to `after`.
+std::vector<float> between(const std::vector<float>& before, const std::vector<float>& after,
+                           float share) {
+  std::vector<float> values(before.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = before[i] + share * (after[i] - before[i]);
+  return values;
+}
+
 }  // namespace
 
 /// What a tile is reckoned on: a square of the ground that holds it and its apron, moved inwards at
@@ -274,41 +283,35 @@ CoverLevel LargeCover::level_view(int level, double hours, const glm::dvec2& eye
   CoverLevel result;
   result.side = std::min(view_side, samples);
   result.step_m = step_m_ * scale;
+  const glm::dvec2 on_ground_m = glm::clamp(eye_m, 0.0, (samples_ - 1) * step_m_);
   const glm::ivec2 middle =
-      glm::ivec2(glm::floor(eye_m / (result.step_m * snap) + 0.5)) * snap - view_side / 2;
+      glm::ivec2(glm::floor(on_ground_m / (result.step_m * snap) + 0.5)) * snap - view_side / 2;
   const glm::ivec2 first = glm::clamp(middle, glm::ivec2(0), glm::ivec2(samples - result.side));
   result.first_m = (glm::dvec2(first) * scale + 0.5 * (scale - 1.0)) * step_m_;
 
   const int hour = static_cast<int>(hours);
   const auto share = static_cast<float>(hours - hour);
-  const std::vector<float>& before = square(level, hour, first, result.side);
-  const std::vector<float>& after = square(level, hour + 1, first, result.side);
-  const auto places = static_cast<std::size_t>(result.side * result.side);
-  result.depth_m.resize(places);
-  result.white.resize(places);
-  result.albedo.resize(places);
-  for (std::size_t i = 0; i < places; ++i) {
-    const auto between = [&](std::size_t channel) {
-      const std::size_t k = i * channels + channel;
-      return before[k] + share * (after[k] - before[k]);
-    };
-    result.white[i] = static_cast<float>(cover_share(between(0)));
-    result.depth_m[i] = between(1);
-    result.albedo[i] = static_cast<float>(visible_albedo(between(2)));
-  }
+  const CoverLevel& before = square(level, hour, first, result.side);
+  const CoverLevel& after = square(level, hour + 1, first, result.side);
+  result.depth_m = between(before.depth_m, after.depth_m, share);
+  result.white = between(before.white, after.white, share);
+  result.albedo = between(before.albedo, after.albedo, share);
   return result;
 }
 
-const std::vector<float>& LargeCover::square(int level, int hour, const glm::ivec2& first,
-                                             int side) {
+const CoverLevel& LargeCover::square(int level, int hour, const glm::ivec2& first, int side) {
   Square& kept = squares_[static_cast<std::size_t>(level)][static_cast<std::size_t>(hour % 2)];
-  if (kept.hour != hour || kept.first != first) {
-    kept.values.resize(static_cast<std::size_t>(side * side) * channels);
-    images_.read(picture(hour, level), first, glm::ivec2(side), channels, kept.values);
-    kept.hour = hour;
-    kept.first = first;
+  if (kept.hour == hour && kept.first == first) return kept.lying;
+  const auto places = static_cast<std::size_t>(side * side);
+  std::vector<float> values(places * channels);
+  images_.read(picture(hour, level), first, glm::ivec2(side), channels, values);
+  kept = {hour, first, {}};
+  for (std::size_t i = 0; i < places; ++i) {
+    kept.lying.white.push_back(static_cast<float>(cover_share(values[i * channels])));
+    kept.lying.depth_m.push_back(values[i * channels + 1]);
+    kept.lying.albedo.push_back(static_cast<float>(visible_albedo(values[i * channels + 2])));
   }
-  return kept.values;
+  return kept.lying;
 }
 
 }  // namespace wold::snow

@@ -67,17 +67,17 @@ class LargeCover {
 
   /// What lies about a place at a time since the first frame: squares of at most 64 x 64 samples
   /// about it, each with twice the step of the one before, the last over the whole ground. Between
-  /// whole hours snow changes evenly. What it costs does not depend on the ground's size, but for
-  /// hours that are new. One call at a time.
+  /// whole hours all of it changes evenly. What it costs does not depend on the ground's size, but
+  /// for hours that are new. One call at a time.
   std::vector<CoverLevel> view(double time_s, const glm::dvec2& eye_m);
 
  private:
   struct Window;
-  /// Packs of a square of a level's picture, kept for the next view.
+  /// What lies on a square of a level at a whole hour, kept for the next view.
   struct Square {
     int hour = -1;
     glm::ivec2 first = {};
-    std::vector<float> values;  ///< water, depth and age in turn
+    CoverLevel lying;
   };
 
   TiledExtent extent(int level) const;
@@ -95,7 +95,7 @@ class LargeCover {
   std::vector<float> drift(const Window& window, int heading_deg) const;
   SnowpackField after(const Window& window, SnowpackField packs,
                       const std::vector<WeatherMoment>& hours) const;
-  const std::vector<float>& square(int level, int hour, const glm::ivec2& first, int side);
+  const CoverLevel& square(int level, int hour, const glm::ivec2& first, int side);
   CoverLevel level_view(int level, double hours, const glm::dvec2& eye_m);
 
   scene::SnowCover cover_;

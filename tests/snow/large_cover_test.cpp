@@ -61,8 +61,11 @@ TEST(LargeCover, IsSnowGroundTileByTile) {
 TEST(LargeCover, ShowsNearGroundFinelyAndAllOfItCoarsely) {
   const Heightfield terrain = hills(201);
   const TemporaryFolder folder("large_cover");
-  LargeCover large(snowy_scene(), large_ground(terrain), stormy, folder.path(), small_tiles);
-  const SnowGround whole(snowy_scene(), terrain, stormy);
+  scene::Scene scene = snowy_scene();
+  scene.snow_cover.initial_mm = 0.0;
+  const auto flurry = [](double) { return WeatherMoment{-1.0, 0.8, 8.0, 75.0}; };
+  LargeCover large(scene, large_ground(terrain), flurry, folder.path(), small_tiles);
+  const SnowGround whole(scene, terrain, flurry);
   const glm::dvec2 eye_m(1300.0, 2900.0);
   const std::vector<CoverLevel> levels = large.view(5400.0, eye_m);
   const SnowGround::State before = whole.at(3600.0), after = whole.at(7200.0);
@@ -76,10 +79,10 @@ TEST(LargeCover, ShowsNearGroundFinelyAndAllOfItCoarsely) {
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x) {
       const glm::dvec2 at_m = near.first_m + glm::dvec2(x, y) * near.step_m;
-      const double water_mm =
-          0.5 * (before.water_mm.sample(at_m.x, at_m.y) + after.water_mm.sample(at_m.x, at_m.y));
-      ASSERT_NEAR(near.white[y * 64 + x], cover_share(water_mm), 1e-4);
-      ASSERT_NEAR(near.depth_m[y * 64 + x], depth_m(at_m), 1e-4);
+      const double white = 0.5 * (cover_share(before.water_mm.sample(at_m.x, at_m.y)) +
+                                  cover_share(after.water_mm.sample(at_m.x, at_m.y)));
+      ASSERT_NEAR(near.white[y * 64 + x], white, 1e-5);
+      ASSERT_NEAR(near.depth_m[y * 64 + x], depth_m(at_m), 1e-6);
     }
   const glm::dvec2 middle_m = near.first_m + 32.0 * near.step_m;
   EXPECT_LE(glm::length(middle_m - eye_m), 8 * 20.0);
@@ -89,7 +92,7 @@ TEST(LargeCover, ShowsNearGroundFinelyAndAllOfItCoarsely) {
   double mean = 0.0;
   for (int j = 40; j < 44; ++j)
     for (int i = 80; i < 84; ++i) mean += depth_m(glm::dvec2(i, j) * 20.0) / 16.0;
-  EXPECT_NEAR(far.depth_m[10 * 51 + 20], mean, 1e-4);
+  EXPECT_NEAR(far.depth_m[10 * 51 + 20], mean, 1e-6);
 }
 
 TEST(LargeCover, IsTheSameHoweverItIsAskedAndKeepsTwoHoursOnDisk) {
