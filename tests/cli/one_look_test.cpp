@@ -106,11 +106,12 @@ TEST_P(OneLook, BothRenderersShowTheSame) {
   }
 }
 
-// Weathering degrees 0, 0.30 and 0.917; clouds that have gathered.
+// Weathering degrees 0, 0.30 and 0.917; clouds that have gathered; half-way into the snow.
 INSTANTIATE_TEST_SUITE_P(Landscape, OneLook,
                          testing::Values(Film{"hillside", {1, 2, 3}, true},
                                          Film{"mountain", {1, 2, 3}, true},
-                                         Film{"clouds", {45}, false}),
+                                         Film{"clouds", {45}, false},
+                                         Film{"first_snow", {24}, false}),
                          [](const auto& test) { return std::string(test.param.example); });
 
 }  // namespace
