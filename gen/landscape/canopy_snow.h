@@ -29,8 +29,8 @@ double unloading_per_h(double temperature_c);
 /// it is,
 ///   dI/dt = C P (1 - I / I_max) - u I,
 /// so that after P in the cold I / I_max = 1 - exp(-C P / I_max). C = 1 - exp(-LAI / 2), leaves in
-/// all directions. With leaf area indices of 1 to 3 it takes 2 to 4 mm to load a meadow by 0.9.
-/// Solved exactly over steps of ten minutes, within which the weather is that of the middle.
+/// all directions. With leaf area indices of 1 to 3 it takes 2 to 4 mm to load a meadow by 0.8 to
+/// 0.9. Solved exactly over steps of ten minutes, within which the weather is that of the middle.
 double intercepted_share(double leaf_area_index, double share,
                          const std::function<CanopyWeather(double)>& weather, double from_s,
                          double to_s);

@@ -52,5 +52,23 @@ TEST(CanopySnow, IsBoundedAndAddsUp) {
   EXPECT_EQ(share_after(0.0, -2.0, 1.0, 0.3), 0.3);
 }
 
+// Half a millimetre within half an hour before the film, as much in its first ten minutes.
+TEST(CanopySnow, OfASceneFollowsItsWeather) {
+  scene::Scene scene;
+  scene.weather.temperature_c = -3.0;
+  EXPECT_EQ(canopy_snow(scene, 1), 0.0);
+  scene.weather.precipitation_mm_h = 1.0;
+  scene.weather.earlier_h = 0.5;
+  scene.film.frame_seconds = 600.0;
+  const double leaf_area = 400 * 0.5 * 0.32 * 0.0056 / (0.6 * 0.6);
+  EXPECT_NEAR(canopy_snow(scene, 1), share_after(0.5, -3.0, 1.0, 0.0, leaf_area), 1e-9);
+  EXPECT_NEAR(canopy_snow(scene, 2), share_after(0.5 + 1.0 / 6.0, -3.0, 1.0, 0.0, leaf_area), 1e-9);
+  scene.weather.temperature_c = 3.0;  // rain
+  EXPECT_EQ(canopy_snow(scene, 2), 0.0);
+  scene.weather.temperature_c = -3.0;
+  scene.snow_cover.cover = "none";
+  EXPECT_EQ(canopy_snow(scene, 2), 0.0);
+}
+
 }  // namespace
 }  // namespace wold::landscape

@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "landscape/canopy_snow.h"
 #include "landscape/view.h"
 #include "scene/key_frames.h"
 #include "support/grown.h"
@@ -250,6 +251,26 @@ TEST(Weathering, VariesSmoothlyAndNotAtTheEnds) {
 
 TEST(Cells, RefuseAFrameThatDoesNotExist) {
   EXPECT_THROW(choices_of(small_meadow(), 4), InputError);
+}
+
+// Cells wear the two levels of snow around the frame's, in the mean as much as it.
+TEST(ChooseCells, SnowIsDitheredBetweenTwoLevels) {
+  scene::Scene scene = from_above();
+  for (const CellChoice& choice : choices_of(scene)) EXPECT_EQ(choice.snow, 0);
+  scene.weather.temperature_c = -3.0;
+  scene.weather.precipitation_mm_h = 0.6;
+  scene.weather.earlier_h = 1.0;
+  const double wanted = grass::PatchState::level_of(canopy_snow(scene, 2));
+  ASSERT_GT(wanted, 1.0);
+  const std::vector<CellChoice> choices = choices_of(scene);
+  double sum = 0.0;
+  for (const CellChoice& choice : choices) {
+    EXPECT_LT(std::abs(choice.snow - wanted), 1.0);
+    sum += choice.snow;
+  }
+  // Three standard deviations of the mean of draws between two neighbours.
+  EXPECT_NEAR(sum / static_cast<double>(choices.size()), wanted,
+              1.5 / std::sqrt(static_cast<double>(choices.size())));
 }
 
 }  // namespace
