@@ -10,9 +10,9 @@ namespace wold::grass {
 namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
-/// Sines of 20 and 65 degrees.
-constexpr float holds_none = 0.342F;
-constexpr float holds_all = 0.906F;
+/// Sines of 10 and 50 degrees.
+constexpr float holds_none = 0.174F;
+constexpr float holds_all = 0.766F;
 /// Snow as thick as this share of the most covers a blade from edge to edge.
 constexpr float covering = 0.5F;
 /// Ranks over which the thickness of lumps falls from the most to nothing.

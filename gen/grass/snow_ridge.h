@@ -23,8 +23,8 @@ inline constexpr double leaf_snow_kg_m2 = 0.1 * 6.0 * (0.27 + 46.0 / blade_snow_
 inline constexpr glm::vec3 snow_albedo{0.97F, 0.985F, 1.0F};
 
 /// Share of the snow that stays on a blade whose tangent has this horizontal part, the sine of its
-/// angle from the vertical: none up to 20 degrees, all from 65 degrees on (modelling choice: cold
-/// snow rests on slopes of up to 50 to 60 degrees).
+/// angle from the vertical: none up to 10 degrees, all from 50 degrees on (modelling choice: cold
+/// snow rests on slopes of up to 50 to 60 degrees, and clings).
 float snow_held(float horizontal);
 
 /// Thickness of the snow at a place of a level blade, as a share of the most: `share` of what the

@@ -148,7 +148,7 @@ Landscape assemble(const scene::Scene& scene, const Site& site, int frame,
   ColourMap light = sky.light(ground.light());
   const double snow_per_m = snow_extinction_per_m(scene, site, frame);
   const SnowyAir air(site.day, snow_per_m, ground.mean_albedo());
-  if (snow_per_m > 0.0) light = air.light(light, ground.light().sky);
+  if (snow_per_m > 0.0) light = air.light(light, ground.light().overcast);
   set_ground(landscape, scene, site, choices, ground, light, lookup);
   sky.show(landscape, snow_per_m > 0.0);
   if (snow_per_m > 0.0) let_it_snow(scene, site, air, landscape);

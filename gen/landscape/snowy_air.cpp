@@ -17,7 +17,7 @@ constexpr double snow_column_m = 3000.0;
 
 /// Irradiance of level ground under clouds that snow, in the daylight's unit: a camera opens and
 /// leaves a little of the gloom.
-constexpr double gloom = 0.85;
+constexpr double gloom = 0.95;
 
 /// Clouds scatter all colours alike, but what reaches them is bluer than sunlight, the more so the
 /// lower the sun: at dusk ozone takes the yellow out of light that comes through much air (Hulburt
@@ -57,12 +57,12 @@ double SnowyAir::through(double sine) const {
 
 double SnowyAir::sun_share() const { return through(day_.sun_direction().z); }
 
-ColourMap SnowyAir::light(const ColourMap& light, const ColourMap& sky) const {
+ColourMap SnowyAir::light(const ColourMap& light, const FactorMap& overcast) const {
   const auto clear = static_cast<float>(sun_share());
-  const glm::vec3 overcast = irradiance_ * (1.0F - clear) / day_.sky_irradiance();
+  const glm::vec3 rest = irradiance_ * (1.0F - clear);
   ColourMap result = light;
   for (std::size_t i = 0; i < result.values().size(); ++i)
-    result.values()[i] = result.values()[i] * clear + sky.values()[i] * overcast;
+    result.values()[i] = result.values()[i] * clear + rest * overcast.values()[i];
   return result;
 }
 

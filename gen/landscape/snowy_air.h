@@ -24,9 +24,9 @@ class SnowyAir {
   /// Share of the sun's own light that still arrives, in [0, 1].
   double sun_share() const;
 
-  /// The light on the ground: what of `light` still arrives, and what snow makes of the rest.
-  /// `sky` is what the ground has of the clear sky, which says how open each place is.
-  ColourMap light(const ColourMap& light, const ColourMap& sky) const;
+  /// The light on the ground: what of `light` still arrives, and that of the overcast sky, of which
+  /// places have the share `overcast`, GroundLight's, on the same grid.
+  ColourMap light(const ColourMap& light, const FactorMap& overcast) const;
 
   /// Radiance in a unit direction of a sky that would send `clear`.
   glm::vec3 sky_radiance(const glm::vec3& clear, const glm::dvec3& direction) const;

@@ -60,8 +60,8 @@ float share_above(const scene::Grass& grass, float depth_m) {
 }
 
 /// Exponent of the canopy's transmittance for snow below: white ground lights the blades from below,
-/// and they send half of what they held back down again.
-constexpr double shading_under_grass = 0.5;
+/// laden as they are, and they send most of what they held back down again.
+constexpr double shading_under_grass = 0.25;
 
 double mean(const FactorMap& map) {
   double sum = 0.0;

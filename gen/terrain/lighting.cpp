@@ -26,7 +26,7 @@ struct SkyPatches {
 
   struct Patch {
     glm::dvec3 direction;
-    glm::dvec3 power;  ///< radiance times solid angle
+    glm::dvec4 power;  ///< radiance times solid angle: of the clear sky, and of an overcast one
   };
   std::vector<Patch> patches;  ///< azimuth by azimuth, bands upwards
 
@@ -36,7 +36,8 @@ struct SkyPatches {
         const double elevation_rad = (b + 0.5) * band_rad;
         const glm::dvec3 to = light::direction_of(azimuth_rad(a), elevation_rad);
         const double solid_angle = std::cos(elevation_rad) * band_rad * 2.0 * pi / azimuths;
-        patches.push_back({to, glm::dvec3(day.sky_radiance(to)) * solid_angle});
+        const glm::dvec4 radiance(glm::dvec3(day.sky_radiance(to)), 1.0 + 2.0 * to.z);
+        patches.push_back({to, radiance * solid_angle});
       }
   }
 
@@ -48,9 +49,10 @@ double share_above(int band, double horizon) {
   return std::clamp(band + 1.0 - horizon / SkyPatches::band_rad, 0.0, 1.0);
 }
 
-glm::dvec3 sky_light(const Heightfield& terrain, const glm::dvec2& at_m, const glm::dvec3& up,
+/// By the clear sky, and by an overcast one.
+glm::dvec4 sky_light(const Heightfield& terrain, const glm::dvec2& at_m, const glm::dvec3& up,
                      const SkyPatches& sky) {
-  glm::dvec3 sum(0.0);
+  glm::dvec4 sum(0.0);
   auto patch = sky.patches.begin();
   for (int a = 0; a < SkyPatches::azimuths; ++a) {
     const glm::dvec2 towards(light::direction_of(SkyPatches::azimuth_rad(a), 0.0));
@@ -89,20 +91,21 @@ glm::dvec3 sun_light(const Heightfield& terrain, const glm::dvec2& at_m, const g
 
 /// Irradiance of level ground under nothing but the patches: what the sum over patches makes of
 /// the sky's irradiance.
-glm::dvec3 flat_sky_light(const SkyPatches& sky) {
-  glm::dvec3 sum(0.0);
+glm::dvec4 flat_sky_light(const SkyPatches& sky) {
+  glm::dvec4 sum(0.0);
   for (const SkyPatches::Patch& patch : sky.patches) sum += patch.power * patch.direction.z;
   return sum;
 }
 
 /// One pass of the binomial filter 1 2 1 along both axes; the border keeps its value beyond itself.
-void smooth(ColourMap& map) {
-  const ColourMap old = map;
+template <class T>
+void smooth(GroundMap<T>& map) {
+  const GroundMap<T> old = map;
   const auto inside = [&](int i) { return std::clamp(i, 0, old.samples() - 1); };
   parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < map.samples(); ++i) {
-      glm::vec3 sum(0.0F);
+      T sum{};
       for (int dj = -1; dj <= 1; ++dj)
         for (int di = -1; di <= 1; ++di)
           sum += old.at(inside(i + di), inside(j + dj)) *
@@ -175,21 +178,27 @@ ColourMap GroundLight::together() const {
 
 GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day) {
   const ColourMap dark(map_samples(terrain.size_m(), 0.2), terrain.size_m());
-  GroundLight light{dark, dark};
+  GroundLight light{dark, dark, FactorMap(dark.samples(), dark.size_m())};
   const SkyPatches sky(day);
-  const glm::dvec3 sky_scale = glm::dvec3(day.sky_irradiance()) / flat_sky_light(sky);
+  const glm::dvec4 sky_scale =
+      glm::dvec4(glm::dvec3(day.sky_irradiance()), 1.0) / flat_sky_light(sky);
   parallel_for(static_cast<std::size_t>(dark.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < dark.samples(); ++i) {
       const glm::dvec2 at_m = glm::dvec2(i, j) * dark.step_m();
       const glm::dvec3 up = normal(terrain, at_m.x, at_m.y);
       light.sun.at(i, j) = glm::vec3(sun_light(terrain, at_m, up, day));
-      light.sky.at(i, j) = glm::vec3(sky_light(terrain, at_m, up, sky) * sky_scale);
+      const glm::vec4 by_sky(sky_light(terrain, at_m, up, sky) * sky_scale);
+      light.sky.at(i, j) = glm::vec3(by_sky);
+      light.overcast.at(i, j) = by_sky.w;
     }
   });
   // Grass takes its light from about its own height around: a deviation of 0.28 m.
-  for (ColourMap* map : {&light.sun, &light.sky})
-    for (int pass = 0; pass < 4; ++pass) smooth(*map);
+  for (int pass = 0; pass < 4; ++pass) {
+    smooth(light.sun);
+    smooth(light.sky);
+    smooth(light.overcast);
+  }
   return light;
 }
 

@@ -16,6 +16,8 @@ namespace wold::terrain {
 struct GroundLight {
   ColourMap sun;
   ColourMap sky;
+  FactorMap overcast;  ///< instead of both, under a sky three times as bright overhead as at the
+                       ///< horizon and without colour (CIE S 011:2003, type 1)
 
   ColourMap together() const;
 };

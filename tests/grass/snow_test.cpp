@@ -127,9 +127,9 @@ TEST(Snow, LiesOnWhatIsLevelNotOnWhatStands) {
     blade.lean = static_cast<float>(lean_deg * test::degree);
     return snow_ridge(blade, pose, 0.3F, BladeAxis(blade, pose).at(0.3F * blade.length_m));
   };
-  EXPECT_EQ(ridge(15.0).half_height_m, 0.0F);
-  EXPECT_GT(ridge(40.0).half_height_m, 0.0F);
-  EXPECT_GT(ridge(70.0).half_height_m, 1.5F * ridge(40.0).half_height_m);
+  EXPECT_EQ(ridge(5.0).half_height_m, 0.0F);
+  EXPECT_GT(ridge(25.0).half_height_m, 0.0F);
+  EXPECT_GT(ridge(60.0).half_height_m, 1.5F * ridge(25.0).half_height_m);
   EXPECT_FLOAT_EQ(ridge(70.0).half_height_m, ridge(90.0).half_height_m);
   // Above the blade: its upper side is at the radius.
   EXPECT_GT(ridge(90.0).centre_m.y, blade.radius_m * 0.7F);
@@ -217,7 +217,7 @@ TEST(Snow, PointsAreWhiteDullAndWhereTheRidgesAre) {
     EXPECT_EQ(points.specular[i], 0.0F);
     EXPECT_GT(points.area_m2[i], 0.0F);
     EXPECT_GE(points.position_m[i].z, 0.0F);
-    EXPECT_GE(points.normal[i].z, 0.3F);  // the least level place that holds snow: 20 degrees
+    EXPECT_GE(points.normal[i].z, 0.15F);  // the least level place that holds snow: 10 degrees
     EXPECT_NEAR(glm::dot(points.normal[i], points.tangent[i]), 0.0F, 1e-5F);
   }
   for (BladePose& pose : poses) pose.snow = 0.0F;

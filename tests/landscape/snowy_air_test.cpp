@@ -30,7 +30,7 @@ TEST(SnowyAir, WithoutSnowIsClear) {
   const SnowyAir air(day, 0.0, 0.2);
   EXPECT_EQ(air.sun_share(), 1.0);
   const ColourMap light(3, 1.0, glm::vec3(0.7F, 0.8F, 0.9F));
-  EXPECT_EQ(air.light(light, light).at(1, 1), light.at(1, 1));
+  EXPECT_EQ(air.light(light, FactorMap(3, 1.0, 0.9F)).at(1, 1), light.at(1, 1));
   EXPECT_EQ(air.sky_radiance(glm::vec3(0.3F), {0.0, 0.0, 1.0}), glm::vec3(0.3F));
 }
 
@@ -40,8 +40,8 @@ TEST(SnowyAir, ThickSnowLightsTheGroundAsItsSkyDoes) {
   const light::Daylight day = noon();
   const SnowyAir air(day, 0.01, 0.0);
   EXPECT_LT(air.sun_share(), 1e-10);
-  const ColourMap sky(2, 1.0, day.sky_irradiance());
-  const glm::vec3 light = air.light(ColourMap(2, 1.0, glm::vec3(1.0F)), sky).at(0, 0);
+  const ColourMap clear(2, 1.0, glm::vec3(1.0F));
+  const glm::vec3 light = air.light(clear, FactorMap(2, 1.0, 1.0F)).at(0, 0);
   const glm::dvec3 seen = irradiance(air);
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c] / double{light[c]}, 1.0, 0.02);
   EXPECT_GT(light.b, light.r);

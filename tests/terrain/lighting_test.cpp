@@ -51,6 +51,28 @@ TEST(LightMap, InclinedPlaneReceivesTheIntegralOverItsHemisphere) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(middle(light)[c], want[c], 0.01 * want[c]);
 }
 
+TEST(LightMap, OvercastSkyLightsAnInclinedPlaneAlikeOnAllSides) {
+  const light::Daylight day({38.0, 180.0}, {3.0});
+  const double tilt = 30.0 * degree;
+  const auto overcast = [&](double rise) {
+    const FactorMap map =
+        ground_light(ground(40.0, 81, [&](double y) { return rise * y; }), day).overcast;
+    return double{map.sample(20.0, 20.0)};
+  };
+  const glm::dvec3 up(0.0, -std::sin(tilt), std::cos(tilt));
+  double want = 0.0;
+  for (double elevation = 0.5; elevation < 90.0; elevation += 1.0)
+    for (double azimuth = 0.5; azimuth < 360.0; azimuth += 1.0) {
+      const glm::dvec3 to = light::direction_of(azimuth * degree, elevation * degree);
+      want += (1.0 + 2.0 * to.z) * std::max(0.0, glm::dot(up, to)) *
+              (std::cos(elevation * degree) * degree * degree);
+    }
+  want /= 7.0 * pi / 3.0;  // of level ground
+  EXPECT_NEAR(overcast(0.0), 1.0, 1e-4);
+  EXPECT_NEAR(overcast(std::tan(tilt)), want, 0.01 * want);
+  EXPECT_NEAR(overcast(-std::tan(tilt)), want, 0.01 * want);
+}
+
 TEST(Horizon, OfAWallIsItsAngle) {
   // 2 m high, 5 m north of the point.
   const Heightfield wall = ground(20.0, 201, [](double y) { return y > 14.95 ? 2.0 : 0.0; });
