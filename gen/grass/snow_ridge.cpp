@@ -18,9 +18,11 @@ constexpr float covering = 0.5F;
 /// Ranks over which the thickness of lumps falls from the most to nothing.
 constexpr double edge = 0.4;
 /// How far a full ridge reaches over the blade's edges, in half widths.
-constexpr float overhang = 1.15F;
+constexpr float overhang = 1.3F;
 /// How far a ridge's lower side sinks below a blade's upper side, in half widths of the blade.
-constexpr float sunk = 0.4F;
+constexpr float sunk = 0.5F;
+/// How high a ridge is at most, in half widths of the blade: higher ones fall off.
+constexpr float highest = 3.0F;
 /// Size of the tufts that snow gathers on, and how much of a place's rank is its tuft's.
 constexpr double tuft_m = 0.06;
 constexpr double by_tuft = 0.65;
@@ -84,7 +86,7 @@ SnowRidge snow_ridge(const Blade& blade, const BladePose& pose, float along, con
   ridge.centre_m = at.position_m + radius_m * upper_side(at.tangent);
   if (thickness <= 0.0F || radius_m <= 0.0F) return ridge;
   ridge.half_width_m = overhang * radius_m * std::sqrt(std::min(thickness / covering, 1.0F));
-  const float section_m2 = 2.0F * radius_m * std::min(thickest_m, 2.0F * radius_m) * thickness;
+  const float section_m2 = 2.0F * radius_m * std::min(thickest_m, highest * radius_m) * thickness;
   ridge.half_height_m = section_m2 / (pi * ridge.half_width_m);
   ridge.centre_m += (ridge.half_height_m - sunk * radius_m) * upper_side(at.tangent);
   return ridge;

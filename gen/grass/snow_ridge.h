@@ -10,11 +10,11 @@ namespace wold::grass {
 /// Density that snow on blades is given, kg/m3: fresh (Hedstrom and Pomeroy 1998: 68 to 119).
 inline constexpr double blade_snow_kg_m3 = 100.0;
 
-/// What a leaf can carry at most, kg per m2 of leaf: 0.44. Hedstrom and Pomeroy (1998, Hydrological
+/// What a leaf can carry at most, kg per m2 of leaf: 0.70. Hedstrom and Pomeroy (1998, Hydrological
 /// Processes 12:1611) have 6.0 (0.27 + 46 / density) per leaf area of a conifer, whose needles and
 /// twigs bridge the gaps between them; a blade stands alone and carries a ridge about as high as it
-/// is wide, 4 mm: a tenth of that.
-inline constexpr double leaf_snow_kg_m2 = 0.1 * 6.0 * (0.27 + 46.0 / blade_snow_kg_m3);
+/// is wide, 7 mm: a sixth of that.
+inline constexpr double leaf_snow_kg_m2 = 0.16 * 6.0 * (0.27 + 46.0 / blade_snow_kg_m3);
 
 /// Diffuse coefficient md of fresh snow, linear sRGB: its visible albedo, 0.9 with a little less in
 /// the red, times 1.1, because opaque lumps send light back to where it came from while fibres
@@ -46,7 +46,8 @@ struct SnowRidge {
 ///
 /// Snow gathers in tufts of 6 cm that neighbouring blades share, and in lumps along each blade.
 /// The section is what lies there over its density. It covers the blade's whole width from
-/// half of the most on, a little beyond its edges, and is no higher than the blade is wide.
+/// half of the most on, a little beyond its edges, and is no higher than one and a half times the
+/// blade's width.
 SnowRidge snow_ridge(const Blade& blade, const BladePose& pose, float along, const AxisPoint& at);
 
 /// The direction of a blade's plane that its upper side faces.

@@ -94,7 +94,7 @@ TEST(Snow, MeanOfTheLumpsIsTheShare) {
   }
 }
 
-// Level blades, wide enough for the thickest snow: mass per leaf area is the share of a tenth of
+// Level blades, wide enough for the thickest snow: mass per leaf area is the share of a sixth of
 // Hedstrom and Pomeroy's 6.0 (0.27 + 46 / density).
 TEST(Snow, LevelBladesCarryTheMassOfTheShare) {
   for (const double share : {0.1, 0.25, 0.5, 0.8, 1.0}) {
@@ -115,7 +115,7 @@ TEST(Snow, LevelBladesCarryTheMassOfTheShare) {
         leaf_m2 += 2.0 * double{blade.radius_m} * (1.0 - double{along});
       }
     }
-    EXPECT_NEAR(snow_kg / leaf_m2, share * 0.438, 0.03 * 0.438) << share;
+    EXPECT_NEAR(snow_kg / leaf_m2, share * 0.7008, 0.03 * 0.7008) << share;
   }
 }
 
