@@ -51,7 +51,9 @@ Image picture_of(const ColourMap& map, const FactorMap* fourth) {
 Json write_ground_map(const ColourMap& map, const fs::path& folder, const char* name,
                       const FactorMap* fourth = nullptr) {
   write_image(folder / name, picture_of(map, fourth), PixelFormat::half);
-  return {{"file", name}, {"samples", map.samples()}, {"size_m", map.size_m()}};
+  Json json = {{"file", name}, {"samples", map.samples()}, {"size_m", map.size_m()}};
+  if (map.corner_m() != glm::dvec2(0.0)) json["corner_m"] = {map.corner_m().x, map.corner_m().y};
+  return json;
 }
 
 /// How much of a finer picture of the ground is seen: none along its edge, all inside its border.
@@ -88,7 +90,7 @@ Json write_ground_details(const Landscape& landscape, const fs::path& folder) {
 Json write_standing_light(const Landscape& landscape, const fs::path& folder) {
   const ColourMap light = product(landscape.light, landscape.standing);
   const FactorMap standing =
-      product(landscape.standing, FactorMap(light.samples(), light.size_m(), 1.0F));
+      product(landscape.standing, FactorMap(light.samples(), light.square(), 1.0F));
   return write_ground_map(light, folder, "standing_light.exr", &standing);
 }
 

@@ -41,7 +41,7 @@ std::vector<std::string> wanted_renderers(const scene::Scene& scene) {
 
 Film::Film(const Job& job)
     : job_(job),
-      site_(landscape::make_site(job.scene)),
+      site_(landscape::make_site(job.scene, job.out / "snow")),
       texels_(job.scene, landscape::film_lighting(job.scene, site_), job.out / "texels") {}
 
 void Film::generate(Progress& progress) {
@@ -56,7 +56,8 @@ void Film::generate(Progress& progress) {
 void Film::choose_cells(Progress& progress) {
   progress.begin("cells", job_.frames.size());
   for (const int frame : job_.frames) {
-    cells_.push_back(landscape::choose_cells(job_.scene, site_.terrain, site_.growth, frame));
+    cells_.push_back(landscape::choose_cells(job_.scene, site_.terrain,
+                                             landscape::growth_of_cells(site_), frame));
     for (const landscape::CellChoice& cell : cells_.back())
       if (!cell.blades) demand_[cell.variant][cell.state()][cell.level].insert(cell.turn);
     demand_far_field(frame);

@@ -20,7 +20,8 @@ class Film {
  public:
   explicit Film(const Job& job);
 
-  /// Writes DIR/scene.toml, DIR/texels/, DIR/clouds/ where there are clouds, and the folders of the
+  /// Writes DIR/scene.toml, DIR/texels/, DIR/clouds/ where there are clouds, DIR/snow/ where snow
+  /// lies on a large terrain, and the folders of the
   /// renderers the scene asks for. Throws FileError and InterruptedError; every file that exists
   /// then is whole.
   void generate(Progress& progress);

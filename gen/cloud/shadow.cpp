@@ -26,13 +26,18 @@ double depth_to_sun(const CloudState& state, const glm::dvec3& from_m,
 
 FactorMap sun_share(const CloudState& state, const Heightfield& terrain,
                     const glm::dvec3& sun_direction, int samples) {
-  FactorMap share(samples, terrain.size_m(), 1.0F);
+  return sun_share(state, terrain, sun_direction, {{.size_m = terrain.size_m()}, samples});
+}
+
+FactorMap sun_share(const CloudState& state, const Heightfield& terrain,
+                    const glm::dvec3& sun_direction, const GroundGrid& grid) {
+  FactorMap share(grid.samples, grid.square, 1.0F);
   if (state.layers.empty()) return share;
-  parallel_for(static_cast<std::size_t>(samples), [&](std::size_t row) {
+  parallel_for(static_cast<std::size_t>(grid.samples), [&](std::size_t row) {
     const int j = static_cast<int>(row);
-    for (int i = 0; i < samples; ++i) {
-      const double x_m = i * share.step_m(), y_m = j * share.step_m();
-      const glm::dvec3 place(x_m, y_m, static_cast<double>(terrain.sample(x_m, y_m)));
+    for (int i = 0; i < grid.samples; ++i) {
+      const glm::dvec2 at_m = share.place_m(i, j);
+      const glm::dvec3 place(at_m, static_cast<double>(terrain.sample(at_m.x, at_m.y)));
       share.at(i, j) = static_cast<float>(std::exp(-depth_to_sun(state, place, sun_direction)));
     }
   });

@@ -6,32 +6,56 @@
 #include <glm/glm.hpp>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/parallel.h"
 
 namespace wold {
 
-/// A square map of the terrain: `samples` x `samples` values on the corners of a regular grid
-/// that covers [0, size_m] x [0, size_m]. Value (i, j) lies at x = i*step, y = j*step (x east,
-/// y north), stored with i fastest.
+/// A square part of the ground: metres from the terrain's south-western corner, x east, y north.
+struct Square {
+  glm::dvec2 corner_m{0.0};
+  double size_m = 0.0;
+
+  bool contains(const glm::dvec2& at_m) const {
+    return glm::all(glm::greaterThanEqual(at_m, corner_m)) &&
+           glm::all(glm::lessThanEqual(at_m, corner_m + size_m));
+  }
+};
+
+/// A square map of the terrain, or of a part of it: `samples` x `samples` values on the corners of
+/// a regular grid that covers the square. Value (i, j) lies at the square's corner, which is mostly
+/// the terrain's, plus (i, j) * step (x east, y north), stored with i fastest.
 template <class T>
 class GroundMap {
  public:
   GroundMap() = default;
   GroundMap(int samples, double size_m, T value = {})
+      : GroundMap(samples, Square{.size_m = size_m}, value) {}
+  GroundMap(int samples, const Square& square, T value = {})
       : samples_(samples),
-        size_m_(size_m),
+        size_m_(square.size_m),
+        corner_m_(square.corner_m),
         values_(static_cast<std::size_t>(samples) * static_cast<std::size_t>(samples), value) {
-    if (samples < 2 || !(size_m > 0.0))
+    if (samples < 2 || !(size_m_ > 0.0))
       throw std::invalid_argument(
           "a ground map needs at least 2 samples and a positive size, got " +
-          std::to_string(samples) + " and " + std::to_string(size_m));
+          std::to_string(samples) + " and " + std::to_string(size_m_));
   }
 
   int samples() const { return samples_; }
   double size_m() const { return size_m_; }
   double step_m() const { return size_m_ / (samples_ - 1); }
+  const glm::dvec2& corner_m() const { return corner_m_; }
+  Square square() const { return {corner_m_, size_m_}; }
+  /// Where value (i, j) lies.
+  glm::dvec2 place_m(int i, int j) const { return corner_m_ + glm::dvec2(i, j) * step_m(); }
+  /// The same map with its corner elsewhere.
+  GroundMap at_corner(const glm::dvec2& corner_m) && {
+    corner_m_ = corner_m;
+    return std::move(*this);
+  }
   T& at(int i, int j) { return values_[index(i, j)]; }
   const T& at(int i, int j) const { return values_[index(i, j)]; }
   const std::vector<T>& values() const { return values_; }
@@ -39,8 +63,8 @@ class GroundMap {
 
   /// Bilinear value at (x_m, y_m); outside the map the border's value.
   T sample(double x_m, double y_m) const {
-    const double fx = std::clamp(x_m / step_m(), 0.0, samples_ - 1.0);
-    const double fy = std::clamp(y_m / step_m(), 0.0, samples_ - 1.0);
+    const double fx = std::clamp((x_m - corner_m_.x) / step_m(), 0.0, samples_ - 1.0);
+    const double fy = std::clamp((y_m - corner_m_.y) / step_m(), 0.0, samples_ - 1.0);
     const int i = std::min(static_cast<int>(fx), samples_ - 2);
     const int j = std::min(static_cast<int>(fy), samples_ - 2);
     const auto u = static_cast<float>(fx - i);
@@ -57,6 +81,7 @@ class GroundMap {
 
   int samples_ = 0;
   double size_m_ = 0.0;
+  glm::dvec2 corner_m_{0.0};
   std::vector<T> values_;
 };
 
@@ -66,16 +91,29 @@ inline int map_samples(double size_m, double step_m) {
   return static_cast<int>(std::min(most, std::ceil(size_m / step_m - 1e-9) + 1.0));
 }
 
-/// `map` times `factor`, on the finer of the two grids. Both cover the same square.
+/// Where the values of a map of a part of the ground lie.
+struct GroundGrid {
+  Square square;
+  int samples = 2;
+
+  double step_m() const { return square.size_m / (samples - 1); }
+};
+
+/// How much of something of size `feature_m` a map with this step shows: all up to half of it,
+/// nothing from twice of it on, where single values would be chance.
+inline double shown_share(double feature_m, double step_m) {
+  return 1.0 - glm::smoothstep(0.5, 2.0, step_m / feature_m);
+}
+
+/// `map` times `factor` on the map's square, with the more samples of the two.
 template <class T, class Factor>
 GroundMap<T> product(const GroundMap<T>& map, const GroundMap<Factor>& factor) {
-  GroundMap<T> result(std::max(map.samples(), factor.samples()), map.size_m());
+  GroundMap<T> result(std::max(map.samples(), factor.samples()), map.square());
   parallel_for(static_cast<std::size_t>(result.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < result.samples(); ++i) {
-      const double x_m = i * result.step_m();
-      const double y_m = j * result.step_m();
-      result.at(i, j) = map.sample(x_m, y_m) * factor.sample(x_m, y_m);
+      const glm::dvec2 at_m = result.place_m(i, j);
+      result.at(i, j) = map.sample(at_m.x, at_m.y) * factor.sample(at_m.x, at_m.y);
     }
   });
   return result;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "core/error.h"
 #include "core/noise.h"
@@ -56,15 +55,17 @@ Texel unlike(const std::vector<Texel>& neighbours, int variants, double uniform)
 
 /// Variant and turn of every cell, row by row from the south-west corner: each looks at its left
 /// and lower neighbours.
-std::vector<Texel> choose_texels(const scene::Scene& scene, int per_side) {
+std::vector<Texel> choose_texels(const scene::Scene& scene, const CellWindow& window) {
+  const int per_side = window.per_side;
   std::vector<Texel> texels;
   for (int j = 0; j < per_side; ++j)
     for (int i = 0; i < per_side; ++i) {
       std::vector<Texel> neighbours;
       if (i > 0) neighbours.push_back(texels.back());
       if (j > 0) neighbours.push_back(texels[texels.size() - static_cast<std::size_t>(per_side)]);
+      const glm::ivec2 cell = window.first + glm::ivec2(i, j);
       texels.push_back(
-          unlike(neighbours, scene.grass.variants, cell_uniform(scene, {i, j}, "texel")));
+          unlike(neighbours, scene.grass.variants, cell_uniform(scene, cell, "texel")));
     }
   return texels;
 }
@@ -120,6 +121,7 @@ class Sight {
  public:
   Sight(const scene::Scene& scene, const Heightfield& terrain, const Camera& camera)
       : grass_(scene.grass),
+        window_(scene),
         terrain_(terrain),
         eye_m_(camera.eye_m),
         view_(camera, scene.render.size_px[0], scene.render.size_px[1]),
@@ -127,8 +129,8 @@ class Sight {
                   scene.grass.height_m * std::max(1.5, 0.5 + 2.2 * scene.grass.height_spread)) {}
 
   bool may_see(const glm::dvec3& middle_m) const {
-    return view_.may_see(middle_m, margin_m_) && far_share(grass_, view_, middle_m) < 1.0 &&
-           !is_behind_a_hill(middle_m);
+    return view_.may_see(middle_m, margin_m_) &&
+           far_share(grass_, window_, view_, middle_m) < 1.0 && !is_behind_a_hill(middle_m);
   }
 
   /// Pixels that a metre covers there.
@@ -141,6 +143,7 @@ class Sight {
   }
 
   const scene::Grass& grass_;
+  CellWindow window_;
   const Heightfield& terrain_;
   glm::dvec3 eye_m_;
   View view_;
@@ -191,10 +194,6 @@ void check_frame(const scene::Scene& scene, int frame) {
 }
 
 }  // namespace
-
-int cells_per_side(const scene::Scene& scene) {
-  return static_cast<int>(std::floor(scene.terrain.size_m / scene.grass.patch_m + 1e-9));
-}
 
 glm::dmat4 world_from_cell(const Heightfield& terrain, double patch_m, const glm::ivec2& cell,
                            int turn, const glm::dvec2& lean) {
@@ -253,30 +252,34 @@ std::pair<double, double> weathering_range(const scene::Scene& scene, int frame)
 std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfield& terrain,
                                      const FactorMap& growth, int frame) {
   check_frame(scene, frame);
-  const int per_side = cells_per_side(scene);
-  const std::vector<Texel> texels = choose_texels(scene, per_side);
+  const CellWindow window(scene);
+  const std::vector<Texel> texels = choose_texels(scene, window);
   const Camera camera = resolved_camera(scene.camera, terrain, time_of_frame(scene, frame));
   const Sight sight(scene, terrain, camera);
   const Combing combing(scene);
   const std::vector<double> key_frames = scene::key_frames(scene);
   const double snow = canopy_snow(scene, frame);
-  std::vector<std::optional<CellChoice>> candidates(texels.size());
-  parallel_for_blocks(texels.size(), [&](std::size_t k) {
-    const glm::ivec2 cell(static_cast<int>(k) % per_side, static_cast<int>(k) / per_side);
+  const auto side = static_cast<std::size_t>(window.per_side);
+  std::vector<std::vector<CellChoice>> rows(side);
+  const auto consider = [&](const glm::ivec2& cell, const Texel& texel,
+                            std::vector<CellChoice>& row) {
     const glm::dvec3 middle_m = middle_of(scene.grass, terrain, cell);
     const Grown grown = grown_in(growth, cell, scene.grass.patch_m);
     if (grown.most <= 0.0F || !sight.may_see(middle_m)) return;
     const CellChoice choice =
-        choose_cell(scene, cell, texels[k], key_frames, snow, frame, sight.pixels(middle_m));
+        choose_cell(scene, cell, texel, key_frames, snow, frame, sight.pixels(middle_m));
     if (choice.blades && cell_uniform(scene, cell, "grown") >= double{grown.mean}) return;
-    candidates[k] = choice;
-    candidates[k]->world_from_cell =
-        world_from_cell(terrain, scene.grass.patch_m, cell, choice.turn,
-                        combing.lean(centre_m(cell, scene.grass.patch_m)));
+    row.push_back(choice);
+    row.back().world_from_cell = world_from_cell(terrain, scene.grass.patch_m, cell, choice.turn,
+                                                 combing.lean(centre_m(cell, scene.grass.patch_m)));
+  };
+  parallel_for(side, [&](std::size_t j) {
+    for (std::size_t i = 0; i < side; ++i)
+      consider(window.first + glm::ivec2(i, j), texels[j * side + i], rows[j]);
   });
   std::vector<CellChoice> choices;
-  for (const auto& candidate : candidates)
-    if (candidate) choices.push_back(*candidate);
+  for (const std::vector<CellChoice>& row : rows)
+    choices.insert(choices.end(), row.begin(), row.end());
   return choices;
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/ground_map.h"
 #include "grass/patch_state.h"
+#include "landscape/cell_window.h"
 #include "scene/scene.h"
 
 namespace wold::landscape {
@@ -27,9 +28,6 @@ struct CellChoice {
   grass::PatchState state() const { return {key_frame, snow}; }
 };
 
-/// Cells per side of the terrain: whole patches only.
-int cells_per_side(const scene::Scene& scene);
-
 /// The best affine fit of the ground under a cell, after `turn` quarter-turns about the patch's
 /// centre: least squares through the four corners, which leaves |z00 - z10 - z01 + z11| / 4 at
 /// each. What stands on it leans over by `lean` (see Combing) along the ground.
@@ -48,15 +46,16 @@ double local_weathering(const scene::Scene& scene, const glm::dvec2& at_m, int f
 /// The least and the largest that local_weathering() can be in a frame.
 std::pair<double, double> weathering_range(const scene::Scene& scene, int frame);
 
-/// Every cell with grass that can be seen, row by row: inside the picture, not behind a hill, not
-/// so far that far_share() paints it. `growth` is growth_map()'s; where it is thin, blades stand on
-/// as many cells as it says, while volumes are thinned in space. Variant and turn by keyed choice,
-/// so that neighbours differ; the key frame by keyed dithering between the two nearest to the local
-/// weathering, the level of snow likewise to canopy_snow(); the coarsest level whose voxels cover
-/// at most grass.pixels_per_voxel, with a keyed tenth of jitter, so that no ring shows where levels
-/// change. Only `level` (and with it the turns allowed) and whether a cell is listed depend on the
-/// camera. Cells are drawn as render.grass asks: with "auto" as blades where even the finest level
-/// is too coarse. Frame from 1; throws InputError when the scene has no such frame.
+/// Every cell with grass that can be seen, row by row: in the CellWindow, inside the picture, not
+/// behind a hill, not so far that far_share() paints it. `growth` is growth_map()'s; where it is
+/// thin, blades stand on as many cells as it says, while volumes are thinned in space. Variant and
+/// turn by keyed choice, so that neighbours differ; the key frame by keyed dithering between the
+/// two nearest to the local weathering, the level of snow likewise to canopy_snow(); the coarsest
+/// level whose voxels cover at most grass.pixels_per_voxel, with a keyed tenth of jitter, so that
+/// no ring shows where levels change. Only `level` (and with it the turns allowed) and whether a
+/// cell is listed depend on the camera. Cells are drawn as render.grass asks: with "auto" as blades
+/// where even the finest level is too coarse. Frame from 1; throws InputError when the scene has no
+/// such frame.
 std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfield& terrain,
                                      const FactorMap& growth, int frame);
 

@@ -41,7 +41,13 @@ float CombedLight::factor(const glm::dvec2& lean, const glm::dvec3& to_eye) cons
 FactorMap combed_light_map(const CombedLight& light, const Combing& combing,
                            const Heightfield& terrain, const View& view) {
   constexpr double step_m = 0.4;
-  FactorMap map(map_samples(terrain.size_m(), step_m), terrain.size_m(), 1.0F);
+  return combed_light_map(light, combing, terrain, view,
+                          {{.size_m = terrain.size_m()}, map_samples(terrain.size_m(), step_m)});
+}
+
+FactorMap combed_light_map(const CombedLight& light, const Combing& combing,
+                           const Heightfield& terrain, const View& view, const GroundGrid& grid) {
+  FactorMap map(grid.samples, grid.square, 1.0F);
   each_in_view(map, terrain, view, [&](int i, int j, const glm::dvec3& at_m) {
     map.at(i, j) = light.factor(combing.lean(glm::dvec2(at_m)), -view.line_of_sight(at_m));
   });

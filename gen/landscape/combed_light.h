@@ -36,5 +36,8 @@ class CombedLight {
 /// that they mirror the sun.
 FactorMap combed_light_map(const CombedLight& light, const Combing& combing,
                            const Heightfield& terrain, const View& view);
+/// The same on another grid.
+FactorMap combed_light_map(const CombedLight& light, const Combing& combing,
+                           const Heightfield& terrain, const View& view, const GroundGrid& grid);
 
 }  // namespace wold::landscape

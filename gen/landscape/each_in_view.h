@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "core/ground_map.h"
 #include "core/parallel.h"
 #include "landscape/view.h"
@@ -11,11 +13,12 @@ namespace wold::landscape {
 template <class Map, class Visit>
 void each_in_view(const Map& map, const Heightfield& terrain, const View& view,
                   const Visit& visit) {
-  constexpr double margin_m = 2.0;  // what stands there may lean into the picture
+  // What stands there may lean into the picture, and values count up to the next one.
+  const double margin_m = std::max(2.0, 1.5 * map.step_m());
   parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < map.samples(); ++i) {
-      const glm::dvec3 at_m = above_ground(terrain, glm::dvec2(i, j) * map.step_m(), 0.0);
+      const glm::dvec3 at_m = above_ground(terrain, map.place_m(i, j), 0.0);
       if (view.may_see(at_m, margin_m)) visit(i, j, at_m);
     }
   });

@@ -13,6 +13,14 @@
 namespace wold::landscape {
 namespace {
 
+/// The frame's canopy_snow(), in levels; what hardly differs from a level is that, so that its looks
+/// are all that is needed.
+double snow_level(const scene::Scene& scene, int frame) {
+  constexpr double unseen = 1e-4;
+  const double level = grass::PatchState::level_of(canopy_snow(scene, frame));
+  return level - std::floor(level) < unseen ? std::floor(level) : level;
+}
+
 /// More grass along a ray, where the same number of blades stands on each square metre of a slope.
 double slope_factor(const glm::dvec2& gradient) {
   return std::sqrt(1.0 + glm::dot(gradient, gradient));
@@ -35,7 +43,7 @@ Meadow::Meadow(const scene::Scene& scene, const Heightfield& terrain, const View
       frame_(frame),
       combing_(scene),
       key_frames_(scene::key_frames(scene)),
-      snow_(grass::PatchState::level_of(canopy_snow(scene, frame))),
+      snow_(snow_level(scene, frame)),
       looks_(std::move(looks)) {}
 
 FarLook Meadow::look(const glm::dvec3& at_m) const {
@@ -59,17 +67,23 @@ FarLook Meadow::at_key_frame(int key_frame, const glm::dvec3& direction) const {
 
 double far_share(const scene::Grass& grass, const View& view, const glm::dvec3& at_m) {
   const double relative = view.pixels(grass.height_m, at_m) / std::max(grass.far_pixels, 1e-9);
-  return 1.0 - glm::smoothstep(0.75, 1.25, relative);
+  return 1.0 - glm::smoothstep(least_standing, 1.25, relative);
+}
+
+double far_share(const scene::Grass& grass, const CellWindow& window, const View& view,
+                 const glm::dvec3& at_m) {
+  return std::max(far_share(grass, view, at_m), window.outside_share(glm::dvec2(at_m)));
 }
 
 bool has_far_field(const scene::Scene& scene, const Heightfield& terrain, const View& view) {
   constexpr int places = 64;
+  const CellWindow window(scene);
   for (int j = 0; j <= places; ++j)
     for (int i = 0; i <= places; ++i) {
       const glm::dvec2 at_m = glm::dvec2(i, j) * (terrain.size_m() / places);
       const glm::dvec3 place_m = above_ground(terrain, at_m, 0.0);
       if (view.may_see(place_m, terrain.size_m() / places) &&
-          far_share(scene.grass, view, place_m) > 0.0)
+          far_share(scene.grass, window, view, place_m) > 0.0)
         return true;
     }
   return false;
@@ -80,7 +94,7 @@ std::vector<grass::PatchState> far_states(const scene::Scene& scene, int frame) 
   const auto [least, most] = weathering_range(scene, frame);
   const auto first = std::upper_bound(keys.begin() + 1, keys.end() - 1, least) - 1;
   const auto last = std::upper_bound(keys.begin() + 1, keys.end() - 1, most);
-  const double snow = grass::PatchState::level_of(canopy_snow(scene, frame));
+  const double snow = snow_level(scene, frame);
   std::vector<grass::PatchState> states;
   for (auto key = first; key <= last; ++key)
     for (auto level = static_cast<int>(snow); level < snow + 1.0; ++level)
@@ -91,10 +105,12 @@ std::vector<grass::PatchState> far_states(const scene::Scene& scene, int frame) 
 void paint_far_grass(ColourMap& ground, const scene::Scene& scene, const Heightfield& terrain,
                      const FactorMap& growth, const ColourMap& light, const View& view,
                      const Meadow& meadow) {
+  const CellWindow window(scene);
   each_in_view(ground, terrain, view, [&](int i, int j, const glm::dvec3& at_m) {
-    const double share = far_share(scene.grass, view, at_m);
-    if (share <= 0.0) return;
-    const FarLook look = thickened(meadow.look(at_m), double{growth.sample(at_m.x, at_m.y)});
+    const double share = far_share(scene.grass, window, view, at_m);
+    const double grown = growth.sample(at_m.x, at_m.y);
+    if (share <= 0.0 || (share >= 1.0 && grown <= 0.0)) return;
+    const FarLook look = thickened(meadow.look(at_m), grown);
     const glm::vec3 grass = glm::vec3(look.radiance) * light.sample(at_m.x, at_m.y);
     const glm::vec3 seen = grass + static_cast<float>(look.transmittance) * ground.at(i, j);
     ground.at(i, j) = glm::mix(ground.at(i, j), seen, static_cast<float>(share));
@@ -103,10 +119,11 @@ void paint_far_grass(ColourMap& ground, const scene::Scene& scene, const Heightf
 
 FactorMap standing_grass(const scene::Scene& scene, const Heightfield& terrain,
                          const FactorMap& growth, const View& view) {
-  FactorMap factor(growth.samples(), growth.size_m());
+  const CellWindow window(scene);
+  FactorMap factor(growth.samples(), growth.square());
   each_in_view(factor, terrain, view, [&](int i, int j, const glm::dvec3& at_m) {
     const glm::dvec2 gradient = terrain::gradient(terrain, at_m.x, at_m.y);
-    const double standing = 1.0 - far_share(scene.grass, view, at_m);
+    const double standing = 1.0 - far_share(scene.grass, window, view, at_m);
     factor.at(i, j) = growth.at(i, j) * static_cast<float>(standing * slope_factor(gradient));
   });
   return factor;

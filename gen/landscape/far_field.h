@@ -5,6 +5,7 @@
 
 #include "core/ground_map.h"
 #include "grass/patch_state.h"
+#include "landscape/cell_window.h"
 #include "landscape/combing.h"
 #include "landscape/patch_look.h"
 #include "landscape/view.h"
@@ -16,6 +17,9 @@ namespace wold::landscape {
 /// looks lower than three quarters of grass.far_pixels, rising smoothly from five quarters on, so
 /// that no line shows.
 double far_share(const scene::Grass& grass, const View& view, const glm::dvec3& at_m);
+/// The same, and all of it outside the window in which cells are laid.
+double far_share(const scene::Grass& grass, const CellWindow& window, const View& view,
+                 const glm::dvec3& at_m);
 
 /// Whether any of the terrain's grass is painted, seen so.
 bool has_far_field(const scene::Scene& scene, const Heightfield& terrain, const View& view);

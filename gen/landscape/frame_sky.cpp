@@ -34,8 +34,8 @@ FrameSky::FrameSky(const scene::Scene& scene, const Site& site, int frame, const
 
 ColourMap FrameSky::light(const terrain::GroundLight& clear) const {
   if (!clouds_) return clear.together();
-  const FactorMap sun_share =
-      cloud::sun_share(*clouds_, site_.terrain, site_.day.sun_direction(), clear.sun.samples());
+  const FactorMap sun_share = cloud::sun_share(*clouds_, site_.terrain, site_.day.sun_direction(),
+                                               GroundGrid{clear.sun.square(), clear.sun.samples()});
   ColourMap light = product(clear.sun, sun_share);
   const glm::vec3 sky_factor = sheets_.irradiance() / site_.day.sky_irradiance();
   for (std::size_t i = 0; i < light.values().size(); ++i)

@@ -93,17 +93,26 @@ double grown(double probability, double noise) {
 
 FactorMap growth_map(const scene::Scene& scene, const Heightfield& terrain) {
   constexpr double step_m = 0.05;
+  return growth_map(scene, terrain,
+                    {{.size_m = terrain.size_m()}, map_samples(terrain.size_m(), step_m)});
+}
+
+FactorMap growth_map(const scene::Scene& scene, const Heightfield& terrain,
+                     const GroundGrid& grid) {
+  const double shown = shown_share(scene.growth.feature_m, grid.step_m());
   const Limits limits(scene.growth, terrain);
   const Fbm tufts{random_bits({scene.seed, key_of("growth"), 0, key_of("tufts")}), 6, 0.35};
-  FactorMap map(map_samples(terrain.size_m(), step_m), terrain.size_m());
+  FactorMap map(grid.samples, grid.square);
   parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < map.samples(); ++i) {
-      const glm::dvec2 at_m = glm::dvec2(i, j) * map.step_m();
+      const glm::dvec2 at_m = map.place_m(i, j);
       const double probability = limits.probability(at_m);
-      const bool certain = probability <= 0.0 || probability >= 1.0;
+      const bool certain = probability <= 0.0 || probability >= 1.0 || shown <= 0.0;
       const double noise = certain ? 0.5 : equalised(fbm(at_m / scene.growth.feature_m, tufts));
-      map.at(i, j) = static_cast<float>(grown(probability, noise));
+      map.at(i, j) = static_cast<float>(
+          shown >= 1.0 ? grown(probability, noise)
+                       : std::lerp(probability, grown(probability, noise), shown));
     }
   });
   return map;

@@ -12,5 +12,7 @@ namespace wold::landscape {
 /// keyed noise of growth.feature, equalised to be uniform, decides. So the mean of the map is the
 /// mean probability. Throws FileError when the mask cannot be read.
 FactorMap growth_map(const scene::Scene& scene, const Heightfield& terrain);
+/// The same on another grid; where patches are smaller than its step it shows the probability.
+FactorMap growth_map(const scene::Scene& scene, const Heightfield& terrain, const GroundGrid& grid);
 
 }  // namespace wold::landscape

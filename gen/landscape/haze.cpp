@@ -36,7 +36,7 @@ void veil_ground(ColourMap& ground, const Heightfield& terrain, const View& view
 
 ColourMap veil_of_grass(const ColourMap& light, const Heightfield& terrain, const View& view,
                         const Meadow& meadow, const Haze& haze) {
-  ColourMap veil(light.samples(), light.size_m(), glm::vec3(1.0F));
+  ColourMap veil(light.samples(), light.square(), glm::vec3(1.0F));
   each_in_view(veil, terrain, view, [&](int i, int j, const glm::dvec3& at_m) {
     const FarLook look = meadow.look(at_m);
     const double cover = std::max(1.0 - look.transmittance, 1e-3);

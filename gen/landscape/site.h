@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -9,6 +10,7 @@
 #include "scene/scene.h"
 #include "snow/cover.h"
 #include "snow/crystal_picture.h"
+#include "snow/large_cover.h"
 #include "snow/weather.h"
 #include "terrain/lighting.h"
 
@@ -16,17 +18,27 @@ namespace wold::landscape {
 
 /// The snow of a film.
 struct Snow {
-  Snow(const scene::Scene& scene, const Heightfield& terrain);
+  /// `folder`: see make_site().
+  Snow(const scene::Scene& scene, const Heightfield& terrain, const std::filesystem::path& folder);
 
   snow::Weather weather;
   snow::FlakePictures pictures;
   snow::SnowGround ground;
+  std::unique_ptr<snow::LargeCover> large;  ///< in its place on large terrains
+};
+
+/// What a part of the ground is like, without snow.
+struct GroundPart {
+  FactorMap growth;            ///< growth_map()'s
+  terrain::GroundLight light;  ///< under a clear sky
+  ColourMap reflectance;       ///< of the bare ground, radiance over irradiance
 };
 
 /// What stays the same from frame to frame: the place and the light of its day.
 struct Site {
   Heightfield terrain;
-  FactorMap growth;  ///< growth_map()'s
+  FactorMap growth;                           ///< growth_map()'s
+  std::optional<FactorMap> growth_of_window;  ///< the same in the CellWindow of a large terrain
   light::Daylight day;
   terrain::GroundLight light;    ///< under a clear sky
   ColourMap ground_reflectance;  ///< of the bare ground, radiance over irradiance
@@ -34,8 +46,21 @@ struct Site {
   std::shared_ptr<const Snow> snow;  ///< none where none can fall or lie
 };
 
+/// Maps of a large terrain have as many samples as its pictures need; its snow is kept in tiled
+/// pictures in `snow_folder`, which is made where it is needed and is the site's alone.
 /// Throws what terrain::make_ground(), growth_map(), cloud::Clouds and Snow's parts throw.
-Site make_site(const scene::Scene& scene);
+Site make_site(const scene::Scene& scene, const std::filesystem::path& snow_folder = {});
+
+/// Growth where cells are laid.
+const FactorMap& growth_of_cells(const Site& site);
+
+/// A part of a site's ground; its light is no finer than the terrain.
+GroundPart ground_part(const scene::Scene& scene, const Heightfield& terrain,
+                       const light::Daylight& day, const GroundGrid& grid);
+
+/// The grid of the light on a part of the ground: as fine as `grid` or, where that is finer, as the
+/// terrain.
+GroundGrid light_grid(const Heightfield& terrain, const GroundGrid& grid);
 
 /// Leaf area, one side, of the scene's tapering blades per area of ground.
 double leaf_area_index(const scene::Grass& grass);

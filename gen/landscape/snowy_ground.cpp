@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/noise.h"
 #include "core/parallel.h"
 #include "core/random.h"
+#include "landscape/cell_window.h"
+#include "landscape/ground_grids.h"
+#include "landscape/view.h"
 #include "scene/winter.h"
 #include "snow/facets.h"
 #include "terrain/lighting.h"
@@ -97,14 +101,18 @@ Heightfield snow_surface(const scene::Scene& scene, const Heightfield& terrain,
 /// its albedo.
 class Grain {
  public:
-  explicit Grain(std::uint64_t seed)
-      : ripples_{random_bits({seed, key_of("snow cover"), 0, key_of("grain")}), 4, 0.4} {}
+  Grain(std::uint64_t seed, double step_m)
+      : ripples_{random_bits({seed, key_of("snow cover"), 0, key_of("grain")}), 4, 0.4},
+        shown_(shown_share(feature_m, step_m)) {}
   float at(const glm::dvec2& at_m) const {
-    return static_cast<float>(1.0 - 0.035 * (1.0 + std::tanh(fbm(at_m / 0.25, ripples_))));
+    const double ripple = shown_ > 0.0 ? std::tanh(fbm(at_m / feature_m, ripples_)) : 0.0;
+    return static_cast<float>(1.0 - 0.035 * (1.0 + shown_ * ripple));
   }
 
  private:
+  static constexpr double feature_m = 0.25;
   Fbm ripples_;
+  double shown_;
 };
 
 /// Old snow loses its red first; shadows and depth make it blue (Wiscombe and Warren 1980).
@@ -123,6 +131,30 @@ FactorMap whitened_as_in_the_paper(const scene::Scene& scene, const Heightfield&
 SnowyGround::SnowyGround(const scene::Scene& scene, const Site& site, int frame)
     : scene_(scene), site_(site), surface_(site.terrain) {
   if (!site.snow) return;
+  if (site.snow->large) {
+    lay_about_the_camera(frame);
+  } else if (!is_large(scene) || scene.snow_cover.cover == "paper") {
+    lay_everywhere(frame);
+  }
+}
+
+void SnowyGround::lay_about_the_camera(int frame) {
+  const Camera camera = resolved_camera(scene_.camera, site_.terrain, time_of_frame(scene_, frame));
+  LyingSnow lying(site_.snow->large->view(scene::time_s(scene_, frame), glm::dvec2(camera.eye_m)));
+  if (lying.is_none()) return;
+  lying_ = std::move(lying);
+  albedo_ = lying_->albedo();
+  white_ = white(whole_grid(scene_));
+  parallel_for(static_cast<std::size_t>(surface_.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < surface_.samples(); ++i)
+      surface_.at(i, j) += lying_->depth_m(surface_.place_m(i, j));
+  });
+}
+
+void SnowyGround::lay_everywhere(int frame) {
+  const scene::Scene& scene = scene_;
+  const Site& site = site_;
   const snow::SnowGround& snow = site.snow->ground;
   const snow::SnowGround::State state = snow.at(scene::time_s(scene, frame));
   if (!(state.fallen_mm > 0.0)) return;
@@ -139,22 +171,62 @@ SnowyGround::SnowyGround(const scene::Scene& scene, const Site& site, int frame)
 
 const terrain::GroundLight& SnowyGround::light() const { return light_ ? *light_ : site_.light; }
 
+float SnowyGround::depth_m(const glm::dvec2& at_m) const {
+  return lying_ ? lying_->depth_m(at_m) : depth_m_.sample(at_m.x, at_m.y);
+}
+
+/// The share of a part of a large terrain that is white, patch by patch where its grid is fine.
+FactorMap SnowyGround::white(const GroundGrid& grid) const {
+  FactorMap shares(grid.samples, grid.square);
+  parallel_for(static_cast<std::size_t>(grid.samples), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < grid.samples; ++i) {
+      const glm::dvec2 at_m = shares.place_m(i, j);
+      shares.at(i, j) = lying_ ? lying_->share(at_m) : white_->sample(at_m.x, at_m.y);
+    }
+  });
+  if (!lying_) return shares;
+  return snow::WhitePatches(site_.terrain, grid, scene_.snow_cover.feature_m, scene_.seed)
+      .white_map(shares);
+}
+
 ColourMap SnowyGround::reflectance() const {
   if (is_bare()) return site_.ground_reflectance;
-  ColourMap map(white_->samples(), white_->size_m());
-  const Grain grain(scene_.seed);
+  return reflectance(site_.ground_reflectance, site_.growth, *white_);
+}
+
+GroundPart SnowyGround::covered(GroundPart part) const {
+  if (is_bare()) return part;
+  part.reflectance = reflectance(part.reflectance, part.growth,
+                                 white({part.reflectance.square(), part.reflectance.samples()}));
+  part.growth = above_snow(std::move(part.growth));
+  return part;
+}
+
+FactorMap SnowyGround::above_snow(FactorMap growth) const {
+  parallel_for(static_cast<std::size_t>(growth.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < growth.samples(); ++i)
+      growth.at(i, j) *= share_above(scene_.grass, depth_m(growth.place_m(i, j)));
+  });
+  return growth;
+}
+
+ColourMap SnowyGround::reflectance(const ColourMap& bare, const FactorMap& growth,
+                                   const FactorMap& white_share) const {
+  ColourMap map(white_share.samples(), white_share.square());
+  const Grain grain(scene_.seed, map.step_m());
   const double under_grass = canopy_transmittance(scene_.grass);
   const glm::vec3 snow = snow_albedo(albedo_) / std::numbers::pi_v<float>;
   parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < map.samples(); ++i) {
-      const glm::dvec2 at_m = glm::dvec2(i, j) * map.step_m();
-      const float above = share_above(scene_.grass, depth_m_.sample(at_m.x, at_m.y));
-      const double shade = shading_under_grass * above * site_.growth.sample(at_m.x, at_m.y);
+      const glm::dvec2 at_m = map.place_m(i, j);
+      const float above = share_above(scene_.grass, depth_m(at_m));
+      const double shade = shading_under_grass * above * growth.sample(at_m.x, at_m.y);
       const glm::vec3 white =
           snow * (grain.at(at_m) * static_cast<float>(std::pow(under_grass, shade)));
-      map.at(i, j) =
-          glm::mix(site_.ground_reflectance.sample(at_m.x, at_m.y), white, white_->at(i, j));
+      map.at(i, j) = glm::mix(bare.sample(at_m.x, at_m.y), white, white_share.at(i, j));
     }
   });
   return map;
@@ -162,6 +234,7 @@ ColourMap SnowyGround::reflectance() const {
 
 FactorMap SnowyGround::growth() const {
   if (is_bare()) return site_.growth;
+  if (lying_) return above_snow(site_.growth);
   FactorMap above(depth_m_.samples(), depth_m_.size_m());
   std::ranges::transform(depth_m_.values(), above.values().begin(),
                          [&](float depth_m) { return share_above(scene_.grass, depth_m); });

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/ground_map.h"
+#include "landscape/lying_snow.h"
 #include "landscape/site.h"
 #include "scene/scene.h"
 
@@ -11,7 +12,8 @@ namespace wold::landscape {
 /// The ground of one frame with the snow that lies on it.
 class SnowyGround {
  public:
-  /// Frame from 1. `scene` and `site` have to outlive it.
+  /// Frame from 1. `scene` and `site` have to outlive it. On a large terrain snow is known finely
+  /// about the frame's camera.
   SnowyGround(const scene::Scene& scene, const Site& site, int frame);
 
   /// Ground and snow, as high as they are: snow lies smooth over what is smaller than it is deep,
@@ -28,18 +30,30 @@ class SnowyGround {
   /// Where grass grows, less by what of it is under snow.
   FactorMap growth() const;
 
+  /// A part of a large terrain's ground as ground_part() has it, under the snow: less growth, and
+  /// reflectance likewise. Its light stays: snow changes no slope as long as the terrain's steps.
+  GroundPart covered(GroundPart part) const;
+
   /// Mean albedo of ground and snow, of which a share of what stands is white.
   double mean_albedo() const;
 
  private:
   bool is_bare() const { return !white_; }
+  void lay_everywhere(int frame);
+  void lay_about_the_camera(int frame);
+  float depth_m(const glm::dvec2& at_m) const;
+  FactorMap above_snow(FactorMap growth) const;
+  FactorMap white(const GroundGrid& grid) const;
+  ColourMap reflectance(const ColourMap& bare, const FactorMap& growth,
+                        const FactorMap& white) const;
 
   const scene::Scene& scene_;
   const Site& site_;
   Heightfield surface_;
   std::optional<terrain::GroundLight> light_;  ///< where it is not the site's
   std::optional<FactorMap> white_;             ///< share of the ground that is white
-  FactorMap depth_m_;
+  FactorMap depth_m_;                          ///< where `lying_` is none
+  std::optional<LyingSnow> lying_;             ///< on a large terrain
   float albedo_ = 0.9F;
 };
 

@@ -10,11 +10,17 @@
 namespace wold::landscape {
 namespace {
 
-/// What every cell of the terrain shows, row by row; nothing where none stands.
-std::vector<const CellChoice*> shown_cells(std::span<const CellChoice> choices, int per_side) {
-  std::vector<const CellChoice*> shown(static_cast<std::size_t>(per_side * per_side), nullptr);
-  for (const CellChoice& choice : choices)
-    shown[static_cast<std::size_t>(choice.cell.y * per_side + choice.cell.x)] = &choice;
+std::size_t place_of(const glm::ivec2& cell, const CellWindow& window) {
+  const glm::ivec2 inside = cell - window.first;
+  return static_cast<std::size_t>(inside.y * window.per_side + inside.x);
+}
+
+/// What every cell of the window shows, row by row; nothing where none stands.
+std::vector<const CellChoice*> shown_cells(std::span<const CellChoice> choices,
+                                           const CellWindow& window) {
+  std::vector<const CellChoice*> shown(static_cast<std::size_t>(window.per_side * window.per_side),
+                                       nullptr);
+  for (const CellChoice& choice : choices) shown[place_of(choice.cell, window)] = &choice;
   return shown;
 }
 
@@ -23,20 +29,20 @@ std::vector<const CellChoice*> shown_cells(std::span<const CellChoice> choices, 
 ColourMap weathering_tint(const scene::Scene& scene, int frame, std::span<const CellChoice> choices,
                           double snow, const GrassColour& colour) {
   constexpr int samples_per_cell = 8;
-  const int per_side = cells_per_side(scene);
-  const std::vector<const CellChoice*> cells = shown_cells(choices, per_side);
+  const CellWindow window(scene);
+  const std::vector<const CellChoice*> cells = shown_cells(choices, window);
   const std::vector<double> degrees = scene::key_frames(scene);
-  constexpr double most_samples = 4097.0;
+  const double most_samples = is_large(scene) ? 2049.0 : 4097.0;
   const double step_m = scene.grass.patch_m / samples_per_cell;
-  const double samples = std::round(scene.terrain.size_m / step_m) + 1.0;
-  ColourMap tint(static_cast<int>(std::min(samples, most_samples)), scene.terrain.size_m,
-                 glm::vec3(1.0F));
+  const double samples = std::round(window.square.size_m / step_m) + 1.0;
+  ColourMap tint(static_cast<int>(std::min(samples, most_samples)), window.square, glm::vec3(1.0F));
   parallel_for(static_cast<std::size_t>(tint.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < tint.samples(); ++i) {
-      const glm::dvec2 at_m = glm::dvec2(i, j) * tint.step_m();
-      const glm::ivec2 cell = glm::min(glm::ivec2(at_m / scene.grass.patch_m), per_side - 1);
-      const CellChoice* choice = cells[static_cast<std::size_t>(cell.y * per_side + cell.x)];
+      const glm::dvec2 at_m = tint.place_m(i, j);
+      const glm::ivec2 cell = glm::clamp(glm::ivec2(at_m / scene.grass.patch_m), window.first,
+                                         window.first + window.per_side - 1);
+      const CellChoice* choice = cells[place_of(cell, window)];
       if (choice == nullptr) continue;
       const glm::vec3 shown = colour(degrees[static_cast<std::size_t>(choice->key_frame)],
                                      choice->state().snow_share());

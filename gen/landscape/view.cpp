@@ -41,6 +41,16 @@ glm::dvec3 film_eye_direction(const scene::Scene& scene, const Heightfield& terr
   return glm::normalize(camera.eye_m - camera.target_m);
 }
 
+double pixels_per_radian(const scene::Scene& scene) {
+  const double half_rad = scene.camera.field_of_view_deg * std::numbers::pi / 360.0;
+  return scene.render.size_px[0] / (2.0 * std::tan(half_rad));
+}
+
+double farthest_standing_m(const scene::Scene& scene) {
+  return pixels_per_radian(scene) * scene.grass.height_m /
+         (least_standing * scene.grass.far_pixels);
+}
+
 View::View(const Camera& camera, int width_px, int height_px) : eye_m_(camera.eye_m) {
   const glm::dvec3 forward = glm::normalize(camera.target_m - camera.eye_m);
   const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 0, 1)));

@@ -23,6 +23,14 @@ double time_of_frame(const scene::Scene& scene, int frame);
 /// the film, seen from what it looks at.
 glm::dvec3 film_eye_direction(const scene::Scene& scene, const Heightfield& terrain);
 
+/// Pixels that an angle of one radian covers in the middle of the scene's pictures.
+double pixels_per_radian(const scene::Scene& scene);
+
+/// How far from the eye grass stands at the farthest, not painted on the ground (far_field.h);
+/// infinite where none is.
+inline constexpr double least_standing = 0.75;  ///< of grass.far_pixels
+double farthest_standing_m(const scene::Scene& scene);
+
 /// What the camera sees: a pyramid, and how large things look.
 class View {
  public:

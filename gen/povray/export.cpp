@@ -29,24 +29,29 @@ std::map<int, int> used_volumes(const landscape::Landscape& scene) {
   return used;
 }
 
-/// `name`: "Light", its files and scale.
-template <class Scale>
-std::string map_text(const char* name, int samples, double step_m, const Scale& scale) {
+/// `name`: "Light", its files and scale; its place where that is not the whole terrain.
+template <class Map, class Scale>
+std::string map_text(const char* name, const Map& map, const Scale& scale) {
+  const glm::dvec2 corner_m = map.corner_m();
+  const std::string corner =
+      corner_m == glm::dvec2(0.0)
+          ? std::string()
+          : fmt::format("#declare {}_corner_m = {};\n", name, vector(glm::dvec3(corner_m, 0.0)));
   return fmt::format(
-      "#declare {0}_samples = {1};  // per side\n"
-      "#declare {0}_step_m = {2};\n"
-      "#declare {0}_max = {3};  // of the largest numbers in its files\n",
-      name, samples, number(step_m), scale);
+             "#declare {0}_samples = {1};  // per side\n"
+             "#declare {0}_step_m = {2};\n"
+             "#declare {0}_max = {3};  // of the largest numbers in its files\n",
+             name, map.samples(), number(map.step_m()), scale) +
+         corner;
 }
 
 /// Writes the maps that multiply the grass and says so: extinction and light of the volumes, and,
 /// where there are any, the light on blades, which stand or do not.
 std::string write_grass_maps(const landscape::Landscape& scene, const fs::path& folder) {
   const auto light_text = [&](const char* name, const char* stem, const ColourMap& light) {
-    return map_text(name, light.samples(), light.step_m(),
-                    vector(write_light(light, folder, stem)));
+    return map_text(name, light, vector(write_light(light, folder, stem)));
   };
-  std::string text = map_text("Standing", scene.standing.samples(), scene.standing.step_m(),
+  std::string text = map_text("Standing", scene.standing,
                               number(write_factor(scene.standing, folder / "standing.df3"))) +
                      light_text("Light", "light", product(scene.light, scene.standing));
   if (!scene.blade_meshes.empty()) text += light_text("Blade_light", "blade_light", scene.light);

@@ -64,7 +64,7 @@ float write_factor(const FactorMap& factor, const fs::path& path) {
 glm::vec3 write_light(const ColourMap& light, const fs::path& folder, const std::string& stem) {
   constexpr std::array<char, 3> suffixes = {'r', 'g', 'b'};
   glm::vec3 scale;
-  FactorMap channel(light.samples(), light.size_m());
+  FactorMap channel(light.samples(), light.square());
   for (int c = 0; c < 3; ++c) {
     std::transform(light.values().begin(), light.values().end(), channel.values().begin(),
                    [c](const glm::vec3& value) { return value[c]; });

@@ -16,7 +16,6 @@ namespace {
 
 constexpr double seconds_per_hour = 3600.0;
 constexpr int channels = 3;      ///< water, depth, age
-constexpr int view_side = 64;    ///< samples of a level
 constexpr int slide_apron = 16;  ///< samples that snow may slide in a pass
 
 /// How far beyond its border a tile is felt.
@@ -84,7 +83,7 @@ LargeCover::LargeCover(const scene::Scene& scene, const LargeGround& ground,
         fmt::format("a ground for snow needs at least 2 samples and a positive step, "
                     "got {} and {} m",
                     samples_, step_m_));
-  while (extent(levels_ - 1).size_px.x > view_side) ++levels_;
+  while (extent(levels_ - 1).size_px.x > limits_.view_samples) ++levels_;
   squares_.resize(static_cast<std::size_t>(levels_));
   write_ground(ground);
 }
@@ -281,11 +280,12 @@ CoverLevel LargeCover::level_view(int level, double hours, const glm::dvec2& eye
   const int samples = extent(level).size_px.x;
   const double scale = std::exp2(level);
   CoverLevel result;
-  result.side = std::min(view_side, samples);
+  result.side = std::min(limits_.view_samples, samples);
   result.step_m = step_m_ * scale;
   const glm::dvec2 on_ground_m = glm::clamp(eye_m, 0.0, (samples_ - 1) * step_m_);
   const glm::ivec2 middle =
-      glm::ivec2(glm::floor(on_ground_m / (result.step_m * snap) + 0.5)) * snap - view_side / 2;
+      glm::ivec2(glm::floor(on_ground_m / (result.step_m * snap) + 0.5)) * snap -
+      limits_.view_samples / 2;
   const glm::ivec2 first = glm::clamp(middle, glm::ivec2(0), glm::ivec2(samples - result.side));
   result.first_m = (glm::dvec2(first) * scale + 0.5 * (scale - 1.0)) * step_m_;
 

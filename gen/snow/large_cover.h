@@ -49,6 +49,7 @@ class LargeCover {
     int tile_samples = 256;   ///< side of a tile; a multiple of 16
     int tiles_at_a_time = 8;  ///< in memory, with their aprons
     double cache_mb = 64.0;   ///< of tiles that are read
+    int view_samples = 64;    ///< along a side of a view's squares; a multiple of 16
   };
 
   /// `folder` exists and is this object's alone: it keeps the two hours of the latest view there,
@@ -65,10 +66,10 @@ class LargeCover {
   /// InputError for weather that is no number, FileError for the disk.
   void reckon(int hour);
 
-  /// What lies about a place at a time since the first frame: squares of at most 64 x 64 samples
-  /// about it, each with twice the step of the one before, the last over the whole ground. Between
-  /// whole hours all of it changes evenly. What it costs does not depend on the ground's size, but
-  /// for hours that are new. One call at a time.
+  /// What lies about a place at a time since the first frame: squares of at most view_samples^2
+  /// samples about it, each with twice the step of the one before, the last over the whole ground.
+  /// Between whole hours all of it changes evenly. What it costs does not depend on the ground's size,
+  /// but for hours that are new. One call at a time.
   std::vector<CoverLevel> view(double time_s, const glm::dvec2& eye_m);
 
  private:

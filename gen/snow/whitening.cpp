@@ -96,7 +96,11 @@ double threshold(double share, double ramp) {
 
 WhitePatches::WhitePatches(const Heightfield& terrain, int samples, double feature_m,
                            std::uint64_t seed)
-    : ranks_(samples, terrain.size_m()) {
+    : WhitePatches(terrain, {{.size_m = terrain.size_m()}, samples}, feature_m, seed) {}
+
+WhitePatches::WhitePatches(const Heightfield& terrain, const GroundGrid& grid, double feature_m,
+                           std::uint64_t seed)
+    : ranks_(grid.samples, grid.square) {
   constexpr double drawn_to_hollows = 0.35;
   const FactorMap hollow = hollows(terrain, feature_m);
   const Fbm noise = patch_noise(ranks_.step_m(), feature_m, seed);
@@ -105,10 +109,9 @@ WhitePatches::WhitePatches(const Heightfield& terrain, int samples, double featu
                               drawn_to_hollows * hollow.sample(at_m.x, at_m.y));
   };
   std::vector<float>& values = ranks_.values();
-  const auto side = static_cast<std::size_t>(samples);
+  const auto side = static_cast<std::size_t>(grid.samples);
   const auto at_m = [&](std::size_t i) {
-    return glm::dvec2(static_cast<double>(i % side), static_cast<double>(i / side)) *
-           ranks_.step_m();
+    return ranks_.place_m(static_cast<int>(i % side), static_cast<int>(i / side));
   };
   parallel_for_blocks(values.size(), [&](std::size_t i) { values[i] = late(at_m(i)); });
   const Ranks ranks(values);
@@ -128,12 +131,12 @@ WhitePatches::WhitePatches(const Heightfield& terrain, int samples, double featu
 }
 
 FactorMap WhitePatches::white_map(const FactorMap& shares) const {
-  FactorMap result(ranks_.samples(), ranks_.size_m());
+  FactorMap result(ranks_.samples(), ranks_.square());
   parallel_for(static_cast<std::size_t>(ranks_.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
-    const double y_m = j * ranks_.step_m();
     for (int i = 0; i < ranks_.samples(); ++i) {
-      const double share = shares.sample(i * ranks_.step_m(), y_m);
+      const glm::dvec2 at_m = ranks_.place_m(i, j);
+      const double share = shares.sample(at_m.x, at_m.y);
       result.at(i, j) = static_cast<float>(white(ranks_.at(i, j), threshold(share, ramp_), ramp_));
     }
   });

@@ -117,43 +117,58 @@ void smooth(GroundMap<T>& map) {
 
 /// The keyed fields that colour the ground.
 struct GroundColour {
+  static constexpr double moisture_m = 3.5;
+  static constexpr double litter_m = 0.35;
+  static constexpr double cracks_m = 1.5;
+
   glm::vec3 soil;
   glm::vec3 rock;
   double rock_slope_deg;
   Fbm moisture;
   Fbm litter;
   Fbm cracks;
+  double wet_shown;  ///< shares of the details that the map shows
+  double litter_shown;
+  double stone_shown;
 
-  GroundColour(const scene::Terrain& terrain, std::uint64_t seed)
+  GroundColour(const scene::Terrain& terrain, std::uint64_t seed, double step_m)
       : soil(terrain.ground_albedo[0], terrain.ground_albedo[1], terrain.ground_albedo[2]),
         rock(terrain.rock_albedo[0], terrain.rock_albedo[1], terrain.rock_albedo[2]),
         rock_slope_deg(terrain.rock_slope_deg),
         moisture{random_bits({seed, key_of("ground"), 0, key_of("moisture")}), 2, 0.8},
         litter{random_bits({seed, key_of("ground"), 0, key_of("litter")}), 3, 0.3},
-        cracks{random_bits({seed, key_of("ground"), 0, key_of("cracks")}), 6, 0.95} {}
+        cracks{random_bits({seed, key_of("ground"), 0, key_of("cracks")}), 6, 0.95},
+        wet_shown(shown_share(moisture_m, step_m)),
+        litter_shown(shown_share(litter_m, step_m)),
+        stone_shown(shown_share(cracks_m, step_m)) {}
 
   /// Soil, darker where moist, with pale dry litter on it.
   glm::vec3 earth(const glm::dvec2& at_m) const {
-    const auto wet = static_cast<float>(std::clamp(fbm(at_m / 3.5, moisture), -2.0, 2.0));
-    const auto straw = static_cast<float>(std::tanh(0.8 * fbm(at_m / 0.35, litter)));
+    const auto wet =
+        static_cast<float>(wet_shown * std::clamp(fbm(at_m / moisture_m, moisture), -2.0, 2.0));
+    const auto straw =
+        static_cast<float>(litter_shown * std::tanh(0.8 * fbm(at_m / litter_m, litter)));
     return soil * (1.0F - 0.12F * wet) * (1.0F + straw * glm::vec3(0.30F, 0.30F, 0.24F));
   }
 
   /// Relief of the rock in metres: faces between cracks, ridged noise (Musgrave 1994).
   double rock_relief_m(const glm::dvec2& at_m) const {
-    return 0.07 * std::abs(fbm(at_m / 1.5, cracks));
+    return 0.07 * std::abs(fbm(at_m / cracks_m, cracks));
   }
 
   /// Rock, dark in its cracks, lit by its relief: Lambert's cosine changes by the slope towards the
   /// sun, which stands in `to_sun`, over the cosine of the ground as a whole.
   glm::vec3 stone(const glm::dvec2& at_m, const glm::dvec3& to_sun, double lambert) const {
     constexpr double step_m = 0.03;
+    constexpr float mean = 0.93F;  // of what is below, over all of the rock
+    if (stone_shown <= 0.0) return rock * mean;
     const glm::dvec2 towards = glm::normalize(glm::dvec2(to_sun) + 1e-9);
     const double here_m = rock_relief_m(at_m);
     const double rise = (rock_relief_m(at_m + towards * step_m) - here_m) / step_m;
     const double lit = 1.0 - rise * glm::length(glm::dvec2(to_sun)) / std::max(lambert, 0.35);
     const double open = std::min(1.0, 0.6 + 9.0 * here_m);
-    return rock * static_cast<float>(open * std::clamp(lit, 0.4, 1.6));
+    const auto detail = static_cast<float>(open * std::clamp(lit, 0.4, 1.6));
+    return rock * glm::mix(mean, detail, static_cast<float>(stone_shown));
   }
 
   /// Rock shows where it is steep, over 5 degrees and along a ragged border, and where no grass
@@ -162,11 +177,37 @@ struct GroundColour {
                    float growth) const {
     const double beyond = std::acos(up.z) / radians_per_degree - rock_slope_deg;
     if (beyond < -8.0) return earth(at_m);
-    const double ragged = beyond + 2.5 * fbm(at_m / 1.5, cracks);
+    const double ragged = beyond + 2.5 * stone_shown * fbm(at_m / cracks_m, cracks);
     return glm::mix(earth(at_m), stone(at_m, to_sun, glm::dot(up, to_sun)),
                     (1.0F - growth) * static_cast<float>(glm::smoothstep(-2.5, 2.5, ragged)));
   }
 };
+
+GroundLight smoothed_light(const Heightfield& terrain, const light::Daylight& day,
+                           const GroundGrid& grid, int passes) {
+  const ColourMap dark(grid.samples, grid.square);
+  GroundLight light{dark, dark, FactorMap(grid.samples, grid.square)};
+  const SkyPatches sky(day);
+  const glm::dvec4 sky_scale =
+      glm::dvec4(glm::dvec3(day.sky_irradiance()), 1.0) / flat_sky_light(sky);
+  parallel_for(static_cast<std::size_t>(dark.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < dark.samples(); ++i) {
+      const glm::dvec2 at_m = dark.place_m(i, j);
+      const glm::dvec3 up = normal(terrain, at_m.x, at_m.y);
+      light.sun.at(i, j) = glm::vec3(sun_light(terrain, at_m, up, day));
+      const glm::vec4 by_sky(sky_light(terrain, at_m, up, sky) * sky_scale);
+      light.sky.at(i, j) = glm::vec3(by_sky);
+      light.overcast.at(i, j) = by_sky.w;
+    }
+  });
+  for (int pass = 0; pass < passes; ++pass) {
+    smooth(light.sun);
+    smooth(light.sky);
+    smooth(light.overcast);
+  }
+  return light;
+}
 
 }  // namespace
 
@@ -177,40 +218,34 @@ ColourMap GroundLight::together() const {
 }
 
 GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day) {
-  const ColourMap dark(map_samples(terrain.size_m(), 0.2), terrain.size_m());
-  GroundLight light{dark, dark, FactorMap(dark.samples(), dark.size_m())};
-  const SkyPatches sky(day);
-  const glm::dvec4 sky_scale =
-      glm::dvec4(glm::dvec3(day.sky_irradiance()), 1.0) / flat_sky_light(sky);
-  parallel_for(static_cast<std::size_t>(dark.samples()), [&](std::size_t row) {
-    const int j = static_cast<int>(row);
-    for (int i = 0; i < dark.samples(); ++i) {
-      const glm::dvec2 at_m = glm::dvec2(i, j) * dark.step_m();
-      const glm::dvec3 up = normal(terrain, at_m.x, at_m.y);
-      light.sun.at(i, j) = glm::vec3(sun_light(terrain, at_m, up, day));
-      const glm::vec4 by_sky(sky_light(terrain, at_m, up, sky) * sky_scale);
-      light.sky.at(i, j) = glm::vec3(by_sky);
-      light.overcast.at(i, j) = by_sky.w;
-    }
-  });
   // Grass takes its light from about its own height around: a deviation of 0.28 m.
-  for (int pass = 0; pass < 4; ++pass) {
-    smooth(light.sun);
-    smooth(light.sky);
-    smooth(light.overcast);
-  }
-  return light;
+  constexpr int passes = 4;
+  return smoothed_light(terrain, day,
+                        {{.size_m = terrain.size_m()}, map_samples(terrain.size_m(), 0.2)}, passes);
+}
+
+GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day,
+                         const GroundGrid& grid) {
+  return smoothed_light(terrain, day, grid, /*passes=*/1);
 }
 
 ColourMap ground_reflectance(const Heightfield& terrain, const glm::dvec3& sun_direction,
                              const scene::Terrain& look, std::uint64_t seed,
                              const FactorMap& growth, double canopy_transmittance) {
-  ColourMap map(map_samples(terrain.size_m(), 0.03), terrain.size_m());
-  const GroundColour colour(look, seed);
+  return ground_reflectance(terrain, sun_direction, look, seed, growth, canopy_transmittance,
+                            {{.size_m = terrain.size_m()}, map_samples(terrain.size_m(), 0.03)});
+}
+
+ColourMap ground_reflectance(const Heightfield& terrain, const glm::dvec3& sun_direction,
+                             const scene::Terrain& look, std::uint64_t seed,
+                             const FactorMap& growth, double canopy_transmittance,
+                             const GroundGrid& grid) {
+  ColourMap map(grid.samples, grid.square);
+  const GroundColour colour(look, seed, grid.step_m());
   parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < map.samples(); ++i) {
-      const glm::dvec2 at_m = glm::dvec2(i, j) * map.step_m();
+      const glm::dvec2 at_m = map.place_m(i, j);
       const float grown = growth.sample(at_m.x, at_m.y);
       const double under_grass = std::pow(canopy_transmittance, double{grown});
       map.at(i, j) = colour.albedo(at_m, normal(terrain, at_m.x, at_m.y), sun_direction, grown) *

@@ -22,6 +22,9 @@ struct GroundLight {
   ColourMap together() const;
 };
 GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day);
+/// The same on another grid, smoothed over one of its steps.
+GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day,
+                         const GroundGrid& grid);
 
 /// What the bare ground makes of the light that falls on it: radiance over irradiance, albedo / pi.
 ///
@@ -32,5 +35,10 @@ GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day)
 ColourMap ground_reflectance(const Heightfield& terrain, const glm::dvec3& sun_direction,
                              const scene::Terrain& look, std::uint64_t seed,
                              const FactorMap& growth, double canopy_transmittance);
+/// The same on another grid; what is smaller than its step shows its mean.
+ColourMap ground_reflectance(const Heightfield& terrain, const glm::dvec3& sun_direction,
+                             const scene::Terrain& look, std::uint64_t seed,
+                             const FactorMap& growth, double canopy_transmittance,
+                             const GroundGrid& grid);
 
 }  // namespace wold::terrain

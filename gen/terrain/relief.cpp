@@ -13,10 +13,10 @@ constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
 glm::dvec2 gradient(const Heightfield& terrain, double x_m, double y_m) {
   const auto inside = [&](double at_m) { return std::clamp(at_m, 0.0, terrain.size_m()); };
-  const double west = inside(x_m - terrain.step_m());
-  const double east = inside(x_m + terrain.step_m());
-  const double south = inside(y_m - terrain.step_m());
-  const double north = inside(y_m + terrain.step_m());
+  const double west = inside(inside(x_m) - terrain.step_m());
+  const double east = inside(inside(x_m) + terrain.step_m());
+  const double south = inside(inside(y_m) - terrain.step_m());
+  const double north = inside(inside(y_m) + terrain.step_m());
   return {(terrain.sample(east, y_m) - terrain.sample(west, y_m)) / (east - west),
           (terrain.sample(x_m, north) - terrain.sample(x_m, south)) / (north - south)};
 }

@@ -7,7 +7,7 @@
 namespace wold::terrain {
 
 /// Steepest ascent (dz/dx, dz/dy) at a point, by central differences over two grid steps; one-sided
-/// at the border.
+/// at the border; beyond it, that of the border.
 glm::dvec2 gradient(const Heightfield& terrain, double x_m, double y_m);
 
 /// Upward unit normal at a point.

@@ -109,11 +109,12 @@ def constant(nodes, colour):
     return output
 
 
-def map_outputs(nodes, frame, ground_map, corner_m=(0, 0), extension="EXTEND"):
+def map_outputs(nodes, frame, ground_map, extension="EXTEND"):
     """Colour and Alpha of a map of the ground at the shaded point, as output sockets.
 
-    The map's values lie on the corners of its grid, the first and last on the terrain's border; a
-    picture's lie in the middle of its pixels."""
+    The map's values lie on the corners of its grid, the first and last on its border, which is the
+    terrain's unless it has a corner of its own; a picture's lie in the middle of its pixels."""
+    corner_m = ground_map.get("corner_m", (0, 0))
     samples, size_m = ground_map["samples"], ground_map["size_m"]
     scale = (samples - 1) / (samples * size_m)
     position = nodes.add("ShaderNodeNewGeometry").outputs["Position"]
@@ -160,7 +161,7 @@ def ground_material(frame):
     material, nodes = new_material("ground")
     colour = map_outputs(nodes, frame, frame["ground"])["Color"]
     for detail in frame["ground_details"]:
-        finer = map_outputs(nodes, frame, detail, detail["corner_m"], "CLIP")
+        finer = map_outputs(nodes, frame, detail, "CLIP")
         seen = nodes.add("ShaderNodeMixRGB")
         nodes.link(finer["Alpha"], seen.inputs["Fac"])
         nodes.link(colour, seen.inputs["Color1"])
@@ -321,7 +322,7 @@ def set_camera(frame):
     lens.sensor_fit = "HORIZONTAL"
     lens.angle = math.radians(view["field_of_view_deg"])
     lens.clip_start = 0.01
-    lens.clip_end = 100000.0
+    lens.clip_end = 1000000.0
     eye = Vector(view["eye_m"])
     camera = add_object("camera", lens)
     camera.location = eye
