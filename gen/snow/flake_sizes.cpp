@@ -46,7 +46,7 @@ FlakeSizes::FlakeSizes(double rate_mm_h, const std::string& crystal) : ranks_(1U
     double sum = 0.0;
     for (std::size_t i = 0; i < crystal_kinds; ++i) {
       sum += shares[i];
-      ranks_[rank].shares_up_to[i] = static_cast<float>(sum);
+      if (i + 1 < crystal_kinds) ranks_[rank].shares_up_to[i] = static_cast<float>(sum);
       ranks_[rank].speed_m_s[i] =
           static_cast<float>(factor * fall_speed_m_s(static_cast<Crystal>(i), diameter_mm));
     }

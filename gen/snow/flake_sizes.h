@@ -26,12 +26,12 @@ class FlakeSizes {
   struct Body {
     std::uint32_t rank = 0;  ///< below 2^rank_bits
     Crystal crystal = Crystal::aggregate;
-    double speed_m_s = 0.0;
+    float speed_m_s = 0.0F;
   };
   /// Of 64 random bits; those above the lowest 32 are left for others. Speeds of equal flakes
   /// spread by a standard deviation of 12 % (measured at Hokuriku: 12 of 100 cm/s).
   Body body(std::uint64_t bits) const {
-    const auto rank = static_cast<std::uint32_t>(bits & ((1U << rank_bits) - 1U));
+    const auto rank = static_cast<std::uint32_t>(bits) & last_rank;
     const Rank& of_rank = ranks_[rank];
     const float choice = ten_bits(bits >> 12) / 1024.0F;
     std::size_t crystal = 0;
@@ -39,14 +39,17 @@ class FlakeSizes {
       crystal += choice >= of_rank.shares_up_to[i] ? 1 : 0;
     constexpr float deviation = 0.12F, half_width = deviation * 1.7320508F;  // evenly spread
     const float spread = 1.0F + half_width * (ten_bits(bits >> 22) * (2.0F / 1023.0F) - 1.0F);
-    return {rank, static_cast<Crystal>(crystal),
-            static_cast<double>(of_rank.speed_m_s[crystal] * spread)};
+    return {rank, static_cast<Crystal>(crystal), of_rank.speed_m_s[crystal] * spread};
   }
+
+  /// e of a rank: mean 1.
+  float deviate(std::uint32_t rank) const { return ranks_[rank].deviate; }
 
   /// Diameters by rank, at a rate of snowfall with that Lambda, see gunn_marshall().
   std::vector<float> diameters_m(double lambda_per_mm) const;
 
   static constexpr int rank_bits = 11;
+  static constexpr std::uint32_t last_rank = (1U << rank_bits) - 1U;
 
  private:
   static float ten_bits(std::uint64_t bits) {
@@ -55,8 +58,8 @@ class FlakeSizes {
 
   struct Rank {
     std::array<float, crystal_kinds> speed_m_s;
-    std::array<float, crystal_kinds> shares_up_to;  ///< running sum of crystal_shares()
-    float deviate;                                  ///< e
+    std::array<float, crystal_kinds - 1> shares_up_to;  ///< running sum of crystal_shares()
+    float deviate;                                      ///< e
   };
   std::vector<Rank> ranks_;
 };
