@@ -51,15 +51,16 @@ FlakeLook::FlakeLook(const FlakePictures& pictures, const Frustum& frustum, doub
     }
 }
 
-WOLD_LANES_WIDE void FlakeLook::draw_discs(const FlakeLanes& flakes, Rectangles& discs,
-                                           Lanes<float>& distances) const {
+WOLD_LANES_WIDE void FlakeLook::draw_discs(const FlakeLanes& flakes, Sights& sights) const {
+  const float pixel_angle = pixel_angle_, disc_side = disc_side_;  // not what is written below
+  Rectangles& discs = sights.discs;
   const VectorLanes& from_eye = flakes.from_eye;
   for (std::size_t i = 0; i < lanes; ++i) {
     const float x = from_eye.x[i], y = from_eye.y[i], z = from_eye.z[i];
     const float level2 = x * x + y * y;
     const float distance = std::sqrt(level2 + z * z);
-    const float pixel = distance * pixel_angle_;
-    const float wanted = disc_side_ * flakes.diameter[i];
+    const float pixel = distance * pixel_angle;
+    const float wanted = disc_side * flakes.diameter[i];
     const float side = greater(wanted, pixel);
     // As facing(), for the length of half a side.
     const float level = std::sqrt(level2);
@@ -75,34 +76,34 @@ WOLD_LANES_WIDE void FlakeLook::draw_discs(const FlakeLanes& flakes, Rectangles&
     discs.up.y[i] = to_eye * z * right_x;
     discs.up.z[i] = to_eye * (x * right_y - y * right_x);
     discs.opacity[i] = flakes.opacity[i] * (wanted * wanted) / (side * side);
-    distances[i] = distance;
+    sights.distance[i] = distance;
   }
 }
 
-WOLD_LANES_WIDE void FlakeLook::draw_streaks(const FlakeLanes& flakes,
-                                             const Lanes<float>& distances, Rectangles& streaks,
-                                             Lanes<float>& way_lengths) const {
+WOLD_LANES_WIDE void FlakeLook::draw_streaks(const FlakeLanes& flakes, Sights& sights) const {
+  const float pixel_angle = pixel_angle_, shutter_s = shutter_s_, streak_area = streak_area_;
+  Rectangles& streaks = sights.streaks;
   const VectorLanes& from_eye = flakes.from_eye;
   const VectorLanes& velocity = flakes.velocity;
   for (std::size_t i = 0; i < lanes; ++i) {
-    const float distance = distances[i];
+    const float distance = sights.distance[i];
     const float to_eye = -1.0F / greater(distance, least_length);
     const float x = to_eye * from_eye.x[i];
     const float y = to_eye * from_eye.y[i];
     const float z = to_eye * from_eye.z[i];
     const float towards = velocity.x[i] * x + velocity.y[i] * y + velocity.z[i] * z;
-    const float way_x = shutter_s_ * (velocity.x[i] - towards * x);
-    const float way_y = shutter_s_ * (velocity.y[i] - towards * y);
-    const float way_z = shutter_s_ * (velocity.z[i] - towards * z);
+    const float way_x = shutter_s * (velocity.x[i] - towards * x);
+    const float way_y = shutter_s * (velocity.y[i] - towards * y);
+    const float way_z = shutter_s * (velocity.z[i] - towards * z);
     const float way_length = std::sqrt(way_x * way_x + way_y * way_y + way_z * way_z);
     const float diameter = flakes.diameter[i];
-    const float pixel = distance * pixel_angle_;
+    const float pixel = distance * pixel_angle;
     const float width = greater(diameter, pixel);
     const float length = width + way_length;
     const float per_way = 1.0F / greater(way_length, least_length);
     const float across = 0.5F * width * per_way;
     const float along = 0.5F * length * per_way;
-    const float opacity = lesser(1.0F, streak_area_ * (diameter * diameter) / (width * length));
+    const float opacity = lesser(1.0F, streak_area * (diameter * diameter) / (width * length));
     streaks.right.x[i] = across * (way_y * z - way_z * y);
     streaks.right.y[i] = across * (way_z * x - way_x * z);
     streaks.right.z[i] = across * (way_x * y - way_y * x);
@@ -110,7 +111,7 @@ WOLD_LANES_WIDE void FlakeLook::draw_streaks(const FlakeLanes& flakes,
     streaks.up.y[i] = along * way_y;
     streaks.up.z[i] = along * way_z;
     streaks.opacity[i] = flakes.opacity[i] * opacity;
-    way_lengths[i] = way_length;
+    sights.way_length[i] = way_length;
   }
 }
 
@@ -138,22 +139,21 @@ void FlakeLook::draw_crystal(const FlakeLanes& flakes, std::size_t lane, float s
 }
 
 SeenFlake* FlakeLook::see(const FlakeLanes& flakes, const Chosen& chosen, SeenFlake* to) const {
-  Rectangles discs, streaks;
-  Lanes<float> distances, way_lengths;
-  draw_discs(flakes, discs, distances);
-  draw_streaks(flakes, distances, streaks, way_lengths);
+  Sights sights;
+  draw_discs(flakes, sights);
+  draw_streaks(flakes, sights);
   for (std::size_t n = 0; n < chosen.count; ++n) {
     const std::size_t i = chosen.lane[n];
-    const bool near = distances[i] <= static_cast<float>(textured_within_m);
+    const bool near = sights.distance[i] <= static_cast<float>(textured_within_m);
     const float crystal =
         near ? crystal_side(flakes.crystal[i], flakes.bits[i], flakes.diameter[i]) : 0.0F;
-    const float size = std::max({flakes.diameter[i], distances[i] * pixel_angle_, crystal});
-    const bool streak = way_lengths[i] > size;
-    const Rectangles& drawn = streak ? streaks : discs;
+    const float size = std::max({flakes.diameter[i], sights.distance[i] * pixel_angle_, crystal});
+    const bool streak = sights.way_length[i] > size;
+    const Rectangles& drawn = streak ? sights.streaks : sights.discs;
     SeenFlake& seen = *to++;
     seen = {glm::vec3(frustum_.eye_m() + glm::dvec3(flakes.from_eye.at(i))), drawn.right.at(i),
             drawn.up.at(i), streak ? pictures_.streak() : pictures_.disc(), drawn.opacity[i]};
-    if (near && !streak) draw_crystal(flakes, i, crystal, distances[i], seen);
+    if (near && !streak) draw_crystal(flakes, i, crystal, sights.distance[i], seen);
   }
   return to;
 }

@@ -43,11 +43,13 @@ class FlakeLook {
     VectorLanes right, up;
     Lanes<float> opacity;
   };
-  /// All as discs, and how far away they are.
-  void draw_discs(const FlakeLanes& flakes, Rectangles& discs, Lanes<float>& distance) const;
-  /// All as streaks, and how long their ways are.
-  void draw_streaks(const FlakeLanes& flakes, const Lanes<float>& distance, Rectangles& streaks,
-                    Lanes<float>& way_length) const;
+  struct Sights {
+    Lanes<float> distance, way_length;  ///< way across the way to the eye
+    Rectangles discs, streaks;
+  };
+  /// All as discs and all as streaks.
+  void draw_discs(const FlakeLanes& flakes, Sights& sights) const;
+  void draw_streaks(const FlakeLanes& flakes, Sights& sights) const;
   float crystal_side(Crystal crystal, std::uint64_t bits, float diameter) const;
   void draw_crystal(const FlakeLanes& flakes, std::size_t lane, float side, float distance,
                     SeenFlake& seen) const;

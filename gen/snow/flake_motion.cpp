@@ -74,8 +74,6 @@ std::uint32_t third_of(std::uint64_t bits, int place) {
   return static_cast<std::uint32_t>(bits >> (21 * place)) << 11;
 }
 
-constexpr float per_m_s = 0x1p16F;  ///< speeds are whole numbers of 2^-16 m/s
-
 }  // namespace
 
 FlakeMotion::FlakeMotion(const scene::Scene& scene, const Weather& weather, double rate_mm_h)
@@ -96,17 +94,18 @@ FlakeMotion::Moment FlakeMotion::moment(double time_s, double rate_mm_h) const {
 FlakeMotion::Air FlakeMotion::air(std::uint64_t population_key, const PeriodicCube& cube,
                                   const Moment& moment, const glm::dvec3& eye_m) {
   const glm::dvec3 way = (moment.common.way_m - cube.centre_m) / cube.side_m;
-  return {population_key,
-          {turn_of(way.x), turn_of(way.y), turn_of(way.z)},
-          fraction_of(moment.time_s / (cube.side_m * static_cast<double>(per_m_s))),
-          glm::vec3(cube.centre_m - eye_m),
-          static_cast<float>(cube.side_m)};
+  return {
+      population_key,
+      {turn_of(way.x), turn_of(way.y), turn_of(way.z)},
+      fraction_of(moment.time_s * static_cast<double>(FlakeSizes::speed_unit_m_s) / cube.side_m),
+      glm::vec3(cube.centre_m - eye_m),
+      static_cast<float>(cube.side_m)};
 }
 
 void FlakeMotion::Drifting::set(std::size_t lane, const Drifting& other, std::size_t others_lane) {
   from_eye.set(lane, other.from_eye.at(others_lane));
   key[lane] = other.key[others_lane];
-  speed_m_s[lane] = other.speed_m_s[others_lane];
+  speed[lane] = other.speed[others_lane];
   deviate[lane] = other.deviate[others_lane];
   rank[lane] = other.rank[others_lane];
   crystal[lane] = other.crystal[others_lane];
@@ -118,13 +117,12 @@ void FlakeMotion::drift(const Air& air, std::uint64_t first, Drifting& flakes) c
     const std::uint64_t key = mixed(air.population_key ^ (first + i));
     const std::uint64_t start = mixed(key ^ key_of("start"));
     const FlakeSizes::Body body = sizes_.body(key);
-    const auto speed = static_cast<std::uint64_t>(static_cast<int>(body.speed_m_s * per_m_s));
-    const auto fallen = static_cast<std::uint32_t>((speed * air.fall) >> 32);
+    const auto fallen = static_cast<std::uint32_t>((body.speed * air.fall) >> 32);
     x[i] = static_cast<std::int32_t>(third_of(start, 0) + air.way.x);
     y[i] = static_cast<std::int32_t>(third_of(start, 1) + air.way.y);
     z[i] = static_cast<std::int32_t>(third_of(start, 2) + air.way.z - fallen);
     flakes.key[i] = key;
-    flakes.speed_m_s[i] = body.speed_m_s;
+    flakes.speed[i] = static_cast<std::int32_t>(body.speed);
     flakes.deviate[i] = sizes_.deviate(static_cast<std::uint32_t>(key >> 32) & sizes_.last_rank);
     flakes.rank[i] = static_cast<std::uint16_t>(body.rank);
     flakes.crystal[i] = body.crystal;
@@ -148,7 +146,8 @@ void FlakeMotion::fly(const Drifting& drifting, const Moment& moment, FlakeLanes
   for (std::size_t i = 0; i < lanes; ++i) {
     flakes.velocity.x[i] = common_m_s.x;
     flakes.velocity.y[i] = common_m_s.y;
-    flakes.velocity.z[i] = common_m_s.z - drifting.speed_m_s[i];
+    flakes.velocity.z[i] =
+        common_m_s.z - FlakeSizes::speed_unit_m_s * static_cast<float>(drifting.speed[i]);
     flakes.opacity[i] = 1.0F;
     flakes.tilt_turns[i] = turned(moment.tilt, flakes.bits[i], tilt_bits);
     flakes.spin_turns[i] = turned(moment.spin, flakes.bits[i], spin_bits);

@@ -49,7 +49,7 @@ class FlakeMotion {
   struct Air {
     std::uint64_t population_key = 0;
     glm::uvec3 way{0};       ///< common to all, turns of 2^-32 cubes
-    std::uint64_t fall = 0;  ///< at 2^-16 m/s, turns of 2^-64 cubes
+    std::uint64_t fall = 0;  ///< at FlakeSizes::speed_unit_m_s, turns of 2^-64 cubes
     glm::vec3 centre_from_eye_m{0.0F};
     float side_m = 1.0F;
   };
@@ -61,8 +61,8 @@ class FlakeMotion {
   struct Drifting {
     VectorLanes from_eye;  ///< in the cube
     Lanes<std::uint64_t> key = {};
-    Lanes<float> speed_m_s = {};
-    Lanes<float> deviate = {};  ///< exponentially distributed with mean 1
+    Lanes<std::int32_t> speed = {};  ///< in units of FlakeSizes::speed_unit_m_s
+    Lanes<float> deviate = {};       ///< exponentially distributed with mean 1
     Lanes<std::uint16_t> rank = {};
     Lanes<Crystal> crystal = {};
 

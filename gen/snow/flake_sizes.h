@@ -26,24 +26,31 @@ class FlakeSizes {
   struct Body {
     std::uint32_t rank = 0;  ///< below 2^rank_bits
     Crystal crystal = Crystal::aggregate;
-    float speed_m_s = 0.0F;
+    std::uint32_t speed = 0;  ///< in units of speed_unit_m_s
+
+    float speed_m_s() const { return static_cast<float>(speed) * speed_unit_m_s; }
   };
   /// Of 64 random bits; those above the lowest 32 are left for others. Speeds of equal flakes
   /// spread by a standard deviation of 12 % (measured at Hokuriku: 12 of 100 cm/s).
   Body body(std::uint64_t bits) const {
     const auto rank = static_cast<std::uint32_t>(bits) & last_rank;
     const Rank& of_rank = ranks_[rank];
-    const float choice = ten_bits(bits >> 12) / 1024.0F;
+    const std::uint32_t choice = ten_bits(bits >> 12);
     std::size_t crystal = 0;
-    for (std::size_t i = 0; i + 1 < crystal_kinds; ++i)
-      crystal += choice >= of_rank.shares_up_to[i] ? 1 : 0;
-    constexpr float deviation = 0.12F, half_width = deviation * 1.7320508F;  // evenly spread
-    const float spread = 1.0F + half_width * (ten_bits(bits >> 22) * (2.0F / 1023.0F) - 1.0F);
-    return {rank, static_cast<Crystal>(crystal), of_rank.speed_m_s[crystal] * spread};
+    for (const std::uint16_t share_up_to : of_rank.shares_up_to)
+      crystal += choice >= share_up_to ? 1U : 0U;
+    constexpr double deviation = 0.12, half_width = deviation * 1.7320508;  // evenly spread
+    constexpr double one = 1U << 20;
+    constexpr auto slowest = static_cast<std::uint64_t>(one * (1.0 - half_width));
+    constexpr auto step = static_cast<std::uint64_t>(one * 2.0 * half_width / 1023.0 + 0.5);
+    const std::uint64_t spread = slowest + step * ten_bits(bits >> 22);
+    return {rank, static_cast<Crystal>(crystal),
+            static_cast<std::uint32_t>(of_rank.speed[crystal] * spread >> (20 - finer_bits))};
   }
+  static constexpr float speed_unit_m_s = 0x1p-16F;
 
   /// e of a rank: mean 1.
-  float deviate(std::uint32_t rank) const { return ranks_[rank].deviate; }
+  float deviate(std::uint32_t rank) const { return deviates_[rank]; }
 
   /// Diameters by rank, at a rate of snowfall with that Lambda, see gunn_marshall().
   std::vector<float> diameters_m(double lambda_per_mm) const;
@@ -52,16 +59,19 @@ class FlakeSizes {
   static constexpr std::uint32_t last_rank = (1U << rank_bits) - 1U;
 
  private:
-  static float ten_bits(std::uint64_t bits) {
-    return static_cast<float>(static_cast<int>(bits & 1023U));
+  static std::uint32_t ten_bits(std::uint64_t bits) {
+    return static_cast<std::uint32_t>(bits) & 1023U;
   }
 
+  static constexpr int finer_bits = 4;  ///< speed_unit_m_s is so much finer than a rank's
+  /// Small, so that all of them stay in the nearest cache.
   struct Rank {
-    std::array<float, crystal_kinds> speed_m_s;
-    std::array<float, crystal_kinds - 1> shares_up_to;  ///< running sum of crystal_shares()
-    float deviate;                                      ///< e
+    std::array<std::uint16_t, crystal_kinds> speed;  ///< in units of 2^-12 m/s
+    /// Running sum of crystal_shares(), of 1024.
+    std::array<std::uint16_t, crystal_kinds - 1> shares_up_to;
   };
   std::vector<Rank> ranks_;
+  std::vector<float> deviates_;
 };
 
 }  // namespace wold::snow
