@@ -98,13 +98,15 @@ class Picker {
   Chosen may_be_seen(const FlakeMotion::Drifting& drifting, std::size_t end) const {
     const Frustum frustum = frustum_;
     const float near_m = std::max(0.0F, from_m_ - margin_m_), margin_m = margin_m_;
+    Lanes<float> far_m;
+    for (std::size_t i = 0; i < lanes; ++i)
+      far_m[i] = drawn_to_m(motion_.deviate(drifting.key[i])) + margin_m;
     return Chosen::by(
         [&, near2_m2 = near_m * near_m](std::size_t i) {
           const glm::vec3 from_eye = drifting.from_eye.at(i);
           const float distance2 = glm::dot(from_eye, from_eye);
-          const float far_m = drawn_to_m(drifting.deviate[i]) + margin_m;
           return static_cast<int>(distance2 > near2_m2) &
-                 static_cast<int>(distance2 <= far_m * far_m) &
+                 static_cast<int>(distance2 <= far_m[i] * far_m[i]) &
                  static_cast<int>(frustum.touches_from_eye(from_eye, margin_m));
         },
         end);
@@ -121,7 +123,7 @@ class Picker {
         [&](std::size_t i) {
           const glm::vec3 from_eye = flying_.from_eye.at(i);
           const float distance2 = glm::dot(from_eye, from_eye);
-          const float far_m = drawn_to_m(waiting_.deviate[i]);
+          const float far_m = drawn_to_m(motion_.deviate(waiting_.key[i]));
           return static_cast<int>(distance2 > from_m_ * from_m_) &
                  static_cast<int>(distance2 <= far_m * far_m);
         },

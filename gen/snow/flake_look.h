@@ -47,7 +47,7 @@ class FlakeLook {
     Lanes<float> distance, way_length;  ///< way across the way to the eye
     Rectangles discs, streaks;
   };
-  /// All as discs and all as streaks.
+  /// All as discs, and all as streaks.
   void draw_discs(const FlakeLanes& flakes, Sights& sights) const;
   void draw_streaks(const FlakeLanes& flakes, Sights& sights) const;
   float crystal_side(Crystal crystal, std::uint64_t bits, float diameter) const;

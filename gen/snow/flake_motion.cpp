@@ -106,9 +106,6 @@ void FlakeMotion::Drifting::set(std::size_t lane, const Drifting& other, std::si
   from_eye.set(lane, other.from_eye.at(others_lane));
   key[lane] = other.key[others_lane];
   speed[lane] = other.speed[others_lane];
-  deviate[lane] = other.deviate[others_lane];
-  rank[lane] = other.rank[others_lane];
-  crystal[lane] = other.crystal[others_lane];
 }
 
 void FlakeMotion::drift(const Air& air, std::uint64_t first, Drifting& flakes) const {
@@ -116,16 +113,13 @@ void FlakeMotion::drift(const Air& air, std::uint64_t first, Drifting& flakes) c
   for (std::size_t i = 0; i < lanes; ++i) {
     const std::uint64_t key = mixed(air.population_key ^ (first + i));
     const std::uint64_t start = mixed(key ^ key_of("start"));
-    const FlakeSizes::Body body = sizes_.body(key);
-    const auto fallen = static_cast<std::uint32_t>((body.speed * air.fall) >> 32);
+    const std::uint32_t speed = sizes_.speed(key);
+    const auto fallen = static_cast<std::uint32_t>((speed * air.fall) >> 32);
     x[i] = static_cast<std::int32_t>(third_of(start, 0) + air.way.x);
     y[i] = static_cast<std::int32_t>(third_of(start, 1) + air.way.y);
     z[i] = static_cast<std::int32_t>(third_of(start, 2) + air.way.z - fallen);
     flakes.key[i] = key;
-    flakes.speed[i] = static_cast<std::int32_t>(body.speed);
-    flakes.deviate[i] = sizes_.deviate(static_cast<std::uint32_t>(key >> 32) & sizes_.last_rank);
-    flakes.rank[i] = static_cast<std::uint16_t>(body.rank);
-    flakes.crystal[i] = body.crystal;
+    flakes.speed[i] = static_cast<std::int32_t>(speed);
   }
   const float turn_m = air.side_m * 0x1p-32F;
   for (std::size_t i = 0; i < lanes; ++i) {
@@ -140,7 +134,9 @@ void FlakeMotion::fly(const Drifting& drifting, const Moment& moment, FlakeLanes
   for (std::size_t i = 0; i < lanes; ++i) {
     gusts[i] = mixed(drifting.key[i] ^ key_of("gust"));
     flakes.bits[i] = mixed(drifting.key[i] ^ key_of("look"));
-    flakes.diameter[i] = moment.diameters_m[drifting.rank[i]];
+    const std::uint32_t rank = FlakeSizes::rank(drifting.key[i]);
+    flakes.diameter[i] = moment.diameters_m[rank];
+    flakes.crystal[i] = sizes_.crystal(rank);
   }
   const glm::vec3 common_m_s(moment.common.velocity_m_s);
   for (std::size_t i = 0; i < lanes; ++i) {
@@ -153,7 +149,6 @@ void FlakeMotion::fly(const Drifting& drifting, const Moment& moment, FlakeLanes
     flakes.spin_turns[i] = turned(moment.spin, flakes.bits[i], spin_bits);
   }
   flakes.from_eye = drifting.from_eye;
-  flakes.crystal = drifting.crystal;
   wind_.add_own_gusts(moment.gusts, gusts, flakes.from_eye, flakes.velocity);
   add_sway(moment, flakes);
 }

@@ -62,9 +62,6 @@ class FlakeMotion {
     VectorLanes from_eye;  ///< in the cube
     Lanes<std::uint64_t> key = {};
     Lanes<std::int32_t> speed = {};  ///< in units of FlakeSizes::speed_unit_m_s
-    Lanes<float> deviate = {};       ///< exponentially distributed with mean 1
-    Lanes<std::uint16_t> rank = {};
-    Lanes<Crystal> crystal = {};
 
     /// Takes over another's flake.
     void set(std::size_t lane, const Drifting& other, std::size_t others_lane);
@@ -74,6 +71,9 @@ class FlakeMotion {
   void fly(const Drifting& drifting, const Moment& moment, FlakeLanes& flakes) const;
 
   double farthest_own_way_m() const;
+
+  /// A number of a flake's own, exponentially distributed with mean 1.
+  float deviate(std::uint64_t key) const { return sizes_.deviate(FlakeSizes::rank(key >> 32)); }
 
  private:
   WindField wind_;
