@@ -51,67 +51,59 @@ FlakeLook::FlakeLook(const FlakePictures& pictures, const Frustum& frustum, doub
     }
 }
 
-WOLD_LANES_WIDE void FlakeLook::draw_discs(const FlakeLanes& flakes, Sights& sights) const {
-  const float pixel_angle = pixel_angle_, disc_side = disc_side_;  // not what is written below
-  Rectangles& discs = sights.discs;
-  const VectorLanes& from_eye = flakes.from_eye;
+WOLD_LANES_WIDE void FlakeLook::draw_far(const FlakeLanes& flakes, Rectangles& drawn) const {
+  const float pixel_angle = pixel_angle_, disc_side = disc_side_;
+  const float shutter_s = shutter_s_, streak_area = streak_area_;
+  const int disc = pictures_.disc(), streak = pictures_.streak();
+  const glm::dvec3 eye = frustum_.eye_m();
   for (std::size_t i = 0; i < lanes; ++i) {
-    const float x = from_eye.x[i], y = from_eye.y[i], z = from_eye.z[i];
+    const float x = flakes.from_eye.x[i], y = flakes.from_eye.y[i], z = flakes.from_eye.z[i];
+    const float diameter = flakes.diameter[i];
     const float level2 = x * x + y * y;
     const float distance = std::sqrt(level2 + z * z);
     const float pixel = distance * pixel_angle;
-    const float wanted = disc_side * flakes.diameter[i];
+    const float ahead = 1.0F / greater(distance, least_length);
+    const float ahead_x = ahead * x, ahead_y = ahead * y, ahead_z = ahead * z;
+
+    // A disc's sides are those of facing().
+    const float wanted = disc_side * diameter;
     const float side = greater(wanted, pixel);
-    // As facing(), for the length of half a side.
     const float level = std::sqrt(level2);
     const bool upright = !(level > 1e-6F * distance);
     const float scale = 0.5F * side / greater(level, least_length);
-    const float right_x = upright ? 0.5F * side : y * scale;
-    const float right_y = upright ? 0.0F : -x * scale;
-    const float to_eye = -1.0F / greater(distance, least_length);
-    discs.right.x[i] = right_x;
-    discs.right.y[i] = right_y;
-    discs.right.z[i] = 0.0F;
-    discs.up.x[i] = -to_eye * z * right_y;
-    discs.up.y[i] = to_eye * z * right_x;
-    discs.up.z[i] = to_eye * (x * right_y - y * right_x);
-    discs.opacity[i] = flakes.opacity[i] * (wanted * wanted) / (side * side);
-    sights.distance[i] = distance;
-  }
-}
+    const float disc_x = upright ? 0.5F * side : y * scale;
+    const float disc_y = upright ? 0.0F : -x * scale;
+    const float disc_opacity = wanted * wanted / (side * side);
 
-WOLD_LANES_WIDE void FlakeLook::draw_streaks(const FlakeLanes& flakes, Sights& sights) const {
-  const float pixel_angle = pixel_angle_, shutter_s = shutter_s_, streak_area = streak_area_;
-  Rectangles& streaks = sights.streaks;
-  const VectorLanes& from_eye = flakes.from_eye;
-  const VectorLanes& velocity = flakes.velocity;
-  for (std::size_t i = 0; i < lanes; ++i) {
-    const float distance = sights.distance[i];
-    const float to_eye = -1.0F / greater(distance, least_length);
-    const float x = to_eye * from_eye.x[i];
-    const float y = to_eye * from_eye.y[i];
-    const float z = to_eye * from_eye.z[i];
-    const float towards = velocity.x[i] * x + velocity.y[i] * y + velocity.z[i] * z;
-    const float way_x = shutter_s * (velocity.x[i] - towards * x);
-    const float way_y = shutter_s * (velocity.y[i] - towards * y);
-    const float way_z = shutter_s * (velocity.z[i] - towards * z);
+    // A streak's are along its way across the way to the eye, and across it.
+    const float speed_x = flakes.velocity.x[i], speed_y = flakes.velocity.y[i],
+                speed_z = flakes.velocity.z[i];
+    const float off = speed_x * ahead_x + speed_y * ahead_y + speed_z * ahead_z;
+    const float way_x = shutter_s * (speed_x - off * ahead_x);
+    const float way_y = shutter_s * (speed_y - off * ahead_y);
+    const float way_z = shutter_s * (speed_z - off * ahead_z);
     const float way_length = std::sqrt(way_x * way_x + way_y * way_y + way_z * way_z);
-    const float diameter = flakes.diameter[i];
-    const float pixel = distance * pixel_angle;
     const float width = greater(diameter, pixel);
     const float length = width + way_length;
-    const float per_way = 1.0F / greater(way_length, least_length);
-    const float across = 0.5F * width * per_way;
-    const float along = 0.5F * length * per_way;
-    const float opacity = lesser(1.0F, streak_area * (diameter * diameter) / (width * length));
-    streaks.right.x[i] = across * (way_y * z - way_z * y);
-    streaks.right.y[i] = across * (way_z * x - way_x * z);
-    streaks.right.z[i] = across * (way_x * y - way_y * x);
-    streaks.up.x[i] = along * way_x;
-    streaks.up.y[i] = along * way_y;
-    streaks.up.z[i] = along * way_z;
-    streaks.opacity[i] = flakes.opacity[i] * opacity;
-    sights.way_length[i] = way_length;
+    const float per_way = 0.5F / greater(way_length, least_length);
+    const float across = width * per_way, along = length * per_way;
+    const float streak_opacity =
+        lesser(1.0F, streak_area * (diameter * diameter) / (width * length));
+
+    const bool fast = way_length > width;
+    drawn.centre.x[i] = static_cast<float>(eye.x + static_cast<double>(x));
+    drawn.centre.y[i] = static_cast<float>(eye.y + static_cast<double>(y));
+    drawn.centre.z[i] = static_cast<float>(eye.z + static_cast<double>(z));
+    drawn.right.x[i] = fast ? across * (way_z * ahead_y - way_y * ahead_z) : disc_x;
+    drawn.right.y[i] = fast ? across * (way_x * ahead_z - way_z * ahead_x) : disc_y;
+    drawn.right.z[i] = fast ? across * (way_y * ahead_x - way_x * ahead_y) : 0.0F;
+    drawn.up.x[i] = fast ? along * way_x : ahead_z * disc_y;
+    drawn.up.y[i] = fast ? along * way_y : -ahead_z * disc_x;
+    drawn.up.z[i] = fast ? along * way_z : ahead_y * disc_x - ahead_x * disc_y;
+    drawn.picture[i] = fast ? streak : disc;
+    drawn.opacity[i] = flakes.opacity[i] * (fast ? streak_opacity : disc_opacity);
+    drawn.distance[i] = distance;
+    drawn.way_length[i] = way_length;
   }
 }
 
@@ -139,21 +131,18 @@ void FlakeLook::draw_crystal(const FlakeLanes& flakes, std::size_t lane, float s
 }
 
 SeenFlake* FlakeLook::see(const FlakeLanes& flakes, const Chosen& chosen, SeenFlake* to) const {
-  Sights sights;
-  draw_discs(flakes, sights);
-  draw_streaks(flakes, sights);
+  Rectangles drawn;
+  draw_far(flakes, drawn);
   for (std::size_t n = 0; n < chosen.count; ++n) {
     const std::size_t i = chosen.lane[n];
-    const bool near = sights.distance[i] <= static_cast<float>(textured_within_m);
-    const float crystal =
-        near ? crystal_side(flakes.crystal[i], flakes.bits[i], flakes.diameter[i]) : 0.0F;
-    const float size = std::max({flakes.diameter[i], sights.distance[i] * pixel_angle_, crystal});
-    const bool streak = sights.way_length[i] > size;
-    const Rectangles& drawn = streak ? sights.streaks : sights.discs;
     SeenFlake& seen = *to++;
-    seen = {glm::vec3(frustum_.eye_m() + glm::dvec3(flakes.from_eye.at(i))), drawn.right.at(i),
-            drawn.up.at(i), streak ? pictures_.streak() : pictures_.disc(), drawn.opacity[i]};
-    if (near && !streak) draw_crystal(flakes, i, crystal, sights.distance[i], seen);
+    seen = {drawn.centre.at(i), drawn.right.at(i), drawn.up.at(i), drawn.picture[i],
+            drawn.opacity[i]};
+    if (drawn.distance[i] > static_cast<float>(textured_within_m)) continue;
+    // Crystals span more than discs; what moves by less than that is no streak.
+    const float side = crystal_side(flakes.crystal[i], flakes.bits[i], flakes.diameter[i]);
+    if (drawn.way_length[i] <= greater(side, drawn.distance[i] * pixel_angle_))
+      draw_crystal(flakes, i, side, drawn.distance[i], seen);
   }
   return to;
 }

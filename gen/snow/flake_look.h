@@ -39,17 +39,15 @@ class FlakeLook {
   SeenFlake* see(const FlakeLanes& flakes, const Chosen& chosen, SeenFlake* to) const;
 
  private:
+  /// Flakes as rectangles, and what decides whether they are drawn as crystals.
   struct Rectangles {
-    VectorLanes right, up;
+    VectorLanes centre, right, up;
+    Lanes<std::int32_t> picture;
     Lanes<float> opacity;
-  };
-  struct Sights {
     Lanes<float> distance, way_length;  ///< way across the way to the eye
-    Rectangles discs, streaks;
   };
-  /// All as discs, and all as streaks.
-  void draw_discs(const FlakeLanes& flakes, Sights& sights) const;
-  void draw_streaks(const FlakeLanes& flakes, Sights& sights) const;
+  /// As if all were far away: discs or streaks.
+  void draw_far(const FlakeLanes& flakes, Rectangles& drawn) const;
   float crystal_side(Crystal crystal, std::uint64_t bits, float diameter) const;
   void draw_crystal(const FlakeLanes& flakes, std::size_t lane, float side, float distance,
                     SeenFlake& seen) const;
