@@ -2,12 +2,13 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace wold::snow {
 
 /// What a flake is.
-enum class Crystal { plate, column, dendrite, aggregate };
+enum class Crystal : std::uint8_t { plate, column, dendrite, aggregate };
 inline constexpr std::size_t crystal_kinds = 4;
 inline constexpr std::array<const char*, crystal_kinds> crystal_names = {"plate", "column",
                                                                          "dendrite", "aggregate"};

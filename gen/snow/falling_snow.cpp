@@ -65,51 +65,81 @@ std::vector<Shell> shells_of(const Frustum& frustum, const NearField& field,
   return shells;
 }
 
-/// Picks what is seen of a shell's flakes.
+/// Picks what is seen of a shell's flakes: first by where they drift, then, as many at a time as
+/// there are lanes, by where their own gusts and sway take them.
 class Picker {
  public:
-  Picker(const FlakeMotion& motion, const FlakeMotion::Moment& moment, const FlakeLook& look,
-         const Frustum& frustum, const Heightfield& ground, double reach_m)
+  Picker(const FlakeMotion& motion, const FlakeMotion::Moment& moment, const Frustum& frustum,
+         const Lookout& lookout, double reach_m, const Shell& shell)
       : motion_(motion),
         moment_(moment),
-        look_(look),
         frustum_(frustum),
-        ground_(ground),
-        reach_m_(reach_m),
-        margin_m_(motion.farthest_own_way_m()) {}
+        lookout_(lookout),
+        air_(FlakeMotion::air(shell.key, shell.cube, moment, frustum.eye_m())),
+        from_m_(static_cast<float>(shell.from_m)),
+        to_m_(static_cast<float>(shell.to_m)),
+        reach_m_(static_cast<float>(reach_m)),
+        margin_m_(static_cast<float>(motion.farthest_own_way_m())) {}
 
-  void pick(const Shell& shell, std::uint64_t index, std::vector<SeenFlake>& seen) const {
-    const auto drifting = motion_.drifting(shell.key, index, moment_, shell.cube);
-    if (!may_be_seen(drifting.place_m, shell)) return;
-    const Flake flake = motion_.flake(drifting, moment_);
-    if (is_shown(flake, shell) && is_in_view(flake, frustum_, ground_))
-      seen.push_back(look_.seen(flake));
+  void pick(std::uint64_t first, std::uint64_t last, std::vector<SeenFlake>& seen) {
+    FlakeMotion::Drifting drifting;
+    for (; first < last; first += lanes) {
+      motion_.drift(air_, first, drifting);
+      const Chosen chosen = may_be_seen(drifting, std::min<std::uint64_t>(lanes, last - first));
+      for (std::size_t n = 0; n < chosen.count; ++n) {
+        waiting_.set(count_++, drifting, chosen.lane[n]);
+        if (count_ == lanes) see(seen);
+      }
+    }
+    see(seen);
   }
 
  private:
-  bool may_be_seen(const glm::dvec3& place_m, const Shell& shell) const {
-    const glm::dvec3 away = place_m - frustum_.eye_m();
-    const double distance2 = glm::dot(away, away);
-    const double near_m = std::max(0.0, shell.from_m - margin_m_);
-    const double far_m = shell.to_m + margin_m_;
-    return distance2 > near_m * near_m && distance2 <= far_m * far_m &&
-           frustum_.touches(place_m, margin_m_);
+  Chosen may_be_seen(const FlakeMotion::Drifting& drifting, std::size_t end) const {
+    const Frustum frustum = frustum_;
+    const float near_m = std::max(0.0F, from_m_ - margin_m_), margin_m = margin_m_;
+    Lanes<float> far_m;
+    for (std::size_t i = 0; i < lanes; ++i)
+      far_m[i] = drawn_to_m(motion_.deviate(drifting.key[i])) + margin_m;
+    return Chosen::by(
+        [&, near2_m2 = near_m * near_m](std::size_t i) {
+          const glm::vec3 from_eye = drifting.from_eye.at(i);
+          const float distance2 = glm::dot(from_eye, from_eye);
+          return static_cast<int>(distance2 > near2_m2) &
+                 static_cast<int>(distance2 <= far_m[i] * far_m[i]) &
+                 static_cast<int>(frustum.touches_from_eye(from_eye, margin_m));
+        },
+        end);
   }
 
-  bool is_shown(const Flake& flake, const Shell& shell) const {
-    const double distance_m = glm::distance(flake.centre_m, frustum_.eye_m());
-    return distance_m > shell.from_m && distance_m <= shell.to_m &&
-           random_uniform({flake.bits, key_of("drawn"), 0, 0}) <
-               drawn_share(distance_m - shell.from_m, reach_m_);
+  /// Of the shell's flakes the share exp(-(r - from) / reach) is drawn at a distance r.
+  float drawn_to_m(float deviate) const { return std::min(to_m_, from_m_ + reach_m_ * deviate); }
+
+  /// Sees those that wait.
+  void see(std::vector<SeenFlake>& seen) {
+    motion_.fly(waiting_, moment_, flying_);
+    lookout_.see(
+        flying_, count_,
+        [&](std::size_t i) {
+          const glm::vec3 from_eye = flying_.from_eye.at(i);
+          const float distance2 = glm::dot(from_eye, from_eye);
+          const float far_m = drawn_to_m(motion_.deviate(waiting_.key[i]));
+          return static_cast<int>(distance2 > from_m_ * from_m_) &
+                 static_cast<int>(distance2 <= far_m * far_m);
+        },
+        seen);
+    count_ = 0;
   }
 
   const FlakeMotion& motion_;
   const FlakeMotion::Moment& moment_;
-  const FlakeLook& look_;
   const Frustum& frustum_;
-  const Heightfield& ground_;
-  double reach_m_;
-  double margin_m_;
+  const Lookout& lookout_;
+  FlakeMotion::Air air_;
+  float from_m_, to_m_, reach_m_, margin_m_;
+  FlakeMotion::Drifting waiting_;
+  FlakeLanes flying_;
+  std::size_t count_ = 0;
 };
 
 std::optional<FlakeMotion> motion_of(const scene::Scene& scene, const Weather& weather) {
@@ -140,12 +170,16 @@ SeenFlakes FallingSnow::at(double time_s, const SnowView& view, const Heightfiel
   const NearField field = near_field(rate_mm_h, frustum.solid_angle_sr(), flakes_);
   const FlakeMotion::Moment moment = motion_->moment(time_s, rate_mm_h);
   const FlakeLook look(pictures_, frustum, shutter_s_);
-  const Picker picker(*motion_, moment, look, frustum, ground, field.reach_m);
+  const Lookout lookout(look, frustum, ground);
+  const std::vector<Shell> shells = shells_of(frustum, field, motion_->farthest_own_way_m(), key_);
+  std::vector<Range> parts;
+  for (std::size_t i = 0; i < shells.size(); ++i) split(i, shells[i].flakes, parts);
   Gathering gathering;
-  for (const Shell& shell : shells_of(frustum, field, motion_->farthest_own_way_m(), key_))
-    gathering.add(shell.flakes, [&](std::uint64_t i, std::vector<SeenFlake>& seen) {
-      picker.pick(shell, i, seen);
-    });
+  gathering.add(parts.size(), [&](std::size_t part, std::vector<SeenFlake>& seen) {
+    const auto [shell, first, last] = parts[part];
+    Picker(*motion_, moment, frustum, lookout, field.reach_m, shells[shell])
+        .pick(first, last, seen);
+  });
   const FlakeLook whirled(pictures_, frustum, std::max(shutter_s_, whirl_shutter_s));
   if (tornado_) gathering.add(*tornado_, time_s, whirled, frustum, ground);
   return {gathering.farthest_first(view.eye_m), field.fog_extinction_per_m};

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 
 #include "snow/crystal_picture.h"
-#include "snow/fall_speed.h"
+#include "snow/lanes.h"
 #include "snow/snow_view.h"
 
 namespace wold::snow {
@@ -16,17 +17,6 @@ struct SeenFlake {
   glm::vec3 up_m{0.0F};     ///< to the middle of its upper side
   int picture = 0;          ///< index into FlakePictures::all()
   float opacity = 1.0F;     ///< multiplies the picture's
-};
-
-/// A flake in the air.
-struct Flake {
-  glm::dvec3 centre_m{0.0};
-  glm::dvec3 velocity_m_s{0.0};
-  double diameter_m = 0.0;  ///< see flake_diameter_mm()
-  Crystal crystal = Crystal::aggregate;
-  std::uint64_t bits = 0;   ///< 64 random ones of its own
-  float spin_turns = 0.0F;  ///< about the way to the eye
-  float tilt_turns = 0.0F;  ///< where it is in its tumbling to either side of facing the eye
 };
 
 /// Farther away flakes are white discs that do not turn (the paper, 2).
@@ -42,29 +32,34 @@ class FlakeLook {
   /// `shutter_s`: how long a picture is exposed. Pictures and frustum have to outlive this.
   FlakeLook(const FlakePictures& pictures, const Frustum& frustum, double shutter_s);
 
+  /// Writes how the chosen flakes look, in their order; returns the end of what it wrote.
+  ///
   /// A streak when the flake moves by more than its size while it is exposed, a crystal when it is
   /// near, else a disc. None is thinner than a pixel: it would be fainter instead.
-  SeenFlake seen(const Flake& flake) const;
+  SeenFlake* see(const FlakeLanes& flakes, const Chosen& chosen, SeenFlake* to) const;
 
  private:
-  /// A flake as the eye sees it; lengths in metres.
-  struct Sight {
-    const Flake& flake;
-    glm::vec3 centre;
-    glm::vec3 towards_eye;
-    float diameter;
-    float pixel;
+  /// Flakes as rectangles, and what decides whether they are drawn as crystals.
+  struct Rectangles {
+    VectorLanes centre, right, up;
+    Lanes<std::int32_t> picture;
+    Lanes<float> opacity;
+    Lanes<float> distance, way_length;  ///< way across the way to the eye
   };
-  float crystal_side(const Sight& sight) const;
-  SeenFlake streak(const Sight& sight, const glm::vec3& way, float way_length) const;
-  SeenFlake disc(const Sight& sight) const;
-  SeenFlake crystal(const Sight& sight) const;
+  /// As if all were far away: discs or streaks.
+  void draw_far(const FlakeLanes& flakes, Rectangles& drawn) const;
+  float crystal_side(Crystal crystal, std::uint64_t bits, float diameter) const;
+  void draw_crystal(const FlakeLanes& flakes, std::size_t lane, float side, float distance,
+                    SeenFlake& seen) const;
 
   const FlakePictures& pictures_;
   const Frustum& frustum_;
+  float pixel_angle_;
   float shutter_s_;
   float streak_area_;  ///< cross-section over mean opacity, of a flake of diameter 1
   float disc_side_;    ///< of the square whose picture has such a flake's cross-section
+  /// The same of crystals' pictures, by crystal and individual.
+  std::array<std::array<float, FlakePictures::individuals>, crystal_kinds> crystal_sides_;
 };
 
 }  // namespace wold::snow

@@ -1,7 +1,6 @@
 #include "snow/flake_motion.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -13,29 +12,66 @@ namespace wold::snow {
 namespace {
 
 /// Aggregates of a centimetre sway by 3 to 20 cm at 2 to 5 rad/s (Li 2024), small flakes by less.
-constexpr double least_sway = 0.15, farthest_sway_m = 0.2, sways_most_m = 0.01;
-constexpr double slowest_sway_rad_s = 2.0, fastest_sway_rad_s = 5.0;
+constexpr float least_sway = 0.15F, farthest_sway_m = 0.2F, sways_most_m = 0.01F;
+constexpr double turns_per_rad = 0.5 / std::numbers::pi;
+constexpr double slowest_sway_per_s = 2.0 * turns_per_rad, sway_range_per_s = 3.0 * turns_per_rad;
 
-/// They tumble at 0.5 to 2.5 turns a second (Li 2024: 1 to 3 for aggregates).
-constexpr double slowest_turn_per_s = 0.5, turn_range_per_s = 2.0;
+/// They tumble at 0.5 to 2.5 turns a second (Li 2024: 1 to 3 for aggregates), and turn either way
+/// about the way to the eye at up to half of that.
+constexpr double slowest_tilt_per_s = 0.5, tilt_range_per_s = 2.0, fastest_spin_per_s = 1.25;
 
-/// Twenty-one random bits as a number in [0, 1).
-double third_of(std::uint64_t bits, int place) {
-  return static_cast<double>(static_cast<int>((bits >> (21 * place)) & 0x1fffffU)) * 0x1.0p-21;
+/// So few rates that 2^rate_bits times the rounding of a step is nothing.
+constexpr int rate_bits = 7;
+constexpr double rates = 1 << rate_bits;
+
+/// Some of the random bits, as a whole number.
+float field_of(std::uint64_t bits, int first, int count) {
+  return static_cast<float>(static_cast<int>((bits >> first) & ((1U << count) - 1U)));
 }
 
-WindField::Gust sway(double diameter_m, double time_s, std::uint64_t bits) {
-  const double wide = least_sway + (1.0 - least_sway) * third_of(bits, 0);
-  const double height_m = farthest_sway_m * wide * std::min(1.0, diameter_m * (1.0 / sways_most_m));
-  const double rad_s =
-      slowest_sway_rad_s + (fastest_sway_rad_s - slowest_sway_rad_s) * third_of(bits, 1);
-  constexpr double turns_per_rad = 0.5 / std::numbers::pi;
-  const auto phase =
-      static_cast<float>(off_whole(turns_per_rad * rad_s * time_s + third_of(bits, 2)));
-  const float across = phase + 0.7F * static_cast<float>(third_of(bits, 0));  // leans either way
-  const auto waving = sines_and_cosines(std::array<float, 2>{phase, across});
-  return {static_cast<float>(height_m) * glm::vec3(waving[0], waving[1], 0.0F),
-          static_cast<float>(height_m * rad_s) * glm::vec3(waving[2], waving[3], 0.0F)};
+FlakeMotion::Turning turning(double slowest_per_s, double range_per_s, double time_s) {
+  return {static_cast<float>(off_whole(slowest_per_s * time_s)),
+          static_cast<float>(off_whole(range_per_s / rates * time_s))};
+}
+
+/// Where a turning is whose rate and start are 7 and 10 random bits.
+float turned(const FlakeMotion::Turning& turning, std::uint64_t bits, int first) {
+  return turning.slowest + turning.step * field_of(bits, first, rate_bits) +
+         field_of(bits, first + rate_bits, 10) * (1.0F / 1024.0F);
+}
+
+constexpr int sway_bits = 0, tilt_bits = 17, spin_bits = 34, lean_bits = 51;
+
+/// Adds the sway of flakes of those diameters and random bits.
+WOLD_LANES_WIDE void add_sway(const FlakeMotion::Moment& moment, FlakeLanes& flakes) {
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const std::uint64_t bits = flakes.bits[i];
+    const float wide = field_of(bits, lean_bits, 10) * (1.0F / 1024.0F);
+    const float height_m = farthest_sway_m * (least_sway + (1.0F - least_sway) * wide) *
+                           lesser(1.0F, flakes.diameter[i] * (1.0F / sways_most_m));
+    constexpr auto slowest_rad_s = static_cast<float>(slowest_sway_per_s / turns_per_rad);
+    constexpr auto step_rad_s = static_cast<float>(sway_range_per_s / turns_per_rad / rates);
+    const float speed_m_s =
+        height_m * (slowest_rad_s + step_rad_s * field_of(bits, sway_bits, rate_bits));
+    const float phase = turned(moment.sway, bits, sway_bits);
+    const float across = phase + 0.7F * wide;  // leans either way
+    flakes.from_eye.x[i] += height_m * sine_of_turns(phase);
+    flakes.from_eye.y[i] += height_m * sine_of_turns(across);
+    flakes.velocity.x[i] += speed_m_s * cosine_of_turns(phase);
+    flakes.velocity.y[i] += speed_m_s * cosine_of_turns(across);
+  }
+}
+
+/// What is left of x beside the whole number below, in turns of 2^-64.
+std::uint64_t fraction_of(double x) {
+  return static_cast<std::uint64_t>((x - std::floor(x)) * 0x1p64);
+}
+
+std::uint32_t turn_of(double x) { return static_cast<std::uint32_t>(fraction_of(x) >> 32); }
+
+/// Twenty-one random bits as a turn.
+std::uint32_t third_of(std::uint64_t bits, int place) {
+  return static_cast<std::uint32_t>(bits >> (21 * place)) << 11;
 }
 
 }  // namespace
@@ -46,48 +82,80 @@ FlakeMotion::FlakeMotion(const scene::Scene& scene, const Weather& weather, doub
       sizes_(rate_mm_h, scene.snowfall.crystal) {}
 
 FlakeMotion::Moment FlakeMotion::moment(double time_s, double rate_mm_h) const {
-  return {time_s, sizes_.diameters_m(gunn_marshall(rate_mm_h).lambda_per_mm), wind_.common(time_s),
-          wind_.moment(time_s)};
+  return {time_s,
+          sizes_.diameters_m(gunn_marshall(rate_mm_h).lambda_per_mm),
+          wind_.common(time_s),
+          wind_.moment(time_s),
+          turning(slowest_sway_per_s, sway_range_per_s, time_s),
+          turning(-fastest_spin_per_s, 2.0 * fastest_spin_per_s, time_s),
+          turning(slowest_tilt_per_s, tilt_range_per_s, time_s)};
 }
 
-FlakeMotion::Drifting FlakeMotion::drifting(std::uint64_t population_key, std::uint64_t index,
-                                            const Moment& moment, const PeriodicCube& cube) const {
-  const std::uint64_t key = mixed(population_key ^ index);
-  const std::uint64_t start = mixed(key ^ key_of("start"));
-  const FlakeSizes::Body body = sizes_.body(key);
-  const glm::dvec3 fall_m(0.0, 0.0, body.speed_m_s * moment.time_s);
-  const glm::dvec3 sides = (moment.common.way_m - fall_m - cube.centre_m) * (1.0 / cube.side_m) +
-                           glm::dvec3(third_of(start, 0), third_of(start, 1), third_of(start, 2));
-  const glm::dvec3 place_m =
-      cube.centre_m +
-      cube.side_m * glm::dvec3(off_whole(sides.x), off_whole(sides.y), off_whole(sides.z));
-  return {place_m, body, key};
-}
-
-Flake FlakeMotion::flake(const Drifting& drifting, const Moment& moment) const {
-  const auto diameter_m = static_cast<double>(moment.diameters_m[drifting.body.rank]);
-  const auto gust = wind_.own_gust(moment.gusts, mixed(drifting.key ^ key_of("gust")));
-  const auto swaying = sway(diameter_m, moment.time_s, mixed(drifting.key ^ key_of("sway")));
-  const std::uint64_t look = mixed(drifting.key ^ key_of("look"));
-  const double turns_per_s = slowest_turn_per_s + turn_range_per_s * third_of(look, 2);
-  const double spins_per_s = (third_of(look, 1) - 0.5) * turns_per_s;
-  const auto turned = [&](double per_s, double start) {
-    return static_cast<float>(off_whole(per_s * moment.time_s + start));
-  };
-  const glm::dvec3 fall_m_s(0.0, 0.0, -drifting.body.speed_m_s);
+FlakeMotion::Air FlakeMotion::air(std::uint64_t population_key, const PeriodicCube& cube,
+                                  const Moment& moment, const glm::dvec3& eye_m) {
+  const glm::dvec3 way = (moment.common.way_m - cube.centre_m) / cube.side_m;
   return {
-      drifting.place_m + glm::dvec3(gust.way_m + swaying.way_m),
-      moment.common.velocity_m_s + fall_m_s + glm::dvec3(gust.velocity_m_s + swaying.velocity_m_s),
-      diameter_m,
-      drifting.body.crystal,
-      look,
-      turned(spins_per_s, third_of(look, 1)),
-      turned(turns_per_s, third_of(look, 0))};
+      population_key,
+      {turn_of(way.x), turn_of(way.y), turn_of(way.z)},
+      fraction_of(moment.time_s * static_cast<double>(FlakeSizes::speed_unit_m_s) / cube.side_m),
+      glm::vec3(cube.centre_m - eye_m),
+      static_cast<float>(cube.side_m)};
+}
+
+void FlakeMotion::Drifting::set(std::size_t lane, const Drifting& other, std::size_t others_lane) {
+  from_eye.set(lane, other.from_eye.at(others_lane));
+  key[lane] = other.key[others_lane];
+  speed[lane] = other.speed[others_lane];
+}
+
+void FlakeMotion::drift(const Air& air, std::uint64_t first, Drifting& flakes) const {
+  Lanes<std::int32_t> x, y, z;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const std::uint64_t key = mixed(air.population_key ^ (first + i));
+    const std::uint64_t start = mixed(key ^ key_of("start"));
+    const std::uint32_t speed = sizes_.speed(key);
+    const auto fallen = static_cast<std::uint32_t>((speed * air.fall) >> 32);
+    x[i] = static_cast<std::int32_t>(third_of(start, 0) + air.way.x);
+    y[i] = static_cast<std::int32_t>(third_of(start, 1) + air.way.y);
+    z[i] = static_cast<std::int32_t>(third_of(start, 2) + air.way.z - fallen);
+    flakes.key[i] = key;
+    flakes.speed[i] = static_cast<std::int32_t>(speed);
+  }
+  const float turn_m = air.side_m * 0x1p-32F;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    flakes.from_eye.x[i] = air.centre_from_eye_m.x + turn_m * static_cast<float>(x[i]);
+    flakes.from_eye.y[i] = air.centre_from_eye_m.y + turn_m * static_cast<float>(y[i]);
+    flakes.from_eye.z[i] = air.centre_from_eye_m.z + turn_m * static_cast<float>(z[i]);
+  }
+}
+
+void FlakeMotion::fly(const Drifting& drifting, const Moment& moment, FlakeLanes& flakes) const {
+  Lanes<std::uint64_t> gusts;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    gusts[i] = mixed(drifting.key[i] ^ key_of("gust"));
+    flakes.bits[i] = mixed(drifting.key[i] ^ key_of("look"));
+    const std::uint32_t rank = FlakeSizes::rank(drifting.key[i]);
+    flakes.diameter[i] = moment.diameters_m[rank];
+    flakes.crystal[i] = sizes_.crystal(rank);
+  }
+  const glm::vec3 common_m_s(moment.common.velocity_m_s);
+  for (std::size_t i = 0; i < lanes; ++i) {
+    flakes.velocity.x[i] = common_m_s.x;
+    flakes.velocity.y[i] = common_m_s.y;
+    flakes.velocity.z[i] =
+        common_m_s.z - FlakeSizes::speed_unit_m_s * static_cast<float>(drifting.speed[i]);
+    flakes.opacity[i] = 1.0F;
+    flakes.tilt_turns[i] = turned(moment.tilt, flakes.bits[i], tilt_bits);
+    flakes.spin_turns[i] = turned(moment.spin, flakes.bits[i], spin_bits);
+  }
+  flakes.from_eye = drifting.from_eye;
+  wind_.add_own_gusts(moment.gusts, gusts, flakes.from_eye, flakes.velocity);
+  add_sway(moment, flakes);
 }
 
 double FlakeMotion::farthest_own_way_m() const {
   constexpr double diagonal = 1.4142136;
-  return wind_.farthest_own_gust_m() + diagonal * farthest_sway_m;
+  return wind_.farthest_own_gust_m() + diagonal * static_cast<double>(farthest_sway_m);
 }
 
 }  // namespace wold::snow

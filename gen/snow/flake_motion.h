@@ -4,8 +4,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "snow/flake_look.h"
 #include "snow/flake_sizes.h"
+#include "snow/lanes.h"
 #include "snow/weather.h"
 #include "snow/wind_field.h"
 
@@ -19,11 +19,20 @@ struct PeriodicCube {
 
 /// Where keyed flakes are at any time: a closed form, no frame needs another. A flake's place is
 /// its keyed start in the cube, less its fall, plus the way of the wind, its own gusts and its
-/// sway.
+/// sway. All of these but the own ones are kept as turns of the cube, whole numbers of 2^-32 that
+/// overflow as places wrap round; only in the cube do they become floats, so that a flake is placed
+/// to a ten-millionth of the cube's side however long it has fallen.
 class FlakeMotion {
  public:
   /// `rate_mm_h`: see FlakeSizes.
   FlakeMotion(const scene::Scene& scene, const Weather& weather, double rate_mm_h);
+
+  /// A turning whose rate is one of 2^bits equally spaced ones, at a moment: rate k has turned by
+  /// `slowest` + k `step`, both off whole turns.
+  struct Turning {
+    float slowest;
+    float step;
+  };
 
   /// What all flakes share at a time.
   struct Moment {
@@ -31,22 +40,40 @@ class FlakeMotion {
     std::vector<float> diameters_m = {};  ///< see FlakeSizes
     Motion common = {};
     WindField::Moment gusts = {};
+    Turning sway = {}, spin = {}, tilt = {};
   };
   /// rate_mm_h > 0: what falls there and then.
   Moment moment(double time_s, double rate_mm_h) const;
 
-  /// A flake before its own gusts and sway, which are costly and take it less than
+  /// A cube's flakes at a moment, seen from the eye.
+  struct Air {
+    std::uint64_t population_key = 0;
+    glm::uvec3 way{0};       ///< common to all, turns of 2^-32 cubes
+    std::uint64_t fall = 0;  ///< at FlakeSizes::speed_unit_m_s, turns of 2^-64 cubes
+    glm::vec3 centre_from_eye_m{0.0F};
+    float side_m = 1.0F;
+  };
+  static Air air(std::uint64_t population_key, const PeriodicCube& cube, const Moment& moment,
+                 const glm::dvec3& eye_m);
+
+  /// Flakes before their own gusts and sway, which are costly and take them less than
   /// farthest_own_way_m() away.
   struct Drifting {
-    glm::dvec3 place_m{0.0};  ///< in the cube
-    FlakeSizes::Body body = {};
-    std::uint64_t key = 0;
+    VectorLanes from_eye;  ///< in the cube
+    Lanes<std::uint64_t> key = {};
+    Lanes<std::int32_t> speed = {};  ///< in units of FlakeSizes::speed_unit_m_s
+
+    /// Takes over another's flake.
+    void set(std::size_t lane, const Drifting& other, std::size_t others_lane);
   };
-  Drifting drifting(std::uint64_t population_key, std::uint64_t index, const Moment& moment,
-                    const PeriodicCube& cube) const;
-  Flake flake(const Drifting& drifting, const Moment& moment) const;
+  /// Flakes first, first + 1, ... of the population.
+  void drift(const Air& air, std::uint64_t first, Drifting& flakes) const;
+  void fly(const Drifting& drifting, const Moment& moment, FlakeLanes& flakes) const;
 
   double farthest_own_way_m() const;
+
+  /// A number of a flake's own, exponentially distributed with mean 1.
+  float deviate(std::uint64_t key) const { return sizes_.deviate(FlakeSizes::rank(key >> 32)); }
 
  private:
   WindField wind_;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "core/random.h"
 #include "snow/size_distribution.h"
@@ -151,6 +153,7 @@ Flake PaperSnow::shown(const PaperFlake& flake, std::uint64_t bits) const {
           picked_crystal(crystal_shares(crystal_, mm_per_m * flake.size_m),
                          draw(bits, key_of("crystal"))),
           bits,
+          flake.colour.a,
           static_cast<float>(flake.angle_turns)};
 }
 
@@ -170,21 +173,29 @@ SeenFlakes PaperSnow::at(double time_s, const SnowView& view, const Heightfield&
                          (2.0 - (x * x + 2.0 * x + 2.0) * std::exp(-x));
   const double in_box = flakes_in_view(rate_mm_h) * box_m_.x * box_m_.y * box_m_.z / seen_m3;
 
+  const Lookout lookout(look, frustum, ground);
   const double margin_m = farthest_own_way_m();
+  std::vector<Range> parts;
+  split(0, static_cast<std::uint64_t>(std::llround(in_box)), parts);
   Gathering gathering;
-  gathering.add(static_cast<std::uint64_t>(std::llround(in_box)),
-                [&](std::uint64_t i, std::vector<SeenFlake>& seen) {
-                  const Drifting drift = drifting(i, now, box);
-                  if (!frustum.touches(drift.place_m, margin_m)) return;
-                  const double distance_m = glm::distance(drift.place_m, frustum.eye_m());
-                  const std::uint64_t bits = mixed(drift.key ^ key_of("look"));
-                  if (draw(bits, key_of("drawn")) >= std::exp(-distance_m / reach_m)) return;
-                  const PaperFlake flake_now = flake(drift, now);
-                  const Flake as_seen = shown(flake_now, bits);
-                  if (!is_in_view(as_seen, frustum, ground)) return;
-                  seen.push_back(look.seen(as_seen));
-                  seen.back().opacity *= flake_now.colour.a;
-                });
+  gathering.add(parts.size(), [&](std::size_t part, std::vector<SeenFlake>& seen) {
+    FlakeLanes flakes;
+    std::size_t count = 0;
+    const auto see = [&] {
+      lookout.see(
+          flakes, std::exchange(count, 0), [](std::size_t) { return true; }, seen);
+    };
+    for (std::uint64_t i = parts[part].first; i < parts[part].last; ++i) {
+      const Drifting drift = drifting(i, now, box);
+      if (!frustum.touches(drift.place_m, margin_m)) continue;
+      const double distance_m = glm::distance(drift.place_m, frustum.eye_m());
+      const std::uint64_t bits = mixed(drift.key ^ key_of("look"));
+      if (draw(bits, key_of("drawn")) >= std::exp(-distance_m / reach_m)) continue;
+      flakes.set(count++, shown(flake(drift, now), bits), frustum.eye_m());
+      if (count == lanes) see();
+    }
+    see();
+  });
   const FlakeLook whirled(pictures_, frustum, std::max(shutter_s_, whirl_shutter_s));
   if (tornado_) gathering.add(*tornado_, time_s, whirled, frustum, ground);
   return {gathering.farthest_first(view.eye_m),

@@ -2,50 +2,69 @@
 
 #include <tbb/parallel_sort.h>
 
+#include <algorithm>
+#include <bit>
+
 namespace wold::snow {
-namespace {
 
-/// Where a flake is among the parts, in the order of its distance.
-struct Place {
-  float nearness;  ///< rises towards the eye
-  std::uint32_t part, index;
-
-  bool operator<(const Place& other) const {
-    if (nearness != other.nearness) return nearness < other.nearness;
-    return part != other.part ? part < other.part : index < other.index;
+void Lookout::see_chosen(const FlakeLanes& flakes, Chosen chosen,
+                         std::vector<SeenFlake>& seen) const {
+  const glm::dvec3& eye_m = frustum_.eye_m();
+  std::size_t above = 0;
+  for (std::size_t n = 0; n < chosen.count; ++n) {
+    const std::uint8_t i = chosen.lane[n];
+    const glm::dvec3 centre_m = eye_m + glm::dvec3(flakes.from_eye.at(i));
+    chosen.lane[above] = i;
+    above += centre_m.z > static_cast<double>(ground_.sample(centre_m.x, centre_m.y)) ? 1 : 0;
   }
-};
-
-}  // namespace
-
-bool is_in_view(const Flake& flake, const Frustum& frustum, const Heightfield& ground) {
-  return glm::distance(flake.centre_m, frustum.eye_m()) > nearest_flake_m &&
-         frustum.touches(flake.centre_m, flake.diameter_m) &&
-         flake.centre_m.z > static_cast<double>(ground.sample(flake.centre_m.x, flake.centre_m.y));
+  chosen.count = above;
+  const std::size_t before = seen.size();
+  seen.resize(before + chosen.count);
+  look_.see(flakes, chosen, seen.data() + before);
 }
 
 void Gathering::add(const Tornado& tornado, double time_s, const FlakeLook& look,
                     const Frustum& frustum, const Heightfield& ground) {
   const glm::dvec2 foot_m = tornado.foot_m(time_s);
   const auto ground_m = static_cast<double>(ground.sample(foot_m.x, foot_m.y));
-  add(tornado.flakes(), [&](std::uint64_t i, std::vector<SeenFlake>& seen) {
-    const Flake flake = tornado.flake(i, time_s, ground_m);
-    if (is_in_view(flake, frustum, ground)) seen.push_back(look.seen(flake));
+  const Lookout lookout(look, frustum, ground);
+  std::vector<Range> parts;
+  split(0, tornado.flakes(), parts);
+  add(parts.size(), [&](std::size_t part, std::vector<SeenFlake>& seen) {
+    FlakeLanes flakes;
+    for (std::uint64_t first = parts[part].first; first < parts[part].last; first += lanes) {
+      const std::size_t count = std::min<std::uint64_t>(lanes, parts[part].last - first);
+      for (std::size_t i = 0; i < count; ++i)
+        flakes.set(i, tornado.flake(first + i, time_s, ground_m), frustum.eye_m());
+      lookout.see(
+          flakes, count, [](std::size_t) { return true; }, seen);
+    }
   });
 }
 
 std::vector<SeenFlake> Gathering::farthest_first(const glm::dvec3& eye_m) const {
-  std::vector<Place> places;
-  for (std::uint32_t part = 0; part < parts_.size(); ++part)
-    for (std::uint32_t i = 0; i < parts_[part].size(); ++i) {
-      const glm::vec3 away = parts_[part][i].centre_m - glm::vec3(eye_m);
-      places.push_back({-glm::dot(away, away), part, i});
-    }
-  tbb::parallel_sort(places.begin(), places.end());
-  std::vector<SeenFlake> sorted(places.size());
-  parallel_for_blocks(places.size(),
-                      [&](std::size_t i) { sorted[i] = parts_[places[i].part][places[i].index]; });
+  std::vector<const SeenFlake*> flakes;
+  for (const std::vector<SeenFlake>& part : parts_)
+    for (const SeenFlake& flake : part) flakes.push_back(&flake);
+  // The bits of a positive float rise with it; flakes as far as each other keep their order.
+  std::vector<std::uint64_t> order(flakes.size());
+  for (std::size_t i = 0; i < flakes.size(); ++i) {
+    const glm::vec3 away = flakes[i]->centre_m - glm::vec3(eye_m);
+    const std::uint32_t nearness = ~std::bit_cast<std::uint32_t>(glm::dot(away, away));
+    order[i] = static_cast<std::uint64_t>(nearness) << 32 | i;
+  }
+  tbb::parallel_sort(order.begin(), order.end());
+  std::vector<SeenFlake> sorted(flakes.size());
+  parallel_for_blocks(sorted.size(), [&](std::size_t i) {
+    sorted[i] = *flakes[static_cast<std::uint32_t>(order[i])];
+  });
   return sorted;
+}
+
+void split(std::size_t of, std::uint64_t count, std::vector<Range>& parts) {
+  constexpr std::uint64_t most = 128 * lanes;
+  for (std::uint64_t first = 0; first < count; first += most)
+    parts.push_back({of, first, std::min(count, first + most)});
 }
 
 }  // namespace wold::snow

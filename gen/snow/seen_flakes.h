@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -9,6 +8,7 @@
 #include "core/ground_map.h"
 #include "core/parallel.h"
 #include "snow/flake_look.h"
+#include "snow/lanes.h"
 #include "snow/snow_view.h"
 #include "snow/tornado.h"
 
@@ -20,24 +20,51 @@ struct SeenFlakes {
   double fog_extinction_per_m = 0.0;  ///< of all that are not among them, everywhere the same
 };
 
-inline constexpr double nearest_flake_m = 0.15;  ///< nearer ones would hide the picture
+inline constexpr float nearest_flake_m = 0.15F;  ///< nearer ones would hide the picture
 
-/// Whether any of a flake is within the view, not too near, and above the ground.
-bool is_in_view(const Flake& flake, const Frustum& frustum, const Heightfield& ground);
+/// Puts flakes one by one where there is room for many, and those of them that are seen at the end
+/// of `seen`: any of them within the view, not too near, and above the ground.
+class Lookout {
+ public:
+  Lookout(const FlakeLook& look, const Frustum& frustum, const Heightfield& ground)
+      : look_(look), frustum_(frustum), ground_(ground) {}
+
+  /// Of the flakes those below `end` that pass test(lane) as well.
+  template <class Test>
+  void see(const FlakeLanes& flakes, std::size_t end, const Test& test,
+           std::vector<SeenFlake>& seen) const {
+    const Frustum frustum = frustum_;
+    see_chosen(
+        flakes,
+        Chosen::by(
+            [&](std::size_t i) {
+              const glm::vec3 from_eye = flakes.from_eye.at(i);
+              return static_cast<int>(glm::dot(from_eye, from_eye) >
+                                      nearest_flake_m * nearest_flake_m) &
+                     static_cast<int>(frustum.touches_from_eye(from_eye, flakes.diameter[i])) &
+                     static_cast<int>(test(i));
+            },
+            end),
+        seen);
+  }
+
+ private:
+  void see_chosen(const FlakeLanes& flakes, Chosen chosen, std::vector<SeenFlake>& seen) const;
+
+  const FlakeLook& look_;
+  const Frustum& frustum_;
+  const Heightfield& ground_;
+};
 
 /// What is seen, in an order that does not depend on threads.
 class Gathering {
  public:
-  /// Adds what pick(i, seen) puts at the end of `seen`, for every i in [0, count).
+  /// Adds what pick(part, seen) puts at the end of `seen`, for every part in [0, parts).
   template <class Pick>
-  void add(std::uint64_t count, const Pick& pick) {
-    constexpr std::uint64_t block = 4096;
+  void add(std::size_t parts, const Pick& pick) {
     const std::size_t before = parts_.size();
-    parts_.resize(before + static_cast<std::size_t>((count + block - 1) / block));
-    parallel_for(parts_.size() - before, [&](std::size_t b) {
-      const std::uint64_t end = std::min<std::uint64_t>(count, (b + 1) * block);
-      for (std::uint64_t i = b * block; i < end; ++i) pick(i, parts_[before + b]);
-    });
+    parts_.resize(before + parts);
+    parallel_for(parts, [&](std::size_t part) { pick(part, parts_[before + part]); });
   }
 
   /// A tornado's flakes that are in view, by `look`, which should have whirl_shutter_s at least.
@@ -49,5 +76,14 @@ class Gathering {
  private:
   std::vector<std::vector<SeenFlake>> parts_;
 };
+
+/// Flakes first to last of something, for one thread at a time.
+struct Range {
+  std::size_t of;
+  std::uint64_t first, last;
+};
+
+/// Appends what splits [0, count) of `of` into parts that are worth a thread's while.
+void split(std::size_t of, std::uint64_t count, std::vector<Range>& parts);
 
 }  // namespace wold::snow

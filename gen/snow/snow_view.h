@@ -23,11 +23,19 @@ class Frustum {
   const glm::dvec3& ahead() const { return ahead_; }
   /// Whether any of a ball is seen (or nearly, about the pyramid's edges).
   bool touches(const glm::dvec3& centre_m, double radius_m) const {
-    const glm::dvec3 from_eye = centre_m - eye_m_;
-    const double depth = glm::dot(from_eye, ahead_);
-    return depth > -radius_m &&
-           std::abs(glm::dot(from_eye, right_)) <= half_width_ * depth + slant_width_ * radius_m &&
-           std::abs(glm::dot(from_eye, up_)) <= half_height_ * depth + slant_height_ * radius_m;
+    return touches_from_eye(centre_m - eye_m_, radius_m);
+  }
+  /// The same of a place relative to the eye, in its precision and without branches.
+  template <class Vector>
+  bool touches_from_eye(const Vector& centre_m, typename Vector::value_type radius_m) const {
+    using Number = typename Vector::value_type;
+    const Number depth = glm::dot(centre_m, Vector(ahead_));
+    const Number beside = std::abs(glm::dot(centre_m, Vector(right_)));
+    const Number above = std::abs(glm::dot(centre_m, Vector(up_)));
+    return static_cast<bool>(
+        static_cast<int>(depth > -radius_m) &
+        static_cast<int>(beside <= Number(half_width_) * depth + Number(slant_width_) * radius_m) &
+        static_cast<int>(above <= Number(half_height_) * depth + Number(slant_height_) * radius_m));
   }
   double solid_angle_sr() const;
   /// Between the middle and a corner of the picture.

@@ -105,6 +105,7 @@ Flake Tornado::flake(std::uint64_t i, double time_s, double ground_m) const {
           flake_m_ * (0.6 + 0.8 * draw(i, key_of("size"))),
           Crystal::aggregate,
           bits,
+          1.0F,
           static_cast<float>(draw(i, key_of("spin")))};
 }
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "scene/scene.h"
-#include "snow/flake_look.h"
+#include "snow/lanes.h"
 
 namespace wold::snow {
 

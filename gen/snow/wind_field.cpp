@@ -20,6 +20,12 @@ double wave_height(double deviation, std::size_t waves) {
   return deviation * std::sqrt(2.0 / static_cast<double>(waves));
 }
 
+constexpr int bits_each = 10;
+
+float own_phase(std::uint64_t bits, int first_bit) {
+  return static_cast<float>(static_cast<int>((bits >> first_bit) & 1023U)) * (1.0F / 1024.0F);
+}
+
 }  // namespace
 
 WindField::WindField(const Weather& weather, double turbulence, std::uint64_t key)
@@ -65,27 +71,40 @@ WindField::Moment WindField::moment(double time_s) const {
   return moment;
 }
 
+WindField::OwnWave WindField::own_wave(const Moment& moment, std::size_t wave) const {
+  const std::size_t length = wave / 3;
+  const float height = own_heights_[static_cast<glm::length_t>(wave % 3)];
+  return {moment.phases[length], static_cast<float>(own_lengths_m[length] / two_pi) * height,
+          moment.speed_m_s * height, bits_each * static_cast<int>(wave)};
+}
+
 WindField::Gust WindField::own_gust(const Moment& moment, std::uint64_t bits) const {
-  constexpr std::size_t waves = 3 * own_lengths_m.size();
-  std::array<float, waves> turns;
-  for (std::size_t i = 0; i < waves; ++i) {
-    constexpr std::uint64_t bits_each = 10;
-    const auto own = static_cast<float>(static_cast<int>((bits >> (bits_each * i)) & 1023U));
-    turns[i] = moment.phases[i / 3] + own * (1.0F / 1024.0F);
-  }
-  const auto waving = sines_and_cosines(turns);
   Gust gust = {glm::vec3(0.0F), glm::vec3(0.0F)};
-  for (std::size_t length = 0; length < own_lengths_m.size(); ++length) {
-    const float* const sines = &waving[3 * length];
-    const float* const cosines = &waving[waves + 3 * length];
-    constexpr float per_turn = static_cast<float>(1.0 / two_pi);
-    const float radius_m = static_cast<float>(own_lengths_m[length]) * per_turn;
-    gust.way_m += radius_m * glm::vec3(sines[0], sines[1], sines[2]);
-    gust.velocity_m_s += moment.speed_m_s * glm::vec3(cosines[0], cosines[1], cosines[2]);
+  for (std::size_t i = 0; i < own_waves; ++i) {
+    const OwnWave wave = own_wave(moment, i);
+    const float turns = wave.phase + own_phase(bits, wave.first_bit);
+    const auto axis = static_cast<glm::length_t>(i % 3);
+    gust.way_m[axis] += wave.way_m * sine_of_turns(turns);
+    gust.velocity_m_s[axis] += wave.velocity_m_s * cosine_of_turns(turns);
   }
-  gust.way_m *= own_heights_;
-  gust.velocity_m_s *= own_heights_;
   return gust;
+}
+
+WOLD_LANES_WIDE void WindField::add_own_gusts(const Moment& moment,
+                                              const Lanes<std::uint64_t>& bits, VectorLanes& way_m,
+                                              VectorLanes& velocity_m_s) const {
+  const std::array ways_m = {&way_m.x, &way_m.y, &way_m.z};
+  const std::array velocities_m_s = {&velocity_m_s.x, &velocity_m_s.y, &velocity_m_s.z};
+  for (std::size_t i = 0; i < own_waves; ++i) {
+    const OwnWave wave = own_wave(moment, i);
+    Lanes<float>& along_m = *ways_m[i % 3];
+    Lanes<float>& along_m_s = *velocities_m_s[i % 3];
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const float turns = wave.phase + own_phase(bits[lane], wave.first_bit);
+      along_m[lane] += wave.way_m * sine_of_turns(turns);
+      along_m_s[lane] += wave.velocity_m_s * cosine_of_turns(turns);
+    }
+  }
 }
 
 double WindField::farthest_own_gust_m() const {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
+#include "snow/lanes.h"
 #include "snow/weather.h"
 
 namespace wold::snow {
@@ -30,7 +31,7 @@ class WindField {
   /// The mean wind and the gusts that all flakes feel.
   Motion common(double time_s) const;
 
-  /// What own_gust() needs to know of a moment.
+  /// What own gusts need to know of a moment.
   struct Moment {
     std::array<float, 2> phases;  ///< of the own gusts, in turns
     float speed_m_s = 0.0F;
@@ -43,11 +44,23 @@ class WindField {
     glm::vec3 velocity_m_s;
   };
   Gust own_gust(const Moment& moment, std::uint64_t bits) const;
+  /// The same of many flakes, added to what they have.
+  void add_own_gusts(const Moment& moment, const Lanes<std::uint64_t>& bits, VectorLanes& way_m,
+                     VectorLanes& velocity_m_s) const;
   /// No flake's own gusts displace it farther.
   double farthest_own_gust_m() const;
 
  private:
   static constexpr std::size_t common_waves = 6;
+  static constexpr std::size_t own_waves = 6;  ///< of each length one along each axis
+  /// One of a flake's own waves at a moment.
+  struct OwnWave {
+    float phase;  ///< common to all flakes, in turns
+    float way_m, velocity_m_s;
+    int first_bit;
+  };
+  OwnWave own_wave(const Moment& moment, std::size_t wave) const;
+
   struct Wave {
     double per_m;  ///< turns
     double phase;
