@@ -518,6 +518,7 @@ def set_light_transport(samples):
     cycles.use_denoising = False
     cycles.max_bounces = 0
     cycles.transparent_max_bounces = 1024  # flakes in a row: beyond, a ray would end in black
+    cycles.min_transparent_bounces = cycles.transparent_max_bounces  # no roulette: no specks
     cycles.volume_max_steps = 1024
     cycles.pixel_filter_type = "BLACKMAN_HARRIS"
 
