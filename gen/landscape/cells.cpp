@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/error.h"
 #include "core/noise.h"
@@ -12,9 +13,11 @@
 #include "landscape/canopy_snow.h"
 #include "landscape/combing.h"
 #include "landscape/far_field.h"
+#include "landscape/ground_grids.h"
 #include "landscape/view.h"
 #include "scene/key_frames.h"
 #include "terrain/horizon.h"
+#include "terrain/relief.h"
 
 namespace wold::landscape {
 namespace {
@@ -256,6 +259,9 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
   const std::vector<Texel> texels = choose_texels(scene, window);
   const Camera camera = resolved_camera(scene.camera, terrain, time_of_frame(scene, frame));
   const Sight sight(scene, terrain, camera);
+  std::optional<Heightfield> mesh;
+  if (is_large(scene)) mesh = terrain::mesh_heights(terrain, window_grid(scene));
+  const Heightfield& ground = mesh ? *mesh : terrain;
   const Combing combing(scene);
   const std::vector<double> key_frames = scene::key_frames(scene);
   const double snow = canopy_snow(scene, frame);
@@ -270,7 +276,7 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
         choose_cell(scene, cell, texel, key_frames, snow, frame, sight.pixels(middle_m));
     if (choice.blades && cell_uniform(scene, cell, "grown") >= double{grown.mean}) return;
     row.push_back(choice);
-    row.back().world_from_cell = world_from_cell(terrain, scene.grass.patch_m, cell, choice.turn,
+    row.back().world_from_cell = world_from_cell(ground, scene.grass.patch_m, cell, choice.turn,
                                                  combing.lean(centre_m(cell, scene.grass.patch_m)));
   };
   parallel_for(side, [&](std::size_t j) {

@@ -186,8 +186,11 @@ FactorMap SnowyGround::white(const GroundGrid& grid) const {
     }
   });
   if (!lying_) return shares;
-  return snow::WhitePatches(site_.terrain, grid, scene_.snow_cover.feature_m, scene_.seed)
-      .white_map(shares);
+  // Snow lies in patches of all sizes, ledges and gullies as well as hollows between tufts: the
+  // first ones that the grid shows.
+  constexpr double patch_steps = 6.0;
+  const double feature_m = std::max(scene_.snow_cover.feature_m, patch_steps * grid.step_m());
+  return snow::WhitePatches(site_.terrain, grid, feature_m, scene_.seed).white_map(shares);
 }
 
 ColourMap SnowyGround::reflectance() const {

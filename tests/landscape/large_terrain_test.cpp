@@ -124,27 +124,39 @@ glm::dvec3 mean_over(const ColourMap& map, const Square& square) {
   return sum;
 }
 
-// Both pictures are of the same ground; where the coarse one has 3 cm of soil and snow to a metre,
-// it shows their mean.
+/// The plain with so much snow, mm of water.
+Landscape snowed_on(double water_mm, const std::filesystem::path& folder) {
+  scene::Scene scene = plain(2000.0);
+  scene.snow_cover.initial_mm = water_mm;
+  scene.weather.temperature_c = -1.0;
+  return assemble(scene, make_site(scene, folder), 1, {}, no_grass());
+}
+
+// Both pictures are of the same ground, bare or white: the coarse one shows the mean of what the
+// fine one has.
 TEST(GroundDetails, AgreeWithTheWholeMap) {
   const test::TemporaryFolder folder("ground_details");
-  scene::Scene scene = plain(2000.0);
-  scene.snow_cover.initial_mm = 2.0;  // patches
-  scene.weather.temperature_c = -1.0;
-  const Site site = make_site(scene, folder.path());
-  const Landscape landscape = assemble(scene, site, 1, {}, no_grass());
-  ASSERT_GE(landscape.ground_details.size(), 4U);
-  for (std::size_t k = 0; k < 2; ++k) {  // larger than many patches
-    const GroundDetail& detail = landscape.ground_details[k];
-    const glm::dvec3 fine = mean_over(detail.map, detail.map.square());
-    const glm::dvec3 coarse = mean_over(landscape.ground, {detail.corner_m, detail.map.size_m()});
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(fine[c], coarse[c], 0.01 * coarse[c]) << k;
+  for (const double water_mm : {0.0, 30.0}) {
+    const Landscape landscape = snowed_on(water_mm, folder.path());
+    ASSERT_GE(landscape.ground_details.size(), 4U);
+    for (std::size_t k = 0; k < 2; ++k) {  // larger than many features
+      const GroundDetail& detail = landscape.ground_details[k];
+      const glm::dvec3 fine = mean_over(detail.map, detail.map.square());
+      const glm::dvec3 coarse = mean_over(landscape.ground, {detail.corner_m, detail.map.size_m()});
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(fine[c], coarse[c], 0.01 * coarse[c]) << k;
+    }
   }
-  // And near the camera single patches are seen.
-  const ColourMap& nearest = landscape.ground_details.back().map;
-  const auto [least, most] =
-      std::ranges::minmax(nearest.values(), {}, [](const glm::vec3& value) { return value.g; });
-  EXPECT_GT(most.g, 3.0F * least.g);
+}
+
+// Where little snow lies all pictures have patches of it, each as small as it can show.
+TEST(GroundDetails, ShowPatchesOfSnow) {
+  const test::TemporaryFolder folder("snow_patches");
+  const Landscape landscape = snowed_on(1.5, folder.path());
+  for (const GroundDetail& detail : landscape.ground_details) {
+    const auto [least, most] = std::ranges::minmax(detail.map.values(), {},
+                                                   [](const glm::vec3& value) { return value.g; });
+    EXPECT_GT(most.g, 3.0F * least.g);
+  }
 }
 
 double peak_memory_mb() {

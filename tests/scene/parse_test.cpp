@@ -184,7 +184,7 @@ TEST(Parse, ChecksKeysAgainstEachOther) {
   expect_problem("[ageing]\nmesophyll_shrinkage = 0.1\n",
                  "a.toml:2:1: ageing.vein_shrinkage: found 0.15");
   expect_problem("[grass]\npatch = 2\n[terrain]\nsize = 1\n[camera]\neye=[0,0]\ntarget=[1,1]\n",
-                 "a.toml:2:1: grass.patch: found 2 m, expected from 0.0005 to 1 m");
+                 "a.toml:2:1: grass.patch: found 2 m, expected at most 1 m (terrain.size)");
   expect_problem(
       "[grass]\nblades = 1\nmingle = ['early', 'late']\n",
       "a.toml:3:1: grass.mingle: found 2 samples, expected at most one for each of the 1");
