@@ -74,7 +74,21 @@ std::uint32_t third_of(std::uint64_t bits, int place) {
   return static_cast<std::uint32_t>(bits >> (21 * place)) << 11;
 }
 
+/// Where in the cube that turn of a column is, of which 2^bits lie beside each other.
+std::uint32_t start_turn(std::uint64_t column, std::uint32_t in_column, int bits) {
+  return static_cast<std::uint32_t>((column << 32 | in_column) >> bits);
+}
+
 }  // namespace
+
+Population::Population(std::uint64_t key, std::uint64_t flakes, int most_bits)
+    : key_(key), flakes_(flakes) {
+  constexpr std::uint64_t least_in_column = 32;
+  while (bits_ < most_bits && flakes >> (2 * (bits_ + 1)) >= least_in_column) ++bits_;
+  const std::uint64_t columns = std::uint64_t{1} << (2 * bits_);
+  columns_per_flake_ =
+      std::max<std::uint64_t>(1, (columns << 32) / std::max<std::uint64_t>(1, flakes));
+}
 
 FlakeMotion::FlakeMotion(const scene::Scene& scene, const Weather& weather, double rate_mm_h)
     : wind_(weather, scene.wind.field == "steady" ? 0.0 : scene.wind.turbulence,
@@ -91,11 +105,11 @@ FlakeMotion::Moment FlakeMotion::moment(double time_s, double rate_mm_h) const {
           turning(slowest_tilt_per_s, tilt_range_per_s, time_s)};
 }
 
-FlakeMotion::Air FlakeMotion::air(std::uint64_t population_key, const PeriodicCube& cube,
+FlakeMotion::Air FlakeMotion::air(const Population& population, const PeriodicCube& cube,
                                   const Moment& moment, const glm::dvec3& eye_m) {
   const glm::dvec3 way = (moment.common.way_m - cube.centre_m) / cube.side_m;
   return {
-      population_key,
+      population,
       {turn_of(way.x), turn_of(way.y), turn_of(way.z)},
       fraction_of(moment.time_s * static_cast<double>(FlakeSizes::speed_unit_m_s) / cube.side_m),
       glm::vec3(cube.centre_m - eye_m),
@@ -110,13 +124,17 @@ void FlakeMotion::Drifting::set(std::size_t lane, const Drifting& other, std::si
 
 void FlakeMotion::drift(const Air& air, std::uint64_t first, Drifting& flakes) const {
   Lanes<std::int32_t> x, y, z;
+  const Population population = air.population;
+  const int bits = population.bits();
   for (std::size_t i = 0; i < lanes; ++i) {
-    const std::uint64_t key = mixed(air.population_key ^ (first + i));
+    const std::uint32_t column = population.column_of(first + i);
+    const std::uint64_t key = mixed(population.key() ^ (first + i));
     const std::uint64_t start = mixed(key ^ key_of("start"));
     const std::uint32_t speed = sizes_.speed(key);
     const auto fallen = static_cast<std::uint32_t>((speed * air.fall) >> 32);
-    x[i] = static_cast<std::int32_t>(third_of(start, 0) + air.way.x);
-    y[i] = static_cast<std::int32_t>(third_of(start, 1) + air.way.y);
+    x[i] = static_cast<std::int32_t>(start_turn(column, third_of(start, 0), bits) + air.way.x);
+    y[i] =
+        static_cast<std::int32_t>(start_turn(column >> bits, third_of(start, 1), bits) + air.way.y);
     z[i] = static_cast<std::int32_t>(third_of(start, 2) + air.way.z - fallen);
     flakes.key[i] = key;
     flakes.speed[i] = static_cast<std::int32_t>(speed);

@@ -176,10 +176,10 @@ SeenFlakes PaperSnow::at(double time_s, const SnowView& view, const Heightfield&
   const Lookout lookout(look, frustum, ground);
   const double margin_m = farthest_own_way_m();
   std::vector<Range> parts;
-  split(0, static_cast<std::uint64_t>(std::llround(in_box)), parts);
+  split(0, 0, static_cast<std::uint64_t>(std::llround(in_box)), parts);
   Gathering gathering;
   gathering.add(parts.size(), [&](std::size_t part, std::vector<SeenFlake>& seen) {
-    FlakeLanes flakes;
+    FlakeLanes flakes = {};
     std::size_t count = 0;
     const auto see = [&] {
       lookout.see(

@@ -83,7 +83,7 @@ struct Range {
   std::uint64_t first, last;
 };
 
-/// Appends what splits [0, count) of `of` into parts that are worth a thread's while.
-void split(std::size_t of, std::uint64_t count, std::vector<Range>& parts);
+/// Appends what splits [first, last) of `of` into parts that are worth a thread's while.
+void split(std::size_t of, std::uint64_t first, std::uint64_t last, std::vector<Range>& parts);
 
 }  // namespace wold::snow
