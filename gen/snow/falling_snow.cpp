@@ -149,7 +149,7 @@ class Picker {
            frustum_.touches_from_eye(from_eye, radius_m);
   }
 
-  Chosen may_be_seen(const FlakeMotion::Drifting& drifting, std::size_t end) const {
+  WOLD_LANES_WIDE Chosen may_be_seen(const FlakeMotion::Drifting& drifting, std::size_t end) const {
     const Frustum frustum = frustum_;
     const float near_m = std::max(0.0F, from_m_ - margin_m_), margin_m = margin_m_;
     Lanes<float> far_m;

@@ -62,13 +62,6 @@ WOLD_LANES_WIDE void add_sway(const FlakeMotion::Moment& moment, FlakeLanes& fla
   }
 }
 
-/// What is left of x beside the whole number below, in turns of 2^-64.
-std::uint64_t fraction_of(double x) {
-  return static_cast<std::uint64_t>((x - std::floor(x)) * 0x1p64);
-}
-
-std::uint32_t turn_of(double x) { return static_cast<std::uint32_t>(fraction_of(x) >> 32); }
-
 /// Twenty-one random bits as a turn.
 std::uint32_t third_of(std::uint64_t bits, int place) {
   return static_cast<std::uint32_t>(bits >> (21 * place)) << 11;

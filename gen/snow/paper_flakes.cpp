@@ -24,16 +24,11 @@ double draw(std::uint64_t key, std::uint64_t purpose) {
   return static_cast<double>(static_cast<std::int64_t>(mixed(key ^ purpose) >> 11)) * 0x1.0p-53;
 }
 
-/// One of two numbers in [0, 1) of 64 random bits.
-double half_of(std::uint64_t bits, int place) {
-  return static_cast<double>(static_cast<std::int64_t>((bits >> (32 * place)) & 0xffffffffU)) *
-         0x1.0p-32;
-}
+/// Thirty-two bits as a number in [0, 1).
+double share_of(std::uint32_t bits) { return static_cast<double>(bits) * 0x1p-32; }
 
-/// The place x repeated every `side` that lies in [low, low + side).
-double wrapped(double x, double low, double side) {
-  return low + side * (off_whole((x - low) / side - 0.5) + 0.5);
-}
+std::uint32_t low_half(std::uint64_t bits) { return static_cast<std::uint32_t>(bits); }
+std::uint32_t high_half(std::uint64_t bits) { return static_cast<std::uint32_t>(bits >> 32); }
 
 /// The distance at which 1/e of the flakes are drawn.
 double reach_of(const glm::dvec3& box_m) { return std::min(box_m.x, box_m.y); }
@@ -66,26 +61,33 @@ PaperSnow::Moment PaperSnow::moment(double time_s) const {
   return {time_s, wind_.common(time_s), wind_.moment(time_s)};
 }
 
-PaperSnow::Drifting PaperSnow::drifting(std::uint64_t i, const Moment& moment,
+PaperSnow::Carried PaperSnow::carried(const Moment& moment, const PaperBox& box) {
+  const glm::dvec2 way =
+      (glm::dvec2(moment.common.way_m) - glm::dvec2(box.low_m)) / glm::dvec2(box.size_m);
+  return {
+      {turn_of(way.x), turn_of(way.y)}, moment.time_s / box.size_m.z, box.low_m.z / box.size_m.z};
+}
+
+PaperSnow::Drifting PaperSnow::drifting(std::uint64_t i, const Carried& carried,
                                         const PaperBox& box) const {
   const std::uint64_t key = mixed(key_ ^ i);
   const std::uint64_t start = mixed(key ^ key_of("start"));
-  const double v0_m_s = -(0.5 + 0.5 * half_of(start, 0));
-  const double fall_m_s = v0_m_s - gravity_m_s2 * step_s;
-  const double boxes = half_of(start, 1) + (fall_m_s * moment.time_s - box.low_m.z) / box.size_m.z;
+  const double v0_m_s = -(0.5 + 0.5 * share_of(low_half(start)));
+  const double boxes = share_of(high_half(start)) +
+                       (v0_m_s - gravity_m_s2 * step_s) * carried.per_m_s - carried.bottom;
   const double whole = boxes - 0.5 - off_whole(boxes - 0.5);
   const auto births = -static_cast<std::int64_t>(whole);
   const std::uint64_t birth = mixed(key ^ static_cast<std::uint64_t>(births));
   return {
       key,
       births,
-      {wrapped(box.size_m.x * half_of(birth, 0) + moment.common.way_m.x, box.low_m.x, box.size_m.x),
-       wrapped(box.size_m.y * half_of(birth, 1) + moment.common.way_m.y, box.low_m.y, box.size_m.y),
-       box.low_m.z + box.size_m.z * (boxes - whole)},
+      {box.size_m.x * share_of(low_half(birth) + carried.way.x),
+       box.size_m.y * share_of(high_half(birth) + carried.way.y), box.size_m.z * (boxes - whole)},
       v0_m_s};
 }
 
-PaperFlake PaperSnow::flake(const Drifting& drifting, const Moment& moment) const {
+PaperFlake PaperSnow::flake(const Drifting& drifting, const Moment& moment,
+                            const PaperBox& box) const {
   const std::uint64_t key = drifting.key;
   PaperFlake flake;
   flake.start_assign = drifting.births;
@@ -109,12 +111,12 @@ PaperFlake PaperSnow::flake(const Drifting& drifting, const Moment& moment) cons
 
   const glm::dvec2 own_way_m =
       glm::dvec2(gust.way_m.x, gust.way_m.y) + flutter_m_s / (two_pi * flutter_per_s) * circle;
-  flake.pos_m = drifting.place_m + glm::dvec3(own_way_m, 0.0);
+  flake.pos_m = box.low_m + drifting.in_box_m + glm::dvec3(own_way_m, 0.0);
   return flake;
 }
 
 PaperFlake PaperSnow::flake(std::uint64_t i, const Moment& moment, const PaperBox& box) const {
-  return flake(drifting(i, moment, box), moment);
+  return flake(drifting(i, carried(moment, box), box), moment, box);
 }
 
 double PaperSnow::farthest_own_way_m() const {
@@ -174,7 +176,9 @@ SeenFlakes PaperSnow::at(double time_s, const SnowView& view, const Heightfield&
   const double in_box = flakes_in_view(rate_mm_h) * box_m_.x * box_m_.y * box_m_.z / seen_m3;
 
   const Lookout lookout(look, frustum, ground);
-  const double margin_m = farthest_own_way_m();
+  const auto margin_m = static_cast<float>(farthest_own_way_m());
+  const Carried moved = carried(now, box);
+  const glm::dvec3 low_from_eye_m = box.low_m - frustum.eye_m();
   std::vector<Range> parts;
   split(0, 0, static_cast<std::uint64_t>(std::llround(in_box)), parts);
   Gathering gathering;
@@ -185,14 +189,24 @@ SeenFlakes PaperSnow::at(double time_s, const SnowView& view, const Heightfield&
       lookout.see(
           flakes, std::exchange(count, 0), [](std::size_t) { return true; }, seen);
     };
-    for (std::uint64_t i = parts[part].first; i < parts[part].last; ++i) {
-      const Drifting drift = drifting(i, now, box);
-      if (!frustum.touches(drift.place_m, margin_m)) continue;
-      const double distance_m = glm::distance(drift.place_m, frustum.eye_m());
-      const std::uint64_t bits = mixed(drift.key ^ key_of("look"));
-      if (draw(bits, key_of("drawn")) >= std::exp(-distance_m / reach_m)) continue;
-      flakes.set(count++, shown(flake(drift, now), bits), frustum.eye_m());
-      if (count == lanes) see();
+    Lanes<Drifting> drifts;
+    VectorLanes from_eye;
+    for (std::uint64_t first = parts[part].first; first < parts[part].last; first += lanes) {
+      for (std::size_t i = 0; i < lanes; ++i) {
+        drifts[i] = drifting(first + i, moved, box);
+        from_eye.set(i, glm::vec3(low_from_eye_m + drifts[i].in_box_m));
+      }
+      const Chosen chosen = Chosen::by(
+          [&](std::size_t i) { return frustum.touches_from_eye(from_eye.at(i), margin_m); },
+          std::min<std::uint64_t>(lanes, parts[part].last - first));
+      for (std::size_t n = 0; n < chosen.count; ++n) {
+        const std::size_t i = chosen.lane[n];
+        const auto distance_m = static_cast<double>(glm::length(from_eye.at(i)));
+        const std::uint64_t bits = mixed(drifts[i].key ^ key_of("look"));
+        if (draw(bits, key_of("drawn")) >= std::exp(-distance_m / reach_m)) continue;
+        flakes.set(count++, shown(flake(drifts[i], now, box), bits), frustum.eye_m());
+        if (count == lanes) see();
+      }
     }
     see();
   });

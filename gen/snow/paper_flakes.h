@@ -70,16 +70,23 @@ class PaperSnow {
   PaperFlake flake(std::uint64_t i, const Moment& moment, const PaperBox& box) const;
 
  private:
+  /// What carries all flakes through the box, in its sizes.
+  struct Carried {
+    glm::uvec2 way{0};     ///< from its low corner, units of 2^-32
+    double per_m_s = 0.0;  ///< how far a speed has led by now
+    double bottom = 0.0;   ///< its height above the scene's zero
+  };
+  static Carried carried(const Moment& moment, const PaperBox& box);
   /// Where a flake is but for its own gusts and flutter, which take it less than
   /// farthest_own_way_m() away.
   struct Drifting {
     std::uint64_t key;
     std::int64_t births;
-    glm::dvec3 place_m;
+    glm::dvec3 in_box_m;  ///< from its low corner
     double v0_m_s;
   };
-  Drifting drifting(std::uint64_t i, const Moment& moment, const PaperBox& box) const;
-  PaperFlake flake(const Drifting& drifting, const Moment& moment) const;
+  Drifting drifting(std::uint64_t i, const Carried& carried, const PaperBox& box) const;
+  PaperFlake flake(const Drifting& drifting, const Moment& moment, const PaperBox& box) const;
   double farthest_own_way_m() const;
   Flake shown(const PaperFlake& flake, std::uint64_t bits) const;
   double flakes_in_view(double rate_mm_h) const;
