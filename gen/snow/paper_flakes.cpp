@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -25,7 +26,9 @@ double draw(std::uint64_t key, std::uint64_t purpose) {
 }
 
 /// Thirty-two bits as a number in [0, 1).
-double share_of(std::uint32_t bits) { return static_cast<double>(bits) * 0x1p-32; }
+double share_of(std::uint32_t bits) {
+  return 0.5 + static_cast<double>(static_cast<std::int32_t>(bits ^ 0x80000000U)) * 0x1p-32;
+}
 
 std::uint32_t low_half(std::uint64_t bits) { return static_cast<std::uint32_t>(bits); }
 std::uint32_t high_half(std::uint64_t bits) { return static_cast<std::uint32_t>(bits >> 32); }
@@ -68,29 +71,39 @@ PaperSnow::Carried PaperSnow::carried(const Moment& moment, const PaperBox& box)
       {turn_of(way.x), turn_of(way.y)}, moment.time_s / box.size_m.z, box.low_m.z / box.size_m.z};
 }
 
-PaperSnow::Drifting PaperSnow::drifting(std::uint64_t i, const Carried& carried,
-                                        const PaperBox& box) const {
-  const std::uint64_t key = mixed(key_ ^ i);
-  const std::uint64_t start = mixed(key ^ key_of("start"));
-  const double v0_m_s = -(0.5 + 0.5 * share_of(low_half(start)));
-  const double boxes = share_of(high_half(start)) +
-                       (v0_m_s - gravity_m_s2 * step_s) * carried.per_m_s - carried.bottom;
-  const double whole = boxes - 0.5 - off_whole(boxes - 0.5);
-  const auto births = -static_cast<std::int64_t>(whole);
-  const std::uint64_t birth = mixed(key ^ static_cast<std::uint64_t>(births));
-  return {
-      key,
-      births,
-      {box.size_m.x * share_of(low_half(birth) + carried.way.x),
-       box.size_m.y * share_of(high_half(birth) + carried.way.y), box.size_m.z * (boxes - whole)},
-      v0_m_s};
+WOLD_LANES_WIDE void PaperSnow::drift(std::uint64_t first, const Carried& carried,
+                                      const PaperBox& box, Drifting& flakes) const {
+  const Carried by = carried;
+  const glm::dvec3 size_m = box.size_m;
+  Lanes<std::uint64_t> starts, births;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    flakes.key[i] = mixed(key_ ^ (first + i));
+    starts[i] = mixed(flakes.key[i] ^ key_of("start"));
+  }
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double v0_m_s = -(0.5 + 0.5 * share_of(low_half(starts[i])));
+    const double boxes =
+        share_of(high_half(starts[i])) + (v0_m_s - gravity_m_s2 * step_s) * by.per_m_s - by.bottom;
+    // The whole number below, and as an integer the end of its bits when it is so raised.
+    constexpr double rounder = 0x1.8p52;
+    const double raised = (boxes - 0.5) + rounder;
+    flakes.births[i] = std::bit_cast<std::int64_t>(rounder) - std::bit_cast<std::int64_t>(raised);
+    flakes.z_m[i] = size_m.z * (boxes - (raised - rounder));
+    flakes.v0_m_s[i] = v0_m_s;
+  }
+  for (std::size_t i = 0; i < lanes; ++i)
+    births[i] = mixed(flakes.key[i] ^ static_cast<std::uint64_t>(flakes.births[i]));
+  for (std::size_t i = 0; i < lanes; ++i) {
+    flakes.x_m[i] = size_m.x * share_of(low_half(births[i]) + by.way.x);
+    flakes.y_m[i] = size_m.y * share_of(high_half(births[i]) + by.way.y);
+  }
 }
 
-PaperFlake PaperSnow::flake(const Drifting& drifting, const Moment& moment,
+PaperFlake PaperSnow::flake(const Drifting& drifting, std::size_t lane, const Moment& moment,
                             const PaperBox& box) const {
-  const std::uint64_t key = drifting.key;
+  const std::uint64_t key = drifting.key[lane];
   PaperFlake flake;
-  flake.start_assign = drifting.births;
+  flake.start_assign = drifting.births[lane];
   flake.size_m = 0.006 + 0.01 * draw(key, key_of("size"));
   flake.colour.a = static_cast<float>(0.7 + 0.3 * draw(key, key_of("alpha")));
   flake.rot_per_s = draw(key, key_of("rot")) - 0.5;
@@ -98,7 +111,7 @@ PaperFlake PaperSnow::flake(const Drifting& drifting, const Moment& moment,
 
   // Level winds alone: the height says when a flake is born again.
   const auto gust = wind_.own_gust(moment.gusts, mixed(key ^ key_of("vf")));
-  flake.v0_m_s = {0.0, 0.0, drifting.v0_m_s};
+  flake.v0_m_s = {0.0, 0.0, drifting.v0_m_s[lane]};
   flake.vf_m_s = {
       glm::dvec2(moment.common.velocity_m_s) + glm::dvec2(gust.velocity_m_s.x, gust.velocity_m_s.y),
       0.0};
@@ -111,12 +124,15 @@ PaperFlake PaperSnow::flake(const Drifting& drifting, const Moment& moment,
 
   const glm::dvec2 own_way_m =
       glm::dvec2(gust.way_m.x, gust.way_m.y) + flutter_m_s / (two_pi * flutter_per_s) * circle;
-  flake.pos_m = box.low_m + drifting.in_box_m + glm::dvec3(own_way_m, 0.0);
+  flake.pos_m = box.low_m + glm::dvec3(drifting.x_m[lane], drifting.y_m[lane], drifting.z_m[lane]) +
+                glm::dvec3(own_way_m, 0.0);
   return flake;
 }
 
 PaperFlake PaperSnow::flake(std::uint64_t i, const Moment& moment, const PaperBox& box) const {
-  return flake(drifting(i, carried(moment, box), box), moment, box);
+  Drifting drifting;
+  drift(i, carried(moment, box), box, drifting);
+  return flake(drifting, 0, moment, box);
 }
 
 double PaperSnow::farthest_own_way_m() const {
@@ -189,22 +205,25 @@ SeenFlakes PaperSnow::at(double time_s, const SnowView& view, const Heightfield&
       lookout.see(
           flakes, std::exchange(count, 0), [](std::size_t) { return true; }, seen);
     };
-    Lanes<Drifting> drifts;
+    Drifting drifting;
     VectorLanes from_eye;
+    const Frustum pyramid = frustum;
     for (std::uint64_t first = parts[part].first; first < parts[part].last; first += lanes) {
+      drift(first, moved, box, drifting);
       for (std::size_t i = 0; i < lanes; ++i) {
-        drifts[i] = drifting(first + i, moved, box);
-        from_eye.set(i, glm::vec3(low_from_eye_m + drifts[i].in_box_m));
+        from_eye.x[i] = static_cast<float>(low_from_eye_m.x + drifting.x_m[i]);
+        from_eye.y[i] = static_cast<float>(low_from_eye_m.y + drifting.y_m[i]);
+        from_eye.z[i] = static_cast<float>(low_from_eye_m.z + drifting.z_m[i]);
       }
       const Chosen chosen = Chosen::by(
-          [&](std::size_t i) { return frustum.touches_from_eye(from_eye.at(i), margin_m); },
+          [&](std::size_t i) { return pyramid.touches_from_eye(from_eye.at(i), margin_m); },
           std::min<std::uint64_t>(lanes, parts[part].last - first));
       for (std::size_t n = 0; n < chosen.count; ++n) {
         const std::size_t i = chosen.lane[n];
         const auto distance_m = static_cast<double>(glm::length(from_eye.at(i)));
-        const std::uint64_t bits = mixed(drifts[i].key ^ key_of("look"));
+        const std::uint64_t bits = mixed(drifting.key[i] ^ key_of("look"));
         if (draw(bits, key_of("drawn")) >= std::exp(-distance_m / reach_m)) continue;
-        flakes.set(count++, shown(flake(drifts[i], now, box), bits), frustum.eye_m());
+        flakes.set(count++, shown(flake(drifting, i, now, box), bits), frustum.eye_m());
         if (count == lanes) see();
       }
     }

@@ -8,6 +8,7 @@
 #include "core/ground_map.h"
 #include "scene/scene.h"
 #include "snow/crystal_picture.h"
+#include "snow/lanes.h"
 #include "snow/seen_flakes.h"
 #include "snow/snow_view.h"
 #include "snow/tornado.h"
@@ -77,16 +78,19 @@ class PaperSnow {
     double bottom = 0.0;   ///< its height above the scene's zero
   };
   static Carried carried(const Moment& moment, const PaperBox& box);
-  /// Where a flake is but for its own gusts and flutter, which take it less than
+  /// Where flakes are but for their own gusts and flutter, which take them less than
   /// farthest_own_way_m() away.
   struct Drifting {
-    std::uint64_t key;
-    std::int64_t births;
-    glm::dvec3 in_box_m;  ///< from its low corner
-    double v0_m_s;
+    Lanes<std::uint64_t> key;
+    Lanes<std::int64_t> births;
+    Lanes<double> v0_m_s;
+    Lanes<double> x_m, y_m, z_m;  ///< from the box's low corner
   };
-  Drifting drifting(std::uint64_t i, const Carried& carried, const PaperBox& box) const;
-  PaperFlake flake(const Drifting& drifting, const Moment& moment, const PaperBox& box) const;
+  /// Flakes first, first + 1, ...
+  void drift(std::uint64_t first, const Carried& carried, const PaperBox& box,
+             Drifting& flakes) const;
+  PaperFlake flake(const Drifting& drifting, std::size_t lane, const Moment& moment,
+                   const PaperBox& box) const;
   double farthest_own_way_m() const;
   Flake shown(const PaperFlake& flake, std::uint64_t bits) const;
   double flakes_in_view(double rate_mm_h) const;

@@ -79,13 +79,19 @@ WindField::OwnWave WindField::own_wave(const Moment& moment, std::size_t wave) c
 }
 
 WindField::Gust WindField::own_gust(const Moment& moment, std::uint64_t bits) const {
+  std::array<float, 2 * own_waves> waving;  // sines, then cosines: four at a time
+  for (std::size_t i = 0; i < own_waves; ++i) {
+    const OwnWave wave = own_wave(moment, i);
+    waving[own_waves + i] = wave.phase + own_phase(bits, wave.first_bit);
+    waving[i] = waving[own_waves + i] - 0.25F;
+  }
+  for (float& value : waving) value = cosine_of_turns(value);
   Gust gust = {glm::vec3(0.0F), glm::vec3(0.0F)};
   for (std::size_t i = 0; i < own_waves; ++i) {
     const OwnWave wave = own_wave(moment, i);
-    const float turns = wave.phase + own_phase(bits, wave.first_bit);
     const auto axis = static_cast<glm::length_t>(i % 3);
-    gust.way_m[axis] += wave.way_m * sine_of_turns(turns);
-    gust.velocity_m_s[axis] += wave.velocity_m_s * cosine_of_turns(turns);
+    gust.way_m[axis] += wave.way_m * waving[i];
+    gust.velocity_m_s[axis] += wave.velocity_m_s * waving[own_waves + i];
   }
   return gust;
 }
