@@ -115,36 +115,45 @@ void FlakeMotion::Drifting::set(std::size_t lane, const Drifting& other, std::si
   speed[lane] = other.speed[others_lane];
 }
 
-void FlakeMotion::drift(const Air& air, std::uint64_t first, Drifting& flakes) const {
-  Lanes<std::int32_t> x, y, z;
-  const Population population = air.population;
-  const int bits = population.bits();
+WOLD_LANES_WIDE void FlakeMotion::drift(const Air& air, std::uint64_t first,
+                                        Drifting& flakes) const {
+  const Air by = air;
+  const std::uint64_t population_key = by.population.key();
+  const int bits = by.population.bits();
+  Lanes<std::uint64_t> starts;
   for (std::size_t i = 0; i < lanes; ++i) {
-    const std::uint32_t column = population.column_of(first + i);
-    const std::uint64_t key = mixed(population.key() ^ (first + i));
-    const std::uint64_t start = mixed(key ^ key_of("start"));
-    const std::uint32_t speed = sizes_.speed(key);
-    const auto fallen = static_cast<std::uint32_t>((speed * air.fall) >> 32);
-    x[i] = static_cast<std::int32_t>(start_turn(column, third_of(start, 0), bits) + air.way.x);
-    y[i] =
-        static_cast<std::int32_t>(start_turn(column >> bits, third_of(start, 1), bits) + air.way.y);
-    z[i] = static_cast<std::int32_t>(third_of(start, 2) + air.way.z - fallen);
-    flakes.key[i] = key;
-    flakes.speed[i] = static_cast<std::int32_t>(speed);
+    flakes.key[i] = mixed(population_key ^ (first + i));
+    starts[i] = mixed(flakes.key[i] ^ key_of("start"));
   }
-  const float turn_m = air.side_m * 0x1p-32F;
+  Lanes<std::uint32_t> fallen, column;
   for (std::size_t i = 0; i < lanes; ++i) {
-    flakes.from_eye.x[i] = air.centre_from_eye_m.x + turn_m * static_cast<float>(x[i]);
-    flakes.from_eye.y[i] = air.centre_from_eye_m.y + turn_m * static_cast<float>(y[i]);
-    flakes.from_eye.z[i] = air.centre_from_eye_m.z + turn_m * static_cast<float>(z[i]);
+    const std::uint32_t speed = sizes_.speed(flakes.key[i]);
+    flakes.speed[i] = static_cast<std::int32_t>(speed);
+    fallen[i] = static_cast<std::uint32_t>((speed * by.fall) >> 32);
+    column[i] = by.population.column_of(first + i);
+  }
+  const float turn_m = by.side_m * 0x1p-32F;
+  const auto metres = [&](std::uint32_t turn) {
+    return turn_m * static_cast<float>(static_cast<std::int32_t>(turn));
+  };
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const std::uint32_t x = start_turn(column[i], third_of(starts[i], 0), bits);
+    const std::uint32_t y = start_turn(column[i] >> bits, third_of(starts[i], 1), bits);
+    const std::uint32_t z = third_of(starts[i], 2);
+    flakes.from_eye.x[i] = by.centre_from_eye_m.x + metres(x + by.way.x);
+    flakes.from_eye.y[i] = by.centre_from_eye_m.y + metres(y + by.way.y);
+    flakes.from_eye.z[i] = by.centre_from_eye_m.z + metres(z + by.way.z - fallen[i]);
   }
 }
 
-void FlakeMotion::fly(const Drifting& drifting, const Moment& moment, FlakeLanes& flakes) const {
+WOLD_LANES_WIDE void FlakeMotion::fly(const Drifting& drifting, const Moment& moment,
+                                      FlakeLanes& flakes) const {
   Lanes<std::uint64_t> gusts;
   for (std::size_t i = 0; i < lanes; ++i) {
     gusts[i] = mixed(drifting.key[i] ^ key_of("gust"));
     flakes.bits[i] = mixed(drifting.key[i] ^ key_of("look"));
+  }
+  for (std::size_t i = 0; i < lanes; ++i) {
     const std::uint32_t rank = FlakeSizes::rank(drifting.key[i]);
     flakes.diameter[i] = moment.diameters_m[rank];
     flakes.crystal[i] = sizes_.crystal(rank);
