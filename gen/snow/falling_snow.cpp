@@ -151,17 +151,21 @@ class Picker {
 
   WOLD_LANES_WIDE Chosen may_be_seen(const FlakeMotion::Drifting& drifting, std::size_t end) const {
     const Frustum frustum = frustum_;
-    const float near_m = std::max(0.0F, from_m_ - margin_m_), margin_m = margin_m_;
-    Lanes<float> far_m;
-    for (std::size_t i = 0; i < lanes; ++i)
-      far_m[i] = drawn_to_m(motion_.deviate(drifting.key[i])) + margin_m;
+    const float from_m = from_m_;
+    Lanes<float> drawn_to, margin;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      drawn_to[i] = drawn_to_m(motion_.deviate(drifting.key[i]));
+      margin[i] = motion_.farthest_own_way_m(drifting.key[i], moment_);
+    }
     return Chosen::by(
-        [&, near2_m2 = near_m * near_m](std::size_t i) {
+        [&](std::size_t i) {
           const glm::vec3 from_eye = drifting.from_eye.at(i);
           const float distance2 = glm::dot(from_eye, from_eye);
-          return static_cast<int>(distance2 > near2_m2) &
-                 static_cast<int>(distance2 <= far_m[i] * far_m[i]) &
-                 static_cast<int>(frustum.touches_from_eye(from_eye, margin_m));
+          const float near = greater(0.0F, from_m - margin[i]);
+          const float far = drawn_to[i] + margin[i];
+          return static_cast<int>(distance2 > near * near) &
+                 static_cast<int>(distance2 <= far * far) &
+                 static_cast<int>(frustum.touches_from_eye(from_eye, margin[i]));
         },
         end);
   }

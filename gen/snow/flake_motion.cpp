@@ -11,8 +11,8 @@
 namespace wold::snow {
 namespace {
 
-/// Aggregates of a centimetre sway by 3 to 20 cm at 2 to 5 rad/s (Li 2024), small flakes by less.
-constexpr float least_sway = 0.15F, farthest_sway_m = 0.2F, sways_most_m = 0.01F;
+/// They sway at 2 to 5 rad/s (Li 2024).
+constexpr float least_sway = 0.15F;  ///< of the widest of their size
 constexpr double turns_per_rad = 0.5 / std::numbers::pi;
 constexpr double slowest_sway_per_s = 2.0 * turns_per_rad, sway_range_per_s = 3.0 * turns_per_rad;
 
@@ -42,26 +42,6 @@ float turned(const FlakeMotion::Turning& turning, std::uint64_t bits, int first)
 
 constexpr int sway_bits = 0, tilt_bits = 17, spin_bits = 34, lean_bits = 51;
 
-/// Adds the sway of flakes of those diameters and random bits.
-WOLD_LANES_WIDE void add_sway(const FlakeMotion::Moment& moment, FlakeLanes& flakes) {
-  for (std::size_t i = 0; i < lanes; ++i) {
-    const std::uint64_t bits = flakes.bits[i];
-    const float wide = field_of(bits, lean_bits, 10) * (1.0F / 1024.0F);
-    const float height_m = farthest_sway_m * (least_sway + (1.0F - least_sway) * wide) *
-                           lesser(1.0F, flakes.diameter[i] * (1.0F / sways_most_m));
-    constexpr auto slowest_rad_s = static_cast<float>(slowest_sway_per_s / turns_per_rad);
-    constexpr auto step_rad_s = static_cast<float>(sway_range_per_s / turns_per_rad / rates);
-    const float speed_m_s =
-        height_m * (slowest_rad_s + step_rad_s * field_of(bits, sway_bits, rate_bits));
-    const float phase = turned(moment.sway, bits, sway_bits);
-    const float across = phase + 0.7F * wide;  // leans either way
-    flakes.from_eye.x[i] += height_m * sine_of_turns(phase);
-    flakes.from_eye.y[i] += height_m * sine_of_turns(across);
-    flakes.velocity.x[i] += speed_m_s * cosine_of_turns(phase);
-    flakes.velocity.y[i] += speed_m_s * cosine_of_turns(across);
-  }
-}
-
 /// Twenty-one random bits as a turn.
 std::uint32_t third_of(std::uint64_t bits, int place) {
   return static_cast<std::uint32_t>(bits >> (21 * place)) << 11;
@@ -76,7 +56,7 @@ std::uint32_t start_turn(std::uint64_t column, std::uint32_t in_column, int bits
 
 Population::Population(std::uint64_t key, std::uint64_t flakes, int most_bits)
     : key_(key), flakes_(flakes) {
-  constexpr std::uint64_t least_in_column = 32;
+  constexpr std::uint64_t least_in_column = 64;
   while (bits_ < most_bits && flakes >> (2 * (bits_ + 1)) >= least_in_column) ++bits_;
   const std::uint64_t columns = std::uint64_t{1} << (2 * bits_);
   columns_per_flake_ =
@@ -86,7 +66,8 @@ Population::Population(std::uint64_t key, std::uint64_t flakes, int most_bits)
 FlakeMotion::FlakeMotion(const scene::Scene& scene, const Weather& weather, double rate_mm_h)
     : wind_(weather, scene.wind.field == "steady" ? 0.0 : scene.wind.turbulence,
             random_bits({scene.seed, key_of("snow"), 0, key_of("wind")})),
-      sizes_(rate_mm_h, scene.snowfall.crystal) {}
+      sizes_(rate_mm_h, scene.snowfall.crystal),
+      farthest_gust_m_(static_cast<float>(wind_.farthest_own_gust_m())) {}
 
 FlakeMotion::Moment FlakeMotion::moment(double time_s, double rate_mm_h) const {
   return {time_s,
@@ -173,9 +154,27 @@ WOLD_LANES_WIDE void FlakeMotion::fly(const Drifting& drifting, const Moment& mo
   add_sway(moment, flakes);
 }
 
+WOLD_LANES_WIDE void FlakeMotion::add_sway(const Moment& moment, FlakeLanes& flakes) {
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const std::uint64_t bits = flakes.bits[i];
+    const float wide = field_of(bits, lean_bits, 10) * (1.0F / 1024.0F);
+    const float height_m =
+        widest_sway_of_m(flakes.diameter[i]) * (least_sway + (1.0F - least_sway) * wide);
+    constexpr auto slowest_rad_s = static_cast<float>(slowest_sway_per_s / turns_per_rad);
+    constexpr auto step_rad_s = static_cast<float>(sway_range_per_s / turns_per_rad / rates);
+    const float speed_m_s =
+        height_m * (slowest_rad_s + step_rad_s * field_of(bits, sway_bits, rate_bits));
+    const float phase = turned(moment.sway, bits, sway_bits);
+    const float across = phase + 0.7F * wide;  // leans either way
+    flakes.from_eye.x[i] += height_m * sine_of_turns(phase);
+    flakes.from_eye.y[i] += height_m * sine_of_turns(across);
+    flakes.velocity.x[i] += speed_m_s * cosine_of_turns(phase);
+    flakes.velocity.y[i] += speed_m_s * cosine_of_turns(across);
+  }
+}
+
 double FlakeMotion::farthest_own_way_m() const {
-  constexpr double diagonal = 1.4142136;
-  return wind_.farthest_own_gust_m() + diagonal * static_cast<double>(farthest_sway_m);
+  return static_cast<double>(farthest_gust_m_ + farthest_sway_m(sways_most_m));
 }
 
 }  // namespace wold::snow

@@ -202,7 +202,7 @@ TEST(FlakeMotion, FlakesAreInTheirColumns) {
   scene.wind.speed_m_s = 0.0;
   const FlakeMotion motion(scene, Weather(scene), 1.0);
   const PeriodicCube cube = {{0.0, 0.0, 0.0}, 8.0};
-  const Population population(3, 64 * 100 + 7);
+  const Population population(3, 64 * 200 + 7);
   ASSERT_EQ(population.bits(), 3);
   EXPECT_EQ(population.flakes_before(0), 0u);
   EXPECT_EQ(population.flakes_before(64), population.flakes());
@@ -211,7 +211,7 @@ TEST(FlakeMotion, FlakesAreInTheirColumns) {
   for (std::uint32_t column = 0; column < 64; ++column) {
     const std::uint64_t first = population.flakes_before(column);
     const std::uint64_t last = population.flakes_before(column + 1);
-    EXPECT_NEAR(static_cast<double>(last - first), 100.0, 2.0);
+    EXPECT_NEAR(static_cast<double>(last - first), 200.0, 2.0);
     FlakeMotion::Drifting drifting;
     motion.drift(air, first, drifting);
     for (std::size_t i = 0; i < lanes; ++i) {
