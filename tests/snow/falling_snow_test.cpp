@@ -89,8 +89,10 @@ TEST(FallingSnow, DrawnFlakesDimByTheirCrossSections) {
       scene::Scene scene = snowy(rate_mm_h);
       scene.snowfall.shutter_s = shutter_s;
       std::vector<SeenFlake> flakes;
-      const int frames = 4;
+      const int frames = 8;
       for (int frame = 0; frame < frames; ++frame) {
+        // Within 3 m of the eye one seed's flakes, a few large ones among them, are off by 5 %.
+        scene.seed = static_cast<std::uint64_t>(frame) + 1;
         const SeenFlakes seen = seen_of(scene, 20.0 * frame);
         flakes.insert(flakes.end(), seen.flakes.begin(), seen.flakes.end());
       }
@@ -99,7 +101,7 @@ TEST(FallingSnow, DrawnFlakesDimByTheirCrossSections) {
       for (const double from_m : {1.0, 3.5, 10.0}) {
         const double drawn = drawn_share(flakes, rate_mm_h, from_m, 3.0 * from_m) / frames;
         const double expected = expected_share(reach_m, from_m, 3.0 * from_m);
-        EXPECT_NEAR(drawn, expected, 0.07 * expected) << rate_mm_h << " " << from_m;
+        EXPECT_NEAR(drawn, expected, 0.06 * expected) << rate_mm_h << " " << from_m;
       }
     }
 }
