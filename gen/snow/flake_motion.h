@@ -19,10 +19,10 @@ struct PeriodicCube {
 };
 
 /// Keyed flakes of such a cube. They are dealt to 4^k upright columns, each of which has a run of
-/// them, at least 128: who sees little of a cube need not look at most of its flakes.
+/// them, at least 64: who sees little of a cube need not look at most of its flakes.
 class Population {
  public:
-  /// `most_columns_bits`: k is no greater.
+  /// `most_bits`: k is no greater.
   Population(std::uint64_t key, std::uint64_t flakes, int most_bits = 4);
 
   std::uint64_t key() const { return key_; }
