@@ -104,10 +104,11 @@ PaperFlake PaperSnow::flake(const Drifting& drifting, std::size_t lane, const Mo
   const std::uint64_t key = drifting.key[lane];
   PaperFlake flake;
   flake.start_assign = drifting.births[lane];
-  flake.size_m = 0.006 + 0.01 * draw(key, key_of("size"));
-  flake.colour.a = static_cast<float>(0.7 + 0.3 * draw(key, key_of("alpha")));
-  flake.rot_per_s = draw(key, key_of("rot")) - 0.5;
-  flake.angle_turns = off_whole(draw(key, key_of("angle")) + flake.rot_per_s * moment.time_s);
+  const std::uint64_t looks = mixed(key ^ key_of("size")), turns = mixed(key ^ key_of("rot"));
+  flake.size_m = 0.006 + 0.01 * share_of(low_half(looks));
+  flake.colour.a = static_cast<float>(0.7 + 0.3 * share_of(high_half(looks)));
+  flake.rot_per_s = share_of(low_half(turns)) - 0.5;
+  flake.angle_turns = off_whole(share_of(high_half(turns)) + flake.rot_per_s * moment.time_s);
 
   // Level winds alone: the height says when a flake is born again.
   const auto gust = wind_.own_gust(moment.gusts, mixed(key ^ key_of("vf")));
@@ -115,10 +116,11 @@ PaperFlake PaperSnow::flake(const Drifting& drifting, std::size_t lane, const Mo
   flake.vf_m_s = {
       glm::dvec2(moment.common.velocity_m_s) + glm::dvec2(gust.velocity_m_s.x, gust.velocity_m_s.y),
       0.0};
+  const std::uint64_t flutters = mixed(key ^ key_of("flutter"));
   const double flutter_per_s =
-      slowest_flutter_per_s + flutter_range_per_s * draw(key, key_of("flutter"));
+      slowest_flutter_per_s + flutter_range_per_s * share_of(low_half(flutters));
   const auto flutter =
-      static_cast<float>(off_whole(draw(key, key_of("vr")) + flutter_per_s * moment.time_s));
+      static_cast<float>(off_whole(share_of(high_half(flutters)) + flutter_per_s * moment.time_s));
   const glm::dvec2 circle(cosine_of_turns(flutter), sine_of_turns(flutter));
   flake.vr_m_s = flutter_m_s * glm::dvec3(-circle.y, circle.x, 0.0);
 
