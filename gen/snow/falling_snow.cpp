@@ -92,6 +92,7 @@ class Picker {
     }
   }
 
+  /// See() has to follow the last one.
   void pick(std::uint64_t first, std::uint64_t last, std::vector<SeenFlake>& seen) {
     FlakeMotion::Drifting drifting;
     for (; first < last; first += lanes) {
@@ -102,7 +103,22 @@ class Picker {
         if (count_ == lanes) see(seen);
       }
     }
-    see(seen);
+  }
+
+  /// Sees those that wait.
+  void see(std::vector<SeenFlake>& seen) {
+    motion_.fly(waiting_, moment_, flying_);
+    lookout_.see(
+        flying_, count_,
+        [&](std::size_t i) {
+          const glm::vec3 from_eye = flying_.from_eye.at(i);
+          const float distance2 = glm::dot(from_eye, from_eye);
+          const float far_m = drawn_to_m(motion_.deviate(waiting_.key[i]));
+          return static_cast<int>(distance2 > from_m_ * from_m_) &
+                 static_cast<int>(distance2 <= far_m * far_m);
+        },
+        seen);
+    count_ = 0;
   }
 
  private:
@@ -173,22 +189,6 @@ class Picker {
   /// Of the shell's flakes the share exp(-(r - from) / reach) is drawn at a distance r.
   float drawn_to_m(float deviate) const { return std::min(to_m_, from_m_ + reach_m_ * deviate); }
 
-  /// Sees those that wait.
-  void see(std::vector<SeenFlake>& seen) {
-    motion_.fly(waiting_, moment_, flying_);
-    lookout_.see(
-        flying_, count_,
-        [&](std::size_t i) {
-          const glm::vec3 from_eye = flying_.from_eye.at(i);
-          const float distance2 = glm::dot(from_eye, from_eye);
-          const float far_m = drawn_to_m(motion_.deviate(waiting_.key[i]));
-          return static_cast<int>(distance2 > from_m_ * from_m_) &
-                 static_cast<int>(distance2 <= far_m * far_m);
-        },
-        seen);
-    count_ = 0;
-  }
-
   const FlakeMotion& motion_;
   const FlakeMotion::Moment& moment_;
   const Frustum& frustum_;
@@ -199,6 +199,22 @@ class Picker {
   FlakeLanes flying_;
   std::size_t count_ = 0;
 };
+
+/// Neighbouring parts of one shell that one thread does together: ranges of them.
+std::vector<Range> gathered(const std::vector<Range>& parts) {
+  constexpr std::uint64_t enough = 128 * lanes;
+  std::vector<Range> tasks;
+  std::uint64_t flakes = enough;
+  for (std::uint64_t part = 0; part < parts.size(); ++part) {
+    if (flakes >= enough || parts[part].of != tasks.back().of) {
+      tasks.push_back({parts[part].of, part, part});
+      flakes = 0;
+    }
+    tasks.back().last = part + 1;
+    flakes += parts[part].last - parts[part].first;
+  }
+  return tasks;
+}
 
 std::optional<FlakeMotion> motion_of(const scene::Scene& scene, const Weather& weather) {
   const double heaviest = weather.heaviest_mm_h();
@@ -236,9 +252,12 @@ SeenFlakes FallingSnow::at(double time_s, const SnowView& view, const Heightfiel
   };
   for (std::size_t shell = 0; shell < shells.size(); ++shell) picker(shell).find(shell, parts);
   Gathering gathering;
-  gathering.add(parts.size(), [&](std::size_t part, std::vector<SeenFlake>& seen) {
-    const auto [shell, first, last] = parts[part];
-    picker(shell).pick(first, last, seen);
+  const std::vector<Range> tasks = gathered(parts);
+  gathering.add(tasks.size(), [&](std::size_t task, std::vector<SeenFlake>& seen) {
+    Picker own = picker(tasks[task].of);
+    for (std::uint64_t part = tasks[task].first; part < tasks[task].last; ++part)
+      own.pick(parts[part].first, parts[part].last, seen);
+    own.see(seen);
   });
   const FlakeLook whirled(pictures_, frustum, std::max(shutter_s_, whirl_shutter_s));
   if (tornado_) gathering.add(*tornado_, time_s, whirled, frustum, ground);
