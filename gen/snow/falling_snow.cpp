@@ -17,8 +17,7 @@ struct Shell {
   double from_m;
   double to_m;
   PeriodicCube cube;
-  std::uint64_t flakes;  ///< in the cube
-  std::uint64_t key;
+  Population population;
 };
 
 /// The smallest ball about all that is seen between two distances, with its centre straight ahead:
@@ -57,8 +56,8 @@ std::vector<Shell> shells_of(const Frustum& frustum, const NearField& field,
     shells.push_back({from_m,
                       to_m,
                       {ball.centre_m, side_m},
-                      static_cast<std::uint64_t>(std::llround(number)),
-                      random_bits({key, key_of("shell"), shells.size(), 0})});
+                      {random_bits({key, key_of("shell"), shells.size(), 0}),
+                       static_cast<std::uint64_t>(std::llround(number))}});
     from_m = to_m;
     to_m *= std::numbers::sqrt2;  // the least work
   }
@@ -75,12 +74,25 @@ class Picker {
         moment_(moment),
         frustum_(frustum),
         lookout_(lookout),
-        air_(FlakeMotion::air(shell.key, shell.cube, moment, frustum.eye_m())),
+        air_(FlakeMotion::air(shell.population, shell.cube, moment, frustum.eye_m())),
         from_m_(static_cast<float>(shell.from_m)),
         to_m_(static_cast<float>(shell.to_m)),
         reach_m_(static_cast<float>(reach_m)),
         margin_m_(static_cast<float>(motion.farthest_own_way_m())) {}
 
+  /// Appends the flakes of columns that may be seen, as parts of shell `of`.
+  void find(std::size_t of, std::vector<Range>& parts) const {
+    const Population& population = air_.population;
+    const std::uint32_t columns = 1U << (2 * population.bits());
+    std::uint32_t first = 0;
+    for (std::uint32_t column = 0; column <= columns; ++column) {
+      if (column < columns && column_may_be_seen(column)) continue;
+      split(of, population.flakes_before(first), population.flakes_before(column), parts);
+      first = column + 1;
+    }
+  }
+
+  /// See() has to follow the last one.
   void pick(std::uint64_t first, std::uint64_t last, std::vector<SeenFlake>& seen) {
     FlakeMotion::Drifting drifting;
     for (; first < last; first += lanes) {
@@ -91,29 +103,7 @@ class Picker {
         if (count_ == lanes) see(seen);
       }
     }
-    see(seen);
   }
-
- private:
-  Chosen may_be_seen(const FlakeMotion::Drifting& drifting, std::size_t end) const {
-    const Frustum frustum = frustum_;
-    const float near_m = std::max(0.0F, from_m_ - margin_m_), margin_m = margin_m_;
-    Lanes<float> far_m;
-    for (std::size_t i = 0; i < lanes; ++i)
-      far_m[i] = drawn_to_m(motion_.deviate(drifting.key[i])) + margin_m;
-    return Chosen::by(
-        [&, near2_m2 = near_m * near_m](std::size_t i) {
-          const glm::vec3 from_eye = drifting.from_eye.at(i);
-          const float distance2 = glm::dot(from_eye, from_eye);
-          return static_cast<int>(distance2 > near2_m2) &
-                 static_cast<int>(distance2 <= far_m[i] * far_m[i]) &
-                 static_cast<int>(frustum.touches_from_eye(from_eye, margin_m));
-        },
-        end);
-  }
-
-  /// Of the shell's flakes the share exp(-(r - from) / reach) is drawn at a distance r.
-  float drawn_to_m(float deviate) const { return std::min(to_m_, from_m_ + reach_m_ * deviate); }
 
   /// Sees those that wait.
   void see(std::vector<SeenFlake>& seen) {
@@ -131,16 +121,100 @@ class Picker {
     count_ = 0;
   }
 
+ private:
+  /// Where the middle of a column's width is, relative to the cube's, in its sides; and a second
+  /// time where it is in two parts, at either end of the cube.
+  struct Places {
+    std::array<float, 2> place;
+    std::size_t count;
+  };
+  Places places_of(std::uint32_t column, std::uint32_t way) const {
+    const int bits = air_.population.bits();
+    const std::uint64_t middle =
+        ((static_cast<std::uint64_t>(column) << 32) + (1ULL << 31)) >> bits;
+    const float place =
+        0x1p-32F *
+        static_cast<float>(static_cast<std::int32_t>(static_cast<std::uint32_t>(middle) + way));
+    const bool parted = std::abs(place) + std::ldexp(0.5F, -bits) > 0.5F;
+    return {{place, place - std::copysign(1.0F, place)}, parted ? 2U : 1U};
+  }
+
+  bool column_may_be_seen(std::uint32_t column) const {
+    const int bits = air_.population.bits();
+    if (bits == 0) return true;
+    const Places xs = places_of(column, air_.way.x), ys = places_of(column >> bits, air_.way.y);
+    const std::uint32_t high = 1U << bits;
+    for (std::size_t x = 0; x < xs.count; ++x)
+      for (std::size_t y = 0; y < ys.count; ++y)
+        for (std::uint32_t z = 0; z < high; ++z) {
+          const float place_z = (static_cast<float>(z) + 0.5F) / static_cast<float>(high) - 0.5F;
+          if (cell_may_be_seen(air_.centre_from_eye_m +
+                               air_.side_m * glm::vec3(xs.place[x], ys.place[y], place_z)))
+            return true;
+        }
+    return false;
+  }
+
+  /// A cube as wide as a column, by the ball about it.
+  bool cell_may_be_seen(const glm::vec3& from_eye) const {
+    constexpr float half_diagonal = 0.8660254F;
+    const float radius_m =
+        margin_m_ + half_diagonal * std::ldexp(air_.side_m, -air_.population.bits());
+    const float distance = glm::length(from_eye);
+    return distance > from_m_ - radius_m && distance <= to_m_ + radius_m &&
+           frustum_.touches_from_eye(from_eye, radius_m);
+  }
+
+  WOLD_LANES_WIDE Chosen may_be_seen(const FlakeMotion::Drifting& drifting, std::size_t end) const {
+    const Frustum frustum = frustum_;
+    const float from_m = from_m_;
+    Lanes<float> drawn_to, margin;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      drawn_to[i] = drawn_to_m(motion_.deviate(drifting.key[i]));
+      margin[i] = motion_.farthest_own_way_m(drifting.key[i], moment_);
+    }
+    return Chosen::by(
+        [&](std::size_t i) {
+          const glm::vec3 from_eye = drifting.from_eye.at(i);
+          const float distance2 = glm::dot(from_eye, from_eye);
+          const float near = greater(0.0F, from_m - margin[i]);
+          const float far = drawn_to[i] + margin[i];
+          return static_cast<int>(distance2 > near * near) &
+                 static_cast<int>(distance2 <= far * far) &
+                 static_cast<int>(frustum.touches_from_eye(from_eye, margin[i]));
+        },
+        end);
+  }
+
+  /// Of the shell's flakes the share exp(-(r - from) / reach) is drawn at a distance r.
+  float drawn_to_m(float deviate) const { return std::min(to_m_, from_m_ + reach_m_ * deviate); }
+
   const FlakeMotion& motion_;
   const FlakeMotion::Moment& moment_;
   const Frustum& frustum_;
   const Lookout& lookout_;
   FlakeMotion::Air air_;
   float from_m_, to_m_, reach_m_, margin_m_;
-  FlakeMotion::Drifting waiting_;
+  FlakeMotion::Drifting waiting_ = {};
   FlakeLanes flying_;
   std::size_t count_ = 0;
 };
+
+/// Neighbouring parts of one shell that one thread does together: ranges of them.
+std::vector<Range> gathered(const std::vector<Range>& parts) {
+  constexpr std::uint64_t enough = 128 * lanes;
+  std::vector<Range> tasks;
+  std::uint64_t flakes = enough;
+  for (std::uint64_t part = 0; part < parts.size(); ++part) {
+    if (flakes >= enough || parts[part].of != tasks.back().of) {
+      tasks.push_back({parts[part].of, part, part});
+      flakes = 0;
+    }
+    tasks.back().last = part + 1;
+    flakes += parts[part].last - parts[part].first;
+  }
+  return tasks;
+}
 
 std::optional<FlakeMotion> motion_of(const scene::Scene& scene, const Weather& weather) {
   const double heaviest = weather.heaviest_mm_h();
@@ -173,12 +247,17 @@ SeenFlakes FallingSnow::at(double time_s, const SnowView& view, const Heightfiel
   const Lookout lookout(look, frustum, ground);
   const std::vector<Shell> shells = shells_of(frustum, field, motion_->farthest_own_way_m(), key_);
   std::vector<Range> parts;
-  for (std::size_t i = 0; i < shells.size(); ++i) split(i, shells[i].flakes, parts);
+  const auto picker = [&](std::size_t shell) {
+    return Picker(*motion_, moment, frustum, lookout, field.reach_m, shells[shell]);
+  };
+  for (std::size_t shell = 0; shell < shells.size(); ++shell) picker(shell).find(shell, parts);
   Gathering gathering;
-  gathering.add(parts.size(), [&](std::size_t part, std::vector<SeenFlake>& seen) {
-    const auto [shell, first, last] = parts[part];
-    Picker(*motion_, moment, frustum, lookout, field.reach_m, shells[shell])
-        .pick(first, last, seen);
+  const std::vector<Range> tasks = gathered(parts);
+  gathering.add(tasks.size(), [&](std::size_t task, std::vector<SeenFlake>& seen) {
+    Picker own = picker(tasks[task].of);
+    for (std::uint64_t part = tasks[task].first; part < tasks[task].last; ++part)
+      own.pick(parts[part].first, parts[part].last, seen);
+    own.see(seen);
   });
   const FlakeLook whirled(pictures_, frustum, std::max(shutter_s_, whirl_shutter_s));
   if (tornado_) gathering.add(*tornado_, time_s, whirled, frustum, ground);

@@ -11,8 +11,8 @@
 namespace wold::snow {
 namespace {
 
-/// Aggregates of a centimetre sway by 3 to 20 cm at 2 to 5 rad/s (Li 2024), small flakes by less.
-constexpr float least_sway = 0.15F, farthest_sway_m = 0.2F, sways_most_m = 0.01F;
+/// They sway at 2 to 5 rad/s (Li 2024).
+constexpr float least_sway = 0.15F;  ///< of the widest of their size
 constexpr double turns_per_rad = 0.5 / std::numbers::pi;
 constexpr double slowest_sway_per_s = 2.0 * turns_per_rad, sway_range_per_s = 3.0 * turns_per_rad;
 
@@ -42,44 +42,32 @@ float turned(const FlakeMotion::Turning& turning, std::uint64_t bits, int first)
 
 constexpr int sway_bits = 0, tilt_bits = 17, spin_bits = 34, lean_bits = 51;
 
-/// Adds the sway of flakes of those diameters and random bits.
-WOLD_LANES_WIDE void add_sway(const FlakeMotion::Moment& moment, FlakeLanes& flakes) {
-  for (std::size_t i = 0; i < lanes; ++i) {
-    const std::uint64_t bits = flakes.bits[i];
-    const float wide = field_of(bits, lean_bits, 10) * (1.0F / 1024.0F);
-    const float height_m = farthest_sway_m * (least_sway + (1.0F - least_sway) * wide) *
-                           lesser(1.0F, flakes.diameter[i] * (1.0F / sways_most_m));
-    constexpr auto slowest_rad_s = static_cast<float>(slowest_sway_per_s / turns_per_rad);
-    constexpr auto step_rad_s = static_cast<float>(sway_range_per_s / turns_per_rad / rates);
-    const float speed_m_s =
-        height_m * (slowest_rad_s + step_rad_s * field_of(bits, sway_bits, rate_bits));
-    const float phase = turned(moment.sway, bits, sway_bits);
-    const float across = phase + 0.7F * wide;  // leans either way
-    flakes.from_eye.x[i] += height_m * sine_of_turns(phase);
-    flakes.from_eye.y[i] += height_m * sine_of_turns(across);
-    flakes.velocity.x[i] += speed_m_s * cosine_of_turns(phase);
-    flakes.velocity.y[i] += speed_m_s * cosine_of_turns(across);
-  }
-}
-
-/// What is left of x beside the whole number below, in turns of 2^-64.
-std::uint64_t fraction_of(double x) {
-  return static_cast<std::uint64_t>((x - std::floor(x)) * 0x1p64);
-}
-
-std::uint32_t turn_of(double x) { return static_cast<std::uint32_t>(fraction_of(x) >> 32); }
-
 /// Twenty-one random bits as a turn.
 std::uint32_t third_of(std::uint64_t bits, int place) {
   return static_cast<std::uint32_t>(bits >> (21 * place)) << 11;
 }
 
+/// Where in the cube that turn of a column is, of which 2^bits lie beside each other.
+std::uint32_t start_turn(std::uint64_t column, std::uint32_t in_column, int bits) {
+  return static_cast<std::uint32_t>((column << 32 | in_column) >> bits);
+}
+
 }  // namespace
+
+Population::Population(std::uint64_t key, std::uint64_t flakes, int most_bits)
+    : key_(key), flakes_(flakes) {
+  constexpr std::uint64_t least_in_column = 64;
+  while (bits_ < most_bits && flakes >> (2 * (bits_ + 1)) >= least_in_column) ++bits_;
+  const std::uint64_t columns = std::uint64_t{1} << (2 * bits_);
+  columns_per_flake_ =
+      std::max<std::uint64_t>(1, (columns << 32) / std::max<std::uint64_t>(1, flakes));
+}
 
 FlakeMotion::FlakeMotion(const scene::Scene& scene, const Weather& weather, double rate_mm_h)
     : wind_(weather, scene.wind.field == "steady" ? 0.0 : scene.wind.turbulence,
             random_bits({scene.seed, key_of("snow"), 0, key_of("wind")})),
-      sizes_(rate_mm_h, scene.snowfall.crystal) {}
+      sizes_(rate_mm_h, scene.snowfall.crystal),
+      farthest_gust_m_(static_cast<float>(wind_.farthest_own_gust_m())) {}
 
 FlakeMotion::Moment FlakeMotion::moment(double time_s, double rate_mm_h) const {
   return {time_s,
@@ -91,11 +79,11 @@ FlakeMotion::Moment FlakeMotion::moment(double time_s, double rate_mm_h) const {
           turning(slowest_tilt_per_s, tilt_range_per_s, time_s)};
 }
 
-FlakeMotion::Air FlakeMotion::air(std::uint64_t population_key, const PeriodicCube& cube,
+FlakeMotion::Air FlakeMotion::air(const Population& population, const PeriodicCube& cube,
                                   const Moment& moment, const glm::dvec3& eye_m) {
   const glm::dvec3 way = (moment.common.way_m - cube.centre_m) / cube.side_m;
   return {
-      population_key,
+      population,
       {turn_of(way.x), turn_of(way.y), turn_of(way.z)},
       fraction_of(moment.time_s * static_cast<double>(FlakeSizes::speed_unit_m_s) / cube.side_m),
       glm::vec3(cube.centre_m - eye_m),
@@ -108,32 +96,45 @@ void FlakeMotion::Drifting::set(std::size_t lane, const Drifting& other, std::si
   speed[lane] = other.speed[others_lane];
 }
 
-void FlakeMotion::drift(const Air& air, std::uint64_t first, Drifting& flakes) const {
-  Lanes<std::int32_t> x, y, z;
+WOLD_LANES_WIDE void FlakeMotion::drift(const Air& air, std::uint64_t first,
+                                        Drifting& flakes) const {
+  const Air by = air;
+  const std::uint64_t population_key = by.population.key();
+  const int bits = by.population.bits();
+  Lanes<std::uint64_t> starts;
   for (std::size_t i = 0; i < lanes; ++i) {
-    const std::uint64_t key = mixed(air.population_key ^ (first + i));
-    const std::uint64_t start = mixed(key ^ key_of("start"));
-    const std::uint32_t speed = sizes_.speed(key);
-    const auto fallen = static_cast<std::uint32_t>((speed * air.fall) >> 32);
-    x[i] = static_cast<std::int32_t>(third_of(start, 0) + air.way.x);
-    y[i] = static_cast<std::int32_t>(third_of(start, 1) + air.way.y);
-    z[i] = static_cast<std::int32_t>(third_of(start, 2) + air.way.z - fallen);
-    flakes.key[i] = key;
-    flakes.speed[i] = static_cast<std::int32_t>(speed);
+    flakes.key[i] = mixed(population_key ^ (first + i));
+    starts[i] = mixed(flakes.key[i] ^ key_of("start"));
   }
-  const float turn_m = air.side_m * 0x1p-32F;
+  Lanes<std::uint32_t> fallen, column;
   for (std::size_t i = 0; i < lanes; ++i) {
-    flakes.from_eye.x[i] = air.centre_from_eye_m.x + turn_m * static_cast<float>(x[i]);
-    flakes.from_eye.y[i] = air.centre_from_eye_m.y + turn_m * static_cast<float>(y[i]);
-    flakes.from_eye.z[i] = air.centre_from_eye_m.z + turn_m * static_cast<float>(z[i]);
+    const std::uint32_t speed = sizes_.speed(flakes.key[i]);
+    flakes.speed[i] = static_cast<std::int32_t>(speed);
+    fallen[i] = static_cast<std::uint32_t>((speed * by.fall) >> 32);
+    column[i] = by.population.column_of(first + i);
+  }
+  const float turn_m = by.side_m * 0x1p-32F;
+  const auto metres = [&](std::uint32_t turn) {
+    return turn_m * static_cast<float>(static_cast<std::int32_t>(turn));
+  };
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const std::uint32_t x = start_turn(column[i], third_of(starts[i], 0), bits);
+    const std::uint32_t y = start_turn(column[i] >> bits, third_of(starts[i], 1), bits);
+    const std::uint32_t z = third_of(starts[i], 2);
+    flakes.from_eye.x[i] = by.centre_from_eye_m.x + metres(x + by.way.x);
+    flakes.from_eye.y[i] = by.centre_from_eye_m.y + metres(y + by.way.y);
+    flakes.from_eye.z[i] = by.centre_from_eye_m.z + metres(z + by.way.z - fallen[i]);
   }
 }
 
-void FlakeMotion::fly(const Drifting& drifting, const Moment& moment, FlakeLanes& flakes) const {
+WOLD_LANES_WIDE void FlakeMotion::fly(const Drifting& drifting, const Moment& moment,
+                                      FlakeLanes& flakes) const {
   Lanes<std::uint64_t> gusts;
   for (std::size_t i = 0; i < lanes; ++i) {
     gusts[i] = mixed(drifting.key[i] ^ key_of("gust"));
     flakes.bits[i] = mixed(drifting.key[i] ^ key_of("look"));
+  }
+  for (std::size_t i = 0; i < lanes; ++i) {
     const std::uint32_t rank = FlakeSizes::rank(drifting.key[i]);
     flakes.diameter[i] = moment.diameters_m[rank];
     flakes.crystal[i] = sizes_.crystal(rank);
@@ -153,9 +154,27 @@ void FlakeMotion::fly(const Drifting& drifting, const Moment& moment, FlakeLanes
   add_sway(moment, flakes);
 }
 
+WOLD_LANES_WIDE void FlakeMotion::add_sway(const Moment& moment, FlakeLanes& flakes) {
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const std::uint64_t bits = flakes.bits[i];
+    const float wide = field_of(bits, lean_bits, 10) * (1.0F / 1024.0F);
+    const float height_m =
+        widest_sway_of_m(flakes.diameter[i]) * (least_sway + (1.0F - least_sway) * wide);
+    constexpr auto slowest_rad_s = static_cast<float>(slowest_sway_per_s / turns_per_rad);
+    constexpr auto step_rad_s = static_cast<float>(sway_range_per_s / turns_per_rad / rates);
+    const float speed_m_s =
+        height_m * (slowest_rad_s + step_rad_s * field_of(bits, sway_bits, rate_bits));
+    const float phase = turned(moment.sway, bits, sway_bits);
+    const float across = phase + 0.7F * wide;  // leans either way
+    flakes.from_eye.x[i] += height_m * sine_of_turns(phase);
+    flakes.from_eye.y[i] += height_m * sine_of_turns(across);
+    flakes.velocity.x[i] += speed_m_s * cosine_of_turns(phase);
+    flakes.velocity.y[i] += speed_m_s * cosine_of_turns(across);
+  }
+}
+
 double FlakeMotion::farthest_own_way_m() const {
-  constexpr double diagonal = 1.4142136;
-  return wind_.farthest_own_gust_m() + diagonal * static_cast<double>(farthest_sway_m);
+  return static_cast<double>(farthest_gust_m_ + farthest_sway_m(sways_most_m));
 }
 
 }  // namespace wold::snow

@@ -30,7 +30,7 @@ constexpr float lesser(float a, float b) { return a < b ? a : b; }
 constexpr float greater(float a, float b) { return a > b ? a : b; }
 
 struct VectorLanes {
-  Lanes<float> x = {}, y = {}, z = {};
+  Lanes<float> x, y, z;
 
   glm::vec3 at(std::size_t lane) const { return {x[lane], y[lane], z[lane]}; }
   void set(std::size_t lane, const glm::vec3& vector) {
@@ -74,9 +74,9 @@ struct Flake {
 /// Flakes in the air, as Flake; their centres relative to the eye.
 struct FlakeLanes {
   VectorLanes from_eye, velocity;
-  Lanes<float> diameter = {}, opacity = {}, spin_turns = {}, tilt_turns = {};
-  Lanes<std::uint64_t> bits = {};
-  Lanes<Crystal> crystal = {};
+  Lanes<float> diameter, opacity, spin_turns, tilt_turns;
+  Lanes<std::uint64_t> bits;
+  Lanes<Crystal> crystal;
 
   void set(std::size_t lane, const Flake& flake, const glm::dvec3& eye_m) {
     from_eye.set(lane, glm::vec3(flake.centre_m - eye_m));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -24,16 +25,13 @@ double draw(std::uint64_t key, std::uint64_t purpose) {
   return static_cast<double>(static_cast<std::int64_t>(mixed(key ^ purpose) >> 11)) * 0x1.0p-53;
 }
 
-/// One of two numbers in [0, 1) of 64 random bits.
-double half_of(std::uint64_t bits, int place) {
-  return static_cast<double>(static_cast<std::int64_t>((bits >> (32 * place)) & 0xffffffffU)) *
-         0x1.0p-32;
+/// Thirty-two bits as a number in [0, 1).
+double share_of(std::uint32_t bits) {
+  return 0.5 + static_cast<double>(static_cast<std::int32_t>(bits ^ 0x80000000U)) * 0x1p-32;
 }
 
-/// The place x repeated every `side` that lies in [low, low + side).
-double wrapped(double x, double low, double side) {
-  return low + side * (off_whole((x - low) / side - 0.5) + 0.5);
-}
+std::uint32_t low_half(std::uint64_t bits) { return static_cast<std::uint32_t>(bits); }
+std::uint32_t high_half(std::uint64_t bits) { return static_cast<std::uint32_t>(bits >> 32); }
 
 /// The distance at which 1/e of the flakes are drawn.
 double reach_of(const glm::dvec3& box_m) { return std::min(box_m.x, box_m.y); }
@@ -66,55 +64,77 @@ PaperSnow::Moment PaperSnow::moment(double time_s) const {
   return {time_s, wind_.common(time_s), wind_.moment(time_s)};
 }
 
-PaperSnow::Drifting PaperSnow::drifting(std::uint64_t i, const Moment& moment,
-                                        const PaperBox& box) const {
-  const std::uint64_t key = mixed(key_ ^ i);
-  const std::uint64_t start = mixed(key ^ key_of("start"));
-  const double v0_m_s = -(0.5 + 0.5 * half_of(start, 0));
-  const double fall_m_s = v0_m_s - gravity_m_s2 * step_s;
-  const double boxes = half_of(start, 1) + (fall_m_s * moment.time_s - box.low_m.z) / box.size_m.z;
-  const double whole = boxes - 0.5 - off_whole(boxes - 0.5);
-  const auto births = -static_cast<std::int64_t>(whole);
-  const std::uint64_t birth = mixed(key ^ static_cast<std::uint64_t>(births));
+PaperSnow::Carried PaperSnow::carried(const Moment& moment, const PaperBox& box) {
+  const glm::dvec2 way =
+      (glm::dvec2(moment.common.way_m) - glm::dvec2(box.low_m)) / glm::dvec2(box.size_m);
   return {
-      key,
-      births,
-      {wrapped(box.size_m.x * half_of(birth, 0) + moment.common.way_m.x, box.low_m.x, box.size_m.x),
-       wrapped(box.size_m.y * half_of(birth, 1) + moment.common.way_m.y, box.low_m.y, box.size_m.y),
-       box.low_m.z + box.size_m.z * (boxes - whole)},
-      v0_m_s};
+      {turn_of(way.x), turn_of(way.y)}, moment.time_s / box.size_m.z, box.low_m.z / box.size_m.z};
 }
 
-PaperFlake PaperSnow::flake(const Drifting& drifting, const Moment& moment) const {
-  const std::uint64_t key = drifting.key;
+WOLD_LANES_WIDE void PaperSnow::drift(std::uint64_t first, const Carried& carried,
+                                      const PaperBox& box, Drifting& flakes) const {
+  const Carried by = carried;
+  const glm::dvec3 size_m = box.size_m;
+  Lanes<std::uint64_t> starts, births;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    flakes.key[i] = mixed(key_ ^ (first + i));
+    starts[i] = mixed(flakes.key[i] ^ key_of("start"));
+  }
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double v0_m_s = -(0.5 + 0.5 * share_of(low_half(starts[i])));
+    const double boxes =
+        share_of(high_half(starts[i])) + (v0_m_s - gravity_m_s2 * step_s) * by.per_m_s - by.bottom;
+    // The whole number below, and as an integer the end of its bits when it is so raised.
+    constexpr double rounder = 0x1.8p52;
+    const double raised = (boxes - 0.5) + rounder;
+    flakes.births[i] = std::bit_cast<std::int64_t>(rounder) - std::bit_cast<std::int64_t>(raised);
+    flakes.z_m[i] = size_m.z * (boxes - (raised - rounder));
+    flakes.v0_m_s[i] = v0_m_s;
+  }
+  for (std::size_t i = 0; i < lanes; ++i)
+    births[i] = mixed(flakes.key[i] ^ static_cast<std::uint64_t>(flakes.births[i]));
+  for (std::size_t i = 0; i < lanes; ++i) {
+    flakes.x_m[i] = size_m.x * share_of(low_half(births[i]) + by.way.x);
+    flakes.y_m[i] = size_m.y * share_of(high_half(births[i]) + by.way.y);
+  }
+}
+
+PaperFlake PaperSnow::flake(const Drifting& drifting, std::size_t lane, const Moment& moment,
+                            const PaperBox& box) const {
+  const std::uint64_t key = drifting.key[lane];
   PaperFlake flake;
-  flake.start_assign = drifting.births;
-  flake.size_m = 0.006 + 0.01 * draw(key, key_of("size"));
-  flake.colour.a = static_cast<float>(0.7 + 0.3 * draw(key, key_of("alpha")));
-  flake.rot_per_s = draw(key, key_of("rot")) - 0.5;
-  flake.angle_turns = off_whole(draw(key, key_of("angle")) + flake.rot_per_s * moment.time_s);
+  flake.start_assign = drifting.births[lane];
+  const std::uint64_t looks = mixed(key ^ key_of("size")), turns = mixed(key ^ key_of("rot"));
+  flake.size_m = 0.006 + 0.01 * share_of(low_half(looks));
+  flake.colour.a = static_cast<float>(0.7 + 0.3 * share_of(high_half(looks)));
+  flake.rot_per_s = share_of(low_half(turns)) - 0.5;
+  flake.angle_turns = off_whole(share_of(high_half(turns)) + flake.rot_per_s * moment.time_s);
 
   // Level winds alone: the height says when a flake is born again.
   const auto gust = wind_.own_gust(moment.gusts, mixed(key ^ key_of("vf")));
-  flake.v0_m_s = {0.0, 0.0, drifting.v0_m_s};
+  flake.v0_m_s = {0.0, 0.0, drifting.v0_m_s[lane]};
   flake.vf_m_s = {
       glm::dvec2(moment.common.velocity_m_s) + glm::dvec2(gust.velocity_m_s.x, gust.velocity_m_s.y),
       0.0};
+  const std::uint64_t flutters = mixed(key ^ key_of("flutter"));
   const double flutter_per_s =
-      slowest_flutter_per_s + flutter_range_per_s * draw(key, key_of("flutter"));
+      slowest_flutter_per_s + flutter_range_per_s * share_of(low_half(flutters));
   const auto flutter =
-      static_cast<float>(off_whole(draw(key, key_of("vr")) + flutter_per_s * moment.time_s));
+      static_cast<float>(off_whole(share_of(high_half(flutters)) + flutter_per_s * moment.time_s));
   const glm::dvec2 circle(cosine_of_turns(flutter), sine_of_turns(flutter));
   flake.vr_m_s = flutter_m_s * glm::dvec3(-circle.y, circle.x, 0.0);
 
   const glm::dvec2 own_way_m =
       glm::dvec2(gust.way_m.x, gust.way_m.y) + flutter_m_s / (two_pi * flutter_per_s) * circle;
-  flake.pos_m = drifting.place_m + glm::dvec3(own_way_m, 0.0);
+  flake.pos_m = box.low_m + glm::dvec3(drifting.x_m[lane], drifting.y_m[lane], drifting.z_m[lane]) +
+                glm::dvec3(own_way_m, 0.0);
   return flake;
 }
 
 PaperFlake PaperSnow::flake(std::uint64_t i, const Moment& moment, const PaperBox& box) const {
-  return flake(drifting(i, moment, box), moment);
+  Drifting drifting;
+  drift(i, carried(moment, box), box, drifting);
+  return flake(drifting, 0, moment, box);
 }
 
 double PaperSnow::farthest_own_way_m() const {
@@ -174,25 +194,40 @@ SeenFlakes PaperSnow::at(double time_s, const SnowView& view, const Heightfield&
   const double in_box = flakes_in_view(rate_mm_h) * box_m_.x * box_m_.y * box_m_.z / seen_m3;
 
   const Lookout lookout(look, frustum, ground);
-  const double margin_m = farthest_own_way_m();
+  const auto margin_m = static_cast<float>(farthest_own_way_m());
+  const Carried moved = carried(now, box);
+  const glm::dvec3 low_from_eye_m = box.low_m - frustum.eye_m();
   std::vector<Range> parts;
-  split(0, static_cast<std::uint64_t>(std::llround(in_box)), parts);
+  split(0, 0, static_cast<std::uint64_t>(std::llround(in_box)), parts);
   Gathering gathering;
   gathering.add(parts.size(), [&](std::size_t part, std::vector<SeenFlake>& seen) {
-    FlakeLanes flakes;
+    FlakeLanes flakes = {};
     std::size_t count = 0;
     const auto see = [&] {
       lookout.see(
           flakes, std::exchange(count, 0), [](std::size_t) { return true; }, seen);
     };
-    for (std::uint64_t i = parts[part].first; i < parts[part].last; ++i) {
-      const Drifting drift = drifting(i, now, box);
-      if (!frustum.touches(drift.place_m, margin_m)) continue;
-      const double distance_m = glm::distance(drift.place_m, frustum.eye_m());
-      const std::uint64_t bits = mixed(drift.key ^ key_of("look"));
-      if (draw(bits, key_of("drawn")) >= std::exp(-distance_m / reach_m)) continue;
-      flakes.set(count++, shown(flake(drift, now), bits), frustum.eye_m());
-      if (count == lanes) see();
+    Drifting drifting;
+    VectorLanes from_eye;
+    const Frustum pyramid = frustum;
+    for (std::uint64_t first = parts[part].first; first < parts[part].last; first += lanes) {
+      drift(first, moved, box, drifting);
+      for (std::size_t i = 0; i < lanes; ++i) {
+        from_eye.x[i] = static_cast<float>(low_from_eye_m.x + drifting.x_m[i]);
+        from_eye.y[i] = static_cast<float>(low_from_eye_m.y + drifting.y_m[i]);
+        from_eye.z[i] = static_cast<float>(low_from_eye_m.z + drifting.z_m[i]);
+      }
+      const Chosen chosen = Chosen::by(
+          [&](std::size_t i) { return pyramid.touches_from_eye(from_eye.at(i), margin_m); },
+          std::min<std::uint64_t>(lanes, parts[part].last - first));
+      for (std::size_t n = 0; n < chosen.count; ++n) {
+        const std::size_t i = chosen.lane[n];
+        const auto distance_m = static_cast<double>(glm::length(from_eye.at(i)));
+        const std::uint64_t bits = mixed(drifting.key[i] ^ key_of("look"));
+        if (draw(bits, key_of("drawn")) >= std::exp(-distance_m / reach_m)) continue;
+        flakes.set(count++, shown(flake(drifting, i, now, box), bits), frustum.eye_m());
+        if (count == lanes) see();
+      }
     }
     see();
   });

@@ -8,6 +8,7 @@
 #include "core/ground_map.h"
 #include "scene/scene.h"
 #include "snow/crystal_picture.h"
+#include "snow/lanes.h"
 #include "snow/seen_flakes.h"
 #include "snow/snow_view.h"
 #include "snow/tornado.h"
@@ -70,16 +71,26 @@ class PaperSnow {
   PaperFlake flake(std::uint64_t i, const Moment& moment, const PaperBox& box) const;
 
  private:
-  /// Where a flake is but for its own gusts and flutter, which take it less than
+  /// What carries all flakes through the box, in its sizes.
+  struct Carried {
+    glm::uvec2 way{0};     ///< from its low corner, units of 2^-32
+    double per_m_s = 0.0;  ///< how far a speed has led by now
+    double bottom = 0.0;   ///< its height above the scene's zero
+  };
+  static Carried carried(const Moment& moment, const PaperBox& box);
+  /// Where flakes are but for their own gusts and flutter, which take them less than
   /// farthest_own_way_m() away.
   struct Drifting {
-    std::uint64_t key;
-    std::int64_t births;
-    glm::dvec3 place_m;
-    double v0_m_s;
+    Lanes<std::uint64_t> key;
+    Lanes<std::int64_t> births;
+    Lanes<double> v0_m_s;
+    Lanes<double> x_m, y_m, z_m;  ///< from the box's low corner
   };
-  Drifting drifting(std::uint64_t i, const Moment& moment, const PaperBox& box) const;
-  PaperFlake flake(const Drifting& drifting, const Moment& moment) const;
+  /// Flakes first, first + 1, ...
+  void drift(std::uint64_t first, const Carried& carried, const PaperBox& box,
+             Drifting& flakes) const;
+  PaperFlake flake(const Drifting& drifting, std::size_t lane, const Moment& moment,
+                   const PaperBox& box) const;
   double farthest_own_way_m() const;
   Flake shown(const PaperFlake& flake, std::uint64_t bits) const;
   double flakes_in_view(double rate_mm_h) const;

@@ -29,9 +29,9 @@ void Gathering::add(const Tornado& tornado, double time_s, const FlakeLook& look
   const auto ground_m = static_cast<double>(ground.sample(foot_m.x, foot_m.y));
   const Lookout lookout(look, frustum, ground);
   std::vector<Range> parts;
-  split(0, tornado.flakes(), parts);
+  split(0, 0, tornado.flakes(), parts);
   add(parts.size(), [&](std::size_t part, std::vector<SeenFlake>& seen) {
-    FlakeLanes flakes;
+    FlakeLanes flakes = {};
     for (std::uint64_t first = parts[part].first; first < parts[part].last; first += lanes) {
       const std::size_t count = std::min<std::uint64_t>(lanes, parts[part].last - first);
       for (std::size_t i = 0; i < count; ++i)
@@ -61,10 +61,9 @@ std::vector<SeenFlake> Gathering::farthest_first(const glm::dvec3& eye_m) const 
   return sorted;
 }
 
-void split(std::size_t of, std::uint64_t count, std::vector<Range>& parts) {
+void split(std::size_t of, std::uint64_t first, std::uint64_t last, std::vector<Range>& parts) {
   constexpr std::uint64_t most = 128 * lanes;
-  for (std::uint64_t first = 0; first < count; first += most)
-    parts.push_back({of, first, std::min(count, first + most)});
+  for (; first < last; first += most) parts.push_back({of, first, std::min(last, first + most)});
 }
 
 }  // namespace wold::snow

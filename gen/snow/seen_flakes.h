@@ -22,8 +22,8 @@ struct SeenFlakes {
 
 inline constexpr float nearest_flake_m = 0.15F;  ///< nearer ones would hide the picture
 
-/// Puts flakes one by one where there is room for many, and those of them that are seen at the end
-/// of `seen`: any of them within the view, not too near, and above the ground.
+/// Puts how flakes look at the end of `seen`, of those that have any of them within the view, are
+/// not too near and above the ground.
 class Lookout {
  public:
   Lookout(const FlakeLook& look, const Frustum& frustum, const Heightfield& ground)
@@ -83,7 +83,7 @@ struct Range {
   std::uint64_t first, last;
 };
 
-/// Appends what splits [0, count) of `of` into parts that are worth a thread's while.
-void split(std::size_t of, std::uint64_t count, std::vector<Range>& parts);
+/// Appends what splits [first, last) of `of` into parts that are worth a thread's while.
+void split(std::size_t of, std::uint64_t first, std::uint64_t last, std::vector<Range>& parts);
 
 }  // namespace wold::snow

@@ -20,9 +20,9 @@ double wave_height(double deviation, std::size_t waves) {
   return deviation * std::sqrt(2.0 / static_cast<double>(waves));
 }
 
-constexpr int bits_each = 10;
+constexpr int bits_each = 10;  ///< three in each half of a flake's bits
 
-float own_phase(std::uint64_t bits, int first_bit) {
+float own_phase(std::uint32_t bits, int first_bit) {
   return static_cast<float>(static_cast<int>((bits >> first_bit) & 1023U)) * (1.0F / 1024.0F);
 }
 
@@ -75,17 +75,25 @@ WindField::OwnWave WindField::own_wave(const Moment& moment, std::size_t wave) c
   const std::size_t length = wave / 3;
   const float height = own_heights_[static_cast<glm::length_t>(wave % 3)];
   return {moment.phases[length], static_cast<float>(own_lengths_m[length] / two_pi) * height,
-          moment.speed_m_s * height, bits_each * static_cast<int>(wave)};
+          moment.speed_m_s * height, length, bits_each * static_cast<int>(wave % 3)};
 }
 
 WindField::Gust WindField::own_gust(const Moment& moment, std::uint64_t bits) const {
+  std::array<float, 2 * own_waves> waving;  // sines, then cosines: four at a time
+  for (std::size_t i = 0; i < own_waves; ++i) {
+    const OwnWave wave = own_wave(moment, i);
+    waving[own_waves + i] =
+        wave.phase +
+        own_phase(static_cast<std::uint32_t>(bits >> (32 * wave.half)), wave.first_bit);
+    waving[i] = waving[own_waves + i] - 0.25F;
+  }
+  for (float& value : waving) value = cosine_of_turns(value);
   Gust gust = {glm::vec3(0.0F), glm::vec3(0.0F)};
   for (std::size_t i = 0; i < own_waves; ++i) {
     const OwnWave wave = own_wave(moment, i);
-    const float turns = wave.phase + own_phase(bits, wave.first_bit);
     const auto axis = static_cast<glm::length_t>(i % 3);
-    gust.way_m[axis] += wave.way_m * sine_of_turns(turns);
-    gust.velocity_m_s[axis] += wave.velocity_m_s * cosine_of_turns(turns);
+    gust.way_m[axis] += wave.way_m * waving[i];
+    gust.velocity_m_s[axis] += wave.velocity_m_s * waving[own_waves + i];
   }
   return gust;
 }
@@ -94,13 +102,19 @@ WOLD_LANES_WIDE void WindField::add_own_gusts(const Moment& moment,
                                               const Lanes<std::uint64_t>& bits, VectorLanes& way_m,
                                               VectorLanes& velocity_m_s) const {
   const std::array ways_m = {&way_m.x, &way_m.y, &way_m.z};
+  std::array<Lanes<std::uint32_t>, 2> halves;
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    halves[0][lane] = static_cast<std::uint32_t>(bits[lane]);
+    halves[1][lane] = static_cast<std::uint32_t>(bits[lane] >> 32);
+  }
   const std::array velocities_m_s = {&velocity_m_s.x, &velocity_m_s.y, &velocity_m_s.z};
   for (std::size_t i = 0; i < own_waves; ++i) {
     const OwnWave wave = own_wave(moment, i);
+    const Lanes<std::uint32_t>& half = halves[wave.half];
     Lanes<float>& along_m = *ways_m[i % 3];
     Lanes<float>& along_m_s = *velocities_m_s[i % 3];
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      const float turns = wave.phase + own_phase(bits[lane], wave.first_bit);
+      const float turns = wave.phase + own_phase(half[lane], wave.first_bit);
       along_m[lane] += wave.way_m * sine_of_turns(turns);
       along_m_s[lane] += wave.velocity_m_s * cosine_of_turns(turns);
     }

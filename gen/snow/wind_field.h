@@ -57,6 +57,7 @@ class WindField {
   struct OwnWave {
     float phase;  ///< common to all flakes, in turns
     float way_m, velocity_m_s;
+    std::size_t half;  ///< of the flake's bits, and the first one in it
     int first_bit;
   };
   OwnWave own_wave(const Moment& moment, std::size_t wave) const;

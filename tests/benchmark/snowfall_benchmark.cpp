@@ -15,7 +15,8 @@
 
 /// What the state of falling snow costs: the falling half of the paper's table 1 (per second 65, 46
 /// and 31 frames of 500, 1000 and 3000 flakes on 2 km, 32, 23 and 12 on 100 km, drawing included),
-/// and a million flakes (place, half sides, picture and opacity: 44 bytes each) beside writing them.
+/// and a million flakes (place, half sides, picture and opacity: 44 bytes each) beside writing
+/// them.
 namespace wold::snow {
 namespace {
 
@@ -91,7 +92,7 @@ void advance_and_write_a_million(benchmark::State& state) {
   const auto advance = [&] {
     time_s += 1234.5;
     const FlakeMotion::Moment moment = motion.moment(time_s, 1.2);
-    const FlakeMotion::Air air = FlakeMotion::air(1, cube, moment, frustum.eye_m());
+    const FlakeMotion::Air air = FlakeMotion::air({1, million}, cube, moment, frustum.eye_m());
     const Chosen all = Chosen::by([](std::size_t) { return true; });
     parallel_for(million / lanes / at_once, [&](std::size_t block) {
       FlakeMotion::Drifting drifting;
@@ -111,12 +112,9 @@ void advance_and_write_a_million(benchmark::State& state) {
   for (auto _ : state) {
     const Took advancing = time_of(advance);
     const Took writing = time_of(write);
-    const std::array values = {advancing.cpu_ms,
-                               writing.cpu_ms,
-                               advancing.cpu_ms / writing.cpu_ms,
-                               advancing.wall_ms,
-                               writing.wall_ms,
-                               advancing.wall_ms / writing.wall_ms};
+    const std::array values = {
+        advancing.cpu_ms,  writing.cpu_ms,  advancing.cpu_ms / writing.cpu_ms,
+        advancing.wall_ms, writing.wall_ms, advancing.wall_ms / writing.wall_ms};
     for (std::size_t i = 0; i < values.size(); ++i) taken[i].push_back(values[i]);
   }
   std::filesystem::remove(path);

@@ -89,8 +89,10 @@ TEST(FallingSnow, DrawnFlakesDimByTheirCrossSections) {
       scene::Scene scene = snowy(rate_mm_h);
       scene.snowfall.shutter_s = shutter_s;
       std::vector<SeenFlake> flakes;
-      const int frames = 4;
+      const int frames = 8;
       for (int frame = 0; frame < frames; ++frame) {
+        // Within 3 m of the eye one seed's flakes, a few large ones among them, are off by 5 %.
+        scene.seed = static_cast<std::uint64_t>(frame) + 1;
         const SeenFlakes seen = seen_of(scene, 20.0 * frame);
         flakes.insert(flakes.end(), seen.flakes.begin(), seen.flakes.end());
       }
@@ -99,7 +101,7 @@ TEST(FallingSnow, DrawnFlakesDimByTheirCrossSections) {
       for (const double from_m : {1.0, 3.5, 10.0}) {
         const double drawn = drawn_share(flakes, rate_mm_h, from_m, 3.0 * from_m) / frames;
         const double expected = expected_share(reach_m, from_m, 3.0 * from_m);
-        EXPECT_NEAR(drawn, expected, 0.07 * expected) << rate_mm_h << " " << from_m;
+        EXPECT_NEAR(drawn, expected, 0.06 * expected) << rate_mm_h << " " << from_m;
       }
     }
 }
@@ -126,6 +128,16 @@ TEST(FallingSnow, FlakesAndFogDimAsBeerAndLambertSay) {
   }
 }
 
+/// Flakes first, first + 1, ... of a cube, seen from the world's origin.
+FlakeLanes flakes_of(const FlakeMotion& motion, const Population& population, std::uint64_t first,
+                     const FlakeMotion::Moment& moment, const PeriodicCube& cube) {
+  FlakeMotion::Drifting drifting;
+  motion.drift(FlakeMotion::air(population, cube, moment, glm::dvec3(0.0)), first, drifting);
+  FlakeLanes flakes;
+  motion.fly(drifting, moment, flakes);
+  return flakes;
+}
+
 /// Water that falls through a level square is the rate: 1 mm/h is 1 kg per m2 and hour. Drops above
 /// 0.5 mm hold Gamma(4, Lambda / 2) / 6 of it.
 TEST(FlakeMotion, WaterThroughAPlaneIsTheRate) {
@@ -135,21 +147,24 @@ TEST(FlakeMotion, WaterThroughAPlaneIsTheRate) {
     const SizeDistribution sizes = gunn_marshall(rate_mm_h);
     const double side_m = 6.0;
     const PeriodicCube cube = {{0.0, 0.0, 0.0}, side_m};
-    const auto flakes =
-        std::llround(sizes.number_above_per_m3(least_melted_mm) * std::pow(side_m, 3));
+    const auto flakes = static_cast<std::uint64_t>(
+        std::llround(sizes.number_above_per_m3(least_melted_mm) * std::pow(side_m, 3)));
+    const Population population(5, flakes);
     double water_kg = 0.0;
     const double step_s = 0.5, seconds = 6.0;
     for (double time_s = 0.0; time_s < seconds - 0.5 * step_s; time_s += step_s) {
       const auto before = motion.moment(time_s, rate_mm_h);
       const auto after = motion.moment(time_s + step_s, rate_mm_h);
-      for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(flakes); ++i) {
-        const Flake from = motion.flake(motion.drifting(5, i, before, cube), before);
-        const Flake to = motion.flake(motion.drifting(5, i, after, cube), after);
-        const double crossed =
-            (from.centre_m.z > 0.0 ? 1.0 : 0.0) - (to.centre_m.z > 0.0 ? 1.0 : 0.0);
-        if (crossed == 0.0 || std::abs(from.centre_m.z) > 1.0)
-          continue;  // wrapped round, not crossed
-        const double diameter_mm = 1e3 * from.diameter_m;
+      for (std::uint64_t i = 0; i < flakes; ++i) {
+        static FlakeLanes from, to;
+        if (i % lanes == 0) {
+          from = flakes_of(motion, population, i, before, cube);
+          to = flakes_of(motion, population, i, after, cube);
+        }
+        const double from_z = from.from_eye.z[i % lanes], to_z = to.from_eye.z[i % lanes];
+        const double crossed = (from_z > 0.0 ? 1.0 : 0.0) - (to_z > 0.0 ? 1.0 : 0.0);
+        if (crossed == 0.0 || std::abs(from_z) > 1.0) continue;  // wrapped round, not crossed
+        const double diameter_mm = 1e3 * static_cast<double>(from.diameter[i % lanes]);
         const double melted3_mm3 = 0.17 * diameter_mm * diameter_mm;
         water_kg += crossed * 1e-6 * pi / 6.0 * melted3_mm3;
       }
@@ -161,19 +176,55 @@ TEST(FlakeMotion, WaterThroughAPlaneIsTheRate) {
   }
 }
 
+/// However long it has snowed.
 TEST(FlakeMotion, PlacesMoveAtTheirVelocities) {
   const scene::Scene scene = snowy(1.0);
   const FlakeMotion motion(scene, Weather(scene), 1.0);
-  const PeriodicCube cube = {{3.0, 4.0, 5.0}, 1000.0};
+  const PeriodicCube cube = {{3.0, 4.0, 5.0}, 20.0};
   const double step_s = 2e-3;
-  for (std::uint64_t i = 0; i < 200; ++i) {
-    const auto flake_at = [&](double time_s) {
-      const auto moment = motion.moment(time_s, 1.0);
-      return motion.flake(motion.drifting(9, i, moment, cube), moment);
-    };
-    const glm::dvec3 way = flake_at(33.0 + step_s).centre_m - flake_at(33.0 - step_s).centre_m;
-    if (glm::length(way) > 1.0) continue;  // wrapped round
-    EXPECT_NEAR(glm::distance(way / (2.0 * step_s), flake_at(33.0).velocity_m_s), 0.0, 0.01) << i;
+  for (const double time_s : {33.0, 1e5})
+    for (std::uint64_t first = 0; first < 256; first += lanes) {
+      const auto flakes_at = [&](double at_s) {
+        return flakes_of(motion, Population(9, 10000), first, motion.moment(at_s, 1.0), cube);
+      };
+      const FlakeLanes before = flakes_at(time_s - step_s), now = flakes_at(time_s),
+                       after = flakes_at(time_s + step_s);
+      for (std::size_t i = 0; i < lanes; ++i) {
+        const glm::vec3 way = after.from_eye.at(i) - before.from_eye.at(i);
+        if (glm::length(way) > 1.0F) continue;  // wrapped round
+        const float time_between_s = static_cast<float>(2.0 * step_s);
+        EXPECT_NEAR(glm::distance(way / time_between_s, now.velocity.at(i)), 0.0F, 0.01F) << i;
+      }
+    }
+}
+
+/// Each column has a run of flakes, as many as any other, and they are nowhere else.
+TEST(FlakeMotion, FlakesAreInTheirColumns) {
+  scene::Scene scene = snowy(1.0, "steady");
+  scene.wind.speed_m_s = 0.0;
+  const FlakeMotion motion(scene, Weather(scene), 1.0);
+  const PeriodicCube cube = {{0.0, 0.0, 0.0}, 8.0};
+  const Population population(3, 64 * 200 + 7);
+  ASSERT_EQ(population.bits(), 3);
+  EXPECT_EQ(population.flakes_before(0), 0u);
+  EXPECT_EQ(population.flakes_before(64), population.flakes());
+  const auto moment = motion.moment(70.0, 1.0);
+  const auto air = FlakeMotion::air(population, cube, moment, glm::dvec3(0.0));
+  for (std::uint32_t column = 0; column < 64; ++column) {
+    const std::uint64_t first = population.flakes_before(column);
+    const std::uint64_t last = population.flakes_before(column + 1);
+    EXPECT_NEAR(static_cast<double>(last - first), 200.0, 2.0);
+    FlakeMotion::Drifting drifting;
+    motion.drift(air, first, drifting);
+    for (std::size_t i = 0; i < lanes; ++i) {
+      ASSERT_EQ(population.column_of(first + i), column);
+      // From the cube's low corner on, where turns begin, which is at its middle.
+      const auto cell = [](float place) {
+        return static_cast<std::uint32_t>(place < 0.0F ? place + 8.0F : place);
+      };
+      ASSERT_EQ(cell(drifting.from_eye.x[i]), column % 8);
+      ASSERT_EQ(cell(drifting.from_eye.y[i]), column / 8);
+    }
   }
 }
 

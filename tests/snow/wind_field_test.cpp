@@ -78,5 +78,19 @@ TEST(WindField, OwnGustsStayWithinTheirBound) {
   EXPECT_GT(static_cast<double>(farthest_m), 0.5 * field.farthest_own_gust_m());
 }
 
+TEST(WindField, ManyFlakesGustsAreThoseOfEach) {
+  const WindField field(windy(5.0), 0.4, 3);
+  const auto moment = field.moment(17.0);
+  Lanes<std::uint64_t> many;
+  VectorLanes ways = {}, velocities = {};
+  for (std::size_t i = 0; i < lanes; ++i) many[i] = bits(static_cast<int>(i));
+  field.add_own_gusts(moment, many, ways, velocities);
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const WindField::Gust gust = field.own_gust(moment, many[i]);
+    ASSERT_EQ(ways.at(i), gust.way_m);
+    ASSERT_EQ(velocities.at(i), gust.velocity_m_s);
+  }
+}
+
 }  // namespace
 }  // namespace wold::snow
