@@ -13,8 +13,8 @@
 namespace wold::landscape {
 namespace {
 
-/// The frame's canopy_snow(), in levels; what hardly differs from a level is that, so that its looks
-/// are all that is needed.
+/// The frame's canopy_snow(), in levels; what hardly differs from a level is that, so that its
+/// looks are all that is needed.
 double snow_level(const scene::Scene& scene, int frame) {
   constexpr double unseen = 1e-4;
   const double level = grass::PatchState::level_of(canopy_snow(scene, frame));
