@@ -63,8 +63,8 @@ float share_above(const scene::Grass& grass, float depth_m) {
   return std::clamp(1.0F - depth_m / canopy_m, 0.0F, 1.0F);
 }
 
-/// Exponent of the canopy's transmittance for snow below: white ground lights the blades from below,
-/// laden as they are, and they send most of what they held back down again.
+/// Exponent of the canopy's transmittance for snow below: white ground lights the blades from
+/// below, laden as they are, and they send most of what they held back down again.
 constexpr double shading_under_grass = 0.25;
 
 double mean(const FactorMap& map) {

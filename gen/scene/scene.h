@@ -202,7 +202,7 @@ struct Snowfall {
   std::string crystal = "mixed";     ///< "mixed", "dendrite", "plate", "column", "aggregate"
   int flakes = 0;  ///< drawn in the picture, about; 0: 30000, or the paper's 500, 1000 or 4000
   std::array<double, 3> box_m = {16.0, 16.0, 10.0};  ///< the paper's: east, north, up
-  double shutter_s = 0.003;                        ///< how long each picture is exposed
+  double shutter_s = 0.003;                          ///< how long each picture is exposed
 
   bool operator==(const Snowfall&) const = default;
 };

@@ -68,8 +68,8 @@ class LargeCover {
 
   /// What lies about a place at a time since the first frame: squares of at most view_samples^2
   /// samples about it, each with twice the step of the one before, the last over the whole ground.
-  /// Between whole hours all of it changes evenly. What it costs does not depend on the ground's size,
-  /// but for hours that are new. One call at a time.
+  /// Between whole hours all of it changes evenly. What it costs does not depend on the ground's
+  /// size, but for hours that are new. One call at a time.
   std::vector<CoverLevel> view(double time_s, const glm::dvec2& eye_m);
 
  private:
