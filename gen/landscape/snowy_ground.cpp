@@ -24,24 +24,6 @@ constexpr double grass_albedo = 0.2;
 /// A map of the ground every 2 cm, 4097 a side at most: white spots have sharp edges.
 int white_samples(double size_m) { return map_samples(size_m, 0.02); }
 
-/// One pass of the binomial filter 1 2 1 along both axes.
-Heightfield smoothed(const Heightfield& map) {
-  const auto inside = [&](int i) { return std::clamp(i, 0, map.samples() - 1); };
-  Heightfield result = map;
-  parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
-    const int j = static_cast<int>(row);
-    for (int i = 0; i < map.samples(); ++i) {
-      float sum = 0.0F;
-      for (int dj = -1; dj <= 1; ++dj)
-        for (int di = -1; di <= 1; ++di)
-          sum += map.at(inside(i + di), inside(j + dj)) *
-                 static_cast<float>((2 - std::abs(di)) * (2 - std::abs(dj)));
-      result.at(i, j) = sum / 16.0F;
-    }
-  });
-  return result;
-}
-
 /// Snow heaps where tufts hold it: a share of its depth.
 Fbm heaps(std::uint64_t seed) {
   return {random_bits({seed, key_of("snow cover"), 0, key_of("heaps")}), 3, 0.7};
@@ -87,14 +69,15 @@ Heightfield snow_surface(const scene::Scene& scene, const Heightfield& terrain,
                         static_cast<float>(1.0 + heap_share * heap);
     }
   });
-  Heightfield smooth = terrain;
-  for (std::size_t k = 0; k < smooth.values().size(); ++k) smooth.values()[k] += snow_m.values()[k];
+  Heightfield surface = terrain;
+  for (std::size_t k = 0; k < surface.values().size(); ++k)
+    surface.values()[k] += snow_m.values()[k];
   for (int pass = smoothing_passes(mean(snow_m), terrain.step_m()); pass > 0; --pass)
-    smooth = smoothed(smooth);
-  for (std::size_t k = 0; k < smooth.values().size(); ++k)
-    smooth.values()[k] =
-        std::max(smooth.values()[k], terrain.values()[k] + snow_m.values()[k] / 3.0F);
-  return smooth;
+    smooth(surface);
+  for (std::size_t k = 0; k < surface.values().size(); ++k)
+    surface.values()[k] =
+        std::max(surface.values()[k], terrain.values()[k] + snow_m.values()[k] / 3.0F);
+  return surface;
 }
 
 /// How coarse snow is where it lies: grains, ripples and what has fallen off blades, as factors on

@@ -97,24 +97,6 @@ glm::dvec4 flat_sky_light(const SkyPatches& sky) {
   return sum;
 }
 
-/// One pass of the binomial filter 1 2 1 along both axes; the border keeps its value beyond itself.
-template <class T>
-void smooth(GroundMap<T>& map) {
-  const GroundMap<T> old = map;
-  const auto inside = [&](int i) { return std::clamp(i, 0, old.samples() - 1); };
-  parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
-    const int j = static_cast<int>(row);
-    for (int i = 0; i < map.samples(); ++i) {
-      T sum{};
-      for (int dj = -1; dj <= 1; ++dj)
-        for (int di = -1; di <= 1; ++di)
-          sum += old.at(inside(i + di), inside(j + dj)) *
-                 static_cast<float>((2 - std::abs(di)) * (2 - std::abs(dj)));
-      map.at(i, j) = sum / 16.0F;
-    }
-  });
-}
-
 /// The keyed fields that colour the ground.
 struct GroundColour {
   static constexpr double moisture_m = 3.5;
