@@ -22,12 +22,12 @@ snow::SnowView view_of(const Landscape& landscape) {
 }
 
 /// POV-Ray ends abruptly when a ray has passed some 240 surfaces and still sees more than 1/255 of
-/// what is behind. So no flake is fainter than this: of fainter ones the share opacity over least
-/// is drawn, with the least opacity, which dims as much on average.
-constexpr float least_opacity = 0.15F;
+/// what is behind. Elsewhere a ray meets few flakes, for together they have an optical depth of
+/// 0.05 at most, but a whirl is dense. No flake of one is fainter than this.
+constexpr float least_opacity_of_whirls = 0.15F;
 
-/// The flakes that are drawn, from the farthest to the nearest; the faint ones by a chance that is
-/// keyed by their place.
+/// Of flakes that are fainter than the least the share opacity over least, with the least opacity,
+/// which dims as much on average; by a chance that is keyed by their place.
 std::vector<snow::SeenFlake> without_faint_ones(const std::vector<snow::SeenFlake>& seen,
                                                 std::uint64_t seed) {
   std::vector<snow::SeenFlake> drawn;
@@ -36,8 +36,8 @@ std::vector<snow::SeenFlake> without_faint_ones(const std::vector<snow::SeenFlak
     const auto place = std::bit_cast<std::array<std::uint32_t, 3>>(flake.centre_m);
     const std::uint64_t index = mixed((std::uint64_t{place[0]} << 32) ^ place[1]) ^ place[2];
     const double chance = random_uniform({seed, key_of("flake"), index, key_of("faint")});
-    if (chance * double{least_opacity} >= double{flake.opacity}) continue;
-    flake.opacity = std::max(flake.opacity, least_opacity);
+    if (chance * double{least_opacity_of_whirls} >= double{flake.opacity}) continue;
+    flake.opacity = std::max(flake.opacity, least_opacity_of_whirls);
     drawn.push_back(flake);
   }
   return drawn;
@@ -74,7 +74,7 @@ double snow_extinction_per_m(const scene::Scene& scene, const Site& site, int fr
 void let_it_snow(const scene::Scene& scene, const Site& site, const SnowyAir& air,
                  Landscape& landscape) {
   const Snow& snow = *site.snow;
-  const snow::SeenFlakes seen =
+  snow::SeenFlakes seen =
       snow::SnowInAir(scene, snow.weather, snow.pictures)
           .at(scene::time_s(scene, landscape.frame), view_of(landscape), landscape.terrain);
   landscape.flakes = with_used_pictures(snow.pictures, without_faint_ones(seen.flakes, scene.seed));
