@@ -5,6 +5,7 @@
 
 #include "grass/snow_ridge.h"
 #include "landscape/site.h"
+#include "scene/winter.h"
 #include "snow/weather.h"
 
 namespace wold::landscape {
@@ -55,12 +56,10 @@ double canopy_snow(const scene::Scene& scene, int frame) {
   const double initial = -std::expm1(-caught_per_mm * scene.snow_cover.initial_mm);
   const snow::Weather weather(scene);
   const auto on_canopy = [&](double time_s) {
-    const snow::WeatherMoment now = weather.at(time_s);
-    return CanopyWeather{now.temperature_c,
-                         now.precipitation_mm_h * snow::snow_share(now.temperature_c)};
+    return CanopyWeather{weather.at(time_s).temperature_c, weather.snow_mm_h(time_s, 0.0)};
   };
   return intercepted_share(leaf_area, initial, on_canopy, -weather.earlier_s(),
-                           (frame - 1) * scene.film.frame_seconds);
+                           scene::time_s(scene, frame));
 }
 
 }  // namespace wold::landscape

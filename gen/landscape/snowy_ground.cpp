@@ -12,7 +12,6 @@
 #include "landscape/ground_grids.h"
 #include "landscape/view.h"
 #include "scene/winter.h"
-#include "snow/facets.h"
 #include "terrain/lighting.h"
 
 namespace wold::landscape {
@@ -101,14 +100,6 @@ class Grain {
 /// Old snow loses its red first; shadows and depth make it blue (Wiscombe and Warren 1980).
 glm::vec3 snow_albedo(float albedo) { return albedo * glm::vec3(0.985F, 1.0F, 1.015F); }
 
-/// The paper's noise grows with what has fallen.
-FactorMap whitened_as_in_the_paper(const scene::Scene& scene, const Heightfield& terrain,
-                                   double fallen_mm) {
-  const double gamma = std::min(1.0, fallen_mm / scene.snow_cover.white_after_mm);
-  return snow::paper_white(snow::Facets(terrain, scene.snow_cover.facet_m2), terrain.size_m(),
-                           gamma, white_samples(terrain.size_m()), scene.seed);
-}
-
 }  // namespace
 
 SnowyGround::SnowyGround(const scene::Scene& scene, const Site& site, int frame)
@@ -136,20 +127,15 @@ void SnowyGround::lay_about_the_camera(int frame) {
 }
 
 void SnowyGround::lay_everywhere(int frame) {
-  const scene::Scene& scene = scene_;
-  const Site& site = site_;
-  const snow::SnowGround& snow = site.snow->ground;
-  const snow::SnowGround::State state = snow.at(scene::time_s(scene, frame));
+  const snow::SnowGround& snow = site_.snow->ground;
+  const snow::SnowGround::State state = snow.at(scene::time_s(scene_, frame));
   if (!(state.fallen_mm > 0.0)) return;
   depth_m_ = state.depth_m;
   albedo_ = static_cast<float>(mean(state.albedo));
-  if (scene.snow_cover.cover == "paper") {  // the ground's shape stays
-    white_ = whitened_as_in_the_paper(scene, site.terrain, state.fallen_mm);
-    return;
-  }
   white_ = snow.white(state, white_samples(surface_.size_m()));
-  surface_ = snow_surface(scene, site.terrain, depth_m_, *white_);
-  light_ = terrain::ground_light(surface_, site.day);
+  if (scene_.snow_cover.cover == "paper") return;  // the ground's shape stays
+  surface_ = snow_surface(scene_, site_.terrain, depth_m_, *white_);
+  light_ = terrain::ground_light(surface_, site_.day);
 }
 
 const terrain::GroundLight& SnowyGround::light() const { return light_ ? *light_ : site_.light; }

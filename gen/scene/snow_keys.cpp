@@ -49,7 +49,7 @@ std::vector<Key> snowfall_keys() {
                     "whiten the air."),
             FIELD(snowfall.flakes)),
       bound(list(Kind::numbers, "snowfall.box", "m", {1, 1000}, {.fewest = 3, .most = 3},
-                 "Paper: the box around the eye in which flakes fall, east, north and up."),
+                 "Paper: the box before the eye in which flakes fall, east, north and up."),
             FIELD(snowfall.box_m)),
       bound(
           number("snowfall.shutter", "s", {0, 1}, "How long a picture is exposed: flakes streak."),

@@ -1,6 +1,5 @@
 #include "snow/weather_table.h"
 
-#include <cpl_conv.h>
 #include <fmt/format.h>
 #include <ogrsf_frmts.h>
 
@@ -8,27 +7,14 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <mutex>
 #include <optional>
 
 #include "core/error.h"
 #include "scene/nearest.h"
+#include "terrain/quiet_gdal.h"
 
 namespace wold::snow {
 namespace {
-
-/// GDAL's messages go into our errors, not to the terminal.
-class QuietGdal {
- public:
-  QuietGdal() {
-    static std::once_flag once;
-    std::call_once(once, GDALAllRegister);
-    CPLPushErrorHandler(CPLQuietErrorHandler);
-  }
-  ~QuietGdal() { CPLPopErrorHandler(); }
-  QuietGdal(const QuietGdal&) = delete;
-  QuietGdal& operator=(const QuietGdal&) = delete;
-};
 
 std::optional<double> number_in(std::string text) {
   text.erase(0, text.find_first_not_of(" \t"));
@@ -47,7 +33,7 @@ class TableReader {
       : file_(file.string()), columns_(columns), numbers_(columns.size()) {}
 
   std::vector<std::vector<double>> read() {
-    const QuietGdal quiet;
+    const terrain::QuietGdal quiet;
     const char* const drivers[] = {"CSV", nullptr};
     const char* const options[] = {"HEADERS=YES", nullptr};
     const GDALDatasetUniquePtr table(GDALDataset::Open(

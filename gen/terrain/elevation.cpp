@@ -1,6 +1,5 @@
 #include "terrain/elevation.h"
 
-#include <cpl_conv.h>
 #include <fmt/format.h>
 #include <gdal_alg.h>
 #include <gdal_priv.h>
@@ -12,26 +11,13 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <string>
 
 #include "core/error.h"
+#include "terrain/quiet_gdal.h"
 
 namespace wold::terrain {
 namespace {
-
-/// GDAL's messages go into our errors, not to the terminal.
-class QuietGdal {
- public:
-  QuietGdal() {
-    static std::once_flag once;
-    std::call_once(once, GDALAllRegister);
-    CPLPushErrorHandler(CPLQuietErrorHandler);
-  }
-  ~QuietGdal() { CPLPopErrorHandler(); }
-  QuietGdal(const QuietGdal&) = delete;
-  QuietGdal& operator=(const QuietGdal&) = delete;
-};
 
 struct HeightScale {
   double factor;

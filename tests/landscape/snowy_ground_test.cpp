@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace wold::landscape {
@@ -89,6 +90,8 @@ TEST(SnowyGround, ThePapersWhiteningLeavesTheShape) {
   const SnowyGround ground(scene, site, 1);
   EXPECT_EQ(ground.surface().values(), site.terrain.values());
   EXPECT_EQ(ground.growth().values(), site.growth.values());
+  // 6 of white_after's 8 mm: three dots a texel, so that 1 - exp(-3) of it is white.
+  EXPECT_NEAR((ground.mean_albedo() - 0.2) / (0.95 - 0.2), 1.0 - std::exp(-3.0), 0.02);
 }
 
 }  // namespace
