@@ -199,7 +199,7 @@ void check_frame(const scene::Scene& scene, int frame) {
 }  // namespace
 
 CellLean cell_lean(const Combing& combing, double patch_m, const glm::ivec2& cell,
-                   double height_m) {
+                   double middle_m) {
   const glm::dvec2 here_m = centre_m(cell, patch_m);
   CellLean result{combing.lean(here_m)};
   for (int axis = 0; axis < 2; ++axis) {
@@ -208,8 +208,8 @@ CellLean cell_lean(const Combing& combing, double patch_m, const glm::ivec2& cel
     const double own = result.lean[axis];
     const double low = combing.lean(here_m - step_m)[axis];
     const double high = combing.lean(here_m + step_m)[axis];
-    result.beyond_low_m[axis] = 0.5 * height_m * std::max(0.0, own - low);
-    result.beyond_high_m[axis] = 0.5 * height_m * std::max(0.0, high - own);
+    result.beyond_low_m[axis] = 0.5 * middle_m * (own - low);
+    result.beyond_high_m[axis] = 0.5 * middle_m * (high - own);
   }
   return result;
 }
@@ -296,7 +296,7 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
     const double patch_m = scene.grass.patch_m;
     row.back().world_from_cell =
         world_from_cell(ground, patch_m, cell, choice.turn,
-                        cell_lean(combing, patch_m, cell, scene.grass.height_m));
+                        cell_lean(combing, patch_m, cell, 0.5 * scene.grass.height_m));
   };
   parallel_for(side, [&](std::size_t j) {
     for (std::size_t i = 0; i < side; ++i)

@@ -32,13 +32,17 @@ struct CellChoice {
 /// How a cell is combed.
 struct CellLean {
   glm::dvec2 lean{0.0};  ///< see Combing
-  /// How far the cell reaches beyond its square, to the west and south and to the east and north.
+  /// How far the cell reaches beyond its square, to the west and south and to the east and north;
+  /// less than 0: it ends inside.
   glm::dvec2 beyond_low_m{0.0}, beyond_high_m{0.0};
 };
 
-/// Where neighbours lean away from each other a gap would open between them, through which the
-/// ground is seen: both reach half as far beyond their squares as it is wide at `height_m`.
-CellLean cell_lean(const Combing& combing, double patch_m, const glm::ivec2& cell, double height_m);
+/// Cells meet at their squares' sides on the ground if they lean alike. Where neighbours lean away
+/// from each other a gap opens between them, through which the ground is seen; so they are
+/// stretched, or narrowed where they lean towards each other, to meet at `middle_m` over the
+/// ground. Above and below there is as much gap as overlap, and a ray between them meets both:
+/// overlaps all the way up would do too, but POV-Ray took half as long again for them.
+CellLean cell_lean(const Combing& combing, double patch_m, const glm::ivec2& cell, double middle_m);
 
 /// The best affine fit of the ground under a cell, after `turn` quarter-turns about the patch's
 /// centre: least squares through the four corners, which leaves |z00 - z10 - z01 + z11| / 4 at
