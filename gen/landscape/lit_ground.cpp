@@ -118,7 +118,8 @@ void LitGround::show(const SnowyGround& ground, Landscape& landscape) const {
   landscape.light =
       product(grass_light, weathering_tint(scene_, frame_, choices_, snow_,
                                            grass_colour(patch_, model_, snow_, choices_)));
-  landscape.standing = standing_grass(scene_, site_.terrain, growth_of_cells(site_), view_);
+  landscape.standing =
+      ground.standing(standing_grass(scene_, site_.terrain, growth_of_cells(site_), view_));
   if (meadow_)
     landscape.light =
         product(landscape.light, veil_of_grass(grass_light, site_.terrain, view_, *meadow_, haze_));
