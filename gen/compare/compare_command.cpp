@@ -1,8 +1,10 @@
 #include "compare/compare_command.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "compare/compare_folders.h"
 #include "compare/compare_pair.h"
@@ -33,8 +35,9 @@ Verdict verdict(const std::vector<Comparison>& comparisons, const Json& json) {
   Verdict result;
   result.code = std::ranges::all_of(comparisons, is_same) ? ExitCode::done : ExitCode::different;
   result.json = text(json);
-  for (const Comparison& comparison : comparisons)
-    result.lines += (result.lines.empty() ? "" : "\n") + to_line(comparison);
+  std::vector<std::string> lines;
+  std::ranges::transform(comparisons, std::back_inserter(lines), to_line);
+  result.lines = fmt::format("{}", fmt::join(lines, "\n"));
   return result;
 }
 

@@ -42,7 +42,7 @@ std::vector<Measure> measures(const Differences& differences, const Limits& limi
            .value = differences.share_over_soft,
            .most = limits.allowed_share},
           {.name = "largest difference", .value = differences.max_error, .most = limits.hard},
-          {.name = "values that are no finite numbers",
+          {.name = "values that are not finite",
            .value = static_cast<double>(differences.non_finite),
            .most = 0.0}};
 }
@@ -52,8 +52,8 @@ std::vector<std::string> exceeded(const std::vector<Measure>& measures) {
   for (const Measure& measure : measures) {
     if (measure.is_good()) continue;
     const bool is_low = measure.value < measure.least;
-    reasons.push_back(fmt::format("{} {:.4g} is {} {:.4g}", measure.name, measure.value,
-                                  is_low ? "below" : "over",
+    reasons.push_back(fmt::format("{} is {:.4g}, at {} {:.4g} is allowed", measure.name,
+                                  measure.value, is_low ? "least" : "most",
                                   is_low ? measure.least : measure.most));
   }
   return reasons;

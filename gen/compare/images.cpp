@@ -115,7 +115,8 @@ Image flip_picture(const Image& flip_map) {
   const OIIO::ImageBuf source(spec, map.values.data());
   const OIIO::ImageBuf coloured = OIIO::ImageBufAlgo::color_map(source, 0, "magma");
   Image result(map.width, map.height, 3);
-  coloured.get_pixels(source.roi(), OIIO::TypeDesc::FLOAT, result.values.data());
+  coloured.get_pixels(coloured.roi(), OIIO::TypeDesc::FLOAT, result.values.data());
+  for (float& value : result.values) value = static_cast<float>(srgb_encoded(value));
   return result;
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <span>
 
 #include "core/files.h"
 #include "core/markup.h"
@@ -27,19 +29,22 @@ std::string figure(std::string_view caption, std::string_view content) {
                      content);
 }
 
-/// Got and wanted in one place; a click on it shows the other.
+/// What was got; a click shows what was wanted in its place.
 std::string flip_figure(const Evidence& got, const Evidence& want, const fs::path& page) {
-  return figure(
-      "flip between got and want",
-      fmt::format(
-          R"(<label class="flip"><input type="checkbox" aria-label="show want">{}{}</label>)",
-          image(got, page, "got"), image(want, page, "want")));
+  return fmt::format(
+      "<figure><label class=\"flip\"><input type=\"checkbox\" aria-label=\"show want\">"
+      "<span class=\"got\">got (click for want)</span><span class=\"want\">want (click for got)"
+      "</span>{}{}</label></figure>\n",
+      image(got, page, "got"), image(want, page, "want"));
 }
 
-std::string pictures(const std::vector<Evidence>& evidence, const fs::path& page) {
+std::string pictures(std::span<const Evidence> evidence, const fs::path& page) {
   if (evidence.empty()) return {};
   std::string text = "<div class=\"pictures\">\n";
-  if (evidence.size() > 1) text += flip_figure(evidence[0], evidence[1], page);
+  if (evidence.size() > 1) {
+    text += flip_figure(evidence[0], evidence[1], page);
+    evidence = evidence.subspan(1);
+  }
   for (const Evidence& one : evidence) text += figure(one.caption, image(one, page, "alone"));
   return text + "</div>\n";
 }
@@ -66,13 +71,12 @@ std::string table(const std::vector<Measure>& measures) {
          rows + "</table></div>\n";
 }
 
-std::string list_of_reasons(const Comparison& comparison) {
-  const std::vector<std::string> all = reasons(comparison);
-  if (all.empty()) return {};
+std::string list_of_faults(const std::vector<std::string>& faults) {
+  if (faults.empty()) return {};
   std::string items;
-  for (const std::string& reason : all)
-    items += fmt::format("<li>{}</li>\n", markup_escaped(reason));
-  return fmt::format("<ul class=\"reasons\">\n{}</ul>\n", items);
+  for (const std::string& fault : faults)
+    items += fmt::format("<li>{}</li>\n", markup_escaped(fault));
+  return fmt::format("<ul class=\"faults\">\n{}</ul>\n", items);
 }
 
 std::string path_text(const fs::path& path) {
@@ -88,9 +92,9 @@ std::string section(const Comparison& comparison, const fs::path& page, bool is_
       "<p class=\"paths\">got {}<br>want {}</p>\n"
       "</div>\n</details>\n",
       same ? "same" : "different", is_single || !same ? " open" : "",
-      markup_escaped(comparison.name), same ? "same" : "different", list_of_reasons(comparison),
-      pictures(comparison.evidence, page), table(comparison.measures), path_text(comparison.got),
-      path_text(comparison.want));
+      markup_escaped(comparison.name), same ? "same" : "different",
+      list_of_faults(comparison.faults), pictures(comparison.evidence, page),
+      table(comparison.measures), path_text(comparison.got), path_text(comparison.want));
 }
 
 std::string title(const std::vector<Comparison>& comparisons) {

@@ -1,13 +1,14 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstring>
 #include <set>
 #include <vector>
 
 #include "core/files.h"
-#include "program.h"
+#include "golden.h"
 
-/// Every scene of examples/, made small: what ships works. The pictures of examples/hillside.toml
-/// are compared in golden_test.cpp.
+/// Every scene of examples/, made small: what ships works, and looks as it did.
 namespace wold::test {
 namespace {
 
@@ -22,26 +23,37 @@ std::set<std::string> scenes() {
   return paths;
 }
 
-class Examples : public Program, public testing::WithParamInterface<std::string> {};
+/// A film's frame in the middle, where snow lies and clouds have come.
+int middle_frame(const std::string& resolved_scene) {
+  const std::size_t list = resolved_scene.find("\nframes = [", resolved_scene.find("\n[ageing]"));
+  const std::string_view frames =
+      std::string_view(resolved_scene).substr(list, resolved_scene.find(']', list) - list);
+  return static_cast<int>(std::ranges::count(frames, ',') + 2) / 2;
+}
 
-TEST_P(Examples, AreNamedAfterTheirFileAndMakeAPicture) {
+class Examples : public GoldenPictures, public testing::WithParamInterface<std::string> {};
+
+TEST_P(Examples, AreNamedAfterTheirFileAndLookAsTheyDid) {
   for (const char* renderer : {"blender", "povray"})
     if (!is_installed(renderer))
       GTEST_SKIP() << "no " << renderer << " on this machine: the examples are not tested";
   const std::string scene = " '" + (examples / GetParam()).string() + "' ";
   const Result checked = wold("check" + scene);
   ASSERT_EQ(checked.code, 0) << checked.err;
-  expect_contains(checked.out, "\nname = \"" + fs::path(GetParam()).stem().string() + "\"\n");
+  const std::string name = fs::path(GetParam()).stem().string();
+  expect_contains(checked.out, fmt::format("\nname = \"{}\"\n", name));
   expect_contains(read_file(examples / GetParam()), "wold render examples/" + GetParam());
 
   // Wold itself looks whether a picture has the right size and is not blank.
-  const Result made = wold("render" + scene +
-                           "--quiet --out out --renderer both --frames 1 --size 64x36 --samples 1 "
-                           "--set 'grass.levels=[30]' --set grass.variants=1 "
-                           "--set terrain.samples=33");
+  const int frame = middle_frame(checked.out);
+  const Result made = wold(fmt::format(
+      "render {} --quiet --out out --renderer both --frames {} --size 96x54 --samples 1 "
+      "--set 'grass.levels=[30]' --set grass.variants=1 --set terrain.samples=33",
+      scene, frame));
   ASSERT_EQ(made.code, 0) << made.err;
-  for (const char* file : {"out/frames/blender/0001.png", "out/frames/povray/0001.png"})
-    EXPECT_TRUE(fs::exists(folder_ / file)) << file;
+  for (const char* renderer : {"blender", "povray"})
+    expect_golden(folder_ / fmt::format("out/frames/{}/{:04}.png", renderer, frame),
+                  fmt::format("examples/{}_{}", name, renderer));
 }
 
 std::string test_name(const testing::TestParamInfo<std::string>& test) {

@@ -15,8 +15,7 @@ void GoldenPictures::expect_golden(const fs::path& picture, const std::string& n
   const Result result = wold(fmt::format("compare '{}' '{}' --report '{}'", kept.string(),
                                          want.string(), report.string()));
   EXPECT_EQ(result.code, 0) << name << ".png does not look like the picture in tests/golden.\n"
-                            << result.err
-                            << "If it should look so: tests/run.sh --update-golden";
+                            << result.err << "If it should look so: tests/run.sh --update-golden";
   if (result.code != 0) return;
   fs::remove_all(report);
   fs::remove(kept);

@@ -1,6 +1,6 @@
-#include <fmt/format.h>
-
 #include "golden.h"
+
+#include <fmt/format.h>
 
 /// The pictures of examples/hillside.toml, large enough to see its levels of detail.
 namespace wold::test {
