@@ -8,6 +8,7 @@
 #include "core/ground_map.h"
 #include "grass/patch_state.h"
 #include "landscape/cell_window.h"
+#include "landscape/combing.h"
 #include "scene/scene.h"
 
 namespace wold::landscape {
@@ -28,11 +29,22 @@ struct CellChoice {
   grass::PatchState state() const { return {key_frame, snow}; }
 };
 
+/// How a cell is combed.
+struct CellLean {
+  glm::dvec2 lean{0.0};  ///< see Combing
+  /// How far the cell reaches beyond its square, to the west and south and to the east and north.
+  glm::dvec2 beyond_low_m{0.0}, beyond_high_m{0.0};
+};
+
+/// Where neighbours lean away from each other a gap would open between them, through which the
+/// ground is seen: both reach half as far beyond their squares as it is wide at `height_m`.
+CellLean cell_lean(const Combing& combing, double patch_m, const glm::ivec2& cell, double height_m);
+
 /// The best affine fit of the ground under a cell, after `turn` quarter-turns about the patch's
 /// centre: least squares through the four corners, which leaves |z00 - z10 - z01 + z11| / 4 at
-/// each. What stands on it leans over by `lean` (see Combing) along the ground.
+/// each. What stands on it leans over along the ground.
 glm::dmat4 world_from_cell(const Heightfield& terrain, double patch_m, const glm::ivec2& cell,
-                           int turn, const glm::dvec2& lean);
+                           int turn, const CellLean& lean);
 
 /// How many of the four quarter-turns a level uses. A turn needs its own baked light, and a volume
 /// of 254^3 takes about 200 MB in a renderer: 1 from 200 voxels per side on, 2 from 100 on, else 4.

@@ -56,7 +56,7 @@ TEST(Cells, MatrixMapsCornersOntoTheGround) {
   const double patch_m = scene.grass.patch_m;
   for (int turn = 0; turn < 4; ++turn) {
     const glm::ivec2 cell(3 + turn, 7);
-    const glm::dmat4 matrix = world_from_cell(terrain, patch_m, cell, turn, glm::dvec2(0.0));
+    const glm::dmat4 matrix = world_from_cell(terrain, patch_m, cell, turn, CellLean{});
     EXPECT_NEAR(glm::determinant(matrix), 1.0, 1e-12);
     EXPECT_EQ(matrix[2], glm::dvec4(0, 0, 1, 0));
     const glm::dvec2 low = glm::dvec2(cell) * patch_m;
@@ -76,11 +76,34 @@ TEST(Cells, MatrixMapsCornersOntoTheGround) {
 
 TEST(Cells, TurnsCounterClockwise) {
   const Heightfield level(3, 2.0);
-  const glm::dmat4 once = world_from_cell(level, 0.5, {1, 2}, 1, glm::dvec2(0.0));
+  const glm::dmat4 once = world_from_cell(level, 0.5, {1, 2}, 1, CellLean{});
   const glm::dvec4 east_edge = once * glm::dvec4(0.5, 0.25, 0.1, 1);  // goes to the north edge
   EXPECT_NEAR(east_edge.x, 0.75, 1e-12);
   EXPECT_NEAR(east_edge.y, 1.5, 1e-12);
   EXPECT_NEAR(east_edge.z, 0.1, 1e-12);
+}
+
+// Cells are boxes that lean; where neighbours lean away from each other one saw the ground.
+TEST(Cells, LeaveNoGapsBetweenThem) {
+  scene::Scene scene = small_meadow();
+  const Combing combing(scene);
+  const Heightfield level(3, 12.0);
+  const double patch_m = scene.grass.patch_m, height_m = scene.grass.height_m;
+  const auto matrix = [&](const glm::ivec2& cell) {
+    return world_from_cell(level, patch_m, cell, 0, cell_lean(combing, patch_m, cell, height_m));
+  };
+  double widest_m = 0.0;
+  for (int i = 0; i < 23; ++i)
+    for (int j = 0; j < 23; ++j)
+      for (const double z : {0.0, height_m}) {
+        const glm::dvec4 end_m = matrix({i, j}) * glm::dvec4(patch_m, patch_m, z, 1);
+        const glm::dvec4 east_m = matrix({i + 1, j}) * glm::dvec4(0, 0, z, 1);
+        const glm::dvec4 north_m = matrix({i, j + 1}) * glm::dvec4(0, 0, z, 1);
+        EXPECT_GE(end_m.x, east_m.x - 1e-9);
+        EXPECT_GE(end_m.y, north_m.y - 1e-9);
+        widest_m = std::max({widest_m, end_m.x - east_m.x, end_m.y - north_m.y});
+      }
+  EXPECT_LT(widest_m, 0.1 * patch_m) << "cells hardly overlap";
 }
 
 TEST(Cells, NeighboursDiffer) {
