@@ -48,7 +48,7 @@ TEST_P(Examples, AreNamedAfterTheirFileAndLookAsTheyDid) {
   const int frame = middle_frame(checked.out);
   const Result made = wold(fmt::format(
       "render {} --quiet --out out --renderer both --frames {} --size 96x54 --samples 1 "
-      "--set 'grass.levels=[30]' --set grass.variants=1 --set terrain.samples=33",
+      "--set 'grass.levels=[30]' --set grass.variants=1 --set terrain.samples=129",
       scene, frame));
   ASSERT_EQ(made.code, 0) << made.err;
   for (const char* renderer : {"blender", "povray"})
