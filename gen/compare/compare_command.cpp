@@ -45,8 +45,9 @@ Verdict verdict(const std::vector<Comparison>& comparisons, const Json& json) {
 
 Verdict compare_paths(const fs::path& got, const fs::path& want, const Limits& limits,
                       const fs::path& report_folder) {
-  const bool are_folders = fs::is_directory(got);
-  if (are_folders != fs::is_directory(want))
+  std::error_code ignored;
+  const bool are_folders = fs::is_directory(got, ignored);
+  if (are_folders != fs::is_directory(want, ignored))
     throw InputError(fmt::format("{} is {}, {} is {}: two files or two folders are expected",
                                  got.string(), are_folders ? "a folder" : "none", want.string(),
                                  are_folders ? "none" : "a folder"));

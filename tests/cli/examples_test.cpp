@@ -23,12 +23,22 @@ std::set<std::string> scenes() {
   return paths;
 }
 
+/// A resolved scene from the value of a key on.
+std::string from_value(const std::string& scene, const std::string& table, const std::string& key) {
+  const std::string start = fmt::format("\n{} = ", key);
+  return scene.substr(scene.find(start, scene.find(fmt::format("\n[{}]", table))) + start.size());
+}
+
 /// A film's frame in the middle, where snow lies and clouds have come.
-int middle_frame(const std::string& resolved_scene) {
-  const std::size_t list = resolved_scene.find("\nframes = [", resolved_scene.find("\n[ageing]"));
-  const std::string_view frames =
-      std::string_view(resolved_scene).substr(list, resolved_scene.find(']', list) - list);
-  return static_cast<int>(std::ranges::count(frames, ',') + 2) / 2;
+int middle_frame(const std::string& scene) {
+  const std::string frames = from_value(scene, "ageing", "frames");
+  return static_cast<int>(std::count(frames.begin(), frames.begin() + frames.find(']'), ',') + 2) /
+         2;
+}
+
+/// As fine a ground as a small picture shows.
+int ground_samples(const std::string& scene) {
+  return std::min(std::stoi(from_value(scene, "terrain", "samples")), 129);
 }
 
 class Examples : public GoldenPictures, public testing::WithParamInterface<std::string> {};
@@ -48,8 +58,8 @@ TEST_P(Examples, AreNamedAfterTheirFileAndLookAsTheyDid) {
   const int frame = middle_frame(checked.out);
   const Result made = wold(fmt::format(
       "render {} --quiet --out out --renderer both --frames {} --size 96x54 --samples 1 "
-      "--set 'grass.levels=[30]' --set grass.variants=1 --set terrain.samples=129",
-      scene, frame));
+      "--set 'grass.levels=[30]' --set grass.variants=1 --set terrain.samples={}",
+      scene, frame, ground_samples(checked.out)));
   ASSERT_EQ(made.code, 0) << made.err;
   for (const char* renderer : {"blender", "povray"})
     expect_golden(folder_ / fmt::format("out/frames/{}/{:04}.png", renderer, frame),
@@ -61,6 +71,15 @@ std::string test_name(const testing::TestParamInfo<std::string>& test) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Examples, testing::ValuesIn(scenes()), test_name);
+
+TEST(GoldenPictures, BelongToAnExample) {
+  std::set<std::string> names;
+  for (const std::string& scene : scenes())
+    for (const char* renderer : {"blender", "povray"})
+      names.insert(fmt::format("{}_{}.png", fs::path(scene).stem().string(), renderer));
+  for (const auto& entry : fs::directory_iterator(fs::path(WOLD_TESTS_DIR) / "golden" / "examples"))
+    EXPECT_TRUE(names.contains(entry.path().filename())) << entry.path() << " is of no example";
+}
 
 // A piece of the San Gabriel Mountains. The model's cells around 29 m from its middle to the
 // south-west and north-east say 1142 m and 1172 m; a cell is half as wide as the square.
