@@ -1,28 +1,29 @@
 #include "compare/filter.h"
 
-#include <OpenImageIO/imagebufalgo.h>
-
+#include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <glm/glm.hpp>
+
+#include "core/parallel.h"
 
 namespace wold::compare {
 namespace {
 
-/// The kernel's middle is at 0. OpenImageIO's own Gaussian kernels end at two standard deviations,
-/// too early for the papers.
-OIIO::ImageBuf kernel(const Weights& weights, bool is_across) {
-  const auto size = static_cast<int>(weights.size());
-  OIIO::ImageSpec spec(is_across ? size : 1, is_across ? 1 : size, 1, OIIO::TypeDesc::FLOAT);
-  (is_across ? spec.x : spec.y) = -size / 2;
-  OIIO::ImageBuf result(spec);
-  result.set_pixels(result.roi(), OIIO::TypeDesc::DOUBLE, weights.data());
-  return result;
-}
-
-OIIO::ImageBuf convolved(const OIIO::ImageBuf& image, const OIIO::ImageBuf& kernel) {
-  constexpr bool normalise = false;
-  OIIO::ImageBuf result = OIIO::ImageBufAlgo::convolve(image, kernel, normalise);
-  if (result.has_error()) throw std::runtime_error(result.geterror());
+/// Filters along one axis: (1, 0) are the rows, (0, 1) the columns. OpenImageIO's convolve() gives
+/// the same in eight times the time, which a picture of two million pixels takes too long with.
+Image filtered_along(glm::ivec2 axis, const Image& image, const Weights& weights) {
+  const auto radius = static_cast<int>(weights.size() / 2);
+  Image result(image.width, image.height, image.channels);
+  parallel_for(static_cast<std::size_t>(image.height), [&](std::size_t row) {
+    const auto y = static_cast<int>(row);
+    for (int x = 0; x < image.width; ++x)
+      for (int i = -radius; i <= radius; ++i) {
+        const float* pixel = image.pixel(std::clamp(x + i * axis.x, 0, image.width - 1),
+                                         std::clamp(y + i * axis.y, 0, image.height - 1));
+        const auto weight = static_cast<float>(weights[static_cast<std::size_t>(radius + i)]);
+        for (int c = 0; c < image.channels; ++c) result.pixel(x, y)[c] += weight * pixel[c];
+      }
+  });
   return result;
 }
 
@@ -45,13 +46,7 @@ Weights gaussian(double sigma_px, int radius) {
 }
 
 Image filtered(const Image& image, const Weights& across, const Weights& down) {
-  Image result = image;
-  const OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::FLOAT);
-  const OIIO::ImageBuf source(spec, result.values.data());
-  const OIIO::ImageBuf both =
-      convolved(convolved(source, kernel(across, true)), kernel(down, false));
-  both.get_pixels(source.roi(), OIIO::TypeDesc::FLOAT, result.values.data());
-  return result;
+  return filtered_along({0, 1}, filtered_along({1, 0}, image, across), down);
 }
 
 }  // namespace wold::compare
