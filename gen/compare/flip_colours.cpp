@@ -32,24 +32,24 @@ double sigma_px(const Bell& bell, double pixels_per_degree) {
   return std::sqrt(bell.width / 2.0) / std::numbers::pi * pixels_per_degree;
 }
 
-/// The sum of a channel's bells as filters; each is a filter of one axis used twice, all together
-/// leave a constant as it is.
+/// The volume under a bell, sampled at the pixels: its top over its weight there.
+double volume(const Bell& bell, const Weights& sampled) {
+  const double middle = sampled[sampled.size() / 2];
+  return bell.height * std::sqrt(std::numbers::pi / bell.width) / (middle * middle);
+}
+
+/// A channel blurred by the sum of its bells, scaled so that a constant stays as it is.
 Image as_seen(const Image& channel, const std::vector<Bell>& bells, double pixels_per_degree) {
   const auto radius = static_cast<int>(std::ceil(3.0 * sigma_px({1.0, widest}, pixels_per_degree)));
   Image sum(channel.width, channel.height, 1);
   double whole = 0.0;
   for (const Bell& bell : bells) {
-    const double sigma = sigma_px(bell, pixels_per_degree);
-    const Weights weights = gaussian(sigma, radius);
-    // A filter of unit sum stands for the volume under the bell, sampled at the pixels; its middle
-    // weight is the bell's top over that volume.
-    const double middle = weights[static_cast<std::size_t>(radius)];
-    const double volume =
-        bell.height * std::sqrt(std::numbers::pi / bell.width) / (middle * middle);
-    const Image part = filtered(channel, weights, weights);
+    const Weights sampled = gaussian(sigma_px(bell, pixels_per_degree), radius);
+    const Image part = filtered(channel, sampled, sampled);
+    const double share = volume(bell, sampled);
     for (std::size_t i = 0; i < sum.values.size(); ++i)
-      sum.values[i] += static_cast<float>(volume) * part.values[i];
-    whole += volume;
+      sum.values[i] += static_cast<float>(share) * part.values[i];
+    whole += share;
   }
   for (float& value : sum.values) value /= static_cast<float>(whole);
   return sum;
