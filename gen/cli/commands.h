@@ -27,7 +27,7 @@ struct RenderOptions {
 struct CompareOptions {
   std::filesystem::path got;
   std::filesystem::path want;
-  std::filesystem::path report;  ///< folder for pictures and metrics; empty: none
+  std::filesystem::path report;  ///< folder for page, pictures and metrics; empty: none
   compare::Limits limits;
 };
 
