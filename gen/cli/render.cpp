@@ -1,21 +1,63 @@
 #include "cli/commands.h"
-#include "cli/film.h"
-#include "cli/job.h"
-#include "cli/manifest.h"
+#include "cli/do_tasks.h"
+#include "cli/folder_lock.h"
 #include "cli/output.h"
+#include "core/file_list.h"
 #include "core/parallel.h"
+#include "render/renderer.h"
 
 namespace wold::cli {
+namespace {
+
+std::vector<StageTasks> without_pictures(std::vector<StageTasks> stages) {
+  std::erase_if(stages, [](const StageTasks& stage) { return makes_pictures(stage.stage); });
+  return stages;
+}
+
+/// Before minutes are spent on what could not be rendered.
+void find_renderers(const std::vector<StageTasks>& stages) {
+  for (const StageTasks& stage : stages)
+    if (makes_pictures(stage.stage))
+      render::find_renderer(stage.stage == Stage::blender ? render::Renderer::blender
+                                                          : render::Renderer::povray);
+}
+
+/// Does what is missing and lists the files.
+void complete(const Job& job, const std::vector<StageTasks>& stages, Progress& progress) {
+  find_renderers(stages);
+  const ThreadLimit limit(job.threads);
+  const FolderLock lock(job.out, Access::alone);
+  remove_temporaries(job.out);
+  Work work(job);
+  do_tasks(job, work, stages, progress);
+  work.finish();
+}
+
+}  // namespace
 
 ExitCode run_generate(const RenderOptions& options, Progress& progress) {
+  const Job job = plan_job(options);
+  if (options.dry_run)
+    print_data(summary(job));
+  else
+    complete(job, without_pictures(stages_of(job)), progress);
+  return ExitCode::done;
+}
+
+ExitCode run_render(const RenderOptions& options, Progress& progress) {
   const Job job = plan_job(options);
   if (options.dry_run) {
     print_data(summary(job));
     return ExitCode::done;
   }
-  const ThreadLimit limit(job.threads);
-  Film(job).generate(progress);
-  Manifest(job.out).write();
+  const std::vector<StageTasks> stages = stages_of(job);
+  complete(job, stages, progress);
+  std::string pictures;
+  for (const int frame : job.frames)
+    for (const StageTasks& stage : stages)
+      if (makes_pictures(stage.stage))
+        pictures += picture_path(job, {stage.stage, frame}).string() + "\n";
+  print_data(pictures);
   return ExitCode::done;
 }
 
