@@ -76,7 +76,7 @@ void do_tasks(const Job& job, Work& work, const std::vector<StageTasks>& stages,
     const std::string heading(name_of(stage.stage));
     if (makes_pictures(stage.stage)) {
       pictures.insert(pictures.end(), tasks.begin(), tasks.end());
-      bytes_each = std::max(bytes_each, estimate(job, stage, work.records()).memory_bytes);
+      bytes_each = std::max(bytes_each, estimate(job, stage, work).memory_bytes);
     } else if (stage.stage == Stage::texels) {
       run_all(work, tasks, heading, job.threads, progress, parallel_for);
     } else {

@@ -10,9 +10,8 @@
 namespace wold::cli {
 namespace {
 
-// All constants are for one thread of a processor of 2020 and examples/hillside.toml and
-// examples/mountain.toml, whose measurements stand in README.md; they are right within a factor of
-// two or three for scenes like those.
+// For one thread, from what README.md says of examples/mountain.toml on 2 processors: right within
+// a factor of two or three for scenes like that.
 constexpr double gigabyte = 1e9;
 constexpr double texel_seconds = 4e-7;       // per voxel of the finest level's cube
 constexpr double texel_bytes = 1.0;          // likewise, of all levels and turns on disk
@@ -65,13 +64,14 @@ Estimate modelled(const Job& job, Stage stage) {
 }
 
 /// The mean of the first tasks that have been done. Files that tasks share count for each.
-std::optional<Estimate> measured(const StageTasks& stage, const TaskRecords& records) {
+std::optional<Estimate> measured(const StageTasks& stage, const Work& work) {
   constexpr int enough = 16;
   constexpr std::size_t most_looked_at = 1000;
   Estimate sum;
   int count = 0;
   for (std::size_t i = 0; i < std::min(stage.indices.size(), most_looked_at) && count < enough; ++i)
-    if (const auto record = records.read({stage.stage, stage.indices[i]})) {
+    if (const auto record = work.records().read({stage.stage, stage.indices[i]});
+        record && record->facts == work.scene_hash()) {
       ++count;
       sum.seconds += record->seconds;
       for (const auto& output : record->outputs)
@@ -83,10 +83,10 @@ std::optional<Estimate> measured(const StageTasks& stage, const TaskRecords& rec
 
 }  // namespace
 
-Estimate estimate(const Job& job, const StageTasks& stage, const TaskRecords& records) {
+Estimate estimate(const Job& job, const StageTasks& stage, const Work& work) {
   Estimate result = modelled(job, stage.stage);
   result.seconds /= threads_of(job);
-  if (const auto known = measured(stage, records)) {
+  if (const auto known = measured(stage, work)) {
     result.seconds = known->seconds;
     result.disk_bytes = known->disk_bytes;
     result.measured = true;

@@ -13,7 +13,7 @@ struct Estimate {
   bool measured = false;  ///< seconds and disk are the mean of tasks of this folder
 };
 
-/// From the scene's sizes; seconds and disk from records of the same stage where there are any.
-Estimate estimate(const Job& job, const StageTasks& stage, const TaskRecords& records);
+/// From the scene's sizes; seconds and disk from what tasks of the same stage and scene took.
+Estimate estimate(const Job& job, const StageTasks& stage, const Work& work);
 
 }  // namespace wold::cli

@@ -13,7 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Many tasks differ in nothing but the file they miss: one group for all that were never made.
 std::vector<TaskGroup> grouped(Work& work, const StageTasks& tasks) {
   std::vector<TaskGroup> groups;
   std::map<std::pair<Need, std::string>, std::size_t> known;
@@ -31,8 +30,8 @@ std::string_view word_of(Need need) {
   return words[static_cast<std::size_t>(need)];
 }
 
-/// "about 2 h 10 min"
 std::string time_text(double seconds) {
+  if (seconds < 10.0) return fmt::format("{:.1f} s", seconds);
   if (seconds < 100.0) return fmt::format("{:.0f} s", seconds);
   if (seconds < 6000.0) return fmt::format("{:.0f} min", seconds / 60.0);
   return fmt::format("{:.1f} h", seconds / 3600.0);
@@ -133,7 +132,7 @@ std::vector<StagePlan> make_plan(const Job& job) {
   Work work(job);
   std::vector<StagePlan> plan;
   for (const StageTasks& tasks : stages_of(job)) {
-    StagePlan stage{tasks, estimate(job, tasks, work.records()), grouped(work, tasks)};
+    StagePlan stage{tasks, estimate(job, tasks, work), grouped(work, tasks)};
     for (const TaskGroup& group : stage.groups) {
       if (group.verdict.need == Need::yes) stage.runs += group.indices.size();
       if (group.verdict.need == Need::perhaps) stage.perhaps += group.indices.size();

@@ -1,6 +1,7 @@
 #include "cli/scene_facts.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -22,22 +23,21 @@ bool changes_no_file(const std::string& key) {
 
 /// Block by block: an elevation model may be larger than memory.
 std::string hash_of_file(const std::string& path) {
-  if (path.empty()) return {};
   std::ifstream file(path, std::ios::binary);
   if (!file) throw FileError(fmt::format("cannot read {}: {}", path, std::strerror(errno)));
   std::string hashes, block(1 << 20, '\0');
   while (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0)
     hashes += content_hash({block.data(), static_cast<std::size_t>(file.gcount())});
-  return fmt::format(" {}", content_hash(hashes));
+  return content_hash(hashes);
 }
 
 std::string fact(const scene::Key& key, const scene::Value& value) {
-  std::string text = scene::toml_text(value);
-  if (key.kind == scene::Kind::file) text += hash_of_file(std::get<std::string>(value));
-  if (key.kind == scene::Kind::files)
-    for (const std::string& path : std::get<std::vector<std::string>>(value))
-      text += hash_of_file(path);
-  return text;
+  std::vector<std::string> files;
+  if (key.kind == scene::Kind::file) files = {std::get<std::string>(value)};
+  if (key.kind == scene::Kind::files) files = std::get<std::vector<std::string>>(value);
+  if (files.empty() || files.front().empty()) return scene::toml_text(value);
+  for (std::string& file : files) file = hash_of_file(file);
+  return fmt::format("{}", fmt::join(files, " "));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace wold::cli {
 
 /// Everything a scene says that can change a file, by key as in messages: "grass.blades",
-/// "clouds[1].kind". Values are TOML; a key that names a file holds the hash of what is in it, too.
+/// "clouds[1].kind". Values are TOML; of files they are the hashes of what is in them.
 using SceneFacts = std::map<std::string, std::string>;
 
 /// The facts of a scene: all its keys but its name and those that only say who works, with how many

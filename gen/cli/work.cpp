@@ -52,7 +52,7 @@ render::Job picture_job(const Job& job, const Task& task, int threads) {
   return picture;
 }
 
-/// "camera.eye, camera.target and 3 more keys"
+/// "camera.eye, camera.target and 3 more"
 std::string listed(const std::vector<std::string>& keys) {
   constexpr std::size_t most = 4;
   const std::size_t shown = std::min(keys.size(), most);
@@ -72,6 +72,8 @@ Work::Work(const Job& job)
       facts_(facts_of(job.scene)),
       facts_hash_(hash_of(facts_)),
       build_(hash_of_build()),
+      programs_({{Stage::blender, hash_of_files_below(shipped_file("templates/blender"))},
+                 {Stage::povray, hash_of_files_below(shipped_file("templates/povray"))}}),
       states_(job.out),
       records_(job.out) {}
 
@@ -118,22 +120,19 @@ std::string Work::source(const Task& task) {
 
 std::string Work::picture_source(const Task& task) {
   const scene::Render& settings = job_.scene.render;
-  const std::string program(name_of(task.stage));
-  return content_hash(fmt::format("{} {}x{} {} {} {}", text_of(task), settings.size_px[0],
+  return content_hash(fmt::format("{} {}x{} {} {}", text_of(task), settings.size_px[0],
                                   settings.size_px[1], settings.samples,
-                                  scene_hashes(task.index).at(task.stage),
-                                  hash_of_files_below(shipped_file("templates/" + program))));
+                                  scene_hashes(task.index).at(task.stage)));
 }
 
 const Work::SceneHashes& Work::scene_hashes(int frame) {
   const std::lock_guard lock(mutex_);
   SceneHashes& hashes = scene_hashes_[frame];
   if (!hashes.empty()) return hashes;
-  std::map<Stage, std::string> texts;
   const auto record = records_.read({Stage::scenes, frame});
-  for (const Stage stage : {Stage::blender, Stage::povray}) {
+  for (const auto& [stage, program] : programs_) {
     const std::string folder = fmt::format("{}/", name_of(stage));
-    std::string text;
+    std::string text = program;
     if (record)
       for (const auto& [name, state] : record->outputs)
         if (name.starts_with(folder)) text += fmt::format("{} {}\n", name, state.hash);
@@ -178,6 +177,7 @@ void Work::run(const Task& task, int threads, Progress& progress) {
   }
   records_.write(task, record);
   if (task.stage != Stage::scenes) return;
+  const std::lock_guard lock(mutex_);
   scenes_.erase(task.index);
   scene_hashes_.erase(task.index);
 }

@@ -54,8 +54,11 @@ class Work {
 
   const TaskRecords& records() const { return records_; }
 
+  /// Equal for equal scenes, but for what changes no file.
+  const std::string& scene_hash() const { return facts_hash_; }
+
  private:
-  /// Hashes of a frame's scene files, by renderer.
+  /// Hashes of a frame's scene files and the renderer's program, by renderer.
   using SceneHashes = std::map<Stage, std::string>;
 
   std::string source(const Task& task);
@@ -70,7 +73,8 @@ class Work {
   const Job& job_;
   SceneFacts facts_;
   std::string facts_hash_;
-  std::string build_;  ///< hash of the program, its models and templates
+  std::string build_;                      ///< hash of the program, its models and templates
+  std::map<Stage, std::string> programs_;  ///< hash, by renderer
   FileStates states_;
   TaskRecords records_;
   std::recursive_mutex mutex_;               ///< of the two that follow

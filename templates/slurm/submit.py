@@ -71,7 +71,7 @@ class Submission:
 
     def submit(self, name, dependencies, *command, array=None):
         """The new job's id. %A, %a: those of the array and of its element."""
-        options = ["--parsable", f"--job-name=wold-{name}", f"--chdir={self.out}",
+        options = ["--parsable", f"--job-name=wold-{name}", f"--chdir={pathlib.Path.cwd()}",
                    f"--output={self.logs}/{name}_%A_%a.log"]
         if dependencies:
             options.append("--dependency=" + ",".join(dependencies))

@@ -66,7 +66,8 @@ TEST_P(Renderers, AnInterruptEndsThem) {
   const std::string slow = render("out", "--frames 1 --size 320x180 --samples 4");
   Running program(folder_,
                   command(slow, variable + "='" + (folder_ / "wrapped.sh").string() + "'"));
-  ASSERT_TRUE(eventually([&] { return program.messages().find("/100 ") != std::string::npos; }));
+  ASSERT_TRUE(
+      eventually([&] { return program.messages().find("\npictures ") != std::string::npos; }));
   program.send(SIGINT);
   const Result result = program.finish();
   EXPECT_EQ(result.code, 130) << result.err;
