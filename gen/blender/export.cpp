@@ -11,6 +11,7 @@
 #include "blender/blade_files.h"
 #include "blender/frame_data.h"
 #include "blender/volume_file.h"
+#include "core/file_list.h"
 #include "core/files.h"
 #include "core/parallel.h"
 
@@ -61,9 +62,22 @@ std::vector<int> picks_of(const Landscape& landscape, const std::vector<std::siz
   return picks;
 }
 
+/// What frames share, in `data`, as far as this one needs it.
+std::vector<fs::path> shared_files(const Landscape& landscape,
+                                   const std::vector<VolumeEntry>& volumes, const fs::path& data) {
+  std::vector<fs::path> files;
+  for (const VolumeEntry& volume : volumes) files.push_back(volume.file);
+  for (const landscape::BladeMesh& mesh : landscape.blade_meshes)
+    for (const fs::path& file : blade_files(mesh.name, data / "blades")) files.push_back(file);
+  if (!landscape.flakes.flakes.empty())
+    for (const landscape::FlakePicture& picture : landscape.flakes.pictures)
+      files.push_back(data / "flakes" / (picture.name + ".png"));
+  return files;
+}
+
 }  // namespace
 
-void export_frame(const Landscape& landscape, const fs::path& folder) {
+std::vector<fs::path> export_frame(const Landscape& landscape, const fs::path& folder) {
   const fs::path frame_folder = folder / "data" / fmt::format("frame_{:04}", landscape.frame);
   const fs::path volume_folder = folder / "data" / "volumes";
   make_folder(frame_folder);
@@ -82,11 +96,15 @@ void export_frame(const Landscape& landscape, const fs::path& folder) {
     write_volume(entries[i].file, volume);
   });
   write_frame_data(landscape, frame_folder, entries, picks_of(landscape, used), folder / "data");
+  std::vector<fs::path> files = files_below(frame_folder);
+  for (const fs::path& shared : shared_files(landscape, entries, folder / "data"))
+    files.push_back(shared);
+  return files;
 }
 
 void export_scene(const fs::path& folder) {
   make_folder(folder);
-  write_file(folder / "scene.py", read_file(shipped_file("templates/blender/scene.py")));
+  update_file(folder / "scene.py", read_file(shipped_file("templates/blender/scene.py")));
 }
 
 }  // namespace wold::blender

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "landscape/landscape.h"
 
@@ -20,8 +21,10 @@ namespace wold::blender {
 
 /// Writes everything this frame needs below folder/data. Only volumes that cells use are written,
 /// and those that are there already with the same content are left alone. Same landscape, same
-/// bytes. Throws FileError; every file that exists afterwards is whole.
-void export_frame(const landscape::Landscape& landscape, const std::filesystem::path& folder);
+/// bytes, so that frames may be written by several processes at a time. Returns the files that the
+/// frame is made of. Throws FileError; every file that exists afterwards is whole.
+std::vector<std::filesystem::path> export_frame(const landscape::Landscape& landscape,
+                                                const std::filesystem::path& folder);
 
 /// Writes folder/scene.py, the program that renders any exported frame:
 /// `blender -b --python-exit-code 1 -P scene.py -- FRAME`. Throws FileError.

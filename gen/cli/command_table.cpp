@@ -36,7 +36,7 @@ void add_shorthand(CLI::App& app, const std::string& option, const std::string& 
       ->type_name(type);
 }
 
-/// The options of `render` and `generate`; shorthands are kept apart because CLI11 replaces the
+/// The options of `render` and its like; shorthands are kept apart because CLI11 replaces the
 /// list of --set when it is done.
 struct RenderArguments {
   RenderOptions options;
@@ -61,7 +61,8 @@ void add_shorthands(CLI::App& app, Overrides& overrides) {
       ->type_name("WxH");
 }
 
-void add_render_options(CLI::App& app, RenderArguments& arguments) {
+/// Everything that says which files are made.
+void add_job_options(CLI::App& app, RenderArguments& arguments) {
   RenderOptions& options = arguments.options;
   add_scene(app, options.scene);
   add_shorthands(app, arguments.shorthands);
@@ -75,20 +76,74 @@ void add_render_options(CLI::App& app, RenderArguments& arguments) {
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   add_overrides(app, options.overrides);
-  app.add_flag("--dry-run", options.dry_run, "check everything, say what would be made, stop");
-  app.add_flag("--quiet", options.quiet, "no progress");
+}
+
+void add_quiet(CLI::App& app, bool& quiet) { app.add_flag("--quiet", quiet, "no progress"); }
+
+/// The options with the shorthands among the overrides.
+RenderOptions resolved(const RenderArguments& arguments) {
+  RenderOptions options = arguments.options;
+  options.overrides.insert(options.overrides.end(), arguments.shorthands.begin(),
+                           arguments.shorthands.end());
+  return options;
 }
 
 template <class Run>
-Action render_like(CLI::App& app, Run run) {
-  auto arguments = std::make_shared<RenderArguments>();
-  add_render_options(app, *arguments);
+Action generate_like(CLI::App& app, const std::shared_ptr<RenderArguments>& arguments, Run run) {
+  add_job_options(app, *arguments);
+  app.add_flag("--dry-run", arguments->options.dry_run,
+               "check everything, say what would be made, stop");
+  add_quiet(app, arguments->options.quiet);
   return [arguments, run] {
-    RenderOptions options = arguments->options;
-    options.overrides.insert(options.overrides.end(), arguments->shorthands.begin(),
-                             arguments->shorthands.end());
-    ConsoleProgress progress(progress_style(options.quiet));
-    return run(options, progress);
+    ConsoleProgress progress(progress_style(arguments->options.quiet));
+    return run(resolved(*arguments), progress);
+  };
+}
+
+Action declare_generate(CLI::App& app) {
+  return generate_like(app, std::make_shared<RenderArguments>(), run_generate);
+}
+
+Action declare_render(CLI::App& app) {
+  auto arguments = std::make_shared<RenderArguments>();
+  app.add_option("--memory", arguments->options.memory_bytes,
+                 "memory for renderers that run at once, such as 8G; the machine's without it")
+      ->type_name("SIZE")
+      ->transform(CLI::AsSizeValue(false));
+  return generate_like(app, arguments, run_render);
+}
+
+Action declare_plan(CLI::App& app) {
+  auto arguments = std::make_shared<RenderArguments>();
+  auto form = std::make_shared<PlanForm>(PlanForm::text);
+  add_job_options(app, *arguments);
+  const auto add_form = [&](const std::string& option, PlanForm value, const std::string& doc) {
+    return app.add_flag_callback(
+        option, [form, value] { *form = value; }, doc);
+  };
+  CLI::Option* json = add_form("--json", PlanForm::json, "as JSON");
+  CLI::Option* why = add_form("--why", PlanForm::why, "say why tasks are to do");
+  CLI::Option* openjd =
+      add_form("--openjd", PlanForm::openjd, "as a job template of Open Job Description");
+  json->excludes(why)->excludes(openjd);
+  why->excludes(openjd);
+  return [arguments, form] { return run_plan(resolved(*arguments), *form); };
+}
+
+Action declare_task(CLI::App& app) {
+  struct Options {
+    RenderArguments arguments;
+    std::string stage;
+    int index = 1;
+  };
+  auto options = std::make_shared<Options>();
+  add_job_options(app, options->arguments);
+  app.add_option("STAGE", options->stage, "one that `wold plan` lists")->required();
+  app.add_option("INDEX", options->index, "one that `wold plan` lists for it")->required();
+  add_quiet(app, options->arguments.options.quiet);
+  return [options] {
+    ConsoleProgress progress(progress_style(options->arguments.options.quiet));
+    return run_task(resolved(options->arguments), options->stage, options->index, progress);
   };
 }
 
@@ -161,11 +216,13 @@ Action declare_new(CLI::App& app) {
 const std::vector<Command>& command_table() {
   static const std::vector<Command> commands = {
       {"render", "generate the scene's data and make its pictures",
-       "wold render meadow.toml --renderer povray --frames 1,3 --size 480x270",
-       [](CLI::App& app) { return render_like(app, run_render); }},
+       "wold render meadow.toml --renderer povray --frames 1,3 --size 480x270", declare_render},
       {"generate", "everything but running the renderers",
-       "wold generate meadow.toml --out /tmp/meadow --set grass.blades=200",
-       [](CLI::App& app) { return render_like(app, run_generate); }},
+       "wold generate meadow.toml --out /tmp/meadow --set grass.blades=200", declare_generate},
+      {"plan", "list the tasks that render does, which of them are to do, and what they take",
+       "wold plan meadow.toml --frames 1-100 --why", declare_plan},
+      {"task", "do one of the plan's tasks, unless it has been done",
+       "wold task meadow.toml scenes 7 --out /shared/meadow", declare_task},
       {"check", "check a scene and print it with every key filled in",
        "wold check meadow.toml --set sun.elevation=20", declare_check},
       {"inspect", "say what is in pictures, .vdb and .df3 files, and what is wrong with them",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -12,16 +13,20 @@
 /// throws wold::Error; only run() in program.h prints errors.
 namespace wold::cli {
 
-/// What `render` and `generate` are asked for.
+/// What `render`, `generate`, `plan` and `task` are asked for.
 struct RenderOptions {
   std::filesystem::path scene;
   std::vector<std::string> overrides;  ///< key=value, applied after the scene file
   std::vector<int> frames;             ///< from 1, rising; empty: all
   std::filesystem::path out;           ///< empty: out/<scene name>
   int threads = 0;                     ///< 0: the scene's render.threads
+  std::uint64_t memory_bytes = 0;      ///< 0: the machine's
   bool dry_run = false;
   bool quiet = false;
 };
+
+/// How `plan` says what there is to do.
+enum class PlanForm { text, why, json, openjd };
 
 /// What `compare` is asked for.
 struct CompareOptions {
@@ -43,6 +48,13 @@ ExitCode run_generate(const RenderOptions& options, Progress& progress);
 
 /// Generates, then runs the renderers.
 ExitCode run_render(const RenderOptions& options, Progress& progress);
+
+/// Prints what `render` would do, without doing or writing anything.
+ExitCode run_plan(const RenderOptions& options, PlanForm form);
+
+/// Does one task, unless it has been done.
+ExitCode run_task(const RenderOptions& options, const std::string& stage, int index,
+                  Progress& progress);
 
 /// Prints the scene with every key filled in.
 ExitCode run_check(const std::filesystem::path& scene, const std::vector<std::string>& overrides);

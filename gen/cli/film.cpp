@@ -6,31 +6,33 @@
 
 #include "blender/export.h"
 #include "cli/cloud_textures.h"
+#include "core/file_list.h"
 #include "core/files.h"
+#include "grass/texel_file.h"
 #include "landscape/assemble.h"
 #include "landscape/far_field.h"
 #include "landscape/film_lighting.h"
 #include "landscape/lit_ground.h"
 #include "landscape/view.h"
 #include "povray/export.h"
-#include "scene/write.h"
 
 namespace wold::cli {
+namespace fs = std::filesystem;
 namespace {
 
 int coarsest_level(const scene::Grass& grass) { return static_cast<int>(grass.levels.size()) - 1; }
 
-void export_program(const std::string& renderer, const std::filesystem::path& folder) {
-  renderer == "blender" ? blender::export_scene(folder) : povray::export_scene(folder);
+std::vector<fs::path> export_frame(const std::string& renderer,
+                                   const landscape::Landscape& landscape, const fs::path& folder) {
+  return renderer == "blender" ? blender::export_frame(landscape, folder)
+                               : povray::export_frame(landscape, folder);
 }
 
-void export_frame(const std::string& renderer, const landscape::Landscape& landscape,
-                  const std::filesystem::path& folder) {
-  if (renderer == "blender") {
-    blender::export_frame(landscape, folder);
-  } else {
-    povray::export_frame(landscape, folder);
-  }
+/// All that cells may use. Which of them do depends on the frames; a file must not.
+std::set<int> turns_of(const scene::Scene& scene, int level) {
+  std::set<int> turns;
+  for (int turn = 0; turn < landscape::turns_of_level(scene, level); ++turn) turns.insert(turn);
+  return turns;
 }
 
 }  // namespace
@@ -40,29 +42,27 @@ std::vector<std::string> wanted_renderers(const scene::Scene& scene) {
   return {scene.render.renderer};
 }
 
-Film::Film(const Job& job)
-    : job_(job),
-      site_(landscape::make_site(job.scene, job.out / "snow")),
-      texels_(job.scene, landscape::film_lighting(job.scene, site_), job.out / "texels") {}
-
-void Film::generate(Progress& progress) {
-  make_folder(job_.out);
-  write_file(job_.out / "scene.toml", scene::resolved_toml(job_.scene));
-  choose_cells(progress);
-  make_texels(progress);
-  if (site_.clouds) write_cloud_textures(*site_.clouds, job_.out / "clouds");
-  export_frames(progress);
+void write_programs(const scene::Scene& scene, const fs::path& out) {
+  for (const std::string& renderer : wanted_renderers(scene))
+    renderer == "blender" ? blender::export_scene(out / renderer)
+                          : povray::export_scene(out / renderer);
 }
 
-void Film::choose_cells(Progress& progress) {
+Film::Film(const Job& job)
+    : job_(job),
+      snow_(job.out / "snow"),
+      site_(landscape::make_site(job.scene, snow_.path())),
+      texels_(job.scene, landscape::film_lighting(job.scene, site_), job.out / "texels") {}
+
+void Film::find_demand(Progress& progress) {
   progress.begin("cells", job_.frames.size());
   for (const int frame : job_.frames) {
-    cells_.push_back(landscape::choose_cells(job_.scene, site_.terrain,
-                                             landscape::growth_of_cells(site_), frame));
-    for (const landscape::CellChoice& cell : cells_.back())
-      if (!cell.blades) demand_[cell.variant][cell.state()][cell.level].insert(cell.turn);
+    const std::vector<landscape::CellChoice> cells = landscape::choose_cells(
+        job_.scene, site_.terrain, landscape::growth_of_cells(site_), frame);
+    for (const landscape::CellChoice& cell : cells)
+      if (!cell.blades) demand(cell.variant, cell.state(), cell.level);
     demand_far_field(frame);
-    progress.advance(1, fmt::format("frame {}: {} cells", frame, cells_.back().size()));
+    progress.advance(1, fmt::format("frame {}: {} cells", frame, cells.size()));
   }
   progress.end();
 }
@@ -74,21 +74,47 @@ void Film::demand_far_field(int frame) {
   if (!landscape::shows_distance(scene, site_, camera)) return;
   for (const grass::PatchState& state : landscape::far_states(scene, frame))
     for (int variant = 0; variant < scene.grass.variants; ++variant)
-      demand_[variant][state][coarsest_level(scene.grass)].insert(0);
+      demand(variant, state, coarsest_level(scene.grass));
 }
 
-void Film::make_texels(Progress& progress) { texels_.generate(demand_, progress); }
+void Film::demand(int variant, const grass::PatchState& state, int level) {
+  std::set<int>& turns = demand_[variant][state][level];
+  if (turns.empty()) turns = turns_of(job_.scene, level);
+}
+
+std::vector<fs::path> Film::make_texels(int variant, Progress& progress) const {
+  const auto wanted = demand_.find(variant);
+  if (wanted == demand_.end()) return {};
+  texels_.generate({*wanted}, progress);
+  std::vector<fs::path> files;
+  for (const auto& [state, levels] : wanted->second) {
+    files.push_back(texels_.texel_path(variant, state));
+    for (const auto& level : levels)
+      files.push_back(texels_.volume_path(variant, state, level.first));
+  }
+  return files;
+}
+
+std::vector<fs::path> Film::make_cloud_pictures() const {
+  if (site_.clouds) write_cloud_textures(*site_.clouds, job_.out / "clouds");
+  return files_below(job_.out / "clouds");
+}
 
 landscape::Volume Film::volume(const landscape::CellChoice& cell) const {
   const int side = job_.scene.grass.levels[static_cast<std::size_t>(cell.level)];
-  const auto& turns = demand_.at(cell.variant).at(cell.state()).at(cell.level);
   landscape::Volume volume;
   volume.name = fmt::format("v{}_{}_q{}_{:03}", cell.variant, cell.state().name(), cell.turn, side);
   volume.vdb = texels_.volume_path(cell.variant, cell.state(), cell.level);
   volume.emission_grid = fmt::format("emission_q{}", cell.turn);
-  volume.content = texels_.volume_content(cell.variant, cell.state(), cell.level, turns);
+  volume.content = texels_.volume_content(cell.variant, cell.state(), cell.level,
+                                          turns_of(job_.scene, cell.level));
   volume.voxels = {side, side, texels_.level_shape(cell.level).height};
   volume.voxel_m = job_.scene.grass.patch_m / side;
+  if (grass::file_content(volume.vdb) != volume.content)
+    throw FileError(
+        fmt::format("{} is missing, damaged or of another scene; expected that of this one: run "
+                    "the task \"texels {}\" of these frames first",
+                    volume.vdb.string(), cell.variant + 1));
   return volume;
 }
 
@@ -114,26 +140,29 @@ std::vector<landscape::Volume> Film::far_volumes(const grass::PatchState& state)
   return volumes;
 }
 
-void Film::export_frames(Progress& progress) {
-  const std::vector<std::string> renderers = wanted_renderers(job_.scene);
+std::vector<fs::path> Film::make_frame(int frame, Progress& progress) {
   const landscape::PatchLookup lookup = {
       [&](const landscape::CellChoice& cell) { return volume(cell); },
       [&](const landscape::CellChoice& cell) { return blades(cell); },
       [&](const grass::PatchState& state) { return far_volumes(state); }};
-  for (const std::string& renderer : renderers) export_program(renderer, job_.out / renderer);
-  progress.begin("scene files", job_.frames.size() * renderers.size());
-  for (std::size_t i = 0; i < job_.frames.size(); ++i) {
-    const landscape::Landscape landscape =
-        landscape::assemble(job_.scene, site_, job_.frames[i], cells_[i], lookup);
-    for (const std::string& renderer : renderers) {
-      export_frame(renderer, landscape, job_.out / renderer);
-      progress.advance(1, fmt::format("{} frame {}", renderer, job_.frames[i]));
-    }
+  const std::vector<std::string> renderers = wanted_renderers(job_.scene);
+  progress.begin(fmt::format("scene files of frame {}", frame), 1 + renderers.size());
+  const auto cells =
+      landscape::choose_cells(job_.scene, site_.terrain, landscape::growth_of_cells(site_), frame);
+  const landscape::Landscape landscape =
+      landscape::assemble(job_.scene, site_, frame, cells, lookup);
+  progress.advance(1, fmt::format("frame {}", frame));
+  std::vector<fs::path> files;
+  for (const std::string& renderer : renderers) {
+    for (const fs::path& file : export_frame(renderer, landscape, job_.out / renderer))
+      files.push_back(file);
+    progress.advance(1, fmt::format("{} frame {}", renderer, frame));
   }
-  progress.end();
   // POV-Ray takes its settings from where it is started: `povray povray/scene.pov` from here, too.
-  if (std::find(renderers.begin(), renderers.end(), "povray") != renderers.end())
-    write_file(job_.out / "povray.ini", read_file(job_.out / "povray" / "povray.ini"));
+  if (const fs::path settings = job_.out / "povray" / "povray.ini"; fs::exists(settings))
+    update_file(job_.out / "povray.ini", read_file(settings));
+  progress.end();
+  return files;
 }
 
 }  // namespace wold::cli

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/job.h"
+#include "cli/scratch_folder.h"
 #include "core/progress.h"
 #include "grass/time_varying_texel.h"
 #include "landscape/cells.h"
@@ -14,36 +15,49 @@
 
 namespace wold::cli {
 
-/// From a checked scene to the scene folders of the renderers: terrain, choice of cells, the texels
-/// they need, and one export per frame and renderer. What is there already and still right is kept.
+/// From a checked scene to the scene folders of the renderers, part by part. What is there already
+/// and still right is kept. The bytes of a file depend on the scene alone: not on the job's frames,
+/// which say only which files there are, nor on what else was made, when, or by which process.
+///
+/// All functions throw FileError and InterruptedError; every file that exists then is whole.
 class Film {
  public:
+  /// Makes the terrain and its light. `job` has to outlive it.
   explicit Film(const Job& job);
 
-  /// Writes DIR/scene.toml, DIR/texels/, DIR/clouds/ where there are clouds, DIR/snow/ where snow
-  /// lies on a large terrain, and the folders of the
-  /// renderers the scene asks for. Throws FileError and InterruptedError; every file that exists
-  /// then is whole.
-  void generate(Progress& progress);
+  /// Which texels the job's frames ask for: looks at all of them. Before make_texels().
+  void find_demand(Progress& progress);
+
+  /// The texels of a variant, from 0: DIR/texels/v<variant>_*. Returns the files. Variants may be
+  /// made at the same time.
+  std::vector<std::filesystem::path> make_texels(int variant, Progress& progress) const;
+
+  /// A picture of each layer of clouds: DIR/clouds/. Returns the files.
+  std::vector<std::filesystem::path> make_cloud_pictures() const;
+
+  /// A frame, from 1, in the folders of the renderers that the scene asks for; its texels have to
+  /// be there. Returns the files that it is made of, shared ones too.
+  std::vector<std::filesystem::path> make_frame(int frame, Progress& progress);
 
  private:
-  void choose_cells(Progress& progress);
-  void make_texels(Progress& progress);
+  void demand_far_field(int frame);
+  void demand(int variant, const grass::PatchState& state, int level);
   landscape::Volume volume(const landscape::CellChoice& cell) const;
   landscape::BladeMesh blades(const landscape::CellChoice& cell);
   std::vector<landscape::Volume> far_volumes(const grass::PatchState& state) const;
-  void demand_far_field(int frame);
-  void export_frames(Progress& progress);
 
   const Job& job_;
+  ScratchFolder snow_;
   landscape::Site site_;
   grass::TimeVaryingTexel texels_;
-  std::vector<std::vector<landscape::CellChoice>> cells_;  ///< per frame of the job
   grass::TexelDemand demand_;
   std::map<std::pair<int, grass::PatchState>, landscape::BladeMesh> blades_;  ///< by variant
 };
 
 /// The renderers a scene asks for, by their folder names: "blender", "povray".
 std::vector<std::string> wanted_renderers(const scene::Scene& scene);
+
+/// Writes the renderers' own programs into their folders below `out`. Throws FileError.
+void write_programs(const scene::Scene& scene, const std::filesystem::path& out);
 
 }  // namespace wold::cli

@@ -4,6 +4,7 @@
 
 #include <numeric>
 
+#include "core/machine.h"
 #include "scene/parse.h"
 
 namespace wold::cli {
@@ -23,20 +24,19 @@ void check_frames(const std::vector<int>& frames, int count) {
           frame, count, count));
 }
 
-/// "1-3,7": the form in which frames are given.
-std::string frames_text(const std::vector<int>& frames) {
+}  // namespace
+
+std::string ranges_text(const std::vector<int>& rising) {
   std::string text;
-  for (std::size_t first = 0; first < frames.size();) {
+  for (std::size_t first = 0; first < rising.size();) {
     std::size_t last = first;
-    while (last + 1 < frames.size() && frames[last + 1] == frames[last] + 1) ++last;
-    text += fmt::format("{}{}", text.empty() ? "" : ",", frames[first]);
-    if (last > first) text += fmt::format("-{}", frames[last]);
+    while (last + 1 < rising.size() && rising[last + 1] == rising[last] + 1) ++last;
+    text += fmt::format("{}{}", text.empty() ? "" : ",", rising[first]);
+    if (last > first) text += fmt::format("-{}", rising[last]);
     first = last + 1;
   }
   return text;
 }
-
-}  // namespace
 
 Job plan_job(const RenderOptions& options) {
   Job job;
@@ -46,13 +46,15 @@ Job plan_job(const RenderOptions& options) {
   job.frames = options.frames.empty() ? all_frames(count) : options.frames;
   job.out = options.out.empty() ? std::filesystem::path("out") / job.scene.name : options.out;
   job.threads = options.threads > 0 ? options.threads : job.scene.render.threads;
+  job.memory_bytes =
+      options.memory_bytes > 0 ? static_cast<double>(options.memory_bytes) : machine_memory_bytes();
   return job;
 }
 
 std::string summary(const Job& job) {
   const scene::Render& render = job.scene.render;
   return fmt::format("{}: frames {} of {}, {} x {} px, {} samples, renderer {}, into {}\n",
-                     job.scene.name, frames_text(job.frames), job.scene.ageing.frames.size(),
+                     job.scene.name, ranges_text(job.frames), job.scene.ageing.frames.size(),
                      render.size_px[0], render.size_px[1], render.samples, render.renderer,
                      job.out.string());
 }

@@ -15,7 +15,11 @@ struct Job {
   std::vector<int> frames;    ///< from 1, rising, all within the scene
   std::filesystem::path out;  ///< the output folder
   int threads = 0;            ///< 0: all processors
+  double memory_bytes = 0.0;  ///< that renderers may take together
 };
+
+/// "1-3,7": the form in which frames are given.
+std::string ranges_text(const std::vector<int>& rising);
 
 /// Reads the scene and resolves the options against it. Throws InputError, also for frames that
 /// the scene does not have.

@@ -12,18 +12,13 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/temporary_name.h"
 
 namespace wold {
 namespace fs = std::filesystem;
 namespace {
 
 std::string reason(int error) { return error == 0 ? "unknown reason" : std::strerror(error); }
-
-/// Neighbour of `path` that no other process uses, with the same extension.
-fs::path temporary_name(const fs::path& path) {
-  return path.parent_path() /
-         fmt::format(".{}.{}.tmp{}", path.stem().string(), ::getpid(), path.extension().string());
-}
 
 /// Why writing near `path` fails, asked of the system by trying, since streams and libraries
 /// lose errno.

@@ -182,9 +182,7 @@ CellChoice choose_cell(const scene::Scene& scene, const glm::ivec2& cell, const 
   choice.level = choose_level(scene.grass, jittered);
   choice.blades = choose_blades(scene, jittered);
   choice.variant = texel.variant;
-  const int side = scene.grass.levels[static_cast<std::size_t>(choice.level)];
-  const bool turns = !choice.blades && scene.ageing.fur.clumps == 0;  // a coat has one nap
-  choice.turn = turns ? texel.turn % turns_of_level(side) : 0;
+  choice.turn = choice.blades ? 0 : texel.turn % turns_of_level(scene, choice.level);
   choice.key_frame = choose_key_frame(scene, key_frames, cell, frame);
   choice.snow = choose_snow(scene, canopy_snow, cell);
   return choice;
@@ -240,6 +238,11 @@ glm::dmat4 world_from_cell(const Heightfield& terrain, double patch_m, const glm
 int turns_of_level(int voxels_per_side) {
   if (voxels_per_side >= 200) return 1;
   return voxels_per_side >= 100 ? 2 : 4;
+}
+
+int turns_of_level(const scene::Scene& scene, int level) {
+  if (scene.ageing.fur.clumps > 0) return 1;
+  return turns_of_level(scene.grass.levels[static_cast<std::size_t>(level)]);
 }
 
 namespace {

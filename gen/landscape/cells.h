@@ -54,6 +54,9 @@ glm::dmat4 world_from_cell(const Heightfield& terrain, double patch_m, const glm
 /// of 254^3 takes about 200 MB in a renderer: 1 from 200 voxels per side on, 2 from 100 on, else 4.
 int turns_of_level(int voxels_per_side);
 
+/// How many of them cells of a scene use of a level: a coat has one nap.
+int turns_of_level(const scene::Scene& scene, int level);
+
 /// The weathering degree wanted at a point of the ground in a frame (from 1): the frame's, plus
 /// ageing.variation times a smooth keyed field in [-1, 1], which fades to nothing for all-fresh and
 /// all-dry frames. The field does not change with the frame: the same spots wither first.

@@ -8,6 +8,7 @@
 #include <ostream>
 #include <string>
 
+#include "core/file_list.h"
 #include "core/files.h"
 #include "povray/blade_files.h"
 #include "povray/flake_files.h"
@@ -138,9 +139,26 @@ void write_cells(std::ostream& out, const landscape::Landscape& scene,
     write_cell(out, "Blade_cell", cell.mesh, cell.world_from_cell);
 }
 
+/// What frames share, in `data`, as far as this one needs it.
+std::vector<fs::path> shared_files(const landscape::Landscape& scene,
+                                   const std::map<int, int>& used, const fs::path& data) {
+  std::vector<fs::path> files;
+  for (const auto& [from, to] : used) {
+    const std::string& name = scene.volumes[static_cast<std::size_t>(from)].name;
+    for (const fs::path& file : volume_files(name, data / "volumes")) files.push_back(file);
+  }
+  for (const landscape::BladeMesh& mesh : scene.blade_meshes)
+    for (const char* extension : {".inc", ".exr"})
+      files.push_back(data / "blades" / (mesh.name + extension));
+  if (!scene.flakes.flakes.empty())
+    for (const landscape::FlakePicture& picture : scene.flakes.pictures)
+      files.push_back(data / "flakes" / (picture.name + ".png"));
+  return files;
+}
+
 }  // namespace
 
-void export_frame(const landscape::Landscape& scene, const fs::path& folder) {
+std::vector<fs::path> export_frame(const landscape::Landscape& scene, const fs::path& folder) {
   const fs::path data = folder / "data";
   const fs::path frame = data / fmt::format("frame_{:04}", scene.frame);
   make_folder(frame);
@@ -163,8 +181,13 @@ void export_frame(const landscape::Landscape& scene, const fs::path& folder) {
   write_flakes(scene.flakes, scene.camera.eye_m, frame, data / "flakes");
   write_file(frame / "frame.inc",
              frame_text(scene, terrain) + maps + details + backdrop + air_text(scene));
-  write_file(data / fmt::format("frame_{:04}.ini", scene.frame), frame_settings(scene));
-  write_file(folder / "povray.ini", settings(scene));
+  const fs::path frame_ini = data / fmt::format("frame_{:04}.ini", scene.frame);
+  write_file(frame_ini, frame_settings(scene));
+  update_file(folder / "povray.ini", settings(scene));
+  std::vector<fs::path> files = files_below(frame);
+  for (const fs::path& shared : shared_files(scene, used, data)) files.push_back(shared);
+  files.insert(files.end(), {data / terrain, frame_ini, folder / "povray.ini"});
+  return files;
 }
 
 void export_scene(const fs::path& folder) {
@@ -172,7 +195,7 @@ void export_scene(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(shipped_file("templates/povray"))) {
     const fs::path& file = entry.path();
     if (file.extension() == ".pov" || file.extension() == ".inc")
-      write_file(folder / file.filename(), read_file(file));
+      update_file(folder / file.filename(), read_file(file));
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "landscape/landscape.h"
 
@@ -23,8 +24,10 @@ namespace wold::povray {
 ///     data/volumes/<name>*          shared by all frames
 ///
 /// Only volumes that a cell uses are written, and only when they are not there already. Equal
-/// landscapes give equal bytes. Throws FileError.
-void export_frame(const landscape::Landscape& scene, const std::filesystem::path& folder);
+/// landscapes give equal bytes, so that frames may be written by several processes at a time.
+/// Returns the files that the frame is made of. Throws FileError.
+std::vector<std::filesystem::path> export_frame(const landscape::Landscape& scene,
+                                                const std::filesystem::path& folder);
 
 /// Copies the scene program (templates/povray/*.pov, *.inc) to `folder`. Throws FileError.
 void export_scene(const std::filesystem::path& folder);

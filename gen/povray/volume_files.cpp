@@ -24,7 +24,15 @@ fs::path grid_file(const fs::path& folder, const std::string& name, int grid) {
 
 /// First line of the .inc: what these files were made from. The number is that of the layout.
 std::string content_line(const landscape::Volume& volume, int bits) {
-  return fmt::format("// {}, content {}, {} bit, layout 1\n", volume.name, volume.content, bits);
+  return fmt::format("// {}, content {}, {} bit, layout 2\n", volume.name, volume.content, bits);
+}
+
+/// Second line of the .inc, by which it vouches for the bytes of the four df3 files.
+std::string files_line(const std::string& name, const fs::path& folder) {
+  std::string line = "// files";
+  for (int grid = 0; grid < 4; ++grid)
+    line += ' ' + content_hash(read_file(grid_file(folder, name, grid)));
+  return line + '\n';
 }
 
 bool is_there(const landscape::Volume& volume, int bits, const fs::path& folder) {
@@ -32,7 +40,8 @@ bool is_there(const landscape::Volume& volume, int bits, const fs::path& folder)
   if (!fs::exists(description)) return false;
   for (int grid = 0; grid < 4; ++grid)
     if (!fs::exists(grid_file(folder, volume.name, grid))) return false;
-  return read_file(description).starts_with(content_line(volume, bits));
+  return read_file(description)
+      .starts_with(content_line(volume, bits) + files_line(volume.name, folder));
 }
 
 /// Writes one df3 file scaled by its largest value, which is returned.
@@ -65,21 +74,17 @@ struct Grids {
 };
 
 std::string description(const Grids& grids, float extinction_max, glm::vec3 emission_max) {
-  return grids.first_line +
-         fmt::format(
-             "#declare Voxels = {};\n"
-             "#declare Voxel_m = {};\n"
-             "#declare Extinction_max = {};  // 1/m, of the largest number in _d\n"
-             "#declare Emission_max = {};  // radiance/m, in _r, _g, _b\n",
-             vector(grids.voxels), number(grids.voxel_m), number(extinction_max),
-             vector(emission_max));
+  return fmt::format(
+      "#declare Voxels = {};\n"
+      "#declare Voxel_m = {};\n"
+      "#declare Extinction_max = {};  // 1/m, of the largest number in _d\n"
+      "#declare Emission_max = {};  // radiance/m, in _r, _g, _b\n",
+      vector(grids.voxels), number(grids.voxel_m), number(extinction_max), vector(emission_max));
 }
 
-/// Four df3 files and the .inc that vouches for them: it is gone before the first of them is
-/// replaced and written after the last.
+/// Four df3 files and, last, the .inc that vouches for them. An older one stays till then: another
+/// process may write the same files, and a renderer read them, at this moment.
 void write_grids(const Grids& grids, int bits, const fs::path& folder) {
-  const fs::path inc = folder / (grids.name + ".inc");
-  fs::remove(inc);
   const float extinction_max =
       write_grid(grid_file(folder, grids.name, 0), grids.extinction, grids.voxels, bits);
   glm::vec3 emission_max(0.0F);
@@ -87,7 +92,8 @@ void write_grids(const Grids& grids, int bits, const fs::path& folder) {
     emission_max[channel] =
         write_grid(grid_file(folder, grids.name, channel + 1),
                    weighted_channel(grids.extinction, grids.radiance, channel), grids.voxels, bits);
-  write_file(inc, description(grids, extinction_max, emission_max));
+  write_file(folder / (grids.name + ".inc"), grids.first_line + files_line(grids.name, folder) +
+                                                 description(grids, extinction_max, emission_max));
 }
 
 }  // namespace
@@ -135,6 +141,12 @@ void write_volume(const landscape::Volume& volume, int bits, const fs::path& fol
   write_grids(
       {volume.name, content_line(volume, bits), voxels, volume.voxel_m, extinction, radiance}, bits,
       folder);
+}
+
+std::vector<fs::path> volume_files(const std::string& name, const fs::path& folder) {
+  std::vector<fs::path> files = {folder / (name + ".inc")};
+  for (int grid = 0; grid < 4; ++grid) files.push_back(grid_file(folder, name, grid));
+  return files;
 }
 
 void write_cloud(const landscape::CloudBox& cloud, int bits, const fs::path& folder) {

@@ -27,8 +27,12 @@ void write_cloud(const landscape::CloudBox& cloud, int bits, const std::filesyst
 
 /// Writes below `folder` <name>_d.df3 (extinction), <name>_r.df3, _g.df3, _b.df3 (extinction times
 /// source radiance per channel; 8 or 16 bit integers of the volume's own maxima) and, last,
-/// <name>.inc with size, maxima and content hash. Does nothing when the .inc already has this
-/// content. Throws FileError.
+/// <name>.inc with size, maxima, content hash and the hashes of the four. Does nothing when the
+/// .inc already has this content and they are as it says. Throws FileError.
 void write_volume(const landscape::Volume& volume, int bits, const std::filesystem::path& folder);
+
+/// The files of a volume of that name.
+std::vector<std::filesystem::path> volume_files(const std::string& name,
+                                                const std::filesystem::path& folder);
 
 }  // namespace wold::povray

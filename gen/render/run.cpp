@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/image.h"
 #include "render/command.h"
 #include "render/log.h"
 #include "render/picture_check.h"
@@ -81,6 +82,12 @@ ProcessEnd watch(const Job& job, const std::vector<std::string>& command, Listen
   return *process.ended();
 }
 
+/// Leaves nothing but the pixels: renderers note in their pictures when they made them and how long
+/// it took, and the same picture would have other bytes every time.
+void drop_notes(const fs::path& output) {
+  if (output.extension() == ".png") write_image(output, read_image(output), PixelFormat::uint8);
+}
+
 void render_to(const fs::path& output, const Job& job, const fs::path& program, Progress& progress,
                const std::function<bool()>& interrupted) {
   Log log(job.log);
@@ -92,6 +99,7 @@ void render_to(const fs::path& output, const Job& job, const fs::path& program, 
   if (end.code != 0 || end.signal != 0) throw failure(job, log, to_string(end));
   if (const std::string problem = picture_problem(output, job.size_px); !problem.empty())
     throw failure(job, log, problem);
+  drop_notes(output);
   percent.reach(1.0);
 }
 

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "core/files.h"
+#include "core/image.h"
 #include "small_film.h"
 
 /// From the scene file to the folders of the renderers and back again: what is made twice is the
@@ -104,6 +105,48 @@ TEST_F(Resume, RendersAnewWhatAnotherSceneMade) {
   EXPECT_EQ(rendered("--threads 1 --set render.timeout=5"), "") << "these change no pixel";
   EXPECT_EQ(rendered("--set render.exposure=1"), "1 2 ");
   EXPECT_EQ(rendered("--set render.exposure=1 --set 'camera.eye=[3, 0.4]'"), "1 2 ");
+}
+
+// What a picture is made from is in its scene files: frames that stay as they were are kept.
+TEST_F(Resume, RendersTheFramesThatAChangeTouches) {
+  EXPECT_EQ(rendered(), "1 2 ");
+  EXPECT_EQ(rendered("--set 'ageing.frames=[0.1, 0.8, 0.9]'"), "3 ");
+  EXPECT_EQ(rendered("--set 'ageing.frames=[0.1, 0.7, 0.9]'"), "2 ");
+}
+
+TEST_F(Resume, ANewCameraNeedsNoNewTexels) {
+  rendered();
+  const auto before = times("out");
+  EXPECT_EQ(rendered("--set camera.field_of_view=50"), "1 2 ");
+  EXPECT_THAT(rewritten(before, times("out"), "texels/v"), IsEmpty());
+}
+
+TEST_F(Resume, SeesThatAFileWhichTheSceneNamesHasChanged) {
+  Image mask(2, 2, 1);
+  std::ranges::fill(mask.values, 1.0F);
+  write_image(folder_ / "mask.png", mask, PixelFormat::uint8);
+  const std::string masked = "--set growth.mask=\\\"mask.png\\\"";
+  EXPECT_EQ(rendered(masked), "1 2 ");
+  EXPECT_EQ(rendered(masked), "");
+  mask.values.front() = 0.0F;
+  write_image(folder_ / "mask.png", mask, PixelFormat::uint8);
+  EXPECT_EQ(rendered(masked), "1 2 ");
+}
+
+TEST_F(Resume, MakesDamagedFilesAnew) {
+  rendered();
+  const auto wanted = contents("out");
+  const std::string picture = "out/frames/blender/0001.png";
+  write(picture, std::string(read_file(folder_ / picture).size(), 'x'));
+  EXPECT_EQ(rendered(), "1 ");
+  for (const std::string name : {"blender/data/volumes", "blender/data/frame_0002", "texels"}) {
+    const fs::path file = files_below(folder_ / "out" / name).front();
+    std::string bytes = read_file(folder_ / "out" / name / file);
+    bytes.back() = static_cast<char>(~bytes.back());
+    write("out/" + name + "/" + file.string(), bytes);
+  }
+  EXPECT_EQ(rendered(), "") << "the same scene files come back";
+  EXPECT_THAT(different(contents("out"), wanted), IsEmpty());
 }
 
 TEST_F(Resume, PrintsThePicturesItStandsFor) {

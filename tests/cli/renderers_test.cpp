@@ -1,6 +1,7 @@
 #include <csignal>
 #include <cstdlib>
 
+#include "core/files.h"
 #include "core/image.h"
 #include "small_film.h"
 
@@ -35,6 +36,8 @@ TEST_P(Renderers, PicturesAreTheSameAloneTogetherAndWithAnyNumberOfThreads) {
   ASSERT_EQ(wold(render("alone", "--frames 2 --threads 1")).code, 0);
   EXPECT_FALSE(fs::exists(folder_ / picture("alone", 1)));
   expect_equal_pictures(picture("alone", 2), picture("out", 2));
+  EXPECT_EQ(read_file(folder_ / picture("alone", 2)), read_file(folder_ / picture("out", 2)))
+      << "the same pixels, but other bytes";
 }
 
 TEST_P(Renderers, TheExportedFolderWorksElsewhereWithoutWold) {
@@ -63,7 +66,8 @@ TEST_P(Renderers, AnInterruptEndsThem) {
   const std::string slow = render("out", "--frames 1 --size 320x180 --samples 4");
   Running program(folder_,
                   command(slow, variable + "='" + (folder_ / "wrapped.sh").string() + "'"));
-  ASSERT_TRUE(eventually([&] { return program.messages().find("/100 ") != std::string::npos; }));
+  ASSERT_TRUE(
+      eventually([&] { return program.messages().find("\npictures ") != std::string::npos; }));
   program.send(SIGINT);
   const Result result = program.finish();
   EXPECT_EQ(result.code, 130) << result.err;

@@ -22,7 +22,8 @@ class SmallFilm : public Program {
   static constexpr const char* slower =
       " --threads 1 --set 'grass.levels=[126, 62]' --set grass.blades=300 ";
 
-  /// Content hash of every file below a folder but the manifest, which has seconds, and the logs.
+  /// Content hash of every file below a folder but those that have seconds, the manifest and the
+  /// tasks' records, and the logs.
   std::map<std::string, std::string> contents(const std::string& folder) const;
 
   /// When each file below a folder was written, by its path from there.

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "cli/work.h"
+
+namespace wold::cli {
+
+/// Does those of the stages' tasks that need it, stage by stage, pictures of all renderers together
+/// and several at once where there are threads and memory enough. Throws what Work::run() throws,
+/// after the tasks under way have ended; what they have made stays.
+void do_tasks(const Job& job, Work& work, const std::vector<StageTasks>& stages,
+              Progress& progress);
+
+}  // namespace wold::cli

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace wold::cli {
+
+/// `shared`: single tasks, which may work side by side. `alone`: a command that does all that is
+/// missing and lists the files.
+enum class Access { shared, alone };
+
+/// The right to work in an output folder, held while it lives: DIR/tasks/lock, which goes with its
+/// last holder and names the process that has the folder to itself. Waits for others; says so once
+/// on stderr. Where the file system knows no locks there are none: tasks do not need them.
+class FolderLock {
+ public:
+  /// Makes the folder. Throws FileError, and InterruptedError when the user stops the waiting.
+  FolderLock(const std::filesystem::path& folder, Access access);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  bool try_lock(Access access);
+
+  std::filesystem::path folder_;
+  std::filesystem::path path_;
+  int file_ = -1;
+};
+
+}  // namespace wold::cli

@@ -1,0 +1,210 @@
+#include "cli/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "cli/output.h"
+
+namespace wold::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<TaskGroup> grouped(Work& work, const StageTasks& tasks) {
+  std::vector<TaskGroup> groups;
+  std::map<std::pair<Need, std::string>, std::size_t> known;
+  for (const int index : tasks.indices) {
+    const Verdict verdict = work.verdict({tasks.stage, index});
+    const auto [group, is_new] = known.try_emplace({verdict.need, verdict.why}, groups.size());
+    if (is_new) groups.push_back({{}, verdict});
+    groups[group->second].indices.push_back(index);
+  }
+  return groups;
+}
+
+std::string_view word_of(Need need) {
+  constexpr std::string_view words[] = {"no", "perhaps", "yes"};
+  return words[static_cast<std::size_t>(need)];
+}
+
+std::string time_text(double seconds) {
+  if (seconds < 10.0) return fmt::format("{:.1f} s", seconds);
+  if (seconds < 100.0) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 6000.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+std::string size_text(double bytes) {
+  return bytes < 1e9 ? fmt::format("{:.0f} MB", bytes / 1e6)
+                     : fmt::format("{:.1f} GB", bytes / 1e9);
+}
+
+std::string after_text(const StageTasks& tasks) {
+  if (tasks.after_all) return fmt::format(", after all {}", name_of(*tasks.after_all));
+  if (tasks.after_same)
+    return fmt::format(", each after the same of {}", name_of(*tasks.after_same));
+  return {};
+}
+
+std::string group_text(const TaskGroup& group) {
+  return fmt::format("    {}: {}\n", ranges_text(group.indices),
+                     group.verdict.need == Need::no ? "done" : group.verdict.why);
+}
+
+Json after_json(const StageTasks& tasks) {
+  if (tasks.after_all) return {{"stage", name_of(*tasks.after_all)}, {"tasks", "all"}};
+  if (tasks.after_same) return {{"stage", name_of(*tasks.after_same)}, {"tasks", "same"}};
+  return nullptr;
+}
+
+Json stage_json(const StagePlan& stage) {
+  Json groups = Json::array();
+  for (const TaskGroup& group : stage.groups)
+    groups.push_back({{"indices", ranges_text(group.indices)},
+                      {"runs", word_of(group.verdict.need)},
+                      {"why", group.verdict.why}});
+  return {{"stage", name_of(stage.tasks.stage)},
+          {"indices", ranges_text(stage.tasks.indices)},
+          {"tasks", stage.tasks.indices.size()},
+          {"after", after_json(stage.tasks)},
+          {"runs", stage.runs},
+          {"perhaps", stage.perhaps},
+          {"estimate",
+           {{"seconds", stage.each.seconds},
+            {"memory_bytes", stage.each.memory_bytes},
+            {"disk_bytes", stage.each.disk_bytes},
+            {"from", stage.each.measured ? "records" : "model"}}},
+          {"groups", std::move(groups)}};
+}
+
+/// The options of a plan that change what its tasks make.
+std::vector<std::string> task_options(const RenderOptions& options) {
+  std::vector<std::string> arguments = {"--out", "{{Param.Out}}"};
+  if (!options.frames.empty())
+    arguments.insert(arguments.end(), {"--frames", ranges_text(options.frames)});
+  if (options.threads > 0)
+    arguments.insert(arguments.end(), {"--threads", std::to_string(options.threads)});
+  for (const std::string& change : options.overrides)
+    arguments.insert(arguments.end(), {"--set", change});
+  return arguments;
+}
+
+Json step_json(const std::string& name, std::vector<std::string> arguments,
+               const std::vector<std::string>& options) {
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return {{"name", name},
+          {"script", {{"actions", {{"onRun", {{"command", "wold"}, {"args", arguments}}}}}}}};
+}
+
+Json dependencies_json(const std::vector<std::string_view>& stages) {
+  Json list = Json::array();
+  for (const std::string_view stage : stages) list.push_back({{"dependsOn", stage}});
+  return list;
+}
+
+Json stage_step(const StagePlan& stage, const std::vector<std::string>& options) {
+  const std::string name(name_of(stage.tasks.stage));
+  Json step = step_json(name, {"task", "{{Param.Scene}}", name, "{{Task.Param.Index}}"}, options);
+  step["parameterSpace"] = {
+      {"taskParameterDefinitions",
+       Json::array(
+           {{{"name", "Index"}, {"type", "INT"}, {"range", ranges_text(stage.tasks.indices)}}})}};
+  const auto after = stage.tasks.after_all ? stage.tasks.after_all : stage.tasks.after_same;
+  if (after) step["dependencies"] = dependencies_json({name_of(*after)});
+  return step;
+}
+
+Json path_parameter(const char* name, const char* kind, const char* flow,
+                    const std::filesystem::path& path) {
+  return {{"name", name},
+          {"type", "PATH"},
+          {"objectType", kind},
+          {"dataFlow", flow},
+          {"default", std::filesystem::absolute(path).lexically_normal().string()}};
+}
+
+}  // namespace
+
+std::vector<StagePlan> make_plan(const Job& job) {
+  Work work(job);
+  std::vector<StagePlan> plan;
+  for (const StageTasks& tasks : stages_of(job)) {
+    StagePlan stage{tasks, estimate(job, tasks, work), grouped(work, tasks)};
+    for (const TaskGroup& group : stage.groups) {
+      if (group.verdict.need == Need::yes) stage.runs += group.indices.size();
+      if (group.verdict.need == Need::perhaps) stage.perhaps += group.indices.size();
+    }
+    plan.push_back(std::move(stage));
+  }
+  return plan;
+}
+
+std::string plan_text(const Job& job, const std::vector<StagePlan>& plan, bool why) {
+  std::string text = summary(job);
+  for (const StagePlan& stage : plan) {
+    const std::string perhaps =
+        stage.perhaps > 0 ? fmt::format(" and perhaps {}", stage.perhaps) : "";
+    text += fmt::format("  {:8}{} of {} to do{}; each {}, {} of memory, {} of disk ({}){}\n",
+                        name_of(stage.tasks.stage), stage.runs, stage.tasks.indices.size(), perhaps,
+                        time_text(stage.each.seconds), size_text(stage.each.memory_bytes),
+                        size_text(stage.each.disk_bytes),
+                        stage.each.measured ? "measured" : "guessed", after_text(stage.tasks));
+    if (why)
+      for (const TaskGroup& group : stage.groups) text += group_text(group);
+  }
+  return text;
+}
+
+std::string plan_json(const Job& job, const std::vector<StagePlan>& plan) {
+  Json stages = Json::array();
+  for (const StagePlan& stage : plan) stages.push_back(stage_json(stage));
+  const Json json = {{"version", 1},
+                     {"scene", job.scene.name},
+                     {"out", job.out.string()},
+                     {"frames", ranges_text(job.frames)},
+                     {"stages", std::move(stages)}};
+  return json.dump(2) + "\n";
+}
+
+std::string plan_openjd(const RenderOptions& options, const Job& job,
+                        const std::vector<StagePlan>& plan) {
+  const std::vector<std::string> with = task_options(options);
+  Json steps = Json::array();
+  std::vector<std::string_view> last;
+  for (const StagePlan& stage : plan) {
+    steps.push_back(stage_step(stage, with));
+    if (makes_pictures(stage.tasks.stage) || stage.tasks.stage == Stage::clouds)
+      last.push_back(name_of(stage.tasks.stage));
+  }
+  // Finds everything there and lists it in manifest.json.
+  steps.push_back(step_json("manifest", {"render", "{{Param.Scene}}"}, with));
+  steps.back()["dependencies"] = dependencies_json(last);
+  const Json json = {
+      {"specificationVersion", "jobtemplate-2023-09"},
+      {"name", job.scene.name},
+      {"parameterDefinitions", Json::array({path_parameter("Scene", "FILE", "IN", options.scene),
+                                            path_parameter("Out", "DIRECTORY", "OUT", job.out)})},
+      {"steps", std::move(steps)}};
+  return json.dump(2) + "\n";
+}
+
+ExitCode run_plan(const RenderOptions& options, PlanForm form) {
+  const Job job = plan_job(options);
+  const std::vector<StagePlan> plan = make_plan(job);
+  switch (form) {
+    case PlanForm::json:
+      print_data(plan_json(job, plan));
+      break;
+    case PlanForm::openjd:
+      print_data(plan_openjd(options, job, plan));
+      break;
+    default:
+      print_data(plan_text(job, plan, form == PlanForm::why));
+  }
+  return ExitCode::done;
+}
+
+}  // namespace wold::cli

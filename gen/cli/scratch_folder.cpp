@@ -1,0 +1,16 @@
+#include "cli/scratch_folder.h"
+
+#include "core/temporary_name.h"
+
+namespace wold::cli {
+namespace fs = std::filesystem;
+
+ScratchFolder::ScratchFolder(const fs::path& parent) : path_(temporary_name(parent / "scratch")) {}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+  fs::remove(path_.parent_path(), ignored);
+}
+
+}  // namespace wold::cli

@@ -1,0 +1,19 @@
+#include "cli/commands.h"
+#include "cli/do_tasks.h"
+#include "cli/folder_lock.h"
+#include "core/parallel.h"
+
+namespace wold::cli {
+
+ExitCode run_task(const RenderOptions& options, const std::string& stage, int index,
+                  Progress& progress) {
+  const Job job = plan_job(options);
+  const Task task = find_task(job, stage, index);
+  const ThreadLimit limit(job.threads);
+  const FolderLock lock(job.out, Access::shared);
+  Work work(job);
+  do_tasks(job, work, {{task.stage, {task.index}, {}, {}}}, progress);
+  return ExitCode::done;
+}
+
+}  // namespace wold::cli

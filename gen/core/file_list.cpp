@@ -1,0 +1,39 @@
+#include "core/file_list.h"
+
+#include <algorithm>
+
+#include "core/files.h"
+#include "core/temporary_name.h"
+
+namespace wold {
+namespace fs = std::filesystem;
+namespace {
+
+std::vector<fs::path> all_files(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::recursive_directory_iterator at(folder, error), end; at != end; at.increment(error))
+    if (std::error_code gone; at->is_regular_file(gone)) files.push_back(at->path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace
+
+std::vector<fs::path> files_below(const fs::path& folder) {
+  std::vector<fs::path> files = all_files(folder);
+  std::erase_if(files,
+                [](const fs::path& file) { return file.filename().string().front() == '.'; });
+  return files;
+}
+
+void remove_temporaries(const fs::path& folder) {
+  for (const fs::path& file : all_files(folder))
+    if (is_temporary_name(file)) fs::remove(file);
+}
+
+void update_file(const fs::path& path, std::string_view bytes) {
+  if (!fs::is_regular_file(path) || read_file(path) != bytes) write_file(path, bytes);
+}
+
+}  // namespace wold

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+namespace wold {
+
+/// Every file below a folder by its whole path, in a fixed order; none when there is no such
+/// folder. Files whose names start with a dot are left out: temporary ones. One that goes
+/// meanwhile, because another process renames it, is no error.
+std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder);
+
+/// Removes what processes that were killed have left below a folder: temporary names of
+/// write_file(). For the folder's only user.
+void remove_temporaries(const std::filesystem::path& folder);
+
+/// Writes a file unless it has these bytes already: what others have open stays as it is, also on
+/// network file systems, where a replaced file is lost to them. Throws FileError.
+void update_file(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace wold
