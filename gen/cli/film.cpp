@@ -12,6 +12,7 @@
 #include "landscape/assemble.h"
 #include "landscape/far_field.h"
 #include "landscape/film_lighting.h"
+#include "landscape/lit_ground.h"
 #include "landscape/view.h"
 #include "povray/export.h"
 

@@ -17,12 +17,9 @@ struct PatchLookup {
   std::function<Volume(const CellChoice&)> volume;
   std::function<BladeMesh(const CellChoice&)> blades;
   /// The unturned volumes of a state, as coarse as there are, of every variant: what the far field
-  /// looks like. Called for far_states() where shows_distance().
+  /// looks like. Called for far_states() where shows_distance() (lit_ground.h).
   std::function<std::vector<Volume>(const grass::PatchState&)> far = {};
 };
-
-/// Whether what a camera sees is so far that grass is painted on the ground, or haze shows.
-bool shows_distance(const scene::Scene& scene, const Site& site, const Camera& camera);
 
 /// One frame (from 1) as the exporters want it: `choices` are choose_cells', `lookup` is called
 /// once for each different volume or mesh, in ascending order, and what it gives are the

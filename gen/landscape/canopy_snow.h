@@ -37,8 +37,8 @@ double intercepted_share(double leaf_area_index, double share,
 
 /// The share of the snow that the scene's grass can carry which lies on it in a frame (from 1), in
 /// [0, 1]: of the weather at the terrain's zero since it began. Snow that lay on the ground then
-/// (snow_cover.initial) had just fallen. 0 where snow_cover.cover is "none" and for fur. Throws
-/// what snow::Weather throws.
+/// (snow_cover.initial) had just fallen. 0 where snow_cover.cover is not "depth" and for fur.
+/// Throws what snow::Weather throws.
 double canopy_snow(const scene::Scene& scene, int frame);
 
 }  // namespace wold::landscape

@@ -196,8 +196,24 @@ void check_frame(const scene::Scene& scene, int frame) {
 
 }  // namespace
 
+CellLean cell_lean(const Combing& combing, double patch_m, const glm::ivec2& cell,
+                   double middle_m) {
+  const glm::dvec2 here_m = centre_m(cell, patch_m);
+  CellLean result{combing.lean(here_m)};
+  for (int axis = 0; axis < 2; ++axis) {
+    glm::dvec2 step_m(0.0);
+    step_m[axis] = patch_m;
+    const double own = result.lean[axis];
+    const double low = combing.lean(here_m - step_m)[axis];
+    const double high = combing.lean(here_m + step_m)[axis];
+    result.beyond_low_m[axis] = 0.5 * middle_m * (own - low);
+    result.beyond_high_m[axis] = 0.5 * middle_m * (high - own);
+  }
+  return result;
+}
+
 glm::dmat4 world_from_cell(const Heightfield& terrain, double patch_m, const glm::ivec2& cell,
-                           int turn, const glm::dvec2& lean) {
+                           int turn, const CellLean& lean) {
   const glm::dvec2 low = glm::dvec2(cell) * patch_m;
   const glm::dvec2 high = low + patch_m;
   const double z00 = terrain.sample(low.x, low.y);
@@ -209,13 +225,14 @@ glm::dmat4 world_from_cell(const Heightfield& terrain, double patch_m, const glm
   constexpr int cosines[] = {1, 0, -1, 0};
   const double c = cosines[turn & 3];
   const double s = cosines[(turn + 3) & 3];
-  const glm::dvec2 east(c, s);  // where the turned cell's axes point
-  const glm::dvec2 north(-s, c);
-  const glm::dvec2 centre = (low + high) / 2.0;
+  const glm::dvec2 stretch = 1.0 + (lean.beyond_low_m + lean.beyond_high_m) / patch_m;
+  const glm::dvec2 east = stretch * glm::dvec2(c, s);  // where the turned cell's axes point
+  const glm::dvec2 north = stretch * glm::dvec2(-s, c);
+  const glm::dvec2 centre = (low - lean.beyond_low_m + high + lean.beyond_high_m) / 2.0;
   const glm::dvec2 origin = centre - (east + north) * (patch_m / 2.0);
-  const double z = (z00 + z10 + z01 + z11) / 4.0 + glm::dot(rise, origin - centre);
+  const double z = (z00 + z10 + z01 + z11) / 4.0 + glm::dot(rise, origin - (low + high) / 2.0);
   return {glm::dvec4(east, glm::dot(rise, east), 0), glm::dvec4(north, glm::dot(rise, north), 0),
-          glm::dvec4(lean, 1.0 + glm::dot(rise, lean), 0), glm::dvec4(origin, z, 1)};
+          glm::dvec4(lean.lean, 1.0 + glm::dot(rise, lean.lean), 0), glm::dvec4(origin, z, 1)};
 }
 
 int turns_of_level(int voxels_per_side) {
@@ -279,8 +296,10 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
         choose_cell(scene, cell, texel, key_frames, snow, frame, sight.pixels(middle_m));
     if (choice.blades && cell_uniform(scene, cell, "grown") >= double{grown.mean}) return;
     row.push_back(choice);
-    row.back().world_from_cell = world_from_cell(ground, scene.grass.patch_m, cell, choice.turn,
-                                                 combing.lean(centre_m(cell, scene.grass.patch_m)));
+    const double patch_m = scene.grass.patch_m;
+    row.back().world_from_cell =
+        world_from_cell(ground, patch_m, cell, choice.turn,
+                        cell_lean(combing, patch_m, cell, 0.5 * scene.grass.height_m));
   };
   parallel_for(side, [&](std::size_t j) {
     for (std::size_t i = 0; i < side; ++i)

@@ -100,6 +100,8 @@ class Grain {
 /// Old snow loses its red first; shadows and depth make it blue (Wiscombe and Warren 1980).
 glm::vec3 snow_albedo(float albedo) { return albedo * glm::vec3(0.985F, 1.0F, 1.015F); }
 
+bool is_paper(const scene::Scene& scene) { return scene.snow_cover.cover == "paper"; }
+
 }  // namespace
 
 SnowyGround::SnowyGround(const scene::Scene& scene, const Site& site, int frame)
@@ -107,7 +109,7 @@ SnowyGround::SnowyGround(const scene::Scene& scene, const Site& site, int frame)
   if (!site.snow) return;
   if (site.snow->large) {
     lay_about_the_camera(frame);
-  } else if (!is_large(scene) || scene.snow_cover.cover == "paper") {
+  } else if (!is_large(scene) || is_paper(scene)) {
     lay_everywhere(frame);
   }
 }
@@ -133,7 +135,7 @@ void SnowyGround::lay_everywhere(int frame) {
   depth_m_ = state.depth_m;
   albedo_ = static_cast<float>(mean(state.albedo));
   white_ = snow.white(state, white_samples(surface_.size_m()));
-  if (scene_.snow_cover.cover == "paper") return;  // the ground's shape stays
+  if (is_paper(scene_)) return;  // the ground's shape stays
   surface_ = snow_surface(scene_, site_.terrain, depth_m_, *white_);
   light_ = terrain::ground_light(surface_, site_.day);
 }
@@ -175,13 +177,21 @@ GroundPart SnowyGround::covered(GroundPart part) const {
   return part;
 }
 
+float SnowyGround::grass_above(const glm::dvec2& at_m) const {
+  if (is_paper(scene_)) return 1.0F - white_->sample(at_m.x, at_m.y);
+  return share_above(scene_.grass, depth_m(at_m));
+}
+
 FactorMap SnowyGround::above_snow(FactorMap growth) const {
   parallel_for(static_cast<std::size_t>(growth.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
-    for (int i = 0; i < growth.samples(); ++i)
-      growth.at(i, j) *= share_above(scene_.grass, depth_m(growth.place_m(i, j)));
+    for (int i = 0; i < growth.samples(); ++i) growth.at(i, j) *= grass_above(growth.place_m(i, j));
   });
   return growth;
+}
+
+FactorMap SnowyGround::standing(FactorMap standing) const {
+  return is_paper(scene_) && !is_bare() ? above_snow(std::move(standing)) : standing;
 }
 
 ColourMap SnowyGround::reflectance(const ColourMap& bare, const FactorMap& growth,
@@ -194,8 +204,7 @@ ColourMap SnowyGround::reflectance(const ColourMap& bare, const FactorMap& growt
     const int j = static_cast<int>(row);
     for (int i = 0; i < map.samples(); ++i) {
       const glm::dvec2 at_m = map.place_m(i, j);
-      const float above = share_above(scene_.grass, depth_m(at_m));
-      const double shade = shading_under_grass * above * growth.sample(at_m.x, at_m.y);
+      const double shade = shading_under_grass * grass_above(at_m) * growth.sample(at_m.x, at_m.y);
       const glm::vec3 white =
           snow * (grain.at(at_m) * static_cast<float>(std::pow(under_grass, shade)));
       map.at(i, j) = glm::mix(bare.sample(at_m.x, at_m.y), white, white_share.at(i, j));
@@ -205,12 +214,7 @@ ColourMap SnowyGround::reflectance(const ColourMap& bare, const FactorMap& growt
 }
 
 FactorMap SnowyGround::growth() const {
-  if (is_bare()) return site_.growth;
-  if (lying_) return above_snow(site_.growth);
-  FactorMap above(depth_m_.samples(), depth_m_.size_m());
-  std::ranges::transform(depth_m_.values(), above.values().begin(),
-                         [&](float depth_m) { return share_above(scene_.grass, depth_m); });
-  return product(site_.growth, above);
+  return is_bare() ? site_.growth : above_snow(site_.growth);
 }
 
 double SnowyGround::mean_albedo() const {

@@ -30,6 +30,10 @@ class SnowyGround {
   /// Where grass grows, less by what of it is under snow.
   FactorMap growth() const;
 
+  /// The share of grass that stands, under the snow: snow that has a depth buries it from below,
+  /// while the paper's, which has none, takes its place where it is white.
+  FactorMap standing(FactorMap standing) const;
+
   /// A part of a large terrain's ground as ground_part() has it, under the snow: less growth, and
   /// reflectance likewise. Its light stays: snow changes no slope as long as the terrain's steps.
   GroundPart covered(GroundPart part) const;
@@ -42,6 +46,7 @@ class SnowyGround {
   void lay_everywhere(int frame);
   void lay_about_the_camera(int frame);
   float depth_m(const glm::dvec2& at_m) const;
+  float grass_above(const glm::dvec2& at_m) const;
   FactorMap above_snow(FactorMap growth) const;
   FactorMap white(const GroundGrid& grid) const;
   ColourMap reflectance(const ColourMap& bare, const FactorMap& growth,

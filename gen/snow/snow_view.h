@@ -37,6 +37,12 @@ class Frustum {
         static_cast<int>(beside <= Number(half_width_) * depth + Number(slant_width_) * radius_m) &
         static_cast<int>(above <= Number(half_height_) * depth + Number(slant_height_) * radius_m));
   }
+  /// Where a place ahead, relative to the eye, is in the picture: from -1 to 1 to the right and up.
+  glm::dvec2 in_picture(const glm::dvec3& from_eye_m) const {
+    const double depth_m = glm::dot(from_eye_m, ahead_);
+    return {glm::dot(from_eye_m, right_) / (depth_m * half_width_),
+            glm::dot(from_eye_m, up_) / (depth_m * half_height_)};
+  }
   double solid_angle_sr() const;
   /// Between the middle and a corner of the picture.
   double half_angle() const;

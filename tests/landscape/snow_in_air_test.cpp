@@ -2,38 +2,91 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "landscape/view.h"
 
 namespace wold::landscape {
 namespace {
 
-// A whirl of many faint flakes, as seen in a picture of few pixels, where POV-Ray would end.
-TEST(SnowInAir, HasNoFlakesTooFaintToEndARay) {
-  scene::Scene scene;
-  scene.terrain.size_m = 30.0;
-  scene.terrain.samples = 33;
-  scene.snowfall.strength = "blizzard";
-  scene.wind.field = "tornado";
-  scene.camera.eye_m = {15.0, 1.5};
-  scene.camera.target_m = {15.0, 24.0};
+constexpr int width_px = 64, height_px = 36;
+
+/// The default meadow's first frame, without grass and sky.
+Landscape snowing(const scene::Scene& scene) {
   const Site site = make_site(scene);
   Landscape landscape;
   landscape.terrain = site.terrain;
   landscape.camera = resolved_camera(scene.camera, site.terrain, 0.0);
-  landscape.width_px = 64;
-  landscape.height_px = 36;
+  landscape.width_px = width_px;
+  landscape.height_px = height_px;
   landscape.sky = Image(8, 4, 3);
   const double extinction_per_m = snow_extinction_per_m(scene, site, 1);
-  EXPECT_NEAR(extinction_per_m, 2.49e-3 * std::pow(4.0, 1.05), 0.02 * extinction_per_m);
   let_it_snow(scene, site, SnowyAir(site.day, extinction_per_m, 0.2), landscape);
-  ASSERT_GT(landscape.flakes.flakes.size(), 1000u);
+  return landscape;
+}
+
+scene::Scene snowy(const std::string& strength) {
+  scene::Scene scene;
+  scene.terrain.size_m = 30.0;
+  scene.terrain.samples = 33;
+  scene.snowfall.strength = strength;
+  scene.camera.eye_m = {15.0, 1.5};
+  scene.camera.target_m = {15.0, 24.0};
+  return scene;
+}
+
+/// How many flakes the ray through a pixel's middle passes.
+int flakes_passed(const Landscape& landscape, int column, int row) {
+  const Camera& camera = landscape.camera;
+  const glm::dvec3 ahead = glm::normalize(camera.target_m - camera.eye_m);
+  const glm::dvec3 right = glm::normalize(glm::cross(ahead, glm::dvec3(0.0, 0.0, 1.0)));
+  const double pixel = 2.0 * std::tan(glm::radians(0.5 * camera.field_of_view_deg)) / width_px;
+  const glm::dvec3 ray = ahead + pixel * ((column + 0.5 - 0.5 * width_px) * right +
+                                          (0.5 * height_px - row - 0.5) * glm::cross(right, ahead));
+  int passed = 0;
   for (const Flake& flake : landscape.flakes.flakes) {
-    EXPECT_GE(flake.opacity, 0.15F);
+    const glm::dvec3 across(flake.right_m), along(flake.up_m);
+    const glm::dvec3 from_eye = glm::dvec3(flake.centre_m) - camera.eye_m;
+    const glm::dvec3 normal = glm::cross(across, along);
+    const glm::dvec3 hit = glm::dot(from_eye, normal) / glm::dot(ray, normal) * ray - from_eye;
+    if (std::abs(glm::dot(hit, across)) <= glm::dot(across, across) &&
+        std::abs(glm::dot(hit, along)) <= glm::dot(along, along))
+      ++passed;
+  }
+  return passed;
+}
+
+TEST(SnowInAir, HasTheSnowfallsExtinction) {
+  scene::Scene scene = snowy("blizzard");
+  const double extinction_per_m = snow_extinction_per_m(scene, make_site(scene), 1);
+  EXPECT_NEAR(extinction_per_m, 2.49e-3 * std::pow(4.0, 1.05), 0.02 * extinction_per_m);
+}
+
+// A whirl of many faint flakes, as seen in a picture of few pixels, where POV-Ray would end.
+TEST(SnowInAir, HasNoMoreFlakesOnARayThanPovRayPasses) {
+  scene::Scene scene = snowy("blizzard");
+  scene.wind.field = "tornado";
+  const Landscape landscape = snowing(scene);
+  int most = 0;
+  for (int row = 0; row < height_px; ++row)
+    for (int column = 0; column < width_px; ++column)
+      most = std::max(most, flakes_passed(landscape, column, row));
+  EXPECT_LT(most, 240);
+  EXPECT_GT(most, 100) << "not a whirl that was thinned";
+  for (const Flake& flake : landscape.flakes.flakes) {
     EXPECT_LE(flake.opacity, 1.0F);
     EXPECT_LT(static_cast<std::size_t>(flake.picture), landscape.flakes.pictures.size());
   }
+}
+
+// Thinning whirls once thinned all snow.
+TEST(SnowInAir, HasAllFlakesThatAreAskedForWhereNoneAreTooMany) {
+  scene::Scene scene = snowy("light");
+  scene.snowfall.flakes = 100000;
+  scene.camera.target_height_m = 9.0;  // nothing but sky
+  EXPECT_NEAR(static_cast<double>(snowing(scene).flakes.flakes.size()), 100000.0, 3000.0);
 }
 
 }  // namespace

@@ -1,0 +1,134 @@
+#include "landscape/lit_ground.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "grass/fibres.h"
+#include "landscape/canopy_snow.h"
+#include "landscape/cell_window.h"
+#include "landscape/film_lighting.h"
+#include "landscape/ground_grids.h"
+#include "landscape/tint.h"
+
+namespace wold::landscape {
+namespace {
+
+/// Mean colour of the meadow's grass by weathering degree, under `snow` and what the cells show.
+GrassColour grass_colour(const grass::WitheringPatch& patch, const grass::AgeingModel& model,
+                         double snow, std::span<const CellChoice> choices) {
+  constexpr int steps = 64;
+  std::map<double, std::vector<glm::vec3>> colours = {{snow, {}}};
+  for (const CellChoice& choice : choices) colours[choice.state().snow_share()];
+  for (auto& [share, by_weathering] : colours)
+    for (int i = 0; i <= steps; ++i)
+      by_weathering.push_back(
+          grass::mean_albedo(patch.at(static_cast<double>(i) / steps, share), model));
+  return [colours](double weathering, double share) {
+    const std::vector<glm::vec3>& by_weathering = colours.at(share);
+    const double place = std::clamp(weathering, 0.0, 1.0) * steps;
+    const auto i = std::min(static_cast<std::size_t>(place), std::size_t{steps - 1});
+    return glm::mix(by_weathering[i], by_weathering[i + 1],
+                    static_cast<float>(place - static_cast<double>(i)));
+  };
+}
+
+/// What combing does to the light of the frame's grass.
+CombedLight combed_light(const scene::Scene& scene, const Site& site,
+                         const grass::BladePatch& patch, const grass::AgeingModel& model) {
+  constexpr int fibres = 150;
+  return {grass::representative_fibres(patch, model, fibres), film_lighting(scene, site),
+          static_cast<float>(scene.grass.gloss)};
+}
+
+/// The grid of what combing does, on a part of the ground of a large terrain: it costs much.
+GroundGrid combed_grid(const GroundGrid& grid) {
+  constexpr int most = 513;
+  return {grid.square, std::min(grid.samples, most)};
+}
+
+std::map<grass::PatchState, PatchLook> far_looks(
+    const scene::Scene& scene, int frame,
+    const std::function<std::vector<Volume>(const grass::PatchState&)>& far) {
+  std::map<grass::PatchState, PatchLook> looks;
+  for (const grass::PatchState& state : far_states(scene, frame))
+    looks.emplace(state, PatchLook(far(state)));
+  return looks;
+}
+
+}  // namespace
+
+LitGround::LitGround(const scene::Scene& scene, const Site& site, const Landscape& landscape,
+                     std::span<const CellChoice> choices,
+                     const std::function<std::vector<Volume>(const grass::PatchState&)>& far,
+                     Illuminate illuminate)
+    : scene_(scene),
+      site_(site),
+      choices_(choices),
+      illuminate_(std::move(illuminate)),
+      frame_(landscape.frame),
+      view_(landscape.camera, landscape.width_px, landscape.height_px),
+      haze_(site.day, landscape.camera.eye_m, scene.sky.visual_range_m),
+      combing_(scene),
+      snow_(canopy_snow(scene, frame_)),
+      model_(scene.ageing, scene.grass.specular),
+      patch_(scene, model_, /*variant=*/0),
+      combed_(combed_light(scene, site, patch_.at(landscape.weathering, snow_), model_)) {
+  if (shows_distance(scene, site, landscape.camera))
+    meadow_.emplace(scene, site.terrain, view_, frame_, far_looks(scene, frame_, far));
+}
+
+ColourMap LitGround::on_grass(const ColourMap& light, const GroundGrid& grid) const {
+  if (!is_large(scene_))
+    return product(light, combed_light_map(combed_, combing_, site_.terrain, view_));
+  return product(light,
+                 combed_light_map(combed_, combing_, site_.terrain, view_, combed_grid(grid)));
+}
+
+ColourMap LitGround::painted(ColourMap ground, const FactorMap& growth,
+                             const ColourMap& grass_light) const {
+  if (!meadow_) return ground;
+  paint_far_grass(ground, scene_, site_.terrain, growth, grass_light, view_, *meadow_);
+  veil_ground(ground, site_.terrain, view_, haze_);
+  return ground;
+}
+
+GroundDetail LitGround::detail(const SnowyGround& ground, const GroundGrid& grid) const {
+  const GroundPart part = ground.covered(ground_part(scene_, site_.terrain, site_.day, grid));
+  const ColourMap light = illuminate_(part.light);
+  return {painted(product(part.reflectance, light), part.growth, on_grass(light, grid))
+              .at_corner(glm::dvec2(0.0)),
+          grid.square.corner_m};
+}
+
+ColourMap LitGround::light_in_window() const {
+  const GroundGrid window = window_grid(scene_);
+  const GroundGrid grid = light_grid(site_.terrain, window);
+  return on_grass(illuminate_(terrain::ground_light(site_.terrain, site_.day, grid)), window);
+}
+
+void LitGround::show(const SnowyGround& ground, Landscape& landscape) const {
+  const ColourMap light = illuminate_(ground.light());
+  ColourMap grass_light = on_grass(light, whole_grid(scene_));
+  landscape.ground = painted(product(ground.reflectance(), light), ground.growth(), grass_light);
+  for (const GroundGrid& grid : detail_grids(scene_, landscape.camera))
+    landscape.ground_details.push_back(detail(ground, grid));
+
+  if (is_large(scene_)) grass_light = light_in_window();
+  landscape.light =
+      product(grass_light, weathering_tint(scene_, frame_, choices_, snow_,
+                                           grass_colour(patch_, model_, snow_, choices_)));
+  landscape.standing =
+      ground.standing(standing_grass(scene_, site_.terrain, growth_of_cells(site_), view_));
+  if (meadow_)
+    landscape.light =
+        product(landscape.light, veil_of_grass(grass_light, site_.terrain, view_, *meadow_, haze_));
+}
+
+bool shows_distance(const scene::Scene& scene, const Site& site, const Camera& camera) {
+  const View view(camera, scene.render.size_px[0], scene.render.size_px[1]);
+  return has_far_field(scene, site.terrain, view) ||
+         Haze(site.day, camera.eye_m, scene.sky.visual_range_m).is_visible(site.terrain);
+}
+
+}  // namespace wold::landscape
