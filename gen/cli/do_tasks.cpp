@@ -45,6 +45,14 @@ void one_by_one(std::size_t count, const std::function<void(std::size_t)>& body)
   run_at_once(count, 1, body);
 }
 
+std::size_t pictures_at_once(const Job& job, double bytes_each) {
+  // Reading the scene takes a renderer one thread, and small pictures do not fill many.
+  constexpr int threads_each = 4;
+  const double by_memory = job.memory_bytes / bytes_each;
+  return static_cast<std::size_t>(
+      std::max(1.0, std::min<double>(threads_of(job) / threads_each, by_memory)));
+}
+
 void make_pictures(const Job& job, Work& work, std::vector<Task> tasks, double bytes_each,
                    Progress& progress) {
   std::stable_sort(tasks.begin(), tasks.end(),
@@ -58,14 +66,6 @@ void make_pictures(const Job& job, Work& work, std::vector<Task> tasks, double b
 }
 
 }  // namespace
-
-std::size_t pictures_at_once(const Job& job, double bytes_each) {
-  // Reading the scene takes a renderer one thread, and small pictures do not fill many.
-  constexpr int threads_each = 4;
-  const double by_memory = job.memory_bytes / bytes_each;
-  return static_cast<std::size_t>(
-      std::max(1.0, std::min<double>(threads_of(job) / threads_each, by_memory)));
-}
 
 void do_tasks(const Job& job, Work& work, const std::vector<StageTasks>& stages,
               Progress& progress) {

@@ -12,7 +12,4 @@ namespace wold::cli {
 void do_tasks(const Job& job, Work& work, const std::vector<StageTasks>& stages,
               Progress& progress);
 
-/// How many pictures are rendered at a time.
-std::size_t pictures_at_once(const Job& job, double bytes_each);
-
 }  // namespace wold::cli

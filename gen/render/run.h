@@ -11,9 +11,9 @@ namespace wold::render {
 ///
 /// The program runs in its own process group; its output goes to job.log, its progress (in
 /// percent) to `progress`. The picture appears under job.picture only when the program succeeded
-/// in time and the picture has the right size and is not blank; an older one is removed first. A PNG has
-/// 8 bits per channel and no notes: same pixels, same bytes.
-/// `interrupted` is asked several times a second.
+/// in time and the picture has the right size and is not blank; an older one is removed first. A
+/// PNG has 8 bits per channel and no notes: same pixels, same bytes. `interrupted` is asked several
+/// times a second.
 ///
 /// Throws RendererError (program missing, failed, killed, out of time, no valid picture; it names
 /// the frame, the reason and the log with its last lines), FileError (a folder cannot be written

@@ -20,7 +20,8 @@ here = pathlib.Path(__file__).resolve().parent
 
 def parse_arguments():
     parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+        description=__doc__, allow_abbrev=False,
+        formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("scene", help="the scene file")
     parser.add_argument("--out", required=True, metavar="DIR", help="the output folder, shared by all nodes")
     parser.add_argument("--group", type=int, default=1, metavar="N",
@@ -32,8 +33,8 @@ def parse_arguments():
 
 
 def find_wold():
-    beside = [here.parents[1] / "build/wold", here.parents[3] / "bin/wold"]  # built, installed
-    return next((str(program) for program in beside if program.exists()), shutil.which("wold"))
+    beside = [here / "../../build/wold", here / "../../../../bin/wold"]  # built, installed
+    return next((str(program.resolve()) for program in beside if program.exists()), shutil.which("wold"))
 
 
 def output_of(*command):

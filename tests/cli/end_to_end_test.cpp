@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "core/files.h"
+#include "core/image.h"
 #include "small_film.h"
 
 /// From the scene file to the folders of the renderers and back again: what is made twice is the
@@ -118,6 +119,18 @@ TEST_F(Resume, ANewCameraNeedsNoNewTexels) {
   const auto before = times("out");
   EXPECT_EQ(rendered("--set camera.field_of_view=50"), "1 2 ");
   EXPECT_THAT(rewritten(before, times("out"), "texels/v"), IsEmpty());
+}
+
+TEST_F(Resume, SeesThatAFileWhichTheSceneNamesHasChanged) {
+  Image mask(2, 2, 1);
+  std::ranges::fill(mask.values, 1.0F);
+  write_image(folder_ / "mask.png", mask, PixelFormat::uint8);
+  const std::string masked = "--set growth.mask=\\\"mask.png\\\"";
+  EXPECT_EQ(rendered(masked), "1 2 ");
+  EXPECT_EQ(rendered(masked), "");
+  mask.values.front() = 0.0F;
+  write_image(folder_ / "mask.png", mask, PixelFormat::uint8);
+  EXPECT_EQ(rendered(masked), "1 2 ");
 }
 
 TEST_F(Resume, MakesDamagedFilesAnew) {
