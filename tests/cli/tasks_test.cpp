@@ -134,14 +134,14 @@ TEST_F(Tasks, PlanOfTenThousandFramesIsSmallAndQuick) {
   std::string frames = "0";
   for (int k = 1; k < 10000; ++k) frames += ", " + std::to_string(k * 1e-4);
   write("long.toml", "[ageing]\nframes = [" + frames + "]\n");
-  const auto start = std::chrono::steady_clock::now();
   for (const std::string form : {"", " --why", " --json", " --openjd"}) {
-    const Result result = wold("plan long.toml" + form);
+    const auto start = std::chrono::steady_clock::now();
+    const Result result = shell("ulimit -v 1000000; " + command("plan long.toml" + form));
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
     EXPECT_EQ(result.code, 0) << result.err;
     expect_contains(result.out, form.empty() ? "10000 of 10000 to do" : "1-10000");
     EXPECT_LT(result.out.size(), 10000U);
   }
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(40));
 }
 
 /// "1-2,4" as 1, 2, 4.
