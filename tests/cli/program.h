@@ -65,6 +65,9 @@ class Program : public testing::Test {
   fs::path folder_;
 };
 
+/// As one word for the shell.
+std::string quoted(const std::string& text);
+
 void expect_contains(const std::string& text, const std::string& part);
 
 }  // namespace wold::test
