@@ -8,7 +8,7 @@ set -euo pipefail
 source "$(dirname "$0")/../examples/setup.sh"
 
 install "${build_packages[@]}" "${render_packages[@]}" libgtest-dev libgmock-dev libbenchmark-dev \
-  libxml2-utils slurmctld slurmd slurm-client munge python3 procps
+  libxml2-utils locales slurmctld slurmd slurm-client munge python3 procps
 build -DWOLD_TESTS=ON -DWOLD_WERROR=ON -- all
 say "Testing"
 cd "$here"

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include "core/files.h"
 #include "core/image.h"
 #include "tiny_film.h"
@@ -77,6 +79,20 @@ TEST_F(Names, ADecimalCommaChangesNoByte) {
   const Result made = shell(render_line("german", german));
   EXPECT_EQ(made.code, 0) << made.err;
   expect_undisturbed("german");
+}
+
+TEST_F(Names, NeedNotBeText) {
+  const std::string out = "\xFF\xFE";
+  make_folder(folder_ / out);
+  write(out + "/mine \xC3", "a user's own");
+  const Result made = shell(render_line(quoted(out)));
+  EXPECT_EQ(made.code, 0) << made.err;
+  EXPECT_TRUE(nlohmann::json::accept(read_file(folder_ / out / "manifest.json")));
+  const Result plan = wold("plan tiny.toml --json --out " + quoted(out));
+  EXPECT_EQ(plan.code, 0) << plan.err;
+  EXPECT_TRUE(nlohmann::json::accept(plan.out));
+  fs::remove(folder_ / out / "mine \xC3");
+  expect_undisturbed(out);
 }
 
 TEST_F(Names, OfASceneAreFileNames) {
