@@ -29,7 +29,7 @@ void complete(const Job& job, const std::vector<StageTasks>& stages, Progress& p
   const FolderLock lock(job.out, Access::alone);
   remove_temporaries(job.out);
   std::error_code in_use;
-  std::filesystem::remove(job.out / "snow", in_use);
+  std::filesystem::remove(job.out / "snow", in_use);  // where scratch folders were
   Work work(job);
   do_tasks(job, work, stages, progress);
   work.finish();
