@@ -216,7 +216,7 @@ Json write_cells(const Landscape& landscape, const fs::path& folder,
   for (std::size_t i = 0; i < landscape.cells.size(); ++i) {
     const landscape::Cell& cell = landscape.cells[i];
     const landscape::Volume& volume = landscape.volumes[static_cast<std::size_t>(cell.volume)];
-    placements.push_back(placement_of(cell.world_from_cell));
+    placements.push_back(placement_of(cell.world_from_cell * cell.reach));
     placements.back().position_m += nudge(i, volume.voxel_m);
   }
   return write_instances(placements, picks, folder, "");

@@ -181,14 +181,17 @@ void add_limit(CLI::App& app, const std::string& option, double& limit, const st
 Action declare_compare(CLI::App& app) {
   auto options = std::make_shared<CompareOptions>();
   compare::Limits& limits = options->limits;
-  app.add_option("GOT", options->got, "the file to judge")->required();
-  app.add_option("WANT", options->want, "the file it should equal")->required();
-  app.add_option("--report", options->report, "folder for the metrics and pictures of both")
+  app.add_option("GOT", options->got, "the file or folder to judge")->required();
+  app.add_option("WANT", options->want, "the file or folder it should equal")->required();
+  app.add_option("--report", options->report,
+                 "folder for a page that shows both and how they differ")
       ->type_name("DIR");
   add_limit(app, "--rmse", limits.rmse, "root mean square difference allowed");
   add_limit(app, "--soft", limits.soft, "difference that some pixels or voxels may exceed");
   add_limit(app, "--share", limits.allowed_share, "share of them that may");
   add_limit(app, "--hard", limits.hard, "difference that none may exceed");
+  add_limit(app, "--flip", limits.flip, "mean FLIP allowed, of pictures");
+  add_limit(app, "--ssim", limits.ssim, "least structural similarity of pictures");
   return [options] { return run_compare(*options); };
 }
 
@@ -224,7 +227,7 @@ const std::vector<Command>& command_table() {
        "wold check meadow.toml --set sun.elevation=20", declare_check},
       {"inspect", "say what is in pictures, .vdb and .df3 files, and what is wrong with them",
        "wold inspect out/meadow/frames/povray/0001.png --json", declare_inspect},
-      {"compare", "compare two pictures or two grids, print the metrics as JSON",
+      {"compare", "compare two pictures, grids or folders of them, print the metrics as JSON",
        "wold compare got.png want.png --report differences --rmse 0.01", declare_compare},
       {"curves", "draw or tabulate a scene's ageing: pigments, water, shrinkage, droop, colour",
        "wold curves meadow.toml --out ageing.svg --set ageing.water=cold", declare_curves},

@@ -32,7 +32,7 @@ enum class PlanForm { text, why, json, openjd };
 struct CompareOptions {
   std::filesystem::path got;
   std::filesystem::path want;
-  std::filesystem::path report;  ///< folder for pictures and metrics; empty: none
+  std::filesystem::path report;  ///< folder for page, pictures and metrics; empty: none
   compare::Limits limits;
 };
 

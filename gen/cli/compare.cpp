@@ -5,11 +5,12 @@
 namespace wold::cli {
 
 ExitCode run_compare(const CompareOptions& options) {
-  std::string metrics;
-  const ExitCode verdict =
-      compare::compare_files(options.got, options.want, options.limits, options.report, metrics);
-  print_data(metrics);
-  return verdict;
+  const compare::Verdict verdict =
+      compare::compare_paths(options.got, options.want, options.limits, options.report);
+  print_data(verdict.json);
+  if (verdict.code == ExitCode::different) print_message(verdict.lines);
+  if (!options.report.empty()) print_message("see " + (options.report / "index.html").string());
+  return verdict.code;
 }
 
 }  // namespace wold::cli

@@ -8,18 +8,24 @@
 
 namespace wold::compare {
 
-/// Compares two files of one kind: pictures, .vdb or .df3. ExitCode::done when they agree within
-/// the limits, ExitCode::different otherwise: also for another kind, size, number of channels, set
-/// of grids, grid type or transform, which no limit forgives.
+/// What a comparison says.
+struct Verdict {
+  ExitCode code = ExitCode::done;  ///< or ExitCode::different
+  std::string json;                ///< for programs; keys in a fixed order, a line break at the end
+  std::string lines;               ///< for people: one line per file, those that differ first
+};
+
+/// Compares two files, see compare_pair(), or two folders: the pictures, .vdb and .df3 files of
+/// both by their paths from there; what only one has is different.
 ///
-/// `json_out` receives what was compared, "same", the reasons against it, the limits and the
-/// metrics, with keys in a fixed order and a line break at the end. With a report folder the same
-/// goes to metrics.json there, and pictures to got.png, want.png and, when the sizes agree,
-/// difference.png, which shows 10 times the difference.
+/// The JSON of two files has what was compared, "same", the reasons against it, the limits and the
+/// metrics; that of two folders "same" and a list of the former. With a report folder it goes to
+/// metrics.json there, a page for people to index.html, and the pictures it shows beside it, those
+/// of folders into numbered folders.
 ///
-/// Throws FileError when a file is missing or damaged or the report cannot be written.
-ExitCode compare_files(const std::filesystem::path& got, const std::filesystem::path& want,
-                       const Limits& limits, const std::filesystem::path& report_folder,
-                       std::string& json_out);
+/// Throws FileError when a file is missing or damaged or the report cannot be written, InputError
+/// when one is a folder and the other is not.
+Verdict compare_paths(const std::filesystem::path& got, const std::filesystem::path& want,
+                      const Limits& limits, const std::filesystem::path& report_folder);
 
 }  // namespace wold::compare

@@ -36,17 +36,26 @@ Differences DifferenceSum::result() const {
   return result;
 }
 
-std::vector<std::string> exceeded(const Differences& differences, const Limits& limits) {
+std::vector<Measure> measures(const Differences& differences, const Limits& limits) {
+  return {{.name = "rmse", .value = differences.rmse, .most = limits.rmse},
+          {.name = fmt::format("share over {:.4g}", limits.soft),
+           .value = differences.share_over_soft,
+           .most = limits.allowed_share},
+          {.name = "largest difference", .value = differences.max_error, .most = limits.hard},
+          {.name = "values that are not finite",
+           .value = static_cast<double>(differences.non_finite),
+           .most = 0.0}};
+}
+
+std::vector<std::string> exceeded(const std::vector<Measure>& measures) {
   std::vector<std::string> reasons;
-  const auto check = [&](const char* what, double value, double limit) {
-    if (value > limit)
-      reasons.push_back(fmt::format("{} {:.4g} is over {:.4g}", what, value, limit));
-  };
-  check("rmse", differences.rmse, limits.rmse);
-  check("share over the soft limit", differences.share_over_soft, limits.allowed_share);
-  check("largest difference", differences.max_error, limits.hard);
-  if (differences.non_finite > 0)
-    reasons.push_back(fmt::format("{} values are no finite numbers", differences.non_finite));
+  for (const Measure& measure : measures) {
+    if (measure.is_good()) continue;
+    const bool is_low = measure.value < measure.least;
+    reasons.push_back(fmt::format("{} is {:.4g}, at {} {:.4g} is allowed", measure.name,
+                                  measure.value, is_low ? "least" : "most",
+                                  is_low ? measure.least : measure.most));
+  }
   return reasons;
 }
 

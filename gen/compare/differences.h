@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,19 @@ struct Limits {
   double soft = 0.02;           ///< 5 steps of 8 bit
   double allowed_share = 0.01;  ///< of samples (pixels, voxels) over `soft`
   double hard = 0.3;            ///< no value may differ more
+  double flip = 0.02;           ///< mean FLIP of pictures
+  double ssim = 0.98;           ///< the least structural similarity of pictures
+};
+
+/// One number of a comparison and the range that the limits leave it.
+struct Measure {
+  std::string name;
+  double value = 0.0;
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+
+  /// Reaching a limit is allowed, being no number is not.
+  bool is_good() const { return least <= value && value <= most; }
 };
 
 /// How far two equally long lists of values are apart. A sample is a pixel or a voxel.
@@ -49,7 +63,10 @@ class DifferenceSum {
   bool is_over_ = false;
 };
 
-/// One sentence for every limit that is exceeded; empty when the two are the same.
-std::vector<std::string> exceeded(const Differences& differences, const Limits& limits);
+/// The differences as the limits judge them.
+std::vector<Measure> measures(const Differences& differences, const Limits& limits);
+
+/// One sentence for every measure that is out of its range; empty when the two are the same.
+std::vector<std::string> exceeded(const std::vector<Measure>& measures);
 
 }  // namespace wold::compare

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <string_view>
@@ -41,6 +42,12 @@ FileKind file_kind(const std::filesystem::path& path) {
     throw FileError(fmt::format("cannot read {}: there is no such file", path.string()));
   if (path.extension() == ".vdb" || starts_like_vdb(path)) return FileKind::vdb;
   return path.extension() == ".df3" ? FileKind::df3 : FileKind::picture;
+}
+
+bool is_named_comparable(const std::filesystem::path& path) {
+  constexpr std::array<std::string_view, 6> endings = {".png", ".exr", ".hdr",
+                                                       ".tif", ".vdb", ".df3"};
+  return std::ranges::find(endings, path.extension().string()) != endings.end();
 }
 
 }  // namespace wold::compare

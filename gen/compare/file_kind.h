@@ -13,4 +13,7 @@ const char* to_string(FileKind kind);
 /// Throws FileError when there is no such file.
 FileKind file_kind(const std::filesystem::path& path);
 
+/// Whether a file's name ends as those of pictures and grids that Wold writes do.
+bool is_named_comparable(const std::filesystem::path& path);
+
 }  // namespace wold::compare

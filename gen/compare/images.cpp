@@ -7,6 +7,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "compare/filter.h"
+#include "compare/flip.h"
+#include "compare/pixels.h"
+#include "compare/ssim.h"
 #include "core/colour.h"
 
 namespace wold::compare {
@@ -50,54 +54,27 @@ std::vector<double> channel_means(const Image& image) {
   return means;
 }
 
-double mean_abs(const Image& image) {
-  double sum = 0.0;
-  for (float value : image.values) sum += std::abs(static_cast<double>(value));
-  return sum / static_cast<double>(image.values.size());
+Image magnitude(Image image) {
+  for (float& value : image.values) value = std::abs(value);
+  return image;
 }
 
-/// The mean over 8 x 8 pixels taken twice, which is a triangle 16 pixels wide. The border's values
-/// continue outside the picture.
-Image blurred8(Image image) {
-  const OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::FLOAT);
-  const OIIO::ImageBuf source(spec, image.values.data());
-  const auto across = OIIO::ImageBufAlgo::make_kernel("triangle", 16.0F, 1.0F);
-  const auto down = OIIO::ImageBufAlgo::make_kernel("triangle", 1.0F, 16.0F);
-  const auto result =
-      OIIO::ImageBufAlgo::convolve(OIIO::ImageBufAlgo::convolve(source, across), down);
-  Image copy(image.width, image.height, image.channels);
-  if (!result.get_pixels(source.roi(), OIIO::TypeDesc::FLOAT, copy.values.data()))
-    throw std::runtime_error(result.geterror());
-  return copy;
+/// The mean over 8 x 8 pixels taken twice, which is a triangle 16 pixels wide.
+Image blurred8(const Image& image) {
+  const Weights triangle = weights(8, [](double x) { return 8.0 - std::abs(x); });
+  return filtered(image, triangle, triangle);
 }
 
-/// ISO/CIE 11664-4, relative to the white of sRGB.
-glm::dvec3 lab_from_xyz(const glm::dvec3& xyz, const glm::dvec3& white_xyz) {
-  constexpr double knee = 6.0 / 29.0;
-  const auto f = [](double t) {
-    return t > knee * knee * knee ? std::cbrt(t) : t / (3.0 * knee * knee) + 4.0 / 29.0;
-  };
-  const glm::dvec3 t = xyz / white_xyz;
-  return {116.0 * f(t.y) - 16.0, 500.0 * (f(t.x) - f(t.y)), 200.0 * (f(t.y) - f(t.z))};
-}
-
-glm::dvec3 linear_colour(const float* pixel) {
-  return {srgb_decoded(pixel[0]), srgb_decoded(pixel[1]), srgb_decoded(pixel[2])};
+glm::dvec3 lab(const float* pixel) {
+  return lab_from_xyz(
+      xyz_from_srgb({srgb_decoded(pixel[0]), srgb_decoded(pixel[1]), srgb_decoded(pixel[2])}));
 }
 
 double mean_delta_e(const Image& got, const Image& want) {
-  if (got.channels < 3) return 0.0;
-  const glm::dvec3 white_xyz = xyz_from_srgb(glm::dvec3(1.0));
-  const auto lab = [&](const float* pixel) {
-    return lab_from_xyz(xyz_from_srgb(linear_colour(pixel)), white_xyz);
+  const auto distance = [](float* out, const float* a, const float* b) {
+    *out = static_cast<float>(glm::distance(lab(a), lab(b)));
   };
-  double sum = 0.0;
-  for (int y = 0; y < got.height; ++y)
-    for (int x = 0; x < got.width; ++x) {
-      const double distance = glm::distance(lab(got.pixel(x, y)), lab(want.pixel(x, y)));
-      if (std::isfinite(distance)) sum += distance;
-    }
-  return sum / (static_cast<double>(got.width) * got.height);
+  return mean(pixelwise(1, distance, shown_rgb(got), shown_rgb(want)));
 }
 
 }  // namespace
@@ -117,16 +94,39 @@ ImageMetrics compare_images(const Image& got, const Image& want, double soft) {
   metrics.worst_px = worst_pixel(difference);
   metrics.psnr_db = -20.0 * std::log10(metrics.rmse);
   metrics.mean_shift = channel_means(difference);
-  metrics.mean_abs_blurred8 = mean_abs(blurred8(difference));
+  metrics.mean_abs_blurred8 = mean(magnitude(blurred8(difference)));
   metrics.mean_delta_e = mean_delta_e(got, want);
+  metrics.ssim = ssim(got, want);
+  metrics.flip_map = flip_map(got, want);
+  metrics.flip = mean(metrics.flip_map);
   return metrics;
 }
 
 Image difference_image(const Image& got, const Image& want, float gain) {
   require_same_shape(got, want);
-  Image difference = signed_difference(got, want);
-  for (float& value : difference.values) value = gain * std::abs(value);
+  Image difference = magnitude(signed_difference(got, want));
+  for (float& value : difference.values) value *= gain;
   return difference;
+}
+
+Image flip_picture(const Image& flip_map) {
+  Image map = flip_map;
+  const OIIO::ImageSpec spec(map.width, map.height, 1, OIIO::TypeDesc::FLOAT);
+  const OIIO::ImageBuf source(spec, map.values.data());
+  const OIIO::ImageBuf coloured = OIIO::ImageBufAlgo::color_map(source, 0, "magma");
+  Image result(map.width, map.height, 3);
+  coloured.get_pixels(coloured.roi(), OIIO::TypeDesc::FLOAT, result.values.data());
+  for (float& value : result.values) value = static_cast<float>(srgb_encoded(value));
+  return result;
+}
+
+std::vector<Measure> measures(const ImageMetrics& metrics, const Limits& limits) {
+  std::vector<Measure> list = measures(static_cast<const Differences&>(metrics), limits);
+  list.push_back({.name = "FLIP", .value = metrics.flip, .most = limits.flip});
+  list.push_back({.name = "SSIM", .value = metrics.ssim, .least = limits.ssim});
+  list.push_back({.name = "PSNR (dB)", .value = metrics.psnr_db});
+  list.push_back({.name = "mean L*a*b* difference", .value = metrics.mean_delta_e});
+  return list;
 }
 
 }  // namespace wold::compare

@@ -17,7 +17,10 @@ struct ImageMetrics : Differences {
   double mean_abs_blurred8 = 0.0;  ///< mean_abs after means over 8 x 8 pixels: forgives small
                                    ///< shifts and grain, keeps wrong brightness
   double mean_delta_e = 0.0;       ///< CIE 1976 L*a*b* distance, values read as sRGB; 2.3 is just
-                                   ///< noticeable (Mahy et al. 1994). 0 with fewer than 3 channels
+                                   ///< noticeable (Mahy et al. 1994)
+  double ssim = 1.0;               ///< structural similarity, see ssim.h; 1 for equal pictures
+  double flip = 0.0;               ///< mean of the map; 0 for equal pictures
+  Image flip_map;                  ///< see flip.h
 };
 
 /// Says how the shapes differ ("got 32 x 18 pixels with 3 channels, want ..."); empty when they
@@ -29,5 +32,12 @@ ImageMetrics compare_images(const Image& got, const Image& want, double soft);
 
 /// |got - want| times `gain`, for the eye. Throws std::invalid_argument when the shapes differ.
 Image difference_image(const Image& got, const Image& want, float gain);
+
+/// A FLIP map in the colours of its paper, encoded sRGB: magma, from black for 0 to pale yellow
+/// for 1.
+Image flip_picture(const Image& flip_map);
+
+/// The metrics that a person wants to see, with what the limits say of them.
+std::vector<Measure> measures(const ImageMetrics& metrics, const Limits& limits);
 
 }  // namespace wold::compare

@@ -70,22 +70,21 @@ GridsByName grids_by_name(const std::filesystem::path& path) {
   return grids;
 }
 
-/// Every voxel that is active in one of the two.
 template <class Grid>
-openvdb::MaskTree active_in_either(const Grid& a, const Grid& b) {
-  openvdb::MaskTree mask(a.tree(), false, openvdb::TopologyCopy());
-  mask.topologyUnion(b.tree());
+openvdb::MaskTree active_voxels(const Grid& grid) {
+  openvdb::MaskTree mask(grid.tree(), false, openvdb::TopologyCopy());
   mask.voxelizeActiveTiles();
   return mask;
 }
 
 template <class Grid>
-Differences value_differences(const Grid& got, const Grid& want, double soft, double range) {
+Differences value_differences(const Grid& got, const Grid& want,
+                              const openvdb::MaskTree& active_in_either, double soft,
+                              double range) {
   DifferenceSum sum(soft, range);
   const auto got_values = got.getConstAccessor();
   const auto want_values = want.getConstAccessor();
-  const openvdb::MaskTree mask = active_in_either(got, want);
-  for (auto voxel = mask.cbeginValueOn(); voxel; ++voxel) {
+  for (auto voxel = active_in_either.cbeginValueOn(); voxel; ++voxel) {
     const auto a = components(got_values.getValue(voxel.getCoord()));
     const auto b = components(want_values.getValue(voxel.getCoord()));
     for (std::size_t i = 0; i < a.size(); ++i) sum.add(a[i], b[i]);
@@ -94,10 +93,31 @@ Differences value_differences(const Grid& got, const Grid& want, double soft, do
   return sum.result();
 }
 
+/// How many voxels are in the first but not in the second.
+std::uint64_t only_in(openvdb::MaskTree first, const openvdb::MaskTree& second) {
+  first.topologyDifference(second);
+  return first.activeVoxelCount();
+}
+
 /// What differences are relative to; 1 for a grid of zeros.
 double magnitude(const GridFacts& facts) {
   const double largest = std::max(std::abs(facts.least), std::abs(facts.largest));
   return largest > 0.0 ? largest : 1.0;
+}
+
+template <class Grid>
+void compare_typed(const Grid& got, const Grid& want, double soft, GridMetrics& metrics) {
+  const openvdb::MaskTree got_active = active_voxels(got);
+  const openvdb::MaskTree want_active = active_voxels(want);
+  openvdb::MaskTree either = got_active;
+  either.topologyUnion(want_active);
+  metrics.active_only_got = only_in(got_active, want_active);
+  metrics.active_only_want = only_in(want_active, got_active);
+  const auto in_one = static_cast<double>(metrics.active_only_got + metrics.active_only_want);
+  metrics.share_active_in_one =
+      in_one / static_cast<double>(std::max<std::uint64_t>(either.activeVoxelCount(), 1));
+  static_cast<Differences&>(metrics) =
+      value_differences(got, want, either, soft, magnitude(metrics.want));
 }
 
 GridMetrics compare_grids(const openvdb::GridBase& got, const openvdb::GridBase& want,
@@ -110,9 +130,7 @@ GridMetrics compare_grids(const openvdb::GridBase& got, const openvdb::GridBase&
   metrics.same_transform = got.constTransform() == want.constTransform();
   if (!metrics.same_type) return metrics;
   metrics.is_compared = want.apply<Comparable>([&](const auto& typed) {
-    const auto& other = static_cast<const std::decay_t<decltype(typed)>&>(got);
-    static_cast<Differences&>(metrics) =
-        value_differences(other, typed, soft, magnitude(metrics.want));
+    compare_typed(static_cast<const std::decay_t<decltype(typed)>&>(got), typed, soft, metrics);
   });
   return metrics;
 }

@@ -44,7 +44,10 @@ struct GridMetrics : Differences {
   GridFacts want;
   bool same_type = false;
   bool same_transform = false;
-  bool is_compared = false;  ///< values of this type can be compared and were
+  bool is_compared = false;           ///< values of this type can be compared and were
+  std::uint64_t active_only_got = 0;  ///< voxels
+  std::uint64_t active_only_want = 0;
+  double share_active_in_one = 0.0;  ///< of those that are active in either
 };
 
 struct VdbMetrics {

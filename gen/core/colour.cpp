@@ -12,6 +12,13 @@ namespace {
 const glm::dmat3 srgb_xyz_matrix(3.2406, -0.9689, 0.0557,   //
                                  -1.5372, 1.8758, -0.2040,  //
                                  -0.4986, 0.0415, 1.0570);
+const glm::dmat3 xyz_srgb_matrix = glm::inverse(srgb_xyz_matrix);
+
+/// The cube root with CIE's linear foot.
+double lab_curve(double t) {
+  constexpr double foot = 6.0 / 29.0;
+  return t > foot * foot * foot ? std::cbrt(t) : t / (3.0 * foot * foot) + 4.0 / 29.0;
+}
 
 /// Share of grey that brings one channel into [0, ceiling].
 double grey_needed(double channel, double grey, double ceiling) {
@@ -24,7 +31,13 @@ double grey_needed(double channel, double grey, double ceiling) {
 
 glm::dvec3 srgb_from_xyz(const glm::dvec3& xyz) { return srgb_xyz_matrix * xyz; }
 
-glm::dvec3 xyz_from_srgb(const glm::dvec3& rgb) { return glm::inverse(srgb_xyz_matrix) * rgb; }
+glm::dvec3 xyz_from_srgb(const glm::dvec3& rgb) { return xyz_srgb_matrix * rgb; }
+
+glm::dvec3 lab_from_xyz(const glm::dvec3& xyz) {
+  const glm::dvec3 ratio = xyz / xyz_from_srgb(glm::dvec3(1.0));
+  const glm::dvec3 f(lab_curve(ratio.x), lab_curve(ratio.y), lab_curve(ratio.z));
+  return {116.0 * f.y - 16.0, 500.0 * (f.x - f.y), 200.0 * (f.y - f.z)};
+}
 
 double srgb_encoded(double linear) {
   return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;

@@ -11,6 +11,10 @@ namespace wold {
 glm::dvec3 srgb_from_xyz(const glm::dvec3& xyz);
 glm::dvec3 xyz_from_srgb(const glm::dvec3& rgb);
 
+/// CIE 1976 L*a*b* of XYZ (Y = 1 for white) under D65, the white of sRGB (ISO/CIE 11664-4): L* from
+/// 0 to 100.
+glm::dvec3 lab_from_xyz(const glm::dvec3& xyz);
+
 /// The sRGB transfer function of one channel, [0, 1] to [0, 1], and back.
 double srgb_encoded(double linear);
 double srgb_decoded(double encoded);

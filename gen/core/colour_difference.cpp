@@ -3,20 +3,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/colour.h"
-
 namespace wold {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
 double degrees(double deg) { return deg * pi / 180.0; }
-
-/// The cube root with CIE's linear foot.
-double lab_curve(double t) {
-  constexpr double foot = 6.0 / 29.0;
-  return t > foot * foot * foot ? std::cbrt(t) : t / (3.0 * foot * foot) + 4.0 / 29.0;
-}
 
 /// sqrt(C^7 / (C^7 + 25^7)): near 1 for saturated colours, 0 for greys.
 double saturation(double chroma) {
@@ -60,12 +52,6 @@ double rotation(double chroma, double hue) {
 }
 
 }  // namespace
-
-glm::dvec3 lab_from_xyz(const glm::dvec3& xyz) {
-  const glm::dvec3 ratio = xyz / xyz_from_srgb(glm::dvec3(1.0));
-  const glm::dvec3 f(lab_curve(ratio.x), lab_curve(ratio.y), lab_curve(ratio.z));
-  return {116.0 * f.y - 16.0, 500.0 * (f.x - f.y), 200.0 * (f.y - f.z)};
-}
 
 double colour_difference(const glm::dvec3& lab, const glm::dvec3& other) {
   const double plain = (std::hypot(lab.y, lab.z) + std::hypot(other.y, other.z)) / 2.0;

@@ -5,33 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/markup.h"
+
 namespace wold {
 namespace {
 
 constexpr double mean_advance = 0.62;
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 /// A hundredth of a pixel, without needless zeros and without "-0".
 std::string number(double value) {
@@ -74,7 +53,7 @@ SvgDrawing::SvgDrawing(const glm::dvec2& size_px, std::string_view title)
                         "font-family=\"Arial, Helvetica, sans-serif\">\n"
                         "<title>{2}</title>\n"
                         "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
-                        number(size_px.x), number(size_px.y), escaped(title))) {}
+                        number(size_px.x), number(size_px.y), markup_escaped(title))) {}
 
 void SvgDrawing::line(const glm::dvec2& from, const glm::dvec2& to, const SvgStroke& stroke) {
   body_ += fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" {}/>\n", number(from.x),
@@ -103,7 +82,7 @@ void SvgDrawing::text(const glm::dvec2& at, std::string_view text, const SvgText
   body_ += fmt::format(
       "<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{}\" text-anchor=\"{}\"{}{}>{}</text>\n",
       number(at.x), number(at.y), number(style.size_px), style.colour, anchor_name(style.anchor),
-      style.bold ? " font-weight=\"bold\"" : "", turn, escaped(text));
+      style.bold ? " font-weight=\"bold\"" : "", turn, markup_escaped(text));
 }
 
 double svg_text_width_px(std::string_view text, double size_px) {

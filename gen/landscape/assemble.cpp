@@ -19,6 +19,14 @@
 namespace wold::landscape {
 namespace {
 
+void add(const CellChoice& choice, int volume, std::vector<Cell>& cells) {
+  cells.push_back({choice.world_from_cell, volume, choice.reach});
+}
+
+void add(const CellChoice& choice, int mesh, std::vector<BladeCell>& cells) {
+  cells.push_back({choice.world_from_cell, mesh});
+}
+
 /// Each different patch once, in ascending order of `key`, and the cells that refer to them.
 template <class Key, class Lookup, class Patch, class Instance>
 void place(std::span<const CellChoice> choices, bool blades, const Key& key, const Lookup& lookup,
@@ -33,7 +41,7 @@ void place(std::span<const CellChoice> choices, bool blades, const Key& key, con
     patches.push_back(lookup(*example));
   }
   for (const CellChoice& choice : choices)
-    if (choice.blades == blades) cells.push_back({choice.world_from_cell, numbers.at(key(choice))});
+    if (choice.blades == blades) add(choice, numbers.at(key(choice)), cells);
 }
 
 std::tuple<int, grass::PatchState, int, int> volume_key(const CellChoice& choice) {

@@ -188,6 +188,12 @@ CellChoice choose_cell(const scene::Scene& scene, const glm::ivec2& cell, const 
   return choice;
 }
 
+/// Where x of a cell points to after so many quarter-turns; y points to the left of that.
+glm::dvec2 east_of(int turn) {
+  constexpr int cosines[] = {1, 0, -1, 0};
+  return {cosines[turn & 3], cosines[(turn + 3) & 3]};
+}
+
 void check_frame(const scene::Scene& scene, int frame) {
   const std::size_t frames = scene.ageing.frames.size();
   if (frame < 1 || static_cast<std::size_t>(frame) > frames)
@@ -196,24 +202,8 @@ void check_frame(const scene::Scene& scene, int frame) {
 
 }  // namespace
 
-CellLean cell_lean(const Combing& combing, double patch_m, const glm::ivec2& cell,
-                   double middle_m) {
-  const glm::dvec2 here_m = centre_m(cell, patch_m);
-  CellLean result{combing.lean(here_m)};
-  for (int axis = 0; axis < 2; ++axis) {
-    glm::dvec2 step_m(0.0);
-    step_m[axis] = patch_m;
-    const double own = result.lean[axis];
-    const double low = combing.lean(here_m - step_m)[axis];
-    const double high = combing.lean(here_m + step_m)[axis];
-    result.beyond_low_m[axis] = 0.5 * middle_m * (own - low);
-    result.beyond_high_m[axis] = 0.5 * middle_m * (high - own);
-  }
-  return result;
-}
-
 glm::dmat4 world_from_cell(const Heightfield& terrain, double patch_m, const glm::ivec2& cell,
-                           int turn, const CellLean& lean) {
+                           int turn, const glm::dvec2& lean) {
   const glm::dvec2 low = glm::dvec2(cell) * patch_m;
   const glm::dvec2 high = low + patch_m;
   const double z00 = terrain.sample(low.x, low.y);
@@ -222,17 +212,36 @@ glm::dmat4 world_from_cell(const Heightfield& terrain, double patch_m, const glm
   const double z11 = terrain.sample(high.x, high.y);
   const glm::dvec2 rise(((z10 + z11) - (z00 + z01)) / (2.0 * patch_m),
                         ((z01 + z11) - (z00 + z10)) / (2.0 * patch_m));
-  constexpr int cosines[] = {1, 0, -1, 0};
-  const double c = cosines[turn & 3];
-  const double s = cosines[(turn + 3) & 3];
-  const glm::dvec2 stretch = 1.0 + (lean.beyond_low_m + lean.beyond_high_m) / patch_m;
-  const glm::dvec2 east = stretch * glm::dvec2(c, s);  // where the turned cell's axes point
-  const glm::dvec2 north = stretch * glm::dvec2(-s, c);
-  const glm::dvec2 centre = (low - lean.beyond_low_m + high + lean.beyond_high_m) / 2.0;
+  const glm::dvec2 east = east_of(turn);  // where the turned cell's axes point
+  const glm::dvec2 north(-east.y, east.x);
+  const glm::dvec2 centre = (low + high) / 2.0;
   const glm::dvec2 origin = centre - (east + north) * (patch_m / 2.0);
-  const double z = (z00 + z10 + z01 + z11) / 4.0 + glm::dot(rise, origin - (low + high) / 2.0);
+  const double z = (z00 + z10 + z01 + z11) / 4.0 + glm::dot(rise, origin - centre);
   return {glm::dvec4(east, glm::dot(rise, east), 0), glm::dvec4(north, glm::dot(rise, north), 0),
-          glm::dvec4(lean.lean, 1.0 + glm::dot(rise, lean.lean), 0), glm::dvec4(origin, z, 1)};
+          glm::dvec4(lean, 1.0 + glm::dot(rise, lean), 0), glm::dvec4(origin, z, 1)};
+}
+
+glm::dmat4 reach_to_neighbours(const Combing& combing, double patch_m, const glm::ivec2& cell,
+                               int turn, double height_m) {
+  const glm::dvec2 here_m = centre_m(cell, patch_m);
+  const glm::dvec2 own = combing.lean(here_m);
+  glm::dvec2 low_m, high_m;  // beyond the square's sides
+  for (int axis = 0; axis < 2; ++axis) {
+    glm::dvec2 step_m(0.0);
+    step_m[axis] = patch_m;
+    const double low = combing.lean(here_m - step_m)[axis];
+    const double high = combing.lean(here_m + step_m)[axis];
+    low_m[axis] = 0.5 * height_m * std::max(0.0, own[axis] - low);
+    high_m[axis] = 0.5 * height_m * std::max(0.0, high - own[axis]);
+  }
+  const glm::dvec2 stretch = 1.0 + (low_m + high_m) / patch_m;
+  const glm::dvec2 shift_m = 0.5 * (high_m - low_m);
+  const glm::dvec2 east = east_of(turn);
+  const glm::dvec2 north(-east.y, east.x);
+  const glm::dvec2 in_cell = turn % 2 == 0 ? stretch : glm::dvec2(stretch.y, stretch.x);
+  const glm::dvec2 origin_m = glm::dvec2(glm::dot(shift_m, east), glm::dot(shift_m, north)) +
+                              0.5 * patch_m * (1.0 - in_cell);
+  return {{in_cell.x, 0, 0, 0}, {0, in_cell.y, 0, 0}, {0, 0, 1, 0}, {origin_m, 0, 1}};
 }
 
 int turns_of_level(int voxels_per_side) {
@@ -298,8 +307,9 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
     row.push_back(choice);
     const double patch_m = scene.grass.patch_m;
     row.back().world_from_cell =
-        world_from_cell(ground, patch_m, cell, choice.turn,
-                        cell_lean(combing, patch_m, cell, 0.5 * scene.grass.height_m));
+        world_from_cell(ground, patch_m, cell, choice.turn, combing.lean(centre_m(cell, patch_m)));
+    row.back().reach =
+        reach_to_neighbours(combing, patch_m, cell, choice.turn, scene.grass.height_m);
   };
   parallel_for(side, [&](std::size_t j) {
     for (std::size_t i = 0; i < side; ++i)

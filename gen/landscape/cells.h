@@ -18,6 +18,7 @@ namespace wold::landscape {
 /// quarter-turns counter-clockwise, seen from above.
 struct CellChoice {
   glm::dmat4 world_from_cell{1.0};  ///< see Cell in landscape.h
+  glm::dmat4 reach{1.0};            ///< likewise
   glm::ivec2 cell{0};               ///< column (east) and row (north), from 0
   int variant = 0;
   int key_frame = 0;
@@ -29,26 +30,16 @@ struct CellChoice {
   grass::PatchState state() const { return {key_frame, snow}; }
 };
 
-/// How a cell is combed.
-struct CellLean {
-  glm::dvec2 lean{0.0};  ///< see Combing
-  /// How far the cell reaches beyond its square, to the west and south and to the east and north;
-  /// less than 0: it ends inside.
-  glm::dvec2 beyond_low_m{0.0}, beyond_high_m{0.0};
-};
-
-/// Cells meet at their squares' sides on the ground if they lean alike. Where neighbours lean away
-/// from each other a gap opens between them, through which the ground is seen; so they are
-/// stretched, or narrowed where they lean towards each other, to meet at `middle_m` over the
-/// ground. Above and below there is as much gap as overlap, and a ray between them meets both:
-/// overlaps all the way up would do too, but POV-Ray took half as long again for them.
-CellLean cell_lean(const Combing& combing, double patch_m, const glm::ivec2& cell, double middle_m);
-
 /// The best affine fit of the ground under a cell, after `turn` quarter-turns about the patch's
 /// centre: least squares through the four corners, which leaves |z00 - z10 - z01 + z11| / 4 at
-/// each. What stands on it leans over along the ground.
+/// each. What stands on it leans over by `lean` (see Combing) along the ground.
 glm::dmat4 world_from_cell(const Heightfield& terrain, double patch_m, const glm::ivec2& cell,
-                           int turn, const CellLean& lean);
+                           int turn, const glm::dvec2& lean);
+
+/// Cell::reach of a cell whose grass is `height_m` high: where neighbours lean away from each other
+/// both reach half as far beyond their squares as the gap between them is wide at that height.
+glm::dmat4 reach_to_neighbours(const Combing& combing, double patch_m, const glm::ivec2& cell,
+                               int turn, double height_m);
 
 /// How many of the four quarter-turns a level uses. A turn needs its own baked light, and a volume
 /// of 254^3 takes about 200 MB in a renderer: 1 from 200 voxels per side on, 2 from 100 on, else 4.

@@ -34,10 +34,13 @@ struct Volume {
 
 /// An instance of a volume. Cell space: metres, [0, patch] x [0, patch] x [0, height];
 /// world_from_cell turns it by quarter-turns about the patch's centre, leans it over with the wind,
-/// shears z to the terrain and moves it. Its determinant is 1: densities stay.
+/// shears z to the terrain and moves it. Its determinant is 1: densities stay. Where neighbours
+/// lean away from each other there is a gap between them: renderers show the volume, which repeats
+/// itself, upright over its square, or, if they cannot, stretched in cell space by `reach`.
 struct Cell {
   glm::dmat4 world_from_cell;
   int volume = 0;  ///< index into Landscape::volumes
+  glm::dmat4 reach{1.0};
 };
 
 /// The blades of a patch, or the points it is made of, as a mesh that glows by itself, in cell

@@ -30,20 +30,15 @@ std::map<int, int> used_volumes(const landscape::Landscape& scene) {
   return used;
 }
 
-/// `name`: "Light", its files and scale; its place where that is not the whole terrain.
+/// `name`: "Light", its files, place and scale.
 template <class Map, class Scale>
 std::string map_text(const char* name, const Map& map, const Scale& scale) {
-  const glm::dvec2 corner_m = map.corner_m();
-  const std::string corner =
-      corner_m == glm::dvec2(0.0)
-          ? std::string()
-          : fmt::format("#declare {}_corner_m = {};\n", name, vector(glm::dvec3(corner_m, 0.0)));
   return fmt::format(
-             "#declare {0}_samples = {1};  // per side\n"
-             "#declare {0}_step_m = {2};\n"
-             "#declare {0}_max = {3};  // of the largest numbers in its files\n",
-             name, map.samples(), number(map.step_m()), scale) +
-         corner;
+      "#declare {0}_samples = {1};  // per side\n"
+      "#declare {0}_step_m = {2};\n"
+      "#declare {0}_corner_m = {3};\n"
+      "#declare {0}_max = {4};  // of the largest numbers in its files\n",
+      name, map.samples(), number(map.step_m()), vector(glm::dvec3(map.corner_m(), 0.0)), scale);
 }
 
 /// Writes the maps that multiply the grass and says so: extinction and light of the volumes, and,
@@ -52,10 +47,12 @@ std::string write_grass_maps(const landscape::Landscape& scene, const fs::path& 
   const auto light_text = [&](const char* name, const char* stem, const ColourMap& light) {
     return map_text(name, light, vector(write_light(light, folder, stem)));
   };
-  std::string text = map_text("Standing", scene.standing,
-                              number(write_factor(scene.standing, folder / "standing.df3"))) +
-                     light_text("Light", "light", product(scene.light, scene.standing));
-  if (!scene.blade_meshes.empty()) text += light_text("Blade_light", "blade_light", scene.light);
+  const FactorMap standing = continued(scene.standing);
+  std::string text =
+      map_text("Standing", standing, number(write_factor(standing, folder / "standing.df3"))) +
+      light_text("Light", "light", continued(product(scene.light, scene.standing)));
+  if (!scene.blade_meshes.empty())
+    text += light_text("Blade_light", "blade_light", continued(scene.light));
   return text;
 }
 

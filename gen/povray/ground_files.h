@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <string>
@@ -13,6 +15,22 @@ namespace wold::povray {
 /// cut along the diagonal from (i, j) to (i + 1, j + 1). The name says what is in it, so frames
 /// with the same ground share the file: returns "terrain_<hash>.inc". Throws FileError.
 std::string write_terrain(const Heightfield& terrain, const std::filesystem::path& folder);
+
+/// The map, and its border's values a metre or so beyond it: blades hang over the terrain's edges,
+/// and outside a density file all is 0.
+template <class T>
+GroundMap<T> continued(const GroundMap<T>& map) {
+  constexpr double reach_m = 1.0;
+  const double wanted = std::ceil(reach_m / map.step_m());
+  const int beyond = static_cast<int>(std::min<double>(wanted, map.samples()));
+  const int side = map.samples() + 2 * beyond;
+  GroundMap<T> result(side,
+                      Square{map.corner_m() - beyond * map.step_m(), (side - 1) * map.step_m()});
+  const auto inside = [&](int i) { return std::clamp(i - beyond, 0, map.samples() - 1); };
+  for (int j = 0; j < side; ++j)
+    for (int i = 0; i < side; ++i) result.at(i, j) = map.at(inside(i), inside(j));
+  return result;
+}
 
 /// Writes a map as a df3 file: one slice of 16-bit integers whose sample (i, j) is the map's.
 /// Returns the value of the largest integer. Throws FileError.

@@ -35,6 +35,7 @@ class Raster {
     if (dataset_->GetRasterCount() == 0) fail("it has no band of numbers");
     if (dataset_->GetGeoTransform(transform_.data()) != CE_None)
       fail("it does not say where on the ground it lies (no geotransform)");
+    require_rows_of_text();
   }
 
   [[noreturn]] void fail(const std::string& reason) const {
@@ -82,6 +83,18 @@ class Raster {
   }
 
  private:
+  /// Where a grid of text ends too early GDAL would look for each missing row again and again,
+  /// through all that are missing before it: for hours, unless they are asked for in order.
+  void require_rows_of_text() const {
+    const std::string format = dataset_->GetDriverName();
+    if (format != "AAIGrid" && format != "GRASSASCIIGrid" && format != "ISG") return;
+    double first = 0.0;
+    for (int row = 0; row < dataset_->GetRasterYSize(); ++row)
+      if (dataset_->GetRasterBand(1)->RasterIO(GF_Read, 0, row, 1, 1, &first, 1, 1, GDT_Float64, 0,
+                                               0, nullptr) != CE_None)
+        fail(CPLGetLastErrorMsg());
+  }
+
   std::string file_;
   GDALDatasetUniquePtr dataset_;
   std::array<double, 6> transform_ = {};

@@ -1,13 +1,14 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstring>
 #include <set>
 #include <vector>
 
 #include "core/files.h"
-#include "program.h"
+#include "golden.h"
 
-/// Every scene of examples/, made small: what ships works. The pictures of examples/hillside.toml
-/// are compared in golden_test.cpp.
+/// Every scene of examples/, made small: what ships works, and looks as it did.
 namespace wold::test {
 namespace {
 
@@ -22,26 +23,47 @@ std::set<std::string> scenes() {
   return paths;
 }
 
-class Examples : public Program, public testing::WithParamInterface<std::string> {};
+/// A resolved scene from the value of a key on.
+std::string from_value(const std::string& scene, const std::string& table, const std::string& key) {
+  const std::string start = fmt::format("\n{} = ", key);
+  return scene.substr(scene.find(start, scene.find(fmt::format("\n[{}]", table))) + start.size());
+}
 
-TEST_P(Examples, AreNamedAfterTheirFileAndMakeAPicture) {
+/// A film's frame in the middle, where snow lies and clouds have come.
+int middle_frame(const std::string& scene) {
+  const std::string frames = from_value(scene, "ageing", "frames");
+  return static_cast<int>(std::count(frames.begin(), frames.begin() + frames.find(']'), ',') + 2) /
+         2;
+}
+
+/// As fine a ground as a small picture shows.
+int ground_samples(const std::string& scene) {
+  return std::min(std::stoi(from_value(scene, "terrain", "samples")), 129);
+}
+
+class Examples : public GoldenPictures, public testing::WithParamInterface<std::string> {};
+
+TEST_P(Examples, AreNamedAfterTheirFileAndLookAsTheyDid) {
   for (const char* renderer : {"blender", "povray"})
     if (!is_installed(renderer))
       GTEST_SKIP() << "no " << renderer << " on this machine: the examples are not tested";
   const std::string scene = " '" + (examples / GetParam()).string() + "' ";
   const Result checked = wold("check" + scene);
   ASSERT_EQ(checked.code, 0) << checked.err;
-  expect_contains(checked.out, "\nname = \"" + fs::path(GetParam()).stem().string() + "\"\n");
+  const std::string name = fs::path(GetParam()).stem().string();
+  expect_contains(checked.out, fmt::format("\nname = \"{}\"\n", name));
   expect_contains(read_file(examples / GetParam()), "wold render examples/" + GetParam());
 
   // Wold itself looks whether a picture has the right size and is not blank.
-  const Result made = wold("render" + scene +
-                           "--quiet --out out --renderer both --frames 1 --size 64x36 --samples 1 "
-                           "--set 'grass.levels=[30]' --set grass.variants=1 "
-                           "--set terrain.samples=33");
+  const int frame = middle_frame(checked.out);
+  const Result made = wold(fmt::format(
+      "render {} --quiet --out out --renderer both --frames {} --size 96x54 --samples 1 "
+      "--set 'grass.levels=[30]' --set grass.variants=1 --set terrain.samples={}",
+      scene, frame, ground_samples(checked.out)));
   ASSERT_EQ(made.code, 0) << made.err;
-  for (const char* file : {"out/frames/blender/0001.png", "out/frames/povray/0001.png"})
-    EXPECT_TRUE(fs::exists(folder_ / file)) << file;
+  for (const char* renderer : {"blender", "povray"})
+    expect_golden(folder_ / fmt::format("out/frames/{}/{:04}.png", renderer, frame),
+                  fmt::format("examples/{}_{}", name, renderer));
 }
 
 std::string test_name(const testing::TestParamInfo<std::string>& test) {
@@ -49,6 +71,15 @@ std::string test_name(const testing::TestParamInfo<std::string>& test) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Examples, testing::ValuesIn(scenes()), test_name);
+
+TEST(GoldenPictures, BelongToAnExample) {
+  std::set<std::string> names;
+  for (const std::string& scene : scenes())
+    for (const char* renderer : {"blender", "povray"})
+      names.insert(fmt::format("{}_{}.png", fs::path(scene).stem().string(), renderer));
+  for (const auto& entry : fs::directory_iterator(fs::path(WOLD_TESTS_DIR) / "golden" / "examples"))
+    EXPECT_TRUE(names.contains(entry.path().filename())) << entry.path() << " is of no example";
+}
 
 // A piece of the San Gabriel Mountains. The model's cells around 29 m from its middle to the
 // south-west and north-east say 1142 m and 1172 m; a cell is half as wide as the square.

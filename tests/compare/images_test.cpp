@@ -1,6 +1,6 @@
 #include "compare/images.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 #include <limits>
@@ -79,7 +79,18 @@ TEST(CompareImages, ValuesThatAreNoNumbersAreCountedNotSummed) {
   EXPECT_EQ(metrics.non_finite, 2U);
   EXPECT_EQ(metrics.rmse, 0.0);
   EXPECT_EQ(metrics.mean_abs_blurred8, 0.0);
-  EXPECT_EQ(exceeded(metrics, Limits{}).size(), 1U);
+  EXPECT_THAT(exceeded(measures(metrics, Limits{})),
+              testing::Contains("values that are not finite is 2, at most 0 is allowed"));
+}
+
+// The ends of Matplotlib's table of magma, which the paper takes, encoded sRGB.
+TEST(FlipPicture, GoesFromBlackToPaleYellow) {
+  Image map(2, 1, 1);
+  map.values = {0.0F, 1.0F};
+  const Image picture = flip_picture(map);
+  const std::array<double, 6> want = {0.0015, 0.0005, 0.0139, 0.9871, 0.9914, 0.7495};
+  ASSERT_EQ(picture.values.size(), want.size());
+  for (std::size_t i = 0; i < want.size(); ++i) EXPECT_NEAR(picture.values[i], want[i], 0.01);
 }
 
 TEST(CompareImages, OtherShapesAreNamed) {
@@ -96,8 +107,8 @@ TEST(ExceededLimits, ReachingALimitIsAllowed) {
     sum.end_sample();
   }
   EXPECT_DOUBLE_EQ(sum.result().share_over_soft, 0.25);
-  EXPECT_TRUE(exceeded(sum.result(), limits).empty());
-  EXPECT_EQ(exceeded(sum.result(), {0.124, 0.125, 0.24, 0.24}).size(), 3U);
+  EXPECT_TRUE(exceeded(measures(sum.result(), limits)).empty());
+  EXPECT_EQ(exceeded(measures(sum.result(), {0.124, 0.125, 0.24, 0.24})).size(), 3U);
 }
 
 TEST(ExceededLimits, ADifferenceOfTheSoftLimitIsNotOverIt) {

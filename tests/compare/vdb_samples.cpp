@@ -17,6 +17,7 @@ typename Grid::Ptr ramp(const char* name, const SampleVdb& sample, const Value& 
     voxels.setValue(at, value(sample.peak * static_cast<float>(at.x()) / 7.0F + change));
   }
   if (sample.extra_voxel == 1) voxels.setValue({20, 0, 0}, value(sample.peak));
+  for (int i = 0; i < sample.active_zeros; ++i) voxels.setValue({i, 30, 0}, value(0.0F));
   return grid;
 }
 

@@ -48,6 +48,15 @@ TEST(CompareVdb, AVoxelActiveInOneFileCounts) {
   }
 }
 
+TEST(CompareVdb, CountsVoxelsActiveInOneEvenWhenTheirValuesAgree) {
+  const GridMetrics grid =
+      compared({.extra_voxel = 1, .active_zeros = 3}, {.active_zeros = 5}).grids.front();
+  EXPECT_EQ(grid.active_only_got, 1U);
+  EXPECT_EQ(grid.active_only_want, 2U);
+  EXPECT_DOUBLE_EQ(grid.share_active_in_one, 3.0 / 518.0);
+  EXPECT_DOUBLE_EQ(grid.share_over_soft, 1.0 / 518.0);
+}
+
 TEST(CompareVdb, MissingGridsAndOtherTransforms) {
   const VdbMetrics metrics = compared({.voxel_m = 0.5, .has_emission = false}, {});
   EXPECT_FALSE(metrics.grids.front().same_transform);

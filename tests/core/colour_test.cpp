@@ -26,6 +26,14 @@ TEST(Colour, WhiteAndPrimariesAreThoseOfTheStandard) {
   }
 }
 
+TEST(Colour, LabOfWhiteGreyAndBlack) {
+  const glm::dvec3 white = xyz_from_srgb(glm::dvec3(1.0));
+  EXPECT_NEAR(glm::distance(lab_from_xyz(white), {100.0, 0.0, 0.0}), 0.0, 1e-9);
+  EXPECT_NEAR(lab_from_xyz(0.184187 * white).x, 50.0, 1e-4);  // ((50 + 16) / 116)^3
+  EXPECT_NEAR(lab_from_xyz(0.001 * white).x, 0.9033, 1e-4);   // the linear foot: Y * 24389 / 27
+  EXPECT_NEAR(glm::length(lab_from_xyz(glm::dvec3(0.0))), 0.0, 1e-9);
+}
+
 TEST(Colour, TransferFunctionHasTheStandardsValuesAndInverse) {
   EXPECT_NEAR(srgb_encoded(0.18), 0.461356, 1e-6);
   EXPECT_NEAR(srgb_decoded(128.0 / 255.0), 0.215861, 1e-6);

@@ -56,7 +56,7 @@ TEST(Cells, MatrixMapsCornersOntoTheGround) {
   const double patch_m = scene.grass.patch_m;
   for (int turn = 0; turn < 4; ++turn) {
     const glm::ivec2 cell(3 + turn, 7);
-    const glm::dmat4 matrix = world_from_cell(terrain, patch_m, cell, turn, CellLean{});
+    const glm::dmat4 matrix = world_from_cell(terrain, patch_m, cell, turn, glm::dvec2(0.0));
     EXPECT_NEAR(glm::determinant(matrix), 1.0, 1e-12);
     EXPECT_EQ(matrix[2], glm::dvec4(0, 0, 1, 0));
     const glm::dvec2 low = glm::dvec2(cell) * patch_m;
@@ -76,7 +76,7 @@ TEST(Cells, MatrixMapsCornersOntoTheGround) {
 
 TEST(Cells, TurnsCounterClockwise) {
   const Heightfield level(3, 2.0);
-  const glm::dmat4 once = world_from_cell(level, 0.5, {1, 2}, 1, CellLean{});
+  const glm::dmat4 once = world_from_cell(level, 0.5, {1, 2}, 1, glm::dvec2(0.0));
   const glm::dvec4 east_edge = once * glm::dvec4(0.5, 0.25, 0.1, 1);  // goes to the north edge
   EXPECT_NEAR(east_edge.x, 0.75, 1e-12);
   EXPECT_NEAR(east_edge.y, 1.5, 1e-12);
@@ -84,28 +84,33 @@ TEST(Cells, TurnsCounterClockwise) {
 }
 
 // Cells are boxes that lean; where neighbours lean away from each other one saw the ground.
-TEST(Cells, MeetAtTheMiddleOfTheGrass) {
+TEST(Cells, LeaveNoGapsWhereTheyReach) {
   const scene::Scene scene = small_meadow();
   const Combing combing(scene);
   const Heightfield level(3, 12.0);
-  const double patch_m = scene.grass.patch_m, middle_m = 0.5 * scene.grass.height_m;
-  const auto matrix = [&](const glm::ivec2& cell) {
-    return world_from_cell(level, patch_m, cell, 0, cell_lean(combing, patch_m, cell, middle_m));
-  };
+  const double patch_m = scene.grass.patch_m, height_m = scene.grass.height_m;
   double widest_m = 0.0;
   for (int i = 0; i < 23; ++i)
     for (int j = 0; j < 23; ++j) {
-      const glm::dmat4 here = matrix({i, j}), east = matrix({i + 1, j}), north = matrix({i, j + 1});
-      const auto apart_m = [&](double z) {
-        const glm::dvec4 end_m = here * glm::dvec4(patch_m, patch_m, z, 1);
-        return glm::dvec2((east * glm::dvec4(0, 0, z, 1)).x - end_m.x,
-                          (north * glm::dvec4(0, 0, z, 1)).y - end_m.y);
+      /// Both ends of the cell at a height.
+      const auto ends_m = [&](const glm::ivec2& cell, double z) {
+        const int turn = cell.x + 2 * cell.y;
+        const glm::dvec2 lean = combing.lean((glm::dvec2(cell) + 0.5) * patch_m);
+        const glm::dmat4 matrix = world_from_cell(level, patch_m, cell, turn, lean) *
+                                  reach_to_neighbours(combing, patch_m, cell, turn, height_m);
+        const glm::dvec2 a(matrix * glm::dvec4(0, 0, z, 1));
+        const glm::dvec2 b(matrix * glm::dvec4(patch_m, patch_m, z, 1));
+        return std::pair(glm::min(a, b), glm::max(a, b));
       };
-      EXPECT_LT(glm::length(apart_m(middle_m)), 1e-9);
-      widest_m = std::max(widest_m, glm::length(apart_m(0.0)));
+      for (const double z : {0.0, height_m}) {
+        const glm::dvec2 overlap_m(ends_m({i, j}, z).second.x - ends_m({i + 1, j}, z).first.x,
+                                   ends_m({i, j}, z).second.y - ends_m({i, j + 1}, z).first.y);
+        EXPECT_GE(std::min(overlap_m.x, overlap_m.y), -1e-9);
+        widest_m = std::max({widest_m, overlap_m.x, overlap_m.y});
+      }
     }
   EXPECT_GT(widest_m, 0.001) << "nothing leans";
-  EXPECT_LT(widest_m, 0.1 * patch_m);
+  EXPECT_LT(widest_m, 0.1 * patch_m) << "cells hardly overlap";
 }
 
 TEST(Cells, NeighboursDiffer) {

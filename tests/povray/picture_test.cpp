@@ -137,6 +137,21 @@ TEST_F(Picture, BladesShowTheirRadianceTimesTheLight) {
   }
 }
 
+// They hang over the terrain's edge, where its maps end: they were black there.
+TEST_F(Picture, BladesBeyondTheGroundAreLitAsAtItsEdge) {
+  landscape::Landscape scene = test::constant_meadow({}, folder / "texels");
+  scene.cells.clear();
+  const float own = 0.1F;
+  scene.blade_meshes = {test::pillar("pillar", 0.2, 0.4, glm::vec3(own))};
+  const glm::dvec3 foot(3.4, 1.25, 0.0);  // the ground ends at 3
+  scene.blade_cells = {{glm::translate(glm::dmat4(1.0), foot - glm::dvec3(0.25, 0.25, 0.0)), 0}};
+  scene.camera = {{3.4, -1.0, 0.6}, {3.4, 1.5, 0.2}, 40.0};
+  const Image picture = render(scene);
+  const glm::dvec2 at = pixel_of(scene, foot + glm::dvec3(0.0, -0.1, 0.2) - scene.camera.eye_m);
+  EXPECT_NEAR(radiance(picture, scene, static_cast<int>(at.x), static_cast<int>(at.y)), own,
+              0.02 * own);
+}
+
 TEST_F(Picture, SkyShowsADirectionWhereTheCameraSeesIt) {
   landscape::Landscape scene = test::constant_meadow({}, folder / "texels");
   scene.sky = Image(360, 180, 3);

@@ -8,8 +8,10 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <string>
 
 #include "core/error.h"
+#include "core/files.h"
 #include "support/temporary_folder.h"
 
 namespace wold::terrain {
@@ -132,6 +134,18 @@ TEST_F(ElevationTest, FineRastersAreAveraged) {
   const Elevation place = read_elevation(file, {}, 17, 160.0);
   EXPECT_NEAR(place.cell_m, 1.0, 1e-9);
   for (const double height : place.heights_m.values()) EXPECT_LT(height, 1.0);
+}
+
+// Found by fuzzing: it took hours.
+TEST_F(ElevationTest, AGridOfTextThatEndsTooEarlyIsRefusedAtOnce) {
+  const std::filesystem::path file = folder_.path() / "short.asc";
+  write_file(file, "ncols 2\nnrows 5000\nxllcorner 0\nyllcorner 0\ncellsize 10\n1 2\n3 4\n");
+  try {
+    read_elevation(file, {}, 9, 60.0);
+    FAIL() << "half of it is missing";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("File short"), std::string::npos) << error.what();
+  }
 }
 
 TEST_F(ElevationTest, SaysWhereTheModelIsWhenTheSceneLiesBeside) {
