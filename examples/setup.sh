@@ -8,8 +8,8 @@ build_packages=(g++ cmake ninja-build libopenvdb-dev libopenimageio-dev libtbb-d
   libfmt-dev libspdlog-dev libcli11-dev nlohmann-json3-dev libtomlplusplus-dev libboost-dev
   libboost-iostreams-dev libgdal-dev)
 render_packages=(blender povray)
-test_packages=(libgtest-dev libgmock-dev libbenchmark-dev libxml2-utils slurmctld slurmd slurm-client
-  munge python3 procps)
+test_packages=(libgtest-dev libgmock-dev libbenchmark-dev libxml2-utils locales slurmctld slurmd
+  slurm-client munge python3 procps)
 
 say() { printf '\n== %s\n' "$*" >&2; }
 

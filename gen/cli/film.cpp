@@ -159,8 +159,10 @@ std::vector<fs::path> Film::make_frame(int frame, Progress& progress) {
     progress.advance(1, fmt::format("{} frame {}", renderer, frame));
   }
   // POV-Ray takes its settings from where it is started: `povray povray/scene.pov` from here, too.
-  if (const fs::path settings = job_.out / "povray" / "povray.ini"; fs::exists(settings))
-    update_file(job_.out / "povray.ini", read_file(settings));
+  if (const fs::path settings = job_.out / "povray" / "povray.ini"; fs::exists(settings)) {
+    files.push_back(job_.out / settings.filename());
+    update_file(files.back(), read_file(settings));
+  }
   progress.end();
   return files;
 }

@@ -54,7 +54,9 @@ void write_manifest(const fs::path& out, const TaskRecords& records, FileStates&
     }
     json["files"].push_back(std::move(file));
   }
-  update_file(out / file_name, json.dump(1) + "\n");
+  // A user's own files need not have names that are text.
+  constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
+  update_file(out / file_name, json.dump(1, ' ', false, replace) + "\n");
 }
 
 }  // namespace wold::cli

@@ -13,6 +13,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Names of files need not be text.
+std::string text_of(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 std::vector<TaskGroup> grouped(Work& work, const StageTasks& tasks) {
   std::vector<TaskGroup> groups;
   std::map<std::pair<Need, std::string>, std::size_t> known;
@@ -166,7 +171,7 @@ std::string plan_json(const Job& job, const std::vector<StagePlan>& plan) {
                      {"out", job.out.string()},
                      {"frames", ranges_text(job.frames)},
                      {"stages", std::move(stages)}};
-  return json.dump(2) + "\n";
+  return text_of(json);
 }
 
 std::string plan_openjd(const RenderOptions& options, const Job& job,
@@ -188,7 +193,7 @@ std::string plan_openjd(const RenderOptions& options, const Job& job,
       {"parameterDefinitions", Json::array({path_parameter("Scene", "FILE", "IN", options.scene),
                                             path_parameter("Out", "DIRECTORY", "OUT", job.out)})},
       {"steps", std::move(steps)}};
-  return json.dump(2) + "\n";
+  return text_of(json);
 }
 
 ExitCode run_plan(const RenderOptions& options, PlanForm form) {

@@ -27,9 +27,9 @@ void complete(const Job& job, const std::vector<StageTasks>& stages, Progress& p
   find_renderers(stages);
   const ThreadLimit limit(job.threads);
   const FolderLock lock(job.out, Access::alone);
-  // What processes that were killed have left.
   remove_temporaries(job.out);
-  std::filesystem::remove_all(job.out / "snow");
+  std::error_code in_use;
+  std::filesystem::remove(job.out / "snow", in_use);  // where scratch folders were
   Work work(job);
   do_tasks(job, work, stages, progress);
   work.finish();

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/error.h"
 #include "core/file_list.h"
 #include "core/files.h"
 
@@ -30,14 +31,23 @@ Json json_of(const Task& task, const TaskRecord& record) {
           {"outputs", std::move(outputs)}};
 }
 
+/// A damaged record must not have files elsewhere removed.
+void require_below(const std::string& name) {
+  const fs::path path = fs::path(name).lexically_normal();
+  if (path.empty() || path.is_absolute() || *path.begin() == "..")
+    throw FileError(fmt::format("found {}, expected a file below the output folder", name));
+}
+
 TaskRecord record_of(const Json& json) {
   TaskRecord record{json.at("source").get<std::string>(),
                     json.at("scene").get<std::string>(),
                     {},
                     json.at("seconds").get<double>()};
-  for (const auto& [name, state] : json.at("outputs").items())
+  for (const auto& [name, state] : json.at("outputs").items()) {
+    require_below(name);
     record.outputs[name] = {state.at(0).get<std::uintmax_t>(), state.at(1).get<std::int64_t>(),
                             state.at(2).get<std::string>()};
+  }
   return record;
 }
 
@@ -51,6 +61,8 @@ auto read_json(const fs::path& path, const Reader& reader)
   try {
     return reader(Json::parse(read_file(path)));
   } catch (const Json::exception&) {
+    return std::nullopt;
+  } catch (const FileError&) {
     return std::nullopt;
   }
 }

@@ -99,12 +99,16 @@ Verdict Work::verdict(const Task& task) {
   return verdict;
 }
 
-Verdict Work::outdated(const Task& task, const TaskRecord& record) const {
+Verdict Work::outdated(const Task& task, const TaskRecord& record) {
   if (makes_pictures(task.stage)) return {Need::yes, "made from other scene files"};
-  const SceneFacts then = records_.read_facts(record.facts);
-  const std::string why = record.facts == facts_hash_ || then.empty()
-                              ? "made for other frames or renderers, or by another build of wold"
-                              : fmt::format("{} changed", listed(changed_keys(facts_, then)));
+  const auto [known, is_new] = changes_.try_emplace(record.facts);
+  std::string& why = known->second;
+  if (is_new) {
+    const SceneFacts then = records_.read_facts(record.facts);
+    why = record.facts == facts_hash_ || then.empty()
+              ? "made for other frames or renderers, or by another build of wold"
+              : fmt::format("{} changed", listed(changed_keys(facts_, then)));
+  }
   if (task.stage != Stage::texels) return {Need::yes, why};
   return {Need::perhaps, why + "; texels that are right stay"};
 }

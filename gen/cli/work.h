@@ -64,7 +64,7 @@ class Work {
   std::string source(const Task& task);
   std::string picture_source(const Task& task);
   const SceneHashes& scene_hashes(int frame);
-  Verdict outdated(const Task& task, const TaskRecord& record) const;
+  Verdict outdated(const Task& task, const TaskRecord& record);
   std::vector<std::filesystem::path> make(const Task& task, int threads, Progress& progress);
   std::filesystem::path make_picture(const Task& task, int threads, Progress& progress);
   void remove_damaged(const Task& task);
@@ -77,9 +77,10 @@ class Work {
   std::map<Stage, std::string> programs_;  ///< hash, by renderer
   FileStates states_;
   TaskRecords records_;
-  std::recursive_mutex mutex_;               ///< of the two that follow
-  std::map<int, Verdict> scenes_;            ///< verdicts, by frame
-  std::map<int, SceneHashes> scene_hashes_;  ///< by frame
+  std::recursive_mutex mutex_;                  ///< of the three that follow
+  std::map<int, Verdict> scenes_;               ///< verdicts, by frame
+  std::map<int, SceneHashes> scene_hashes_;     ///< by frame
+  std::map<std::string, std::string> changes_;  ///< since facts of that hash, in words
   std::optional<Film> film_;
   bool demand_found_ = false;
 };

@@ -28,8 +28,11 @@ std::vector<fs::path> files_below(const fs::path& folder) {
 }
 
 void remove_temporaries(const fs::path& folder) {
-  for (const fs::path& file : all_files(folder))
-    if (is_temporary_name(file)) fs::remove(file);
+  std::vector<fs::path> left;
+  std::error_code error;
+  for (fs::recursive_directory_iterator at(folder, error), end; at != end; at.increment(error))
+    if (is_left_behind(at->path())) left.push_back(at->path());
+  for (const fs::path& path : left) fs::remove_all(path);
 }
 
 void update_file(const fs::path& path, std::string_view bytes) {

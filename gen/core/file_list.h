@@ -11,8 +11,8 @@ namespace wold {
 /// meanwhile, because another process renames it, is no error.
 std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder);
 
-/// Removes what processes that were killed have left below a folder: temporary names of
-/// write_file(). For the folder's only user.
+/// Removes what processes that were killed have left below a folder under temporary names, files
+/// and folders; see is_left_behind(). Throws std::filesystem::filesystem_error.
 void remove_temporaries(const std::filesystem::path& folder);
 
 /// Writes a file unless it has these bytes already: what others have open stays as it is, also on

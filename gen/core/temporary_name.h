@@ -12,7 +12,9 @@ std::string host_name();
 /// ".0001.<host>.<pid>.tmp.png".
 std::filesystem::path temporary_name(const std::filesystem::path& path);
 
-/// Whether a file has such a name; also what a renderer has put beside one, with another extension.
-bool is_temporary_name(const std::filesystem::path& path);
+/// Whether a file or folder has such a name and nobody will miss it: its process was this
+/// machine's and has ended, or it has not been touched for longer than any task may run. Also what
+/// a renderer has put beside one, with another extension. For a process that has made none yet.
+bool is_left_behind(const std::filesystem::path& path);
 
 }  // namespace wold

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/df3.h"
+#include "core/file_list.h"
 #include "core/files.h"
 #include "core/image.h"
 #include "povray/text.h"
@@ -48,7 +49,7 @@ std::string write_terrain(const Heightfield& terrain, const fs::path& folder) {
   append_triangles(text, terrain.samples());
   text += "}\n";
   const std::string name = fmt::format("terrain_{}.inc", content_hash(text));
-  if (!fs::exists(folder / name)) write_file(folder / name, text);
+  update_file(folder / name, text);
   return name;
 }
 

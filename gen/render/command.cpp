@@ -31,19 +31,21 @@ std::string quoted(const std::string& path) {
   return fmt::format("{}{}{}", quote, path, quote);
 }
 
-/// Antialiasing stands in the folder's povray.ini, which POV-Ray reads where it is started.
+/// Antialiasing stands in the folder's povray.ini, which POV-Ray reads where it is started. Names
+/// are relative to there: above may be folders whose names no quoting saves.
 Arguments povray_arguments(const Job& job, const std::string& program, const std::string& output) {
-  Arguments arguments = {program,
-                         "+Iscene.pov",
-                         "+L.",
-                         fmt::format("Declare=FRAME={}", job.frame),
-                         "+O" + quoted(output),
-                         "+FN8",
-                         fmt::format("+W{}", job.size_px.x),
-                         fmt::format("+H{}", job.size_px.y),
-                         "-D",
-                         "-P",
-                         "+V"};
+  Arguments arguments = {
+      program,
+      "+Iscene.pov",
+      "+L.",
+      fmt::format("Declare=FRAME={}", job.frame),
+      "+O" + quoted(std::filesystem::relative(output, job.scene_folder).string()),
+      "+FN8",
+      fmt::format("+W{}", job.size_px.x),
+      fmt::format("+H{}", job.size_px.y),
+      "-D",
+      "-P",
+      "+V"};
   if (job.threads > 0) arguments.push_back(fmt::format("+WT{}", job.threads));
   return arguments;
 }

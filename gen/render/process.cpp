@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -22,44 +22,43 @@ namespace {
 constexpr std::chrono::milliseconds grace{1000};  // between asking to terminate and killing
 constexpr std::chrono::milliseconds pause{20};
 
-/// What the child is started with; owns the C structures.
-class SpawnSettings {
- public:
-  SpawnSettings(const std::filesystem::path& folder, int output) {
-    posix_spawn_file_actions_init(&actions_);
-    posix_spawn_file_actions_addchdir_np(&actions_, folder.c_str());
-    posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions_, output, STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions_, output, STDERR_FILENO);
-    posix_spawnattr_init(&attributes_);
-    posix_spawnattr_setflags(
-        &attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
-    reset_signals();
-  }
-  ~SpawnSettings() {
-    posix_spawnattr_destroy(&attributes_);
-    posix_spawn_file_actions_destroy(&actions_);
-  }
-  SpawnSettings(const SpawnSettings&) = delete;
-  SpawnSettings& operator=(const SpawnSettings&) = delete;
+/// What this program ignores or blocks, the renderer must still feel.
+void reset_signals() {
+  struct sigaction usual = {};
+  usual.sa_handler = SIG_DFL;
+  for (int signal = 1; signal < NSIG; ++signal) ::sigaction(signal, &usual, nullptr);
+  sigset_t none;
+  sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+}
 
-  const posix_spawn_file_actions_t* actions() const { return &actions_; }
-  const posix_spawnattr_t* attributes() const { return &attributes_; }
+/// The child's side of a fork: becomes the program, in a group of its own that goes with the thread
+/// that started it, or writes errno to `failure`. Only what is safe while other threads hold locks.
+[[noreturn]] void become(char* const* arguments, const char* folder, int output, int failure,
+                         pid_t parent) {
+  ::setpgid(0, 0);
+  reset_signals();
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) ::_exit(127);  // it was killed before it could be watched
+  const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+  if (::chdir(folder) == 0 && ::dup2(nothing, STDIN_FILENO) >= 0 &&
+      ::dup2(output, STDOUT_FILENO) >= 0 && ::dup2(output, STDERR_FILENO) >= 0)
+    ::execv(arguments[0], arguments);
+  const int error = errno;
+  ::_exit(::write(failure, &error, sizeof error) < 0 ? 126 : 127);
+}
 
- private:
-  /// What this program ignores or blocks, the renderer must still feel.
-  void reset_signals() {
-    sigset_t all;
-    sigset_t none;
-    sigfillset(&all);
-    sigemptyset(&none);
-    posix_spawnattr_setsigdefault(&attributes_, &all);
-    posix_spawnattr_setsigmask(&attributes_, &none);
-  }
-
-  posix_spawn_file_actions_t actions_{};
-  posix_spawnattr_t attributes_{};
+struct Pipe {
+  int out = -1;
+  int in = -1;
 };
+
+Pipe make_pipe() {
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0)
+    throw RendererError(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
+  return {ends[0], ends[1]};
+}
 
 std::vector<char*> c_arguments(const std::vector<std::string>& arguments) {
   std::vector<char*> pointers;
@@ -79,18 +78,24 @@ std::string to_string(const ProcessEnd& end) {
 }
 
 Process::Process(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
-  std::array<int, 2> pipe_ends{};
-  if (::pipe2(pipe_ends.data(), O_CLOEXEC) != 0)
-    throw RendererError(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
-  const SpawnSettings settings(folder, pipe_ends[1]);
-  const int failed = posix_spawn(&group_, arguments.front().c_str(), settings.actions(),
-                                 settings.attributes(), c_arguments(arguments).data(), environ);
-  ::close(pipe_ends[1]);
-  output_ = pipe_ends[0];
-  if (failed == 0) return;
+  const Pipe output = make_pipe();
+  const Pipe failure = make_pipe();
+  const std::vector<char*> pointers = c_arguments(arguments);
+  const pid_t parent = ::getpid();
+  group_ = ::fork();
+  int error = group_ < 0 ? errno : 0;
+  if (group_ == 0) become(pointers.data(), folder.c_str(), output.in, failure.in, parent);
+  ::close(output.in);
+  ::close(failure.in);
+  output_ = output.out;
+  // Ends without a byte when the program has started.
+  const bool failed = group_ < 0 || ::read(failure.out, &error, sizeof error) > 0;
+  ::close(failure.out);
+  if (!failed) return;
+  if (group_ > 0) ::waitpid(group_, nullptr, 0);
   ::close(output_);
   throw RendererError(fmt::format("cannot start {} in {}: {}", arguments.front(), folder.string(),
-                                  std::strerror(failed)));
+                                  std::strerror(error)));
 }
 
 Process::~Process() {

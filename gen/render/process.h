@@ -20,7 +20,8 @@ struct ProcessEnd {
 std::string to_string(const ProcessEnd& end);
 
 /// A running program in a process group of its own, its standard output and error joined. When it
-/// goes out of scope the whole group is gone: asked to terminate, then killed.
+/// goes out of scope the whole group is gone: asked to terminate, then killed. It is killed, too,
+/// when the thread that started it ends, as when this program is killed.
 class Process {
  public:
   /// Starts arguments[0] in `folder`. Throws RendererError with the system's reason.

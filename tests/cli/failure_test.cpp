@@ -99,6 +99,9 @@ class Disk {
     const std::string size = "size=" + std::to_string(kilobytes) + "k";
     ASSERT_EQ(::mount("none", folder_.c_str(), "tmpfs", MS_REMOUNT, size.c_str()), 0);
   }
+  void make_read_only() const {
+    ASSERT_EQ(::mount("none", folder_.c_str(), "tmpfs", MS_REMOUNT | MS_RDONLY, nullptr), 0);
+  }
 
  private:
   fs::path folder_;
@@ -115,6 +118,32 @@ TEST_F(Failure, FullDiskIsAFileErrorWhereverItHappens) {
   }
   disk.resize(100000);
   expect_generate_goes_on();
+}
+
+TEST_F(Failure, AReadOnlyDiskIsAFileErrorAndCanBePlannedFrom) {
+  const Disk disk(folder_ / "out");
+  if (!disk.is_mounted()) GTEST_SKIP() << "needs the right to mount a small disk";
+  disk.resize(100000);
+  EXPECT_EQ(wold(generate).code, 0);
+  fs::remove(folder_ / "out/texels/v0_k00.vdb");
+  disk.make_read_only();
+  expect_failure(wold(generate), 4, "cannot write out/tasks/lock: Read-only file system");
+  expect_contains(wold("plan small.toml --why --out out").out, "texels/v0_k00.vdb is missing");
+  disk.resize(100000);
+  expect_generate_goes_on();
+}
+
+TEST_F(Failure, AFolderRemovedMeanwhileIsAnErrorAndTheSameCommandMakesIt) {
+  const Result early = wold(render, blender_played_by("rm -rf out; exit 1"));
+  EXPECT_NE(early.code, 0);
+  expect_contains(early.err, "error: ");
+  const Result late = wold(render, blender_played_by("cp $good \"$out\"; rm -rf out"));
+  EXPECT_NE(late.code, 0);
+  expect_contains(late.err, "error: ");
+  const std::string sound = blender_played_by("cp $good \"$out\"");
+  EXPECT_EQ(wold(render, sound).code, 0);
+  EXPECT_EQ(wold("render small.toml --renderer blender --out undisturbed", sound).code, 0);
+  EXPECT_THAT(different(contents("out"), contents("undisturbed")), testing::IsEmpty());
 }
 
 class Interrupt : public Failure {

@@ -27,6 +27,14 @@ Running::~Running() {
 
 void Running::send(int signal) const { ::kill(process_, signal); }
 
+pid_t Running::child() const {
+  std::error_code gone;
+  const fs::path threads = "/proc/" + std::to_string(process_) + "/task";
+  for (const auto& thread : fs::directory_iterator(threads, gone))
+    if (pid_t child = 0; std::ifstream(thread.path() / "children") >> child) return child;
+  return 0;
+}
+
 std::string Running::messages() const {
   return fs::exists(folder_ / ".err") ? read_file(folder_ / ".err") : "";
 }
@@ -55,6 +63,12 @@ Result Program::shell(const std::string& command) const {
 
 void Program::write(const std::string& name, const std::string& text) const {
   write_file(folder_ / name, text);
+}
+
+std::string quoted(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
 }
 
 void expect_contains(const std::string& text, const std::string& part) {

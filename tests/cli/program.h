@@ -28,6 +28,8 @@ class Running {
   Running& operator=(const Running&) = delete;
 
   void send(int signal) const;
+  /// A process that it has started, such as a renderer; 0 when there is none.
+  pid_t child() const;
   /// What stands on stderr so far.
   std::string messages() const;
   Result finish();
@@ -62,6 +64,9 @@ class Program : public testing::Test {
 
   fs::path folder_;
 };
+
+/// As one word for the shell.
+std::string quoted(const std::string& text);
 
 void expect_contains(const std::string& text, const std::string& part);
 

@@ -65,7 +65,7 @@ void SmallFilm::expect_nothing_half_written(const std::string& folder) const {
     EXPECT_FALSE(file.filename().string().starts_with(".")) << file;
     const std::string kind = file.extension().string();
     if (kind == ".vdb" || kind == ".df3" || kind == ".png" || kind == ".exr")
-      checked += " '" + (folder / file).string() + "'";
+      checked += " ./" + quoted((folder / file).string());
   }
   if (checked.empty()) return;
   const Result result = wold("inspect" + checked);
