@@ -5,7 +5,9 @@
 #include <set>
 #include <vector>
 
+#include "compare/images.h"
 #include "core/files.h"
+#include "core/image.h"
 #include "golden.h"
 
 /// Every scene of examples/, made small: what ships works, and looks as it did.
@@ -79,6 +81,20 @@ TEST(GoldenPictures, BelongToAnExample) {
       names.insert(fmt::format("{}_{}.png", fs::path(scene).stem().string(), renderer));
   for (const auto& entry : fs::directory_iterator(fs::path(WOLD_TESTS_DIR) / "golden" / "examples"))
     EXPECT_TRUE(names.contains(entry.path().filename())) << entry.path() << " is of no example";
+}
+
+/// Judges the pictures that ship, so that none made anew is wrong in one renderer alone: mean
+/// difference after 8 x 8 means, half of what one look allows.
+TEST_F(Program, GoldenPicturesShowTheSameFromBothRenderers) {
+  const fs::path golden = fs::path(WOLD_TESTS_DIR) / "golden" / "examples";
+  for (const std::string& scene : scenes()) {
+    const std::string name = fs::path(scene).stem().string();
+    const auto picture = [&](const char* renderer) {
+      return read_image(golden / fmt::format("{}_{}.png", name, renderer));
+    };
+    const auto metrics = compare::compare_images(picture("povray"), picture("blender"), 0.02);
+    EXPECT_LT(255.0 * metrics.mean_abs_blurred8, 2.5) << name;
+  }
 }
 
 // A piece of the San Gabriel Mountains. The model's cells around 29 m from its middle to the

@@ -250,6 +250,28 @@ TEST_F(Picture, CloudsAreBeforeTheBackdrop) {
   }
 }
 
+// Clouds once repeated themselves as patches of grass do: an even one looked right all the same.
+TEST_F(Picture, ACloudIsWhereItsVoxelsAre) {
+  landscape::Landscape scene = test::constant_meadow({}, folder / "texels");
+  test::make_cloudy_view(scene);
+  landscape::CloudBox& cloud = scene.clouds.front();
+  for (std::size_t i = 0; i < cloud.extinction_per_m.size(); ++i)
+    if (static_cast<int>(i) % cloud.voxels.x < 6) cloud.extinction_per_m[i] = 0.0F;
+  const Image picture = render(scene);
+  const auto seen = [&](const glm::dvec3& direction) {
+    const glm::dvec2 at = pixel_of(scene, glm::normalize(direction));
+    return radiance(picture, scene, static_cast<int>(at.x), static_cast<int>(at.y));
+  };
+  const glm::dvec3 west(0.02, 1.0, 0.12), east(0.3, 1.0, 0.12);
+  const double wanted = test::radiance_of_cloudy_view(scene, glm::normalize(east));
+  EXPECT_NEAR(seen(east), wanted, 0.02 * wanted);
+  scene.clouds.clear();
+  const Image clear = render(scene);
+  const glm::dvec2 at = pixel_of(scene, glm::normalize(west));
+  const double behind = radiance(clear, scene, static_cast<int>(at.x), static_cast<int>(at.y));
+  EXPECT_NEAR(seen(west), behind, 0.02 * behind);
+}
+
 // Flakes let through what they do not cover, from both sides, and fog lies between them all.
 TEST_F(Picture, FlakesAndFogShowWhatTheirFormulaeSay) {
   landscape::Landscape scene = test::constant_meadow({}, folder / "texels");
