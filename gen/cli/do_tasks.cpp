@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <thread>
 
 #include "cli/estimate.h"
 #include "cli/task_progress.h"
@@ -12,11 +11,6 @@
 
 namespace wold::cli {
 namespace {
-
-int threads_of(const Job& job) {
-  const int all = static_cast<int>(std::thread::hardware_concurrency());
-  return std::max(1, job.threads > 0 ? job.threads : all);
-}
 
 std::vector<Task> needed(Work& work, const StageTasks& stage) {
   std::vector<Task> tasks;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <thread>
 
 #include "scene/key_frames.h"
 
@@ -25,10 +24,6 @@ constexpr double povray_seconds = 70.0;         // per megapixel and root of sam
 constexpr double blender_memory_bytes = 1.5 * gigabyte;
 constexpr double povray_memory_bytes = 1.0 * gigabyte;
 constexpr double picture_bytes_per_pixel = 2.0;  // of a PNG
-
-double threads_of(const Job& job) {
-  return job.threads > 0 ? job.threads : std::max(1U, std::thread::hardware_concurrency());
-}
 
 Estimate texels(const Job& job) {
   const double voxels = std::pow(job.scene.grass.levels.front(), 3.0);

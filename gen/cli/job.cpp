@@ -2,19 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
+#include <thread>
 
 #include "core/machine.h"
 #include "scene/parse.h"
 
 namespace wold::cli {
 namespace {
-
-std::vector<int> all_frames(int count) {
-  std::vector<int> frames(static_cast<std::size_t>(count));
-  std::iota(frames.begin(), frames.end(), 1);
-  return frames;
-}
 
 void check_frames(const std::vector<int>& frames, int count) {
   for (const int frame : frames)
@@ -38,12 +34,23 @@ std::string ranges_text(const std::vector<int>& rising) {
   return text;
 }
 
+int threads_of(const Job& job) {
+  const auto all = static_cast<int>(std::thread::hardware_concurrency());
+  return std::max(1, job.threads > 0 ? job.threads : all);
+}
+
+std::vector<int> counted(int count) {
+  std::vector<int> numbers(static_cast<std::size_t>(count));
+  std::iota(numbers.begin(), numbers.end(), 1);
+  return numbers;
+}
+
 Job plan_job(const RenderOptions& options) {
   Job job;
   job.scene = scene::read_scene(options.scene, options.overrides);
   const int count = static_cast<int>(job.scene.ageing.frames.size());
   check_frames(options.frames, count);
-  job.frames = options.frames.empty() ? all_frames(count) : options.frames;
+  job.frames = options.frames.empty() ? counted(count) : options.frames;
   job.out = options.out.empty() ? std::filesystem::path("out") / job.scene.name : options.out;
   job.threads = options.threads > 0 ? options.threads : job.scene.render.threads;
   job.memory_bytes =

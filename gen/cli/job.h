@@ -18,6 +18,12 @@ struct Job {
   double memory_bytes = 0.0;  ///< that renderers may take together
 };
 
+/// Threads that the job may use: all processors' where it does not say.
+int threads_of(const Job& job);
+
+/// 1 to `count`.
+std::vector<int> counted(int count);
+
 /// "1-3,7": the form in which frames are given.
 std::string ranges_text(const std::vector<int>& rising);
 

@@ -17,9 +17,7 @@ std::vector<StageTasks> without_pictures(std::vector<StageTasks> stages) {
 /// Before minutes are spent on what could not be rendered.
 void find_renderers(const std::vector<StageTasks>& stages) {
   for (const StageTasks& stage : stages)
-    if (makes_pictures(stage.stage))
-      render::find_renderer(stage.stage == Stage::blender ? render::Renderer::blender
-                                                          : render::Renderer::povray);
+    if (makes_pictures(stage.stage)) render::find_renderer(renderer_of(stage.stage));
 }
 
 /// Does what is missing and lists the files.

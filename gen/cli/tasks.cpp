@@ -4,25 +4,18 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "cli/film.h"
 #include "scene/text.h"
 
 namespace wold::cli {
-namespace {
-
-std::vector<int> counted(int count) {
-  std::vector<int> numbers(static_cast<std::size_t>(count));
-  std::iota(numbers.begin(), numbers.end(), 1);
-  return numbers;
-}
-
-}  // namespace
-
 std::string_view name_of(Stage stage) {
   constexpr std::string_view names[] = {"texels", "clouds", "scenes", "blender", "povray"};
   return names[static_cast<std::size_t>(stage)];
+}
+
+render::Renderer renderer_of(Stage stage) {
+  return stage == Stage::blender ? render::Renderer::blender : render::Renderer::povray;
 }
 
 std::string text_of(const Task& task) {

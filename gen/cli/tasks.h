@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/job.h"
+#include "render/renderer.h"
 
 namespace wold::cli {
 
@@ -16,6 +17,9 @@ enum class Stage { texels, clouds, scenes, blender, povray };
 std::string_view name_of(Stage stage);
 
 inline bool makes_pictures(Stage stage) { return stage >= Stage::blender; }
+
+/// Who makes the pictures of a stage that makes some.
+render::Renderer renderer_of(Stage stage);
 
 /// One unit of work: it makes whole files, the same bytes on any machine and in any order.
 struct Task {

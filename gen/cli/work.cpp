@@ -32,10 +32,6 @@ std::string hash_of_build() {
                       hash_of_files_below(shipped_file("templates")));
 }
 
-render::Renderer renderer_of(Stage stage) {
-  return stage == Stage::blender ? render::Renderer::blender : render::Renderer::povray;
-}
-
 render::Job picture_job(const Job& job, const Task& task, int threads) {
   const scene::Render& settings = job.scene.render;
   const std::string number = fmt::format("{:04}", task.index);

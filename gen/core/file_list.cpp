@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/files.h"
 #include "core/temporary_name.h"
 
 namespace wold {
@@ -33,10 +32,6 @@ void remove_temporaries(const fs::path& folder) {
   for (fs::recursive_directory_iterator at(folder, error), end; at != end; at.increment(error))
     if (is_left_behind(at->path())) left.push_back(at->path());
   for (const fs::path& path : left) fs::remove_all(path);
-}
-
-void update_file(const fs::path& path, std::string_view bytes) {
-  if (!fs::is_regular_file(path) || read_file(path) != bytes) write_file(path, bytes);
 }
 
 }  // namespace wold

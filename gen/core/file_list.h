@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string_view>
 #include <vector>
 
 namespace wold {
@@ -14,9 +13,5 @@ std::vector<std::filesystem::path> files_below(const std::filesystem::path& fold
 /// Removes what processes that were killed have left below a folder under temporary names, files
 /// and folders; see is_left_behind(). Throws std::filesystem::filesystem_error.
 void remove_temporaries(const std::filesystem::path& folder);
-
-/// Writes a file unless it has these bytes already: what others have open stays as it is, also on
-/// network file systems, where a replaced file is lost to them. Throws FileError.
-void update_file(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace wold

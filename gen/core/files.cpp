@@ -95,6 +95,10 @@ std::string read_file(const fs::path& path) {
   return bytes;
 }
 
+void update_file(const fs::path& path, std::string_view bytes) {
+  if (!fs::is_regular_file(path) || read_file(path) != bytes) write_file(path, bytes);
+}
+
 std::string content_hash(std::string_view bytes) {
   return fmt::format("{:016x}", OIIO::xxhash::XXH64(bytes.data(), bytes.size(), 0));
 }

@@ -27,6 +27,10 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 void write_file_by_path(const std::filesystem::path& path,
                         const std::function<void(const std::filesystem::path&)>& writer);
 
+/// Writes a file unless it has these bytes already: what others have open stays as it is, also on
+/// network file systems, where a replaced file is lost to them. Throws FileError.
+void update_file(const std::filesystem::path& path, std::string_view bytes);
+
 /// The whole file. Throws FileError when it is missing or unreadable.
 std::string read_file(const std::filesystem::path& path);
 

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/df3.h"
-#include "core/file_list.h"
 #include "core/files.h"
 #include "core/image.h"
 #include "povray/text.h"
