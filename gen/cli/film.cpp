@@ -11,7 +11,7 @@
 #include "grass/texel_file.h"
 #include "landscape/assemble.h"
 #include "landscape/far_field.h"
-#include "landscape/film_lighting.h"
+#include "landscape/film_lights.h"
 #include "landscape/lit_ground.h"
 #include "landscape/view.h"
 #include "povray/export.h"
@@ -52,13 +52,12 @@ Film::Film(const Job& job)
     : job_(job),
       snow_(job.out / "snow"),
       site_(landscape::make_site(job.scene, snow_.path())),
-      texels_(job.scene, landscape::film_lighting(job.scene, site_), job.out / "texels") {}
+      texels_(job.scene, landscape::film_lights(job.scene, site_), job.out / "texels") {}
 
 void Film::find_demand(Progress& progress) {
   progress.begin("cells", job_.frames.size());
   for (const int frame : job_.frames) {
-    const std::vector<landscape::CellChoice> cells = landscape::choose_cells(
-        job_.scene, site_.terrain, landscape::growth_of_cells(site_), frame);
+    const std::vector<landscape::CellChoice> cells = cells_of(frame);
     for (const landscape::CellChoice& cell : cells)
       if (!cell.blades) demand(cell.variant, cell.state(), cell.level);
     demand_far_field(frame);
@@ -67,12 +66,17 @@ void Film::find_demand(Progress& progress) {
   progress.end();
 }
 
+std::vector<landscape::CellChoice> Film::cells_of(int frame) const {
+  return landscape::choose_cells(job_.scene, site_.terrain, landscape::growth_of_cells(site_),
+                                 *site_.withering, frame);
+}
+
 void Film::demand_far_field(int frame) {
   const scene::Scene& scene = job_.scene;
   const landscape::Camera camera = landscape::resolved_camera(
       scene.camera, site_.terrain, landscape::time_of_frame(scene, frame));
   if (!landscape::shows_distance(scene, site_, camera)) return;
-  for (const grass::PatchState& state : landscape::far_states(scene, frame))
+  for (const grass::PatchState& state : landscape::far_states(scene, *site_.withering, frame))
     for (int variant = 0; variant < scene.grass.variants; ++variant)
       demand(variant, state, coarsest_level(scene.grass));
 }
@@ -134,6 +138,7 @@ std::vector<landscape::Volume> Film::far_volumes(const grass::PatchState& state)
   landscape::CellChoice choice;
   choice.key_frame = state.key_frame;
   choice.snow = state.snow;
+  choice.light = state.light;
   choice.level = coarsest_level(job_.scene.grass);
   for (; choice.variant < job_.scene.grass.variants; ++choice.variant)
     volumes.push_back(volume(choice));
@@ -147,10 +152,9 @@ std::vector<fs::path> Film::make_frame(int frame, Progress& progress) {
       [&](const grass::PatchState& state) { return far_volumes(state); }};
   const std::vector<std::string> renderers = wanted_renderers(job_.scene);
   progress.begin(fmt::format("scene files of frame {}", frame), 1 + renderers.size());
-  const auto cells =
-      landscape::choose_cells(job_.scene, site_.terrain, landscape::growth_of_cells(site_), frame);
   const landscape::Landscape landscape =
-      landscape::assemble(job_.scene, site_, frame, cells, lookup);
+      landscape::assemble(job_.scene, landscape::site_of_frame(job_.scene, site_, frame), frame,
+                          cells_of(frame), lookup);
   progress.advance(1, fmt::format("frame {}", frame));
   std::vector<fs::path> files;
   for (const std::string& renderer : renderers) {

@@ -40,6 +40,7 @@ class Film {
   std::vector<std::filesystem::path> make_frame(int frame, Progress& progress);
 
  private:
+  std::vector<landscape::CellChoice> cells_of(int frame) const;
   void demand_far_field(int frame);
   void demand(int variant, const grass::PatchState& state, int level);
   landscape::Volume volume(const landscape::CellChoice& cell) const;

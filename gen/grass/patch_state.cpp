@@ -5,8 +5,10 @@
 namespace wold::grass {
 
 std::string PatchState::name() const {
-  if (snow == 0) return fmt::format("k{:02}", key_frame);
-  return fmt::format("k{:02}_s{}", key_frame, snow);
+  std::string name = fmt::format("k{:02}", key_frame);
+  if (snow > 0) name += fmt::format("_s{}", snow);
+  if (light > 0) name += fmt::format("_l{}", light);
+  return name;
 }
 
 }  // namespace wold::grass

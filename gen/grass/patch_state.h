@@ -10,12 +10,15 @@ namespace wold::grass {
 /// Thin snow whitens fast, so that even steps of the square root of the share look even.
 inline constexpr int snow_levels = 8;
 
-/// What a patch of grass looks like: how far it has withered and how much snow lies on its blades.
+/// What a patch of grass looks like: how far it has withered, how much snow lies on its blades, and
+/// which of the film's lights it stands in.
 struct PatchState {
   int key_frame = 0;  ///< index into scene::key_frames()
   int snow = 0;       ///< level, 0 to snow_levels
+  int light = 0;      ///< index into the lights that texels are baked for
 
-  PatchState(int of_key_frame, int of_snow = 0) : key_frame(of_key_frame), snow(of_snow) {}
+  PatchState(int of_key_frame, int of_snow = 0, int of_light = 0)
+      : key_frame(of_key_frame), snow(of_snow), light(of_light) {}
 
   /// Share of the snow the blades can carry.
   double snow_share() const {
@@ -23,7 +26,7 @@ struct PatchState {
   }
   /// Where a share in [0, 1] lies among the levels.
   static double level_of(double snow_share) { return snow_levels * std::sqrt(snow_share); }
-  /// For file names: "k03", under snow "k03_s2".
+  /// For file names: "k03", under snow "k03_s2", in another light than the first "k03_s2_l1".
   std::string name() const;
 
   auto operator<=>(const PatchState&) const = default;

@@ -126,15 +126,20 @@ std::string texel_models() {
   return content_hash(text);
 }
 
-TimeVaryingTexel::TimeVaryingTexel(const scene::Scene& scene, Lighting lighting,
+TimeVaryingTexel::TimeVaryingTexel(const scene::Scene& scene, std::vector<Lighting> lights,
                                    std::filesystem::path folder)
     : scene_(scene),
       key_frames_(scene::key_frames(scene)),
-      lighting_(std::move(lighting)),
+      lights_(std::move(lights)),
       folder_(std::move(folder)),
       shape_(finest_shape(scene)),
-      model_(scene.ageing, scene.grass.specular),
-      basis_(described(scene_, lighting_)) {}
+      model_(scene.ageing, scene.grass.specular) {
+  for (const Lighting& lighting : lights_) bases_.push_back(described(scene_, lighting));
+}
+
+const Lighting& TimeVaryingTexel::lighting(const PatchState& state) const {
+  return lights_.at(static_cast<std::size_t>(state.light));
+}
 
 TexelShape TimeVaryingTexel::level_shape(int level) const {
   TexelShape shape = shape_;
@@ -156,7 +161,8 @@ std::filesystem::path TimeVaryingTexel::volume_path(int variant, const PatchStat
 std::string TimeVaryingTexel::content(int variant, const PatchState& state) const {
   std::string snow;
   if (state.snow > 0) snow = fmt::format(" snow {} of {}", state.snow, snow_levels);
-  return content_hash(fmt::format("{} {} {}{}", variant, state.key_frame, basis_, snow));
+  return content_hash(fmt::format("{} {} {}{}", variant, state.key_frame,
+                                  bases_.at(static_cast<std::size_t>(state.light)), snow));
 }
 
 std::string TimeVaryingTexel::volume_content(int variant, const PatchState& state, int level,
@@ -171,7 +177,7 @@ BladePatch TimeVaryingTexel::patch(int variant, const PatchState& state) const {
 }
 
 Tubes TimeVaryingTexel::blades(int variant, const PatchState& state) const {
-  return blade_tubes(patch(variant, state), model_, lighting_, fibre_look(scene_.grass));
+  return blade_tubes(patch(variant, state), model_, lighting(state), fibre_look(scene_.grass));
 }
 
 Tubes TimeVaryingTexel::points(int variant, const PatchState& state) const {
@@ -179,7 +185,7 @@ Tubes TimeVaryingTexel::points(int variant, const PatchState& state) const {
   Samples samples(scene_, shape_, variant, model_);
   for (std::size_t step = 0; step <= now; ++step) samples.advance_to(key_frames_[step]);
   if (state.snow > 0) samples.bear(state.snow_share());
-  return point_tubes(patch(variant, state), samples.all(), lighting_, fibre_look(scene_.grass),
+  return point_tubes(patch(variant, state), samples.all(), lighting(state), fibre_look(scene_.grass),
                      shape_.voxel_m);
 }
 
@@ -253,7 +259,7 @@ void TimeVaryingTexel::make_texel(int variant, const PatchState& state, const Sa
   std::vector<VolumeData> baked;
   {
     const Stopwatch watch(times.baking);
-    baked = bake_levels(texel, samples.all(), lighting_, fibre_look(grass), grass.levels,
+    baked = bake_levels(texel, samples.all(), lighting(state), fibre_look(grass), grass.levels,
                         all_turns(levels));
   }
   const Stopwatch watch(times.storing);

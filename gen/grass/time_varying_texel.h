@@ -45,8 +45,10 @@ std::string texel_models();
 /// is PatchState's name.
 class TimeVaryingTexel {
  public:
-  /// `lighting` is what the levels are baked for. Throws what AgeingModel's constructor throws.
-  TimeVaryingTexel(const scene::Scene& scene, Lighting lighting, std::filesystem::path folder);
+  /// `lights` are what the levels are baked for, by PatchState::light; one at least. Throws what
+  /// AgeingModel's constructor throws.
+  TimeVaryingTexel(const scene::Scene& scene, std::vector<Lighting> lights,
+                   std::filesystem::path folder);
 
   /// Extent of the finest level: high enough for the tallest blade of any variant.
   const TexelShape& shape() const { return shape_; }
@@ -74,6 +76,7 @@ class TimeVaryingTexel {
                              const std::set<int>& turns) const;
 
  private:
+  const Lighting& lighting(const PatchState& state) const;
   BladePatch patch(int variant, const PatchState& state) const;
   bool is_current(int variant, const PatchState& state, const LevelTurns& levels) const;
   StageTimes generate_variant(int variant, const std::map<PatchState, LevelTurns>& states,
@@ -86,11 +89,11 @@ class TimeVaryingTexel {
 
   scene::Scene scene_;
   std::vector<double> key_frames_;  ///< weathering degrees
-  Lighting lighting_;
+  std::vector<Lighting> lights_;
   std::filesystem::path folder_;
   TexelShape shape_;
   AgeingModel model_;
-  std::string basis_;  ///< everything the texels depend on
+  std::vector<std::string> bases_;  ///< everything the texels depend on, by light
 };
 
 }  // namespace wold::grass

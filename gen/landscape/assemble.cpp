@@ -52,9 +52,18 @@ std::pair<int, grass::PatchState> blades_key(const CellChoice& choice) {
   return {choice.variant, choice.state()};
 }
 
-Subject subject_of(const scene::Scene& scene) {
-  if (scene::may_lie(scene) || scene::may_snow(scene)) return Subject::snow;
+Subject bare_subject(const scene::Scene& scene) {
   return scene.clouds.empty() ? Subject::meadow : Subject::clouds;
+}
+
+/// A film in which it may snow is exposed for snow all through; a season is so long that the camera
+/// follows the ground as it whitens.
+double gain(const scene::Scene& scene, const light::Daylight& day, double white_share) {
+  const bool snowy = scene::may_lie(scene) || scene::may_snow(scene);
+  const double for_snow = metered_gain(day, Subject::snow);
+  const double for_bare = metered_gain(day, bare_subject(scene));
+  if (scene::is_season(scene)) return std::lerp(for_bare, for_snow, white_share);
+  return snowy ? for_snow : for_bare;
 }
 
 }  // namespace
@@ -70,13 +79,13 @@ Landscape assemble(const scene::Scene& scene, const Site& site, int frame,
   landscape.height_px = scene.render.size_px[1];
   landscape.samples = scene.render.samples;
   landscape.df3_bits = scene.render.df3_bits;
-  landscape.exposure_gain =
-      metered_gain(site.day, subject_of(scene)) * std::exp2(scene.render.exposure);
   place(choices, /*blades=*/false, volume_key, lookup.volume, landscape.volumes, landscape.cells);
   place(choices, /*blades=*/true, blades_key, lookup.blades, landscape.blade_meshes,
         landscape.blade_cells);
   const SnowyGround ground(scene, site, frame);
   landscape.terrain = ground.surface();
+  landscape.exposure_gain =
+      gain(scene, site.day, ground.white_share()) * std::exp2(scene.render.exposure);
   const FrameSky sky(scene, site, frame, landscape.camera.eye_m);
   const double snow_per_m = snow_extinction_per_m(scene, site, frame);
   const SnowyAir air(site.day, snow_per_m, ground.mean_albedo());

@@ -13,6 +13,7 @@
 #include "landscape/canopy_snow.h"
 #include "landscape/combing.h"
 #include "landscape/far_field.h"
+#include "landscape/film_lights.h"
 #include "landscape/ground_grids.h"
 #include "landscape/view.h"
 #include "scene/key_frames.h"
@@ -78,8 +79,7 @@ glm::dvec2 centre_m(const glm::ivec2& cell, double patch_m) {
 }
 
 int choose_key_frame(const scene::Scene& scene, const std::vector<double>& keys,
-                     const glm::ivec2& cell, int frame) {
-  const double wanted = local_weathering(scene, centre_m(cell, scene.grass.patch_m), frame);
+                     const glm::ivec2& cell, double wanted) {
   const auto above = std::upper_bound(keys.begin(), keys.end(), wanted);
   if (above == keys.begin()) return 0;
   const auto below = static_cast<int>(above - keys.begin()) - 1;
@@ -93,6 +93,12 @@ int choose_snow(const scene::Scene& scene, double canopy_snow, const glm::ivec2&
   const double wanted = grass::PatchState::level_of(canopy_snow);
   const auto below = static_cast<int>(wanted);
   return cell_uniform(scene, cell, "snow") < wanted - below ? below + 1 : below;
+}
+
+/// The light before or after a place among them.
+int choose_light(const scene::Scene& scene, double wanted, const glm::ivec2& cell) {
+  const auto before = static_cast<int>(wanted);
+  return cell_uniform(scene, cell, "light") < wanted - before ? before + 1 : before;
 }
 
 /// Whether a level is fine enough where one metre covers `pixels_per_m`.
@@ -172,10 +178,16 @@ Grown grown_in(const FactorMap& growth, const glm::ivec2& cell, double patch_m) 
   return grown;
 }
 
+/// What cells show of a frame.
+struct Showing {
+  double canopy_snow;
+  double light;  ///< light_of_frame()
+};
+
 /// All of the choice but where the cell stands.
 CellChoice choose_cell(const scene::Scene& scene, const glm::ivec2& cell, const Texel& texel,
-                       const std::vector<double>& key_frames, double canopy_snow, int frame,
-                       double pixels_per_m) {
+                       const std::vector<double>& key_frames, double weathering,
+                       const Showing& showing, double pixels_per_m) {
   CellChoice choice;
   choice.cell = cell;
   const double jittered = pixels_per_m * (0.9 + 0.2 * cell_uniform(scene, cell, "level"));
@@ -183,8 +195,9 @@ CellChoice choose_cell(const scene::Scene& scene, const glm::ivec2& cell, const 
   choice.blades = choose_blades(scene, jittered);
   choice.variant = texel.variant;
   choice.turn = choice.blades ? 0 : texel.turn % turns_of_level(scene, choice.level);
-  choice.key_frame = choose_key_frame(scene, key_frames, cell, frame);
-  choice.snow = choose_snow(scene, canopy_snow, cell);
+  choice.key_frame = choose_key_frame(scene, key_frames, cell, weathering);
+  choice.snow = choose_snow(scene, showing.canopy_snow, cell);
+  choice.light = choose_light(scene, showing.light, cell);
   return choice;
 }
 
@@ -254,35 +267,9 @@ int turns_of_level(const scene::Scene& scene, int level) {
   return turns_of_level(scene.grass.levels[static_cast<std::size_t>(level)]);
 }
 
-namespace {
-
-/// How far the weathering degree of a frame may differ from place to place.
-double weathering_amplitude(const scene::Scene& scene, double degree) {
-  return scene.ageing.variation * 4.0 * degree * (1.0 - degree);
-}
-
-double degree_of(const scene::Scene& scene, int frame) {
-  return scene.ageing.frames[static_cast<std::size_t>(frame - 1)];
-}
-
-}  // namespace
-
-double local_weathering(const scene::Scene& scene, const glm::dvec2& at_m, int frame) {
-  const double degree = degree_of(scene, frame);
-  const Fbm field{random_bits({scene.seed, key_of("weathering"), 0, key_of("field")}), 2, 1.0};
-  const double noise =
-      std::clamp(0.6 * fbm(at_m / scene.ageing.variation_feature_m, field), -1.0, 1.0);
-  return std::clamp(degree + weathering_amplitude(scene, degree) * noise, 0.0, 1.0);
-}
-
-std::pair<double, double> weathering_range(const scene::Scene& scene, int frame) {
-  const double degree = degree_of(scene, frame);
-  const double amplitude = weathering_amplitude(scene, degree);
-  return {std::max(0.0, degree - amplitude), std::min(1.0, degree + amplitude)};
-}
-
 std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfield& terrain,
-                                     const FactorMap& growth, int frame) {
+                                     const FactorMap& growth, const Withering& withering,
+                                     int frame) {
   check_frame(scene, frame);
   const CellWindow window(scene);
   const std::vector<Texel> texels = choose_texels(scene, window);
@@ -293,7 +280,7 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
   const Heightfield& ground = mesh ? *mesh : terrain;
   const Combing combing(scene);
   const std::vector<double> key_frames = scene::key_frames(scene);
-  const double snow = canopy_snow(scene, frame);
+  const Showing showing = {canopy_snow(scene, frame), light_of_frame(scene, frame)};
   const auto side = static_cast<std::size_t>(window.per_side);
   std::vector<std::vector<CellChoice>> rows(side);
   const auto consider = [&](const glm::ivec2& cell, const Texel& texel,
@@ -302,7 +289,8 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
     const Grown grown = grown_in(growth, cell, scene.grass.patch_m);
     if (grown.most <= 0.0F || !sight.may_see(middle_m)) return;
     const CellChoice choice =
-        choose_cell(scene, cell, texel, key_frames, snow, frame, sight.pixels(middle_m));
+        choose_cell(scene, cell, texel, key_frames, withering.at(glm::dvec2(middle_m), frame),
+                    showing, sight.pixels(middle_m));
     if (choice.blades && cell_uniform(scene, cell, "grown") >= double{grown.mean}) return;
     row.push_back(choice);
     const double patch_m = scene.grass.patch_m;

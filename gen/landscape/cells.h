@@ -2,19 +2,19 @@
 
 #include <glm/glm.hpp>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "core/ground_map.h"
 #include "grass/patch_state.h"
 #include "landscape/cell_window.h"
 #include "landscape/combing.h"
+#include "landscape/withering.h"
 #include "scene/scene.h"
 
 namespace wold::landscape {
 
 /// Which texel stands on a cell of the terrain, and how. `key_frame` and `level` are indices into
-/// the scene's grass.key_frames and grass.levels; `snow` is a level of PatchState; `turn` counts
+/// the scene's grass.key_frames and grass.levels; `snow` and `light` are those of PatchState; `turn` counts
 /// quarter-turns counter-clockwise, seen from above.
 struct CellChoice {
   glm::dmat4 world_from_cell{1.0};  ///< see Cell in landscape.h
@@ -23,11 +23,12 @@ struct CellChoice {
   int variant = 0;
   int key_frame = 0;
   int snow = 0;
+  int light = 0;
   int turn = 0;
   int level = 0;
   bool blades = false;  ///< drawn as a mesh of blades or points, not as the volume of `level`
 
-  grass::PatchState state() const { return {key_frame, snow}; }
+  grass::PatchState state() const { return {key_frame, snow, light}; }
 };
 
 /// The best affine fit of the ground under a cell, after `turn` quarter-turns about the patch's
@@ -48,25 +49,19 @@ int turns_of_level(int voxels_per_side);
 /// How many of them cells of a scene use of a level: a coat has one nap.
 int turns_of_level(const scene::Scene& scene, int level);
 
-/// The weathering degree wanted at a point of the ground in a frame (from 1): the frame's, plus
-/// ageing.variation times a smooth keyed field in [-1, 1], which fades to nothing for all-fresh and
-/// all-dry frames. The field does not change with the frame: the same spots wither first.
-double local_weathering(const scene::Scene& scene, const glm::dvec2& at_m, int frame);
-
-/// The least and the largest that local_weathering() can be in a frame.
-std::pair<double, double> weathering_range(const scene::Scene& scene, int frame);
-
 /// Every cell with grass that can be seen, row by row: in the CellWindow, inside the picture, not
 /// behind a hill, not so far that far_share() paints it. `growth` is growth_map()'s; where it is
 /// thin, blades stand on as many cells as it says, while volumes are thinned in space. Variant and
 /// turn by keyed choice, so that neighbours differ; the key frame by keyed dithering between the
-/// two nearest to the local weathering, the level of snow likewise to canopy_snow(); the coarsest
+/// two nearest to the local weathering, the level of snow likewise to canopy_snow(), the light to
+/// light_of_frame(); the coarsest
 /// level whose voxels cover at most grass.pixels_per_voxel, with a keyed tenth of jitter, so that
 /// no ring shows where levels change. Only `level` (and with it the turns allowed) and whether a
 /// cell is listed depend on the camera. Cells are drawn as render.grass asks: with "auto" as blades
 /// where even the finest level is too coarse. Frame from 1; throws InputError when the scene has no
 /// such frame.
 std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfield& terrain,
-                                     const FactorMap& growth, int frame);
+                                     const FactorMap& growth, const Withering& withering,
+                                     int frame);
 
 }  // namespace wold::landscape

@@ -5,20 +5,27 @@
 #include <utility>
 
 #include "landscape/canopy_snow.h"
-#include "landscape/cells.h"
 #include "landscape/each_in_view.h"
+#include "landscape/film_lights.h"
 #include "scene/key_frames.h"
 #include "terrain/relief.h"
 
 namespace wold::landscape {
 namespace {
 
-/// The frame's canopy_snow(), in levels; what hardly differs from a level is that, so that its
-/// looks are all that is needed.
-double snow_level(const scene::Scene& scene, int frame) {
+/// What hardly differs from a whole level is that, so that its looks are all that is needed.
+double nearly_whole(double level) {
   constexpr double unseen = 1e-4;
-  const double level = grass::PatchState::level_of(canopy_snow(scene, frame));
   return level - std::floor(level) < unseen ? std::floor(level) : level;
+}
+
+/// The frame's canopy_snow(), in levels.
+double snow_level(const scene::Scene& scene, int frame) {
+  return nearly_whole(grass::PatchState::level_of(canopy_snow(scene, frame)));
+}
+
+double light_level(const scene::Scene& scene, int frame) {
+  return nearly_whole(light_of_frame(scene, frame));
 }
 
 /// More grass along a ray, where the same number of blades stands on each square metre of a slope.
@@ -35,22 +42,24 @@ glm::dvec3 in_cell(const glm::dvec3& sight, const glm::dvec2& gradient, const gl
 
 }  // namespace
 
-Meadow::Meadow(const scene::Scene& scene, const Heightfield& terrain, const View& view, int frame,
-               std::map<grass::PatchState, PatchLook> looks)
+Meadow::Meadow(const scene::Scene& scene, const Heightfield& terrain, const Withering& withering,
+               const View& view, int frame, std::map<grass::PatchState, PatchLook> looks)
     : scene_(scene),
       terrain_(terrain),
+      withering_(withering),
       view_(view),
       frame_(frame),
       combing_(scene),
       key_frames_(scene::key_frames(scene)),
       snow_(snow_level(scene, frame)),
+      light_(light_level(scene, frame)),
       looks_(std::move(looks)) {}
 
 FarLook Meadow::look(const glm::dvec3& at_m) const {
   const glm::dvec2 gradient = terrain::gradient(terrain_, at_m.x, at_m.y);
   const glm::dvec3 direction =
       in_cell(view_.line_of_sight(at_m), gradient, combing_.lean(glm::dvec2(at_m)));
-  const double weathering = local_weathering(scene_, glm::dvec2(at_m), frame_);
+  const double weathering = withering_.at(glm::dvec2(at_m), frame_);
   const auto above = std::upper_bound(key_frames_.begin() + 1, key_frames_.end() - 1, weathering);
   const auto key = static_cast<int>(above - key_frames_.begin());
   const double share = (weathering - *(above - 1)) / (*above - *(above - 1));
@@ -60,9 +69,16 @@ FarLook Meadow::look(const glm::dvec3& at_m) const {
 
 FarLook Meadow::at_key_frame(int key_frame, const glm::dvec3& direction) const {
   const auto below = static_cast<int>(snow_);
-  const FarLook look = looks_.at({key_frame, below}).along(direction);
+  const FarLook look = at_snow(key_frame, below, direction);
   if (snow_ == below) return look;
-  return mixed(look, looks_.at({key_frame, below + 1}).along(direction), snow_ - below);
+  return mixed(look, at_snow(key_frame, below + 1, direction), snow_ - below);
+}
+
+FarLook Meadow::at_snow(int key_frame, int snow, const glm::dvec3& direction) const {
+  const auto before = static_cast<int>(light_);
+  const FarLook look = looks_.at({key_frame, snow, before}).along(direction);
+  if (light_ == before) return look;
+  return mixed(look, looks_.at({key_frame, snow, before + 1}).along(direction), light_ - before);
 }
 
 double far_share(const scene::Grass& grass, const View& view, const glm::dvec3& at_m) {
@@ -89,16 +105,19 @@ bool has_far_field(const scene::Scene& scene, const Heightfield& terrain, const 
   return false;
 }
 
-std::vector<grass::PatchState> far_states(const scene::Scene& scene, int frame) {
+std::vector<grass::PatchState> far_states(const scene::Scene& scene, const Withering& withering,
+                                          int frame) {
   const std::vector<double> keys = scene::key_frames(scene);
-  const auto [least, most] = weathering_range(scene, frame);
+  const auto [least, most] = withering.range(frame);
   const auto first = std::upper_bound(keys.begin() + 1, keys.end() - 1, least) - 1;
   const auto last = std::upper_bound(keys.begin() + 1, keys.end() - 1, most);
   const double snow = snow_level(scene, frame);
+  const double lit = light_level(scene, frame);
   std::vector<grass::PatchState> states;
   for (auto key = first; key <= last; ++key)
     for (auto level = static_cast<int>(snow); level < snow + 1.0; ++level)
-      states.emplace_back(static_cast<int>(key - keys.begin()), level);
+      for (auto light = static_cast<int>(lit); light < lit + 1.0; ++light)
+        states.emplace_back(static_cast<int>(key - keys.begin()), level, light);
   return states;
 }
 

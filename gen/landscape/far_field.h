@@ -9,6 +9,7 @@
 #include "landscape/combing.h"
 #include "landscape/patch_look.h"
 #include "landscape/view.h"
+#include "landscape/withering.h"
 #include "scene/scene.h"
 
 namespace wold::landscape {
@@ -25,31 +26,36 @@ double far_share(const scene::Grass& grass, const CellWindow& window, const View
 bool has_far_field(const scene::Scene& scene, const Heightfield& terrain, const View& view);
 
 /// The states whose looks a Meadow needs in a frame (from 1), ascending.
-std::vector<grass::PatchState> far_states(const scene::Scene& scene, int frame);
+std::vector<grass::PatchState> far_states(const scene::Scene& scene, const Withering& withering,
+                                          int frame);
 
 /// What the meadow of a frame (from 1) looks like where single blades cannot be told apart.
 class Meadow {
  public:
   /// `looks`: those of far_states(). The others have to outlive it.
-  Meadow(const scene::Scene& scene, const Heightfield& terrain, const View& view, int frame,
-         std::map<grass::PatchState, PatchLook> looks);
+  Meadow(const scene::Scene& scene, const Heightfield& terrain, const Withering& withering,
+         const View& view, int frame, std::map<grass::PatchState, PatchLook> looks);
 
   /// The look along the line of sight to a place on the ground, of full growth under light 1: that
-  /// of the two key frames around the weathering there and of the two levels around the snow,
-  /// sheared to the slope and combed.
+  /// of the two key frames around the weathering there, of the two levels around the snow and of
+  /// the two lights around the frame's, sheared to the slope and combed.
   FarLook look(const glm::dvec3& at_m) const;
 
  private:
   /// At a key frame, along a direction of the patch.
   FarLook at_key_frame(int key_frame, const glm::dvec3& direction) const;
+  /// And under a level of snow.
+  FarLook at_snow(int key_frame, int snow, const glm::dvec3& direction) const;
 
   const scene::Scene& scene_;
   const Heightfield& terrain_;
+  const Withering& withering_;
   const View& view_;
   int frame_;
   Combing combing_;
   std::vector<double> key_frames_;
-  double snow_;  ///< canopy_snow(), in levels
+  double snow_;   ///< canopy_snow(), in levels
+  double light_;  ///< light_of_frame()
   std::map<grass::PatchState, PatchLook> looks_;
 };
 

@@ -5,15 +5,21 @@
 
 #include "cloud/shadow.h"
 #include "landscape/cloud_boxes.h"
+#include "scene/calendar.h"
 
 namespace wold::landscape {
 namespace {
 
 constexpr int sky_width_px = 1024;
 
-std::optional<cloud::CloudState> clouds_of(const Site& site, int frame) {
+/// Their own events have gathered them; in a season they are as many of these as its days have.
+std::optional<cloud::CloudState> clouds_of(const scene::Scene& scene, const Site& site, int frame) {
   if (!site.clouds) return std::nullopt;
-  return site.clouds->at_frame(frame);
+  cloud::CloudState clouds = site.clouds->at_frame(frame);
+  if (site.season)
+    for (cloud::LayerState& layer : clouds.layers)
+      layer.moment.amount *= site.season->cloud_cover(scene::season_days(scene.season, frame));
+  return clouds;
 }
 
 /// A distance from the camera that no ground and no cloud reaches.
@@ -29,7 +35,7 @@ double beyond_everything_m(const Landscape& landscape) {
 FrameSky::FrameSky(const scene::Scene& scene, const Site& site, int frame, const glm::dvec3& eye_m)
     : scene_(scene),
       site_(site),
-      clouds_(clouds_of(site, frame)),
+      clouds_(clouds_of(scene, site, frame)),
       sheets_(site.day, clouds_.value_or(cloud::CloudState{}), eye_m, scene.sky.visual_range_m) {}
 
 ColourMap FrameSky::light(const terrain::GroundLight& clear) const {

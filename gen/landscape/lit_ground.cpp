@@ -7,7 +7,7 @@
 #include "grass/fibres.h"
 #include "landscape/canopy_snow.h"
 #include "landscape/cell_window.h"
-#include "landscape/film_lighting.h"
+#include "landscape/film_lights.h"
 #include "landscape/ground_grids.h"
 #include "landscape/tint.h"
 
@@ -34,10 +34,10 @@ GrassColour grass_colour(const grass::WitheringPatch& patch, const grass::Ageing
 }
 
 /// What combing does to the light of the frame's grass.
-CombedLight combed_light(const scene::Scene& scene, const Site& site,
+CombedLight combed_light(const scene::Scene& scene, const Site& site, int frame,
                          const grass::BladePatch& patch, const grass::AgeingModel& model) {
   constexpr int fibres = 150;
-  return {grass::representative_fibres(patch, model, fibres), film_lighting(scene, site),
+  return {grass::representative_fibres(patch, model, fibres), frame_lighting(scene, site, frame),
           static_cast<float>(scene.grass.gloss)};
 }
 
@@ -48,10 +48,10 @@ GroundGrid combed_grid(const GroundGrid& grid) {
 }
 
 std::map<grass::PatchState, PatchLook> far_looks(
-    const scene::Scene& scene, int frame,
+    const scene::Scene& scene, const Site& site, int frame,
     const std::function<std::vector<Volume>(const grass::PatchState&)>& far) {
   std::map<grass::PatchState, PatchLook> looks;
-  for (const grass::PatchState& state : far_states(scene, frame))
+  for (const grass::PatchState& state : far_states(scene, *site.withering, frame))
     looks.emplace(state, PatchLook(far(state)));
   return looks;
 }
@@ -73,9 +73,10 @@ LitGround::LitGround(const scene::Scene& scene, const Site& site, const Landscap
       snow_(canopy_snow(scene, frame_)),
       model_(scene.ageing, scene.grass.specular),
       patch_(scene, model_, /*variant=*/0),
-      combed_(combed_light(scene, site, patch_.at(landscape.weathering, snow_), model_)) {
+      combed_(combed_light(scene, site, frame_, patch_.at(landscape.weathering, snow_), model_)) {
   if (shows_distance(scene, site, landscape.camera))
-    meadow_.emplace(scene, site.terrain, view_, frame_, far_looks(scene, frame_, far));
+    meadow_.emplace(scene, site.terrain, *site.withering, view_, frame_,
+                    far_looks(scene, site, frame_, far));
 }
 
 ColourMap LitGround::on_grass(const ColourMap& light, const GroundGrid& grid) const {
@@ -116,7 +117,7 @@ void LitGround::show(const SnowyGround& ground, Landscape& landscape) const {
 
   if (is_large(scene_)) grass_light = light_in_window();
   landscape.light =
-      product(grass_light, weathering_tint(scene_, frame_, choices_, snow_,
+      product(grass_light, weathering_tint(scene_, *site_.withering, frame_, choices_, snow_,
                                            grass_colour(patch_, model_, snow_, choices_)));
   landscape.standing =
       ground.standing(standing_grass(scene_, site_.terrain, growth_of_cells(site_), view_));

@@ -10,6 +10,8 @@
 #include "landscape/cell_window.h"
 #include "landscape/ground_grids.h"
 #include "landscape/growth.h"
+#include "landscape/view.h"
+#include "scene/sun_path.h"
 #include "scene/winter.h"
 #include "terrain/ground.h"
 #include "terrain/lighting.h"
@@ -52,6 +54,19 @@ GroundPart whole_ground(const scene::Scene& scene, const Heightfield& terrain,
   return {std::move(growth), std::move(light), std::move(reflectance)};
 }
 
+/// The whole ground in the light of a day.
+GroundPart ground_under(const scene::Scene& scene, const Heightfield& terrain,
+                        const light::Daylight& day) {
+  return is_large(scene) ? ground_part(scene, terrain, day, whole_grid(scene))
+                         : whole_ground(scene, terrain, day);
+}
+
+/// The scene with its sun where it stands then.
+scene::Scene at_time(scene::Scene scene, double time) {
+  scene.sun = scene::sun_at(scene, time);
+  return scene;
+}
+
 }  // namespace
 
 Snow::Snow(const scene::Scene& scene, const Heightfield& terrain, const fs::path& folder)
@@ -84,21 +99,35 @@ const FactorMap& growth_of_cells(const Site& site) {
 
 Site make_site(const scene::Scene& scene, const fs::path& snow_folder) {
   Heightfield terrain = terrain::make_ground(scene.terrain, scene.seed);
-  const light::Daylight day(scene.sun, scene.sky);
+  const scene::Scene half_way = at_time(scene, 0.5);
+  const light::Daylight day(half_way.sun, scene.sky);
   const bool large = is_large(scene);
-  GroundPart ground = large ? ground_part(scene, terrain, day, whole_grid(scene))
-                            : whole_ground(scene, terrain, day);
+  GroundPart ground = ground_under(scene, terrain, day);
   std::optional<FactorMap> growth_of_window;
   if (large) growth_of_window = growth_map(scene, terrain, window_grid(scene));
   std::optional<cloud::Clouds> clouds;
-  if (!scene.clouds.empty()) clouds.emplace(scene, cloud::Clouds::usual_pixel_m(scene));
+  if (!scene.clouds.empty()) clouds.emplace(half_way, cloud::Clouds::usual_pixel_m(scene));
   std::shared_ptr<const Snow> snow;
   if (scene::may_snow(scene) || scene::may_lie(scene))
     snow = std::make_shared<const Snow>(scene, terrain, snow_folder);
+  std::shared_ptr<const season::Season> season;
+  if (scene::is_season(scene)) season = std::make_shared<const season::Season>(scene);
+  auto withering = std::make_shared<const Withering>(scene, terrain);
   return {std::move(terrain),          std::move(ground.growth),
           std::move(growth_of_window), day,
           std::move(ground.light),     std::move(ground.reflectance),
-          std::move(clouds),           std::move(snow)};
+          std::move(clouds),           std::move(season),
+          std::move(withering),        std::move(snow)};
+}
+
+Site site_of_frame(const scene::Scene& scene, const Site& site, int frame) {
+  if (!site.season) return site;
+  Site now = site;
+  now.day = light::Daylight(scene::sun_at(scene, time_of_frame(scene, frame)), scene.sky);
+  GroundPart ground = ground_under(scene, now.terrain, now.day);
+  now.light = std::move(ground.light);
+  now.ground_reflectance = std::move(ground.reflectance);
+  return now;
 }
 
 double leaf_area_index(const scene::Grass& grass) {

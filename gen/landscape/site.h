@@ -6,8 +6,10 @@
 
 #include "cloud/clouds.h"
 #include "core/ground_map.h"
+#include "landscape/withering.h"
 #include "light/daylight.h"
 #include "scene/scene.h"
+#include "season/season.h"
 #include "snow/cover.h"
 #include "snow/crystal_picture.h"
 #include "snow/large_cover.h"
@@ -34,7 +36,8 @@ struct GroundPart {
   ColourMap reflectance;       ///< of the bare ground, radiance over irradiance
 };
 
-/// What stays the same from frame to frame: the place and the light of its day.
+/// What stays the same from frame to frame: the place and the light of its day, in a season the
+/// day half-way through it.
 struct Site {
   Heightfield terrain;
   FactorMap growth;                           ///< growth_map()'s
@@ -43,6 +46,8 @@ struct Site {
   terrain::GroundLight light;    ///< under a clear sky
   ColourMap ground_reflectance;  ///< of the bare ground, radiance over irradiance
   std::optional<cloud::Clouds> clouds;
+  std::shared_ptr<const season::Season> season;  ///< if it is one
+  std::shared_ptr<const Withering> withering;
   std::shared_ptr<const Snow> snow;  ///< none where none can fall or lie
 };
 
@@ -50,6 +55,10 @@ struct Site {
 /// pictures in `snow_folder`, which is made where it is needed and is the site's alone.
 /// Throws what terrain::make_ground(), growth_map(), cloud::Clouds and Snow's parts throw.
 Site make_site(const scene::Scene& scene, const std::filesystem::path& snow_folder = {});
+
+/// The site on the day of a frame (from 1): itself, but in a season with that day's light. Shares
+/// clouds and snow with it.
+Site site_of_frame(const scene::Scene& scene, const Site& site, int frame);
 
 /// Growth where cells are laid.
 const FactorMap& growth_of_cells(const Site& site);

@@ -217,9 +217,10 @@ FactorMap SnowyGround::growth() const {
   return is_bare() ? site_.growth : above_snow(site_.growth);
 }
 
+double SnowyGround::white_share() const { return is_bare() ? 0.0 : mean(*white_); }
+
 double SnowyGround::mean_albedo() const {
-  if (is_bare()) return grass_albedo;
-  return std::lerp(grass_albedo, double{albedo_}, mean(*white_));
+  return std::lerp(grass_albedo, double{albedo_}, white_share());
 }
 
 }  // namespace wold::landscape

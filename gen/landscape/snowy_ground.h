@@ -38,6 +38,9 @@ class SnowyGround {
   /// reflectance likewise. Its light stays: snow changes no slope as long as the terrain's steps.
   GroundPart covered(GroundPart part) const;
 
+  /// Mean share of the ground that is white.
+  double white_share() const;
+
   /// Mean albedo of ground and snow, of which a share of what stands is white.
   double mean_albedo() const;
 

@@ -26,8 +26,9 @@ std::vector<const CellChoice*> shown_cells(std::span<const CellChoice> choices,
 
 }  // namespace
 
-ColourMap weathering_tint(const scene::Scene& scene, int frame, std::span<const CellChoice> choices,
-                          double snow, const GrassColour& colour) {
+ColourMap weathering_tint(const scene::Scene& scene, const Withering& withering, int frame,
+                          std::span<const CellChoice> choices, double snow,
+                          const GrassColour& colour) {
   constexpr int samples_per_cell = 8;
   const CellWindow window(scene);
   const std::vector<const CellChoice*> cells = shown_cells(choices, window);
@@ -46,7 +47,7 @@ ColourMap weathering_tint(const scene::Scene& scene, int frame, std::span<const 
       if (choice == nullptr) continue;
       const glm::vec3 shown = colour(degrees[static_cast<std::size_t>(choice->key_frame)],
                                      choice->state().snow_share());
-      const glm::vec3 wanted = colour(local_weathering(scene, at_m, frame), snow);
+      const glm::vec3 wanted = colour(withering.at(at_m, frame), snow);
       constexpr glm::vec3 least(1e-3F);  // a channel may be empty
       tint.at(i, j) = glm::clamp(glm::max(wanted, least) / glm::max(shown, least), 0.5F, 2.0F);
     }

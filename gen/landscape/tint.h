@@ -5,6 +5,7 @@
 
 #include "core/ground_map.h"
 #include "landscape/cells.h"
+#include "landscape/withering.h"
 #include "scene/scene.h"
 
 namespace wold::landscape {
@@ -14,12 +15,13 @@ namespace wold::landscape {
 using GrassColour = std::function<glm::vec3(double weathering, double snow)>;
 
 /// A factor for Landscape::light that takes the squares out of a withering or whitening meadow:
-/// cells show one key frame and level of snow each, while the ground wants local_weathering and the
+/// cells show one key frame and level of snow each, while the ground wants the withering there and the
 /// frame's canopy_snow(), `snow`. Inside a cell the factor is what is wanted over what is shown, in
 /// `colour`, limited to [1/2, 2]; 1 where no cell stands.
 /// Over the CellWindow, 8 samples per cell, so that it changes within an eighth of a cell where two
 /// cells meet.
-ColourMap weathering_tint(const scene::Scene& scene, int frame, std::span<const CellChoice> choices,
-                          double snow, const GrassColour& colour);
+ColourMap weathering_tint(const scene::Scene& scene, const Withering& withering, int frame,
+                          std::span<const CellChoice> choices, double snow,
+                          const GrassColour& colour);
 
 }  // namespace wold::landscape

@@ -10,6 +10,7 @@
 
 #include "core/machine.h"
 #include "scene/cloud_consistency.h"
+#include "scene/season_consistency.h"
 #include "scene/sun_position.h"
 #include "scene/text.h"
 
@@ -73,7 +74,7 @@ Rule file_exists(const std::string& key, const std::string& path) {
 Rule date_is_a_day(const Sun& sun) {
   const bool complete = sun.date.size() == 3;
   return {{"sun.date"},
-          !complete || date_of(sun).ok(),
+          !complete || date_of(sun.date).ok(),
           complete ? fmt::format("sun.date: found [{}, {}, {}], expected a year, month and day of "
                                  "the calendar",
                                  sun.date[0], sun.date[1], sun.date[2])
@@ -83,7 +84,7 @@ Rule date_is_a_day(const Sun& sun) {
 /// The sky's model needs a sun.
 Rule sun_is_up(const Sun& sun) {
   constexpr double least_deg = 1.0;
-  const bool dated = sun.date.size() == 3 && date_of(sun).ok();
+  const bool dated = sun.date.size() == 3 && date_of(sun.date).ok();
   const double elevation_deg = dated ? sun_position(sun).elevation_deg : 90.0;
   return {
       {"sun.time", "sun.date", "sun.latitude", "sun.longitude"},
@@ -268,6 +269,7 @@ void report_contradictions(const Scene& scene, const Places& places,
     if (judged && !rule.holds) problems.push_back({blamed_place(rule, places), rule.message});
   }
   report_cloud_contradictions(scene, places, problems);
+  report_season_contradictions(scene, places, problems);
 }
 
 }  // namespace wold::scene

@@ -18,6 +18,7 @@ std::vector<Key> sky_keys();
 std::vector<Key> wind_keys();
 std::vector<Key> film_keys();
 std::vector<Key> weather_keys();
+std::vector<Key> season_keys();
 std::vector<Key> snowfall_keys();
 std::vector<Key> snow_cover_keys();
 std::vector<Key> camera_keys();
@@ -26,9 +27,11 @@ std::vector<Key> render_keys();
 /// Those of an item, from 0, of a table that may stand many times.
 std::vector<Key> cloud_keys(std::size_t item);
 std::vector<Key> cloud_event_keys(std::size_t item);
+std::vector<Key> season_key_keys(std::size_t item);
 
 /// More layers no picture shows, and each costs its map.
 inline constexpr std::size_t most_cloud_layers = 16;
 inline constexpr std::size_t most_cloud_events = 1000;
+inline constexpr std::size_t most_season_keys = 1000;
 
 }  // namespace wold::scene

@@ -15,7 +15,7 @@ std::vector<Key> all_keys() {
   std::vector<Key> all;
   for (const auto& keys :
        {top_level_keys(), terrain_keys(), growth_keys(), grass_keys(), ageing_keys(), fur_keys(),
-        sun_keys(), sky_keys(), wind_keys(), film_keys(), weather_keys(), snowfall_keys(),
+        sun_keys(), sky_keys(), wind_keys(), film_keys(), weather_keys(), season_keys(), snowfall_keys(),
         snow_cover_keys(), camera_keys(), render_keys()})
     all.insert(all.end(), keys.begin(), keys.end());
   return all;
@@ -27,7 +27,10 @@ std::vector<TableArray> all_arrays() {
            [](Scene& scene) { scene.clouds.emplace_back(); }, cloud_keys},
           {"cloud_events", "event on the clouds' time line", most_cloud_events,
            [](const Scene& scene) { return scene.cloud_events.size(); },
-           [](Scene& scene) { scene.cloud_events.emplace_back(); }, cloud_event_keys}};
+           [](Scene& scene) { scene.cloud_events.emplace_back(); }, cloud_event_keys},
+          {"season_keys", "day of the season", most_season_keys,
+           [](const Scene& scene) { return scene.season_keys.size(); },
+           [](Scene& scene) { scene.season_keys.emplace_back(); }, season_key_keys}};
 }
 
 std::vector<std::string> all_tables() {

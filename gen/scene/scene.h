@@ -195,6 +195,33 @@ struct Weather {
   bool operator==(const Weather&) const = default;
 };
 
+/// The days that the film's frames are spread over evenly. With a first day the film is a season:
+/// weathering degrees, weather and the sun's place follow the days, and [ageing] frames, [weather]
+/// and [sun] elevation, azimuth and date do not count.
+struct Season {
+  std::vector<std::int64_t> first = {};  ///< year, month, day of the first frame; empty: no season
+  std::vector<std::int64_t> last = {};   ///< of the last frame
+  int frames = 120;
+  std::string table;             ///< path of the weather day by day, season/daily_weather.h
+  double hollow_frost_k = 4.0;   ///< how much colder the nights of the deepest hollows are
+  double spread_days = 5.0;      ///< standard deviation of what place and soil delay withering by
+
+  bool operator==(const Season&) const = default;
+};
+
+/// What is so on a day of the season; linear between days that say, held before and after. What no
+/// key says is as the table has it.
+struct SeasonKey {
+  std::vector<std::int64_t> date = {};  ///< year, month, day
+  std::optional<double> weathering;     ///< degree, at the terrain's mean height
+  std::optional<double> temperature_c;  ///< mean of the day, at the terrain's zero
+  std::optional<double> precipitation_mm_day;
+  std::optional<double> cloud_cover;  ///< how much of the clouds has gathered
+  std::optional<double> wind_speed_m_s;
+
+  bool operator==(const SeasonKey&) const = default;
+};
+
 /// Flakes in the air.
 struct Snowfall {
   std::string strength = "weather";  ///< "weather", "light", "moderate", "blizzard"
@@ -272,6 +299,8 @@ struct Scene {
   Wind wind;
   Film film;
   Weather weather;
+  Season season;
+  std::vector<SeasonKey> season_keys;
   Snowfall snowfall;
   SnowCover snow_cover;
   std::vector<CloudLayer> clouds;

@@ -99,15 +99,15 @@ SunPosition sun_position(const std::chrono::year_month_day& date, double hours_u
   return seen_from(latitude_deg, hour_angle_deg, sun.declination_deg);
 }
 
-std::chrono::year_month_day date_of(const Sun& sun) {
-  return {std::chrono::year(static_cast<int>(sun.date[0])),
-          std::chrono::month(static_cast<unsigned>(sun.date[1])),
-          std::chrono::day(static_cast<unsigned>(sun.date[2]))};
+std::chrono::year_month_day date_of(const std::vector<std::int64_t>& numbers) {
+  return {std::chrono::year(static_cast<int>(numbers[0])),
+          std::chrono::month(static_cast<unsigned>(numbers[1])),
+          std::chrono::day(static_cast<unsigned>(numbers[2]))};
 }
 
 SunPosition sun_position(const Sun& sun) {
   if (sun.date.empty()) return {sun.elevation_deg, sun.azimuth_deg};
-  return sun_position(date_of(sun), sun.time_h, sun.latitude_deg, sun.longitude_deg);
+  return sun_position(date_of(sun.date), sun.time_h, sun.latitude_deg, sun.longitude_deg);
 }
 
 }  // namespace wold::scene

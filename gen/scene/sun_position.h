@@ -1,6 +1,8 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
+#include <vector>
 
 #include "scene/scene.h"
 
@@ -22,8 +24,8 @@ struct SunPosition {
 SunPosition sun_position(const std::chrono::year_month_day& date, double hours_utc,
                          double latitude_deg, double longitude_deg);
 
-/// The scene's date, which may be no day of the calendar. It has to have one, of three numbers.
-std::chrono::year_month_day date_of(const Sun& sun);
+/// Year, month and day, three numbers, which may be no day of the calendar.
+std::chrono::year_month_day date_of(const std::vector<std::int64_t>& numbers);
 
 /// Where the scene's sun stands: at its date and place, or as given when it has no date. The date,
 /// if any, is three numbers.

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/error.h"
+#include "scene/calendar.h"
 #include "snow/drifting.h"
 
 namespace wold::snow {
@@ -43,8 +44,8 @@ double mean(const std::vector<float>& values) {
 /// An hour, or so short that a short film is followed closely.
 double film_step(const scene::Scene& scene) {
   constexpr double steps = 24.0;
-  const auto frames = static_cast<double>(scene.ageing.frames.size());
-  const double film_s = scene.film.frame_seconds * (frames - 1.0);
+  const auto frames = static_cast<int>(scene.ageing.frames.size());
+  const double film_s = scene::time_s(scene, frames);
   return film_s > 0.0 ? std::min(film_s / steps, seconds_per_hour) : seconds_per_hour;
 }
 

@@ -26,7 +26,7 @@ TexelDemand everything() {
 
 void generate(const fs::path& folder, const TexelDemand& demand) {
   SilentProgress progress;
-  TimeVaryingTexel(test::small_scene(), test::slanting_light(), folder).generate(demand, progress);
+  TimeVaryingTexel(test::small_scene(), {test::slanting_light()}, folder).generate(demand, progress);
 }
 
 std::map<std::string, std::string> hashes_of(const fs::path& folder) {

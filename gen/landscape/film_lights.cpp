@@ -1,0 +1,110 @@
+#include "landscape/film_lights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "landscape/snow_in_air.h"
+#include "landscape/view.h"
+#include "scene/sun_path.h"
+#include "scene/winter.h"
+
+namespace wold::landscape {
+namespace {
+
+/// Mean albedo of a snowy meadow's ground: what the lighting of single frames is near to.
+constexpr double mean_ground_albedo = 0.5;
+
+/// Of level ground.
+glm::vec3 irradiance(const grass::Lighting& lighting) {
+  glm::vec3 sum = lighting.sun_irradiance * static_cast<float>(lighting.sun_direction.z);
+  for (const grass::SkyDirection& sky : grass::sky_directions(lighting))
+    sum += sky.irradiance * static_cast<float>(sky.direction.z);
+  return sum;
+}
+
+/// Makes it the unit, as it is of the day: how bright the light is, the light of the ground says.
+void normalise(grass::Lighting& lighting) {
+  const glm::vec3 unit = irradiance(lighting);
+  lighting.sun_irradiance /= unit;
+  for (glm::vec3& radiance : lighting.sky_radiance) radiance /= unit;
+}
+
+/// Adds `share` of the lighting under falling snow.
+void add(grass::Lighting& sum, const light::Daylight& day, const SnowyAir& air, float share) {
+  sum.sun_irradiance += day.sun_irradiance() * static_cast<float>(air.sun_share()) * share;
+  const auto& rings = grass::sky_rings();
+  for (std::size_t ring = 0; ring < rings.size(); ++ring) {
+    const double elevation = rings[ring].elevation;
+    sum.sky_radiance[ring] +=
+        air.sky_radiance(day.mean_sky_radiance(elevation), light::direction_of(0.0, elevation)) *
+        share;
+  }
+}
+
+/// How much each frame, from 1, counts for the light at a place among light_count(); sums to 1.
+std::vector<float> frame_weights(const scene::Scene& scene, double light) {
+  const auto frames = static_cast<int>(scene.ageing.frames.size());
+  std::vector<float> weights;
+  for (int frame = 1; frame <= frames; ++frame)
+    weights.push_back(static_cast<float>(
+        std::max(0.0, 1.0 - std::abs(light_of_frame(scene, frame) - light))));
+  const float sum = std::accumulate(weights.begin(), weights.end(), 0.0F);
+  for (float& weight : weights) weight /= sum;
+  return weights;
+}
+
+/// The light at a place among light_count().
+grass::Lighting lighting_at(const scene::Scene& scene, const Site& site, double light) {
+  const int lights = light_count(scene);
+  const light::Daylight day =
+      lights > 1 ? light::Daylight(scene::sun_at(scene, light / (lights - 1)), scene.sky)
+                 : site.day;
+  grass::Lighting lighting =
+      grass::make_lighting(day, film_eye_direction(scene, site.terrain));
+  if (!scene::may_snow(scene)) return lighting;
+  lighting.sun_irradiance = glm::vec3(0.0F);
+  lighting.sky_radiance.assign(grass::sky_rings().size(), glm::vec3(0.0F));
+  const std::vector<float> weights = frame_weights(scene, light);
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (weights[i] > 0.0F)
+      add(lighting, day,
+          SnowyAir(day, snow_extinction_per_m(scene, site, static_cast<int>(i) + 1),
+                   mean_ground_albedo),
+          weights[i]);
+  normalise(lighting);
+  return lighting;
+}
+
+}  // namespace
+
+int light_count(const scene::Scene& scene) {
+  if (!scene::is_season(scene)) return 1;
+  constexpr double most_step_deg = 7.0;
+  constexpr int places = 32;
+  double least_deg = 90.0, most_deg = 0.0;
+  for (int place = 0; place <= places; ++place) {
+    const double elevation_deg =
+        scene::sun_at(scene, static_cast<double>(place) / places).elevation_deg;
+    least_deg = std::min(least_deg, elevation_deg);
+    most_deg = std::max(most_deg, elevation_deg);
+  }
+  return 1 + static_cast<int>(std::ceil((most_deg - least_deg) / most_step_deg));
+}
+
+double light_of_frame(const scene::Scene& scene, int frame) {
+  return time_of_frame(scene, frame) * (light_count(scene) - 1);
+}
+
+std::vector<grass::Lighting> film_lights(const scene::Scene& scene, const Site& site) {
+  std::vector<grass::Lighting> lights;
+  for (int light = 0; light < light_count(scene); ++light)
+    lights.push_back(lighting_at(scene, site, light));
+  return lights;
+}
+
+grass::Lighting frame_lighting(const scene::Scene& scene, const Site& site, int frame) {
+  return lighting_at(scene, site, light_of_frame(scene, frame));
+}
+
+}  // namespace wold::landscape

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <chrono>
+
+#include "scene/scene.h"
+#include "scene/sun_position.h"
+
+/// When frames are: a film has the clock of what moves, clouds, and that of the weather, which
+/// withers grass and lets snow fall. They are the same but in a season, where days pass from frame
+/// to frame.
+namespace wold::scene {
+
+inline bool is_season(const Scene& scene) { return !scene.season.first.empty(); }
+
+/// Days from a season's first frame to a frame (from 1).
+inline double season_days(const Season& season, int frame) {
+  const auto days = (std::chrono::sys_days(date_of(season.last)) -
+                     std::chrono::sys_days(date_of(season.first)))
+                        .count();
+  return static_cast<double>(days) * (frame - 1) / (season.frames - 1);
+}
+
+/// The weather's clock, since the first frame, at a frame (from 1).
+inline double time_s(const Scene& scene, int frame) {
+  constexpr double day_s = 86400.0;
+  if (is_season(scene)) return season_days(scene.season, frame) * day_s;
+  return (frame - 1) * scene.film.frame_seconds;
+}
+
+}  // namespace wold::scene

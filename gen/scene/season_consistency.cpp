@@ -1,0 +1,120 @@
+#include "scene/season_consistency.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "scene/calendar.h"
+#include "scene/registry.h"
+#include "scene/sun_position.h"
+#include "scene/text.h"
+
+namespace wold::scene {
+namespace {
+
+using std::chrono::sys_days;
+using Numbers = std::vector<std::int64_t>;
+
+/// Seasons are shorter than this: snow is reckoned hour by hour.
+constexpr int most_days = 400;
+/// The sky's model needs a sun.
+constexpr double least_elevation_deg = 1.0;
+
+bool is_day(const Numbers& date) { return date.size() == 3 && date_of(date).ok(); }
+
+class Judge {
+ public:
+  Judge(const Scene& scene, const Places& places, std::vector<Problem>& problems)
+      : scene_(scene), places_(places), problems_(problems) {}
+
+  void judge() const {
+    if (is_season(scene_)) {
+      judge_days();
+      judge_sources();
+    }
+    judge_keys();
+  }
+
+ private:
+  void judge_days() const {
+    const Season& season = scene_.season;
+    judge_day("season.first", season.first);
+    judge_day("season.last", season.last);
+    if (!is_day(season.first) || !is_day(season.last)) return;
+    const auto days = (sys_days(date_of(season.last)) - sys_days(date_of(season.first))).count();
+    if (days < 1 || days > most_days)
+      add("season.last",
+          fmt::format("found {}, expected a day after season.first ({}), at most {} later",
+                      season.last, season.first, most_days));
+    judge_sun("season.first", season.first);
+    judge_sun("season.last", season.last);
+  }
+
+  void judge_day(const std::string& key, const Numbers& date) const {
+    if (!is_day(date))
+      add(key, fmt::format("found {}, expected a year, month and day of the calendar", date));
+  }
+
+  void judge_sun(const std::string& key, const Numbers& date) const {
+    const Sun& sun = scene_.sun;
+    const double elevation_deg =
+        sun_position(date_of(date), sun.time_h, sun.latitude_deg, sun.longitude_deg).elevation_deg;
+    if (elevation_deg < least_elevation_deg)
+      add(key, fmt::format("found {}, when the sun stands at {:.1f} degrees at {} h (sun.time), "
+                           "expected a time of day when it is {} degree above the horizon at least",
+                           date, elevation_deg, sun.time_h, least_elevation_deg));
+  }
+
+  void judge_sources() const {
+    const std::string& table = scene_.season.table;
+    std::error_code error;
+    if (!table.empty() && !std::filesystem::is_regular_file(table, error))
+      add("season.table", fmt::format("found {}, expected a file that is there", in_quotes(table)));
+    const bool withers = std::ranges::any_of(
+        scene_.season_keys, [](const SeasonKey& key) { return key.weathering.has_value(); });
+    if (table.empty() && !withers)
+      add("season.first",
+          "found a season in which nothing says how the grass withers, expected season.table or "
+          "[[season_keys]] with weathering");
+  }
+
+  void judge_keys() const {
+    const std::vector<SeasonKey>& keys = scene_.season_keys;
+    for (std::size_t item = 0; item < keys.size(); ++item) {
+      const std::string name = item_name("season_keys", item);
+      if (scene_.season.first.empty())
+        add(name, "found a day of a season, but the scene is none; expected season.first");
+      else if (!is_day(keys[item].date))
+        add(name + ".date", fmt::format("found {}, expected a year, month and day of the calendar",
+                                        keys[item].date));
+      else if (item > 0 && is_day(keys[item - 1].date) &&
+               date_of(keys[item].date) <= date_of(keys[item - 1].date))
+        add(name + ".date", fmt::format("found {}, expected a day after {}, the one before",
+                                        keys[item].date, keys[item - 1].date));
+    }
+  }
+
+  /// At the key, or at the table of the item that it belongs to.
+  void add(const std::string& key, const std::string& message) const {
+    if (places_.failed.count(key) > 0) return;
+    auto place = places_.given.find(key);
+    if (place == places_.given.end()) place = places_.given.find(std::string(table_of(key)));
+    problems_.push_back({place == places_.given.end() ? SourcePosition{} : place->second,
+                         fmt::format("{}: {}", key, message)});
+  }
+
+  const Scene& scene_;
+  const Places& places_;
+  std::vector<Problem>& problems_;
+};
+
+}  // namespace
+
+void report_season_contradictions(const Scene& scene, const Places& places,
+                                  std::vector<Problem>& problems) {
+  Judge(scene, places, problems).judge();
+}
+
+}  // namespace wold::scene

@@ -1,0 +1,157 @@
+#include "season/season.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "scene/calendar.h"
+#include "scene/text.h"
+#include "season/day_length.h"
+#include "season/phenology.h"
+
+namespace wold::season {
+namespace {
+
+using std::chrono::days;
+using std::chrono::sys_days;
+
+/// Snow and soil remember no more than this before the film; places that are ahead of the mean one
+/// need days after it.
+constexpr days most_before(366), most_after(31);
+constexpr double hours_per_day = 24.0;
+/// Half the difference of day's and night's temperature, where only the mean is known.
+constexpr double diurnal_k = 4.0;
+
+sys_days first_of(const scene::Scene& scene) { return scene::date_of(scene.season.first); }
+sys_days last_of(const scene::Scene& scene) { return scene::date_of(scene.season.last); }
+
+double days_between(sys_days from, sys_days to) {
+  return static_cast<double>((to - from).count());
+}
+
+/// The days of the film, as [weather] and [wind] have them.
+std::vector<Day> plain_days(const scene::Scene& scene) {
+  std::vector<Day> plain;
+  for (sys_days date = first_of(scene); date <= last_of(scene); date += days(1)) {
+    const double mean_c = scene.weather.temperature_c;
+    plain.push_back({.date = date,
+                     .tmin_c = mean_c - diurnal_k,
+                     .tmax_c = mean_c + diurnal_k,
+                     .precipitation_mm = scene.weather.precipitation_mm_h * hours_per_day,
+                     .day_length_h =
+                         day_length_h(scene.sun.latitude_deg, day_of_year(date)),
+                     .wind_speed_m_s = scene.wind.speed_m_s,
+                     .wind_heading_deg = scene.wind.heading_deg,
+                     .cloud_cover = {}});
+  }
+  return plain;
+}
+
+/// The table's days about the film's.
+std::vector<Day> table_days(const scene::Scene& scene) {
+  const std::string& file = scene.season.table;
+  std::vector<Day> all = read_daily_weather(file, scene.sun.latitude_deg);
+  if (all.front().date > first_of(scene) || all.back().date < last_of(scene))
+    throw InputError(fmt::format(
+        "{}: found days from {:%Y-%m-%d} to {:%Y-%m-%d}, expected all from season.first "
+        "({:%Y-%m-%d}) to season.last ({:%Y-%m-%d})",
+        file, all.front().date, all.back().date, first_of(scene), last_of(scene)));
+  std::erase_if(all, [&](const Day& day) {
+    return day.date < first_of(scene) - most_before || day.date > last_of(scene) + most_after;
+  });
+  return all;
+}
+
+/// A quantity of [[season_keys]]: linear between the days that give it.
+class KeyCurve {
+ public:
+  KeyCurve(const scene::Scene& scene, std::optional<double> scene::SeasonKey::*field) {
+    for (const scene::SeasonKey& key : scene.season_keys)
+      if (key.*field)
+        points_.emplace_back(days_between(first_of(scene), scene::date_of(key.date)),
+                             *(key.*field));
+  }
+  bool is_given() const { return !points_.empty(); }
+
+  double at(double day) const {
+    const auto after = std::ranges::upper_bound(points_, day, {}, &std::pair<double, double>::first);
+    if (after == points_.begin()) return after->second;
+    const auto& [from, before] = *(after - 1);
+    if (after == points_.end()) return before;
+    return std::lerp(before, after->second, (day - from) / (after->first - from));
+  }
+
+ private:
+  std::vector<std::pair<double, double>> points_;  ///< day after the first frame's, value
+};
+
+/// What keys say wins.
+void set_by_keys(std::vector<Day>& all, const scene::Scene& scene) {
+  using Key = scene::SeasonKey;
+  const KeyCurve temperature(scene, &Key::temperature_c);
+  const KeyCurve precipitation(scene, &Key::precipitation_mm_day);
+  const KeyCurve cloud_cover(scene, &Key::cloud_cover);
+  const KeyCurve wind_speed(scene, &Key::wind_speed_m_s);
+  for (Day& day : all) {
+    const double at = days_between(first_of(scene), day.date);
+    if (temperature.is_given()) {
+      const double half_k = 0.5 * (day.tmax_c - day.tmin_c);
+      day.tmin_c = temperature.at(at) - half_k;
+      day.tmax_c = temperature.at(at) + half_k;
+    }
+    if (precipitation.is_given()) day.precipitation_mm = precipitation.at(at);
+    if (cloud_cover.is_given()) day.cloud_cover = cloud_cover.at(at);
+    if (wind_speed.is_given()) day.wind_speed_m_s = wind_speed.at(at);
+    if (!day.wind_speed_m_s) day.wind_speed_m_s = scene.wind.speed_m_s;
+    if (!day.wind_heading_deg) day.wind_heading_deg = scene.wind.heading_deg;
+  }
+}
+
+std::vector<double> weathering_of(const scene::Scene& scene, const std::vector<Day>& all) {
+  const KeyCurve keys(scene, &scene::SeasonKey::weathering);
+  std::vector<double> degrees;
+  if (!keys.is_given()) {
+    for (const PlantDay& day : grow(all)) degrees.push_back(day.weathering_degree);
+    return degrees;
+  }
+  for (const Day& day : all) degrees.push_back(keys.at(days_between(first_of(scene), day.date)));
+  return degrees;
+}
+
+}  // namespace
+
+Season::Season(const scene::Scene& scene)
+    : days_(scene.season.table.empty() ? plain_days(scene) : table_days(scene)),
+      first_day_(static_cast<int>((days_.front().date - first_of(scene)).count())) {
+  set_by_keys(days_, scene);
+  weathering_ = weathering_of(scene, days_);
+}
+
+double Season::cloud_cover(double days_after_first) const {
+  const double place =
+      std::clamp(days_after_first - first_day_, 0.0, static_cast<double>(days_.size() - 1));
+  const auto before = std::min(static_cast<std::size_t>(place), days_.size() - 2);
+  return std::lerp(days_[before].cloud_cover.value_or(1.0),
+                   days_[before + 1].cloud_cover.value_or(1.0),
+                   place - static_cast<double>(before));
+}
+
+scene::Scene as_film(scene::Scene scene) {
+  if (!scene::is_season(scene)) return scene;
+  const Season season(scene);
+  scene.ageing.frames.clear();
+  for (int frame = 1; frame <= scene.season.frames; ++frame) {
+    const double place = scene::season_days(scene.season, frame) - season.first_day();
+    const auto before = std::min(static_cast<std::size_t>(place), season.weathering().size() - 2);
+    scene.ageing.frames.push_back(std::lerp(season.weathering()[before],
+                                            season.weathering()[before + 1],
+                                            place - static_cast<double>(before)));
+  }
+  scene.weather.earlier_h = -hours_per_day * season.first_day() + scene.sun.time_h;
+  return scene;
+}
+
+}  // namespace wold::season
