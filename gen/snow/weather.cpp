@@ -7,14 +7,14 @@
 #include <string>
 
 #include "scene/registry.h"
-#include "snow/weather_table.h"
+#include "season/number_table.h"
 
 namespace wold::snow {
 namespace {
 
 constexpr double seconds_per_hour = 3600.0;
 
-TableColumn column_like(const char* name, const char* key_name) {
+season::TableColumn column_like(const char* name, const char* key_name) {
   const scene::Key& key = *scene::find_key(key_name);
   return {.name = name, .lowest = key.lowest, .highest = key.highest, .unit = key.unit};
 }
@@ -66,12 +66,14 @@ double run_of(const glm::dvec2& a, const glm::dvec2& b, double share, double dur
 double snow_share(double temperature_c) { return std::clamp(1.0 - 0.5 * temperature_c, 0.0, 1.0); }
 
 std::vector<Weather::Row> Weather::rows_of_table(const scene::Scene& scene) {
-  const std::vector<std::vector<double>> table = read_table(
-      scene.weather.table, {{.name = "hours", .unit = "h", .rises = true, .required = true},
-                            column_like("temperature_c", "weather.temperature"),
-                            column_like("precipitation_mm_h", "weather.precipitation"),
-                            column_like("wind_speed_m_s", "wind.speed"),
-                            column_like("wind_heading_deg", "wind.heading")});
+  const auto table =
+      season::read_table(scene.weather.table,
+                         {{.name = "hours", .unit = "h", .rises = true, .required = true},
+                          column_like("temperature_c", "weather.temperature"),
+                          column_like("precipitation_mm_h", "weather.precipitation"),
+                          column_like("wind_speed_m_s", "wind.speed"),
+                          column_like("wind_heading_deg", "wind.heading")})
+          .columns;
   std::vector<Row> rows(table[0].size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     WeatherMoment& moment = rows[i].moment;

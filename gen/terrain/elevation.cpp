@@ -14,7 +14,7 @@
 #include <string>
 
 #include "core/error.h"
-#include "terrain/quiet_gdal.h"
+#include "core/quiet_gdal.h"
 
 namespace wold::terrain {
 namespace {

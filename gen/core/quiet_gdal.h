@@ -5,7 +5,7 @@
 
 #include <mutex>
 
-namespace wold::terrain {
+namespace wold {
 
 /// GDAL with its drivers registered; while this lives, its messages go into our errors, not to the
 /// terminal: CPLGetLastErrorMsg() has the latest.
@@ -21,4 +21,4 @@ class QuietGdal {
   QuietGdal& operator=(const QuietGdal&) = delete;
 };
 
-}  // namespace wold::terrain
+}  // namespace wold
