@@ -8,6 +8,7 @@
 
 #include "core/machine.h"
 #include "scene/parse.h"
+#include "season/season.h"
 
 namespace wold::cli {
 namespace {
@@ -15,9 +16,9 @@ namespace {
 void check_frames(const std::vector<int>& frames, int count) {
   for (const int frame : frames)
     if (frame > count)
-      throw InputError(fmt::format(
-          "--frames: found {}, expected frames from 1 to {}: ageing.frames of the scene has {}",
-          frame, count, count));
+      throw InputError(
+          fmt::format("--frames: found {}, expected frames from 1 to {}: the scene has {}", frame,
+                      count, count));
 }
 
 }  // namespace
@@ -47,7 +48,7 @@ std::vector<int> counted(int count) {
 
 Job plan_job(const RenderOptions& options) {
   Job job;
-  job.scene = scene::read_scene(options.scene, options.overrides);
+  job.scene = season::as_film(scene::read_scene(options.scene, options.overrides));
   const int count = static_cast<int>(job.scene.ageing.frames.size());
   check_frames(options.frames, count);
   job.frames = options.frames.empty() ? counted(count) : options.frames;

@@ -47,8 +47,8 @@ std::vector<float> frame_weights(const scene::Scene& scene, double light) {
   const auto frames = static_cast<int>(scene.ageing.frames.size());
   std::vector<float> weights;
   for (int frame = 1; frame <= frames; ++frame)
-    weights.push_back(static_cast<float>(
-        std::max(0.0, 1.0 - std::abs(light_of_frame(scene, frame) - light))));
+    weights.push_back(
+        static_cast<float>(std::max(0.0, 1.0 - std::abs(light_of_frame(scene, frame) - light))));
   const float sum = std::accumulate(weights.begin(), weights.end(), 0.0F);
   for (float& weight : weights) weight /= sum;
   return weights;
@@ -60,8 +60,7 @@ grass::Lighting lighting_at(const scene::Scene& scene, const Site& site, double 
   const light::Daylight day =
       lights > 1 ? light::Daylight(scene::sun_at(scene, light / (lights - 1)), scene.sky)
                  : site.day;
-  grass::Lighting lighting =
-      grass::make_lighting(day, film_eye_direction(scene, site.terrain));
+  grass::Lighting lighting = grass::make_lighting(day, film_eye_direction(scene, site.terrain));
   if (!scene::may_snow(scene)) return lighting;
   lighting.sun_irradiance = glm::vec3(0.0F);
   lighting.sky_radiance.assign(grass::sky_rings().size(), glm::vec3(0.0F));

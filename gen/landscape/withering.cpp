@@ -76,10 +76,10 @@ FactorMap delays_days(const scene::Scene& scene, const Heightfield& terrain) {
   for (int j = 0; j < delays.samples(); ++j)
     for (int i = 0; i < delays.samples(); ++i) {
       const glm::dvec2 at_m = delays.place_m(i, j);
-      const double early = days_per_m * (double{terrain.at(i, j)} - mean_m) +
-                           days_per_night_k * scene.season.hollow_frost_k * hollow.at(i, j) +
-                           days_of_twice_the_sun *
-                               more_sun(terrain::gradient(terrain, at_m.x, at_m.y), sun);
+      const double early =
+          days_per_m * (double{terrain.at(i, j)} - mean_m) +
+          days_per_night_k * scene.season.hollow_frost_k * hollow.at(i, j) +
+          days_of_twice_the_sun * more_sun(terrain::gradient(terrain, at_m.x, at_m.y), sun);
       delays.at(i, j) = static_cast<float>(-early);
     }
   return delays;
@@ -109,8 +109,7 @@ double Withering::noise(const glm::dvec2& at_m) const {
 }
 
 double Withering::after_days(double days) const {
-  const double place =
-      std::clamp(days - first_day_, 0.0, static_cast<double>(by_day_.size() - 1));
+  const double place = std::clamp(days - first_day_, 0.0, static_cast<double>(by_day_.size() - 1));
   const auto before = std::min(static_cast<std::size_t>(place), by_day_.size() - 2);
   return std::lerp(by_day_[before], by_day_[before + 1], place - static_cast<double>(before));
 }

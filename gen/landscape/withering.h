@@ -40,11 +40,11 @@ class Withering {
   scene::Ageing ageing_;
   Fbm field_;
   // of a season:
-  std::vector<double> by_day_;  ///< weathering degree at the mean place, from first_day_ on
-  double first_day_ = 0.0;      ///< days after the first frame
+  std::vector<double> by_day_;      ///< weathering degree at the mean place, from first_day_ on
+  double first_day_ = 0.0;          ///< days after the first frame
   std::vector<double> frame_days_;  ///< after the first frame
   double spread_days_ = 0.0;
-  FactorMap delay_days_;  ///< of the place, without the soil's
+  FactorMap delay_days_;                   ///< of the place, without the soil's
   std::pair<double, double> delays_days_;  ///< least and largest, with the soil's
 };
 

@@ -14,9 +14,9 @@ inline bool is_season(const Scene& scene) { return !scene.season.first.empty(); 
 
 /// Days from a season's first frame to a frame (from 1).
 inline double season_days(const Season& season, int frame) {
-  const auto days = (std::chrono::sys_days(date_of(season.last)) -
-                     std::chrono::sys_days(date_of(season.first)))
-                        .count();
+  const auto days =
+      (std::chrono::sys_days(date_of(season.last)) - std::chrono::sys_days(date_of(season.first)))
+          .count();
   return static_cast<double>(days) * (frame - 1) / (season.frames - 1);
 }
 

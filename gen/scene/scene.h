@@ -202,9 +202,9 @@ struct Season {
   std::vector<std::int64_t> first = {};  ///< year, month, day of the first frame; empty: no season
   std::vector<std::int64_t> last = {};   ///< of the last frame
   int frames = 120;
-  std::string table;             ///< path of the weather day by day, season/daily_weather.h
-  double hollow_frost_k = 4.0;   ///< how much colder the nights of the deepest hollows are
-  double spread_days = 5.0;      ///< standard deviation of what place and soil delay withering by
+  std::string table;            ///< path of the weather day by day, season/daily_weather.h
+  double hollow_frost_k = 4.0;  ///< how much colder the nights of the deepest hollows are
+  double spread_days = 5.0;     ///< standard deviation of what place and soil delay withering by
 
   bool operator==(const Season&) const = default;
 };
@@ -212,12 +212,12 @@ struct Season {
 /// What is so on a day of the season; linear between days that say, held before and after. What no
 /// key says is as the table has it.
 struct SeasonKey {
-  std::vector<std::int64_t> date = {};  ///< year, month, day
-  std::optional<double> weathering;     ///< degree, at the terrain's mean height
-  std::optional<double> temperature_c;  ///< mean of the day, at the terrain's zero
-  std::optional<double> precipitation_mm_day;
-  std::optional<double> cloud_cover;  ///< how much of the clouds has gathered
-  std::optional<double> wind_speed_m_s;
+  std::vector<std::int64_t> date = {};       ///< year, month, day
+  std::optional<double> weathering = {};     ///< degree, at the terrain's mean height
+  std::optional<double> temperature_c = {};  ///< mean of the day, at the terrain's zero
+  std::optional<double> precipitation_mm_day = {};
+  std::optional<double> cloud_cover = {};  ///< how much of the clouds has gathered
+  std::optional<double> wind_speed_m_s = {};
 
   bool operator==(const SeasonKey&) const = default;
 };

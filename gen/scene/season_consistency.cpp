@@ -96,13 +96,14 @@ class Judge {
     }
   }
 
-  /// At the key, or at the table of the item that it belongs to.
+  /// At the key, else at the item that it belongs to, else where the season is begun.
   void add(const std::string& key, const std::string& message) const {
     if (places_.failed.count(key) > 0) return;
-    auto place = places_.given.find(key);
-    if (place == places_.given.end()) place = places_.given.find(std::string(table_of(key)));
-    problems_.push_back({place == places_.given.end() ? SourcePosition{} : place->second,
-                         fmt::format("{}: {}", key, message)});
+    SourcePosition where;
+    for (const std::string& name : {std::string("season.first"), std::string(table_of(key)), key})
+      if (const auto given = places_.given.find(name); given != places_.given.end())
+        where = given->second;
+    problems_.push_back({where, fmt::format("{}: {}", key, message)});
   }
 
   const Scene& scene_;

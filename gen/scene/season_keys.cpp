@@ -28,12 +28,13 @@ std::vector<Key> season_keys() {
             FIELD(season.last)),
       bound(integer("season.frames", "", {2, 10000}, "How many frames the season has."),
             FIELD(season.frames)),
-      bound(plain(Kind::file, "season.table", "", {0, 0},
-                  "Weather day by day as comma-separated values: date (YYYY-MM-DD), tmin_c, tmax_c, "
-                  "precipitation_mm and, if known, wind_speed_m_s, wind_heading_deg, cloud_cover. "
-                  "It should begin some months before the first frame. Relative paths start at the "
-                  "scene file."),
-            FIELD(season.table)),
+      bound(
+          plain(Kind::file, "season.table", "", {0, 0},
+                "Weather day by day as comma-separated values: date (YYYY-MM-DD), tmin_c, tmax_c, "
+                "precipitation_mm and, if known, wind_speed_m_s, wind_heading_deg, cloud_cover. "
+                "It should begin some months before the first frame. Relative paths start at the "
+                "scene file."),
+          FIELD(season.table)),
       bound(number("season.hollow_frost", "K", {0, 15},
                    "How much colder nights are in the deepest hollows, where cold air gathers."),
             FIELD(season.hollow_frost_k)),

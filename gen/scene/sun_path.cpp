@@ -18,9 +18,8 @@ Sun sun_at(const Scene& scene, double time) {
   if (!is_season(scene)) return sun;
   const double days = time * season_days(scene.season, scene.season.frames);
   const double whole = std::floor(days);
-  const std::chrono::sys_days before =
-      std::chrono::sys_days(date_of(scene.season.first)) +
-      std::chrono::days(static_cast<int>(whole));
+  const std::chrono::sys_days before = std::chrono::sys_days(date_of(scene.season.first)) +
+                                       std::chrono::days(static_cast<int>(whole));
   const SunPosition from = on_day(sun, before);
   const SunPosition to = on_day(sun, before + std::chrono::days(1));
   const double turn_deg = std::remainder(to.azimuth_deg - from.azimuth_deg, 360.0);

@@ -28,9 +28,7 @@ constexpr double diurnal_k = 4.0;
 sys_days first_of(const scene::Scene& scene) { return scene::date_of(scene.season.first); }
 sys_days last_of(const scene::Scene& scene) { return scene::date_of(scene.season.last); }
 
-double days_between(sys_days from, sys_days to) {
-  return static_cast<double>((to - from).count());
-}
+double days_between(sys_days from, sys_days to) { return static_cast<double>((to - from).count()); }
 
 /// The days of the film, as [weather] and [wind] have them.
 std::vector<Day> plain_days(const scene::Scene& scene) {
@@ -41,8 +39,7 @@ std::vector<Day> plain_days(const scene::Scene& scene) {
                      .tmin_c = mean_c - diurnal_k,
                      .tmax_c = mean_c + diurnal_k,
                      .precipitation_mm = scene.weather.precipitation_mm_h * hours_per_day,
-                     .day_length_h =
-                         day_length_h(scene.sun.latitude_deg, day_of_year(date)),
+                     .day_length_h = day_length_h(scene.sun.latitude_deg, day_of_year(date)),
                      .wind_speed_m_s = scene.wind.speed_m_s,
                      .wind_heading_deg = scene.wind.heading_deg,
                      .cloud_cover = {}});
@@ -77,7 +74,8 @@ class KeyCurve {
   bool is_given() const { return !points_.empty(); }
 
   double at(double day) const {
-    const auto after = std::ranges::upper_bound(points_, day, {}, &std::pair<double, double>::first);
+    const auto after =
+        std::ranges::upper_bound(points_, day, {}, &std::pair<double, double>::first);
     if (after == points_.begin()) return after->second;
     const auto& [from, before] = *(after - 1);
     if (after == points_.end()) return before;

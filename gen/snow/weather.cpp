@@ -6,8 +6,10 @@
 #include <map>
 #include <string>
 
+#include "scene/calendar.h"
 #include "scene/registry.h"
 #include "season/number_table.h"
+#include "season/season.h"
 
 namespace wold::snow {
 namespace {
@@ -87,10 +89,39 @@ std::vector<Weather::Row> Weather::rows_of_table(const scene::Scene& scene) {
   return rows;
 }
 
+/// Days are coldest at 3 and warmest at 15 o'clock, Weather's hours. What falls in a day falls
+/// evenly.
+std::vector<Weather::Row> Weather::rows_of_season(const scene::Scene& scene) {
+  constexpr double coldest_h = 3.0, warmest_h = 15.0, moment_h = 0.01;
+  const season::Season season(scene);
+  const std::vector<season::Day>& days = season.days();
+  std::vector<Row> rows;
+  const auto add = [&](std::size_t day, double hour, double temperature_c) {
+    const season::Day& now = days[day];
+    rows.push_back({.time_s = (24.0 * static_cast<double>(day) + hour) * seconds_per_hour,
+                    .moment = {temperature_c, now.precipitation_mm / 24.0,
+                               now.wind_speed_m_s.value_or(scene.wind.speed_m_s),
+                               now.wind_heading_deg.value_or(scene.wind.heading_deg)}});
+  };
+  for (std::size_t day = 0; day < days.size(); ++day) {
+    const double before_c = days[day > 0 ? day - 1 : day].tmax_c;
+    const double after_c = days[std::min(day + 1, days.size() - 1)].tmin_c;
+    add(day, 0.0, std::lerp(before_c, days[day].tmin_c, (24.0 - warmest_h) / 12.0));
+    add(day, coldest_h, days[day].tmin_c);
+    add(day, warmest_h, days[day].tmax_c);
+    add(day, 24.0 - moment_h, std::lerp(days[day].tmax_c, after_c, (24.0 - warmest_h) / 12.0));
+  }
+  return rows;
+}
+
+std::vector<Weather::Row> Weather::rows_of(const scene::Scene& scene) {
+  if (scene::is_season(scene)) return rows_of_season(scene);
+  if (scene.weather.table.empty()) return {{.moment = of_keys(scene)}};
+  return rows_of_table(scene);
+}
+
 Weather::Weather(const scene::Scene& scene)
-    : rows_(scene.weather.table.empty() ? std::vector<Row>{{.moment = of_keys(scene)}}
-                                        : rows_of_table(scene)),
-      earlier_s_(seconds_per_hour * scene.weather.earlier_h) {
+    : rows_(rows_of(scene)), earlier_s_(seconds_per_hour * scene.weather.earlier_h) {
   for (Row& row : rows_) {
     row.moment = with_strength(row.moment, scene.snowfall.strength);
     row.wind_m_s = wind_of(row.moment);

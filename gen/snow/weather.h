@@ -23,7 +23,8 @@ inline constexpr double lapse_k_per_m = 0.0065;
 double snow_share(double temperature_c);
 
 /// The scene's weather over time: constant as the keys of [weather], [wind] and [snowfall] say, or
-/// linear between the rows of weather.table; the wind as a vector.
+/// linear between the rows of weather.table; the wind as a vector. In a season it is that of the
+/// days, scene.weather.earlier being season::as_film()'s.
 ///
 /// The table is comma-separated values with a header; columns by name, in any order: hours
 /// (rising, since the weather began), and any of temperature_c, precipitation_mm_h,
@@ -74,7 +75,9 @@ class Weather {
     double beyond_s = 0.0;  ///< since the last row, or, negative, until the first
   };
   Span span_at(double time_s) const;
+  static std::vector<Row> rows_of(const scene::Scene& scene);
   static std::vector<Row> rows_of_table(const scene::Scene& scene);
+  static std::vector<Row> rows_of_season(const scene::Scene& scene);
   std::vector<Row> rows_;  ///< one at least
   double earlier_s_ = 0.0;
 };

@@ -107,7 +107,7 @@ TEST(Samples, AgeAtRatesOfTheirOwn) {
 
 /// Makes one variant at all its key frames.
 TimeVaryingTexel made(const scene::Scene& scene, const std::filesystem::path& folder) {
-  TimeVaryingTexel texel(scene, test::slanting_light(), folder);
+  TimeVaryingTexel texel(scene, {test::slanting_light()}, folder);
   TexelDemand demand;
   for (int k = 0; k < static_cast<int>(scene::key_frames(scene).size()); ++k)
     demand[0][k] = {{0, {0}}, {1, {2}}};

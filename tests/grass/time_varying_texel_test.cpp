@@ -26,7 +26,8 @@ TexelDemand everything() {
 
 void generate(const fs::path& folder, const TexelDemand& demand) {
   SilentProgress progress;
-  TimeVaryingTexel(test::small_scene(), {test::slanting_light()}, folder).generate(demand, progress);
+  TimeVaryingTexel(test::small_scene(), {test::slanting_light()}, folder)
+      .generate(demand, progress);
 }
 
 std::map<std::string, std::string> hashes_of(const fs::path& folder) {
@@ -114,7 +115,7 @@ TEST(TimeVaryingTexel, AKeyFrameAloneIsThatOfTheFilm) {
 
 TEST(TimeVaryingTexel, FilesHoldWhatWasDemanded) {
   const wold::test::TemporaryFolder folder("tvt_files");
-  const TimeVaryingTexel texel(test::small_scene(), test::slanting_light(), folder.path());
+  const TimeVaryingTexel texel(test::small_scene(), {test::slanting_light()}, folder.path());
   TexelDemand demand;
   demand[0][0] = {{1, {0, 3}}};
   SilentProgress progress;

@@ -31,7 +31,8 @@ TEST(Assemble, CellsReferToTheirVolumes) {
   const scene::Scene scene = small_meadow();
   const Site site = make_site(scene);
   const Heightfield& terrain = site.terrain;
-  const std::vector<CellChoice> choices = choose_cells(scene, terrain, site.growth, 2);
+  const std::vector<CellChoice> choices =
+      choose_cells(scene, terrain, site.growth, Withering(scene, terrain), 2);
   const auto name = [](const CellChoice& c) {
     return std::to_string(c.variant) + "/" + std::to_string(c.key_frame) + "/" +
            std::to_string(c.turn) + "/" + std::to_string(c.level);
@@ -74,7 +75,8 @@ TEST(Assemble, CellsOfBladesReferToTheirMeshes) {
   scene.render.grass = "auto";
   scene.grass.pixels_per_voxel = 0.4;
   const Site site = make_site(scene);
-  const std::vector<CellChoice> choices = choose_cells(scene, site.terrain, site.growth, 2);
+  const std::vector<CellChoice> choices =
+      choose_cells(scene, site.terrain, site.growth, *site.withering, 2);
   const Landscape landscape =
       assemble(scene, site, 2, choices,
                {[](const CellChoice&) { return Volume{}; },
@@ -99,16 +101,17 @@ TEST(Assemble, CellsOfBladesReferToTheirMeshes) {
 TEST(WeatheringTint, RestoresTheWantedColour) {
   const scene::Scene scene = small_meadow();
   const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
-  const std::vector<CellChoice> choices = choose_cells(scene, terrain, grown(scene), 2);
+  const Withering withering(scene, terrain);
+  const std::vector<CellChoice> choices = choose_cells(scene, terrain, grown(scene), withering, 2);
   const GrassColour colour = [](double degree, double) {
     return glm::vec3(0.2, 0.3, 0.1) * static_cast<float>(1.0 + degree);
   };
-  const ColourMap tint = weathering_tint(scene, 2, choices, /*snow=*/0.0, colour);
+  const ColourMap tint = weathering_tint(scene, withering, 2, choices, /*snow=*/0.0, colour);
   for (const CellChoice& choice : choices) {
     const glm::dvec2 centre_m = (glm::dvec2(choice.cell) + 0.5) * scene.grass.patch_m;
     const double shown = scene::key_frames(scene)[static_cast<std::size_t>(choice.key_frame)];
     const glm::vec3 got = tint.sample(centre_m.x, centre_m.y) * colour(shown, 0.0);
-    EXPECT_NEAR(got.g, colour(local_weathering(scene, centre_m, 2), 0.0).g, 1e-5);
+    EXPECT_NEAR(got.g, colour(withering.at(centre_m, 2), 0.0).g, 1e-5);
   }
   const ColourMap light = product(ColourMap(5, 8.0, glm::vec3(2.0F)), tint);
   EXPECT_EQ(light.samples(), tint.samples());

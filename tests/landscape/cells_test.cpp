@@ -46,8 +46,8 @@ scene::Scene from_above() {
 }
 
 std::vector<CellChoice> choices_of(const scene::Scene& scene, int frame = 2) {
-  return choose_cells(scene, terrain::make_hillside(scene.terrain, scene.seed), grown(scene),
-                      frame);
+  const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
+  return choose_cells(scene, terrain, grown(scene), Withering(scene, terrain), frame);
 }
 
 TEST(Cells, MatrixMapsCornersOntoTheGround) {
@@ -167,7 +167,8 @@ TEST(Cells, LevelsAreAsFineAsThePixels) {
   const double pixels_per_radian =
       scene.render.size_px[0] / (2.0 * std::tan(27.5 * std::numbers::pi / 180.0));
   std::set<int> levels;
-  for (const CellChoice& choice : choose_cells(scene, terrain, grown(scene), 1)) {
+  for (const CellChoice& choice :
+       choose_cells(scene, terrain, grown(scene), Withering(scene, terrain), 1)) {
     levels.insert(choice.level);
     const glm::dvec4 centre = choice.world_from_cell * glm::dvec4(0.25, 0.25, 0.14, 1);
     const double distance_m = glm::length(glm::dvec3(centre) - camera.eye_m);
@@ -195,7 +196,8 @@ TEST(Cells, AutoDrawsBladesWhereTheFinestLevelIsTooCoarse) {
                   scene.render.size_px[1]);
   const double voxel_m = scene.grass.patch_m / scene.grass.levels.front();
   int blades = 0;
-  for (const CellChoice& choice : choose_cells(scene, terrain, grown(scene), 2)) {
+  for (const CellChoice& choice :
+       choose_cells(scene, terrain, grown(scene), Withering(scene, terrain), 2)) {
     const glm::dvec2 at_m = (glm::dvec2(choice.cell) + 0.5) * scene.grass.patch_m;
     const glm::dvec3 middle_m(at_m, terrain.sample(at_m.x, at_m.y) + scene.grass.height_m / 2.0);
     const double pixels = view.pixels(voxel_m, middle_m) / scene.grass.pixels_per_voxel;
@@ -212,7 +214,8 @@ TEST(Cells, AutoDrawsBladesWhereTheFinestLevelIsTooCoarse) {
   }
   EXPECT_GE(blades, 3);
   scene.render.grass = "blades";
-  for (const CellChoice& choice : choose_cells(scene, terrain, grown(scene), 2))
+  for (const CellChoice& choice :
+       choose_cells(scene, terrain, grown(scene), Withering(scene, terrain), 2))
     EXPECT_TRUE(choice.blades);
 }
 
@@ -221,7 +224,8 @@ TEST(Cells, KeepEveryBladeInThePicture) {
   const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
   const Camera camera = resolved_camera(scene.camera, terrain, 0.0);
   std::set<std::pair<int, int>> listed;
-  for (const CellChoice& choice : choose_cells(scene, terrain, grown(scene), 1))
+  for (const CellChoice& choice :
+       choose_cells(scene, terrain, grown(scene), Withering(scene, terrain), 1))
     listed.insert({choice.cell.x, choice.cell.y});
   const glm::dvec3 forward = glm::normalize(camera.target_m - camera.eye_m);
   const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 0, 1)));
@@ -263,15 +267,16 @@ TEST(Weathering, DithersAboutTheWantedDegree) {
 TEST(Weathering, VariesSmoothlyAndNotAtTheEnds) {
   scene::Scene scene = small_meadow();
   scene.ageing.frames = {0.0, 0.5, 1.0};
+  const Withering withering(scene, terrain::make_hillside(scene.terrain, scene.seed));
   double largest = 0.0;
   double step_squares = 0.0;
   for (int k = 0; k < 200; ++k) {
     const glm::dvec2 at_m(0.5 * k, 3.0);
-    EXPECT_EQ(local_weathering(scene, at_m, 1), 0.0);
-    EXPECT_EQ(local_weathering(scene, at_m, 3), 1.0);
-    const double here = local_weathering(scene, at_m, 2);
+    EXPECT_EQ(withering.at(at_m, 1), 0.0);
+    EXPECT_EQ(withering.at(at_m, 3), 1.0);
+    const double here = withering.at(at_m, 2);
     EXPECT_LE(std::abs(here - 0.5), scene.ageing.variation);
-    const double step = local_weathering(scene, at_m + glm::dvec2(0.5, 0.0), 2) - here;
+    const double step = withering.at(at_m + glm::dvec2(0.5, 0.0), 2) - here;
     step_squares += step * step / 200.0;
     largest = std::max(largest, std::abs(here - 0.5));
   }

@@ -79,7 +79,8 @@ TEST(FarField, TakesOverWhatStandsNoLonger) {
   EXPECT_EQ(standing.sample(200.0, 60.0), 1.0F);
   EXPECT_EQ(standing.sample(200.0, 390.0), 0.0F);
   double farthest_m = 0.0;
-  for (const CellChoice& cell : choose_cells(scene, ground, test::grown(scene), 1))
+  for (const CellChoice& cell :
+       choose_cells(scene, ground, test::grown(scene), Withering(scene, ground), 1))
     farthest_m = std::max(farthest_m, cell.cell.y * scene.grass.patch_m);
   for (double y_m = 60.0; y_m < 390.0; y_m += 10.0) {
     const double share = far_share(scene.grass, view, {200.0, y_m, 0.0});
@@ -98,13 +99,13 @@ TEST(FarField, ShowsWhatTheVolumeWouldShow) {
   const Heightfield flat(41, 400.0);
   const View view(resolved_camera(scene.camera, flat, 0.0), 960, 540);
   std::map<grass::PatchState, PatchLook> looks;
-  for (const grass::PatchState& state : far_states(scene, 2))
+  for (const grass::PatchState& state : far_states(scene, Withering(scene, flat), 2))
     looks.emplace(state, std::span(&fog, 1));
   const glm::vec3 bare(0.005F);
   ColourMap ground(401, 400.0, bare);
   const ColourMap light(2, 400.0, glm::vec3(0.8F));
   paint_far_grass(ground, scene, flat, test::grown(scene), light, view,
-                  Meadow(scene, flat, view, 2, looks));
+                  Meadow(scene, flat, Withering(scene, flat), view, 2, looks));
   const double sine = 20.0 / std::hypot(20.0, 389.0);
   const double left = through(0.4 / sine);
   EXPECT_NEAR(ground.sample(200.0, 390.0).g, 0.8 * double{source.g} * (1.0 - left) + 0.005 * left,
@@ -132,9 +133,10 @@ TEST(Haze, FollowsKoschmieder) {
   const glm::vec3 air = day.haze_radiance({0.0, 1.0, 0.0}, 1.0 - left);
   EXPECT_NEAR(seen.g, (1.0 - left) * double{air.g}, 2e-3);
   std::map<grass::PatchState, PatchLook> looks;
-  for (const grass::PatchState& state : far_states(scene, 2))
+  for (const grass::PatchState& state : far_states(scene, Withering(scene, flat), 2))
     looks.emplace(state, std::span(&fog, 1));
-  const Meadow meadow(scene, flat, view, 2, looks);
+  const Withering withering(scene, flat);
+  const Meadow meadow(scene, flat, withering, view, 2, looks);
   const ColourMap light(401, 400.0, glm::vec3(0.8F));
   const glm::dvec3 far_m(200.0, 300.0, 0.0);
   const float factor = veil_of_grass(light, flat, view, meadow, haze).sample(far_m.x, far_m.y).g;

@@ -95,11 +95,13 @@ TEST(Growth, DecidesWhichCellsStand) {
   FactorMap growth(61, 30.0);
   for (int j = 0; j < growth.samples(); ++j)
     for (int i = 0; i < growth.samples(); ++i) growth.at(i, j) = i < 30 ? 0.0F : 0.3F;
-  for (const CellChoice& choice : choose_cells(scene, ground, growth, 1))
+  for (const CellChoice& choice : choose_cells(scene, ground, growth, Withering(scene, ground), 1))
     EXPECT_GE(choice.cell.x, 29);
-  const double texels = static_cast<double>(choose_cells(scene, ground, growth, 1).size());
+  const double texels =
+      static_cast<double>(choose_cells(scene, ground, growth, Withering(scene, ground), 1).size());
   scene.render.grass = "blades";
-  const double blades = static_cast<double>(choose_cells(scene, ground, growth, 1).size());
+  const double blades =
+      static_cast<double>(choose_cells(scene, ground, growth, Withering(scene, ground), 1).size());
   EXPECT_NEAR(blades / texels, 0.3, 0.03);
 }
 

@@ -182,7 +182,8 @@ TEST(LargeTerrain, OfAHundredKilometresTakesBoundedMemory) {
   scene.grass.far_pixels = 0.0;     // as many cells as there can be
   const double before_mb = peak_memory_mb();
   const Site site = make_site(scene, folder.path());
-  const std::vector<CellChoice> cells = choose_cells(scene, site.terrain, growth_of_cells(site), 1);
+  const std::vector<CellChoice> cells =
+      choose_cells(scene, site.terrain, growth_of_cells(site), *site.withering, 1);
   const Landscape landscape = assemble(scene, site, 1, cells, no_grass());
   EXPECT_LT(peak_memory_mb() - before_mb, 700.0);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "ground.tif"));

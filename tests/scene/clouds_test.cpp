@@ -32,7 +32,7 @@ TEST(CloudScene, ReadsLayersAndEventsInTheirOrder) {
 }
 
 TEST(CloudScene, AnEmptySkyWritesNoLayers) {
-  EXPECT_EQ(resolved_toml(Scene{}).find("cloud"), std::string::npos);
+  EXPECT_EQ(resolved_toml(Scene{}).find("[[cloud"), std::string::npos);
 }
 
 TEST(CloudScene, NamesItemLineAndColumn) {

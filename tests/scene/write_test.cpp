@@ -37,6 +37,9 @@ TEST(ResolvedToml, IsAFixedPointOfParsing) {
   scene.clouds[1].cells = {3, 5};
   scene.cloud_events.resize(2);
   scene.cloud_events[1] = {.kind = "light", .layer = 2, .start_s = 61.0, .colour = {}};
+  scene.season.first = {2026, 9, 1};
+  scene.season.last = {2026, 12, 1};
+  scene.season_keys = {{.date = {2026, 9, 1}, .weathering = 0.1 + 0.2}};
   expect_fixed_point(scene);
 }
 
@@ -44,6 +47,7 @@ TEST(ResolvedToml, HasEveryKeyWithItsMeaning) {
   Scene scene;
   scene.clouds.resize(1);
   scene.cloud_events.resize(1);
+  scene.season_keys.resize(1);
   const std::string text = resolved_toml(scene);
   std::vector<Key> keys = registry();
   for (const TableArray& array : table_arrays())
