@@ -92,7 +92,9 @@ std::vector<fs::path> Film::make_texels(int variant, Progress& progress) const {
   texels_.generate({*wanted}, progress);
   std::vector<fs::path> files;
   for (const auto& [state, levels] : wanted->second) {
-    files.push_back(texels_.texel_path(variant, state));
+    if (const fs::path texel = texels_.texel_path(variant, state);
+        files.empty() || std::ranges::count(files, texel) == 0)
+      files.push_back(texel);
     for (const auto& level : levels)
       files.push_back(texels_.volume_path(variant, state, level.first));
   }
@@ -133,7 +135,9 @@ landscape::BladeMesh Film::blades(const landscape::CellChoice& cell) {
   return mesh;
 }
 
-std::vector<landscape::Volume> Film::far_volumes(const grass::PatchState& state) const {
+/// Kept from frame to frame: to measure one takes a tenth of a second.
+landscape::PatchLook Film::far_look(const grass::PatchState& state) {
+  if (const auto known = far_looks_.find(state); known != far_looks_.end()) return known->second;
   std::vector<landscape::Volume> volumes;
   landscape::CellChoice choice;
   choice.key_frame = state.key_frame;
@@ -142,14 +146,14 @@ std::vector<landscape::Volume> Film::far_volumes(const grass::PatchState& state)
   choice.level = coarsest_level(job_.scene.grass);
   for (; choice.variant < job_.scene.grass.variants; ++choice.variant)
     volumes.push_back(volume(choice));
-  return volumes;
+  return far_looks_.emplace(state, volumes).first->second;
 }
 
 std::vector<fs::path> Film::make_frame(int frame, Progress& progress) {
   const landscape::PatchLookup lookup = {
       [&](const landscape::CellChoice& cell) { return volume(cell); },
       [&](const landscape::CellChoice& cell) { return blades(cell); },
-      [&](const grass::PatchState& state) { return far_volumes(state); }};
+      [&](const grass::PatchState& state) { return far_look(state); }};
   const std::vector<std::string> renderers = wanted_renderers(job_.scene);
   progress.begin(fmt::format("scene files of frame {}", frame), 1 + renderers.size());
   const landscape::Landscape landscape =

@@ -11,6 +11,7 @@
 #include "grass/time_varying_texel.h"
 #include "landscape/cells.h"
 #include "landscape/landscape.h"
+#include "landscape/patch_look.h"
 #include "landscape/site.h"
 
 namespace wold::cli {
@@ -45,7 +46,7 @@ class Film {
   void demand(int variant, const grass::PatchState& state, int level);
   landscape::Volume volume(const landscape::CellChoice& cell) const;
   landscape::BladeMesh blades(const landscape::CellChoice& cell);
-  std::vector<landscape::Volume> far_volumes(const grass::PatchState& state) const;
+  landscape::PatchLook far_look(const grass::PatchState& state);
 
   const Job& job_;
   ScratchFolder snow_;
@@ -53,6 +54,7 @@ class Film {
   grass::TimeVaryingTexel texels_;
   grass::TexelDemand demand_;
   std::map<std::pair<int, grass::PatchState>, landscape::BladeMesh> blades_;  ///< by variant
+  std::map<grass::PatchState, landscape::PatchLook> far_looks_;
 };
 
 /// The renderers a scene asks for, by their folder names: "blender", "povray".

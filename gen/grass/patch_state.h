@@ -26,6 +26,8 @@ struct PatchState {
   }
   /// Where a share in [0, 1] lies among the levels.
   static double level_of(double snow_share) { return snow_levels * std::sqrt(snow_share); }
+  /// The same grass, whatever light it stands in.
+  PatchState unlit() const { return {key_frame, snow}; }
   /// For file names: "k03", under snow "k03_s2", in another light than the first "k03_s2_l1".
   std::string name() const;
 

@@ -149,7 +149,7 @@ TexelShape TimeVaryingTexel::level_shape(int level) const {
 }
 
 std::filesystem::path TimeVaryingTexel::texel_path(int variant, const PatchState& state) const {
-  return folder_ / fmt::format("v{}_{}.vdb", variant, state.name());
+  return folder_ / fmt::format("v{}_{}.vdb", variant, state.unlit().name());
 }
 
 std::filesystem::path TimeVaryingTexel::volume_path(int variant, const PatchState& state,
@@ -191,7 +191,7 @@ Tubes TimeVaryingTexel::points(int variant, const PatchState& state) const {
 
 bool TimeVaryingTexel::is_current(int variant, const PatchState& state,
                                   const LevelTurns& levels) const {
-  if (file_content(texel_path(variant, state)) != content(variant, state)) return false;
+  if (file_content(texel_path(variant, state)) != content(variant, state.unlit())) return false;
   return std::all_of(levels.begin(), levels.end(), [&](const auto& level) {
     return file_content(volume_path(variant, state, level.first)) ==
            volume_content(variant, state, level.first, level.second);
@@ -271,7 +271,9 @@ void TimeVaryingTexel::store(int variant, const PatchState& state, const Texel& 
   for (const auto& [level, turns] : levels)
     write_volume(volume_path(variant, state, level), baked[static_cast<std::size_t>(level)], turns,
                  volume_content(variant, state, level, turns));
-  write_texel(texel_path(variant, state), texel, content(variant, state));
+  const std::filesystem::path path = texel_path(variant, state);
+  const std::string made_from = content(variant, state.unlit());
+  if (file_content(path) != made_from) write_texel(path, texel, made_from);
 }
 
 }  // namespace wold::grass

@@ -40,9 +40,9 @@ struct StageTimes {
 std::string texel_models();
 
 /// The time-varying texel of a scene's meadow, T(x, y, z, wd): computed on demand and kept in a
-/// folder of .vdb files, one `v<variant>_<state>.vdb` for the texel itself and one
-/// `v<variant>_<state>_<side>.vdb` for each demanded level, baked for the scene's light; the state
-/// is PatchState's name.
+/// folder of .vdb files, one `v<variant>_<state>.vdb` for the texel itself, which has no light, and
+/// one `v<variant>_<state>_<side>.vdb` for each demanded level, baked for the state's light; the
+/// state is PatchState's name.
 class TimeVaryingTexel {
  public:
   /// `lights` are what the levels are baked for, by PatchState::light; one at least. Throws what

@@ -58,12 +58,12 @@ Subject bare_subject(const scene::Scene& scene) {
 
 /// A film in which it may snow is exposed for snow all through; a season is so long that the camera
 /// follows the ground as it whitens.
-double gain(const scene::Scene& scene, const light::Daylight& day, double white_share) {
-  const bool snowy = scene::may_lie(scene) || scene::may_snow(scene);
-  const double for_snow = metered_gain(day, Subject::snow);
+double gain(const scene::Scene& scene, const light::Daylight& day, const SnowyGround& ground) {
   const double for_bare = metered_gain(day, bare_subject(scene));
-  if (scene::is_season(scene)) return std::lerp(for_bare, for_snow, white_share);
-  return snowy ? for_snow : for_bare;
+  if (scene::is_season(scene))
+    return std::lerp(for_bare, snow_gain(day, ground.light().together()), ground.white_share());
+  const bool snowy = scene::may_lie(scene) || scene::may_snow(scene);
+  return snowy ? metered_gain(day, Subject::snow) : for_bare;
 }
 
 }  // namespace
@@ -84,8 +84,7 @@ Landscape assemble(const scene::Scene& scene, const Site& site, int frame,
         landscape.blade_cells);
   const SnowyGround ground(scene, site, frame);
   landscape.terrain = ground.surface();
-  landscape.exposure_gain =
-      gain(scene, site.day, ground.white_share()) * std::exp2(scene.render.exposure);
+  landscape.exposure_gain = gain(scene, site.day, ground) * std::exp2(scene.render.exposure);
   const FrameSky sky(scene, site, frame, landscape.camera.eye_m);
   const double snow_per_m = snow_extinction_per_m(scene, site, frame);
   const SnowyAir air(site.day, snow_per_m, ground.mean_albedo());

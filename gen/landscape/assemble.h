@@ -6,6 +6,7 @@
 
 #include "landscape/cells.h"
 #include "landscape/landscape.h"
+#include "landscape/patch_look.h"
 #include "landscape/site.h"
 #include "scene/scene.h"
 
@@ -16,9 +17,9 @@ namespace wold::landscape {
 struct PatchLookup {
   std::function<Volume(const CellChoice&)> volume;
   std::function<BladeMesh(const CellChoice&)> blades;
-  /// The unturned volumes of a state, as coarse as there are, of every variant: what the far field
-  /// looks like. Called for far_states() where shows_distance() (lit_ground.h).
-  std::function<std::vector<Volume>(const grass::PatchState&)> far = {};
+  /// What a state looks like from afar: the mean of its variants' unturned volumes, as coarse as
+  /// there are. Called for far_states() where shows_distance() (lit_ground.h).
+  std::function<PatchLook(const grass::PatchState&)> far = {};
 };
 
 /// One frame (from 1) as the exporters want it: `choices` are choose_cells', `lookup` is called

@@ -14,8 +14,8 @@
 namespace wold::landscape {
 
 /// Which texel stands on a cell of the terrain, and how. `key_frame` and `level` are indices into
-/// the scene's grass.key_frames and grass.levels; `snow` and `light` are those of PatchState; `turn` counts
-/// quarter-turns counter-clockwise, seen from above.
+/// the scene's grass.key_frames and grass.levels; `snow` and `light` are those of PatchState;
+/// `turn` counts quarter-turns counter-clockwise, seen from above.
 struct CellChoice {
   glm::dmat4 world_from_cell{1.0};  ///< see Cell in landscape.h
   glm::dmat4 reach{1.0};            ///< likewise

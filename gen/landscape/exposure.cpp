@@ -1,7 +1,9 @@
 #include "landscape/exposure.h"
 
 #include <algorithm>
+#include <functional>
 #include <numbers>
+#include <vector>
 
 #include "core/colour.h"
 
@@ -33,6 +35,19 @@ double metered_gain(const light::Daylight& day, Subject subject) {
   constexpr double elevation_rad = 20.0 * std::numbers::pi / 180.0;
   const double sky = luminance(day.mean_sky_radiance(elevation_rad));
   return std::min(card_exposure(subject) * std::numbers::pi, brightest_sky / sky);
+}
+
+double snow_gain(const light::Daylight& day, const ColourMap& light) {
+  constexpr double brightest_snow = 0.95, fresh_albedo = 0.95, burning_share = 0.05;
+  std::vector<float> luminances;
+  luminances.reserve(light.values().size());
+  for (const glm::vec3& value : light.values()) luminances.push_back(luminance(value));
+  const auto limit =
+      luminances.begin() +
+      static_cast<std::ptrdiff_t>(burning_share * static_cast<double>(luminances.size()));
+  std::nth_element(luminances.begin(), limit, luminances.end(), std::greater<>());
+  return std::min(metered_gain(day, Subject::snow),
+                  brightest_snow * std::numbers::pi / (fresh_albedo * double{*limit}));
 }
 
 }  // namespace wold::landscape

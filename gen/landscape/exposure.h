@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/ground_map.h"
 #include "light/daylight.h"
 
 namespace wold::landscape {
@@ -11,5 +12,9 @@ enum class Subject { meadow, clouds, snow };
 /// exposed, 1.6 for grass, 1.2 with clouds, 0.95 with snow; less with a low sun, so that the sky at
 /// 20 degrees of elevation comes out as 0.9 at most.
 double metered_gain(const light::Daylight& day, Subject subject);
+
+/// The same for snow on slopes that are lit so under a clear sky: less where one in twenty would
+/// burn out, as slopes towards a low sun do.
+double snow_gain(const light::Daylight& day, const ColourMap& light);
 
 }  // namespace wold::landscape

@@ -79,7 +79,7 @@ grass::Lighting lighting_at(const scene::Scene& scene, const Site& site, double 
 
 int light_count(const scene::Scene& scene) {
   if (!scene::is_season(scene)) return 1;
-  constexpr double most_step_deg = 7.0;
+  constexpr double most_step_deg = 10.0;
   constexpr int places = 32;
   double least_deg = 90.0, most_deg = 0.0;
   for (int place = 0; place <= places; ++place) {

@@ -49,10 +49,10 @@ GroundGrid combed_grid(const GroundGrid& grid) {
 
 std::map<grass::PatchState, PatchLook> far_looks(
     const scene::Scene& scene, const Site& site, int frame,
-    const std::function<std::vector<Volume>(const grass::PatchState&)>& far) {
+    const std::function<PatchLook(const grass::PatchState&)>& far) {
   std::map<grass::PatchState, PatchLook> looks;
   for (const grass::PatchState& state : far_states(scene, *site.withering, frame))
-    looks.emplace(state, PatchLook(far(state)));
+    looks.emplace(state, far(state));
   return looks;
 }
 
@@ -60,7 +60,7 @@ std::map<grass::PatchState, PatchLook> far_looks(
 
 LitGround::LitGround(const scene::Scene& scene, const Site& site, const Landscape& landscape,
                      std::span<const CellChoice> choices,
-                     const std::function<std::vector<Volume>(const grass::PatchState&)>& far,
+                     const std::function<PatchLook(const grass::PatchState&)>& far,
                      Illuminate illuminate)
     : scene_(scene),
       site_(site),

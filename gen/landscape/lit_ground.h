@@ -34,8 +34,7 @@ class LitGround {
   /// PatchLookup's. Scene, site and choices have to outlive it.
   LitGround(const scene::Scene& scene, const Site& site, const Landscape& landscape,
             std::span<const CellChoice> choices,
-            const std::function<std::vector<Volume>(const grass::PatchState&)>& far,
-            Illuminate illuminate);
+            const std::function<PatchLook(const grass::PatchState&)>& far, Illuminate illuminate);
   LitGround(const LitGround&) = delete;
   LitGround& operator=(const LitGround&) = delete;
 

@@ -43,22 +43,26 @@ std::unique_ptr<snow::LargeCover> large_cover(const scene::Scene& scene, const H
       snow::LargeCover::Limits{.view_samples = cover_samples(scene)});
 }
 
-/// What small terrains have, with the usual steps.
+/// A part of the ground on which that grows, in the light of a day.
+GroundPart lit_part(const scene::Scene& scene, const Heightfield& terrain,
+                    const light::Daylight& day, const GroundGrid& grid, FactorMap growth) {
+  terrain::GroundLight light = terrain::ground_light(terrain, day, light_grid(terrain, grid));
+  ColourMap reflectance =
+      terrain::ground_reflectance(terrain, day.sun_direction(), scene.terrain, scene.seed, growth,
+                                  canopy_transmittance(scene.grass), grid);
+  return {std::move(growth), std::move(light), std::move(reflectance)};
+}
+
+/// The whole ground in the light of a day: as the pictures of a large terrain need it, or with the
+/// usual steps.
 GroundPart whole_ground(const scene::Scene& scene, const Heightfield& terrain,
-                        const light::Daylight& day) {
-  FactorMap growth = growth_map(scene, terrain);
+                        const light::Daylight& day, FactorMap growth) {
+  if (is_large(scene)) return lit_part(scene, terrain, day, whole_grid(scene), std::move(growth));
   terrain::GroundLight light = terrain::ground_light(terrain, day);
   ColourMap reflectance =
       terrain::ground_reflectance(terrain, day.sun_direction(), scene.terrain, scene.seed, growth,
                                   canopy_transmittance(scene.grass));
   return {std::move(growth), std::move(light), std::move(reflectance)};
-}
-
-/// The whole ground in the light of a day.
-GroundPart ground_under(const scene::Scene& scene, const Heightfield& terrain,
-                        const light::Daylight& day) {
-  return is_large(scene) ? ground_part(scene, terrain, day, whole_grid(scene))
-                         : whole_ground(scene, terrain, day);
 }
 
 /// The scene with its sun where it stands then.
@@ -85,12 +89,7 @@ GroundGrid light_grid(const Heightfield& terrain, const GroundGrid& grid) {
 
 GroundPart ground_part(const scene::Scene& scene, const Heightfield& terrain,
                        const light::Daylight& day, const GroundGrid& grid) {
-  FactorMap growth = growth_map(scene, terrain, grid);
-  terrain::GroundLight light = terrain::ground_light(terrain, day, light_grid(terrain, grid));
-  ColourMap reflectance =
-      terrain::ground_reflectance(terrain, day.sun_direction(), scene.terrain, scene.seed, growth,
-                                  canopy_transmittance(scene.grass), grid);
-  return {std::move(growth), std::move(light), std::move(reflectance)};
+  return lit_part(scene, terrain, day, grid, growth_map(scene, terrain, grid));
 }
 
 const FactorMap& growth_of_cells(const Site& site) {
@@ -102,7 +101,9 @@ Site make_site(const scene::Scene& scene, const fs::path& snow_folder) {
   const scene::Scene half_way = at_time(scene, 0.5);
   const light::Daylight day(half_way.sun, scene.sky);
   const bool large = is_large(scene);
-  GroundPart ground = ground_under(scene, terrain, day);
+  GroundPart ground = whole_ground(
+      scene, terrain, day,
+      large ? growth_map(scene, terrain, whole_grid(scene)) : growth_map(scene, terrain));
   std::optional<FactorMap> growth_of_window;
   if (large) growth_of_window = growth_map(scene, terrain, window_grid(scene));
   std::optional<cloud::Clouds> clouds;
@@ -124,7 +125,8 @@ Site site_of_frame(const scene::Scene& scene, const Site& site, int frame) {
   if (!site.season) return site;
   Site now = site;
   now.day = light::Daylight(scene::sun_at(scene, time_of_frame(scene, frame)), scene.sky);
-  GroundPart ground = ground_under(scene, now.terrain, now.day);
+  GroundPart ground = whole_ground(scene, now.terrain, now.day, std::move(now.growth));
+  now.growth = std::move(ground.growth);
   now.light = std::move(ground.light);
   now.ground_reflectance = std::move(ground.reflectance);
   return now;

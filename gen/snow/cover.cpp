@@ -111,7 +111,7 @@ void SnowGround::take_step(Progress& progress, double start_s, double end_s) con
   const WeatherMoment weather = weather_(0.5 * (start_s + end_s));
   const std::vector<PackStep> steps = classes_.steps(weather, hours, cover_.melt_mm_per_day);
   progress.fallen_mm += pack_step(weather, mean_height_m_, hours, cover_.melt_mm_per_day).snow_mm;
-  if (!slide_) return;
+  if (!slide_ || (!snows(steps) && is_bare(progress.packs))) return;
   advance(progress.packs, classes_, steps, drift_of(weather).values());
   slide_->settle(progress.packs);
 }

@@ -232,10 +232,12 @@ SnowpackField LargeCover::after(const Window& window, SnowpackField packs,
   slide.settle(packs);
   std::map<int, std::vector<float>> drifts;
   for (const WeatherMoment& hour : hours) {
+    const std::vector<PackStep> steps = classes.steps(hour, 1.0, cover_.melt_mm_per_day);
+    if (!snows(steps) && is_bare(packs)) continue;
     const int heading_deg = drift_heading_deg(hour, cover_.drifting);
     std::vector<float>& factor = drifts[heading_deg];
     if (factor.empty()) factor = drift(window, heading_deg);
-    advance(packs, classes, classes.steps(hour, 1.0, cover_.melt_mm_per_day), factor);
+    advance(packs, classes, steps, factor);
     slide.settle(packs);
   }
   return packs;

@@ -44,6 +44,14 @@ std::vector<PackStep> HeightClasses::steps(const WeatherMoment& weather, double 
   return steps;
 }
 
+bool is_bare(const SnowpackField& packs) {
+  return std::ranges::all_of(packs.water_mm, [](double water_mm) { return water_mm == 0.0; });
+}
+
+bool snows(const std::vector<PackStep>& steps) {
+  return std::ranges::any_of(steps, [](const PackStep& step) { return step.snow_mm > 0.0; });
+}
+
 void advance(SnowpackField& packs, const HeightClasses& classes, const std::vector<PackStep>& steps,
              std::span<const float> drift) {
   parallel_for_blocks(packs.water_mm.size(), [&](std::size_t i) {

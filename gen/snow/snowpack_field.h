@@ -37,6 +37,12 @@ class HeightClasses {
   std::vector<std::uint16_t> of_place_;
 };
 
+/// Whether no snow lies anywhere.
+bool is_bare(const SnowpackField& packs);
+
+/// Whether it snows at any height.
+bool snows(const std::vector<PackStep>& steps);
+
 /// Advances every pack by its class's step; drift[place] multiplies the snowfall.
 void advance(SnowpackField& packs, const HeightClasses& classes, const std::vector<PackStep>& steps,
              std::span<const float> drift);

@@ -109,7 +109,7 @@ TEST(GroundDetails, AreNestedAndMoveByWholeSteps) {
 PatchLookup no_grass() {
   return {.volume = [](const CellChoice&) { return Volume{}; },
           .blades = [](const CellChoice&) { return BladeMesh{}; },
-          .far = [](const grass::PatchState&) { return std::vector<Volume>{}; }};
+          .far = [](const grass::PatchState&) { return PatchLook({}); }};
 }
 
 /// Mean over a square of a picture, at many places.

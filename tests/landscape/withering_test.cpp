@@ -92,7 +92,7 @@ TEST(Withering, SoilSpreadsItAndItNeverGoesBack) {
 }
 
 // The sun of a season's frame stands where it does on that day, and grass is baked for steps of at
-// most 7 degrees between the first day's and the last's.
+// most 10 degrees between the first day's and the last's.
 TEST(SiteOfFrame, HasTheDaysLight) {
   scene::Scene scene = even_season();
   scene.terrain.size_m = 8.0;
