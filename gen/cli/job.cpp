@@ -8,7 +8,7 @@
 
 #include "core/machine.h"
 #include "scene/parse.h"
-#include "season/season.h"
+#include "season/film_season.h"
 
 namespace wold::cli {
 namespace {

@@ -185,8 +185,8 @@ Tubes TimeVaryingTexel::points(int variant, const PatchState& state) const {
   Samples samples(scene_, shape_, variant, model_);
   for (std::size_t step = 0; step <= now; ++step) samples.advance_to(key_frames_[step]);
   if (state.snow > 0) samples.bear(state.snow_share());
-  return point_tubes(patch(variant, state), samples.all(), lighting(state), fibre_look(scene_.grass),
-                     shape_.voxel_m);
+  return point_tubes(patch(variant, state), samples.all(), lighting(state),
+                     fibre_look(scene_.grass), shape_.voxel_m);
 }
 
 bool TimeVaryingTexel::is_current(int variant, const PatchState& state,

@@ -57,13 +57,17 @@ Subject bare_subject(const scene::Scene& scene) {
 }
 
 /// A film in which it may snow is exposed for snow all through; a season is so long that the camera
-/// follows the ground as it whitens.
-double gain(const scene::Scene& scene, const light::Daylight& day, const SnowyGround& ground) {
+/// follows the ground as it whitens, and the sun as snowfall hides it.
+double gain(const scene::Scene& scene, const light::Daylight& day, const SnowyGround& ground,
+            const SnowyAir& air) {
   const double for_bare = metered_gain(day, bare_subject(scene));
-  if (scene::is_season(scene))
-    return std::lerp(for_bare, snow_gain(day, ground.light().together()), ground.white_share());
-  const bool snowy = scene::may_lie(scene) || scene::may_snow(scene);
-  return snowy ? metered_gain(day, Subject::snow) : for_bare;
+  const double for_snow = metered_gain(day, Subject::snow);
+  if (scene::is_season(scene)) {
+    const double for_slopes = snow_gain(day, ground.light().together());
+    return std::lerp(for_bare, std::lerp(for_snow, for_slopes, air.sun_share()),
+                     ground.white_share());
+  }
+  return scene::may_lie(scene) || scene::may_snow(scene) ? for_snow : for_bare;
 }
 
 }  // namespace
@@ -84,10 +88,10 @@ Landscape assemble(const scene::Scene& scene, const Site& site, int frame,
         landscape.blade_cells);
   const SnowyGround ground(scene, site, frame);
   landscape.terrain = ground.surface();
-  landscape.exposure_gain = gain(scene, site.day, ground) * std::exp2(scene.render.exposure);
   const FrameSky sky(scene, site, frame, landscape.camera.eye_m);
   const double snow_per_m = snow_extinction_per_m(scene, site, frame);
   const SnowyAir air(site.day, snow_per_m, ground.mean_albedo());
+  landscape.exposure_gain = gain(scene, site.day, ground, air) * std::exp2(scene.render.exposure);
   const auto illuminate = [&](const terrain::GroundLight& clear) {
     const ColourMap light = sky.light(clear);
     return snow_per_m > 0.0 ? air.light(light, clear.overcast) : light;

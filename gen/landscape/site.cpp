@@ -111,8 +111,8 @@ Site make_site(const scene::Scene& scene, const fs::path& snow_folder) {
   std::shared_ptr<const Snow> snow;
   if (scene::may_snow(scene) || scene::may_lie(scene))
     snow = std::make_shared<const Snow>(scene, terrain, snow_folder);
-  std::shared_ptr<const season::Season> season;
-  if (scene::is_season(scene)) season = std::make_shared<const season::Season>(scene);
+  std::shared_ptr<const season::FilmSeason> season;
+  if (scene::is_season(scene)) season = std::make_shared<const season::FilmSeason>(scene);
   auto withering = std::make_shared<const Withering>(scene, terrain);
   return {std::move(terrain),          std::move(ground.growth),
           std::move(growth_of_window), day,

@@ -9,7 +9,7 @@
 #include "landscape/withering.h"
 #include "light/daylight.h"
 #include "scene/scene.h"
-#include "season/season.h"
+#include "season/film_season.h"
 #include "snow/cover.h"
 #include "snow/crystal_picture.h"
 #include "snow/large_cover.h"
@@ -46,7 +46,7 @@ struct Site {
   terrain::GroundLight light;    ///< under a clear sky
   ColourMap ground_reflectance;  ///< of the bare ground, radiance over irradiance
   std::optional<cloud::Clouds> clouds;
-  std::shared_ptr<const season::Season> season;  ///< if it is one
+  std::shared_ptr<const season::FilmSeason> season;  ///< if it is one
   std::shared_ptr<const Withering> withering;
   std::shared_ptr<const Snow> snow;  ///< none where none can fall or lie
 };

@@ -6,7 +6,7 @@
 
 #include "core/random.h"
 #include "scene/calendar.h"
-#include "season/season.h"
+#include "season/film_season.h"
 #include "terrain/relief.h"
 
 namespace wold::landscape {
@@ -91,7 +91,7 @@ Withering::Withering(const scene::Scene& scene, const Heightfield& terrain)
     : ageing_(scene.ageing),
       field_{random_bits({scene.seed, key_of("weathering"), 0, key_of("field")}), 2, 1.0} {
   if (!scene::is_season(scene)) return;
-  const season::Season season(scene);
+  const season::FilmSeason season(scene);
   by_day_ = season.weathering();
   first_day_ = season.first_day();
   for (int frame = 1; frame <= scene.season.frames; ++frame)
@@ -138,8 +138,14 @@ double Withering::at(const glm::dvec2& at_m, int frame) const {
 std::pair<double, double> Withering::range(int frame) const {
   const auto index = static_cast<std::size_t>(frame - 1);
   if (!by_day_.empty()) {
-    const auto [least, most] = delays_days_;
-    return {after_days(frame_days_.at(index) - most), after_days(frame_days_.at(index) - least)};
+    const double from = frame_days_.at(index) - delays_days_.second;
+    const double to = frame_days_.at(index) - delays_days_.first;
+    auto [least, most] = std::minmax(after_days(from), after_days(to));
+    for (double day = std::ceil(from); day < to; day += 1.0) {
+      least = std::min(least, after_days(day));
+      most = std::max(most, after_days(day));
+    }
+    return {least, most};
   }
   const double degree = ageing_.frames.at(index);
   const double most = amplitude(ageing_, degree);

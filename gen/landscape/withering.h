@@ -24,7 +24,7 @@ namespace wold::landscape {
 /// adds season.spread times a smooth keyed field of standard deviation 1.
 class Withering {
  public:
-  /// Throws what season::Season's constructor throws.
+  /// Throws what season::FilmSeason's constructor throws.
   Withering(const scene::Scene& scene, const Heightfield& terrain);
 
   /// At a point of the ground in a frame (from 1), in [0, 1].

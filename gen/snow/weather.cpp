@@ -9,7 +9,7 @@
 #include "scene/calendar.h"
 #include "scene/registry.h"
 #include "season/number_table.h"
-#include "season/season.h"
+#include "season/film_season.h"
 
 namespace wold::snow {
 namespace {
@@ -93,7 +93,7 @@ std::vector<Weather::Row> Weather::rows_of_table(const scene::Scene& scene) {
 /// evenly.
 std::vector<Weather::Row> Weather::rows_of_season(const scene::Scene& scene) {
   constexpr double coldest_h = 3.0, warmest_h = 15.0, moment_h = 0.01;
-  const season::Season season(scene);
+  const season::FilmSeason season(scene);
   const std::vector<season::Day>& days = season.days();
   std::vector<Row> rows;
   const auto add = [&](std::size_t day, double hour, double temperature_c) {

@@ -7,7 +7,7 @@
 #include "landscape/film_lights.h"
 #include "landscape/site.h"
 #include "scene/sun_position.h"
-#include "season/season.h"
+#include "season/film_season.h"
 
 namespace wold::landscape {
 namespace {
@@ -114,7 +114,7 @@ TEST(SiteOfFrame, HasTheDaysLight) {
   for (std::size_t i = 1; i < lights.size(); ++i)
     EXPECT_LT(
         glm::degrees(std::acos(glm::dot(lights[i - 1].sun_direction, lights[i].sun_direction))),
-        9.0);
+        12.0);
   EXPECT_EQ(frame_lighting(scene, site, 1).sun_direction, lights.front().sun_direction);
 }
 

@@ -1,4 +1,4 @@
-#include "season/season.h"
+#include "season/film_season.h"
 
 #include <gtest/gtest.h>
 
@@ -23,8 +23,8 @@ scene::Scene keyed_autumn() {
 
 // Each quantity is linear between the days that give it and held beyond; what no day gives is the
 // scene's.
-TEST(Season, KeysAreJoinedByLines) {
-  const Season season(keyed_autumn());
+TEST(FilmSeason, KeysAreJoinedByLines) {
+  const FilmSeason season(keyed_autumn());
   ASSERT_EQ(season.days().size(), 31U);
   EXPECT_EQ(season.first_day(), 0);
   const auto mean_c = [&](int day) {
@@ -44,7 +44,7 @@ TEST(Season, KeysAreJoinedByLines) {
   EXPECT_DOUBLE_EQ(season.cloud_cover(99.0), 1.0);
 }
 
-TEST(Season, IsAFilmOfItsFrames) {
+TEST(FilmSeason, IsAFilmOfItsFrames) {
   const scene::Scene film = as_film(keyed_autumn());
   ASSERT_EQ(film.ageing.frames.size(), 61U);
   EXPECT_DOUBLE_EQ(film.ageing.frames[16], 0.22);  // the 9th of September
@@ -54,7 +54,7 @@ TEST(Season, IsAFilmOfItsFrames) {
 }
 
 // The table's weather begins a year before the film at most; keys win over it.
-TEST(Season, TableHasTheDaysBeforeTheFilm) {
+TEST(FilmSeason, TableHasTheDaysBeforeTheFilm) {
   const test::TemporaryFolder folder("season");
   const auto file = folder.path() / "days.csv";
   write_file(file,
@@ -63,15 +63,15 @@ TEST(Season, TableHasTheDaysBeforeTheFilm) {
   scene::Scene scene = keyed_autumn();
   scene.season.table = file.string();
   for (scene::SeasonKey& key : scene.season_keys) key.precipitation_mm_day.reset();
-  EXPECT_THROW(Season{scene}, InputError);  // days more than a year apart
+  EXPECT_THROW(FilmSeason{scene}, InputError);  // days more than a year apart
   write_file(file, "date,tmin_c,tmax_c,precipitation_mm\n2026-08-22,2,12,3\n2026-10-05,2,12,3\n");
-  const Season season(scene);
+  const FilmSeason season(scene);
   EXPECT_EQ(season.first_day(), -10);
   EXPECT_EQ(season.days().front().precipitation_mm, 3.0);
   EXPECT_EQ(season.days().front().tmin_c, 5.0);  // 10 degrees, half the table's range below
   EXPECT_EQ(as_film(scene).weather.earlier_h, 240.0 + scene.sun.time_h);
   scene.season.last = {2026, 12, 1};
-  EXPECT_THROW(Season{scene}, InputError);  // the table ends before
+  EXPECT_THROW(FilmSeason{scene}, InputError);  // the table ends before
 }
 
 }  // namespace

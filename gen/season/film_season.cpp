@@ -1,4 +1,4 @@
-#include "season/season.h"
+#include "season/film_season.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -10,7 +10,8 @@
 #include "scene/calendar.h"
 #include "scene/text.h"
 #include "season/day_length.h"
-#include "season/phenology.h"
+#include "season/greenness.h"
+#include "season/withering.h"
 
 namespace wold::season {
 namespace {
@@ -110,25 +111,22 @@ void set_by_keys(std::vector<Day>& all, const scene::Scene& scene) {
 
 std::vector<double> weathering_of(const scene::Scene& scene, const std::vector<Day>& all) {
   const KeyCurve keys(scene, &scene::SeasonKey::weathering);
+  if (!keys.is_given()) return weathering_degrees(greenness(all));
   std::vector<double> degrees;
-  if (!keys.is_given()) {
-    for (const PlantDay& day : grow(all)) degrees.push_back(day.weathering_degree);
-    return degrees;
-  }
   for (const Day& day : all) degrees.push_back(keys.at(days_between(first_of(scene), day.date)));
   return degrees;
 }
 
 }  // namespace
 
-Season::Season(const scene::Scene& scene)
+FilmSeason::FilmSeason(const scene::Scene& scene)
     : days_(scene.season.table.empty() ? plain_days(scene) : table_days(scene)),
       first_day_(static_cast<int>((days_.front().date - first_of(scene)).count())) {
   set_by_keys(days_, scene);
   weathering_ = weathering_of(scene, days_);
 }
 
-double Season::cloud_cover(double days_after_first) const {
+double FilmSeason::cloud_cover(double days_after_first) const {
   const double place =
       std::clamp(days_after_first - first_day_, 0.0, static_cast<double>(days_.size() - 1));
   const auto before = std::min(static_cast<std::size_t>(place), days_.size() - 2);
@@ -139,7 +137,7 @@ double Season::cloud_cover(double days_after_first) const {
 
 scene::Scene as_film(scene::Scene scene) {
   if (!scene::is_season(scene)) return scene;
-  const Season season(scene);
+  const FilmSeason season(scene);
   scene.ageing.frames.clear();
   for (int frame = 1; frame <= scene.season.frames; ++frame) {
     const double place = scene::season_days(scene.season, frame) - season.first_day();

@@ -9,11 +9,11 @@ namespace wold::season {
 
 /// The days of a scene's season, its weather and what it makes of the grass: season.table's, with
 /// what [[season_keys]] say instead, and what neither says as in [weather] and [wind].
-class Season {
+class FilmSeason {
  public:
   /// `scene` is a season. Throws what read_daily_weather() throws; InputError when the table does
   /// not cover the film's days.
-  explicit Season(const scene::Scene& scene);
+  explicit FilmSeason(const scene::Scene& scene);
 
   /// One by one, without gaps: from at most a year before the first frame's day to a month after
   /// the last one's, as far as they are known, but these two at least.
@@ -22,7 +22,7 @@ class Season {
   /// The first of days(), after the first frame's: negative or 0.
   int first_day() const { return first_day_; }
 
-  /// Weathering degree of the grass at the terrain's mean place, by day: rises from 0 to 1.
+  /// Weathering degree of the grass at the terrain's mean place, by day.
   const std::vector<double>& weathering() const { return weathering_; }
 
   /// How much of the clouds has gathered, in [0, 1], so many days after the first frame's.
@@ -35,7 +35,7 @@ class Season {
 };
 
 /// The scene as a film of ageing.frames, weather.earlier and the sun half-way; one that is no
-/// season as it is. Throws what Season's constructor throws.
+/// season as it is. Throws what FilmSeason's constructor throws.
 scene::Scene as_film(scene::Scene scene);
 
 }  // namespace wold::season
