@@ -201,6 +201,10 @@ Action declare_curves(CLI::App& app) {
   // Not ->required(): the command itself says what a missing name should look like.
   app.add_option("--out", options->out, "the figure or table to write; its ending says which")
       ->type_name("FILE.svg|FILE.csv");
+  app.add_option("--weather", options->weather,
+                 "daily weather (date, tmin_c, tmax_c, precipitation_mm): draws what the season "
+                 "makes of it instead: greenness, weathering degree, snow")
+      ->type_name("FILE.csv");
   add_overrides(app, options->overrides);
   return [options] { return run_curves(*options); };
 }

@@ -41,6 +41,7 @@ struct CurvesOptions {
   std::filesystem::path scene;
   std::vector<std::string> overrides;  ///< key=value, applied after the scene file
   std::filesystem::path out;           ///< ends in .svg or .csv
+  std::filesystem::path weather;       ///< daily weather, for the season's curves; may be empty
 };
 
 /// Generates everything the renderers need.
@@ -65,7 +66,8 @@ ExitCode run_inspect(const std::vector<std::filesystem::path>& files, bool json)
 /// Prints the metrics as JSON; ExitCode::different when the files differ by more than the limits.
 ExitCode run_compare(const CompareOptions& options);
 
-/// Writes the scene's ageing curves as a figure (.svg) or a table (.csv).
+/// Writes the scene's ageing curves, or with daily weather its season's, as a figure (.svg) or a
+/// table (.csv).
 ExitCode run_curves(const CurvesOptions& options);
 
 /// Writes NAME.toml into the working folder; refuses to replace a file.

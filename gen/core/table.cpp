@@ -8,12 +8,20 @@
 namespace wold {
 namespace {
 
+std::size_t rows_of(const Column& column) {
+  return column.values.empty() ? column.words.size() : column.values.size();
+}
+
+std::string cell_of(const Column& column, std::size_t row) {
+  return column.values.empty() ? column.words[row] : fmt::format("{:.6g}", column.values[row]);
+}
+
 void check(std::span<const Column> columns) {
   for (const Column& column : columns) {
-    if (column.values.size() != columns.front().values.size())
+    if (rows_of(column) != rows_of(columns.front()))
       throw std::invalid_argument(fmt::format("column \"{}\" has {} values, \"{}\" has {}",
-                                              column.name, column.values.size(),
-                                              columns.front().name, columns.front().values.size()));
+                                              column.name, rows_of(column), columns.front().name,
+                                              rows_of(columns.front())));
     if (column.name.find_first_of(",\"\r\n") != std::string::npos)
       throw std::invalid_argument(fmt::format("column \"{}\" needs a simpler name", column.name));
   }
@@ -31,8 +39,8 @@ std::string csv(std::span<const Column> columns) {
     return text + "\n";
   };
   std::string text = line([](const Column& column) { return column.name; });
-  for (std::size_t row = 0; row < columns.front().values.size(); ++row)
-    text += line([row](const Column& column) { return fmt::format("{:.6g}", column.values[row]); });
+  for (std::size_t row = 0; row < rows_of(columns.front()); ++row)
+    text += line([row](const Column& column) { return cell_of(column, row); });
   return text;
 }
 

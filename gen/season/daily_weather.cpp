@@ -149,9 +149,8 @@ double day_length_error(std::span<const Day> days, double latitude) {
   return sum;
 }
 
-/// Replaces what the file says of days' lengths by those of the latitude that it tells.
-void set_day_lengths(std::vector<Day>& days, const std::vector<double>& lengths_s,
-                     double latitude) {
+/// Sets the sun's course by the latitude that the days' lengths tell, if there are any.
+void set_sun(std::vector<Day>& days, const std::vector<double>& lengths_s, double latitude) {
   std::vector<Day> known;
   for (std::size_t i = 0; i < days.size(); ++i)
     if (is_number(lengths_s[i])) {
@@ -159,7 +158,10 @@ void set_day_lengths(std::vector<Day>& days, const std::vector<double>& lengths_
       known.back().day_length_h = lengths_s[i] / seconds_per_hour;
     }
   if (!known.empty()) latitude = latitude_deg(known);
-  for (Day& day : days) day.day_length_h = day_length_h(day_of_year(day.date), latitude);
+  for (Day& day : days) {
+    day.day_length_h = day_length_h(day_of_year(day.date), latitude);
+    day.top_sun_mj_m2 = extraterrestrial_mj_m2(day_of_year(day.date), latitude);
+  }
 }
 
 }  // namespace
@@ -189,7 +191,7 @@ std::vector<Day> read_daily_weather(const std::filesystem::path& file, double la
                .wind_speed_m_s = if_known(values[wind_speed][i]),
                .wind_heading_deg = if_known(values[wind_heading][i]),
                .cloud_cover = if_known(values[clouds][i])};
-  set_day_lengths(days, values[day_length], latitude);
+  set_sun(days, values[day_length], latitude);
   return days;
 }
 

@@ -15,6 +15,7 @@ struct Day {
   double tmax_c = 0.0;
   double precipitation_mm = 0.0;  ///< of water, rain or snow
   double day_length_h = 12.0;     ///< from sunrise to sunset
+  double top_sun_mj_m2 = 36.0;    ///< radiation on the level above the atmosphere
   std::optional<double> wind_speed_m_s;
   std::optional<double> wind_heading_deg;  ///< where it blows to, clockwise from north
   std::optional<double> cloud_cover;       ///< 0 clear to 1 overcast
@@ -30,8 +31,8 @@ int day_of_year(std::chrono::sys_days date);
 /// wind_speed_m_s, wind_heading_deg, cloud_cover. Cells may be empty and days may be missing: their
 /// temperatures are interpolated in time, or those of the nearest day at the ends; their
 /// precipitation is the mean of the file's days at most 15 calendar days apart from them in any
-/// year, or else of all its days. Day lengths are those of the latitude that fits day_length_s
-/// best, or without any of `latitude_deg`.
+/// year, or else of all its days. Day lengths and the sun's radiation are those of the latitude
+/// that fits day_length_s best, or without any of `latitude_deg`.
 ///
 /// Throws InputError with every problem found, with line and column: what read_table() finds,
 /// tmin_c above tmax_c, days more than a year apart, a column without any number. Throws FileError
