@@ -140,7 +140,7 @@ std::pair<double, double> Withering::range(int frame) const {
   if (!by_day_.empty()) {
     const double from = frame_days_.at(index) - delays_days_.second;
     const double to = frame_days_.at(index) - delays_days_.first;
-    auto [least, most] = std::minmax(after_days(from), after_days(to));
+    auto [least, most] = std::minmax({after_days(from), after_days(to)});
     for (double day = std::ceil(from); day < to; day += 1.0) {
       least = std::min(least, after_days(day));
       most = std::max(most, after_days(day));
