@@ -74,7 +74,7 @@ void advance_day(SnowLayer& layer, const Weather24& weather, const SnowParameter
   for (int step = 0; step < steps_per_day; ++step) {
     const double hour = coldest_hour + (step + 0.5) * step_h;
     layer.advance({.temperature_c = weather.temperature_c(hour),
-                   .snow_mm = step_mm * (1.0 - rain_share) * snow.catch_factor,
+                   .snow_mm = step_mm * (1.0 - rain_share),
                    .rain_mm = step_mm * rain_share,
                    .sun_w_m2 = weather.sun_w_m2(hour),
                    .clearness = weather.clearness},
