@@ -63,7 +63,4 @@ struct SoilWater {
                const MeadowParameters& meadow);
 };
 
-/// 0 below `low`, 1 above `high`, linear between; low < high.
-double ramp(double value, double low, double high);
-
 }  // namespace wold::season

@@ -78,7 +78,7 @@ class SnowLayer {
   double warmed_by_mm(const Air& air, double hours) const;
   double melted(double heat_mm);
   void chill(double loss_mm);
-  double drained();
+  void drain();
   void settle(const Air& air, double hours);
   void vanish();
 

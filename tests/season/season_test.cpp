@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "season/greenness.h"
+#include "season/ramp.h"
 #include "season/snow_on_ground.h"
 #include "season/withering.h"
 
