@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "season/ramp.h"
+
 namespace wold::season {
 namespace {
 
@@ -53,10 +55,6 @@ class Meadow {
 };
 
 }  // namespace
-
-double ramp(double value, double low, double high) {
-  return std::clamp((value - low) / (high - low), 0.0, 1.0);
-}
 
 double potential_evaporation_mm(const Day& day) {
   constexpr double mm_per_mj_m2 = 1.0 / 2.45;  // evaporated by it, of water

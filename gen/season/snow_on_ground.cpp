@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "season/greenness.h"
+#include "season/ramp.h"
 
 namespace wold::season {
 namespace {
@@ -74,7 +74,7 @@ void advance_day(SnowLayer& layer, const Weather24& weather, const SnowParameter
   for (int step = 0; step < steps_per_day; ++step) {
     const double hour = coldest_hour + (step + 0.5) * step_h;
     layer.advance({.temperature_c = weather.temperature_c(hour),
-                   .snow_mm = step_mm * (1.0 - rain_share) * snow.catch_factor,
+                   .snow_mm = step_mm * (1.0 - rain_share),
                    .rain_mm = step_mm * rain_share,
                    .sun_w_m2 = weather.sun_w_m2(hour),
                    .clearness = weather.clearness},
@@ -92,7 +92,7 @@ double SnowLayer::advance(const Air& air, double hours) {
     const double heat_mm = warmed_by_mm(air, hours);
     liquid_mm_ += air.rain_mm + melted(std::max(heat_mm, 0.0));
     chill(parameters_.chilled_share * std::max(-heat_mm, 0.0));
-    drained();
+    drain();
     settle(air, hours);
   }
   return before_mm + air.snow_mm + air.rain_mm - water_mm();
@@ -144,11 +144,9 @@ void SnowLayer::chill(double loss_mm) {
 }
 
 /// Lets go what the ice cannot hold.
-double SnowLayer::drained() {
-  const double leaving_mm = std::max(0.0, liquid_mm_ - parameters_.held_water * ice_mm_);
-  liquid_mm_ -= leaving_mm;
+void SnowLayer::drain() {
+  liquid_mm_ = std::min(liquid_mm_, parameters_.held_water * ice_mm_);
   if (ice_mm_ < 1e-6) vanish();
-  return leaving_mm;
 }
 
 /// Anderson 1976: creep under the weight above the middle, and crystals that round off.

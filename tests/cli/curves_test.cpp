@@ -1,5 +1,7 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -62,7 +64,7 @@ std::map<std::string, std::vector<double>> columns_of(const std::string& table) 
     std::istringstream cells(line);
     for (const std::string& name : names) {
       EXPECT_TRUE(std::getline(cells, cell, ',')) << line;
-      columns[name].push_back(std::stod(cell));
+      if (name != "date") columns[name].push_back(std::stod(cell));
     }
     EXPECT_TRUE(cells.eof()) << line;
   }
@@ -112,6 +114,31 @@ TEST_F(Curves, FigureHasItsPanelsAndEachSpectrumInItsColour) {
     EXPECT_THAT(figure, HasSubstr(std::string("fill=\"") + colour)) << row;
     EXPECT_THAT(figure, HasSubstr(std::string("stroke=\"") + colour)) << row;
   }
+}
+
+TEST_F(Curves, WeatherGivesARowADayOfTheSeason) {
+  std::string days = "# an autumn\ndate,tmin_c,tmax_c,precipitation_mm,note\n";
+  for (int day = 1; day <= 30; ++day)
+    if (day != 15) days += fmt::format("2003-09-{:02},8,18,2,mild\n", day);
+  days += "2003-10-01,,,,\n2003-10-02,-12,-6,0,\n2003-10-03,-12,-6,20,snow\n2003-10-04,,,0,\n";
+  write("days.csv", days);
+  const std::string table = made("s.csv", " --weather days.csv");
+  EXPECT_THAT(table, testing::StartsWith(
+                         "date,greenness,weathering_degree,snow_depth_m,swe_mm\n2003-09-01,"));
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 35);
+  EXPECT_THAT(table, HasSubstr("\n2003-09-15,"));
+  // What falls on the third lies on the morning of the fourth.
+  const auto columns = columns_of(table);
+  const std::vector<double>& swe_mm = columns.at("swe_mm");
+  EXPECT_NEAR(swe_mm[33] - swe_mm[32], 20.0, 1e-3);
+  const std::string figure = made("s.svg", " --weather days.csv");
+  for (const char* part : {"(a) Meadow", "weathering degree", "greenness", "(b) Depth of snow",
+                           "(c) Water of the snow", "days since 2003-09-01"})
+    EXPECT_THAT(figure, HasSubstr(part));
+  write("bad.csv", "date,tmin_c,tmax_c\n2003-09-01,8,18\n");
+  expect_failure("a.toml --out t.csv --weather bad.csv", 2,
+                 "bad.csv:1:1: found no column \"precipitation_mm\"");
+  expect_failure("a.toml --out t.csv --weather none.csv", 4, "none.csv");
 }
 
 TEST_F(Curves, FigureIsWellFormedXml) {
