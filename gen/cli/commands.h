@@ -66,8 +66,8 @@ ExitCode run_inspect(const std::vector<std::filesystem::path>& files, bool json)
 /// Prints the metrics as JSON; ExitCode::different when the files differ by more than the limits.
 ExitCode run_compare(const CompareOptions& options);
 
-/// Writes the scene's ageing curves, or with daily weather its season's, as a figure (.svg) or a
-/// table (.csv).
+/// Writes the scene's ageing curves, or with daily weather or in a season those of its days, as a
+/// figure (.svg) or a table (.csv).
 ExitCode run_curves(const CurvesOptions& options);
 
 /// Writes NAME.toml into the working folder; refuses to replace a file.

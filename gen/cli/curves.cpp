@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <span>
 
 #include "cli/commands.h"
 #include "cli/curves_figure.h"
@@ -11,8 +12,10 @@
 #include "core/files.h"
 #include "core/parallel.h"
 #include "grass/withering_curves.h"
+#include "scene/calendar.h"
 #include "scene/parse.h"
 #include "scene/text.h"
+#include "season/film_season.h"
 #include "season/season.h"
 
 namespace wold::cli {
@@ -39,11 +42,28 @@ std::string ageing_file(const scene::Scene& scene, Form form) {
                               : csv(withering_table(curves));
 }
 
-std::string season_file(const scene::Scene& scene, const std::filesystem::path& weather,
+/// What a scene's season makes of its days; its keys may say how the meadow withers.
+std::vector<season::SeasonDay> days_of(const scene::Scene& scene) {
+  const season::FilmSeason film(scene);
+  std::vector<season::SeasonDay> days = season::season_of(film.days());
+  for (std::size_t i = 0; i < days.size(); ++i) days[i].weathering_degree = film.weathering()[i];
+  return days;
+}
+
+std::string season_file(const scene::Scene& scene, std::span<const season::SeasonDay> days,
                         Form form) {
-  const auto days = season::season_of(season::read_daily_weather(weather, scene.sun.latitude_deg));
   return form == Form::figure ? chart::svg(season_figure(scene.name, days))
                               : csv(season_table(days));
+}
+
+std::string curves_file(const scene::Scene& scene, const std::filesystem::path& weather,
+                        Form form) {
+  if (!weather.empty())
+    return season_file(
+        scene, season::season_of(season::read_daily_weather(weather, scene.sun.latitude_deg)),
+        form);
+  return scene::is_season(scene) ? season_file(scene, days_of(scene), form)
+                                 : ageing_file(scene, form);
 }
 
 }  // namespace
@@ -51,8 +71,7 @@ std::string season_file(const scene::Scene& scene, const std::filesystem::path& 
 ExitCode run_curves(const CurvesOptions& options) {
   const Form form = form_of(options.out);
   const scene::Scene scene = scene::read_scene(options.scene, options.overrides);
-  write_file(options.out, options.weather.empty() ? ageing_file(scene, form)
-                                                  : season_file(scene, options.weather, form));
+  write_file(options.out, curves_file(scene, options.weather, form));
   print_message(fmt::format("wrote {}", options.out.string()));
   return ExitCode::done;
 }
