@@ -43,6 +43,15 @@ struct CurvesOptions {
   std::filesystem::path out;           ///< ends in .svg or .csv
 };
 
+/// What `film` is asked for.
+struct FilmOptions {
+  std::filesystem::path out;        ///< the output folder with the frames
+  std::filesystem::path film;       ///< .mp4; empty: out/film_<renderer>.mp4 for each renderer
+  std::string renderer;             ///< "blender" or "povray"; empty: those that have all frames
+  std::vector<int> frames;          ///< from 1, rising, without gaps; empty: all of the scene
+  double frames_per_second = 24.0;  ///< more than 0
+};
+
 /// Generates everything the renderers need.
 ExitCode run_generate(const RenderOptions& options, Progress& progress);
 
@@ -67,6 +76,10 @@ ExitCode run_compare(const CompareOptions& options);
 
 /// Writes the scene's ageing curves as a figure (.svg) or a table (.csv).
 ExitCode run_curves(const CurvesOptions& options);
+
+/// Encodes a folder's frames as films, .mp4 and a .webp that loops beside it, and prints their
+/// names. With a name of its own there is one film: Blender's where both renderers have all frames.
+ExitCode run_film(const FilmOptions& options, Progress& progress);
 
 /// Writes NAME.toml into the working folder; refuses to replace a file.
 ExitCode run_new(const std::string& name);
