@@ -9,7 +9,7 @@ build_packages=(g++ cmake ninja-build libopenvdb-dev libopenimageio-dev libtbb-d
   libboost-iostreams-dev libgdal-dev)
 render_packages=(blender povray ffmpeg)
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev libxml2-utils locales slurmctld slurmd
-  slurm-client munge python3 procps)
+  slurm-client munge python3 procps chromium chromium-driver)
 
 say() { printf '\n== %s\n' "$*" >&2; }
 

@@ -244,6 +244,23 @@ Action declare_film(CLI::App& app) {
   };
 }
 
+Action declare_report(CLI::App& app) {
+  struct Options {
+    std::filesystem::path out;
+    std::filesystem::path page;
+    bool quiet = false;
+  };
+  auto options = std::make_shared<Options>();
+  add_output_folder(app, options->out);
+  app.add_option("--out", options->page, "the page; DIR/report.html without it")
+      ->type_name("FILE.html");
+  add_quiet(app, options->quiet);
+  return [options] {
+    ConsoleProgress progress(progress_style(options->quiet));
+    return run_report(options->out, options->page, progress);
+  };
+}
+
 Action declare_new(CLI::App& app) {
   auto name = std::make_shared<std::string>();
   app.add_option("NAME", *name, "names the scene and its file")->required();
@@ -272,6 +289,9 @@ const std::vector<Command>& command_table() {
        "wold curves meadow.toml --out ageing.svg --set ageing.water=cold", declare_curves},
       {"film", "encode frames as a film (.mp4) and as a picture that loops (.webp)",
        "wold film out/meadow --renderer povray --fps 25", declare_film},
+      {"report",
+       "make one web page of an output folder: frames over time, times, curves, parameters",
+       "wold report out/meadow", declare_report},
       {"new", "write a commented starter scene", "wold new meadow", declare_new},
   };
   return commands;

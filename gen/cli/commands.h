@@ -81,6 +81,11 @@ ExitCode run_curves(const CurvesOptions& options);
 /// names. With a name of its own there is one film: Blender's where both renderers have all frames.
 ExitCode run_film(const FilmOptions& options, Progress& progress);
 
+/// Writes a page about an output folder, `out`/report.html unless `page` names another, and prints
+/// its name.
+ExitCode run_report(const std::filesystem::path& out, const std::filesystem::path& page,
+                    Progress& progress);
+
 /// Writes NAME.toml into the working folder; refuses to replace a file.
 ExitCode run_new(const std::string& name);
 
