@@ -244,6 +244,15 @@ Action declare_film(CLI::App& app) {
   };
 }
 
+Action declare_preview(CLI::App& app) {
+  auto options = std::make_shared<PreviewOptions>();
+  add_scene(app, options->scene);
+  app.add_option("--out", options->out, "the picture; out/<scene name>/preview.png without it")
+      ->type_name("FILE.png");
+  add_overrides(app, options->overrides);
+  return [options] { return run_preview(*options); };
+}
+
 Action declare_report(CLI::App& app) {
   struct Options {
     std::filesystem::path out;
@@ -279,6 +288,8 @@ const std::vector<Command>& command_table() {
        "wold plan meadow.toml --frames 1-100 --why", declare_plan},
       {"task", "do one of the plan's tasks, unless it has been done",
        "wold task meadow.toml scenes 7 --out /shared/meadow", declare_task},
+      {"preview", "draw a contact sheet of a scene in seconds, without any renderer",
+       "wold preview meadow.toml --out meadow.png --set sun.elevation=12", declare_preview},
       {"check", "check a scene and print it with every key filled in",
        "wold check meadow.toml --set sun.elevation=20", declare_check},
       {"inspect", "say what is in pictures, .vdb and .df3 files, and what is wrong with them",

@@ -52,6 +52,13 @@ struct FilmOptions {
   double frames_per_second = 24.0;  ///< more than 0
 };
 
+/// What `preview` is asked for.
+struct PreviewOptions {
+  std::filesystem::path scene;
+  std::vector<std::string> overrides;  ///< key=value, applied after the scene file
+  std::filesystem::path out;           ///< ends in .png; empty: out/<scene name>/preview.png
+};
+
 /// Generates everything the renderers need.
 ExitCode run_generate(const RenderOptions& options, Progress& progress);
 
@@ -76,6 +83,9 @@ ExitCode run_compare(const CompareOptions& options);
 
 /// Writes the scene's ageing curves as a figure (.svg) or a table (.csv).
 ExitCode run_curves(const CurvesOptions& options);
+
+/// Draws a contact sheet of a scene, without any renderer, and prints its name.
+ExitCode run_preview(const PreviewOptions& options);
 
 /// Encodes a folder's frames as films, .mp4 and a .webp that loops beside it, and prints their
 /// names. With a name of its own there is one film: Blender's where both renderers have all frames.

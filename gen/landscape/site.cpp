@@ -52,6 +52,14 @@ GroundPart whole_ground(const scene::Scene& scene, const Heightfield& terrain,
   return {std::move(growth), std::move(light), std::move(reflectance)};
 }
 
+/// All of it.
+GroundPart ground_of(const scene::Scene& scene, const Heightfield& terrain,
+                     const light::Daylight& day, std::optional<int> samples) {
+  if (is_large(scene)) return ground_part(scene, terrain, day, whole_grid(scene));
+  if (samples) return ground_part(scene, terrain, day, {terrain.square(), *samples});
+  return whole_ground(scene, terrain, day);
+}
+
 }  // namespace
 
 Snow::Snow(const scene::Scene& scene, const Heightfield& terrain, const fs::path& folder)
@@ -82,12 +90,12 @@ const FactorMap& growth_of_cells(const Site& site) {
   return site.growth_of_window ? *site.growth_of_window : site.growth;
 }
 
-Site make_site(const scene::Scene& scene, const fs::path& snow_folder) {
+Site make_site(const scene::Scene& scene, const fs::path& snow_folder,
+               std::optional<int> ground_samples) {
   Heightfield terrain = terrain::make_ground(scene.terrain, scene.seed);
   const light::Daylight day(scene.sun, scene.sky);
   const bool large = is_large(scene);
-  GroundPart ground = large ? ground_part(scene, terrain, day, whole_grid(scene))
-                            : whole_ground(scene, terrain, day);
+  GroundPart ground = ground_of(scene, terrain, day, ground_samples);
   std::optional<FactorMap> growth_of_window;
   if (large) growth_of_window = growth_map(scene, terrain, window_grid(scene));
   std::optional<cloud::Clouds> clouds;
@@ -95,10 +103,15 @@ Site make_site(const scene::Scene& scene, const fs::path& snow_folder) {
   std::shared_ptr<const Snow> snow;
   if (scene::may_snow(scene) || scene::may_lie(scene))
     snow = std::make_shared<const Snow>(scene, terrain, snow_folder);
-  return {std::move(terrain),          std::move(ground.growth),
-          std::move(growth_of_window), day,
-          std::move(ground.light),     std::move(ground.reflectance),
-          std::move(clouds),           std::move(snow)};
+  return {std::move(terrain),
+          std::move(ground.growth),
+          std::move(growth_of_window),
+          day,
+          std::move(ground.light),
+          std::move(ground.reflectance),
+          std::move(clouds),
+          std::move(snow),
+          ground_samples};
 }
 
 double leaf_area_index(const scene::Grass& grass) {
