@@ -10,6 +10,7 @@
 #include "cli/preview_film.h"
 #include "cli/scratch_folder.h"
 #include "core/files.h"
+#include "core/parallel.h"
 #include "core/temporary_name.h"
 #include "preview/camera_picture.h"
 #include "preview/perspective.h"
@@ -99,7 +100,7 @@ void mark_camera(const landscape::Camera& camera, const landscape::Landscape& ov
 class Preview {
  public:
   Preview(const scene::Scene& scene, const std::vector<int>& frames, const fs::path& scratch)
-      : width_px_(frames.size() == 1 ? 920
+      : width_px_(frames.size() == 1 ? 760
                                      : preview::width_of_each(static_cast<int>(frames.size()))),
         scene_(simplified(scene, width_px_)),
         frames_(frames),
@@ -114,18 +115,20 @@ class Preview {
         "A sketch: coarser than the renderers' pictures, and grass in the distance is only colour. "
         "{} frame{}, terrain of {:.6g} m.",
         count, count == 1 ? "" : "s", scene_.terrain.size_m);
-    std::vector<Tile> camera_row;
-    for (const int frame : frames_) {
-      const landscape::Landscape landscape = film_.landscape(frame);
-      if (frame == frames_.front()) first_ = surroundings(landscape);
-      light_ = mean_light(landscape);
-      camera_row.push_back({preview::camera_picture(landscape, width_px_), caption_of(landscape)});
-    }
+    std::vector<landscape::Landscape> landscapes;
+    for (const int frame : frames_) landscapes.push_back(film_.landscape(frame));
+    std::vector<Tile> camera_row(landscapes.size());
+    parallel_for(landscapes.size(), [&](std::size_t i) {
+      camera_row[i] = {preview::camera_picture(landscapes[i], width_px_),
+                       caption_of(landscapes[i])};
+    });
+    std::vector<Tile> around = surroundings(landscapes.front());
     if (frames_.size() == 1) {
-      camera_row.push_back(std::move(first_.front()));
-      first_.erase(first_.begin());
+      camera_row.push_back(std::move(around.front()));
+      around.erase(around.begin());
     }
-    sheet.rows = {std::move(camera_row), std::move(first_), grass_row()};
+    sheet.rows = {std::move(camera_row), std::move(around),
+                  grass_row(mean_light(landscapes.front()))};
     return sheet;
   }
 
@@ -171,18 +174,19 @@ class Preview {
         fmt::format("Sky all around, from the horizon to the zenith, frame {}", landscape.frame)};
   }
 
-  std::vector<Tile> grass_row() const {
+  /// Grass at some of its key frames under `light`.
+  std::vector<Tile> grass_row(const glm::vec3& light) const {
     constexpr int most = 6;
     const std::vector<double> key_frames = scene::key_frames(scene_);
+    const std::vector<int> shown = some_of(static_cast<int>(key_frames.size()), most);
     const int width_px = preview::width_of_each(most);
-    std::vector<Tile> row;
-    for (const int key : some_of(static_cast<int>(key_frames.size()), most)) {
-      const Tubes blades = film_.blades(key);
-      row.push_back(
-          {preview::patch_picture(blades, scene_.grass.patch_m, 1.3 * scene_.grass.height_m, light_,
-                                  {width_px, width_px * 9 / 10}),
-           fmt::format("Grass at degree {:.3g}", key_frames[static_cast<std::size_t>(key)])});
-    }
+    std::vector<Tile> row(shown.size());
+    parallel_for(row.size(), [&](std::size_t i) {
+      row[i] = {
+          preview::patch_picture(film_.blades(shown[i]), scene_.grass.patch_m,
+                                 1.3 * scene_.grass.height_m, light, {width_px, width_px * 9 / 10}),
+          fmt::format("Grass at degree {:.3g}", key_frames[static_cast<std::size_t>(shown[i])])};
+    });
     return row;
   }
 
@@ -191,8 +195,6 @@ class Preview {
   std::vector<int> frames_;
   PreviewFilm film_;
   fs::path font_;
-  std::vector<Tile> first_;
-  glm::vec3 light_{1.0F};
 };
 
 }  // namespace
@@ -201,6 +203,7 @@ ExitCode run_preview(const PreviewOptions& options) {
   const scene::Scene scene = scene::read_scene(options.scene, options.overrides);
   const fs::path file = file_of(options, scene);
   if (file.has_parent_path()) make_folder(file.parent_path());
+  const ThreadLimit limit(scene.render.threads);
   const ScratchFolder scratch(temporary_name(file.parent_path() / "preview_work"));
   Preview preview(scene, shown_frames(scene), scratch.path());
   if (preview.font().empty())

@@ -71,7 +71,7 @@ std::vector<landscape::Volume> PreviewFilm::far_volumes(const grass::PatchState&
 }
 
 Tubes PreviewFilm::blades(int variant, const grass::PatchState& state) const {
-  constexpr double pixels_of_shadows = 200.0;  // along a patch
+  constexpr double pixels_of_shadows = 128.0;  // along a patch
   return texels_.blades(variant, state, scene_.grass.patch_m / pixels_of_shadows);
 }
 

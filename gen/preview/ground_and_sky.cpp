@@ -105,7 +105,7 @@ class March {
       if (at >= last) break;
       above = at;
       // Ground up to 60 degrees steep rises less than the gap meanwhile.
-      at = std::min(last, at + std::max(0.5 * gap, 0.1 * terrain_.step_m() + 2e-3 * at));
+      at = std::min(last, at + std::max(0.5 * gap, 0.1 * terrain_.step_m() + 3e-3 * at));
     }
     return std::numeric_limits<double>::infinity();
   }

@@ -24,7 +24,7 @@ double area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
 void paint_triangle(const std::array<Corner, 3>& corners, Canvas& canvas) {
   const glm::dvec2 a(corners[0].seen), b(corners[1].seen), c(corners[2].seen);
   const double whole = area(a, b, c);
-  if (whole == 0.0) return;
+  if (whole >= 0.0) return;  // seen from inside the tube
   const glm::dvec2 low = glm::max(glm::floor(glm::min(glm::min(a, b), c)), 0.0);
   const glm::dvec2 high = glm::min(glm::ceil(glm::max(glm::max(a, b), c)),
                                    glm::dvec2(canvas.radiance.width, canvas.radiance.height));
