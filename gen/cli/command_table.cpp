@@ -1,8 +1,11 @@
 #include "cli/command_table.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include "cli/arguments.h"
@@ -61,15 +64,18 @@ void add_shorthands(CLI::App& app, Overrides& overrides) {
       ->type_name("WxH");
 }
 
+void add_frames(CLI::App& app, std::vector<int>& frames, const std::string& doc) {
+  app.add_option_function<std::string>(
+         "--frames", [&frames](const std::string& text) { frames = parse_frames(text); }, doc)
+      ->type_name("1,5,9-12");
+}
+
 /// Everything that says which files are made.
 void add_job_options(CLI::App& app, RenderArguments& arguments) {
   RenderOptions& options = arguments.options;
   add_scene(app, options.scene);
   add_shorthands(app, arguments.shorthands);
-  app.add_option_function<std::string>(
-         "--frames", [&options](const std::string& text) { options.frames = parse_frames(text); },
-         "frames to make, from 1; all without it")
-      ->type_name("1,5,9-12");
+  add_frames(app, options.frames, "frames to make, from 1; all without it");
   app.add_option("--out", options.out, "output folder; out/<scene name> without it")
       ->type_name("DIR");
   app.add_option("--threads", options.threads, "threads to use; the scene's without it")
@@ -165,13 +171,20 @@ Action declare_inspect(CLI::App& app) {
   return [options] { return run_inspect(options->files, options->json); };
 }
 
-/// "" when the text is a limit; CLI11's own check lets NaN pass.
-std::string limit_fault(const std::string& text) {
-  double limit = 0.0;
+/// "" when the text is a number from `least` to `most`; CLI11's own check lets NaN pass.
+std::string number_fault(const std::string& text, double least, double most) {
+  double number = 0.0;
   const char* end = text.data() + text.size();
-  const auto parsed = std::from_chars(text.data(), end, limit);
-  const bool good = parsed.ec == std::errc{} && parsed.ptr == end && std::isfinite(limit);
-  return good && limit >= 0.0 ? "" : "found " + text + ", expected a number from 0";
+  const auto parsed = std::from_chars(text.data(), end, number);
+  const bool is_number = parsed.ec == std::errc{} && parsed.ptr == end && std::isfinite(number);
+  if (is_number && number >= least && number <= most) return "";
+  return std::isfinite(most)
+             ? fmt::format("found {}, expected a number from {} to {}", text, least, most)
+             : fmt::format("found {}, expected a number from {}", text, least);
+}
+
+std::string limit_fault(const std::string& text) {
+  return number_fault(text, 0.0, std::numeric_limits<double>::infinity());
 }
 
 void add_limit(CLI::App& app, const std::string& option, double& limit, const std::string& doc) {
@@ -209,6 +222,58 @@ Action declare_curves(CLI::App& app) {
   return [options] { return run_curves(*options); };
 }
 
+void add_output_folder(CLI::App& app, std::filesystem::path& out) {
+  app.add_option("DIR", out, "an output folder of `wold render`")->required();
+}
+
+Action declare_film(CLI::App& app) {
+  auto options = std::make_shared<FilmOptions>();
+  auto quiet = std::make_shared<bool>(false);
+  add_output_folder(app, options->out);
+  app.add_option("--out", options->film,
+                 "the film; DIR/film_<renderer>.mp4 without it, for each that has all frames")
+      ->type_name("FILE.mp4");
+  app.add_option("--renderer", options->renderer, "whose frames; Blender's rather than POV-Ray's")
+      ->check(CLI::IsMember({"blender", "povray"}))
+      ->type_name("blender|povray");
+  add_frames(app, options->frames, "frames to take, without gaps; all without it");
+  app.add_option("--fps", options->frames_per_second, "frames per second")
+      ->type_name("N")
+      ->check([](const std::string& text) { return number_fault(text, 0.1, 240.0); })
+      ->capture_default_str();
+  add_quiet(app, *quiet);
+  return [options, quiet] {
+    ConsoleProgress progress(progress_style(*quiet));
+    return run_film(*options, progress);
+  };
+}
+
+Action declare_preview(CLI::App& app) {
+  auto options = std::make_shared<PreviewOptions>();
+  add_scene(app, options->scene);
+  app.add_option("--out", options->out, "the picture; out/<scene name>/preview.png without it")
+      ->type_name("FILE.png");
+  add_overrides(app, options->overrides);
+  return [options] { return run_preview(*options); };
+}
+
+Action declare_report(CLI::App& app) {
+  struct Options {
+    std::filesystem::path out;
+    std::filesystem::path page;
+    bool quiet = false;
+  };
+  auto options = std::make_shared<Options>();
+  add_output_folder(app, options->out);
+  app.add_option("--out", options->page, "the page; DIR/report.html without it")
+      ->type_name("FILE.html");
+  add_quiet(app, options->quiet);
+  return [options] {
+    ConsoleProgress progress(progress_style(options->quiet));
+    return run_report(options->out, options->page, progress);
+  };
+}
+
 Action declare_new(CLI::App& app) {
   auto name = std::make_shared<std::string>();
   app.add_option("NAME", *name, "names the scene and its file")->required();
@@ -227,6 +292,8 @@ const std::vector<Command>& command_table() {
        "wold plan meadow.toml --frames 1-100 --why", declare_plan},
       {"task", "do one of the plan's tasks, unless it has been done",
        "wold task meadow.toml scenes 7 --out /shared/meadow", declare_task},
+      {"preview", "draw a contact sheet of a scene in seconds, without any renderer",
+       "wold preview meadow.toml --out meadow.png --set sun.elevation=12", declare_preview},
       {"check", "check a scene and print it with every key filled in",
        "wold check meadow.toml --set sun.elevation=20", declare_check},
       {"inspect", "say what is in pictures, .vdb and .df3 files, and what is wrong with them",
@@ -235,6 +302,11 @@ const std::vector<Command>& command_table() {
        "wold compare got.png want.png --report differences --rmse 0.01", declare_compare},
       {"curves", "draw or tabulate a scene's ageing: pigments, water, shrinkage, droop, colour",
        "wold curves meadow.toml --out ageing.svg --set ageing.water=cold", declare_curves},
+      {"film", "encode frames as a film (.mp4) and as a picture that loops (.webp)",
+       "wold film out/meadow --renderer povray --fps 25", declare_film},
+      {"report",
+       "make one web page of an output folder: frames over time, times, curves, parameters",
+       "wold report out/meadow", declare_report},
       {"new", "write a commented starter scene", "wold new meadow", declare_new},
   };
   return commands;

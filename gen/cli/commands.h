@@ -44,6 +44,22 @@ struct CurvesOptions {
   std::filesystem::path weather;       ///< daily weather, for the season's curves; may be empty
 };
 
+/// What `film` is asked for.
+struct FilmOptions {
+  std::filesystem::path out;        ///< the output folder with the frames
+  std::filesystem::path film;       ///< .mp4; empty: out/film_<renderer>.mp4 for each renderer
+  std::string renderer;             ///< "blender" or "povray"; empty: those that have all frames
+  std::vector<int> frames;          ///< from 1, rising, without gaps; empty: all of the scene
+  double frames_per_second = 24.0;  ///< more than 0
+};
+
+/// What `preview` is asked for.
+struct PreviewOptions {
+  std::filesystem::path scene;
+  std::vector<std::string> overrides;  ///< key=value, applied after the scene file
+  std::filesystem::path out;           ///< ends in .png; empty: out/<scene name>/preview.png
+};
+
 /// Generates everything the renderers need.
 ExitCode run_generate(const RenderOptions& options, Progress& progress);
 
@@ -69,6 +85,18 @@ ExitCode run_compare(const CompareOptions& options);
 /// Writes the scene's ageing curves, or with daily weather or in a season those of its days, as a
 /// figure (.svg) or a table (.csv).
 ExitCode run_curves(const CurvesOptions& options);
+
+/// Draws a contact sheet of a scene, without any renderer, and prints its name.
+ExitCode run_preview(const PreviewOptions& options);
+
+/// Encodes a folder's frames as films, .mp4 and a .webp that loops beside it, and prints their
+/// names. With a name of its own there is one film: Blender's where both renderers have all frames.
+ExitCode run_film(const FilmOptions& options, Progress& progress);
+
+/// Writes a page about an output folder, `out`/report.html unless `page` names another, and prints
+/// its name.
+ExitCode run_report(const std::filesystem::path& out, const std::filesystem::path& page,
+                    Progress& progress);
 
 /// Writes NAME.toml into the working folder; refuses to replace a file.
 ExitCode run_new(const std::string& name);

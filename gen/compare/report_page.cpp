@@ -105,14 +105,6 @@ std::string title(const std::vector<Comparison>& comparisons) {
                      comparisons.size());
 }
 
-/// The template with every `mark` replaced.
-std::string filled(std::string page, std::string_view mark, std::string_view text) {
-  for (std::size_t at = page.find(mark); at != std::string::npos;
-       at = page.find(mark, at + text.size()))
-    page.replace(at, mark.size(), text);
-  return page;
-}
-
 }  // namespace
 
 void write_report_page(const fs::path& page, const std::vector<Comparison>& comparisons) {

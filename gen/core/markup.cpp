@@ -25,4 +25,11 @@ std::string markup_escaped(std::string_view text) {
   return result;
 }
 
+std::string filled(std::string page, std::string_view mark, std::string_view text) {
+  for (std::size_t at = page.find(mark); at != std::string::npos;
+       at = page.find(mark, at + text.size()))
+    page.replace(at, mark.size(), text);
+  return page;
+}
+
 }  // namespace wold

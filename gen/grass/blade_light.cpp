@@ -9,16 +9,13 @@
 namespace wold::grass {
 namespace {
 
-/// Side of a pixel of the shadow pictures.
-constexpr double shadow_pixel_m = 5e-4;
-
 /// Which of the light from one direction reaches the blades.
 class Shadows {
  public:
-  Shadows(const BladePatch& patch, const glm::dvec3& direction)
+  Shadows(const BladePatch& patch, const glm::dvec3& direction, double pixel_m)
       : direction_(direction),
         picture_(patch, direction,
-                 std::clamp(static_cast<int>(patch.patch_m / shadow_pixel_m), 64, 4096)) {}
+                 std::clamp(static_cast<int>(patch.patch_m / pixel_m), 64, 4096)) {}
 
   /// Share of a blade's width at a place that is not in shadow.
   float reaching(const BladePlace& place) const {
@@ -39,11 +36,12 @@ class Shadows {
 }  // namespace
 
 std::vector<glm::vec3> place_radiance(const BladePatch& patch, std::span<const BladePlace> places,
-                                      const Lighting& lighting, const FibreLook& look) {
+                                      const Lighting& lighting, const FibreLook& look,
+                                      double shadow_pixel_m) {
   const TurnedLight light(lighting, /*turn=*/0);
   // One picture at a time: the sun, then every direction of the sky.
   const auto each_place = [&](const glm::dvec3& direction, const auto& visit) {
-    const Shadows shadows(patch, direction);
+    const Shadows shadows(patch, direction, shadow_pixel_m);
     parallel_for(places.size(), [&](std::size_t i) { visit(i, shadows.reaching(places[i])); });
   };
   std::vector<float> sunlit(places.size());

@@ -17,9 +17,14 @@ struct BladePlace {
   Fibre fibre;
 };
 
+/// Thinner than any blade.
+inline constexpr double fine_shadow_pixel_m = 5e-4;
+
 /// Radiance of each place, shaded like the texel (shading.h) but without its voxels: sunlight and
-/// skylight reach a place when no other blade of the tiled patch hides it.
+/// skylight reach a place when no other blade of the tiled patch hides it, as far as pictures of
+/// the patch with pixels of `shadow_pixel_m` show.
 std::vector<glm::vec3> place_radiance(const BladePatch& patch, std::span<const BladePlace> places,
-                                      const Lighting& lighting, const FibreLook& look);
+                                      const Lighting& lighting, const FibreLook& look,
+                                      double shadow_pixel_m = fine_shadow_pixel_m);
 
 }  // namespace wold::grass

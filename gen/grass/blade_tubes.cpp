@@ -82,14 +82,15 @@ void append_snow(const BladePatch& patch, std::size_t i, std::vector<BladePlace>
 }  // namespace
 
 Tubes blade_tubes(const BladePatch& patch, const AgeingModel& model, const Lighting& lighting,
-                  const FibreLook& look) {
+                  const FibreLook& look, double shadow_pixel_m) {
   std::vector<BladePlace> places;
   for (std::size_t i = 0; i < patch.blades.size(); ++i) append_places(patch, model, i, places);
   const std::size_t of_blades = places.size();
   std::vector<float> half_heights_m;
   for (std::size_t i = 0; i < patch.blades.size(); ++i)
     append_snow(patch, i, places, half_heights_m);
-  Tubes tubes{segments + 1, corners, {}, place_radiance(patch, places, lighting, look)};
+  Tubes tubes{
+      segments + 1, corners, {}, place_radiance(patch, places, lighting, look, shadow_pixel_m)};
   for (std::size_t k = 0; k < of_blades; ++k)
     append_ring(patch.blades[places[k].blade], places[k], 1.0F, 0.0F, tubes.vertices_m);
   for (std::size_t k = of_blades; k < places.size(); ++k) {

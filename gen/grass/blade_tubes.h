@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/tubes.h"
+#include "grass/blade_light.h"
 #include "grass/blade_patch.h"
 #include "grass/shading.h"
 
@@ -13,8 +14,8 @@ namespace wold::grass {
 /// Rings are triangles whose outline is as long as the circle's of the cone: a convex body shows
 /// its outline over pi on average, so both cover the same. Snow lies on them in tubes of its own
 /// (snow_ridge.h), two to a blade that bears some, roof-shaped. Positions are those of the patch,
-/// metres, not wrapped; the patch stands unturned.
+/// metres, not wrapped; the patch stands unturned. `shadow_pixel_m` is place_radiance()'s.
 Tubes blade_tubes(const BladePatch& patch, const AgeingModel& model, const Lighting& lighting,
-                  const FibreLook& look);
+                  const FibreLook& look, double shadow_pixel_m = fine_shadow_pixel_m);
 
 }  // namespace wold::grass

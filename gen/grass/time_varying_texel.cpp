@@ -176,8 +176,9 @@ BladePatch TimeVaryingTexel::patch(int variant, const PatchState& state) const {
       .at(key_frames_[static_cast<std::size_t>(state.key_frame)], state.snow_share());
 }
 
-Tubes TimeVaryingTexel::blades(int variant, const PatchState& state) const {
-  return blade_tubes(patch(variant, state), model_, lighting(state), fibre_look(scene_.grass));
+Tubes TimeVaryingTexel::blades(int variant, const PatchState& state, double shadow_pixel_m) const {
+  return blade_tubes(patch(variant, state), model_, lighting(state), fibre_look(scene_.grass),
+                     shadow_pixel_m);
 }
 
 Tubes TimeVaryingTexel::points(int variant, const PatchState& state) const {

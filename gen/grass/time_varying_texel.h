@@ -8,6 +8,7 @@
 
 #include "core/progress.h"
 #include "core/tubes.h"
+#include "grass/blade_light.h"
 #include "grass/blade_patch.h"
 #include "grass/dynamics.h"
 #include "grass/patch_state.h"
@@ -61,8 +62,9 @@ class TimeVaryingTexel {
   StageTimes generate(const TexelDemand& demand, Progress& progress) const;
 
   /// The blades that a variant's texel stands for in a state, and the points it is made of, shaded
-  /// for the same light.
-  Tubes blades(int variant, const PatchState& state) const;
+  /// for the same light; `shadow_pixel_m` is place_radiance()'s.
+  Tubes blades(int variant, const PatchState& state,
+               double shadow_pixel_m = fine_shadow_pixel_m) const;
   Tubes points(int variant, const PatchState& state) const;
   /// What both were made from: equal for equal tubes.
   std::string content(int variant, const PatchState& state) const;

@@ -53,11 +53,20 @@ GroundPart lit_part(const scene::Scene& scene, const Heightfield& terrain,
   return {std::move(growth), std::move(light), std::move(reflectance)};
 }
 
-/// The whole ground in the light of a day: as the pictures of a large terrain need it, or with the
-/// usual steps.
+/// Where maps of the whole ground have their values: as the pictures of a large terrain need them,
+/// so many along a side, or nowhere else than usual.
+std::optional<GroundGrid> grid_of_ground(const scene::Scene& scene, const Heightfield& terrain,
+                                         std::optional<int> samples) {
+  if (is_large(scene)) return whole_grid(scene);
+  if (samples) return GroundGrid{terrain.square(), *samples};
+  return std::nullopt;
+}
+
+/// The whole ground in the light of a day, on a grid or with the usual steps.
 GroundPart whole_ground(const scene::Scene& scene, const Heightfield& terrain,
-                        const light::Daylight& day, FactorMap growth) {
-  if (is_large(scene)) return lit_part(scene, terrain, day, whole_grid(scene), std::move(growth));
+                        const light::Daylight& day, const std::optional<GroundGrid>& grid,
+                        FactorMap growth) {
+  if (grid) return lit_part(scene, terrain, day, *grid, std::move(growth));
   terrain::GroundLight light = terrain::ground_light(terrain, day);
   ColourMap reflectance =
       terrain::ground_reflectance(terrain, day.sun_direction(), scene.terrain, scene.seed, growth,
@@ -96,14 +105,16 @@ const FactorMap& growth_of_cells(const Site& site) {
   return site.growth_of_window ? *site.growth_of_window : site.growth;
 }
 
-Site make_site(const scene::Scene& scene, const fs::path& snow_folder) {
+Site make_site(const scene::Scene& scene, const fs::path& snow_folder,
+               std::optional<int> ground_samples) {
   Heightfield terrain = terrain::make_ground(scene.terrain, scene.seed);
   const scene::Scene half_way = at_time(scene, 0.5);
   const light::Daylight day(half_way.sun, scene.sky);
   const bool large = is_large(scene);
-  GroundPart ground = whole_ground(
-      scene, terrain, day,
-      large ? growth_map(scene, terrain, whole_grid(scene)) : growth_map(scene, terrain));
+  const auto grid = grid_of_ground(scene, terrain, ground_samples);
+  GroundPart ground =
+      whole_ground(scene, terrain, day, grid,
+                   grid ? growth_map(scene, terrain, *grid) : growth_map(scene, terrain));
   std::optional<FactorMap> growth_of_window;
   if (large) growth_of_window = growth_map(scene, terrain, window_grid(scene));
   std::optional<cloud::Clouds> clouds;
@@ -114,18 +125,26 @@ Site make_site(const scene::Scene& scene, const fs::path& snow_folder) {
   std::shared_ptr<const season::FilmSeason> season;
   if (scene::is_season(scene)) season = std::make_shared<const season::FilmSeason>(scene);
   auto withering = std::make_shared<const Withering>(scene, terrain);
-  return {std::move(terrain),          std::move(ground.growth),
-          std::move(growth_of_window), day,
-          std::move(ground.light),     std::move(ground.reflectance),
-          std::move(clouds),           std::move(season),
-          std::move(withering),        std::move(snow)};
+  return {std::move(terrain),
+          std::move(ground.growth),
+          std::move(growth_of_window),
+          day,
+          std::move(ground.light),
+          std::move(ground.reflectance),
+          std::move(clouds),
+          std::move(season),
+          std::move(withering),
+          std::move(snow),
+          ground_samples};
 }
 
 Site site_of_frame(const scene::Scene& scene, const Site& site, int frame) {
   if (!site.season) return site;
   Site now = site;
   now.day = light::Daylight(scene::sun_at(scene, time_of_frame(scene, frame)), scene.sky);
-  GroundPart ground = whole_ground(scene, now.terrain, now.day, std::move(now.growth));
+  GroundPart ground =
+      whole_ground(scene, now.terrain, now.day,
+                   grid_of_ground(scene, now.terrain, now.ground_samples), std::move(now.growth));
   now.growth = std::move(ground.growth);
   now.light = std::move(ground.light);
   now.ground_reflectance = std::move(ground.reflectance);

@@ -48,13 +48,16 @@ struct Site {
   std::optional<cloud::Clouds> clouds;
   std::shared_ptr<const season::FilmSeason> season;  ///< if it is one
   std::shared_ptr<const Withering> withering;
-  std::shared_ptr<const Snow> snow;  ///< none where none can fall or lie
+  std::shared_ptr<const Snow> snow;        ///< none where none can fall or lie
+  std::optional<int> ground_samples = {};  ///< along a side of maps of the ground; none: the usual
 };
 
 /// Maps of a large terrain have as many samples as its pictures need; its snow is kept in tiled
-/// pictures in `snow_folder`, which is made where it is needed and is the site's alone.
-/// Throws what terrain::make_ground(), growth_map(), cloud::Clouds and Snow's parts throw.
-Site make_site(const scene::Scene& scene, const std::filesystem::path& snow_folder = {});
+/// pictures in `snow_folder`, which is made where it is needed and is the site's alone. Those of
+/// any other have the usual steps, or as many samples along a side as `ground_samples` says. Throws
+/// what terrain::make_ground(), growth_map(), cloud::Clouds and Snow's parts throw.
+Site make_site(const scene::Scene& scene, const std::filesystem::path& snow_folder = {},
+               std::optional<int> ground_samples = {});
 
 /// The site on the day of a frame (from 1): itself, but in a season with that day's light. Shares
 /// clouds and snow with it.

@@ -134,7 +134,7 @@ void SnowyGround::lay_everywhere(int frame) {
   if (!(state.fallen_mm > 0.0)) return;
   depth_m_ = state.depth_m;
   albedo_ = static_cast<float>(mean(state.albedo));
-  white_ = snow.white(state, white_samples(surface_.size_m()));
+  white_ = snow.white(state, site_.ground_samples.value_or(white_samples(surface_.size_m())));
   if (is_paper(scene_)) return;  // the ground's shape stays
   surface_ = snow_surface(scene_, site_.terrain, depth_m_, *white_);
   light_ = terrain::ground_light(surface_, site_.day);

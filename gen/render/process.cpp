@@ -21,6 +21,7 @@ namespace {
 
 constexpr std::chrono::milliseconds grace{1000};  // between asking to terminate and killing
 constexpr std::chrono::milliseconds pause{20};
+constexpr std::chrono::milliseconds patience{100};  // longest time between two questions
 
 /// What this program ignores or blocks, the renderer must still feel.
 void reset_signals() {
@@ -129,6 +130,24 @@ void Process::stop() {
   if (!ended()) ::kill(-group_, SIGTERM);
   while (!ended() && std::chrono::steady_clock::now() < give_up) std::this_thread::sleep_for(pause);
   ::kill(-group_, SIGKILL);
+}
+
+std::optional<ProcessEnd> run_to_end(const std::vector<std::string>& arguments,
+                                     const std::filesystem::path& folder,
+                                     std::chrono::seconds timeout,
+                                     const std::function<void(std::string_view)>& hear,
+                                     const std::function<bool()>& interrupted) {
+  using Clock = std::chrono::steady_clock;
+  Process process(arguments, folder);
+  const auto deadline = Clock::now() + timeout;
+  while (!process.ended()) {
+    hear(process.read(patience));
+    if (interrupted()) throw InterruptedError();
+    if (Clock::now() > deadline) return std::nullopt;
+  }
+  process.stop();
+  for (std::string rest; !(rest = process.read({})).empty();) hear(rest);
+  return process.ended();
 }
 
 }  // namespace wold::render

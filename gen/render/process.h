@@ -4,8 +4,10 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace wold::render {
@@ -43,5 +45,15 @@ class Process {
   pid_t group_ = 0;
   int output_ = -1;
 };
+
+/// Runs a program in `folder` to its end and hands on what it says; nothing when it took longer
+/// than `timeout`. `interrupted` is asked several times a second. The program and its children have
+/// ended in every case. Throws RendererError when it cannot be started, InterruptedError, and what
+/// `hear` throws.
+std::optional<ProcessEnd> run_to_end(const std::vector<std::string>& arguments,
+                                     const std::filesystem::path& folder,
+                                     std::chrono::seconds timeout,
+                                     const std::function<void(std::string_view)>& hear,
+                                     const std::function<bool()>& interrupted);
 
 }  // namespace wold::render

@@ -1,61 +1,20 @@
 #include "render/renderer.h"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
-#include <cstdlib>
-#include <sstream>
-#include <string>
-
-#include "core/error.h"
+#include "render/program.h"
 
 namespace wold::render {
-namespace fs = std::filesystem;
 namespace {
 
-struct Facts {
-  const char* display_name;
-  const char* program;   ///< its name on the PATH, which is also its Debian package
-  const char* variable;  ///< of the environment, names another program
-};
-
-const Facts& facts(Renderer renderer) {
-  static constexpr Facts blender = {"Blender", "blender", "WOLD_BLENDER"};
-  static constexpr Facts povray = {"POV-Ray", "povray", "WOLD_POVRAY"};
+const ExternalProgram& program(Renderer renderer) {
+  static constexpr ExternalProgram blender = {"Blender", "blender", "WOLD_BLENDER"};
+  static constexpr ExternalProgram povray = {"POV-Ray", "povray", "WOLD_POVRAY"};
   return renderer == Renderer::blender ? blender : povray;
-}
-
-bool is_program(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored) && ::access(path.c_str(), X_OK) == 0;
-}
-
-fs::path on_path(const std::string& program) {
-  const char* folders = std::getenv("PATH");
-  std::istringstream list(folders == nullptr ? "" : folders);
-  for (std::string folder; std::getline(list, folder, ':');)
-    if (const fs::path candidate = fs::path(folder) / program; is_program(candidate))
-      return fs::absolute(candidate);
-  return {};
 }
 
 }  // namespace
 
-std::string_view display_name(Renderer renderer) { return facts(renderer).display_name; }
+std::string_view display_name(Renderer renderer) { return program(renderer).display_name; }
 
-fs::path find_renderer(Renderer renderer) {
-  const Facts& known = facts(renderer);
-  if (const char* chosen = std::getenv(known.variable); chosen != nullptr && *chosen != '\0') {
-    if (is_program(chosen)) return fs::absolute(chosen);
-    throw RendererError(
-        fmt::format("{} is missing: {} names {}, which is no program; correct it, or unset it and "
-                    "install {} with `apt-get install {}`",
-                    known.display_name, known.variable, chosen, known.display_name, known.program));
-  }
-  if (fs::path found = on_path(known.program); !found.empty()) return found;
-  throw RendererError(fmt::format(
-      "{} is missing: no `{}` on the PATH; install it with `apt-get install {}` or set {}",
-      known.display_name, known.program, known.program, known.variable));
-}
+std::filesystem::path find_renderer(Renderer renderer) { return find_program(program(renderer)); }
 
 }  // namespace wold::render

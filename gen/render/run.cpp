@@ -19,9 +19,6 @@ namespace wold::render {
 namespace fs = std::filesystem;
 namespace {
 
-using Clock = std::chrono::steady_clock;
-constexpr std::chrono::milliseconds patience{100};  // longest time between two questions
-
 /// Turns fractions into units of a 100-unit stage that never goes back.
 class Percent {
  public:
@@ -68,18 +65,12 @@ RendererError failure(const Job& job, const Log& log, std::string_view reason) {
 /// Runs the program to its end; leaving by an exception ends it too.
 ProcessEnd watch(const Job& job, const std::vector<std::string>& command, Listener& listener,
                  const Log& log, const std::function<bool()>& interrupted) {
-  Process process(command, fs::absolute(job.scene_folder));
-  const auto deadline = Clock::now() + job.timeout;
-  while (!process.ended()) {
-    listener.hear(process.read(patience));
-    if (interrupted()) throw InterruptedError();
-    if (Clock::now() > deadline)
-      throw failure(job, log, fmt::format("no picture after {} s", job.timeout.count()));
-  }
-  process.stop();
-  for (std::string rest; !(rest = process.read({})).empty();) listener.hear(rest);
+  const auto hear = [&](std::string_view bytes) { listener.hear(bytes); };
+  const auto end =
+      run_to_end(command, fs::absolute(job.scene_folder), job.timeout, hear, interrupted);
+  if (!end) throw failure(job, log, fmt::format("no picture after {} s", job.timeout.count()));
   listener.hear({}, /*at_end=*/true);
-  return *process.ended();
+  return *end;
 }
 
 /// Leaves nothing but the pixels: renderers note in their pictures when they made them and how long

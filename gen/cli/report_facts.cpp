@@ -1,0 +1,106 @@
+#include "cli/report_facts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+#include "cli/job.h"
+#include "cli/task_record.h"
+#include "cli/tasks.h"
+#include "core/error.h"
+#include "core/file_list.h"
+#include "core/files.h"
+#include "scene/parse.h"
+
+namespace wold::cli {
+namespace fs = std::filesystem;
+namespace {
+
+void read_scene(const fs::path& out, ReportFacts& facts) {
+  try {
+    facts.scene = scene::read_scene(out / "scene.toml");
+    facts.name = facts.scene->name;
+  } catch (const InputError& error) {
+    facts.name = fs::absolute(out / "").parent_path().filename().string();
+    facts.warnings.push_back(fmt::format(
+        "The scene is not known: {}. Curves and parameters are left out.", error.what()));
+  }
+}
+
+void read_times(const fs::path& out, ReportFacts& facts) {
+  if (!facts.scene) return;
+  Job job;
+  job.scene = *facts.scene;
+  job.frames = facts.frames;
+  const TaskRecords records(out);
+  for (const StageTasks& tasks : stages_of(job)) {
+    StageTime time{std::string(name_of(tasks.stage)), 0, static_cast<int>(tasks.indices.size())};
+    for (const int index : tasks.indices) {
+      const auto record = records.read({tasks.stage, index});
+      if (!record) continue;
+      ++time.done;
+      time.seconds += record->seconds;
+      if (makes_pictures(tasks.stage)) facts.seconds[time.stage][index] = record->seconds;
+    }
+    facts.stages.push_back(std::move(time));
+  }
+}
+
+void warn_of_gaps(const fs::path& out, ReportFacts& facts) {
+  if (facts.pictures.empty())
+    facts.warnings.emplace_back("There are no pictures yet; `wold render` makes them.");
+  for (const FramePictures& pictures : facts.pictures)
+    if (const auto missing = missing_frames(pictures, facts.frames); !missing.empty())
+      facts.warnings.push_back(fmt::format("{} has no pictures of the frames {}.",
+                                           display_name(pictures), ranges_text(missing)));
+  if (!fs::exists(out / "manifest.json"))
+    facts.warnings.emplace_back(
+        "There is no manifest.json: `wold render` has not finished this folder.");
+}
+
+std::string lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// What the renderers warned of, each once.
+void read_log_warnings(const fs::path& out, ReportFacts& facts) {
+  constexpr std::size_t most = 20;
+  std::map<std::string, int> counts;
+  for (const fs::path& path : files_below(out / "logs")) {
+    std::istringstream lines(read_file(path));
+    for (std::string line; std::getline(lines, line);)
+      if (lower_case(line).find("warning:") != std::string::npos) ++counts[line];
+  }
+  std::size_t shown = 0;
+  for (const auto& [line, count] : counts) {
+    if (++shown > most) break;
+    facts.warnings.push_back(count == 1 ? fmt::format("Log: {}", line)
+                                        : fmt::format("Logs, {} times: {}", count, line));
+  }
+  if (counts.size() > most)
+    facts.warnings.push_back(
+        fmt::format("{} more kinds of warnings are in the logs.", counts.size() - most));
+}
+
+}  // namespace
+
+ReportFacts report_facts(const fs::path& out) {
+  ReportFacts facts;
+  facts.pictures = frame_pictures(out);
+  if (facts.pictures.empty() && !fs::exists(out / "scene.toml"))
+    throw FileError(fmt::format(
+        "found neither scene.toml nor frames in {}, expected a folder that `wold render` has made",
+        out.string()));
+  read_scene(out, facts);
+  facts.frames = expected_frames(out, facts.pictures);
+  warn_of_gaps(out, facts);
+  read_times(out, facts);
+  read_log_warnings(out, facts);
+  return facts;
+}
+
+}  // namespace wold::cli

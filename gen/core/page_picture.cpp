@@ -1,0 +1,47 @@
+#include "core/page_picture.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
+#include <OpenImageIO/strutil.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/error.h"
+
+namespace wold {
+namespace {
+
+OIIO::ImageBuf shrunk(const OIIO::ImageBuf& picture, int widest_px) {
+  const OIIO::ImageSpec& spec = picture.spec();
+  if (spec.width <= widest_px) return picture;
+  const double scale = static_cast<double>(widest_px) / spec.width;
+  const int height_px = std::max(1, static_cast<int>(std::lround(scale * spec.height)));
+  return OIIO::ImageBufAlgo::resize(picture, "", 0.0F, {0, widest_px, 0, height_px}, 1);
+}
+
+}  // namespace
+
+std::string jpeg_of(const std::filesystem::path& picture, const PagePicture& form) {
+  OIIO::ImageBuf read(picture.string());
+  if (!read.read(0, 0, 0, std::min(3, read.nchannels()), true, OIIO::TypeDesc::FLOAT))
+    throw FileError(fmt::format("cannot read {}: {}", picture.string(), read.geterror()));
+  OIIO::ImageBuf small = shrunk(read, form.widest_px);
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput memory(bytes);
+  small.set_write_ioproxy(&memory);
+  small.specmod().attribute("compression", fmt::format("jpeg:{}", form.quality));
+  small.specmod().attribute("jpeg:subsampling", "4:2:0");
+  if (!small.write("page.jpg", OIIO::TypeDesc::UINT8))
+    throw FileError(fmt::format("cannot encode {}: {}", picture.string(), small.geterror()));
+  return {bytes.begin(), bytes.end()};
+}
+
+std::string data_uri(const std::string& type, const std::string& bytes) {
+  return fmt::format("data:{};base64,{}", type, OIIO::Strutil::base64_encode(bytes));
+}
+
+}  // namespace wold

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace wold {
+
+/// How a picture is kept in a page: at most that wide, as JPEG.
+struct PagePicture {
+  int widest_px = 960;
+  int quality = 80;  ///< of JPEG, [1, 100]
+};
+
+/// The bytes of a JPEG file of a picture in 8-bit colours, shrunk where it is wider. Throws
+/// FileError when it is missing or damaged.
+std::string jpeg_of(const std::filesystem::path& picture, const PagePicture& form);
+
+/// "data:<type>;base64,...": a file inside a page. `type` is a media type, such as "image/jpeg".
+std::string data_uri(const std::string& type, const std::string& bytes);
+
+}  // namespace wold

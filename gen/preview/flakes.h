@@ -1,0 +1,15 @@
+#pragma once
+
+#include "landscape/landscape.h"
+#include "preview/canvas.h"
+#include "preview/perspective.h"
+
+namespace wold::preview {
+
+/// Puts the fog before what has been painted.
+void paint_fog(const landscape::Fog& fog, const Perspective& perspective, Canvas& canvas);
+
+/// Paints falling flakes over it where nothing nearer is.
+void paint_flakes(const landscape::Flakes& flakes, const Perspective& perspective, Canvas& canvas);
+
+}  // namespace wold::preview

@@ -1,0 +1,167 @@
+#include "preview/ground_and_sky.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "core/parallel.h"
+
+namespace wold::preview {
+namespace {
+
+using landscape::Landscape;
+
+/// Bilinear value at a place in pixels from the upper left corner; `around`: columns repeat.
+glm::vec3 sampled(const Image& image, double x, double y, bool around) {
+  const double fx = x - 0.5;
+  const double fy = std::clamp(y - 0.5, 0.0, image.height - 1.0);
+  const auto i = static_cast<int>(std::floor(fx));
+  const int j = std::min(static_cast<int>(fy), std::max(0, image.height - 2));
+  const auto u = static_cast<float>(fx - i);
+  const auto v = static_cast<float>(fy - j);
+  const auto at = [&](int column, int row) {
+    const int inside = around ? (column % image.width + image.width) % image.width
+                              : std::clamp(column, 0, image.width - 1);
+    const float* pixel = image.pixel(inside, std::min(row, image.height - 1));
+    return glm::vec3(pixel[0], pixel[1], pixel[2]);
+  };
+  return glm::mix(glm::mix(at(i, j), at(i + 1, j), u), glm::mix(at(i, j + 1), at(i + 1, j + 1), u),
+                  v);
+}
+
+/// What is seen along a ray and how far it is.
+struct Hit {
+  glm::vec3 radiance{0.0F};
+  double distance_m = std::numeric_limits<double>::infinity();
+};
+
+glm::vec3 sky_radiance(const Image& sky, const glm::dvec3& direction) {
+  const double azimuth = std::atan2(direction.x, direction.y) / (2.0 * std::numbers::pi);
+  const double elevation = std::asin(std::clamp(direction.z, -1.0, 1.0)) / std::numbers::pi;
+  return sampled(sky, (azimuth - std::floor(azimuth)) * sky.width, (0.5 - elevation) * sky.height,
+                 /*around=*/true);
+}
+
+/// Where the ray meets the backdrop; nothing beside it.
+std::optional<Hit> backdrop_hit(const landscape::Backdrop& backdrop, const glm::dvec3& eye_m,
+                                const glm::dvec3& direction) {
+  const glm::dvec3 normal = glm::cross(backdrop.right_m, backdrop.up_m);
+  const double along = glm::dot(direction, normal);
+  const double distance_m = glm::dot(backdrop.corner_m - eye_m, normal) / along;
+  if (along == 0.0 || distance_m <= 0.0) return std::nullopt;
+  const glm::dvec3 place = eye_m + distance_m * direction - backdrop.corner_m;
+  const double u = glm::dot(place, backdrop.right_m) / glm::dot(backdrop.right_m, backdrop.right_m);
+  const double v = glm::dot(place, backdrop.up_m) / glm::dot(backdrop.up_m, backdrop.up_m);
+  if (u < 0.0 || u > 1.0 || v < 0.0 || v > 1.0) return std::nullopt;
+  const Image& picture = backdrop.picture;
+  return Hit{sampled(picture, u * picture.width, (1.0 - v) * picture.height, /*around=*/false),
+             distance_m};
+}
+
+Hit behind_everything(const Landscape& landscape, const glm::dvec3& eye_m,
+                      const glm::dvec3& direction) {
+  if (landscape.backdrop)
+    if (const auto hit = backdrop_hit(*landscape.backdrop, eye_m, direction)) return *hit;
+  return {sky_radiance(landscape.sky, direction)};
+}
+
+/// The ground's radiance: of each finer picture inside its square, with soft borders.
+glm::vec3 ground_radiance(const Landscape& landscape, const glm::dvec2& at_m) {
+  glm::vec3 seen = landscape.ground.sample(at_m.x, at_m.y);
+  const ColourMap* coarser = &landscape.ground;
+  for (const landscape::GroundDetail& detail : landscape.ground_details) {
+    const glm::dvec2 inside = at_m - detail.corner_m;
+    const glm::dvec2 from_edge = glm::min(inside, detail.map.size_m() - inside);
+    const double share =
+        std::min(from_edge.x, from_edge.y) / landscape::soft_border_m(*coarser, detail);
+    coarser = &detail.map;
+    if (share > 0.0)
+      seen = glm::mix(seen, detail.map.sample(inside.x, inside.y),
+                      static_cast<float>(std::min(share, 1.0)));
+  }
+  return seen;
+}
+
+/// Marches along rays until they are below the terrain.
+class March {
+ public:
+  explicit March(const Heightfield& terrain)
+      : terrain_(terrain),
+        low_(terrain.corner_m(),
+             *std::min_element(terrain.values().begin(), terrain.values().end())),
+        high_(terrain.corner_m() + terrain.size_m(),
+              *std::max_element(terrain.values().begin(), terrain.values().end())) {}
+
+  /// Distance to the ground; infinite where the ray meets none.
+  double distance_m(const glm::dvec3& eye_m, const glm::dvec3& direction) const {
+    const auto [first, last] = inside_m(eye_m, direction);
+    double above = first;
+    for (double at = first; first < last;) {
+      const glm::dvec3 place = eye_m + at * direction;
+      const double gap = place.z - terrain_.sample(place.x, place.y);
+      if (gap <= 0.0) return at == first ? at : between(eye_m, direction, above, at);
+      if (at >= last) break;
+      above = at;
+      // Ground up to 60 degrees steep rises less than the gap meanwhile.
+      at = std::min(last, at + std::max(0.5 * gap, 0.1 * terrain_.step_m() + 3e-3 * at));
+    }
+    return std::numeric_limits<double>::infinity();
+  }
+
+ private:
+  /// The part of the ray within the terrain's box.
+  std::pair<double, double> inside_m(const glm::dvec3& eye_m, const glm::dvec3& direction) const {
+    double first = 0.0;
+    double last = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+      const double low = (low_[axis] - 1e-3 - eye_m[axis]) / direction[axis];
+      const double high = (high_[axis] + 1e-3 - eye_m[axis]) / direction[axis];
+      first = std::max(first, std::min(low, high));
+      last = std::min(last, std::max(low, high));
+    }
+    return {first, last};
+  }
+
+  /// By halves, from above the ground to below it.
+  double between(const glm::dvec3& eye_m, const glm::dvec3& direction, double above,
+                 double below) const {
+    for (int i = 0; i < 12; ++i) {
+      const double middle = 0.5 * (above + below);
+      const glm::dvec3 place = eye_m + middle * direction;
+      (place.z > terrain_.sample(place.x, place.y) ? above : below) = middle;
+    }
+    return below;
+  }
+
+  const Heightfield& terrain_;
+  glm::dvec3 low_;
+  glm::dvec3 high_;
+};
+
+Hit seen(const Landscape& landscape, const March& march, const glm::dvec3& eye_m,
+         const glm::dvec3& direction) {
+  const double distance_m = march.distance_m(eye_m, direction);
+  if (!std::isfinite(distance_m)) return behind_everything(landscape, eye_m, direction);
+  return {ground_radiance(landscape, glm::dvec2(eye_m + distance_m * direction)), distance_m};
+}
+
+}  // namespace
+
+void paint_ground_and_sky(const Landscape& landscape, const Perspective& perspective,
+                          Canvas& canvas) {
+  const March march(landscape.terrain);
+  parallel_for(static_cast<std::size_t>(canvas.radiance.height), [&](std::size_t row) {
+    const int y = static_cast<int>(row);
+    for (int x = 0; x < canvas.radiance.width; ++x) {
+      const glm::dvec3 direction = perspective.direction({x + 0.5, y + 0.5});
+      const Hit hit = seen(landscape, march, perspective.eye_m(), direction);
+      std::copy_n(&hit.radiance.x, 3, canvas.radiance.pixel(x, y));
+      canvas.depth_at(x, y) =
+          static_cast<float>(hit.distance_m * perspective.depth_along(direction));
+    }
+  });
+}
+
+}  // namespace wold::preview

@@ -1,0 +1,93 @@
+#include "preview/tubes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace wold::preview {
+namespace {
+
+constexpr double nearest_m = 0.02;
+
+struct Corner {
+  glm::dvec3 seen;  ///< Perspective::seen()
+  glm::vec3 radiance;
+};
+
+/// Twice the area of a triangle, signed.
+double area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// The pixels whose middles lie in the triangle and nothing nearer is. Depths are interpolated
+/// linearly, which is right enough for what is small.
+void paint_triangle(const std::array<Corner, 3>& corners, Canvas& canvas) {
+  const glm::dvec2 a(corners[0].seen), b(corners[1].seen), c(corners[2].seen);
+  const double whole = area(a, b, c);
+  if (whole >= 0.0) return;  // seen from inside the tube
+  const glm::dvec2 low = glm::max(glm::floor(glm::min(glm::min(a, b), c)), 0.0);
+  const glm::dvec2 high = glm::min(glm::ceil(glm::max(glm::max(a, b), c)),
+                                   glm::dvec2(canvas.radiance.width, canvas.radiance.height));
+  for (int y = static_cast<int>(low.y); y < high.y; ++y)
+    for (int x = static_cast<int>(low.x); x < high.x; ++x) {
+      const glm::dvec2 at(x + 0.5, y + 0.5);
+      const glm::dvec3 share = glm::dvec3(area(b, c, at), area(c, a, at), area(a, b, at)) / whole;
+      if (share.x < 0.0 || share.y < 0.0 || share.z < 0.0) continue;
+      const double depth_m =
+          share.x * corners[0].seen.z + share.y * corners[1].seen.z + share.z * corners[2].seen.z;
+      float& nearest = canvas.depth_at(x, y);
+      if (depth_m >= nearest) continue;
+      nearest = static_cast<float>(depth_m);
+      const glm::vec3 radiance = float(share.x) * corners[0].radiance +
+                                 float(share.y) * corners[1].radiance +
+                                 float(share.z) * corners[2].radiance;
+      std::copy_n(&radiance.x, 3, canvas.radiance.pixel(x, y));
+    }
+}
+
+void paint_quad(const Corner& a, const Corner& b, const Corner& c, const Corner& d,
+                Canvas& canvas) {
+  for (const Corner* corner : {&a, &b, &c, &d})
+    if (corner->seen.z < nearest_m) return;
+  paint_triangle({a, b, c}, canvas);
+  paint_triangle({a, c, d}, canvas);
+}
+
+/// The rings of a tube that are drawn, from the first to the last.
+std::vector<int> drawn_rings(int rings) {
+  constexpr int most = 7;
+  const int count = std::min(rings, most);
+  std::vector<int> drawn;
+  for (int i = 0; i < count; ++i) drawn.push_back(i * (rings - 1) / std::max(1, count - 1));
+  return drawn;
+}
+
+}  // namespace
+
+void paint_tubes(const Tubes& tubes, const glm::dmat4& world_from_cell, const LightAt& light,
+                 const Perspective& perspective, Canvas& canvas) {
+  const std::vector<int> rings = drawn_rings(tubes.rings);
+  const auto corners = static_cast<std::size_t>(tubes.corners);
+  std::vector<Corner> tube(rings.size() * corners);
+  for (std::size_t t = 0; t < tubes.count(); ++t) {
+    glm::vec3 factor(1.0F);
+    for (std::size_t r = 0; r < rings.size(); ++r) {
+      const std::size_t ring =
+          t * static_cast<std::size_t>(tubes.rings) + static_cast<std::size_t>(rings[r]);
+      for (std::size_t c = 0; c < corners; ++c) {
+        const glm::dvec3 at_m(world_from_cell *
+                              glm::dvec4(tubes.vertices_m[ring * corners + c], 1.0));
+        if (r == 0 && c == 0) factor = light(at_m);
+        tube[r * corners + c] = {perspective.seen(at_m), tubes.radiance[ring] * factor};
+      }
+    }
+    for (std::size_t r = 0; r + 1 < rings.size(); ++r)
+      for (std::size_t c = 0; c < corners; ++c) {
+        const std::size_t next = (c + 1) % corners;
+        paint_quad(tube[r * corners + c], tube[r * corners + next], tube[(r + 1) * corners + next],
+                   tube[(r + 1) * corners + c], canvas);
+      }
+  }
+}
+
+}  // namespace wold::preview
