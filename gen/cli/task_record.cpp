@@ -28,6 +28,7 @@ Json json_of(const Task& task, const TaskRecord& record) {
           {"source", record.source},
           {"scene", record.facts},
           {"seconds", record.seconds},
+          {"memory_bytes", record.memory_bytes},
           {"outputs", std::move(outputs)}};
 }
 
@@ -42,7 +43,8 @@ TaskRecord record_of(const Json& json) {
   TaskRecord record{json.at("source").get<std::string>(),
                     json.at("scene").get<std::string>(),
                     {},
-                    json.at("seconds").get<double>()};
+                    json.at("seconds").get<double>(),
+                    json.at("memory_bytes").get<double>()};
   for (const auto& [name, state] : json.at("outputs").items()) {
     require_below(name);
     record.outputs[name] = {state.at(0).get<std::uintmax_t>(), state.at(1).get<std::int64_t>(),

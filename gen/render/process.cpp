@@ -5,6 +5,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -15,6 +16,7 @@
 #include <thread>
 
 #include "core/error.h"
+#include "core/machine.h"
 
 namespace wold::render {
 namespace {
@@ -32,14 +34,24 @@ void reset_signals() {
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
+/// 0: what this program has itself.
+rlimit data_limit(double memory_bytes) {
+  rlimit limit{};
+  ::getrlimit(RLIMIT_DATA, &limit);
+  if (memory_bytes > 0.0)
+    limit.rlim_cur = std::min(static_cast<rlim_t>(memory_bytes), limit.rlim_max);
+  return limit;
+}
+
 /// The child's side of a fork: becomes the program, in a group of its own that goes with the thread
 /// that started it, or writes errno to `failure`. Only what is safe while other threads hold locks.
-[[noreturn]] void become(char* const* arguments, const char* folder, int output, int failure,
-                         pid_t parent) {
+[[noreturn]] void become(char* const* arguments, const char* folder, const rlimit& data, int output,
+                         int failure, pid_t parent) {
   ::setpgid(0, 0);
   reset_signals();
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(127);  // it was killed before it could be watched
+  ::setrlimit(RLIMIT_DATA, &data);
   const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   if (::chdir(folder) == 0 && ::dup2(nothing, STDIN_FILENO) >= 0 &&
       ::dup2(output, STDOUT_FILENO) >= 0 && ::dup2(output, STDERR_FILENO) >= 0)
@@ -77,14 +89,16 @@ std::string to_string(const ProcessEnd& end) {
                      end.signal == SIGKILL ? "; is the memory full?" : "");
 }
 
-Process::Process(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
+Process::Process(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                 double memory_bytes) {
   const Pipe output = make_pipe();
   const Pipe failure = make_pipe();
   const std::vector<char*> pointers = c_arguments(arguments);
+  const rlimit data = data_limit(memory_bytes);
   const pid_t parent = ::getpid();
   group_ = ::fork();
   int error = group_ < 0 ? errno : 0;
-  if (group_ == 0) become(pointers.data(), folder.c_str(), output.in, failure.in, parent);
+  if (group_ == 0) become(pointers.data(), folder.c_str(), data, output.in, failure.in, parent);
   ::close(output.in);
   ::close(failure.in);
   output_ = output.out;
@@ -123,6 +137,8 @@ std::optional<ProcessEnd> Process::ended() const {
   if (info.si_code == CLD_EXITED) return ProcessEnd{info.si_status, 0};
   return ProcessEnd{0, info.si_status};
 }
+
+double Process::memory_bytes() const { return memory_of_process_bytes(group_); }
 
 void Process::stop() {
   const auto give_up = std::chrono::steady_clock::now() + grace;

@@ -24,8 +24,10 @@ std::string to_string(const ProcessEnd& end);
 /// when the thread that started it ends, as when this program is killed.
 class Process {
  public:
-  /// Starts arguments[0] in `folder`. Throws RendererError with the system's reason.
-  Process(const std::vector<std::string>& arguments, const std::filesystem::path& folder);
+  /// Starts arguments[0] in `folder`. It gets at most `memory_bytes` of its own, as does each of
+  /// its children; 0: what this program may have. Throws RendererError with the system's reason.
+  Process(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+          double memory_bytes);
   ~Process();
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
@@ -35,6 +37,9 @@ class Process {
 
   /// How it ended, nothing while it runs.
   std::optional<ProcessEnd> ended() const;
+
+  /// What the program, without its children, has now; see memory_of_process_bytes().
+  double memory_bytes() const;
 
   /// Ends every process of the group that is left.
   void stop();
