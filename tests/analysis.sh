@@ -8,7 +8,7 @@
 #     tests/analysis.sh cppcheck
 #     tests/analysis.sh tidy [FILE PATTERN...]        clang-tidy, with the checks of .clang-tidy
 #
-# Each builds in a folder of its own, build-*.
+# All but cppcheck take a folder build-* of their own and more time than .ci/run has.
 set -euo pipefail
 source "$(dirname "$0")/../examples/setup.sh"
 
@@ -31,24 +31,19 @@ coverage() {
     --sort-uncovered --fail-under-line 90
 }
 
-# What clang's tools read: commands without precompiled headers and GCC's own options.
-commands_for_clang() {
-  install "${build_packages[@]}" "${test_packages[@]}" clang
-  cmake -S . -B build-clang -G Ninja -DCMAKE_CXX_COMPILER=clang++ \
-    -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
-}
-
 check_with_cppcheck() {
-  install cppcheck
-  commands_for_clang
-  cppcheck --project=build-clang/compile_commands.json --file-filter='gen/*' --std=c++20 --quiet \
+  install "${build_packages[@]}" "${test_packages[@]}" cppcheck
+  cmake --preset release >/dev/null
+  cppcheck --project=build/compile_commands.json --file-filter='gen/*' --std=c++20 --quiet \
     --enable=warning,performance,portability --suppressions-list=tests/cppcheck.suppressions \
     --error-exitcode=1 -j "$(nproc)"
 }
 
+# With commands that have no precompiled headers and no options of GCC's own.
 check_with_tidy() {
-  install clang-tidy
-  commands_for_clang
+  install "${build_packages[@]}" "${test_packages[@]}" clang clang-tidy
+  cmake -S . -B build-clang -G Ninja -DCMAKE_CXX_COMPILER=clang++ \
+    -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
   run-clang-tidy -quiet -p build-clang -j "$(nproc)" "${@:-/gen/.*\\.cpp}"
 }
 

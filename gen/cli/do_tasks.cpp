@@ -6,6 +6,7 @@
 
 #include "cli/estimate.h"
 #include "cli/memory_budget.h"
+#include "cli/memory_model.h"
 #include "cli/task_progress.h"
 #include "core/at_once.h"
 #include "core/machine.h"
@@ -100,7 +101,7 @@ void do_tasks(const Job& job, Work& work, const std::vector<StageTasks>& stages,
     } else if (stage.stage == Stage::texels) {
       make_texels(job, work, stage, tasks, progress);
     } else {
-      const ThreadLimit limit(scene_threads_within_memory(job));
+      const ThreadLimit limit(scene_threads(job));
       run_all(work, tasks, std::string(name_of(stage.stage)), {}, progress, one_by_one);
     }
   }

@@ -44,9 +44,9 @@ Estimate modelled(const Job& job, Stage stage) {
     case Stage::texels:
       return texels(job);
     case Stage::clouds:
-      return {10.0, scene_memory_bytes(job, 1), 1e7 * static_cast<double>(job.scene.clouds.size())};
+      return {10.0, scene_memory_bytes(job), 1e7 * static_cast<double>(job.scene.clouds.size())};
     case Stage::scenes:
-      return {scene_seconds, scene_memory_bytes(job, 1),
+      return {scene_seconds, scene_memory_bytes(job),
               scene_bytes * static_cast<double>(wanted_renderers(job.scene).size())};
     default:
       return picture(job, stage);

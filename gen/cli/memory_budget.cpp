@@ -60,13 +60,6 @@ std::size_t tasks_within_memory(const Job& job, const StageTasks& stage, const W
   return static_cast<std::size_t>(std::max(1.0, memory_of(job) / each));
 }
 
-int scene_threads_within_memory(const Job& job) {
-  if (job.memory_bytes <= 0.0) return 0;
-  int threads = threads_of(job);
-  while (threads > 1 && scene_memory_bytes(job, threads) > job.memory_bytes) --threads;
-  return threads;
-}
-
 double memory_for_renderers(const Job& job, std::size_t pictures_at_once) {
   return memory_of(job) - waiting_bytes(job, pictures_at_once);
 }

@@ -11,9 +11,6 @@ void require_memory(const Job& job, const std::vector<StageTasks>& stages);
 /// How many of a stage's tasks fit into the job's memory at the same time; at least 1.
 std::size_t tasks_within_memory(const Job& job, const StageTasks& stage, const Work& work);
 
-/// Threads that make scene files within the job's memory; 0 is all of the job's.
-int scene_threads_within_memory(const Job& job);
-
 /// What is left for renderers, beside what this process keeps to from here on while it waits for
 /// them with pictures of the job's size.
 double memory_for_renderers(const Job& job, std::size_t pictures_at_once);

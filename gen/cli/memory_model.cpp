@@ -27,6 +27,11 @@ double wanted(const SceneFiles& files, double per_volume_byte, double per_cell_b
   return files.volume_bytes * per_volume_byte + files.cell_bytes * per_cell_byte;
 }
 
+double scene_memory_bytes(const Job& job, int threads) {
+  return idle_bytes(job) + 50.0 * megabyte + cells_bytes(job.scene) +
+         (20.0 + 16.0 * threads) * voxels_of(job.scene);
+}
+
 }  // namespace
 
 double voxels_of(const scene::Scene& scene) { return std::pow(scene.grass.levels.front(), 3.0); }
@@ -35,10 +40,14 @@ double texel_memory_bytes(const Job& job) {
   return idle_bytes(job) + 50.0 * megabyte + 15.0 * voxels_of(job.scene);
 }
 
-double scene_memory_bytes(const Job& job, int threads) {
-  return idle_bytes(job) + 50.0 * megabyte + cells_bytes(job.scene) +
-         (16.0 + 14.0 * threads) * voxels_of(job.scene);
+int scene_threads(const Job& job) {
+  int threads = threads_of(job);
+  if (job.memory_bytes > 0.0)
+    while (threads > 1 && scene_memory_bytes(job, threads) > job.memory_bytes) --threads;
+  return threads;
 }
+
+double scene_memory_bytes(const Job& job) { return scene_memory_bytes(job, scene_threads(job)); }
 
 SceneFiles files_of(const TaskRecord& scenes, std::string_view renderer) {
   SceneFiles files;

@@ -6,8 +6,8 @@
 #include "cli/task_record.h"
 
 /// How much memory tasks take, in bytes that a process has of its own (memory_of_process_bytes()).
-/// Fitted to runs of examples/ at 480x270 on 2 processors, see README.md, and right within a
-/// quarter for them where scene files are known, within a factor of two where they are guessed.
+/// Fitted to runs of examples/ at 480x270 on 2 processors, see README.md: for them right within a
+/// quarter where scene files are known, within a factor of 2.1 where they are guessed.
 namespace wold::cli {
 
 /// Voxels of the finest level's cube.
@@ -16,8 +16,11 @@ double voxels_of(const scene::Scene& scene);
 /// Making the texels of one variant.
 double texel_memory_bytes(const Job& job);
 
-/// Making the scene files of one frame with so many threads.
-double scene_memory_bytes(const Job& job, int threads);
+/// Threads that make scene files: the job's, or as many as its memory is enough for.
+int scene_threads(const Job& job);
+
+/// Making the scene files of one frame with these.
+double scene_memory_bytes(const Job& job);
 
 /// Bytes of those files of a frame that a renderer's memory grows with.
 struct SceneFiles {
