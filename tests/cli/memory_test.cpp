@@ -5,6 +5,7 @@
 #include <regex>
 
 #include "core/files.h"
+#include "support/sanitized.h"
 #include "tiny_film.h"
 
 /// --memory is kept, or refused before anything is done.
@@ -13,6 +14,11 @@ namespace {
 
 class Memory : public SmallFilm {
  protected:
+  void SetUp() override {
+    SmallFilm::SetUp();
+    if (sanitized) GTEST_SKIP() << "sanitized: limits of memory are not tested";
+  }
+
   static constexpr const char* render =
       "render small.toml --renderer blender --quiet --out out --threads 8 --memory ";
 
@@ -88,6 +94,7 @@ TEST_F(Memory, ThatRunsOutAnywhereLeavesNothingHalfMade) {
 using TinyFilmsMemory = TinyFilm;
 
 TEST_F(TinyFilmsMemory, WhatARefusalAsksForIsEnough) {
+  if (sanitized) GTEST_SKIP() << "sanitized: limits of memory are not tested";
   const std::string render = "render tiny.toml --quiet --out out --memory ";
   const std::string refusal = wold(render + "1M").err;
   const std::regex needs("expected about ([0-9]+)M");
