@@ -81,6 +81,10 @@ void add_job_options(CLI::App& app, RenderArguments& arguments) {
   app.add_option("--threads", options.threads, "threads to use; the scene's without it")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
+  app.add_option("--memory", options.memory_bytes,
+                 "memory to keep to, renderers included, such as 8G; no limit without it")
+      ->type_name("SIZE")
+      ->transform(CLI::AsSizeValue(false));
   add_overrides(app, options.overrides);
 }
 
@@ -112,10 +116,6 @@ Action declare_generate(CLI::App& app) {
 
 Action declare_render(CLI::App& app) {
   auto arguments = std::make_shared<RenderArguments>();
-  app.add_option("--memory", arguments->options.memory_bytes,
-                 "memory for renderers that run at once, such as 8G; the machine's without it")
-      ->type_name("SIZE")
-      ->transform(CLI::AsSizeValue(false));
   return generate_like(app, arguments, run_render);
 }
 

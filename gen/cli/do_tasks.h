@@ -7,8 +7,9 @@
 namespace wold::cli {
 
 /// Does those of the stages' tasks that need it, stage by stage, pictures of all renderers together
-/// and several at once where there are threads and memory enough. Throws what Work::run() throws,
-/// after the tasks under way have ended; what they have made stays.
+/// and several at once where there are threads and memory enough. With --memory the process keeps
+/// to it from here on, and so do renderers. Throws what Work::run() throws, after the tasks under
+/// way have ended; what they have made stays.
 void do_tasks(const Job& job, Work& work, const std::vector<StageTasks>& stages,
               Progress& progress);
 

@@ -40,6 +40,10 @@ int threads_of(const Job& job) {
   return std::max(1, job.threads > 0 ? job.threads : all);
 }
 
+double memory_of(const Job& job) {
+  return job.memory_bytes > 0.0 ? job.memory_bytes : machine_memory_bytes();
+}
+
 std::vector<int> counted(int count) {
   std::vector<int> numbers(static_cast<std::size_t>(count));
   std::iota(numbers.begin(), numbers.end(), 1);
@@ -54,8 +58,7 @@ Job plan_job(const RenderOptions& options) {
   job.frames = options.frames.empty() ? counted(count) : options.frames;
   job.out = options.out.empty() ? std::filesystem::path("out") / job.scene.name : options.out;
   job.threads = options.threads > 0 ? options.threads : job.scene.render.threads;
-  job.memory_bytes =
-      options.memory_bytes > 0 ? static_cast<double>(options.memory_bytes) : machine_memory_bytes();
+  job.memory_bytes = static_cast<double>(options.memory_bytes);
   return job;
 }
 

@@ -15,11 +15,14 @@ struct Job {
   std::vector<int> frames;    ///< from 1, rising, all within the scene
   std::filesystem::path out;  ///< the output folder
   int threads = 0;            ///< 0: all processors
-  double memory_bytes = 0.0;  ///< that renderers may take together
+  double memory_bytes = 0.0;  ///< that all may take together; 0: the machine's, and no limit is set
 };
 
 /// Threads that the job may use: all processors' where it does not say.
 int threads_of(const Job& job);
+
+/// Memory that the job may use: the machine's where it does not say.
+double memory_of(const Job& job);
 
 /// 1 to `count`.
 std::vector<int> counted(int count);

@@ -99,7 +99,9 @@ ExitCode run_and_report(int argc, char** argv) {
   } catch (const Error& error) {
     return report(error);
   } catch (const std::bad_alloc&) {
-    return report(FileError("out of memory"));
+    return report(
+        FileError("out of memory: allow more (--memory, or the machine's), or coarser "
+                  "grass.levels, fewer grass.variants or fewer --threads"));
   } catch (const std::exception& error) {
     return report(FileError(error.what()));
   }

@@ -1,6 +1,7 @@
 #include "cli/commands.h"
 #include "cli/do_tasks.h"
 #include "cli/folder_lock.h"
+#include "cli/memory_budget.h"
 #include "cli/output.h"
 #include "core/file_list.h"
 #include "core/parallel.h"
@@ -23,6 +24,7 @@ void find_renderers(const std::vector<StageTasks>& stages) {
 /// Does what is missing and lists the files.
 void complete(const Job& job, const std::vector<StageTasks>& stages, Progress& progress) {
   find_renderers(stages);
+  require_memory(job, stages);
   const ThreadLimit limit(job.threads);
   const FolderLock lock(job.out, Access::alone);
   remove_temporaries(job.out);

@@ -1,6 +1,7 @@
 #include "cli/commands.h"
 #include "cli/do_tasks.h"
 #include "cli/folder_lock.h"
+#include "cli/memory_budget.h"
 #include "core/parallel.h"
 
 namespace wold::cli {
@@ -9,10 +10,12 @@ ExitCode run_task(const RenderOptions& options, const std::string& stage, int in
                   Progress& progress) {
   const Job job = plan_job(options);
   const Task task = find_task(job, stage, index);
+  const std::vector<StageTasks> stages = {{task.stage, {task.index}, {}, {}}};
+  require_memory(job, stages);
   const ThreadLimit limit(job.threads);
   const FolderLock lock(job.out, Access::shared);
   Work work(job);
-  do_tasks(job, work, {{task.stage, {task.index}, {}, {}}}, progress);
+  do_tasks(job, work, stages, progress);
   return ExitCode::done;
 }
 

@@ -28,24 +28,35 @@ Json json_of(const Task& task, const TaskRecord& record) {
           {"source", record.source},
           {"scene", record.facts},
           {"seconds", record.seconds},
+          {"memory_bytes", record.memory_bytes},
           {"outputs", std::move(outputs)}};
 }
 
 /// A damaged record must not have files elsewhere removed.
 void require_below(const std::string& name) {
   const fs::path path = fs::path(name).lexically_normal();
-  if (path.empty() || path.is_absolute() || *path.begin() == "..")
+  const bool is_below = !path.empty() && path.is_relative() && path != "." && *path.begin() != "..";
+  // Where the system takes a name to end.
+  if (!is_below || name.find('\0') != std::string::npos)
     throw FileError(fmt::format("found {}, expected a file below the output folder", name));
+}
+
+template <class Whole>
+Whole whole_number(const Json& json) {
+  if (!json.is_number_integer()) throw FileError("expected a whole number");
+  return json.get<Whole>();
 }
 
 TaskRecord record_of(const Json& json) {
   TaskRecord record{json.at("source").get<std::string>(),
                     json.at("scene").get<std::string>(),
                     {},
-                    json.at("seconds").get<double>()};
+                    json.at("seconds").get<double>(),
+                    json.at("memory_bytes").get<double>()};
   for (const auto& [name, state] : json.at("outputs").items()) {
     require_below(name);
-    record.outputs[name] = {state.at(0).get<std::uintmax_t>(), state.at(1).get<std::int64_t>(),
+    record.outputs[name] = {whole_number<std::uintmax_t>(state.at(0)),
+                            whole_number<std::int64_t>(state.at(1)),
                             state.at(2).get<std::string>()};
   }
   return record;

@@ -19,6 +19,7 @@ struct TaskRecord {
   std::string facts;   ///< hash_of() the scene's facts, which stand in DIR/tasks/scene_<hash>.json
   std::map<std::string, FileState> outputs;  ///< by names relative to DIR
   double seconds = 0.0;                      ///< that it took
+  double memory_bytes = 0.0;                 ///< that a renderer took; else 0, since tasks share it
 };
 
 /// The records of an output folder.

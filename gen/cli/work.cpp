@@ -32,7 +32,7 @@ std::string hash_of_build() {
                       hash_of_files_below(shipped_file("templates")));
 }
 
-render::Job picture_job(const Job& job, const Task& task, int threads) {
+render::Job picture_job(const Job& job, const Task& task, const RendererShare& share) {
   const scene::Render& settings = job.scene.render;
   const std::string number = fmt::format("{:04}", task.index);
   render::Job picture;
@@ -41,7 +41,8 @@ render::Job picture_job(const Job& job, const Task& task, int threads) {
   picture.frame = task.index;
   picture.size_px = {settings.size_px[0], settings.size_px[1]};
   picture.samples = settings.samples;
-  picture.threads = threads;
+  picture.threads = share.threads;
+  picture.memory_bytes = share.memory_bytes;
   picture.timeout = std::chrono::seconds(std::lround(settings.timeout_minutes * 60.0));
   picture.picture = picture_path(job, task);
   picture.log = job.out / "logs" / fmt::format("{}_{}.log", name_of(task.stage), number);
@@ -165,13 +166,18 @@ void Work::finish() {
   write_manifest(job_.out, records_, states_);
 }
 
-void Work::run(const Task& task, int threads, Progress& progress) {
+void Work::forget_film() {
+  film_.reset();
+  demand_found_ = false;
+}
+
+void Work::run(const Task& task, const RendererShare& share, Progress& progress) {
   remove_damaged(task);
   const auto start = std::chrono::steady_clock::now();
-  const std::vector<fs::path> files = make(task, threads, progress);
+  const Made made = make(task, share, progress);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  TaskRecord record{source(task), facts_hash_, {}, took.count()};
-  for (const fs::path& file : files) {
+  TaskRecord record{source(task), facts_hash_, {}, took.count(), made.renderer_memory_bytes};
+  for (const fs::path& file : made.files) {
     const std::string name = file.lexically_relative(job_.out).generic_string();
     record.outputs[name] = states_.of(name);
   }
@@ -182,28 +188,28 @@ void Work::run(const Task& task, int threads, Progress& progress) {
   scene_hashes_.erase(task.index);
 }
 
-std::vector<fs::path> Work::make(const Task& task, int threads, Progress& progress) {
+Work::Made Work::make(const Task& task, const RendererShare& share, Progress& progress) {
   switch (task.stage) {
     case Stage::texels:
-      return film().make_texels(task.index - 1, progress);
+      return {film().make_texels(task.index - 1, progress)};
     case Stage::clouds:
-      return film().make_cloud_pictures();
+      return {film().make_cloud_pictures()};
     case Stage::scenes:
-      return film().make_frame(task.index, progress);
+      return {film().make_frame(task.index, progress)};
     default:
-      return {make_picture(task, threads, progress)};
+      return make_picture(task, share, progress);
   }
 }
 
-fs::path Work::make_picture(const Task& task, int threads, Progress& progress) {
+Work::Made Work::make_picture(const Task& task, const RendererShare& share, Progress& progress) {
   const Task scene_files = {Stage::scenes, task.index};
   if (const Verdict verdict = this->verdict(scene_files); verdict.need != Need::no)
     throw FileError(
         fmt::format("the task \"{}\" needs the files of \"{}\", which has to be run first: {}",
                     text_of(task), text_of(scene_files), verdict.why));
-  const render::Job picture = picture_job(job_, task, threads);
-  render::run(picture, progress, interrupted);
-  return picture.picture;
+  const render::Job picture = picture_job(job_, task, share);
+  const double memory_bytes = render::run(picture, progress, interrupted);
+  return {{picture.picture}, memory_bytes};
 }
 
 /// What was made from the same, but is not what was written: nobody else would notice.

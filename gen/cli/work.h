@@ -25,6 +25,12 @@ struct Verdict {
   std::string why;  ///< empty when it need not be done
 };
 
+/// What one renderer may take of the machine.
+struct RendererShare {
+  int threads = 0;            ///< 0: all
+  double memory_bytes = 0.0;  ///< 0: no limit
+};
+
 /// DIR/frames/<renderer>/0001.png of a task that makes one.
 std::filesystem::path picture_path(const Job& job, const Task& task);
 
@@ -43,10 +49,13 @@ class Work {
   /// Has to be called before run(): what tasks share is made here. Throws what Film does.
   void prepare(Stage stage, Progress& progress);
 
-  /// Does a task, needed or not, and writes its record. `threads` are the renderer's, 0: all.
+  /// Gives back the memory of what run() needs for all but pictures; prepare() makes it anew.
+  void forget_film();
+
+  /// Does a task, needed or not, and writes its record. `share` is what the renderer may take.
   /// Tasks of texels may run at the same time, and pictures. Throws FileError, also when what the
   /// task depends on has not been done, RendererError and InterruptedError.
-  void run(const Task& task, int threads, Progress& progress);
+  void run(const Task& task, const RendererShare& share, Progress& progress);
 
   /// When all is done: says in DIR/scene.toml and DIR/manifest.json what is there. For a process
   /// that has the folder to itself. Throws FileError.
@@ -61,12 +70,17 @@ class Work {
   /// Hashes of a frame's scene files and the renderer's program, by renderer.
   using SceneHashes = std::map<Stage, std::string>;
 
+  struct Made {
+    std::vector<std::filesystem::path> files;
+    double renderer_memory_bytes = 0.0;
+  };
+
   std::string source(const Task& task);
   std::string picture_source(const Task& task);
   const SceneHashes& scene_hashes(int frame);
   Verdict outdated(const Task& task, const TaskRecord& record);
-  std::vector<std::filesystem::path> make(const Task& task, int threads, Progress& progress);
-  std::filesystem::path make_picture(const Task& task, int threads, Progress& progress);
+  Made make(const Task& task, const RendererShare& share, Progress& progress);
+  Made make_picture(const Task& task, const RendererShare& share, Progress& progress);
   void remove_damaged(const Task& task);
   Film& film();
 

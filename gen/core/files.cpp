@@ -52,6 +52,9 @@ void write_file_by_path(const fs::path& path, const std::function<void(const fs:
   } catch (const InterruptedError&) {
     remove_temporary();
     throw;
+  } catch (const std::bad_alloc&) {
+    remove_temporary();
+    throw;
   } catch (const std::exception& error) {
     const std::string why = probe_reason(path.has_parent_path() ? path.parent_path() : ".");
     remove_temporary();

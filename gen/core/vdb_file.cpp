@@ -73,6 +73,8 @@ auto read_opened(const fs::path& path, const Read& read) {
     return read(file);
   } catch (const FileError&) {
     throw;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     throw FileError(fmt::format("cannot read {}: {}", path.string(), error.what()));
   }

@@ -13,9 +13,11 @@ namespace {
 constexpr int sky_width_px = 1024;
 
 /// Their own events have gathered them; in a season they are as many of these as its days have.
-std::optional<cloud::CloudState> clouds_of(const scene::Scene& scene, const Site& site, int frame) {
+/// Those that have drifted there after so many frames more may be asked for.
+std::optional<cloud::CloudState> clouds_of(const scene::Scene& scene, const Site& site, int frame,
+                                           int drifted_frames = 0) {
   if (!site.clouds) return std::nullopt;
-  cloud::CloudState clouds = site.clouds->at_frame(frame);
+  cloud::CloudState clouds = site.clouds->at_frame(frame + drifted_frames);
   if (site.season)
     for (cloud::LayerState& layer : clouds.layers)
       layer.moment.amount *= site.season->cloud_cover(scene::season_days(scene.season, frame));
@@ -35,14 +37,32 @@ double beyond_everything_m(const Landscape& landscape) {
 FrameSky::FrameSky(const scene::Scene& scene, const Site& site, int frame, const glm::dvec3& eye_m)
     : scene_(scene),
       site_(site),
+      frame_(frame),
       clouds_(clouds_of(scene, site, frame)),
       sheets_(site.day, clouds_.value_or(cloud::CloudState{}), eye_m, scene.sky.visual_range_m) {}
 
+/// Share of the sunlight that passes the clouds. The frames of a season are days apart, and shadows
+/// that drift by from frame to frame would make it flicker: there it is the mean over what drifts
+/// by in as many frames as an eye sees in a second.
+FactorMap FrameSky::sun_share(const GroundGrid& grid) const {
+  const auto at = [&](const cloud::CloudState& clouds) {
+    return cloud::sun_share(clouds, site_.terrain, site_.day.sun_direction(), grid);
+  };
+  if (!site_.season) return at(*clouds_);
+  constexpr int moments = 12, frames_apart = 2;
+  FactorMap mean(grid.samples, grid.square, 0.0F);
+  for (int moment = 0; moment < moments; ++moment) {
+    const FactorMap share = at(*clouds_of(scene_, site_, frame_, moment * frames_apart));
+    for (std::size_t i = 0; i < mean.values().size(); ++i)
+      mean.values()[i] += share.values()[i] / moments;
+  }
+  return mean;
+}
+
 ColourMap FrameSky::light(const terrain::GroundLight& clear) const {
   if (!clouds_) return clear.together();
-  const FactorMap sun_share = cloud::sun_share(*clouds_, site_.terrain, site_.day.sun_direction(),
-                                               GroundGrid{clear.sun.square(), clear.sun.samples()});
-  ColourMap light = product(clear.sun, sun_share);
+  ColourMap light =
+      product(clear.sun, sun_share(GroundGrid{clear.sun.square(), clear.sun.samples()}));
   const glm::vec3 sky_factor = sheets_.irradiance() / site_.day.sky_irradiance();
   for (std::size_t i = 0; i < light.values().size(); ++i)
     light.values()[i] += clear.sky.values()[i] * sky_factor;

@@ -23,8 +23,11 @@ class FrameSky {
   void show(Landscape& landscape, bool with_backdrop) const;
 
  private:
+  FactorMap sun_share(const GroundGrid& grid) const;
+
   const scene::Scene& scene_;
   const Site& site_;
+  int frame_;
   std::optional<cloud::CloudState> clouds_;
   CloudySky sheets_;  ///< all layers
 };

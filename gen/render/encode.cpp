@@ -120,7 +120,7 @@ void encode_to(const fs::path& output, const Encoding& encoding, Progress& progr
   Listener listener(progress, log);
   const auto hear = [&](std::string_view bytes) { listener.hear(bytes); };
   const auto end =
-      run_to_end(command, fs::absolute(encoding.pictures), encoding.timeout, hear, interrupted);
+      run_to_end(command, fs::absolute(encoding.pictures), {encoding.timeout}, hear, interrupted);
   if (!end)
     throw failure(encoding, log, fmt::format("no film after {} s", encoding.timeout.count()));
   listener.hear({}, /*at_end=*/true);

@@ -5,6 +5,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -15,6 +16,7 @@
 #include <thread>
 
 #include "core/error.h"
+#include "core/machine.h"
 
 namespace wold::render {
 namespace {
@@ -33,14 +35,24 @@ void reset_signals() {
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
+/// 0: what this program has itself.
+rlimit data_limit(double memory_bytes) {
+  rlimit limit{};
+  ::getrlimit(RLIMIT_DATA, &limit);
+  if (memory_bytes > 0.0)
+    limit.rlim_cur = std::min(static_cast<rlim_t>(memory_bytes), limit.rlim_max);
+  return limit;
+}
+
 /// The child's side of a fork: becomes the program, in a group of its own that goes with the thread
 /// that started it, or writes errno to `failure`. Only what is safe while other threads hold locks.
-[[noreturn]] void become(char* const* arguments, const char* folder, int output, int failure,
-                         pid_t parent) {
+[[noreturn]] void become(char* const* arguments, const char* folder, const rlimit& data, int output,
+                         int failure, pid_t parent) {
   ::setpgid(0, 0);
   reset_signals();
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(127);  // it was killed before it could be watched
+  ::setrlimit(RLIMIT_DATA, &data);
   const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   if (::chdir(folder) == 0 && ::dup2(nothing, STDIN_FILENO) >= 0 &&
       ::dup2(output, STDOUT_FILENO) >= 0 && ::dup2(output, STDERR_FILENO) >= 0)
@@ -78,14 +90,16 @@ std::string to_string(const ProcessEnd& end) {
                      end.signal == SIGKILL ? "; is the memory full?" : "");
 }
 
-Process::Process(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
+Process::Process(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                 double memory_bytes) {
   const Pipe output = make_pipe();
   const Pipe failure = make_pipe();
   const std::vector<char*> pointers = c_arguments(arguments);
+  const rlimit data = data_limit(memory_bytes);
   const pid_t parent = ::getpid();
   group_ = ::fork();
   int error = group_ < 0 ? errno : 0;
-  if (group_ == 0) become(pointers.data(), folder.c_str(), output.in, failure.in, parent);
+  if (group_ == 0) become(pointers.data(), folder.c_str(), data, output.in, failure.in, parent);
   ::close(output.in);
   ::close(failure.in);
   output_ = output.out;
@@ -121,9 +135,11 @@ std::optional<ProcessEnd> Process::ended() const {
   if (::waitid(P_PID, static_cast<id_t>(group_), &info, WEXITED | WNOHANG | WNOWAIT) != 0 ||
       info.si_pid == 0)
     return std::nullopt;
-  if (info.si_code == CLD_EXITED) return ProcessEnd{info.si_status, 0};
-  return ProcessEnd{0, info.si_status};
+  if (info.si_code == CLD_EXITED) return ProcessEnd{.code = info.si_status};
+  return ProcessEnd{.signal = info.si_status};
 }
+
+double Process::memory_bytes() const { return memory_of_process_bytes(group_); }
 
 void Process::stop() {
   const auto give_up = std::chrono::steady_clock::now() + grace;
@@ -134,20 +150,24 @@ void Process::stop() {
 
 std::optional<ProcessEnd> run_to_end(const std::vector<std::string>& arguments,
                                      const std::filesystem::path& folder,
-                                     std::chrono::seconds timeout,
+                                     const ProcessLimits& limits,
                                      const std::function<void(std::string_view)>& hear,
                                      const std::function<bool()>& interrupted) {
   using Clock = std::chrono::steady_clock;
-  Process process(arguments, folder);
-  const auto deadline = Clock::now() + timeout;
+  Process process(arguments, folder, limits.memory_bytes);
+  double most_memory_bytes = 0.0;
+  const auto deadline = Clock::now() + limits.time;
   while (!process.ended()) {
     hear(process.read(patience));
+    most_memory_bytes = std::max(most_memory_bytes, process.memory_bytes());
     if (interrupted()) throw InterruptedError();
     if (Clock::now() > deadline) return std::nullopt;
   }
   process.stop();
   for (std::string rest; !(rest = process.read({})).empty();) hear(rest);
-  return process.ended();
+  std::optional<ProcessEnd> end = process.ended();
+  if (end) end->most_memory_bytes = most_memory_bytes;
+  return end;
 }
 
 }  // namespace wold::render

@@ -16,6 +16,14 @@ namespace wold::render {
 struct ProcessEnd {
   int code = 0;
   int signal = 0;  ///< 0: none
+  /// That the program was seen to have, without its children; of run_to_end().
+  double most_memory_bytes = 0.0;
+};
+
+/// What a program may take.
+struct ProcessLimits {
+  std::chrono::seconds time;
+  double memory_bytes = 0.0;  ///< Process's
 };
 
 /// "exit code 1" or "killed by signal 11 (Segmentation fault)".
@@ -26,8 +34,10 @@ std::string to_string(const ProcessEnd& end);
 /// when the thread that started it ends, as when this program is killed.
 class Process {
  public:
-  /// Starts arguments[0] in `folder`. Throws RendererError with the system's reason.
-  Process(const std::vector<std::string>& arguments, const std::filesystem::path& folder);
+  /// Starts arguments[0] in `folder`. It gets at most `memory_bytes` of its own, as does each of
+  /// its children; 0: what this program may have. Throws RendererError with the system's reason.
+  Process(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+          double memory_bytes);
   ~Process();
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
@@ -38,6 +48,9 @@ class Process {
   /// How it ended, nothing while it runs.
   std::optional<ProcessEnd> ended() const;
 
+  /// What the program, without its children, has now; see memory_of_process_bytes().
+  double memory_bytes() const;
+
   /// Ends every process of the group that is left.
   void stop();
 
@@ -47,12 +60,12 @@ class Process {
 };
 
 /// Runs a program in `folder` to its end and hands on what it says; nothing when it took longer
-/// than `timeout`. `interrupted` is asked several times a second. The program and its children have
+/// than it may. `interrupted` is asked several times a second. The program and its children have
 /// ended in every case. Throws RendererError when it cannot be started, InterruptedError, and what
 /// `hear` throws.
 std::optional<ProcessEnd> run_to_end(const std::vector<std::string>& arguments,
                                      const std::filesystem::path& folder,
-                                     std::chrono::seconds timeout,
+                                     const ProcessLimits& limits,
                                      const std::function<void(std::string_view)>& hear,
                                      const std::function<bool()>& interrupted);
 

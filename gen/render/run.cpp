@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <string>
@@ -56,18 +57,25 @@ class Listener {
   LineSplitter lines_;
 };
 
+/// Renderers say in many ways that there was too little, some only by crashing.
+std::string memory_advice(double memory_bytes) {
+  if (memory_bytes <= 0.0) return {};
+  return fmt::format(" (it was allowed {:.0f} MB of memory: if that was too little, allow more)",
+                     memory_bytes / 1e6);
+}
+
 RendererError failure(const Job& job, const Log& log, std::string_view reason) {
-  return RendererError(fmt::format("{} failed on frame {}: {}; its log is {}{}",
-                                   display_name(job.kind), job.frame, reason, log.path().string(),
-                                   log.last_lines()));
+  return RendererError(
+      fmt::format("{} failed on frame {}: {}{}; its log is {}{}", display_name(job.kind), job.frame,
+                  reason, memory_advice(job.memory_bytes), log.path().string(), log.last_lines()));
 }
 
 /// Runs the program to its end; leaving by an exception ends it too.
 ProcessEnd watch(const Job& job, const std::vector<std::string>& command, Listener& listener,
                  const Log& log, const std::function<bool()>& interrupted) {
   const auto hear = [&](std::string_view bytes) { listener.hear(bytes); };
-  const auto end =
-      run_to_end(command, fs::absolute(job.scene_folder), job.timeout, hear, interrupted);
+  const auto end = run_to_end(command, fs::absolute(job.scene_folder),
+                              {job.timeout, job.memory_bytes}, hear, interrupted);
   if (!end) throw failure(job, log, fmt::format("no picture after {} s", job.timeout.count()));
   listener.hear({}, /*at_end=*/true);
   return *end;
@@ -79,8 +87,8 @@ void drop_notes(const fs::path& output) {
   if (output.extension() == ".png") write_image(output, read_image(output), PixelFormat::uint8);
 }
 
-void render_to(const fs::path& output, const Job& job, const fs::path& program, Progress& progress,
-               const std::function<bool()>& interrupted) {
+double render_to(const fs::path& output, const Job& job, const fs::path& program,
+                 Progress& progress, const std::function<bool()>& interrupted) {
   Log log(job.log);
   const std::vector<std::string> command = command_line(job, program, output);
   log.add(fmt::format("{}", fmt::join(command, " ")));
@@ -92,6 +100,7 @@ void render_to(const fs::path& output, const Job& job, const fs::path& program, 
     throw failure(job, log, problem);
   drop_notes(output);
   percent.reach(1.0);
+  return end.most_memory_bytes;
 }
 
 /// Removes what a stopped renderer leaves beside its output, such as POV-Ray's state file.
@@ -120,19 +129,21 @@ void require_writable(const fs::path& output) {
 
 }  // namespace
 
-void run(const Job& job, Progress& progress, const std::function<bool()>& interrupted) {
+double run(const Job& job, Progress& progress, const std::function<bool()>& interrupted) {
   const fs::path program = find_renderer(job.kind);
   const fs::path picture = fs::absolute(job.picture);
   make_folder(picture.parent_path());
   std::error_code ignored;
   fs::remove(picture, ignored);
   progress.begin(fmt::format("{} frame {}", display_name(job.kind), job.frame), 100);
+  double most_memory_bytes = 0.0;
   write_file_by_path(picture, [&](const fs::path& output) {
     require_writable(output);
     const Leftovers leftovers(output);
-    render_to(output, job, program, progress, interrupted);
+    most_memory_bytes = render_to(output, job, program, progress, interrupted);
   });
   progress.end();
+  return most_memory_bytes;
 }
 
 }  // namespace wold::render

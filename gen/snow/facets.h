@@ -37,7 +37,8 @@ class Facets {
   int along_side() const { return along_side_; }
   /// Of the square (i, j), 0 <= i, j < along_side(); half 0 is the south-eastern one, 1 the other.
   const Facet& at(int i, int j, int half) const {
-    return facets_[static_cast<std::size_t>(2 * (j * along_side_ + i) + half)];
+    const auto row = static_cast<std::size_t>(j) * static_cast<std::size_t>(along_side_);
+    return facets_[2 * (row + static_cast<std::size_t>(i)) + static_cast<std::size_t>(half)];
   }
 
  private:

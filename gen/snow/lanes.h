@@ -18,8 +18,10 @@ template <class T>
 using Lanes = std::array<T, lanes>;
 
 /// Functions whose loops run over lanes: on processors that can, eight lanes at once, in the same
-/// single operations and so with the same results.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+/// single operations and so with the same results. Not in sanitized builds: which clone is run gets
+/// chosen before the sanitizers' runtime is there.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define WOLD_LANES_WIDE __attribute__((target_clones("avx2", "default")))
 #else
 #define WOLD_LANES_WIDE

@@ -8,8 +8,8 @@
 
 #include "scene/calendar.h"
 #include "scene/registry.h"
-#include "season/number_table.h"
 #include "season/film_season.h"
+#include "season/number_table.h"
 
 namespace wold::snow {
 namespace {

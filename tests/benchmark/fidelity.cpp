@@ -76,7 +76,8 @@ class Meadow {
         lighting_(make_lighting(light::Daylight(scene_.sun, scene_.sky), {0.0, -1.0, 0.0})),
         look_{static_cast<float>(scene_.grass.gloss), scene_.grass.width_m},
         shape_(
-            TimeVaryingTexel(scene_, {lighting_}, std::filesystem::temp_directory_path()).shape()) {}
+            TimeVaryingTexel(scene_, {lighting_}, std::filesystem::temp_directory_path()).shape()) {
+  }
 
   /// Prints a line per direction; returns whether all are within bounds.
   bool compare(double weathering) const {

@@ -6,6 +6,7 @@
 
 #include "core/files.h"
 #include "small_film.h"
+#include "support/sanitized.h"
 
 /// A film as single tasks: what farms run and what `wold plan` lists.
 namespace wold::test {
@@ -239,6 +240,7 @@ class TwoAtOnce : public Tasks {
 };
 
 TEST_F(TwoAtOnce, PicturesWhereThereAreThreadsAndMemory) {
+  if (sanitized) GTEST_SKIP() << "sanitized: limits of memory are not tested";
   EXPECT_EQ(most_at_work("--threads 8 --memory 8G"), 2);
   EXPECT_EQ(most_at_work("--threads 4 --memory 8G"), 1);
   EXPECT_EQ(most_at_work("--threads 8 --memory 2G"), 1);

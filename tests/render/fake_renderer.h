@@ -55,6 +55,7 @@ class FakeRenderer : public ::testing::Test {
             {32, 18},
             4,
             1,
+            0.0,
             std::chrono::seconds(20),
             folder_ / "out/0003.png",
             folder_ / "logs/3.log"};

@@ -71,6 +71,15 @@ TEST_F(FakeRenderer, DeathBySignalIsNamed) {
   EXPECT_THAT(failure_of<RendererError>(job()), HasSubstr("signal 11 (Segmentation fault)"));
 }
 
+TEST_F(FakeRenderer, GetsAsMuchMemoryAsItIsAllowed) {
+  play("x=$(head -c 60000000 /dev/zero | tr '\\0' x); sleep 0.5; cp \"$folder/good.png\" \"$out\"");
+  SilentProgress progress;
+  render::Job greedy = job();
+  EXPECT_GT(render::run(greedy, progress, never), 60e6);
+  greedy.memory_bytes = 40e6;
+  EXPECT_THAT(failure_of<RendererError>(greedy), HasSubstr("it was allowed 40 MB of memory"));
+}
+
 TEST_F(FakeRenderer, TimeOutEndsEvenWhatIgnoresIt) {
   play(
       "trap '' TERM; sleep 60 & echo $! > \"$folder/pid\"; echo half > \"$out\"; while :; do wait; "

@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# Looks for what tests alone do not show; before a release, all of it:
+#
+#     tests/analysis.sh asan [CTEST OPTION...]        tests with address and undefined-behaviour
+#                                                     sanitizers
+#     tests/analysis.sh tsan [CTEST OPTION...]        with the thread sanitizer
+#     tests/analysis.sh coverage [CTEST OPTION...]    which lines of gen/ tests run: 90 % at least
+#     tests/analysis.sh cppcheck
+#     tests/analysis.sh tidy [FILE PATTERN...]        clang-tidy, with the checks of .clang-tidy
+#
+# All but cppcheck take a folder build-* of their own and more time than .ci/run has.
+set -euo pipefail
+source "$(dirname "$0")/../examples/setup.sh"
+
+# test_with PRESET [CTEST OPTION...]: builds all and tests.
+test_with() {
+  local preset=$1
+  install "${build_packages[@]}" "${render_packages[@]}" "${test_packages[@]}"
+  say "Building with $preset"
+  cmake --preset "$preset" >/dev/null
+  cmake --build --preset "$preset" >&2
+  say "Testing with $preset"
+  ctest --preset "$preset" --parallel "$(nproc)" "${@:2}"
+}
+
+coverage() {
+  install gcovr
+  find build-coverage -name '*.gcda' -delete 2>/dev/null || true
+  test_with coverage "$@"
+  gcovr --root . --filter gen/ --object-directory build-coverage --exclude-throw-branches \
+    --sort-uncovered --fail-under-line 90
+}
+
+check_with_cppcheck() {
+  install "${build_packages[@]}" "${test_packages[@]}" cppcheck
+  cmake --preset release >/dev/null
+  cppcheck --project=build/compile_commands.json --file-filter='gen/*' --std=c++20 --quiet \
+    --enable=warning,performance,portability --suppressions-list=tests/cppcheck.suppressions \
+    --error-exitcode=1 -j "$(nproc)"
+}
+
+# With commands that have no precompiled headers and no options of GCC's own.
+check_with_tidy() {
+  install "${build_packages[@]}" "${test_packages[@]}" clang clang-tidy
+  cmake -S . -B build-clang -G Ninja -DCMAKE_CXX_COMPILER=clang++ \
+    -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
+  run-clang-tidy -quiet -p build-clang -j "$(nproc)" "${@:-/gen/.*\\.cpp}"
+}
+
+cd "$here"
+case ${1:-} in
+  asan | tsan) test_with "$@" ;;
+  coverage) coverage "${@:2}" ;;
+  cppcheck) check_with_cppcheck ;;
+  tidy) check_with_tidy "${@:2}" ;;
+  *)
+    sed -n '2,/^set/s/^# \?//p' "$0" >&2
+    exit 2
+    ;;
+esac

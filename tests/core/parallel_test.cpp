@@ -1,0 +1,63 @@
+#include "core/parallel.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+
+/// What loops promise; tests/analysis.sh tsan looks whether bodies get in each other's way.
+namespace wold::test {
+namespace {
+
+TEST(ParallelFor, DoesEachOnceAlsoInLoopsWithinLoops) {
+  std::vector<std::vector<int>> done(40, std::vector<int>(1000, 0));
+  parallel_for(done.size(), [&](std::size_t row) {
+    parallel_for(done[row].size(), [&](std::size_t i) { ++done[row][i]; });
+  });
+  for (const std::vector<int>& row : done) EXPECT_EQ(row, std::vector<int>(1000, 1));
+}
+
+TEST(ParallelFor, BlocksCoverWhatIsNoWholeBlock) {
+  for (const std::size_t count : {0U, 1U, 4096U, 4097U, 10000U}) {
+    std::vector<int> done(count, 0);
+    parallel_for_blocks(count, [&](std::size_t i) { ++done[i]; });
+    EXPECT_EQ(done, std::vector<int>(count, 1));
+  }
+}
+
+TEST(ParallelFor, ABodysExceptionReachesTheCallerAndEndsTheLoop) {
+  std::atomic<int> begun = 0;
+  const auto loop = [&] {
+    parallel_for(100000, [&](std::size_t i) {
+      ++begun;
+      if (i == 5) throw std::runtime_error("five");
+    });
+  };
+  EXPECT_THROW(loop(), std::runtime_error);
+  EXPECT_LT(begun, 100000);
+}
+
+TEST(ParallelFor, RoomsAreNeverSharedAndNoMoreThanThreads) {
+  struct Room {
+    bool taken = false;
+  };
+  std::atomic<int> made = 0;
+  std::atomic<int> shared = 0;
+  const ThreadLimit limit(3);
+  parallel_for_in_rooms(
+      2000,
+      [&] {
+        ++made;
+        return Room{};
+      },
+      [&](std::size_t, Room& room) {
+        if (std::exchange(room.taken, true)) ++shared;
+        room.taken = false;
+      });
+  EXPECT_EQ(shared, 0);
+  EXPECT_GE(made, 1);
+  EXPECT_LE(made, 3);
+}
+
+}  // namespace
+}  // namespace wold::test
