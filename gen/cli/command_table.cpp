@@ -1,6 +1,7 @@
 #include "cli/command_table.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <charconv>
@@ -12,6 +13,7 @@
 #include "cli/commands.h"
 #include "cli/console_progress.h"
 #include "scene/registry.h"
+#include "scene/starter.h"
 
 namespace wold::cli {
 namespace {
@@ -275,9 +277,17 @@ Action declare_report(CLI::App& app) {
 }
 
 Action declare_new(CLI::App& app) {
-  auto name = std::make_shared<std::string>();
-  app.add_option("NAME", *name, "names the scene and its file")->required();
-  return [name] { return run_new(*name); };
+  struct Options {
+    std::string name;
+    std::string kind = scene::starter_kinds().front();
+  };
+  auto options = std::make_shared<Options>();
+  app.add_option("NAME", options->name, "names the scene and its file")->required();
+  app.add_option("--kind", options->kind, "what it shows")
+      ->check(CLI::IsMember(scene::starter_kinds()))
+      ->type_name(fmt::format("{}", fmt::join(scene::starter_kinds(), "|")))
+      ->capture_default_str();
+  return [options] { return run_new(options->name, options->kind); };
 }
 
 }  // namespace
@@ -307,7 +317,7 @@ const std::vector<Command>& command_table() {
       {"report",
        "make one web page of an output folder: frames over time, times, curves, parameters",
        "wold report out/meadow", declare_report},
-      {"new", "write a commented starter scene", "wold new meadow", declare_new},
+      {"new", "write a commented starter scene", "wold new meadow --kind season", declare_new},
   };
   return commands;
 }

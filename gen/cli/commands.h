@@ -98,8 +98,9 @@ ExitCode run_film(const FilmOptions& options, Progress& progress);
 ExitCode run_report(const std::filesystem::path& out, const std::filesystem::path& page,
                     Progress& progress);
 
-/// Writes NAME.toml into the working folder; refuses to replace a file.
-ExitCode run_new(const std::string& name);
+/// Writes NAME.toml, one of scene::starter_kinds(), into the working folder; refuses to replace a
+/// file.
+ExitCode run_new(const std::string& name, const std::string& kind);
 
 /// Prints all keys of a scene as markdown.
 ExitCode run_help_keys();

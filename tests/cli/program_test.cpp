@@ -1,5 +1,7 @@
 #include "program.h"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
@@ -100,6 +102,15 @@ TEST_F(Program, NewWritesASceneOnceAndNeverReplacesIt) {
   expect_refusal(wold("new heath"), "heath.toml exists already");
   EXPECT_EQ(read_file(folder_ / "heath.toml"), "seed = 3\n");
   expect_refusal(wold("new ../heath"), "expected a file name");
+}
+
+TEST_F(Program, NewHasAStarterSceneOfEachKind) {
+  for (const std::string kind : {"hillside", "mountain", "clouds", "snow", "season"}) {
+    EXPECT_EQ(wold(fmt::format("new {0} --kind {0}", kind)).code, 0);
+    expect_answer(wold(fmt::format("check {}.toml", kind)), fmt::format("\nname = \"{}\"\n", kind));
+  }
+  EXPECT_EQ(wold("preview clouds.toml --set terrain.size=36").out, "out/clouds/preview.png\n");
+  expect_refusal(wold("new x --kind hill"), "--kind: hill not in {hillside,mountain,");
 }
 
 /// A df3 file by its published layout: three big-endian 16-bit sizes, then one
