@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "cli/preview_film.h"
+#include "cli/scene_warnings.h"
 #include "cli/scratch_folder.h"
 #include "core/files.h"
 #include "core/parallel.h"
@@ -203,6 +204,7 @@ class Preview {
 ExitCode run_preview(const PreviewOptions& options) {
   const scene::Scene scene = season::as_film(scene::read_scene(options.scene, options.overrides));
   const fs::path file = file_of(options, scene);
+  print_warnings(scene);
   if (file.has_parent_path()) make_folder(file.parent_path());
   const ThreadLimit limit(scene.render.threads);
   const ScratchFolder scratch(temporary_name(file.parent_path() / "preview_work"));

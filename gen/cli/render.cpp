@@ -2,6 +2,7 @@
 #include "cli/do_tasks.h"
 #include "cli/folder_lock.h"
 #include "cli/output.h"
+#include "cli/scene_warnings.h"
 #include "core/file_list.h"
 #include "core/parallel.h"
 #include "render/renderer.h"
@@ -37,6 +38,7 @@ void complete(const Job& job, const std::vector<StageTasks>& stages, Progress& p
 
 ExitCode run_generate(const RenderOptions& options, Progress& progress) {
   const Job job = plan_job(options);
+  print_warnings(job.scene);
   if (options.dry_run)
     print_data(summary(job));
   else
@@ -46,6 +48,7 @@ ExitCode run_generate(const RenderOptions& options, Progress& progress) {
 
 ExitCode run_render(const RenderOptions& options, Progress& progress) {
   const Job job = plan_job(options);
+  print_warnings(job.scene);
   if (options.dry_run) {
     print_data(summary(job));
     return ExitCode::done;

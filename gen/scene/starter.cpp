@@ -185,7 +185,7 @@ std::vector<SeasonKey> from_summer_to_winter() {
           {.date = {2026, 12, 8},
            .weathering = 1.0,
            .temperature_c = -6.0,
-           .precipitation_mm_day = 2.0,
+           .precipitation_mm_day = 0.0,
            .cloud_cover = 0.2}};
 }
 
