@@ -100,7 +100,7 @@ template <class Run>
 Action generate_like(CLI::App& app, const std::shared_ptr<RenderArguments>& arguments, Run run) {
   add_job_options(app, *arguments);
   app.add_flag("--dry-run", arguments->options.dry_run,
-               "check everything, say what would be made, stop");
+               "check the scene, say what is to do and what it takes, stop");
   add_quiet(app, arguments->options.quiet);
   return [arguments, run] {
     ConsoleProgress progress(progress_style(arguments->options.quiet));
@@ -256,7 +256,12 @@ Action declare_preview(CLI::App& app) {
   app.add_option("--out", options->out, "the picture; out/<scene name>/preview.png without it")
       ->type_name("FILE.png");
   add_overrides(app, options->overrides);
-  return [options] { return run_preview(*options); };
+  auto quiet = std::make_shared<bool>(false);
+  add_quiet(app, *quiet);
+  return [options, quiet] {
+    ConsoleProgress progress(progress_style(*quiet));
+    return run_preview(*options, progress);
+  };
 }
 
 Action declare_report(CLI::App& app) {

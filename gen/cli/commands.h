@@ -87,7 +87,7 @@ ExitCode run_compare(const CompareOptions& options);
 ExitCode run_curves(const CurvesOptions& options);
 
 /// Draws a contact sheet of a scene, without any renderer, and prints its name.
-ExitCode run_preview(const PreviewOptions& options);
+ExitCode run_preview(const PreviewOptions& options, Progress& progress);
 
 /// Encodes a folder's frames as films, .mp4 and a .webp that loops beside it, and prints their
 /// names. With a name of its own there is one film: Blender's where both renderers have all frames.

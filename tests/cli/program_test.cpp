@@ -89,6 +89,11 @@ TEST_F(Program, ShorthandsSetTheSameKeysAndDryRunWritesNothing) {
                   "frames 1-3 of 3, 320 x 200 px, 3 samples, renderer povray, into b\n");
   expect_answer(wold("render a.toml --dry-run --frames 1,3 --set name=heath"),
                 "heath: frames 1,3 of 3, 960 x 540 px");
+  const Result render = wold("render a.toml --dry-run --frames 1,3");
+  expect_answer(render, "\n  scenes  2 of 2 to do; each ");
+  expect_answer(render, "\n  blender 2 of 2 to do; each ");
+  EXPECT_EQ(render.out, wold("plan a.toml --frames 1,3").out);
+  EXPECT_EQ(wold("generate a.toml --dry-run").out.find("blender 3 of"), std::string::npos);
   EXPECT_FALSE(fs::exists(folder_ / "b"));
   EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
