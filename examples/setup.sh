@@ -9,7 +9,7 @@ build_packages=(g++ cmake ninja-build libopenvdb-dev libopenimageio-dev libtbb-d
   libboost-iostreams-dev libgdal-dev fonts-dejavu-core)
 render_packages=(blender povray ffmpeg)
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev libxml2-utils locales slurmctld slurmd
-  slurm-client munge python3 procps chromium chromium-driver)
+  slurm-client munge python3 procps chromium chromium-driver man-db zsh fish)
 
 say() { printf '\n== %s\n' "$*" >&2; }
 

@@ -1,12 +1,16 @@
 #include "cli/commands.h"
 #include "cli/output.h"
+#include "cli/scene_warnings.h"
 #include "scene/parse.h"
 #include "scene/write.h"
+#include "season/film_season.h"
 
 namespace wold::cli {
 
 ExitCode run_check(const std::filesystem::path& scene, const std::vector<std::string>& overrides) {
-  print_data(scene::resolved_toml(scene::read_scene(scene, overrides)));
+  const scene::Scene checked = scene::read_scene(scene, overrides);
+  print_warnings(season::as_film(checked));
+  print_data(scene::resolved_toml(checked));
   return ExitCode::done;
 }
 

@@ -1,6 +1,7 @@
 #include "cli/command_table.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <charconv>
@@ -12,6 +13,7 @@
 #include "cli/commands.h"
 #include "cli/console_progress.h"
 #include "scene/registry.h"
+#include "scene/starter.h"
 
 namespace wold::cli {
 namespace {
@@ -102,7 +104,7 @@ template <class Run>
 Action generate_like(CLI::App& app, const std::shared_ptr<RenderArguments>& arguments, Run run) {
   add_job_options(app, *arguments);
   app.add_flag("--dry-run", arguments->options.dry_run,
-               "check everything, say what would be made, stop");
+               "check the scene, say what is to do and what it takes, stop");
   add_quiet(app, arguments->options.quiet);
   return [arguments, run] {
     ConsoleProgress progress(progress_style(arguments->options.quiet));
@@ -254,7 +256,12 @@ Action declare_preview(CLI::App& app) {
   app.add_option("--out", options->out, "the picture; out/<scene name>/preview.png without it")
       ->type_name("FILE.png");
   add_overrides(app, options->overrides);
-  return [options] { return run_preview(*options); };
+  auto quiet = std::make_shared<bool>(false);
+  add_quiet(app, *quiet);
+  return [options, quiet] {
+    ConsoleProgress progress(progress_style(*quiet));
+    return run_preview(*options, progress);
+  };
 }
 
 Action declare_report(CLI::App& app) {
@@ -275,9 +282,17 @@ Action declare_report(CLI::App& app) {
 }
 
 Action declare_new(CLI::App& app) {
-  auto name = std::make_shared<std::string>();
-  app.add_option("NAME", *name, "names the scene and its file")->required();
-  return [name] { return run_new(*name); };
+  struct Options {
+    std::string name;
+    std::string kind = scene::starter_kinds().front();
+  };
+  auto options = std::make_shared<Options>();
+  app.add_option("NAME", options->name, "names the scene and its file")->required();
+  app.add_option("--kind", options->kind, "what it shows")
+      ->check(CLI::IsMember(scene::starter_kinds()))
+      ->type_name(fmt::format("{}", fmt::join(scene::starter_kinds(), "|")))
+      ->capture_default_str();
+  return [options] { return run_new(options->name, options->kind); };
 }
 
 }  // namespace
@@ -307,7 +322,7 @@ const std::vector<Command>& command_table() {
       {"report",
        "make one web page of an output folder: frames over time, times, curves, parameters",
        "wold report out/meadow", declare_report},
-      {"new", "write a commented starter scene", "wold new meadow", declare_new},
+      {"new", "write a commented starter scene", "wold new meadow --kind season", declare_new},
   };
   return commands;
 }

@@ -87,7 +87,7 @@ ExitCode run_compare(const CompareOptions& options);
 ExitCode run_curves(const CurvesOptions& options);
 
 /// Draws a contact sheet of a scene, without any renderer, and prints its name.
-ExitCode run_preview(const PreviewOptions& options);
+ExitCode run_preview(const PreviewOptions& options, Progress& progress);
 
 /// Encodes a folder's frames as films, .mp4 and a .webp that loops beside it, and prints their
 /// names. With a name of its own there is one film: Blender's where both renderers have all frames.
@@ -98,8 +98,9 @@ ExitCode run_film(const FilmOptions& options, Progress& progress);
 ExitCode run_report(const std::filesystem::path& out, const std::filesystem::path& page,
                     Progress& progress);
 
-/// Writes NAME.toml into the working folder; refuses to replace a file.
-ExitCode run_new(const std::string& name);
+/// Writes NAME.toml, one of scene::starter_kinds(), into the working folder; refuses to replace a
+/// file.
+ExitCode run_new(const std::string& name, const std::string& kind);
 
 /// Prints all keys of a scene as markdown.
 ExitCode run_help_keys();

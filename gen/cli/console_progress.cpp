@@ -47,7 +47,7 @@ void ConsoleProgress::begin(std::string_view stage, std::size_t units) {
   units_ = units;
   done_ = 0;
   tenths_shown_ = 0;
-  start_ = Clock::now();
+  start_ = now_();
   shown_ = {};
   if (style_ == ProgressStyle::lines) fmt::print(stderr, "{}\n", stage_);
   if (style_ == ProgressStyle::bar) show("");
@@ -63,7 +63,7 @@ void ConsoleProgress::advance(std::size_t units, std::string_view detail) {
 void ConsoleProgress::end() {
   const std::lock_guard lock(mutex_);
   bar_open_ = false;
-  const std::string took = clock_text(Seconds(Clock::now() - start_).count());
+  const std::string took = clock_text(Seconds(now_() - start_).count());
   if (style_ == ProgressStyle::bar) fmt::print(stderr, "\r\x1b[K{}: done in {}\n", stage_, took);
   if (style_ == ProgressStyle::lines) fmt::print(stderr, "{}: done in {}\n", stage_, took);
 }
@@ -75,7 +75,7 @@ double ConsoleProgress::share() const {
 std::string ConsoleProgress::text(std::string_view detail) const {
   std::string line = fmt::format("{} {}/{} {:3.0f} %", stage_, done_, units_, 100.0 * share());
   if (done_ > 0 && done_ < units_) {
-    const double elapsed_s = Seconds(Clock::now() - start_).count();
+    const double elapsed_s = Seconds(now_() - start_).count();
     line += fmt::format(", {} left", clock_text(elapsed_s * (1.0 / share() - 1.0)));
   }
   return detail.empty() ? line : fmt::format("{}  {}", line, detail);
@@ -87,8 +87,8 @@ void ConsoleProgress::show(std::string_view detail) {
     tenths_shown_ = tenths;
     fmt::print(stderr, "{}\n", text(detail));
   }
-  if (style_ == ProgressStyle::bar && Clock::now() - shown_ >= redraw_interval) {
-    shown_ = Clock::now();
+  if (style_ == ProgressStyle::bar && now_() - shown_ >= redraw_interval) {
+    shown_ = now_();
     bar_open_ = true;
     fmt::print(stderr, "\r\x1b[K{} {}", bar_text(share()), text(detail));
     std::fflush(stderr);

@@ -2,9 +2,11 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/progress.h"
 
@@ -20,7 +22,11 @@ ProgressStyle progress_style(bool quiet);
 /// InterruptedError once the user asked to stop, whatever the style. Thread-safe.
 class ConsoleProgress final : public Progress {
  public:
-  explicit ConsoleProgress(ProgressStyle style) : style_(style) {}
+  using Clock = std::chrono::steady_clock;
+
+  /// `now` tells the time; tests have another clock.
+  explicit ConsoleProgress(ProgressStyle style, std::function<Clock::time_point()> now = Clock::now)
+      : style_(style), now_(std::move(now)) {}
   /// Leaves an unfinished bar on a line of its own, so that a message can follow.
   ~ConsoleProgress() override;
   ConsoleProgress(const ConsoleProgress&) = delete;
@@ -30,13 +36,12 @@ class ConsoleProgress final : public Progress {
   void end() override;
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   double share() const;
   std::string text(std::string_view detail) const;
   void show(std::string_view detail);
 
   const ProgressStyle style_;
+  const std::function<Clock::time_point()> now_;
   std::mutex mutex_;
   std::string stage_;
   std::size_t units_ = 0;

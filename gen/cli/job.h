@@ -34,7 +34,7 @@ std::string ranges_text(const std::vector<int>& rising);
 /// the scene does not have.
 Job plan_job(const RenderOptions& options);
 
-/// One line about the job, for --dry-run.
+/// One line about the job, above what there is to do.
 std::string summary(const Job& job);
 
 }  // namespace wold::cli

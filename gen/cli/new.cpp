@@ -3,20 +3,21 @@
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "core/files.h"
-#include "scene/write.h"
+#include "scene/starter.h"
 
 namespace wold::cli {
 
-ExitCode run_new(const std::string& name) {
+ExitCode run_new(const std::string& name, const std::string& kind) {
   constexpr std::string_view extension = ".toml";
   const std::string stem =
       name.ends_with(extension) ? name.substr(0, name.size() - extension.size()) : name;
-  const std::string text = scene::starter_scene(stem);
+  const std::string text = scene::starter_scene(stem, kind);
   const std::filesystem::path file = stem + std::string(extension);
   if (std::filesystem::exists(file))
     throw InputError(fmt::format("{} exists already; choose another name", file.string()));
   write_file(file, text);
-  print_message(fmt::format("wrote {0}; render it with: wold render {0}", file.string()));
+  print_message(fmt::format(
+      "wrote {0}; look at it with wold preview {0}, make it with wold render {0}", file.string()));
   return ExitCode::done;
 }
 

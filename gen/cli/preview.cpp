@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "cli/preview_film.h"
+#include "cli/scene_warnings.h"
 #include "cli/scratch_folder.h"
 #include "core/files.h"
 #include "core/parallel.h"
@@ -100,13 +101,17 @@ void mark_camera(const landscape::Camera& camera, const landscape::Landscape& ov
 /// The scene drawn part by part.
 class Preview {
  public:
-  Preview(const scene::Scene& scene, const std::vector<int>& frames, const fs::path& scratch)
+  Preview(const scene::Scene& scene, const std::vector<int>& frames, const fs::path& scratch,
+          Progress& progress)
       : width_px_(frames.size() == 1 ? 760
                                      : preview::width_of_each(static_cast<int>(frames.size()))),
         scene_(simplified(scene, width_px_)),
         frames_(frames),
+        progress_(begun(progress, frames.size())),
         film_(scene_, frames, scratch),
-        font_(preview::label_font()) {}
+        font_(preview::label_font()) {
+    progress_.advance(site_units, "ground");
+  }
 
   preview::Sheet sheet() {
     preview::Sheet sheet;
@@ -117,12 +122,16 @@ class Preview {
         "{} frame{}, terrain of {:.6g} m.",
         count, count == 1 ? "" : "s", scene_.terrain.size_m);
     std::vector<landscape::Landscape> landscapes;
-    for (const int frame : frames_) landscapes.push_back(film_.landscape(frame));
+    for (const int frame : frames_) {
+      landscapes.push_back(film_.landscape(frame));
+      progress_.advance(1, fmt::format("frame {}", frame));
+    }
     std::vector<Tile> camera_row(landscapes.size());
     parallel_for(landscapes.size(), [&](std::size_t i) {
       camera_row[i] = {preview::camera_picture(landscapes[i], width_px_),
                        caption_of(landscapes[i])};
     });
+    progress_.advance(frames_.size(), "pictures");
     std::vector<Tile> around = surroundings(landscapes.front());
     if (frames_.size() == 1) {
       camera_row.push_back(std::move(around.front()));
@@ -130,12 +139,22 @@ class Preview {
     }
     sheet.rows = {std::move(camera_row), std::move(around),
                   grass_row(mean_light(landscapes.front()))};
+    progress_.advance(2, "surroundings and grass");
+    progress_.end();
     return sheet;
   }
 
   const fs::path& font() const { return font_; }
 
  private:
+  /// Measured: making the ground takes as long as a frame's landscape and its picture.
+  static constexpr std::size_t site_units = 2;
+
+  static Progress& begun(Progress& progress, std::size_t frames) {
+    progress.begin("preview", site_units + 2 * frames + 2);
+    return progress;
+  }
+
   /// What is around in a frame: the terrain from above, the sky, flakes.
   std::vector<Tile> surroundings(const landscape::Landscape& landscape) {
     constexpr int flakes_px = 240;
@@ -194,19 +213,21 @@ class Preview {
   int width_px_;
   scene::Scene scene_;
   std::vector<int> frames_;
+  Progress& progress_;
   PreviewFilm film_;
   fs::path font_;
 };
 
 }  // namespace
 
-ExitCode run_preview(const PreviewOptions& options) {
+ExitCode run_preview(const PreviewOptions& options, Progress& progress) {
   const scene::Scene scene = season::as_film(scene::read_scene(options.scene, options.overrides));
   const fs::path file = file_of(options, scene);
+  print_warnings(scene);
   if (file.has_parent_path()) make_folder(file.parent_path());
   const ThreadLimit limit(scene.render.threads);
   const ScratchFolder scratch(temporary_name(file.parent_path() / "preview_work"));
-  Preview preview(scene, shown_frames(scene), scratch.path());
+  Preview preview(scene, shown_frames(scene), scratch.path(), progress);
   if (preview.font().empty())
     print_message("labels are left out: DejaVu Sans is missing; apt-get install fonts-dejavu-core");
   write_image(file, preview::drawn(preview.sheet(), preview.font()), PixelFormat::uint8);

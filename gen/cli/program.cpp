@@ -1,14 +1,18 @@
 #include "cli/program.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <new>
 
+#include "cli/command_facts.h"
 #include "cli/command_table.h"
 #include "cli/commands.h"
+#include "cli/completion.h"
 #include "cli/interrupt.h"
+#include "cli/manual_page.h"
 #include "cli/output.h"
 #include "cli/version.h"
 #include "scene/nearest.h"
@@ -25,12 +29,32 @@ struct CommandLine {
   Action action;
 };
 
+ExitCode run_man(const std::vector<CommandFacts>& commands) {
+  print_data(manual_page(commands));
+  return ExitCode::done;
+}
+
+ExitCode run_completion(const std::vector<CommandFacts>& commands, const std::string& shell) {
+  print_data(completion(commands, shell));
+  return ExitCode::done;
+}
+
 void declare(CommandLine& line) {
   CLI::App& app = line.app;
   app.set_version_flag("--version", fmt::format("wold {}", version));
   app.add_flag_callback(
       "--help-keys", [&line] { line.action = run_help_keys; },
       "list the keys of a scene as markdown");
+  app.add_flag_callback(
+      "--man", [&line] { line.action = [&line] { return run_man(command_facts(line.app)); }; },
+      "print the manual, for man(1)");
+  app.add_option_function<std::string>(
+         "--completion",
+         [&line](const std::string& shell) {
+           line.action = [&line, shell] { return run_completion(command_facts(line.app), shell); };
+         },
+         "print a script by which a shell completes commands, options and keys")
+      ->type_name(fmt::format("{}", fmt::join(completion_shells(), "|")));
   app.footer("wold COMMAND --help shows a command's options.");
   for (const Command& command : command_table()) {
     CLI::App* sub = app.add_subcommand(command.name, command.summary);

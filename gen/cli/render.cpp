@@ -3,6 +3,8 @@
 #include "cli/folder_lock.h"
 #include "cli/memory_budget.h"
 #include "cli/output.h"
+#include "cli/plan.h"
+#include "cli/scene_warnings.h"
 #include "core/file_list.h"
 #include "core/parallel.h"
 #include "render/renderer.h"
@@ -35,12 +37,21 @@ void complete(const Job& job, const std::vector<StageTasks>& stages, Progress& p
   work.finish();
 }
 
+/// What the stages would do, for --dry-run.
+void print_plan(const Job& job, bool with_pictures) {
+  std::vector<StagePlan> plan = make_plan(job);
+  if (!with_pictures)
+    std::erase_if(plan, [](const StagePlan& stage) { return makes_pictures(stage.tasks.stage); });
+  print_data(plan_text(job, plan, /*why=*/false));
+}
+
 }  // namespace
 
 ExitCode run_generate(const RenderOptions& options, Progress& progress) {
   const Job job = plan_job(options);
+  print_warnings(job.scene);
   if (options.dry_run)
-    print_data(summary(job));
+    print_plan(job, /*with_pictures=*/false);
   else
     complete(job, without_pictures(stages_of(job)), progress);
   return ExitCode::done;
@@ -48,8 +59,9 @@ ExitCode run_generate(const RenderOptions& options, Progress& progress) {
 
 ExitCode run_render(const RenderOptions& options, Progress& progress) {
   const Job job = plan_job(options);
+  print_warnings(job.scene);
   if (options.dry_run) {
-    print_data(summary(job));
+    print_plan(job, /*with_pictures=*/true);
     return ExitCode::done;
   }
   const std::vector<StageTasks> stages = stages_of(job);

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "cli/job.h"
+#include "cli/scene_warnings.h"
 #include "cli/task_record.h"
 #include "cli/tasks.h"
 #include "core/error.h"
@@ -26,6 +27,17 @@ void read_scene(const fs::path& out, ReportFacts& facts) {
     facts.name = fs::absolute(out / "").parent_path().filename().string();
     facts.warnings.push_back(fmt::format(
         "The scene is not known: {}. Curves and parameters are left out.", error.what()));
+  }
+}
+
+/// The frames may be old and the season's table gone: that is no reason for no page.
+void read_scene_warnings(ReportFacts& facts) {
+  if (!facts.scene) return;
+  try {
+    for (const std::string& warning : scene_warnings(*facts.scene))
+      facts.warnings.push_back(fmt::format("Scene: {}.", warning));
+  } catch (const Error& error) {
+    facts.warnings.push_back(fmt::format("Scene: {}.", error.what()));
   }
 }
 
@@ -97,6 +109,7 @@ ReportFacts report_facts(const fs::path& out) {
         out.string()));
   read_scene(out, facts);
   facts.frames = expected_frames(out, facts.pictures);
+  read_scene_warnings(facts);
   warn_of_gaps(out, facts);
   read_times(out, facts);
   read_log_warnings(out, facts);

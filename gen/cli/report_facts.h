@@ -27,7 +27,8 @@ struct ReportFacts {
   std::vector<FramePictures> pictures;                   ///< that there are
   std::vector<StageTime> stages;                         ///< in the order they are done
   std::map<std::string, std::map<int, double>> seconds;  ///< by renderer and frame
-  std::vector<std::string> warnings;  ///< what is missing, and what the renderers warned of
+  /// What will look wrong, what is missing, what the renderers warned of.
+  std::vector<std::string> warnings;
 };
 
 /// Looks at the folder; changes nothing. Throws FileError when it is none, or has neither a scene

@@ -47,20 +47,12 @@ struct ValueWriter {
   }
 };
 
-std::string assignment_text(const Key& key, const Scene& scene) {
-  return fmt::format("{} = {}\n", leaf_of(key.name), toml_text(key.get(scene)));
-}
-
-std::string line_text(const Key& key, const Scene& scene) {
-  return fmt::format("# {} Accepts {}.\n{}", key.doc, expected(key), assignment_text(key, scene));
-}
-
 /// The key with its comment, after its table's header when it is the first of the table.
 std::string key_text(const Key& key, const Scene& scene, std::string_view table_before) {
   std::string text;
   if (const std::string_view table = table_of(key.name); table != table_before)
     text += fmt::format("\n[{}]\n", table);
-  return text + line_text(key, scene);
+  return text + explained_assignment(key, scene);
 }
 
 /// The items one after the other. Only the first explains its keys.
@@ -69,27 +61,9 @@ std::string array_text(const TableArray& array, const Scene& scene) {
   for (std::size_t item = 0; item < array.count(scene); ++item) {
     text += fmt::format("\n[[{}]]\n", array.name);
     for (const Key& key : array.keys(item))
-      text += item == 0 ? line_text(key, scene) : assignment_text(key, scene);
+      text += item == 0 ? explained_assignment(key, scene) : assignment(key, scene);
   }
   return text;
-}
-
-/// The keys one changes first.
-bool is_for_starters(std::string_view name) {
-  constexpr std::string_view names[] = {"name",          "seed",          "terrain.hill_height",
-                                        "grass.height",  "grass.blades",  "ageing.water",
-                                        "ageing.frames", "sun.elevation", "sun.azimuth",
-                                        "camera.eye",    "camera.target", "render.renderer",
-                                        "render.size",   "render.samples"};
-  for (const std::string_view starter : names)
-    if (name == starter) return true;
-  return false;
-}
-
-void check_name(const Scene& scene) {
-  const Key& key = *find_key("name");
-  if (const auto fault = fault_of(key, key.get(scene)))
-    throw InputError(fmt::format("name: found {}, expected {}", fault->found, expected(key)));
 }
 
 std::string markdown_row(const Key& key, const Scene& defaults) {
@@ -106,6 +80,14 @@ std::string markdown_heading(std::string_view heading, bool first) {
 
 std::string toml_text(const Value& value) { return std::visit(ValueWriter{}, value); }
 
+std::string assignment(const Key& key, const Scene& scene) {
+  return fmt::format("{} = {}\n", leaf_of(key.name), toml_text(key.get(scene)));
+}
+
+std::string explained_assignment(const Key& key, const Scene& scene) {
+  return fmt::format("# {} Accepts {}.\n{}", key.doc, expected(key), assignment(key, scene));
+}
+
 std::string resolved_toml(const Scene& scene) {
   std::string text = "# A scene of Wold with every key.\n";
   std::string_view table;
@@ -114,23 +96,6 @@ std::string resolved_toml(const Scene& scene) {
     table = table_of(key.name);
   }
   for (const TableArray& array : table_arrays()) text += array_text(array, scene);
-  return text;
-}
-
-std::string starter_scene(const std::string& name) {
-  Scene scene;
-  scene.name = name;
-  check_name(scene);
-  std::string text = fmt::format(
-      "# A withering meadow. Try it: wold render {0}.toml\n"
-      "# The keys one changes first; `wold check {0}.toml` shows all of them.\n\n",
-      name);
-  std::string_view table;
-  for (const Key& key : registry()) {
-    if (!is_for_starters(key.name)) continue;
-    text += key_text(key, scene, table);
-    table = table_of(key.name);
-  }
   return text;
 }
 

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "scene/registry.h"
 #include "scene/scene.h"
 
 namespace wold::scene {
@@ -10,9 +11,9 @@ namespace wold::scene {
 /// gives an equal scene, and writing that gives the same text.
 std::string resolved_toml(const Scene& scene);
 
-/// A short commented scene with the keys one changes first. Throws InputError when `name` does
-/// not serve as a scene's name.
-std::string starter_scene(const std::string& name);
+/// "blades = 400" with a line end; and with a comment before it, what the key means and accepts.
+std::string assignment(const Key& key, const Scene& scene);
+std::string explained_assignment(const Key& key, const Scene& scene);
 
 /// Markdown tables of all keys: default, what is accepted, meaning.
 std::string keys_markdown();

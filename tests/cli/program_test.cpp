@@ -1,5 +1,7 @@
 #include "program.h"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
@@ -87,6 +89,11 @@ TEST_F(Program, ShorthandsSetTheSameKeysAndDryRunWritesNothing) {
                   "frames 1-3 of 3, 320 x 200 px, 3 samples, renderer povray, into b\n");
   expect_answer(wold("render a.toml --dry-run --frames 1,3 --set name=heath"),
                 "heath: frames 1,3 of 3, 960 x 540 px");
+  const Result render = wold("render a.toml --dry-run --frames 1,3");
+  expect_answer(render, "\n  scenes  2 of 2 to do; each ");
+  expect_answer(render, "\n  blender 2 of 2 to do; each ");
+  EXPECT_EQ(render.out, wold("plan a.toml --frames 1,3").out);
+  EXPECT_EQ(wold("generate a.toml --dry-run").out.find("blender 3 of"), std::string::npos);
   EXPECT_FALSE(fs::exists(folder_ / "b"));
   EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
@@ -100,6 +107,15 @@ TEST_F(Program, NewWritesASceneOnceAndNeverReplacesIt) {
   expect_refusal(wold("new heath"), "heath.toml exists already");
   EXPECT_EQ(read_file(folder_ / "heath.toml"), "seed = 3\n");
   expect_refusal(wold("new ../heath"), "expected a file name");
+}
+
+TEST_F(Program, NewHasAStarterSceneOfEachKind) {
+  for (const std::string kind : {"hillside", "mountain", "clouds", "snow", "season"}) {
+    EXPECT_EQ(wold(fmt::format("new {0} --kind {0}", kind)).code, 0);
+    expect_answer(wold(fmt::format("check {}.toml", kind)), fmt::format("\nname = \"{}\"\n", kind));
+  }
+  EXPECT_EQ(wold("preview clouds.toml --set terrain.size=36").out, "out/clouds/preview.png\n");
+  expect_refusal(wold("new x --kind hill"), "--kind: hill not in {hillside,mountain,");
 }
 
 /// A df3 file by its published layout: three big-endian 16-bit sizes, then one

@@ -61,15 +61,5 @@ TEST(ResolvedToml, HasEveryKeyWithItsMeaning) {
             std::string::npos);
 }
 
-TEST(StarterScene, IsShortAndTheDefaultSceneUnderItsName) {
-  Scene scene;
-  scene.name = "heath";
-  const std::string text = starter_scene("heath");
-  EXPECT_EQ(parse_scene(text, "heath.toml"), scene);
-  EXPECT_LT(text.size(), resolved_toml(scene).size() / 2);
-  EXPECT_THROW(starter_scene("a/b"), InputError);
-  EXPECT_THROW(starter_scene(""), InputError);
-}
-
 }  // namespace
 }  // namespace wold::scene

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "cli/command_facts.h"
+
+namespace wold::cli {
+
+/// The manual as one page for man(1): the program's commands with their options, every key of a
+/// scene, files and exit codes. `commands` are command_facts().
+std::string manual_page(std::span<const CommandFacts> commands);
+
+}  // namespace wold::cli

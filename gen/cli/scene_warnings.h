@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace wold::cli {
+
+/// What will look wrong in a film's pictures, one sentence for each: what, and which key to change
+/// to what. Worked out in a moment, from the scene alone: the ground is taken for the plane under
+/// eye and target. `film` is season::as_film()'s. Throws InputError or FileError when the season's
+/// table cannot be read.
+std::vector<std::string> scene_warnings(const scene::Scene& film);
+
+/// Those that are about grass.
+std::vector<std::string> grass_warnings(const scene::Scene& film);
+
+/// Says them on stderr.
+void print_warnings(const scene::Scene& film);
+
+}  // namespace wold::cli

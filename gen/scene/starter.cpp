@@ -1,0 +1,288 @@
+#include "scene/starter.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "core/error.h"
+#include "scene/registry.h"
+#include "scene/write.h"
+
+namespace wold::scene {
+namespace {
+
+using Names = std::vector<std::string_view>;
+
+/// A kind of starter scene: what it shows, its values, and the keys that it has besides those of
+/// every kind.
+struct Starter {
+  std::string kind;
+  std::string title;
+  Scene scene;
+  Names keys;
+};
+
+const Names& keys_of_every_kind() {
+  static const Names names = {"name",         "seed",           "terrain.hill_height",
+                              "grass.height", "camera.eye",     "camera.target",
+                              "render.size",  "render.samples", "render.renderer"};
+  return names;
+}
+
+Starter hillside() {
+  return {"hillside",
+          "A withering meadow.",
+          {},
+          {"grass.blades", "ageing.water", "ageing.frames", "sun.elevation", "sun.azimuth"}};
+}
+
+/// Numbers from `first` to `last`, evenly spread, with four decimals.
+std::vector<double> evenly(int count, double first, double last) {
+  std::vector<double> numbers;
+  for (int i = 0; i < count; ++i)
+    numbers.push_back(std::round(1e4 * (first + (last - first) * i / (count - 1))) / 1e4);
+  return numbers;
+}
+
+void raise_mountain(Scene& scene) {
+  Terrain& terrain = scene.terrain;
+  terrain.shape = "mountain";
+  terrain.size_m = 48.0;
+  terrain.samples = 385;
+  terrain.hill_height_m = 10.0;
+  terrain.relief_m = 0.25;
+  terrain.relief_feature_m = 5.0;
+  terrain.streams = 0.3;
+  terrain.talus_deg = 60.0;
+  terrain.rock_slope_deg = 44.0;
+  scene.growth.steepest_deg = 48.0;
+  scene.growth.share = 0.97;
+  scene.grass.levels = {126, 62, 30};
+  scene.camera.eye_m = {24.0, 0.5};
+  scene.camera.target_m = {24.5, 16.0};
+  scene.camera.target_height_m = 1.5;
+  scene.camera.field_of_view_deg = 62.0;
+}
+
+const Names& keys_of_mountains() {
+  static const Names names = {"terrain.shape",        "terrain.size",           "terrain.samples",
+                              "terrain.relief",       "terrain.relief_feature", "terrain.streams",
+                              "terrain.talus",        "terrain.rock_slope",     "growth.share",
+                              "growth.steepest",      "grass.levels",           "camera.eye_height",
+                              "camera.target_height", "camera.field_of_view"};
+  return names;
+}
+
+Names operator+(Names names, const Names& more) {
+  names.insert(names.end(), more.begin(), more.end());
+  return names;
+}
+
+Starter mountain() {
+  Scene scene;
+  raise_mountain(scene);
+  scene.camera.eye_height_m = 4.5;
+  scene.sun.azimuth_deg = 255.0;
+  scene.sun.elevation_deg = 28.0;
+  return {"mountain", "Ridges and valleys, grass where it can stand, rock where it cannot.", scene,
+          keys_of_mountains() + Names{"ageing.frames", "sun.elevation", "sun.azimuth"}};
+}
+
+CloudLayer heaps(double cover) {
+  CloudLayer layer;
+  layer.kind = "cumulus";
+  layer.cover = cover;
+  layer.heading_deg = 60.0;
+  return layer;
+}
+
+CloudLayer fibres() {
+  CloudLayer layer;
+  layer.kind = "cirrus";
+  layer.speed_m_s = 25.0;
+  layer.heading_deg = 80.0;
+  return layer;
+}
+
+Starter clouds() {
+  Scene scene;
+  scene.grass.key_frames = {0.0, 0.05, 1.0};
+  scene.ageing.frames = evenly(24, 0.0, 0.05);
+  scene.film.frame_seconds = 4.0;
+  scene.sky.visual_range_m = 60e3;
+  scene.sun.azimuth_deg = 290.0;
+  scene.sun.elevation_deg = 25.0;
+  scene.camera.eye_m = {23.0, 2.0};
+  scene.camera.target_m = {15.0, 20.0};
+  scene.camera.target_height_m = 4.5;
+  scene.camera.field_of_view_deg = 60.0;
+  scene.clouds = {heaps(0.5), fibres()};
+  scene.clouds[0].gathered = 0.4;
+  scene.cloud_events = {{.kind = "gather", .layer = 1, .start_s = 12.0, .duration_s = 60.0}};
+  return {"clouds",
+          "Clouds that drift and gather over a meadow that hardly withers meanwhile.",
+          scene,
+          {"grass.key_frames", "ageing.frames", "sun.elevation", "sun.azimuth", "sky.visual_range",
+           "film.frame_seconds", "camera.target_height", "camera.field_of_view", "clouds.kind",
+           "clouds.cover", "clouds.gathered", "clouds.speed", "clouds.heading", "cloud_events.kind",
+           "cloud_events.layer", "cloud_events.start", "cloud_events.duration"}};
+}
+
+Starter snow() {
+  constexpr double weathering = 0.3;
+  Scene scene;
+  scene.grass.key_frames = {0.0, weathering, 1.0};
+  scene.ageing.variation = 0.0;
+  scene.ageing.frames = std::vector<double>(16, weathering);
+  scene.film.frame_seconds = 900.0;
+  scene.weather.temperature_c = -1.5;
+  scene.weather.precipitation_mm_h = 2.5;
+  scene.wind.speed_m_s = 1.2;
+  scene.sun.elevation_deg = 22.0;
+  scene.camera = {.eye_m = {21.0, 1.5},
+                  .eye_height_m = 1.15,
+                  .target_m = {21.0, 11.0},
+                  .target_height_m = 0.1,
+                  .field_of_view_deg = 52.0};
+  return {"snow",
+          "Snow that falls for four hours, until ten centimetres lie.",
+          scene,
+          {"grass.key_frames", "ageing.frames", "ageing.variation", "sun.elevation", "sun.azimuth",
+           "wind.speed", "wind.heading", "film.frame_seconds", "weather.temperature",
+           "weather.precipitation", "snowfall.crystal", "snow_cover.drifting", "camera.eye_height",
+           "camera.target_height", "camera.field_of_view"}};
+}
+
+/// Green, yellow, the first snow, a thaw, and the snow that stays.
+std::vector<SeasonKey> from_summer_to_winter() {
+  return {{.date = {2026, 8, 25},
+           .weathering = 0.0,
+           .temperature_c = 15.0,
+           .precipitation_mm_day = 0.0,
+           .cloud_cover = 0.35},
+          {.date = {2026, 9, 30}, .weathering = 0.45, .temperature_c = 8.0, .cloud_cover = 0.3},
+          {.date = {2026, 10, 18},
+           .weathering = 0.85,
+           .temperature_c = 4.0,
+           .precipitation_mm_day = 0.0,
+           .cloud_cover = 0.7},
+          {.date = {2026, 10, 24},
+           .temperature_c = -1.0,
+           .precipitation_mm_day = 6.0,
+           .cloud_cover = 1.0},
+          {.date = {2026, 11, 4},
+           .weathering = 0.95,
+           .temperature_c = 6.0,
+           .precipitation_mm_day = 0.0,
+           .cloud_cover = 0.3},
+          {.date = {2026, 11, 22},
+           .temperature_c = -3.0,
+           .precipitation_mm_day = 12.0,
+           .cloud_cover = 1.0},
+          {.date = {2026, 12, 8},
+           .weathering = 1.0,
+           .temperature_c = -6.0,
+           .precipitation_mm_day = 0.0,
+           .cloud_cover = 0.2}};
+}
+
+Starter season() {
+  Scene scene;
+  raise_mountain(scene);
+  scene.camera.eye_height_m = 1.7;
+  scene.camera.target_height_m = 1.2;
+  scene.grass.key_frames = evenly(21, 0.0, 1.0);
+  scene.season.first = {2026, 8, 25};
+  scene.season.last = {2026, 12, 8};
+  scene.season.frames = 36;
+  scene.season_keys = from_summer_to_winter();
+  scene.sun.time_h = 13.0;
+  scene.sun.latitude_deg = 46.5;
+  scene.sun.longitude_deg = 8.0;
+  scene.film.frame_seconds = 4.0;
+  scene.clouds = {heaps(0.45)};
+  return {"season", "From late summer to deep snow, three days from frame to frame.", scene,
+          keys_of_mountains() + Names{"grass.key_frames", "sun.time", "sun.latitude",
+                                      "sun.longitude", "film.frame_seconds", "season.first",
+                                      "season.last", "season.frames", "clouds.kind", "clouds.cover",
+                                      "clouds.speed", "clouds.heading", "season_keys.date",
+                                      "season_keys.weathering", "season_keys.temperature",
+                                      "season_keys.precipitation", "season_keys.cloud_cover"}};
+}
+
+const std::vector<Starter>& starters() {
+  static const std::vector<Starter> all = {hillside(), mountain(), clouds(), snow(), season()};
+  return all;
+}
+
+const Starter& starter_of(const std::string& kind) {
+  const auto found = std::ranges::find(starters(), kind, &Starter::kind);
+  if (found == starters().end())
+    throw InputError(fmt::format("found the kind {}, expected one of: {}", kind,
+                                 fmt::join(starter_kinds(), ", ")));
+  return *found;
+}
+
+void check_name(const Scene& scene) {
+  const Key& key = *find_key("name");
+  if (const auto fault = fault_of(key, key.get(scene)))
+    throw InputError(fmt::format("name: found {}, expected {}", fault->found, expected(key)));
+}
+
+bool has(const Starter& starter, std::string_view key) {
+  return std::ranges::count(keys_of_every_kind(), key) + std::ranges::count(starter.keys, key) > 0;
+}
+
+bool says_nothing(const Key& key, const Scene& scene) {
+  return key.kind == Kind::automatic &&
+         !std::get<std::optional<double>>(key.get(scene)).has_value();
+}
+
+/// The items of a table that may stand many times; the first explains its keys.
+std::string items_text(const TableArray& array, const Starter& starter, const Scene& scene) {
+  std::string text;
+  for (std::size_t item = 0; item < array.count(scene); ++item) {
+    text += fmt::format("\n[[{}]]\n", array.name);
+    for (const Key& key : array.keys(item)) {
+      if (!has(starter, key.name) || (item > 0 && says_nothing(key, scene))) continue;
+      text += item == 0 ? explained_assignment(key, scene) : assignment(key, scene);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+const std::vector<std::string>& starter_kinds() {
+  static const std::vector<std::string> kinds = [] {
+    std::vector<std::string> names;
+    for (const Starter& starter : starters()) names.push_back(starter.kind);
+    return names;
+  }();
+  return kinds;
+}
+
+std::string starter_scene(const std::string& name, const std::string& kind) {
+  const Starter& starter = starter_of(kind);
+  Scene scene = starter.scene;
+  scene.name = name;
+  check_name(scene);
+  std::string text = fmt::format(
+      "# {1}\n# Look at it: wold preview {0}.toml; make it: wold render {0}.toml\n"
+      "# These are the keys one changes first; `wold check {0}.toml` shows all of them.\n\n",
+      name, starter.title);
+  std::string_view table;
+  for (const Key& key : registry()) {
+    if (!has(starter, key.name)) continue;
+    if (const std::string_view next = table_of(key.name); next != table)
+      text += fmt::format("\n[{}]\n", table = next);
+    text += explained_assignment(key, scene);
+  }
+  for (const TableArray& array : table_arrays()) text += items_text(array, starter, scene);
+  return text;
+}
+
+}  // namespace wold::scene

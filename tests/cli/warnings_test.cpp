@@ -1,0 +1,133 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "core/files.h"
+#include "program.h"
+
+/// What `wold` says of a scene that will look wrong, and of which it says nothing.
+namespace wold::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+class Warnings : public Program {
+ protected:
+  /// What `check` says of a scene.
+  std::string about(const std::string& toml, const std::string& options = "") const {
+    write("a.toml", toml);
+    const Result result = wold("check a.toml " + options);
+    EXPECT_EQ(result.code, 0) << result.err;
+    expect_contains(result.out, "name = \"meadow\"");
+    return result.err;
+  }
+};
+
+/// A camera that looks along the ground at half a radian, so that the picture's lower edge is at
+/// 45 degrees: 1000 pixels a radian, the grass's middle sqrt(2) m away. A voxel of 0.6 m / 126
+/// covers 3.4 pixels there, one of 0.6 m / 254 1.7.
+constexpr const char* near_camera =
+    "[camera]\neye = [21, 2]\ntarget = [21, 20]\neye_height = 1.16\ntarget_height = 1.16\n"
+    "field_of_view = 90\n[render]\nsize = [2000, 2000]\n";
+
+TEST_F(Warnings, TexelsTooCoarseForTheCamera) {
+  const std::string coarse = about(near_camera, "--set 'grass.levels=[126, 30]'");
+  EXPECT_THAT(coarse,
+              AllOf(StartsWith("warning: grass looks coarse 1.4 m before the camera"),
+                    HasSubstr("covers 3.4 pixels"), HasSubstr("grass.pixels_per_voxel = 1.3"),
+                    HasSubstr("set render.grass = \"auto\"")));
+  EXPECT_THAT(about(near_camera, "--set grass.pixels_per_voxel=2 --set 'grass.levels=[126, 30]'"),
+              HasSubstr("set grass.levels = [254, 126, 30], or render.grass = \"auto\""));
+  EXPECT_THAT(about(near_camera, "--set grass.pixels_per_voxel=2"), IsEmpty());
+  EXPECT_THAT(about(near_camera, "--set render.grass=auto"), IsEmpty());
+  EXPECT_THAT(about(near_camera, "--set camera.target_height=30"), IsEmpty()) << "it looks up";
+  EXPECT_THAT(about("[camera]\neye_end = [21, 10, 0.3]\n"), HasSubstr("looks coarse"));
+}
+
+TEST_F(Warnings, FarCellsBelowAPixel) {
+  // 0.32 m over some 298 m of 1170 pixels a radian.
+  const std::string far = "[terrain]\nsize = 300\n[render]\nsize = [1218, 685]\n";
+  EXPECT_THAT(about(far, "--set grass.far_pixels=0 --set grass.height=0.1"),
+              AllOf(StartsWith("warning: grass 298 m away is 0.39 pixels high"),
+                    HasSubstr("set grass.far_pixels = 1.2")));
+  EXPECT_THAT(about(far), IsEmpty());
+  EXPECT_THAT(about("", "--set grass.far_pixels=0"), IsEmpty()) << "nothing is so far";
+}
+
+TEST_F(Warnings, CloudsThatJump) {
+  // 20 m/s over 600 s are 12 km, cirrus has cells of less.
+  const std::string film =
+      "[ageing]\nframes = [0, 0, 0, 0, 0, 0, 0, 0]\n[[clouds]]\nkind = 'cumulus'\nspeed = 1\n"
+      "[[clouds]]\nkind = 'cirrus'\ncell = 3000\nspeed = 20\n[film]\nframe_seconds = ";
+  const std::string jump = about(film + "600\n");
+  EXPECT_THAT(jump, AllOf(StartsWith("warning: clouds[2] jump 1.2e+04 m"),
+                          HasSubstr("set film.frame_seconds = 15, or clouds[2].speed = 0.5")));
+  EXPECT_THAT(about(film + "15\n"), IsEmpty());
+  EXPECT_THAT(about(film + "600\n", "--set 'ageing.frames=[0, 0.3]'"), IsEmpty()) << "no film";
+}
+
+TEST_F(Warnings, SnowThatCannotBeSeen) {
+  EXPECT_THAT(about("[weather]\nprecipitation = 2\ntemperature = 8\n"),
+              AllOf(StartsWith("warning: weather.precipitation falls as rain at 8 degrees"),
+                    HasSubstr("set weather.temperature = -1")));
+  EXPECT_THAT(
+      about("[weather]\nprecipitation = 2\ntemperature = 8\n[terrain]\nhill_height = 1500\n"),
+      Not(HasSubstr("rain")))
+      << "snows on the hill";
+  EXPECT_THAT(about("[snow_cover]\ninitial = 30\ncover = 'none'\n"),
+              HasSubstr("set snow_cover.cover = \"depth\""));
+  // 3 mm a day and degree: 30 mm are gone after a day at 10 degrees, but for the hill's height.
+  const std::string thaw = "[snow_cover]\ninitial = 30\n[weather]\ntemperature = 10\nearlier = ";
+  EXPECT_THAT(about(thaw + "26\n"), HasSubstr("has melted before the first frame"));
+  EXPECT_THAT(about(thaw + "23\n"), IsEmpty());
+  EXPECT_THAT(about("[weather]\nprecipitation = 2\n", "--set snowfall.shutter=0.5"),
+              HasSubstr("set snowfall.shutter = 0.003"));
+  EXPECT_THAT(about("[weather]\nprecipitation = 2\n"), IsEmpty());
+}
+
+TEST_F(Warnings, ASeasonWhoseTableBeginsWithIt) {
+  std::string table = "date,tmin_c,tmax_c,precipitation_mm\n";
+  for (int month = 3; month <= 12; ++month)
+    for (int day = 1; day <= 28; ++day)
+      table += fmt::format("2026-{:02}-{:02},4,14,2\n", month, day);
+  write("w.csv", table);
+  const auto season = [](const std::string& first) {
+    return fmt::format("[season]\ntable = 'w.csv'\nfirst = {}\nlast = [2026, 11, 1]\n", first);
+  };
+  EXPECT_THAT(about(season("[2026, 3, 11]")),
+              AllOf(StartsWith("warning: season.table begins 10 days before the first frame"),
+                    HasSubstr("begin on 2026-01-10 or earlier"),
+                    HasSubstr("season.first = [2026, 4, 30] or later")));
+  EXPECT_THAT(about(season("[2026, 5, 1]")), IsEmpty());
+}
+
+TEST_F(Warnings, StandOnStderrOfWhatUsesTheScene) {
+  write("a.toml", std::string(near_camera) + "[grass]\nlevels = [126]\n");
+  for (const std::string command : {"check", "render --dry-run", "generate --dry-run"}) {
+    const Result result = wold(command + " a.toml");
+    EXPECT_EQ(result.code, 0);
+    EXPECT_THAT(result.err, StartsWith("warning: grass looks coarse")) << command;
+    EXPECT_THAT(result.out, Not(HasSubstr("warning")));
+  }
+  make_folder(folder_ / "out");
+  write("out/scene.toml", wold("check a.toml").out);
+  EXPECT_EQ(wold("report out --quiet").code, 0);
+  expect_contains(read_file(folder_ / "out/report.html"), "Scene: grass looks coarse");
+}
+
+TEST_F(Warnings, AreNotOfTheExamples) {
+  int scenes = 0;
+  for (const auto& entry : fs::directory_iterator(fs::path(WOLD_TESTS_DIR) / "../examples")) {
+    if (entry.path().extension() != ".toml") continue;
+    ++scenes;
+    const Result result = wold("check " + quoted(entry.path().string()));
+    EXPECT_EQ(result.code, 0);
+    EXPECT_EQ(result.err, "") << entry.path();
+  }
+  EXPECT_GE(scenes, 10);
+}
+
+}  // namespace
+}  // namespace wold::test

@@ -1,0 +1,49 @@
+#include "scene/starter.h"
+
+#include <gmock/gmock.h>
+
+#include "core/error.h"
+#include "scene/parse.h"
+#include "scene/write.h"
+
+namespace wold::scene {
+namespace {
+
+TEST(StarterScene, IsShortAndTheDefaultSceneUnderItsName) {
+  Scene scene;
+  scene.name = "heath";
+  const std::string text = starter_scene("heath", "hillside");
+  EXPECT_EQ(parse_scene(text, "heath.toml"), scene);
+  EXPECT_LT(text.size(), resolved_toml(scene).size() / 2);
+  EXPECT_THROW(starter_scene("a/b", "hillside"), InputError);
+  EXPECT_THROW(starter_scene("", "hillside"), InputError);
+  EXPECT_THROW(starter_scene("heath", "hill"), InputError);
+}
+
+/// What a starter is of is written, and nothing is lost on the way.
+TEST(StarterScene, OfEachKindShowsWhatItSays) {
+  const auto read = [](const std::string& kind) {
+    return parse_scene(starter_scene("a", kind), kind);
+  };
+  EXPECT_THAT(starter_kinds(),
+              testing::ElementsAre("hillside", "mountain", "clouds", "snow", "season"));
+  EXPECT_EQ(read("mountain").terrain.shape, "mountain");
+  const Scene clouds = read("clouds");
+  ASSERT_EQ(clouds.clouds.size(), 2U);
+  EXPECT_EQ(clouds.clouds[1].speed_m_s, 25.0);
+  EXPECT_EQ(clouds.cloud_events.at(0).duration_s, 60.0);
+  // 2.5 mm of water an hour from the first frame to the last are ten centimetres of new snow, whose
+  // density is about a tenth of water's.
+  const Scene snow = read("snow");
+  const double hours = snow.film.frame_seconds * (snow.ageing.frames.size() - 1.0) / 3600.0;
+  EXPECT_NEAR(hours * snow.weather.precipitation_mm_h, 10.0, 1.0);
+  EXPECT_LT(snow.weather.temperature_c, 0.0);
+  const Scene season = read("season");
+  ASSERT_EQ(season.season_keys.size(), 7U);
+  EXPECT_EQ(season.season_keys[3].precipitation_mm_day, 6.0);
+  EXPECT_FALSE(season.season_keys[3].weathering.has_value());
+  EXPECT_EQ(season.season_keys.back().date, season.season.last);
+}
+
+}  // namespace
+}  // namespace wold::scene
