@@ -85,6 +85,11 @@ FactorMap delays_days(const scene::Scene& scene, const Heightfield& terrain) {
   return delays;
 }
 
+/// How far the weathering degree may differ from place to place without a season.
+double amplitude(const scene::Ageing& ageing, double degree) {
+  return ageing.variation * 4.0 * degree * (1.0 - degree);
+}
+
 }  // namespace
 
 Withering::Withering(const scene::Scene& scene, const Heightfield& terrain)
@@ -113,15 +118,6 @@ double Withering::after_days(double days) const {
   const auto before = std::min(static_cast<std::size_t>(place), by_day_.size() - 2);
   return std::lerp(by_day_[before], by_day_[before + 1], place - static_cast<double>(before));
 }
-
-namespace {
-
-/// How far the weathering degree may differ from place to place without a season.
-double amplitude(const scene::Ageing& ageing, double degree) {
-  return ageing.variation * 4.0 * degree * (1.0 - degree);
-}
-
-}  // namespace
 
 double Withering::at(const glm::dvec2& at_m, int frame) const {
   const auto index = static_cast<std::size_t>(frame - 1);
