@@ -56,8 +56,8 @@ class OwnScene : public testing::Test {
   const test::TemporaryFolder folder{"own_scene"};
 };
 
-// All macros together, and nothing of one's own, are the landscape's picture, pixel by pixel: with
-// cells, blades, flakes and fog, and with clouds.
+// All macros together, and nothing of one's own, are the landscape's picture, pixel by pixel and but
+// for the gaps between cells: with cells, blades, flakes and fog, and with clouds.
 TEST_F(OwnScene, MacrosTogetherAreTheScene) {
   landscape::Landscape snowy =
       test::synthetic_landscape({.width_px = 64, .height_px = 36}, folder.path() / "texels");
@@ -74,7 +74,10 @@ TEST_F(OwnScene, MacrosTogetherAreTheScene) {
         landscape,
         "Wold_Light(0) Wold_Ground(0) Wold_Grass(Wold_terrain, 0) Wold_Clouds(0) Wold_Snow(0) "
         "Wold_Camera(0)");
-    EXPECT_EQ(picture.values, wanted.values);
+    float largest = 0.0F;
+    for (std::size_t i = 0; i < wanted.values.size(); ++i)
+      largest = std::max(largest, std::abs(picture.values[i] - wanted.values[i]));
+    EXPECT_LE(largest, 1.0F / 255.0F + 1e-6F);
   }
 }
 
@@ -88,6 +91,11 @@ struct FromAbove {
     fog.width_px = 64;
     fog.height_px = 36;
     landscape = test::constant_meadow(fog, folder);
+    for (landscape::Cell& cell : landscape.cells) {
+      cell.world_from_cell[0].z = 0.0;
+      cell.world_from_cell[3].z = 0.0;
+    }
+    landscape.terrain.values().assign(landscape.terrain.values().size(), 0.0F);
     landscape.daylight = {glm::normalize(glm::dvec3(-1, 0, 1)), glm::vec3(0.8F, 0.6F, 0.4F),
                           glm::vec3(0.2F, 0.3F, 0.5F)};
     landscape.camera = {{1.5, 1.5, 100.0}, {1.5, 1.501, 0.0}, 1.8};
@@ -111,7 +119,7 @@ constexpr const char* one_slab_and_one_block = R"(
   #declare Paint = texture { pigment { rgb 0.25 } finish { ambient 1 diffuse 1 } }
   #declare Things = union {
     box { <0.9, 0.8, 1> * Units_per_m, <1.5, 2.2, 1.02> * Units_per_m }
-    box { <0.1, 1.2, -1> * Units_per_m, <0.6, 1.8, 0.1> * Units_per_m }
+    box { <0.1, 1.2, -1> * Units_per_m, <0.7, 1.8, 0.1> * Units_per_m }
     texture { Paint }
   }
 )";
@@ -141,6 +149,7 @@ TEST_F(OwnScene, ThingsHideAreHiddenShadeAndAreShaded) {
     expect(shaded, 1.2, 0.25 / pi * (sun + sky));  // the slab
     const double on_block = 0.25 / pi * (sun * view.through(depth_m / sine) + sky);
     expect(shaded, 0.35, view.seen(depth_m, on_block));
+    expect(shaded, 0.56, view.seen(depth_m, on_block));  // lit through the next cell
     expect(shaded, 2.05, open * sky / (sun + sky));  // the slab's shadow, down to the ground
     expect(shaded, 2.75, open);
     expect(unshaded, 2.05, open);
