@@ -143,8 +143,8 @@ struct Landscape {
   double weathering = 0.0;  ///< the frame's mean weathering degree
   double time_s = 0.0;      ///< since the film's first frame
   Daylight daylight;
-  Heightfield terrain;      ///< heights in metres, over [0, size]^2
-  double patch_m = 0.0;     ///< side of a cell
+  Heightfield terrain;   ///< heights in metres, over [0, size]^2
+  double patch_m = 0.0;  ///< side of a cell
   std::vector<Volume> volumes;
   std::vector<Cell> cells;
   std::vector<BladeMesh> blade_meshes;

@@ -109,8 +109,7 @@ std::string frame_text(const landscape::Landscape& scene, const std::string& ter
       vector(scene.camera.target_m), number(scene.camera.field_of_view_deg),
       number(scene.exposure_gain), vector(scene.daylight.to_sun),
       vector(scene.daylight.sun_irradiance), vector(scene.daylight.sky_irradiance),
-      number(scene.patch_m), scene.ground.samples(),
-      number(scene.ground.step_m()), terrain);
+      number(scene.patch_m), scene.ground.samples(), number(scene.ground.step_m()), terrain);
 }
 
 /// By which a scene finds the frame of a degree or a time without reading all of it.

@@ -38,9 +38,9 @@ class OwnScene : public testing::Test {
   Image run(const landscape::Landscape& landscape, const fs::path& scene) const {
     const fs::path here = folder.path() / "mine";
     make_folder(here);
-    const std::string command = fmt::format(
-        "cd {} && povray +L../povray {} +W{} +H{} -A -D +Opicture.png > log 2>&1", here.string(),
-        scene.string(), landscape.width_px, landscape.height_px);
+    const std::string command =
+        fmt::format("cd {} && povray +L../povray {} +W{} +H{} -A -D +Opicture.png > log 2>&1",
+                    here.string(), scene.string(), landscape.width_px, landscape.height_px);
     if (std::system(command.c_str()) != 0) ADD_FAILURE() << read_file(here / "log");
     return read_image(here / "picture.png");
   }
@@ -56,8 +56,8 @@ class OwnScene : public testing::Test {
   const test::TemporaryFolder folder{"own_scene"};
 };
 
-// All macros together, and nothing of one's own, are the landscape's picture, pixel by pixel and but
-// for the gaps between cells: with cells, blades, flakes and fog, and with clouds.
+// All macros together, and nothing of one's own, are the landscape's picture, pixel by pixel and
+// but for the gaps between cells: with cells, blades, flakes and fog, and with clouds.
 TEST_F(OwnScene, MacrosTogetherAreTheScene) {
   landscape::Landscape snowy =
       test::synthetic_landscape({.width_px = 64, .height_px = 36}, folder.path() / "texels");
@@ -132,8 +132,8 @@ TEST_F(OwnScene, ThingsHideAreHiddenShadeAndAreShaded) {
   export_all(view.landscape);
   const std::string light = "Wold_Light(0) Wold_Ground(0) Wold_Grass(Wold_terrain, 0) ";
   const std::string rest = "Wold_Clouds(0) Wold_Camera(0) object { Things }";
-  const Image shaded = run_text(view.landscape, std::string(one_slab_and_one_block) +
-                                                    "Wold_Shadows(Things) " + light + rest);
+  const Image shaded = run_text(
+      view.landscape, std::string(one_slab_and_one_block) + "Wold_Shadows(Things) " + light + rest);
   const Image unshaded =
       run_text(view.landscape, std::string(one_slab_and_one_block) + light + rest);
   const double sine = std::sqrt(0.5);
@@ -150,7 +150,7 @@ TEST_F(OwnScene, ThingsHideAreHiddenShadeAndAreShaded) {
     const double on_block = 0.25 / pi * (sun * view.through(depth_m / sine) + sky);
     expect(shaded, 0.35, view.seen(depth_m, on_block));
     expect(shaded, 0.56, view.seen(depth_m, on_block));  // lit through the next cell
-    expect(shaded, 2.05, open * sky / (sun + sky));  // the slab's shadow, down to the ground
+    expect(shaded, 2.05, open * sky / (sun + sky));      // the slab's shadow, down to the ground
     expect(shaded, 2.75, open);
     expect(unshaded, 2.05, open);
   }
@@ -161,11 +161,11 @@ TEST_F(OwnScene, GrassStandsOnAGroundOfOnesOwn) {
   FromAbove view(folder.path() / "texels");
   view.landscape.exposure_gain = 1.0;
   export_all(view.landscape);
-  const Image picture = run_text(
-      view.landscape,
-      "#declare Table = box { <-100, -100, 20>, <400, 400, 50> pigment { rgb 0.3 } "
-      "finish { ambient 0 diffuse 0 emission 1 } } "
-      "object { Table } Wold_Grass(Table, 0) Wold_Camera(0)");
+  const Image picture =
+      run_text(view.landscape,
+               "#declare Table = box { <-100, -100, 20>, <400, 400, 50> pigment { rgb 0.3 } "
+               "finish { ambient 0 diffuse 0 emission 1 } } "
+               "object { Table } Wold_Grass(Table, 0) Wold_Camera(0)");
   const double wanted = view.seen(view.height_m, 0.3);
   for (double x_m : {0.6, 1.5, 2.4})
     EXPECT_NEAR(view.shown(picture, x_m, 1), wanted, 0.02 * wanted) << x_m;
