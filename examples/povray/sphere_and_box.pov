@@ -16,7 +16,7 @@ Wold_Terrain(Degree)
 #declare Paint = finish { ambient 0.8 diffuse 0.8 }
 
 #declare Ball = sphere {
-  <20.2, 5.2, Wold_height_m(20.2, 5.2) + 0.4> * Units_per_m, 0.45 * Units_per_m
+  <20, 8.2, Wold_height_m(20, 8.2) + 0.4> * Units_per_m, 0.45 * Units_per_m
   pigment { color rgb <0.75, 0.18, 0.12> }
   finish { Paint }
 }
@@ -24,7 +24,7 @@ Wold_Terrain(Degree)
 #declare Crate = box {
   <-0.4, -0.4, -0.2> * Units_per_m, <0.4, 0.4, 0.75> * Units_per_m
   rotate 30 * z
-  translate <21.7, 5.6, Wold_height_m(21.7, 5.6)> * Units_per_m
+  translate <21.9, 8.8, Wold_height_m(21.9, 8.8)> * Units_per_m
   pigment { color rgb <0.7, 0.68, 0.62> }
   finish { Paint }
 }

@@ -171,6 +171,17 @@ TEST_F(OwnScene, GrassStandsOnAGroundOfOnesOwn) {
     EXPECT_NEAR(view.shown(picture, x_m, 1), wanted, 0.02 * wanted) << x_m;
 }
 
+// The example stands where it stands, on any landscape: a red ball on the ground at 20, 8.2.
+TEST_F(OwnScene, ExampleShowsItsBall) {
+  FromAbove view(folder.path() / "texels");
+  view.landscape.camera = {{20.0, 4.0, 0.6}, {20.0, 8.2, 0.4}, 30.0};
+  export_all(view.landscape);
+  const Image picture =
+      run(view.landscape, fs::path(WOLD_TESTS_DIR) / ".." / "examples/povray/sphere_and_box.pov");
+  EXPECT_GT(picture.pixel(32, 18)[0], 1.5F * picture.pixel(32, 18)[1]);
+  EXPECT_LT(picture.pixel(60, 2)[0], 1.1F * picture.pixel(60, 2)[1]);  // the sky
+}
+
 // Of three frames the nearest by degree, and of equally near ones by time, gives the ground; the
 // nearest by time gives the sky.
 TEST_F(OwnScene, DegreesAndTimesFindTheirFrames) {
