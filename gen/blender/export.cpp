@@ -104,7 +104,8 @@ std::vector<fs::path> export_frame(const Landscape& landscape, const fs::path& f
 
 void export_scene(const fs::path& folder) {
   make_folder(folder);
-  update_file(folder / "scene.py", read_file(shipped_file("templates/blender/scene.py")));
+  for (const std::string program : {"scene.py", "wold_addon.py"})
+    update_file(folder / program, read_file(shipped_file("templates/blender/" + program)));
 }
 
 }  // namespace wold::blender

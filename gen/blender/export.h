@@ -9,7 +9,7 @@
 /// arrays, pictures and a small JSON file, and scene.py, which renders them with Cycles. The folder
 /// needs nothing else: copied to a machine that has Blender it makes the same picture.
 ///
-///     folder/scene.py
+///     folder/scene.py, wold_addon.py
 ///     folder/data/volumes/NAME.vdb         shared by all frames
 ///     folder/data/blades/NAME.*            meshes, shared by all frames (blade_files.h)
 ///     folder/data/flakes/NAME.png          pictures of flakes, shared by all frames
@@ -27,7 +27,8 @@ std::vector<std::filesystem::path> export_frame(const landscape::Landscape& land
                                                 const std::filesystem::path& folder);
 
 /// Writes folder/scene.py, the program that renders any exported frame:
-/// `blender -b --python-exit-code 1 -P scene.py -- FRAME`. Throws FileError.
+/// `blender -b --python-exit-code 1 -P scene.py -- FRAME`, and folder/wold_addon.py, by which
+/// Blender imports the folder into any scene. Throws FileError.
 void export_scene(const std::filesystem::path& folder);
 
 }  // namespace wold::blender

@@ -27,6 +27,12 @@ Json camera_json(const landscape::Camera& camera) {
           {"field_of_view_deg", camera.field_of_view_deg}};
 }
 
+Json daylight_json(const landscape::Daylight& daylight) {
+  return {{"to_sun", json_of(daylight.to_sun)},
+          {"sun_irradiance", json_of(daylight.sun_irradiance)},
+          {"sky_irradiance", json_of(daylight.sky_irradiance)}};
+}
+
 Json write_terrain(const Landscape& landscape, const fs::path& folder) {
   write_array(folder / "heights_m.f32", landscape.terrain.values());
   return {{"heights", "heights_m.f32"},
@@ -259,6 +265,8 @@ void write_frame_data(const Landscape& landscape, const fs::path& folder,
   write_image(folder / "sky.exr", landscape.sky, PixelFormat::float32);
   const Json frame = {{"frame", landscape.frame},
                       {"weathering", landscape.weathering},
+                      {"time_s", landscape.time_s},
+                      {"daylight", daylight_json(landscape.daylight)},
                       {"size_px", {landscape.width_px, landscape.height_px}},
                       {"samples", landscape.samples},
                       {"exposure_gain", landscape.exposure_gain},

@@ -14,6 +14,7 @@
 #include "landscape/snowy_air.h"
 #include "landscape/snowy_ground.h"
 #include "landscape/view.h"
+#include "scene/calendar.h"
 #include "scene/winter.h"
 
 namespace wold::landscape {
@@ -70,6 +71,18 @@ double gain(const scene::Scene& scene, const light::Daylight& day, const SnowyGr
   return scene::may_lie(scene) || scene::may_snow(scene) ? for_snow : for_bare;
 }
 
+/// `illuminate`: what clouds and snow make of the light on the ground under a clear sky.
+template <class Illuminate>
+Daylight open_daylight(const light::Daylight& day, double sun_share, const Illuminate& illuminate) {
+  constexpr int samples = 2;
+  constexpr Square square{.size_m = 1.0};
+  const terrain::GroundLight by_sky{ColourMap(samples, square, glm::vec3(0.0F)),
+                                    ColourMap(samples, square, day.sky_irradiance()),
+                                    FactorMap(samples, square, 1.0F)};
+  return {day.sun_direction(), day.sun_irradiance() * static_cast<float>(sun_share),
+          illuminate(by_sky).at(0, 0)};
+}
+
 }  // namespace
 
 Landscape assemble(const scene::Scene& scene, const Site& site, int frame,
@@ -77,6 +90,7 @@ Landscape assemble(const scene::Scene& scene, const Site& site, int frame,
   Landscape landscape;
   landscape.frame = frame;
   landscape.weathering = scene.ageing.frames.at(static_cast<std::size_t>(frame - 1));
+  landscape.time_s = scene::time_s(scene, frame);
   landscape.patch_m = scene.grass.patch_m;
   landscape.camera = resolved_camera(scene.camera, site.terrain, time_of_frame(scene, frame));
   landscape.width_px = scene.render.size_px[0];
@@ -96,6 +110,7 @@ Landscape assemble(const scene::Scene& scene, const Site& site, int frame,
     const ColourMap light = sky.light(clear);
     return snow_per_m > 0.0 ? air.light(light, clear.overcast) : light;
   };
+  landscape.daylight = open_daylight(site.day, air.sun_share(), illuminate);
   LitGround(scene, site, landscape, choices, lookup.far, illuminate).show(ground, landscape);
   sky.show(landscape, snow_per_m > 0.0);
   if (snow_per_m > 0.0) let_it_snow(scene, site, air, landscape);

@@ -130,11 +130,21 @@ inline double soft_border_m(const ColourMap& coarser, const GroundDetail& finer)
   return std::min(2.0 * coarser.step_m(), 0.25 * finer.map.size_m());
 }
 
+/// What lights level, open ground: in its light things that others put into the landscape look as
+/// if they stood there. The sun's is what falling snow leaves of it, clouds do not stand before it.
+struct Daylight {
+  glm::dvec3 to_sun{0.0, 0.0, 1.0};  ///< unit vector
+  glm::vec3 sun_irradiance{0.0F};    ///< of a plane that faces the sun
+  glm::vec3 sky_irradiance{0.0F};    ///< of level ground by all of the sky
+};
+
 struct Landscape {
   int frame = 1;            ///< from 1
-  double weathering = 0.0;  ///< the frame's weathering degree, for people
-  Heightfield terrain;      ///< heights in metres, over [0, size]^2
-  double patch_m = 0.0;     ///< side of a cell
+  double weathering = 0.0;  ///< the frame's mean weathering degree
+  double time_s = 0.0;      ///< since the film's first frame
+  Daylight daylight;
+  Heightfield terrain;   ///< heights in metres, over [0, size]^2
+  double patch_m = 0.0;  ///< side of a cell
   std::vector<Volume> volumes;
   std::vector<Cell> cells;
   std::vector<BladeMesh> blade_meshes;

@@ -98,14 +98,26 @@ std::string frame_text(const landscape::Landscape& scene, const std::string& ter
       "#declare Target_m = {};\n"
       "#declare Field_of_view_deg = {};  // horizontal\n"
       "#declare Exposure_gain = {};\n"
+      "#declare To_sun = {};\n"
+      "#declare Sun_irradiance = {};  // of what faces it\n"
+      "#declare Sky_irradiance = {};  // of level ground\n"
       "#declare Patch_m = {};\n"
       "#declare Ground_samples = {};\n"
       "#declare Ground_step_m = {};\n"
       "#declare Terrain_file = \"{}\"\n",
       scene.frame, number(scene.weathering), vector(scene.camera.eye_m),
       vector(scene.camera.target_m), number(scene.camera.field_of_view_deg),
-      number(scene.exposure_gain), number(scene.patch_m), scene.ground.samples(),
-      number(scene.ground.step_m()), terrain);
+      number(scene.exposure_gain), vector(scene.daylight.to_sun),
+      vector(scene.daylight.sun_irradiance), vector(scene.daylight.sky_irradiance),
+      number(scene.patch_m), scene.ground.samples(), number(scene.ground.step_m()), terrain);
+}
+
+/// By which a scene finds the frame of a degree or a time without reading all of it.
+std::string moment_text(const landscape::Landscape& scene) {
+  return fmt::format(
+      "#declare Weathering_degree = {};\n"
+      "#declare Time_s = {};\n",
+      number(scene.weathering), number(scene.time_s));
 }
 
 void write_volumes_list(std::ostream& out, const landscape::Landscape& scene,
@@ -176,6 +188,7 @@ std::vector<fs::path> export_frame(const landscape::Landscape& scene, const fs::
   for (const landscape::CloudBox& cloud : scene.clouds) write_cloud(cloud, scene.df3_bits, frame);
   write_file(frame / "clouds.inc", clouds_text(scene.clouds));
   write_flakes(scene.flakes, scene.camera.eye_m, frame, data / "flakes");
+  write_file(frame / "moment.inc", moment_text(scene));
   write_file(frame / "frame.inc",
              frame_text(scene, terrain) + maps + details + backdrop + air_text(scene));
   const fs::path frame_ini = data / fmt::format("frame_{:04}.ini", scene.frame);

@@ -12,6 +12,7 @@ namespace wold::povray {
 ///     povray.ini                    size and quality of a bare `povray scene.pov`
 ///     data/frame_0001.ini           the same with frame, input and output
 ///     data/frame_0001/frame.inc     camera, exposure, scales of the maps
+///     data/frame_0001/moment.inc    its weathering degree and time
 ///     data/frame_0001/volumes.inc   the volumes and meshes this frame uses
 ///     data/frame_0001/cells.inc     one macro call per cell
 ///     data/frame_0001/clouds.inc    one macro call per cloud that is a volume

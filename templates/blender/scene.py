@@ -37,8 +37,8 @@ class DataError(Exception):
 class Frame:
     """frame.json and the files it names."""
 
-    def __init__(self, number):
-        self.folder = os.path.join(HERE, "data", f"frame_{number:04d}")
+    def __init__(self, number, folder=HERE):
+        self.folder = os.path.join(folder, "data", f"frame_{number:04d}")
         try:
             with open(self.path("frame.json"), encoding="utf-8") as file:
                 self.data = json.load(file)
@@ -551,13 +551,17 @@ def build(frame, options):
     if options.threads:
         bpy.context.scene.render.threads_mode = "FIXED"
         bpy.context.scene.render.threads = options.threads
+    add_landscape(frame)
+    set_camera(frame)
+
+
+def add_landscape(frame):
     add_terrain(frame)
     add_grass(frame)
     set_sky(frame)
     add_clouds(frame)
     add_backdrop(frame)
     add_flakes(frame)
-    set_camera(frame)
 
 
 def pass_on(reading, stdout):
@@ -630,4 +634,5 @@ def main():
         render(os.path.abspath(out))
 
 
-main()
+if __name__ == "__main__":  # wold_addon.py uses the functions above
+    main()

@@ -10,7 +10,7 @@
 // povray.ini, which it reads when it is in the folder where POV-Ray is started, has the scene's.
 //
 // The world is metres, x east, y north, z up, as in the data. POV-Ray is left-handed by default;
-// the camera's mirrored "right" below is the one place that makes it right-handed.
+// the camera's mirrored "right" in surroundings.inc is the one place that makes it right-handed.
 //
 // Nothing is lit here. Grass, ground and sky carry their radiance, computed for the scene's sun;
 // the picture is that radiance times Exposure_gain, in sRGB.
@@ -20,7 +20,6 @@ global_settings {
   assumed_gamma 1.0
   max_trace_level 256
 }
-#default { finish { ambient 0 diffuse 0 emission 0 } }
 
 #ifndef (FRAME)
   #declare FRAME = 1;
@@ -49,13 +48,14 @@ global_settings {
 #include concat(Here, "surroundings.inc")
 #include concat(Here, "air.inc")
 
-camera {
-  location Eye_m * Units_per_m
-  sky z
-  right -x * image_width / image_height
-  angle Field_of_view_deg
-  look_at Target_m * Units_per_m
-}
+// Here grass stands where it grew and nothing else casts shadows; wold.inc has more to say.
+#macro Onto_ground(Middle) #end
+#macro Shade_density(Channel, Middle) #end
+#macro Shade_pane() #end
+
+Grass_maps()
+
+Frame_camera()
 
 Sky(concat(Frame_folder, "sky.exr"))
 #ifdef (Backdrop_corner_m)
