@@ -148,9 +148,10 @@ TEST_F(Report, ShowsKeysAndTimesAndEscapesWhatIsNotItsOwn) {
   write("d/" + evil, "");
   write("d/scene.toml", "[grass]\nblades = 123\n[growth]\nmask = '" + evil + "'\n");
   make_folder(folder_ / "d/tasks");
-  write("d/tasks/povray_0001.json",
-        R"({"version":1,"stage":"povray","index":1,"source":"","scene":"","seconds":83.5,"memory_bytes":0,)"
-        R"("outputs":{}})");
+  write(
+      "d/tasks/povray_0001.json",
+      R"({"version":1,"stage":"povray","index":1,"source":"","scene":"","seconds":83.5,"memory_bytes":0,)"
+      R"("outputs":{}})");
   ASSERT_EQ(wold("report d --out other.html").code, 0);
   const std::string text = read_file(folder_ / "other.html");
   EXPECT_FALSE(fs::exists(folder_ / "d/report.html"));
