@@ -41,6 +41,23 @@ void add_shorthand(CLI::App& app, const std::string& option, const std::string& 
       ->type_name(type);
 }
 
+/// The same with a path, which may have any characters.
+void add_file_shorthand(CLI::App& app, const std::string& option, const std::string& key,
+                        Overrides& overrides) {
+  app.add_option_function<std::string>(
+         option,
+         [&overrides, key](const std::string& file) {
+           overrides.push_back(key + "=" + scene::toml_text(file));
+         },
+         "sets " + key)
+      ->type_name("FILE");
+}
+
+void add_input_files(CLI::App& app, Overrides& overrides) {
+  add_file_shorthand(app, "--terrain", "terrain.elevation", overrides);
+  add_file_shorthand(app, "--weather", "season.table", overrides);
+}
+
 /// The options of `render` and its like; shorthands are kept apart because CLI11 replaces the
 /// list of --set when it is done.
 struct RenderArguments {
@@ -52,13 +69,7 @@ void add_shorthands(CLI::App& app, Overrides& overrides) {
   add_shorthand(app, "--renderer", "blender|povray|both", "render.renderer", overrides);
   add_shorthand(app, "--samples", "N", "render.samples", overrides);
   add_shorthand(app, "--grass", "texels|blades|auto|points", "render.grass", overrides);
-  app.add_option_function<std::string>(
-         "--terrain",
-         [&overrides](const std::string& file) {
-           overrides.push_back("terrain.elevation=" + scene::toml_text(file));
-         },
-         "sets terrain.elevation")
-      ->type_name("FILE");
+  add_input_files(app, overrides);
   app.add_option_function<std::string>(
          "--size",
          [&overrides](const std::string& size) { overrides.push_back(size_override(size)); },
@@ -252,14 +263,17 @@ Action declare_film(CLI::App& app) {
 
 Action declare_preview(CLI::App& app) {
   auto options = std::make_shared<PreviewOptions>();
+  auto shorthands = std::make_shared<Overrides>();
   add_scene(app, options->scene);
   app.add_option("--out", options->out, "the picture; out/<scene name>/preview.png without it")
       ->type_name("FILE.png");
   add_overrides(app, options->overrides);
+  add_input_files(app, *shorthands);
   auto quiet = std::make_shared<bool>(false);
   add_quiet(app, *quiet);
-  return [options, quiet] {
+  return [options, shorthands, quiet] {
     ConsoleProgress progress(progress_style(*quiet));
+    options->overrides.insert(options->overrides.end(), shorthands->begin(), shorthands->end());
     return run_preview(*options, progress);
   };
 }

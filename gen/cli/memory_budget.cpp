@@ -16,10 +16,12 @@ namespace {
 
 /// Of this process while it waits for renderers and looks at their pictures.
 double waiting_bytes(const Job& job, std::size_t pictures_at_once) {
-  constexpr double more_than_now = 100e6;  // logs, records
-  constexpr double thread_bytes = 10e6;    // that OpenImageIO starts, and that wait
+  constexpr double more_than_now = 150e6;  // logs, records
+  // TBB's, which start when they are wanted, OpenImageIO's, and those that wait.
+  constexpr double thread_bytes = 10e6;
   constexpr double bytes_per_pixel = 40.0;
-  const auto threads = static_cast<double>(pictures_at_once + std::thread::hardware_concurrency());
+  const double threads =
+      threads_of(job) + std::thread::hardware_concurrency() + static_cast<double>(pictures_at_once);
   const double pixels =
       static_cast<double>(job.scene.render.size_px[0]) * job.scene.render.size_px[1];
   return memory_of_process_bytes(::getpid()) + more_than_now + threads * thread_bytes +

@@ -33,6 +33,10 @@ class Judge {
     if (is_season(scene_)) {
       judge_days();
       judge_sources();
+    } else if (!scene_.season.table.empty()) {
+      add("season.table",
+          "found the days of a season, but the scene is none; expected season.first and "
+          "season.last");
     }
     judge_keys();
   }

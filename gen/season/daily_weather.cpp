@@ -89,18 +89,17 @@ std::vector<double> by_day(const NumberTable& table, ColumnIndex wanted) {
 
 /// Gaps as straight lines between the numbers beside them; at the ends the nearest number.
 void interpolate_gaps(std::vector<double>& values) {
-  std::size_t before = values.size();  // none yet
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!is_number(values[i])) continue;
-    const std::size_t gap = before < i ? before + 1 : 0;
-    for (std::size_t k = gap; k < i; ++k)
-      values[k] = before < i
-                      ? std::lerp(values[before], values[i],
-                                  static_cast<double>(k - before) / static_cast<double>(i - before))
-                      : values[i];
-    before = i;
+  auto before = std::ranges::find_if(values, is_number);
+  if (before == values.end()) return;
+  std::fill(values.begin(), before, *before);
+  for (auto now = before + 1; now != values.end(); ++now) {
+    if (!is_number(*now)) continue;
+    for (auto gap = before + 1; gap != now; ++gap)
+      *gap = std::lerp(*before, *now,
+                       static_cast<double>(gap - before) / static_cast<double>(now - before));
+    before = now;
   }
-  std::fill(values.begin() + static_cast<std::ptrdiff_t>(before) + 1, values.end(), values[before]);
+  std::fill(before, values.end(), *before);
 }
 
 struct Mean {
