@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdlib>
+#include <exception>
 #include <new>
 
 #include "cli/command_facts.h"
@@ -112,6 +115,32 @@ ExitCode report(const InputError& error) {
   return error.code();
 }
 
+constexpr std::string_view out_of_memory =
+    "out of memory: allow more (--memory, or the machine's), or coarser grass.levels, fewer "
+    "grass.variants or fewer --threads";
+
+/// Says so where nobody can catch it: in a thread that a library starts. Without memory, so that it
+/// writes by the system's own means.
+void report_exhaustion() {
+  for (const std::string_view part :
+       {std::string_view("error: "), out_of_memory, std::string_view("\n")})
+    if (::write(STDERR_FILENO, part.data(), part.size()) < 0) break;
+}
+
+/// Ends the program as an uncaught exception does, but for one: it has an exit code of its own.
+[[noreturn]] void end_of_uncaught() {
+  try {
+    if (const std::exception_ptr uncaught = std::current_exception())
+      std::rethrow_exception(uncaught);
+  } catch (const std::bad_alloc&) {
+    report_exhaustion();
+    std::_Exit(static_cast<int>(ExitCode::file));
+  } catch (const std::exception& error) {
+    print_message(fmt::format("error: uncaught: {}", error.what()));
+  }
+  std::abort();
+}
+
 ExitCode run_and_report(int argc, char** argv) {
   try {
     return execute(argc, argv);
@@ -123,9 +152,7 @@ ExitCode run_and_report(int argc, char** argv) {
   } catch (const Error& error) {
     return report(error);
   } catch (const std::bad_alloc&) {
-    return report(
-        FileError("out of memory: allow more (--memory, or the machine's), or coarser "
-                  "grass.levels, fewer grass.variants or fewer --threads"));
+    return report(FileError(std::string(out_of_memory)));
   } catch (const std::exception& error) {
     return report(FileError(error.what()));
   }
@@ -135,6 +162,7 @@ ExitCode run_and_report(int argc, char** argv) {
 
 int run(int argc, char** argv) {
   catch_interrupts();
+  std::set_terminate(end_of_uncaught);
   return static_cast<int>(run_and_report(argc, argv));
 }
 
