@@ -42,13 +42,16 @@ void add(grass::Lighting& sum, const light::Daylight& day, const SnowyAir& air, 
   }
 }
 
-/// How much each frame, from 1, counts for the light at a place among light_count(); sums to 1.
-std::vector<float> frame_weights(const scene::Scene& scene, double light) {
+/// How much each frame, from 1, counts for the light at a place among `lights`; sums to 1. Those
+/// within one light's distance count, or within one frame's where frames are farther apart.
+std::vector<float> frame_weights(const scene::Scene& scene, int lights, double light) {
   const auto frames = static_cast<int>(scene.ageing.frames.size());
+  const double reach = std::max(1.0, (lights - 1.0) / std::max(1, frames - 1));
   std::vector<float> weights;
-  for (int frame = 1; frame <= frames; ++frame)
-    weights.push_back(
-        static_cast<float>(std::max(0.0, 1.0 - std::abs(light_of_frame(scene, frame) - light))));
+  for (int frame = 1; frame <= frames; ++frame) {
+    const double distance = std::abs(time_of_frame(scene, frame) * (lights - 1) - light);
+    weights.push_back(static_cast<float>(std::max(0.0, 1.0 - distance / reach)));
+  }
   const float sum = std::accumulate(weights.begin(), weights.end(), 0.0F);
   for (float& weight : weights) weight /= sum;
   return weights;
@@ -64,7 +67,7 @@ grass::Lighting lighting_at(const scene::Scene& scene, const Site& site, double 
   if (!scene::may_snow(scene)) return lighting;
   lighting.sun_irradiance = glm::vec3(0.0F);
   lighting.sky_radiance.assign(grass::sky_rings().size(), glm::vec3(0.0F));
-  const std::vector<float> weights = frame_weights(scene, light);
+  const std::vector<float> weights = frame_weights(scene, lights, light);
   for (std::size_t i = 0; i < weights.size(); ++i)
     if (weights[i] > 0.0F)
       add(lighting, day,

@@ -118,5 +118,26 @@ TEST(SiteOfFrame, HasTheDaysLight) {
   EXPECT_EQ(frame_lighting(scene, site, 1).sun_direction, lights.front().sun_direction);
 }
 
+// However few frames, every light is one: of unit irradiance, as baked grass has it.
+TEST(FilmLights, OfTwoFramesAreLights) {
+  scene::Scene scene = even_season();
+  scene.season.frames = 2;
+  scene.weather.precipitation_mm_h = 1.0;
+  scene.weather.temperature_c = -5.0;
+  scene = season::as_film(scene);
+  scene.terrain.size_m = 8.0;
+  scene.terrain.samples = 33;
+  scene.camera.eye_m = {4.0, 0.5};
+  scene.camera.target_m = {4.0, 6.0};
+  const auto lights = film_lights(scene, make_site(scene));
+  ASSERT_GT(lights.size(), 2u);
+  for (const grass::Lighting& lighting : lights) {
+    glm::vec3 sum = lighting.sun_irradiance * static_cast<float>(lighting.sun_direction.z);
+    for (const grass::SkyDirection& sky : grass::sky_directions(lighting))
+      sum += sky.irradiance * static_cast<float>(sky.direction.z);
+    EXPECT_NEAR(sum.g, 1.0F, 1e-4F);
+  }
+}
+
 }  // namespace
 }  // namespace wold::landscape
