@@ -6,7 +6,7 @@
 
 #include "core/random.h"
 #include "scene/calendar.h"
-#include "season/film_season.h"
+#include "snow/weather.h"
 #include "terrain/relief.h"
 
 namespace wold::landscape {
@@ -14,10 +14,8 @@ namespace {
 
 /// Hopkins 1920: four days for 400 feet.
 constexpr double days_per_m = 4.0 / 121.92;
-/// The standard atmosphere's lapse rate: what height does to the air.
-constexpr double lapse_k_per_m = 0.0065;
 /// Nights are half of the day.
-constexpr double days_per_night_k = 0.5 * days_per_m / lapse_k_per_m;
+constexpr double days_per_night_k = 0.5 * days_per_m / snow::lapse_k_per_m;
 constexpr double days_of_twice_the_sun = 10.0;
 /// The field is cut at so many standard deviations.
 constexpr double most_deviations = 2.5;
@@ -96,9 +94,7 @@ Withering::Withering(const scene::Scene& scene, const Heightfield& terrain)
     : ageing_(scene.ageing),
       field_{random_bits({scene.seed, key_of("weathering"), 0, key_of("field")}), 2, 1.0} {
   if (!scene::is_season(scene)) return;
-  const season::FilmSeason season(scene);
-  by_day_ = season.weathering();
-  first_day_ = season.first_day();
+  season_.emplace(scene);
   for (int frame = 1; frame <= scene.season.frames; ++frame)
     frame_days_.push_back(scene::season_days(scene.season, frame));
   spread_days_ = scene.season.spread_days;
@@ -113,18 +109,12 @@ double Withering::noise(const glm::dvec2& at_m) const {
   return fbm(at_m / ageing_.variation_feature_m, field_);
 }
 
-double Withering::after_days(double days) const {
-  const double place = std::clamp(days - first_day_, 0.0, static_cast<double>(by_day_.size() - 1));
-  const auto before = std::min(static_cast<std::size_t>(place), by_day_.size() - 2);
-  return std::lerp(by_day_[before], by_day_[before + 1], place - static_cast<double>(before));
-}
-
 double Withering::at(const glm::dvec2& at_m, int frame) const {
   const auto index = static_cast<std::size_t>(frame - 1);
-  if (!by_day_.empty()) {
+  if (season_) {
     const double soil = std::clamp(noise(at_m), -most_deviations, most_deviations);
-    return after_days(frame_days_.at(index) - spread_days_ * soil -
-                      double{delay_days_.sample(at_m.x, at_m.y)});
+    return season_->weathering_at(frame_days_.at(index) - spread_days_ * soil -
+                                  double{delay_days_.sample(at_m.x, at_m.y)});
   }
   const double degree = ageing_.frames.at(index);
   const double field = std::clamp(0.6 * noise(at_m), -1.0, 1.0);
@@ -133,13 +123,13 @@ double Withering::at(const glm::dvec2& at_m, int frame) const {
 
 std::pair<double, double> Withering::range(int frame) const {
   const auto index = static_cast<std::size_t>(frame - 1);
-  if (!by_day_.empty()) {
+  if (season_) {
     const double from = frame_days_.at(index) - delays_days_.second;
     const double to = frame_days_.at(index) - delays_days_.first;
-    auto [least, most] = std::minmax({after_days(from), after_days(to)});
+    auto [least, most] = std::minmax({season_->weathering_at(from), season_->weathering_at(to)});
     for (double day = std::ceil(from); day < to; day += 1.0) {
-      least = std::min(least, after_days(day));
-      most = std::max(most, after_days(day));
+      least = std::min(least, season_->weathering_at(day));
+      most = std::max(most, season_->weathering_at(day));
     }
     return {least, most};
   }

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/ground_map.h"
 #include "core/noise.h"
 #include "scene/scene.h"
+#include "season/film_season.h"
 
 namespace wold::landscape {
 
@@ -35,13 +37,11 @@ class Withering {
 
  private:
   double noise(const glm::dvec2& at_m) const;
-  double after_days(double days) const;
 
   scene::Ageing ageing_;
   Fbm field_;
   // of a season:
-  std::vector<double> by_day_;      ///< weathering degree at the mean place, from first_day_ on
-  double first_day_ = 0.0;          ///< days after the first frame
+  std::optional<season::FilmSeason> season_;
   std::vector<double> frame_days_;  ///< after the first frame
   double spread_days_ = 0.0;
   FactorMap delay_days_;                   ///< of the place, without the soil's

@@ -117,6 +117,14 @@ std::vector<double> weathering_of(const scene::Scene& scene, const std::vector<D
   return degrees;
 }
 
+/// What is so `day` days after the first of `count` >= 2 days, of each of which `value` is known.
+template <class Value>
+double between_days(double day, std::size_t count, const Value& value) {
+  const double place = std::clamp(day, 0.0, static_cast<double>(count - 1));
+  const auto before = std::min(static_cast<std::size_t>(place), count - 2);
+  return std::lerp(value(before), value(before + 1), place - static_cast<double>(before));
+}
+
 }  // namespace
 
 FilmSeason::FilmSeason(const scene::Scene& scene)
@@ -126,13 +134,14 @@ FilmSeason::FilmSeason(const scene::Scene& scene)
   weathering_ = weathering_of(scene, days_);
 }
 
+double FilmSeason::weathering_at(double days_after_first) const {
+  return between_days(days_after_first - first_day_, weathering_.size(),
+                      [&](std::size_t day) { return weathering_[day]; });
+}
+
 double FilmSeason::cloud_cover(double days_after_first) const {
-  const double place =
-      std::clamp(days_after_first - first_day_, 0.0, static_cast<double>(days_.size() - 1));
-  const auto before = std::min(static_cast<std::size_t>(place), days_.size() - 2);
-  return std::lerp(days_[before].cloud_cover.value_or(1.0),
-                   days_[before + 1].cloud_cover.value_or(1.0),
-                   place - static_cast<double>(before));
+  return between_days(days_after_first - first_day_, days_.size(),
+                      [&](std::size_t day) { return days_[day].cloud_cover.value_or(1.0); });
 }
 
 scene::Scene as_film(scene::Scene scene) {
@@ -140,11 +149,7 @@ scene::Scene as_film(scene::Scene scene) {
   const FilmSeason season(scene);
   scene.ageing.frames.clear();
   for (int frame = 1; frame <= scene.season.frames; ++frame) {
-    const double place = scene::season_days(scene.season, frame) - season.first_day();
-    const auto before = std::min(static_cast<std::size_t>(place), season.weathering().size() - 2);
-    scene.ageing.frames.push_back(std::lerp(season.weathering()[before],
-                                            season.weathering()[before + 1],
-                                            place - static_cast<double>(before)));
+    scene.ageing.frames.push_back(season.weathering_at(scene::season_days(scene.season, frame)));
   }
   scene.weather.earlier_h = -hours_per_day * season.first_day() + scene.sun.time_h;
   return scene;

@@ -25,7 +25,10 @@ class FilmSeason {
   /// Weathering degree of the grass at the terrain's mean place, by day.
   const std::vector<double>& weathering() const { return weathering_; }
 
-  /// How much of the clouds has gathered, in [0, 1], so many days after the first frame's.
+  /// The same so many days after the first frame's: linear between days, held beyond them.
+  double weathering_at(double days_after_first) const;
+
+  /// How much of the clouds has gathered, in [0, 1], likewise; 1 where nothing says so.
   double cloud_cover(double days_after_first) const;
 
  private:
