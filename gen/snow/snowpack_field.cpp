@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "terrain/relief.h"
 
 namespace wold::snow {
 namespace {
@@ -34,26 +35,57 @@ HeightClasses::HeightClasses(std::span<const float> heights_m) : of_place_(heigh
   });
 }
 
-std::vector<PackStep> HeightClasses::steps(const WeatherMoment& weather, double hours,
-                                           double melt_mm_per_day) const {
+double HeightClasses::height_m(std::size_t place_class) const {
+  return low_m_ + static_cast<double>(place_class) * class_m_;
+}
+
+ClassSteps HeightClasses::steps(const WeatherMoment& weather, double hours,
+                                double melt_mm_per_day) const {
   require_numbers(weather);
+  if (weather.sky) {
+    std::vector<season::SnowStep> steps(count_);
+    const double fallen_mm = weather.precipitation_mm_h * hours;
+    for (std::size_t i = 0; i < count_; ++i)
+      steps[i] = season::snow_step(season::snow_air(weather.temperature_c, fallen_mm, *weather.sky,
+                                                    lapse_k_per_m * height_m(i)),
+                                   hours);
+    return steps;
+  }
   std::vector<PackStep> steps(count_);
   for (std::size_t i = 0; i < count_; ++i)
-    steps[i] =
-        pack_step(weather, low_m_ + static_cast<double>(i) * class_m_, hours, melt_mm_per_day);
+    steps[i] = pack_step(weather, height_m(i), hours, melt_mm_per_day);
   return steps;
+}
+
+GroundRise::GroundRise(const Heightfield& terrain)
+    : east(terrain.values().size()), north(terrain.values().size()) {
+  const auto side = static_cast<std::size_t>(terrain.samples());
+  parallel_for_blocks(east.size(), [&](std::size_t place) {
+    const glm::dvec2 at_m =
+        terrain.place_m(static_cast<int>(place % side), static_cast<int>(place / side));
+    const glm::vec2 rise = terrain::gradient(terrain, at_m.x, at_m.y);
+    east[place] = rise.x;
+    north[place] = rise.y;
+  });
 }
 
 bool is_bare(const SnowpackField& packs) {
   return std::ranges::all_of(packs.water_mm, [](double water_mm) { return water_mm == 0.0; });
 }
 
-bool snows(const std::vector<PackStep>& steps) {
-  return std::ranges::any_of(steps, [](const PackStep& step) { return step.snow_mm > 0.0; });
+bool snows(const ClassSteps& steps) {
+  return std::visit(
+      [](const auto& all) {
+        return std::ranges::any_of(all, [](const auto& step) { return step.snow_mm > 0.0; });
+      },
+      steps);
 }
 
-void advance(SnowpackField& packs, const HeightClasses& classes, const std::vector<PackStep>& steps,
-             std::span<const float> drift) {
+namespace {
+
+void advance_all(SnowpackField& packs, const HeightClasses& classes,
+                 const std::vector<PackStep>& steps, std::span<const float> drift,
+                 const GroundRise&) {
   parallel_for_blocks(packs.water_mm.size(), [&](std::size_t i) {
     const Snowpack pack = advanced({packs.water_mm[i], packs.depth_m[i], packs.age[i]},
                                    steps[classes.of_place()[i]], drift[i]);
@@ -61,6 +93,34 @@ void advance(SnowpackField& packs, const HeightClasses& classes, const std::vect
     packs.depth_m[i] = pack.depth_m;
     packs.age[i] = pack.age;
   });
+}
+
+void advance_all(SnowpackField& packs, const HeightClasses& classes,
+                 const std::vector<season::SnowStep>& steps, std::span<const float> drift,
+                 const GroundRise& rise) {
+  static const season::SnowParameters parameters;
+  packs.liquid_mm.resize(packs.water_mm.size(), 0.0);
+  packs.lacking_mm.resize(packs.water_mm.size(), 0.0);
+  parallel_for_blocks(packs.water_mm.size(), [&](std::size_t i) {
+    const season::SnowStep& step = steps[classes.of_place()[i]];
+    const double sun_mm = season::sun_mm(step, {rise.east[i], rise.north[i]});
+    season::SnowState snow = {packs.water_mm[i], packs.depth_m[i], packs.age[i], packs.liquid_mm[i],
+                              packs.lacking_mm[i]};
+    season::advance(snow, step, drift[i], sun_mm, parameters);
+    packs.water_mm[i] = snow.water_mm;
+    packs.depth_m[i] = snow.depth_m;
+    packs.age[i] = snow.age;
+    packs.liquid_mm[i] = snow.liquid_mm;
+    packs.lacking_mm[i] = snow.lacking_mm;
+  });
+}
+
+}  // namespace
+
+void advance(SnowpackField& packs, const HeightClasses& classes, const ClassSteps& steps,
+             std::span<const float> drift, const GroundRise& rise) {
+  std::visit([&](const auto& of_class) { advance_all(packs, classes, of_class, drift, rise); },
+             steps);
 }
 
 }  // namespace wold::snow

@@ -2,8 +2,11 @@
 
 #include <cstdint>
 #include <span>
+#include <variant>
 #include <vector>
 
+#include "core/ground_map.h"
+#include "season/snow_layer.h"
 #include "snow/snowpack.h"
 
 namespace wold::snow {
@@ -11,11 +14,23 @@ namespace wold::snow {
 /// The packs of many places, one array per value.
 struct SnowpackField {
   std::vector<double> water_mm, depth_m, age;
+  std::vector<double> liquid_mm, lacking_mm;  ///< see season::SnowState; empty but there
 
   SnowpackField() = default;
   /// The same pack everywhere.
   SnowpackField(std::size_t places, const Snowpack& pack)
       : water_mm(places, pack.water_mm), depth_m(places, pack.depth_m), age(places, pack.age) {}
+};
+
+/// A step of weather per height class: by degree-days, or by the heat that a season's sky brings.
+using ClassSteps = std::variant<std::vector<PackStep>, std::vector<season::SnowStep>>;
+
+/// How much the ground rises per metre to the east and to the north, place by place.
+struct GroundRise {
+  std::vector<float> east, north;
+
+  GroundRise() = default;  ///< of no places
+  explicit GroundRise(const Heightfield& terrain);
 };
 
 /// Places of about the same height share what weather does to them: its exponentials are taken
@@ -25,12 +40,14 @@ class HeightClasses {
   /// All heights are finite.
   explicit HeightClasses(std::span<const float> heights_m);
 
-  /// pack_step() per class. Throws InputError when `weather` has a value that is no number.
-  std::vector<PackStep> steps(const WeatherMoment& weather, double hours,
-                              double melt_mm_per_day) const;
+  /// pack_step() per class or, where `weather` has a sky, season::snow_step(). Throws InputError
+  /// when `weather` has a value that is no number.
+  ClassSteps steps(const WeatherMoment& weather, double hours, double melt_mm_per_day) const;
   const std::vector<std::uint16_t>& of_place() const { return of_place_; }
 
  private:
+  double height_m(std::size_t place_class) const;
+
   double low_m_ = 0.0;
   double class_m_ = 1.0;
   std::size_t count_ = 1;
@@ -41,10 +58,11 @@ class HeightClasses {
 bool is_bare(const SnowpackField& packs);
 
 /// Whether it snows at any height.
-bool snows(const std::vector<PackStep>& steps);
+bool snows(const ClassSteps& steps);
 
-/// Advances every pack by its class's step; drift[place] multiplies the snowfall.
-void advance(SnowpackField& packs, const HeightClasses& classes, const std::vector<PackStep>& steps,
-             std::span<const float> drift);
+/// Advances every pack by its class's step; drift[place] multiplies the snowfall. In a season,
+/// the sun shines on them as the ground rises, which nothing else asks for.
+void advance(SnowpackField& packs, const HeightClasses& classes, const ClassSteps& steps,
+             std::span<const float> drift, const GroundRise& rise);
 
 }  // namespace wold::snow
