@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/glm.hpp>
 #include <numbers>
 
 #include "season/day_length.h"
@@ -68,23 +69,13 @@ double DayAir::sun_w_m2(double hour) const {
 
 SnowSky DayAir::sky(double hour) const {
   const double sun = sun_w_m2(hour), diffuse = sun * diffuse_share(transmitted_);
+  const glm::dvec2 slanting = (sun - diffuse) * slant(hour, latitude_rad_, declination_rad_);
   return {.phase_c = 0.5 * (tmax_c_ + next_tmin_c_),
           .clearness = transmitted_ / clear_share,
           .sun_w_m2 = sun,
           .diffuse_w_m2 = diffuse,
-          .slant_w_m2 = (sun - diffuse) * slant(hour, latitude_rad_, declination_rad_)};
-}
-
-SnowAir snow_air(double temperature_c, double precipitation_mm, const SnowSky& sky, double cooler_k,
-                 const SnowParameters& parameters) {
-  const double snow_mm = precipitation_mm * snow_share(sky.phase_c - cooler_k, parameters);
-  return {.temperature_c = temperature_c - cooler_k,
-          .snow_mm = snow_mm,
-          .rain_mm = precipitation_mm - snow_mm,
-          .sun_w_m2 = sky.sun_w_m2,
-          .clearness = sky.clearness,
-          .diffuse_w_m2 = sky.diffuse_w_m2,
-          .slant_w_m2 = sky.slant_w_m2};
+          .slant_east_w_m2 = slanting.x,
+          .slant_north_w_m2 = slanting.y};
 }
 
 }  // namespace wold::season

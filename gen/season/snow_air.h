@@ -14,7 +14,8 @@ struct SnowSky {
   double clearness = 1.0;  ///< these as in SnowAir
   double sun_w_m2 = 0.0;
   double diffuse_w_m2 = 0.0;
-  glm::dvec2 slant_w_m2{0.0};
+  double slant_east_w_m2 = 0.0;
+  double slant_north_w_m2 = 0.0;
 };
 
 /// A day from six to six.
@@ -47,7 +48,17 @@ class DayAir {
 };
 
 /// The air of some hours of weather, `cooler_k` cooler than there.
-SnowAir snow_air(double temperature_c, double precipitation_mm, const SnowSky& sky,
-                 double cooler_k = 0.0, const SnowParameters& parameters = {});
+inline SnowAir snow_air(double temperature_c, double precipitation_mm, const SnowSky& sky,
+                        double cooler_k = 0.0, const SnowParameters& parameters = {}) {
+  const double snow_mm = precipitation_mm * snow_share(sky.phase_c - cooler_k, parameters);
+  return {.temperature_c = temperature_c - cooler_k,
+          .snow_mm = snow_mm,
+          .rain_mm = precipitation_mm - snow_mm,
+          .sun_w_m2 = sky.sun_w_m2,
+          .clearness = sky.clearness,
+          .diffuse_w_m2 = sky.diffuse_w_m2,
+          .slant_east_w_m2 = sky.slant_east_w_m2,
+          .slant_north_w_m2 = sky.slant_north_w_m2};
+}
 
 }  // namespace wold::season

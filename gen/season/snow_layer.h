@@ -1,8 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <glm/glm.hpp>
+#include "season/decay.h"
 
 namespace wold::season {
 
@@ -44,23 +42,24 @@ struct SnowAir {
   double temperature_c = 0.0;
   double snow_mm = 0.0;  ///< falls
   double rain_mm = 0.0;
-  double sun_w_m2 = 0.0;       ///< on the level
-  double clearness = 1.0;      ///< 0 overcast to 1
-  double diffuse_w_m2 = 0.0;   ///< of the sun's: the sky's light, which slopes get as well
-  glm::dvec2 slant_w_m2{0.0};  ///< direct light's horizontal part, as it comes from east and north
+  double sun_w_m2 = 0.0;          ///< on the level
+  double clearness = 1.0;         ///< 0 overcast to 1
+  double diffuse_w_m2 = 0.0;      ///< of the sun's: the sky's light, which slopes get as well
+  double slant_east_w_m2 = 0.0;   ///< direct light's horizontal part, as it comes from the east
+  double slant_north_w_m2 = 0.0;  ///< and the north
 };
 
-/// What a step of such air does to all snow at one height.
+/// What a step of such air does to all snow there. Heat is the ice that it could melt.
 struct SnowStep {
   double snow_mm = 0.0;
   double rain_mm = 0.0;
   double fresh_m_per_mm = 0.01;
   double ageing = 0.0;  ///< time constants of ageing that pass
-  double unaged = 1.0;  ///< exp(-ageing)
-  /// Heat, as the ice that it could melt.
-  double sun_mm = 0.0, diffuse_mm = 0.0, other_mm = 0.0;
-  glm::dvec2 slant_mm{0.0};
-  double below_zero_c = 0.0;  ///< the air's temperature where it freezes, or 0
+  double sun_mm = 0.0;
+  double diffuse_mm = 0.0;
+  double slant_east_mm = 0.0, slant_north_mm = 0.0;
+  double other_mm = 0.0;      ///< by the air, rain and longwave radiation
+  double below_zero_k = 0.0;  ///< of the air
   double seconds = 0.0;
 };
 
@@ -68,19 +67,52 @@ struct SnowStep {
 inline constexpr double all_snow_c =
     SnowParameters{}.half_snow_c - 0.5 * SnowParameters{}.snow_span_c;
 
-/// Fresh snow of so much water at 0 degrees.
-SnowState fresh_snow(double water_mm);
-
 /// Share of precipitation that is snow: half at half_snow_c, linear within snow_span_c about it.
-double snow_share(double temperature_c, const SnowParameters& parameters = {});
+inline double snow_share(double temperature_c, const SnowParameters& parameters = {}) {
+  const double share =
+      0.5 - (temperature_c - parameters.half_snow_c) * (1.0 / parameters.snow_span_c);
+  return greater(lesser(share, 1.0), 0.0);
+}
 
-SnowStep snow_step(const SnowAir& air, double hours, const SnowParameters& parameters = {});
+/// Density of fresh snow: Pahaut 1976, as in Crocus, without wind.
+inline double fresh_kg_m3(double temperature_c) {
+  return greater(50.0, 109.0 + 6.0 * lesser(temperature_c, 0.0));
+}
+
+inline SnowStep snow_step(const SnowAir& air, double hours, const SnowParameters& parameters = {}) {
+  constexpr double seconds_per_hour = 3600.0, melting_j_kg = 334e3, water_heat_j_kg_k = 4186.0;
+  const double seconds = seconds_per_hour * hours;
+  const double mm_per_w_m2 = seconds / melting_j_kg;
+  const double ageing = air.temperature_c > 0.0 ? hours / parameters.ageing_melting_h
+                                                : hours / parameters.ageing_cold_h;
+  const double other_w_m2 = parameters.exchange_w_m2_k * air.temperature_c -
+                            parameters.longwave_loss_w_m2 * air.clearness;
+  const double by_rain_mm =
+      air.rain_mm * greater(air.temperature_c, 0.0) * (water_heat_j_kg_k / melting_j_kg);
+  return {.snow_mm = air.snow_mm,
+          .rain_mm = air.rain_mm,
+          .fresh_m_per_mm = 1.0 / fresh_kg_m3(air.temperature_c),
+          .ageing = ageing,
+          .sun_mm = mm_per_w_m2 * air.sun_w_m2,
+          .diffuse_mm = mm_per_w_m2 * air.diffuse_w_m2,
+          .slant_east_mm = mm_per_w_m2 * air.slant_east_w_m2,
+          .slant_north_mm = mm_per_w_m2 * air.slant_north_w_m2,
+          .other_mm = mm_per_w_m2 * other_w_m2 + by_rain_mm,
+          .below_zero_k = greater(-air.temperature_c, 0.0),
+          .seconds = seconds};
+}
+
+/// Fresh snow of so much water at 0 degrees.
+inline SnowState fresh_snow(double water_mm) {
+  return {.water_mm = water_mm, .depth_m = water_mm / fresh_kg_m3(0.0)};
+}
 
 /// The sun's heat on ground that rises so much per metre to the east and to the north: direct light
 /// by the angle at which it comes, none where the ground is turned from it; the sky's as on the
 /// level. Per horizontal area.
-inline double sun_mm(const SnowStep& step, const glm::dvec2& rise) {
-  return std::max(step.sun_mm - glm::dot(rise, step.slant_mm), step.diffuse_mm);
+inline double sun_mm(const SnowStep& step, double rise_east, double rise_north) {
+  return greater(step.sun_mm - rise_east * step.slant_east_mm - rise_north * step.slant_north_mm,
+                 step.diffuse_mm);
 }
 
 /// Advances `snow` by a step with `drift` times the snowfall and so much heat of the sun. Returns
@@ -94,53 +126,47 @@ inline double advance(SnowState& snow, const SnowStep& step, double drift, doubl
                       const SnowParameters& p) {
   constexpr double least_ice_mm = 1e-6, densest_kg_m3 = 600.0, gravity_m_s2 = 9.81;
   const double fallen_mm = step.snow_mm * drift;
-  double ice_mm = snow.water_mm - snow.liquid_mm + fallen_mm;
-  if (!(ice_mm > least_ice_mm)) {
-    const double out_mm = snow.water_mm + fallen_mm + step.rain_mm;
-    snow = {};
-    return out_mm;
-  }
-  double depth_m = snow.depth_m + fallen_mm * step.fresh_m_per_mm;
+  const double whole_mm = snow.water_mm - snow.liquid_mm + fallen_mm;
+  const bool has_ice = whole_mm > least_ice_mm;
 
   // a' = -(a - old) / ageing + (fresh - a) snowfall / renewing
-  const double renewed = fallen_mm / p.renewing_mm;
+  const double renewed = fallen_mm * (1.0 / p.renewing_mm);
   const double tends_to = step.ageing / (step.ageing + renewed);
-  const double unaged = renewed > 0.0 ? std::exp(-step.ageing - renewed) : step.unaged;
-  snow.age = tends_to + (snow.age - tends_to) * unaged;
+  const double age = tends_to + (snow.age - tends_to) * decay(step.ageing + renewed);
 
-  const double albedo = p.albedo_fresh + (p.albedo_old - p.albedo_fresh) * snow.age;
+  const double albedo = p.albedo_fresh + (p.albedo_old - p.albedo_fresh) * age;
   const double heat_mm = (1.0 - albedo) * sun_mm + step.other_mm;
-  const double warming_mm = std::clamp(heat_mm, 0.0, snow.lacking_mm);
-  const double melt_mm = std::min(std::max(heat_mm, 0.0) - warming_mm, ice_mm);
-  depth_m *= 1.0 - melt_mm / ice_mm;
-  ice_mm -= melt_mm;
+  const double gain_mm = greater(heat_mm, 0.0), loss_mm = -p.chilled_share * lesser(heat_mm, 0.0);
+  const double warming_mm = lesser(gain_mm, snow.lacking_mm);
+  const double melt_mm = lesser(gain_mm - warming_mm, whole_mm);
   const double wet_mm = snow.liquid_mm + step.rain_mm + melt_mm;
-  const double loss_mm = p.chilled_share * std::max(-heat_mm, 0.0);
-  const double frozen_mm = std::min(loss_mm, wet_mm);
-  ice_mm += frozen_mm;
+  const double frozen_mm = lesser(loss_mm, wet_mm);
+  const double ice_mm = whole_mm - melt_mm + frozen_mm;
+  const double liquid_mm = lesser(wet_mm - frozen_mm, p.held_water * ice_mm);
   const double lacking_mm = snow.lacking_mm - warming_mm + loss_mm - frozen_mm;
-  if (!(ice_mm > least_ice_mm)) {
-    snow = {};
-    return ice_mm + wet_mm - frozen_mm;
-  }
-  const double liquid_mm = std::min(wet_mm - frozen_mm, p.held_water * ice_mm);
-  const double out_mm = wet_mm - frozen_mm - liquid_mm;
-  snow.lacking_mm = std::min(lacking_mm, p.coldest_share * ice_mm);
-  snow.liquid_mm = liquid_mm;
-  snow.water_mm = ice_mm + liquid_mm;
+  const double water_mm = ice_mm + liquid_mm;
+
+  const bool stays = has_ice && ice_mm > least_ice_mm;
+  const double out_mm = wet_mm - frozen_mm - liquid_mm + (stays ? 0.0 : water_mm);
+  const double loose_m =
+      (snow.depth_m + fallen_mm * step.fresh_m_per_mm) * (1.0 - melt_mm / whole_mm);
 
   const bool wet = liquid_mm > 0.0;
-  const double density_kg_m3 = snow.water_mm / depth_m;
-  const double below_zero_c =
-      wet || step.below_zero_c == 0.0 ? 0.0 : step.below_zero_c * std::exp(-snow.water_mm / 100.0);
-  const double fluidity = (wet ? p.wet_softening : 1.0) / p.viscosity_pa_s *
-                          std::exp(below_zero_c / 12.4 - density_kg_m3 / 55.6);
-  const double creep_per_s = 0.5 * gravity_m_s2 * snow.water_mm * fluidity;
+  const double density_kg_m3 = water_mm / loose_m;
+  const double cold_k = wet ? 0.0 : step.below_zero_k * decay(water_mm * (1.0 / 100.0));
+  const double fluidity = (wet ? p.wet_softening / p.viscosity_pa_s : 1.0 / p.viscosity_pa_s) *
+                          decay(cold_k * (1.0 / 12.4) + density_kg_m3 * (1.0 / 55.6));
+  const double creep_per_s = 0.5 * gravity_m_s2 * water_mm * fluidity;
   const double rounding_per_s =
       (wet ? 5.6e-6 : 2.8e-6) *
-      std::exp(below_zero_c / 23.8 - std::max(density_kg_m3 - 150.0, 0.0) / 21.7);
-  depth_m *= std::exp(-(creep_per_s + rounding_per_s) * step.seconds);
-  snow.depth_m = std::max(depth_m, snow.water_mm / densest_kg_m3);
+      decay(cold_k * (1.0 / 23.8) + greater(density_kg_m3 - 150.0, 0.0) * (1.0 / 21.7));
+  const double settled_m = loose_m * decay((creep_per_s + rounding_per_s) * step.seconds);
+
+  snow.water_mm = stays ? water_mm : 0.0;
+  snow.depth_m = stays ? greater(settled_m, water_mm * (1.0 / densest_kg_m3)) : 0.0;
+  snow.age = stays ? age : 0.0;
+  snow.liquid_mm = stays ? liquid_mm : 0.0;
+  snow.lacking_mm = stays ? lesser(lacking_mm, p.coldest_share * ice_mm) : 0.0;
   return out_mm;
 }
 

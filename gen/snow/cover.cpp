@@ -127,10 +127,10 @@ SnowGround::State SnowGround::at(double time_s) const {
 void SnowGround::take_step(Progress& progress, double start_s, double end_s) const {
   const double hours = (end_s - start_s) / seconds_per_hour;
   const WeatherMoment weather = weather_(0.5 * (start_s + end_s));
-  const ClassSteps steps = classes_.steps(weather, hours, cover_.melt_mm_per_day);
+  const FieldStep step = classes_.step(weather, hours, cover_.melt_mm_per_day);
   progress.fallen_mm += snow_mm_h(weather, mean_height_m_) * hours;
-  if (!slide_ || (!snows(steps) && is_bare(progress.packs))) return;
-  advance(progress.packs, classes_, steps, drift_of(weather).values(), rise_);
+  if (!slide_ || (!snows(step, classes_) && is_bare(progress.packs))) return;
+  advance(progress.packs, classes_, step, drift_of(weather).values(), rise_);
   slide_->settle(progress.packs);
 }
 

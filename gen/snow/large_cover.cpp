@@ -248,12 +248,12 @@ SnowpackField LargeCover::after(const Window& window, SnowpackField packs,
   slide.settle(packs);
   std::map<int, std::vector<float>> drifts;
   for (const WeatherMoment& hour : hours) {
-    const ClassSteps steps = classes.steps(hour, clock_.step_h, cover_.melt_mm_per_day);
-    if (!snows(steps) && is_bare(packs)) continue;
+    const FieldStep step = classes.step(hour, clock_.step_h, cover_.melt_mm_per_day);
+    if (!snows(step, classes) && is_bare(packs)) continue;
     const int heading_deg = drift_heading_deg(hour, cover_.drifting);
     std::vector<float>& factor = drifts[heading_deg];
     if (factor.empty()) factor = drift(window, heading_deg);
-    advance(packs, classes, steps, factor, rise);
+    advance(packs, classes, step, factor, rise);
     slide.settle(packs);
   }
   return packs;

@@ -7,6 +7,8 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "season/snow_air.h"
+#include "snow/lanes.h"
 #include "terrain/relief.h"
 
 namespace wold::snow {
@@ -35,22 +37,10 @@ HeightClasses::HeightClasses(std::span<const float> heights_m) : of_place_(heigh
   });
 }
 
-double HeightClasses::height_m(std::size_t place_class) const {
-  return low_m_ + static_cast<double>(place_class) * class_m_;
-}
-
-ClassSteps HeightClasses::steps(const WeatherMoment& weather, double hours,
-                                double melt_mm_per_day) const {
+FieldStep HeightClasses::step(const WeatherMoment& weather, double hours,
+                              double melt_mm_per_day) const {
   require_numbers(weather);
-  if (weather.sky) {
-    std::vector<season::SnowStep> steps(count_);
-    const double fallen_mm = weather.precipitation_mm_h * hours;
-    for (std::size_t i = 0; i < count_; ++i)
-      steps[i] = season::snow_step(season::snow_air(weather.temperature_c, fallen_mm, *weather.sky,
-                                                    lapse_k_per_m * height_m(i)),
-                                   hours);
-    return steps;
-  }
+  if (weather.sky) return SeasonStep{weather, hours};
   std::vector<PackStep> steps(count_);
   for (std::size_t i = 0; i < count_; ++i)
     steps[i] = pack_step(weather, height_m(i), hours, melt_mm_per_day);
@@ -73,19 +63,17 @@ bool is_bare(const SnowpackField& packs) {
   return std::ranges::all_of(packs.water_mm, [](double water_mm) { return water_mm == 0.0; });
 }
 
-bool snows(const ClassSteps& steps) {
-  return std::visit(
-      [](const auto& all) {
-        return std::ranges::any_of(all, [](const auto& step) { return step.snow_mm > 0.0; });
-      },
-      steps);
+bool snows(const FieldStep& step, const HeightClasses& classes) {
+  if (const auto* season = std::get_if<SeasonStep>(&step))
+    return snow_mm_h(season->weather, classes.highest_m()) > 0.0;
+  return std::ranges::any_of(std::get<std::vector<PackStep>>(step),
+                             [](const PackStep& of_class) { return of_class.snow_mm > 0.0; });
 }
 
 namespace {
 
-void advance_all(SnowpackField& packs, const HeightClasses& classes,
-                 const std::vector<PackStep>& steps, std::span<const float> drift,
-                 const GroundRise&) {
+void advance_by(const std::vector<PackStep>& steps, SnowpackField& packs,
+                const HeightClasses& classes, std::span<const float> drift) {
   parallel_for_blocks(packs.water_mm.size(), [&](std::size_t i) {
     const Snowpack pack = advanced({packs.water_mm[i], packs.depth_m[i], packs.age[i]},
                                    steps[classes.of_place()[i]], drift[i]);
@@ -95,32 +83,90 @@ void advance_all(SnowpackField& packs, const HeightClasses& classes,
   });
 }
 
-void advance_all(SnowpackField& packs, const HeightClasses& classes,
-                 const std::vector<season::SnowStep>& steps, std::span<const float> drift,
-                 const GroundRise& rise) {
-  static const season::SnowParameters parameters;
-  packs.liquid_mm.resize(packs.water_mm.size(), 0.0);
-  packs.lacking_mm.resize(packs.water_mm.size(), 0.0);
-  parallel_for_blocks(packs.water_mm.size(), [&](std::size_t i) {
-    const season::SnowStep& step = steps[classes.of_place()[i]];
-    const double sun_mm = season::sun_mm(step, {rise.east[i], rise.north[i]});
-    season::SnowState snow = {packs.water_mm[i], packs.depth_m[i], packs.age[i], packs.liquid_mm[i],
-                              packs.lacking_mm[i]};
-    season::advance(snow, step, drift[i], sun_mm, parameters);
-    packs.water_mm[i] = snow.water_mm;
-    packs.depth_m[i] = snow.depth_m;
-    packs.age[i] = snow.age;
-    packs.liquid_mm[i] = snow.liquid_mm;
-    packs.lacking_mm[i] = snow.lacking_mm;
+inline season::SnowStep step_at(const WeatherMoment& weather, const season::SnowSky& sky,
+                                double hours, double height_m) {
+  const season::SnowAir air = season::snow_air(
+      weather.temperature_c, weather.precipitation_mm_h * hours, sky, lapse_k_per_m * height_m);
+  return season::snow_step(air, hours);
+}
+
+/// Places that are advanced at once.
+struct PlaceLanes {
+  Lanes<double> height_m, drift, rise_east, rise_north;
+  Lanes<double> water_mm, depth_m, age, liquid_mm, lacking_mm;
+};
+
+WOLD_LANES_WIDE void advance_lanes(PlaceLanes& at, const WeatherMoment& weather,
+                                   const season::SnowSky& sky, double hours) {
+  constexpr season::SnowParameters parameters;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const season::SnowStep step = step_at(weather, sky, hours, at.height_m[i]);
+    const double sun_mm = season::sun_mm(step, at.rise_east[i], at.rise_north[i]);
+    season::SnowState snow = {at.water_mm[i], at.depth_m[i], at.age[i], at.liquid_mm[i],
+                              at.lacking_mm[i]};
+    season::advance(snow, step, at.drift[i], sun_mm, parameters);
+    at.water_mm[i] = snow.water_mm;
+    at.depth_m[i] = snow.depth_m;
+    at.age[i] = snow.age;
+    at.liquid_mm[i] = snow.liquid_mm;
+    at.lacking_mm[i] = snow.lacking_mm;
+  }
+}
+
+/// Advances the places from `first` on, as many as there are lanes or places.
+void advance_some(std::size_t first, const SeasonStep& step, SnowpackField& packs,
+                  const HeightClasses& classes, std::span<const float> drift,
+                  const GroundRise& rise) {
+  const std::size_t count = std::min(lanes, packs.water_mm.size() - first);
+  const auto place = static_cast<std::ptrdiff_t>(first);
+  PlaceLanes at{};
+  const auto each_value = [&](const auto& move) {
+    move(packs.water_mm, at.water_mm);
+    move(packs.depth_m, at.depth_m);
+    move(packs.age, at.age);
+    move(packs.liquid_mm, at.liquid_mm);
+    move(packs.lacking_mm, at.lacking_mm);
+  };
+  const auto in = [&](const auto& from, Lanes<double>& to) {
+    std::copy_n(from.begin() + place, count, to.begin());
+  };
+  each_value(in);
+  in(drift, at.drift);
+  in(rise.east, at.rise_east);
+  in(rise.north, at.rise_north);
+  for (std::size_t i = 0; i < count; ++i)
+    at.height_m[i] = classes.height_m(classes.of_place()[first + i]);
+  advance_lanes(at, step.weather, *step.weather.sky, step.hours);
+  each_value([&](std::vector<double>& to, const Lanes<double>& from) {
+    std::copy_n(from.begin(), count, to.begin() + place);
+  });
+}
+
+void advance_by(const SeasonStep& step, SnowpackField& packs, const HeightClasses& classes,
+                std::span<const float> drift, const GroundRise& rise) {
+  const std::size_t places = packs.water_mm.size();
+  packs.liquid_mm.resize(places, 0.0);
+  packs.lacking_mm.resize(places, 0.0);
+  constexpr std::size_t block = 64 * lanes;
+  parallel_for((places + block - 1) / block, [&](std::size_t b) {
+    const std::size_t end = std::min(places, (b + 1) * block);
+    for (std::size_t first = b * block; first < end; first += lanes)
+      advance_some(first, step, packs, classes, drift, rise);
   });
 }
 
 }  // namespace
 
-void advance(SnowpackField& packs, const HeightClasses& classes, const ClassSteps& steps,
+season::SnowStep SeasonStep::at(double height_m) const {
+  return step_at(weather, *weather.sky, hours, height_m);
+}
+
+void advance(SnowpackField& packs, const HeightClasses& classes, const FieldStep& step,
              std::span<const float> drift, const GroundRise& rise) {
-  std::visit([&](const auto& of_class) { advance_all(packs, classes, of_class, drift, rise); },
-             steps);
+  if (const auto* season = std::get_if<SeasonStep>(&step))
+    advance_by(*season, packs, classes, drift, rise);
+  else
+    advance_by(std::get<std::vector<PackStep>>(step), packs, classes, drift);
 }
 
 }  // namespace wold::snow

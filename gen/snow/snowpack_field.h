@@ -22,8 +22,17 @@ struct SnowpackField {
       : water_mm(places, pack.water_mm), depth_m(places, pack.depth_m), age(places, pack.age) {}
 };
 
-/// A step of weather per height class: by degree-days, or by the heat that a season's sky brings.
-using ClassSteps = std::variant<std::vector<PackStep>, std::vector<season::SnowStep>>;
+/// A step of weather under a season's sky, in hours.
+struct SeasonStep {
+  WeatherMoment weather;  ///< has a sky
+  double hours = 0.0;
+
+  /// What it does to all snow at a height above the terrain's zero.
+  season::SnowStep at(double height_m) const;
+};
+
+/// A step of weather: by degree-days, per height class, or by the heat that a season's sky brings.
+using FieldStep = std::variant<std::vector<PackStep>, SeasonStep>;
 
 /// How much the ground rises per metre to the east and to the north, place by place.
 struct GroundRise {
@@ -40,14 +49,16 @@ class HeightClasses {
   /// All heights are finite.
   explicit HeightClasses(std::span<const float> heights_m);
 
-  /// pack_step() per class or, where `weather` has a sky, season::snow_step(). Throws InputError
-  /// when `weather` has a value that is no number.
-  ClassSteps steps(const WeatherMoment& weather, double hours, double melt_mm_per_day) const;
+  /// pack_step() per class; where `weather` has a sky, a SeasonStep. Throws InputError when
+  /// `weather` has a value that is no number.
+  FieldStep step(const WeatherMoment& weather, double hours, double melt_mm_per_day) const;
   const std::vector<std::uint16_t>& of_place() const { return of_place_; }
+  double height_m(std::size_t of_class) const {
+    return low_m_ + static_cast<double>(of_class) * class_m_;
+  }
+  double highest_m() const { return height_m(count_ - 1); }
 
  private:
-  double height_m(std::size_t place_class) const;
-
   double low_m_ = 0.0;
   double class_m_ = 1.0;
   std::size_t count_ = 1;
@@ -58,11 +69,11 @@ class HeightClasses {
 bool is_bare(const SnowpackField& packs);
 
 /// Whether it snows at any height.
-bool snows(const ClassSteps& steps);
+bool snows(const FieldStep& step, const HeightClasses& classes);
 
-/// Advances every pack by its class's step; drift[place] multiplies the snowfall. In a season,
-/// the sun shines on them as the ground rises, which nothing else asks for.
-void advance(SnowpackField& packs, const HeightClasses& classes, const ClassSteps& steps,
+/// Advances every pack by the step at its class's height; drift[place] multiplies the snowfall. In
+/// a season, the sun shines on them as the ground rises, which nothing else asks for.
+void advance(SnowpackField& packs, const HeightClasses& classes, const FieldStep& step,
              std::span<const float> drift, const GroundRise& rise);
 
 }  // namespace wold::snow

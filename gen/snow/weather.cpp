@@ -40,11 +40,13 @@ WeatherMoment of_keys(const scene::Scene& scene) {
 std::optional<season::SnowSky> between(const std::optional<season::SnowSky>& a,
                                        const std::optional<season::SnowSky>& b, double share) {
   if (!a || !b) return {};
-  return season::SnowSky{.phase_c = std::lerp(a->phase_c, b->phase_c, share),
-                         .clearness = std::lerp(a->clearness, b->clearness, share),
-                         .sun_w_m2 = std::lerp(a->sun_w_m2, b->sun_w_m2, share),
-                         .diffuse_w_m2 = std::lerp(a->diffuse_w_m2, b->diffuse_w_m2, share),
-                         .slant_w_m2 = glm::mix(a->slant_w_m2, b->slant_w_m2, share)};
+  return season::SnowSky{
+      .phase_c = std::lerp(a->phase_c, b->phase_c, share),
+      .clearness = std::lerp(a->clearness, b->clearness, share),
+      .sun_w_m2 = std::lerp(a->sun_w_m2, b->sun_w_m2, share),
+      .diffuse_w_m2 = std::lerp(a->diffuse_w_m2, b->diffuse_w_m2, share),
+      .slant_east_w_m2 = std::lerp(a->slant_east_w_m2, b->slant_east_w_m2, share),
+      .slant_north_w_m2 = std::lerp(a->slant_north_w_m2, b->slant_north_w_m2, share)};
 }
 
 /// What snowfall.strength makes of the weather.

