@@ -72,8 +72,7 @@ std::vector<Key> snow_cover_keys() {
             FIELD(snow_cover.drifting)),
       bound(number("snow_cover.melt", "mm/day", {0, 20},
                    "Water that melts per day and degree above freezing; in a season sun, air and "
-                   "rain melt "
-                   "it instead."),
+                   "rain melt it instead."),
             FIELD(snow_cover.melt_mm_per_day)),
       bound(number("snow_cover.feature", "m", {0.02, 100}, "Size of the first patches of white."),
             FIELD(snow_cover.feature_m)),
