@@ -83,6 +83,7 @@ void advance_by(const std::vector<PackStep>& steps, SnowpackField& packs,
   });
 }
 
+/// For loops over places.
 inline season::SnowStep step_at(const WeatherMoment& weather, const season::SnowSky& sky,
                                 double hours, double height_m) {
   const season::SnowAir air = season::snow_air(

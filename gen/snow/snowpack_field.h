@@ -14,7 +14,7 @@ namespace wold::snow {
 /// The packs of many places, one array per value.
 struct SnowpackField {
   std::vector<double> water_mm, depth_m, age;
-  std::vector<double> liquid_mm, lacking_mm;  ///< see season::SnowState; empty but there
+  std::vector<double> liquid_mm, lacking_mm;  ///< as season::SnowState; empty but in a season
 
   SnowpackField() = default;
   /// The same pack everywhere.
@@ -42,8 +42,8 @@ struct GroundRise {
   explicit GroundRise(const Heightfield& terrain);
 };
 
-/// Places of about the same height share what weather does to them: its exponentials are taken
-/// once per metre of height, which is 0.0065 K.
+/// Places of about the same height, a metre, which is 0.0065 K, share what weather does to them:
+/// the exponentials of degree-day steps are taken once per class.
 class HeightClasses {
  public:
   /// All heights are finite.
@@ -71,8 +71,8 @@ bool is_bare(const SnowpackField& packs);
 /// Whether it snows at any height.
 bool snows(const FieldStep& step, const HeightClasses& classes);
 
-/// Advances every pack by the step at its class's height; drift[place] multiplies the snowfall. In
-/// a season, the sun shines on them as the ground rises, which nothing else asks for.
+/// Advances every pack by the step at its class's height; drift[place] multiplies the snowfall.
+/// Only a SeasonStep, whose sun shines on packs as the ground rises, asks for `rise`.
 void advance(SnowpackField& packs, const HeightClasses& classes, const FieldStep& step,
              std::span<const float> drift, const GroundRise& rise);
 
