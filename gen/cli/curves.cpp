@@ -45,7 +45,7 @@ std::string ageing_file(const scene::Scene& scene, Form form) {
 /// What a scene's season makes of its days; its keys may say how the meadow withers.
 std::vector<season::SeasonDay> days_of(const scene::Scene& scene) {
   const season::FilmSeason film(scene);
-  std::vector<season::SeasonDay> days = season::season_of(film.days());
+  std::vector<season::SeasonDay> days = season::season_of(film.days(), scene.snow_cover.initial_mm);
   for (std::size_t i = 0; i < days.size(); ++i) days[i].weathering_degree = film.weathering()[i];
   return days;
 }

@@ -71,7 +71,8 @@ std::vector<Key> snow_cover_keys() {
                    "How much the wind moves snow into the lee: 0 not at all."),
             FIELD(snow_cover.drifting)),
       bound(number("snow_cover.melt", "mm/day", {0, 20},
-                   "Water that melts per day and degree above freezing."),
+                   "Water that melts per day and degree above freezing; in a season sun, air and "
+                   "rain melt it instead."),
             FIELD(snow_cover.melt_mm_per_day)),
       bound(number("snow_cover.feature", "m", {0.02, 100}, "Size of the first patches of white."),
             FIELD(snow_cover.feature_m)),

@@ -33,6 +33,7 @@ double days_between(sys_days from, sys_days to) { return static_cast<double>((to
 
 /// The days of the film, as [weather] and [wind] have them.
 std::vector<Day> plain_days(const scene::Scene& scene) {
+  const double latitude_deg = scene.sun.latitude_deg;
   std::vector<Day> plain;
   for (sys_days date = first_of(scene); date <= last_of(scene); date += days(1)) {
     const double mean_c = scene.weather.temperature_c;
@@ -40,7 +41,8 @@ std::vector<Day> plain_days(const scene::Scene& scene) {
                      .tmin_c = mean_c - diurnal_k,
                      .tmax_c = mean_c + diurnal_k,
                      .precipitation_mm = scene.weather.precipitation_mm_h * hours_per_day,
-                     .day_length_h = day_length_h(scene.sun.latitude_deg, day_of_year(date)),
+                     .day_length_h = day_length_h(day_of_year(date), latitude_deg),
+                     .top_sun_mj_m2 = extraterrestrial_mj_m2(day_of_year(date), latitude_deg),
                      .wind_speed_m_s = scene.wind.speed_m_s,
                      .wind_heading_deg = scene.wind.heading_deg,
                      .cloud_cover = {}});

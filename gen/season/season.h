@@ -17,7 +17,7 @@ struct SeasonDay {
   double snow_water_mm = 0.0;
 };
 
-/// One for each of the days, which are in a row.
-std::vector<SeasonDay> season_of(std::span<const Day> days);
+/// One for each of the days, which are in a row; in the first, fresh snow of so much water lies.
+std::vector<SeasonDay> season_of(std::span<const Day> days, double first_snow_mm = 0.0);
 
 }  // namespace wold::season

@@ -59,31 +59,49 @@ FactorMap map_of(const Heightfield& terrain, const Value& value) {
 
 }  // namespace
 
+SnowClock snow_clock(const scene::Scene& scene) {
+  if (!scene::is_season(scene)) return {};
+  return {season::snow_day_h, season::snow_step_h};
+}
+
+Snowpack first_pack(const scene::Scene& scene) {
+  const double water_mm = scene.snow_cover.initial_mm;
+  if (!scene::is_season(scene)) return fresh_pack(water_mm);
+  const season::SnowState snow = season::fresh_snow(water_mm);
+  return {snow.water_mm, snow.depth_m, snow.age};
+}
+
 SnowGround::SnowGround(const scene::Scene& scene, const Heightfield& terrain,
                        WeatherFunction weather)
     : cover_(scene.snow_cover),
       seed_(scene.seed),
       weather_(std::move(weather)),
+      first_(first_pack(scene)),
       terrain_(coarsened(terrain)),
       mean_height_m_(mean(terrain_.values())),
       earlier_s_(scene.weather.earlier_h * seconds_per_hour),
       earlier_steps_(static_cast<std::size_t>(std::ceil(scene.weather.earlier_h))),
       film_step_s_(film_step(scene)),
       classes_(terrain_.values()) {
+  if (scene::is_season(scene)) {
+    clock_ = snow_clock(scene);
+    rise_ = GroundRise(terrain_);
+  }
   if (cover_.cover == "depth") slide_.emplace(terrain_);
   if (cover_.cover == "paper") facets_.emplace(terrain_, cover_.facet_m2);
   progress_ = beginning();
 }
 
 SnowGround::Progress SnowGround::beginning() const {
-  Progress progress{0,
-                    {terrain_.values().size(), slide_ ? fresh_pack(cover_.initial_mm) : Snowpack{}},
-                    cover_.initial_mm};
+  Progress progress{0, {terrain_.values().size(), slide_ ? first_ : Snowpack{}}, cover_.initial_mm};
   if (slide_) slide_->settle(progress.packs);
   return progress;
 }
 
 double SnowGround::step_start_s(std::size_t step) const {
+  if (clock_)
+    return (clock_->first_h + clock_->step_h * static_cast<double>(step)) * seconds_per_hour -
+           earlier_s_;
   if (step < earlier_steps_)
     return earlier_s_ * (static_cast<double>(step) / static_cast<double>(earlier_steps_) - 1.0);
   return static_cast<double>(step - earlier_steps_) * film_step_s_;
@@ -109,10 +127,10 @@ SnowGround::State SnowGround::at(double time_s) const {
 void SnowGround::take_step(Progress& progress, double start_s, double end_s) const {
   const double hours = (end_s - start_s) / seconds_per_hour;
   const WeatherMoment weather = weather_(0.5 * (start_s + end_s));
-  const std::vector<PackStep> steps = classes_.steps(weather, hours, cover_.melt_mm_per_day);
-  progress.fallen_mm += pack_step(weather, mean_height_m_, hours, cover_.melt_mm_per_day).snow_mm;
-  if (!slide_ || (!snows(steps) && is_bare(progress.packs))) return;
-  advance(progress.packs, classes_, steps, drift_of(weather).values());
+  const FieldStep step = classes_.step(weather, hours, cover_.melt_mm_per_day);
+  progress.fallen_mm += snow_mm_h(weather, mean_height_m_) * hours;
+  if (!slide_ || (!snows(step, classes_) && is_bare(progress.packs))) return;
+  advance(progress.packs, classes_, step, drift_of(weather).values(), rise_);
   slide_->settle(progress.packs);
 }
 

@@ -18,7 +18,20 @@ namespace wold::snow {
 /// The weather at the terrain's zero, by seconds since the first frame; asked from -earlier on.
 using WeatherFunction = std::function<WeatherMoment(double time_s)>;
 
-/// The snow on a scene's ground over time.
+/// The hours since the weather began at which steps of the snow on the ground begin.
+struct SnowClock {
+  int first_h = 0;
+  int step_h = 1;
+};
+
+/// Every hour; in a season those of season::snow_on_ground().
+SnowClock snow_clock(const scene::Scene& scene);
+
+/// snow_cover.initial, fresh.
+Snowpack first_pack(const scene::Scene& scene);
+
+/// The snow on a scene's ground over time: by degree-days, in a season by the heat that it gets, so
+/// that on the level it is season::snow_on_ground()'s.
 class SnowGround {
  public:
   /// What lies at one moment, over the terrain's square.
@@ -33,10 +46,10 @@ class SnowGround {
   SnowGround(const scene::Scene& scene, const Heightfield& terrain, WeatherFunction weather);
 
   /// The state at a time since the first frame, after -earlier: from the beginning of the weather,
-  /// an hour or less at a time. Each step has its fixed place in time, so the state does not
-  /// depend on which times were asked before; rising times are the cheapest. Maps have the
-  /// terrain's samples, at most 1025 along a side. Where cover is not "depth", all depths are 0.
-  /// May be called from several threads. Throws InputError when the weather is no number.
+  /// an hour or less at a time, in a season three. Each step has its fixed place in time, so the
+  /// state does not depend on which times were asked before; rising times are the cheapest. Maps
+  /// have the terrain's samples, at most 1025 along a side. Where cover is not "depth", all depths
+  /// are 0. May be called from several threads. Throws InputError when the weather is no number.
   State at(double time_s) const;
 
   /// Share of the ground that is white, [0, 1], on a map of `samples` >= 2 along a side over the
@@ -59,12 +72,15 @@ class SnowGround {
   scene::SnowCover cover_;
   std::uint64_t seed_;
   WeatherFunction weather_;
+  Snowpack first_;
   Heightfield terrain_;  ///< coarsened
   double mean_height_m_;
   double earlier_s_;
   std::size_t earlier_steps_;
   double film_step_s_;
+  std::optional<SnowClock> clock_;  ///< in a season
   HeightClasses classes_;
+  GroundRise rise_;                 ///< in a season
   std::optional<SnowSlide> slide_;  ///< of cover "depth"
   std::optional<Facets> facets_;    ///< of cover "paper"
 

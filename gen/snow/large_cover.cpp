@@ -9,13 +9,13 @@
 #include <tuple>
 
 #include "core/error.h"
+#include "scene/calendar.h"
 #include "snow/drifting.h"
 
 namespace wold::snow {
 namespace {
 
 constexpr double seconds_per_hour = 3600.0;
-constexpr int channels = 3;      ///< water, depth, age
 constexpr int slide_apron = 16;  ///< samples that snow may slide in a pass
 
 /// How far beyond its border a tile is felt.
@@ -37,6 +37,15 @@ std::vector<float> between(const std::vector<float>& before, const std::vector<f
   for (std::size_t i = 0; i < values.size(); ++i)
     values[i] = before[i] + share * (after[i] - before[i]);
   return values;
+}
+
+/// The first `count` values of packs, in the order of the pictures' channels.
+std::vector<std::vector<double>*> channels_of(SnowpackField& packs, int count) {
+  std::vector<std::vector<double>*> all = {&packs.water_mm, &packs.depth_m, &packs.age,
+                                           &packs.liquid_mm, &packs.lacking_mm};
+  all.resize(static_cast<std::size_t>(count));
+  for (std::vector<double>* values : all) values->resize(packs.water_mm.size(), 0.0);
+  return all;
 }
 
 }  // namespace
@@ -71,6 +80,9 @@ LargeGround large_ground(const Heightfield& terrain) {
 LargeCover::LargeCover(const scene::Scene& scene, const LargeGround& ground,
                        WeatherFunction weather, std::filesystem::path folder, Limits limits)
     : cover_(scene.snow_cover),
+      first_(first_pack(scene)),
+      is_season_(scene::is_season(scene)),
+      clock_(snow_clock(scene)),
       earlier_s_(scene.weather.earlier_h * seconds_per_hour),
       samples_(ground.samples),
       step_m_(ground.step_m),
@@ -88,12 +100,15 @@ LargeCover::LargeCover(const scene::Scene& scene, const LargeGround& ground,
   write_ground(ground);
 }
 
+/// Water, depth and age; in a season what is held and lacking, too.
+int LargeCover::channels() const { return is_season_ ? 5 : 3; }
+
 TiledExtent LargeCover::extent_of(int channel_count) const {
   return {glm::ivec2(samples_), channel_count, limits_.tile_samples};
 }
 
 TiledExtent LargeCover::extent(int level) const {
-  TiledExtent result = extent_of(channels);
+  TiledExtent result = extent_of(channels());
   for (int i = 0; i < level; ++i) result = halved(result);
   return result;
 }
@@ -108,14 +123,14 @@ void LargeCover::reckon(int hour) {
   const auto later = hours_.upper_bound(hour);
   int from = later == hours_.begin() ? -1 : *std::prev(later);
   while (from < hour) {
-    const int to = from < 0 ? 0 : std::min(from + longest_pass_h, hour);
+    const int to = from < 0 ? clock_.first_h : std::min(from + longest_pass_h, hour);
     remove(to);  // from another time
     pass(from, to);
     from = to;
   }
   const std::set<int> all = hours_;
   for (int other : all)
-    if (other != hour && other != hour - 1) remove(other);
+    if (other != hour && other != hour - clock_.step_h) remove(other);
 }
 
 void LargeCover::remove(int hour) {
@@ -203,17 +218,17 @@ void LargeCover::write_drift(int heading_deg) {
 /// Brings all tiles from one whole hour to a later one; from -1, the snow that lies at first.
 void LargeCover::pass(int from_hour, int to_hour) {
   std::vector<WeatherMoment> weather;
-  for (int hour = std::max(from_hour, 0); hour < to_hour; ++hour)
-    weather.push_back(weather_((hour + 0.5) * seconds_per_hour - earlier_s_));
+  for (int hour = from_hour < 0 ? to_hour : from_hour; hour < to_hour; hour += clock_.step_h)
+    weather.push_back(weather_((hour + 0.5 * clock_.step_h) * seconds_per_hour - earlier_s_));
   for (const WeatherMoment& hour : weather) write_drift(drift_heading_deg(hour, cover_.drifting));
   const auto reckon_tile = [&](const glm::ivec2& tile, std::span<float> values) {
     const Window around = window(tile);
-    const SnowpackField lying = after(around, packs(around, from_hour), weather);
+    SnowpackField lying = after(around, packs(around, from_hour), weather);
+    const std::vector<std::vector<double>*> of_pack = channels_of(lying, channels());
     around.each_of_tile([&](const glm::ivec2& at, std::size_t place) {
-      const auto value = static_cast<std::size_t>(at.y * limits_.tile_samples + at.x) * channels;
-      values[value] = static_cast<float>(lying.water_mm[place]);
-      values[value + 1] = static_cast<float>(lying.depth_m[place]);
-      values[value + 2] = static_cast<float>(lying.age[place]);
+      auto value = static_cast<std::size_t>(at.y * limits_.tile_samples + at.x) * of_pack.size();
+      for (const std::vector<double>* channel : of_pack)
+        values[value++] = static_cast<float>((*channel)[place]);
     });
   };
   write_tiled_image(picture(to_hour, 0), extent(0), limits_.tiles_at_a_time, reckon_tile);
@@ -228,16 +243,17 @@ SnowpackField LargeCover::after(const Window& window, SnowpackField packs,
                                 const std::vector<WeatherMoment>& hours) const {
   auto [heights, most_m] = ground(window);
   const HeightClasses classes(heights.values());
+  const GroundRise rise = is_season_ ? GroundRise(heights) : GroundRise();
   const SnowSlide slide(std::move(heights), std::move(most_m));
   slide.settle(packs);
   std::map<int, std::vector<float>> drifts;
   for (const WeatherMoment& hour : hours) {
-    const std::vector<PackStep> steps = classes.steps(hour, 1.0, cover_.melt_mm_per_day);
-    if (!snows(steps) && is_bare(packs)) continue;
+    const FieldStep step = classes.step(hour, clock_.step_h, cover_.melt_mm_per_day);
+    if (!snows(step, classes) && is_bare(packs)) continue;
     const int heading_deg = drift_heading_deg(hour, cover_.drifting);
     std::vector<float>& factor = drifts[heading_deg];
     if (factor.empty()) factor = drift(window, heading_deg);
-    advance(packs, classes, steps, factor);
+    advance(packs, classes, step, factor, rise);
     slide.settle(packs);
   }
   return packs;
@@ -254,27 +270,32 @@ std::vector<float> LargeCover::drift(const Window& window, int heading_deg) cons
 
 SnowpackField LargeCover::packs(const Window& window, int hour) const {
   const std::size_t places = static_cast<std::size_t>(window.side) * window.side;
-  if (hour < 0) return {places, fresh_pack(cover_.initial_mm)};
-  const std::vector<float> values = read(picture(hour, 0), window, channels);
+  if (hour < 0) return {places, first_};
+  const std::vector<float> values = read(picture(hour, 0), window, channels());
   SnowpackField packs(places, {});
-  for (std::size_t i = 0; i < places; ++i) {
-    packs.water_mm[i] = values[i * channels];
-    packs.depth_m[i] = values[i * channels + 1];
-    packs.age[i] = values[i * channels + 2];
-  }
+  auto value = values.begin();
+  const std::vector<std::vector<double>*> of_pack = channels_of(packs, channels());
+  for (std::size_t i = 0; i < places; ++i)
+    for (std::vector<double>* channel : of_pack) (*channel)[i] = *value++;
   return packs;
 }
 
 std::vector<CoverLevel> LargeCover::view(double time_s, const glm::dvec2& eye_m) {
-  const double hours = std::max(time_s + earlier_s_, 0.0) / seconds_per_hour;
-  const int hour = static_cast<int>(hours);
-  reckon(hour);
-  reckon(hour + 1);
+  const double hours =
+      std::max((time_s + earlier_s_) / seconds_per_hour, static_cast<double>(clock_.first_h));
+  reckon(step_at(hours));
+  reckon(step_at(hours) + clock_.step_h);
   std::vector<CoverLevel> levels(static_cast<std::size_t>(levels_));
   parallel_for(levels.size(), [&](std::size_t level) {
     levels[level] = level_view(static_cast<int>(level), hours, eye_m);
   });
   return levels;
+}
+
+/// The clock's latest hour.
+int LargeCover::step_at(double hours) const {
+  const int steps = static_cast<int>((hours - clock_.first_h) / clock_.step_h);
+  return clock_.first_h + steps * clock_.step_h;
 }
 
 CoverLevel LargeCover::level_view(int level, double hours, const glm::dvec2& eye_m) {
@@ -291,10 +312,10 @@ CoverLevel LargeCover::level_view(int level, double hours, const glm::dvec2& eye
   const glm::ivec2 first = glm::clamp(middle, glm::ivec2(0), glm::ivec2(samples - result.side));
   result.first_m = (glm::dvec2(first) * scale + 0.5 * (scale - 1.0)) * step_m_;
 
-  const int hour = static_cast<int>(hours);
-  const auto share = static_cast<float>(hours - hour);
+  const int hour = step_at(hours);
+  const auto share = static_cast<float>((hours - hour) / clock_.step_h);
   const CoverLevel& before = square(level, hour, first, result.side);
-  const CoverLevel& after = square(level, hour + 1, first, result.side);
+  const CoverLevel& after = square(level, hour + clock_.step_h, first, result.side);
   result.depth_m = between(before.depth_m, after.depth_m, share);
   result.white = between(before.white, after.white, share);
   result.albedo = between(before.albedo, after.albedo, share);
@@ -302,16 +323,18 @@ CoverLevel LargeCover::level_view(int level, double hours, const glm::dvec2& eye
 }
 
 const CoverLevel& LargeCover::square(int level, int hour, const glm::ivec2& first, int side) {
-  Square& kept = squares_[static_cast<std::size_t>(level)][static_cast<std::size_t>(hour % 2)];
+  const int step = (hour - clock_.first_h) / clock_.step_h;
+  Square& kept = squares_[static_cast<std::size_t>(level)][static_cast<std::size_t>(step % 2)];
   if (kept.hour == hour && kept.first == first) return kept.lying;
   const auto places = static_cast<std::size_t>(side * side);
-  std::vector<float> values(places * channels);
-  images_.read(picture(hour, level), first, glm::ivec2(side), channels, values);
+  const auto of_pack = static_cast<std::size_t>(channels());
+  std::vector<float> values(places * of_pack);
+  images_.read(picture(hour, level), first, glm::ivec2(side), channels(), values);
   kept = {hour, first, {}};
   for (std::size_t i = 0; i < places; ++i) {
-    kept.lying.white.push_back(static_cast<float>(cover_share(values[i * channels])));
-    kept.lying.depth_m.push_back(values[i * channels + 1]);
-    kept.lying.albedo.push_back(static_cast<float>(visible_albedo(values[i * channels + 2])));
+    kept.lying.white.push_back(static_cast<float>(cover_share(values[i * of_pack])));
+    kept.lying.depth_m.push_back(values[i * of_pack + 1]);
+    kept.lying.albedo.push_back(static_cast<float>(visible_albedo(values[i * of_pack + 2])));
   }
   return kept.lying;
 }

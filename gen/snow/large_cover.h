@@ -39,10 +39,10 @@ struct CoverLevel {
 };
 
 /// The snow of a ground of any size: on disk as tiled pictures, in memory a few tiles and what the
-/// camera sees. It is SnowGround's reckoning by whole hours, tile by tile. Each tile is reckoned
-/// with an apron of its neighbours' ground and snow, so that wind and slides pass over its borders;
-/// what is left out is snow that slides farther than the apron's 16 samples within one pass (a day
-/// at most) over the ground.
+/// camera sees. It is SnowGround's reckoning by the hours of snow_clock(), tile by tile. Each tile
+/// is reckoned with an apron of its neighbours' ground and snow, so that wind and slides pass over
+/// its borders; what is left out is snow that slides farther than the apron's 16 samples within one
+/// pass (a day at most) over the ground.
 class LargeCover {
  public:
   struct Limits {
@@ -54,16 +54,17 @@ class LargeCover {
 
   /// `folder` exists and is this object's alone: it keeps the two hours of the latest view there,
   /// as "hour_<hour since the weather began>_level_<l>.tif" with the channels water in mm, depth
-  /// in m and age; a level has half the samples of the one before. First it writes, tile by tile,
-  /// "ground.tif" with heights and most_depths_m(), and later "drift_<heading>.tif" for each wind
-  /// that comes. Rows of pictures go north. The scene's cover is "depth". Throws InputError for
-  /// heights that are no numbers, FileError for the disk.
+  /// in m and age, in a season also what season::SnowState holds and lacks in mm; a level has half
+  /// the samples of the one before. First it writes, tile by tile, "ground.tif" with heights and
+  /// most_depths_m(), and later "drift_<heading>.tif" for each wind that comes. Rows of pictures go
+  /// north. The scene's cover is "depth". Throws InputError for heights that are no numbers,
+  /// FileError for the disk.
   LargeCover(const scene::Scene& scene, const LargeGround& ground, WeatherFunction weather,
              std::filesystem::path folder, Limits limits);
 
-  /// Brings the pictures of a whole hour >= 0 since the weather began to disk, from the latest
-  /// earlier hour that is there, and removes those of all hours but it and the one before. Throws
-  /// InputError for weather that is no number, FileError for the disk.
+  /// Brings the pictures of an hour of snow_clock(), since the weather began, to disk, from the
+  /// latest earlier hour that is there, and removes those of all hours but it and the clock's one
+  /// before. Throws InputError for weather that is no number, FileError for the disk.
   void reckon(int hour);
 
   /// What lies about a place at a time since the first frame: squares of at most view_samples^2
@@ -81,6 +82,7 @@ class LargeCover {
     CoverLevel lying;
   };
 
+  int channels() const;
   TiledExtent extent(int level) const;
   TiledExtent extent_of(int channels) const;
   std::filesystem::path picture(int hour, int level) const;
@@ -96,10 +98,14 @@ class LargeCover {
   std::vector<float> drift(const Window& window, int heading_deg) const;
   SnowpackField after(const Window& window, SnowpackField packs,
                       const std::vector<WeatherMoment>& hours) const;
+  int step_at(double hours) const;
   const CoverLevel& square(int level, int hour, const glm::ivec2& first, int side);
   CoverLevel level_view(int level, double hours, const glm::dvec2& eye_m);
 
   scene::SnowCover cover_;
+  Snowpack first_;
+  bool is_season_;
+  SnowClock clock_;
   double earlier_s_;
   int samples_;
   double step_m_;
@@ -114,7 +120,7 @@ class LargeCover {
     double mean;
   };
   std::map<int, Drift> drifts_;                 ///< drift_weights() by heading
-  std::vector<std::array<Square, 2>> squares_;  ///< by level and whether the hour is odd
+  std::vector<std::array<Square, 2>> squares_;  ///< by level and whether the step is odd
 };
 
 }  // namespace wold::snow

@@ -97,6 +97,7 @@ void SnowSlide::shed(SnowpackField& packs, std::size_t from,
   const std::vector<float>& most_m = most_m_.values();
   const double excess_m = packs.depth_m[from] - most_m[from];
   const double excess_mm = packs.water_mm[from] * excess_m / packs.depth_m[from];
+  const double excess_share = excess_m / packs.depth_m[from];
   const double drop_m = below.drop_m();
   for (std::size_t n = 0; n < below.count; ++n) {
     const Neighbour& to = below.places[n];
@@ -105,12 +106,16 @@ void SnowSlide::shed(SnowpackField& packs, std::size_t from,
     if (water_mm > 0.0)  // the surface is a mixture of both
       packs.age[to.index] += (packs.age[from] - packs.age[to.index]) * share * excess_mm / water_mm;
     packs.water_mm[to.index] = water_mm;
+    for (std::vector<double>* held : {&packs.liquid_mm, &packs.lacking_mm})
+      if (!held->empty()) (*held)[to.index] += share * excess_share * (*held)[from];
     const double depth_m = packs.depth_m[to.index] + share * excess_m;
     if (depth_m > most_m[to.index] && packs.depth_m[to.index] <= most_m[to.index])
       overfed.push_back(to.index);
     packs.depth_m[to.index] = depth_m;
   }
   packs.water_mm[from] -= excess_mm;
+  for (std::vector<double>* held : {&packs.liquid_mm, &packs.lacking_mm})
+    if (!held->empty()) (*held)[from] *= 1.0 - excess_share;
   packs.depth_m[from] = most_m[from];
 }
 

@@ -7,6 +7,9 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "season/snow_air.h"
+#include "snow/lanes.h"
+#include "terrain/relief.h"
 
 namespace wold::snow {
 namespace {
@@ -34,26 +37,43 @@ HeightClasses::HeightClasses(std::span<const float> heights_m) : of_place_(heigh
   });
 }
 
-std::vector<PackStep> HeightClasses::steps(const WeatherMoment& weather, double hours,
-                                           double melt_mm_per_day) const {
+FieldStep HeightClasses::step(const WeatherMoment& weather, double hours,
+                              double melt_mm_per_day) const {
   require_numbers(weather);
+  if (weather.sky) return SeasonStep{weather, hours};
   std::vector<PackStep> steps(count_);
   for (std::size_t i = 0; i < count_; ++i)
-    steps[i] =
-        pack_step(weather, low_m_ + static_cast<double>(i) * class_m_, hours, melt_mm_per_day);
+    steps[i] = pack_step(weather, height_m(i), hours, melt_mm_per_day);
   return steps;
+}
+
+GroundRise::GroundRise(const Heightfield& terrain)
+    : east(terrain.values().size()), north(terrain.values().size()) {
+  const auto side = static_cast<std::size_t>(terrain.samples());
+  parallel_for_blocks(east.size(), [&](std::size_t place) {
+    const glm::dvec2 at_m =
+        terrain.place_m(static_cast<int>(place % side), static_cast<int>(place / side));
+    const glm::vec2 rise = terrain::gradient(terrain, at_m.x, at_m.y);
+    east[place] = rise.x;
+    north[place] = rise.y;
+  });
 }
 
 bool is_bare(const SnowpackField& packs) {
   return std::ranges::all_of(packs.water_mm, [](double water_mm) { return water_mm == 0.0; });
 }
 
-bool snows(const std::vector<PackStep>& steps) {
-  return std::ranges::any_of(steps, [](const PackStep& step) { return step.snow_mm > 0.0; });
+bool snows(const FieldStep& step, const HeightClasses& classes) {
+  if (const auto* season = std::get_if<SeasonStep>(&step))
+    return snow_mm_h(season->weather, classes.highest_m()) > 0.0;
+  return std::ranges::any_of(std::get<std::vector<PackStep>>(step),
+                             [](const PackStep& of_class) { return of_class.snow_mm > 0.0; });
 }
 
-void advance(SnowpackField& packs, const HeightClasses& classes, const std::vector<PackStep>& steps,
-             std::span<const float> drift) {
+namespace {
+
+void advance_by(const std::vector<PackStep>& steps, SnowpackField& packs,
+                const HeightClasses& classes, std::span<const float> drift) {
   parallel_for_blocks(packs.water_mm.size(), [&](std::size_t i) {
     const Snowpack pack = advanced({packs.water_mm[i], packs.depth_m[i], packs.age[i]},
                                    steps[classes.of_place()[i]], drift[i]);
@@ -61,6 +81,93 @@ void advance(SnowpackField& packs, const HeightClasses& classes, const std::vect
     packs.depth_m[i] = pack.depth_m;
     packs.age[i] = pack.age;
   });
+}
+
+/// For loops over places.
+inline season::SnowStep step_at(const WeatherMoment& weather, const season::SnowSky& sky,
+                                double hours, double height_m) {
+  const season::SnowAir air = season::snow_air(
+      weather.temperature_c, weather.precipitation_mm_h * hours, sky, lapse_k_per_m * height_m);
+  return season::snow_step(air, hours);
+}
+
+/// Places that are advanced at once.
+struct PlaceLanes {
+  Lanes<double> height_m, drift, rise_east, rise_north;
+  Lanes<double> water_mm, depth_m, age, liquid_mm, lacking_mm;
+};
+
+WOLD_LANES_WIDE void advance_lanes(PlaceLanes& at, const WeatherMoment& weather,
+                                   const season::SnowSky& sky, double hours) {
+  constexpr season::SnowParameters parameters;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const season::SnowStep step = step_at(weather, sky, hours, at.height_m[i]);
+    const double sun_mm = season::sun_mm(step, at.rise_east[i], at.rise_north[i]);
+    season::SnowState snow = {at.water_mm[i], at.depth_m[i], at.age[i], at.liquid_mm[i],
+                              at.lacking_mm[i]};
+    season::advance(snow, step, at.drift[i], sun_mm, parameters);
+    at.water_mm[i] = snow.water_mm;
+    at.depth_m[i] = snow.depth_m;
+    at.age[i] = snow.age;
+    at.liquid_mm[i] = snow.liquid_mm;
+    at.lacking_mm[i] = snow.lacking_mm;
+  }
+}
+
+/// Advances the places from `first` on, as many as there are lanes or places.
+void advance_some(std::size_t first, const SeasonStep& step, SnowpackField& packs,
+                  const HeightClasses& classes, std::span<const float> drift,
+                  const GroundRise& rise) {
+  const std::size_t count = std::min(lanes, packs.water_mm.size() - first);
+  const auto place = static_cast<std::ptrdiff_t>(first);
+  PlaceLanes at{};
+  const auto each_value = [&](const auto& move) {
+    move(packs.water_mm, at.water_mm);
+    move(packs.depth_m, at.depth_m);
+    move(packs.age, at.age);
+    move(packs.liquid_mm, at.liquid_mm);
+    move(packs.lacking_mm, at.lacking_mm);
+  };
+  const auto in = [&](const auto& from, Lanes<double>& to) {
+    std::copy_n(from.begin() + place, count, to.begin());
+  };
+  each_value(in);
+  in(drift, at.drift);
+  in(rise.east, at.rise_east);
+  in(rise.north, at.rise_north);
+  for (std::size_t i = 0; i < count; ++i)
+    at.height_m[i] = classes.height_m(classes.of_place()[first + i]);
+  advance_lanes(at, step.weather, *step.weather.sky, step.hours);
+  each_value([&](std::vector<double>& to, const Lanes<double>& from) {
+    std::copy_n(from.begin(), count, to.begin() + place);
+  });
+}
+
+void advance_by(const SeasonStep& step, SnowpackField& packs, const HeightClasses& classes,
+                std::span<const float> drift, const GroundRise& rise) {
+  const std::size_t places = packs.water_mm.size();
+  packs.liquid_mm.resize(places, 0.0);
+  packs.lacking_mm.resize(places, 0.0);
+  constexpr std::size_t block = 64 * lanes;
+  parallel_for((places + block - 1) / block, [&](std::size_t b) {
+    const std::size_t end = std::min(places, (b + 1) * block);
+    for (std::size_t first = b * block; first < end; first += lanes)
+      advance_some(first, step, packs, classes, drift, rise);
+  });
+}
+
+}  // namespace
+
+season::SnowStep SeasonStep::at(double height_m) const {
+  return step_at(weather, *weather.sky, hours, height_m);
+}
+
+void advance(SnowpackField& packs, const HeightClasses& classes, const FieldStep& step,
+             std::span<const float> drift, const GroundRise& rise) {
+  if (const auto* season = std::get_if<SeasonStep>(&step))
+    advance_by(*season, packs, classes, drift, rise);
+  else
+    advance_by(std::get<std::vector<PackStep>>(step), packs, classes, drift);
 }
 
 }  // namespace wold::snow

@@ -36,6 +36,19 @@ WeatherMoment of_keys(const scene::Scene& scene) {
           scene.wind.heading_deg};
 }
 
+/// A share of the way from one to the other.
+std::optional<season::SnowSky> between(const std::optional<season::SnowSky>& a,
+                                       const std::optional<season::SnowSky>& b, double share) {
+  if (!a || !b) return {};
+  return season::SnowSky{
+      .phase_c = std::lerp(a->phase_c, b->phase_c, share),
+      .clearness = std::lerp(a->clearness, b->clearness, share),
+      .sun_w_m2 = std::lerp(a->sun_w_m2, b->sun_w_m2, share),
+      .diffuse_w_m2 = std::lerp(a->diffuse_w_m2, b->diffuse_w_m2, share),
+      .slant_east_w_m2 = std::lerp(a->slant_east_w_m2, b->slant_east_w_m2, share),
+      .slant_north_w_m2 = std::lerp(a->slant_north_w_m2, b->slant_north_w_m2, share)};
+}
+
 /// What snowfall.strength makes of the weather.
 WeatherMoment with_strength(WeatherMoment moment, const std::string& strength) {
   static const std::map<std::string, double> rates_mm_h = {
@@ -44,6 +57,7 @@ WeatherMoment with_strength(WeatherMoment moment, const std::string& strength) {
   if (rate == rates_mm_h.end()) return moment;
   moment.precipitation_mm_h = rate->second;
   moment.temperature_c = std::min(moment.temperature_c, 0.0);
+  if (moment.sky) moment.sky->phase_c = std::min(moment.sky->phase_c, season::all_snow_c);
   return moment;
 }
 
@@ -67,6 +81,13 @@ double run_of(const glm::dvec2& a, const glm::dvec2& b, double share, double dur
 
 double snow_share(double temperature_c) { return std::clamp(1.0 - 0.5 * temperature_c, 0.0, 1.0); }
 
+double snow_mm_h(const WeatherMoment& weather, double height_m) {
+  const double cooler_k = lapse_k_per_m * height_m;
+  return weather.precipitation_mm_h * (weather.sky
+                                           ? season::snow_share(weather.sky->phase_c - cooler_k)
+                                           : snow_share(weather.temperature_c - cooler_k));
+}
+
 std::vector<Weather::Row> Weather::rows_of_table(const scene::Scene& scene) {
   const auto table =
       season::read_table(scene.weather.table,
@@ -89,27 +110,24 @@ std::vector<Weather::Row> Weather::rows_of_table(const scene::Scene& scene) {
   return rows;
 }
 
-/// Days are coldest at 3 and warmest at 15 o'clock, Weather's hours. What falls in a day falls
-/// evenly.
+/// Every hour and a half, so that the middles of the snow's steps are among them.
 std::vector<Weather::Row> Weather::rows_of_season(const scene::Scene& scene) {
-  constexpr double coldest_h = 3.0, warmest_h = 15.0, moment_h = 0.01;
+  constexpr double day_h = 24.0, row_h = 0.5 * season::snow_step_h, moment_h = 0.01;
   const season::FilmSeason season(scene);
   const std::vector<season::Day>& days = season.days();
   std::vector<Row> rows;
-  const auto add = [&](std::size_t day, double hour, double temperature_c) {
-    const season::Day& now = days[day];
-    rows.push_back({.time_s = (24.0 * static_cast<double>(day) + hour) * seconds_per_hour,
-                    .moment = {temperature_c, now.precipitation_mm / 24.0,
-                               now.wind_speed_m_s.value_or(scene.wind.speed_m_s),
-                               now.wind_heading_deg.value_or(scene.wind.heading_deg)}});
-  };
-  for (std::size_t day = 0; day < days.size(); ++day) {
-    const double before_c = days[day > 0 ? day - 1 : day].tmax_c;
-    const double after_c = days[std::min(day + 1, days.size() - 1)].tmin_c;
-    add(day, 0.0, std::lerp(before_c, days[day].tmin_c, (24.0 - warmest_h) / 12.0));
-    add(day, coldest_h, days[day].tmin_c);
-    add(day, warmest_h, days[day].tmax_c);
-    add(day, 24.0 - moment_h, std::lerp(days[day].tmax_c, after_c, (24.0 - warmest_h) / 12.0));
+  for (std::size_t i = 0; i < days.size(); ++i) {
+    const season::Day& day = days[i];
+    const season::DayAir air(day, days[std::min(i + 1, days.size() - 1)], scene.sun.latitude_deg);
+    const auto add = [&](double hour) {
+      rows.push_back(
+          {.time_s = (day_h * static_cast<double>(i) + hour) * seconds_per_hour,
+           .moment = {air.temperature_c(hour), air.precipitation_mm_h(),
+                      day.wind_speed_m_s.value_or(scene.wind.speed_m_s),
+                      day.wind_heading_deg.value_or(scene.wind.heading_deg), air.sky(hour)}});
+    };
+    for (double hour = 0.0; hour < day_h; hour += row_h) add(season::snow_day_h + hour);
+    add(season::snow_day_h + day_h - moment_h);
   }
   return rows;
 }
@@ -155,12 +173,11 @@ WeatherMoment Weather::at(double time_s) const {
   const double speed = glm::length(wind);
   return {std::lerp(a.temperature_c, b.temperature_c, span.share),
           std::lerp(a.precipitation_mm_h, b.precipitation_mm_h, span.share), speed,
-          speed > 0.0 ? heading_deg(wind) : a.wind_heading_deg};
+          speed > 0.0 ? heading_deg(wind) : a.wind_heading_deg, between(a.sky, b.sky, span.share)};
 }
 
 double Weather::snow_mm_h(double time_s, double height_m) const {
-  const WeatherMoment now = at(time_s);
-  return now.precipitation_mm_h * snow_share(now.temperature_c - lapse_k_per_m * height_m);
+  return snow::snow_mm_h(at(time_s), height_m);
 }
 
 glm::dvec2 Weather::wind_way_m(double time_s) const {

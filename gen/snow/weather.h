@@ -1,9 +1,11 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 #include "scene/scene.h"
+#include "season/snow_air.h"
 
 namespace wold::snow {
 
@@ -12,7 +14,8 @@ struct WeatherMoment {
   double temperature_c = 0.0;
   double precipitation_mm_h = 0.0;  ///< of water, snow or rain
   double wind_speed_m_s = 0.0;
-  double wind_heading_deg = 0.0;  ///< where it blows to, clockwise from north
+  double wind_heading_deg = 0.0;            ///< where it blows to, clockwise from north
+  std::optional<season::SnowSky> sky = {};  ///< in a season
 };
 
 /// Temperature falls with height by the standard atmosphere's lapse rate.
@@ -22,9 +25,14 @@ inline constexpr double lapse_k_per_m = 0.0065;
 /// linear between: half at 1 degree, where as much falls as snow as as rain.
 double snow_share(double temperature_c);
 
+/// Snow that falls at a height above the terrain's zero, in mm of water per hour: by snow_share(),
+/// in a season by the day's, season::snow_share().
+double snow_mm_h(const WeatherMoment& weather, double height_m);
+
 /// The scene's weather over time: constant as the keys of [weather], [wind] and [snowfall] say, or
 /// linear between the rows of weather.table; the wind as a vector. In a season it is that of the
-/// days, scene.weather.earlier being season::as_film()'s.
+/// days from six to six, season::DayAir's every hour and a half and linear in between,
+/// scene.weather.earlier being season::as_film()'s.
 ///
 /// The table is comma-separated values with a header; columns by name, in any order: hours
 /// (rising, since the weather began), and any of temperature_c, precipitation_mm_h,
@@ -46,7 +54,7 @@ class Weather {
   /// For how long the weather had lasted when the film starts.
   double earlier_s() const { return earlier_s_; }
 
-  /// Snow that falls at a height above the terrain's zero, in mm of water per hour.
+  /// The snow that falls at a time and height, see snow::snow_mm_h().
   double snow_mm_h(double time_s, double height_m) const;
 
   /// The way, east and north in metres, that the mean wind has blown since the weather began: the

@@ -72,6 +72,23 @@ void shelter(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(shelter_deg(terrain, 75.0).values().data());
 }
 
+/// A day of a million packs without slides, hour by hour by degree-days, or in a season's steps by
+/// the heat that they get.
+void advance_a_day(benchmark::State& state) {
+  const bool in_season = state.range(0) != 0;
+  const Heightfield terrain = relief(1024, 4000.0);
+  const HeightClasses classes(terrain.values());
+  const GroundRise rise(terrain);
+  const FactorMap drift(1024, 4000.0, 1.1F);
+  WeatherMoment weather = snowing(0.0);
+  if (in_season) weather.sky = season::SnowSky{.phase_c = -1.0, .sun_w_m2 = 90.0};
+  const int step_h = in_season ? season::snow_step_h : 1;
+  SnowpackField packs(terrain.values().size(), fresh_pack(50.0));
+  for (auto _ : state)
+    for (int hour = 0; hour < 24; hour += step_h)
+      advance(packs, classes, classes.step(weather, step_h, 3.0), drift.values(), rise);
+}
+
 /// One hour of weather over the whole ground, from disk to disk with all levels.
 void advance_an_hour(benchmark::State& state) {
   const Heightfield& terrain = ground(static_cast<int>(state.range(0)));
@@ -116,6 +133,13 @@ BENCHMARK(film_frame)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->U
 BENCHMARK(shelter)
     ->Arg(42)
     ->Arg(4000)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK(advance_a_day)
+    ->ArgName("season")
+    ->Arg(0)
+    ->Arg(1)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();

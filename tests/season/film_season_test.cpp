@@ -44,6 +44,17 @@ TEST(FilmSeason, KeysAreJoinedByLines) {
   EXPECT_DOUBLE_EQ(season.cloud_cover(99.0), 1.0);
 }
 
+// Without a table, too, days grow shorter in autumn, and the sun sinks (table 2.6 of FAO 56).
+TEST(FilmSeason, HasTheSunOfItsDays) {
+  scene::Scene scene = keyed_autumn();
+  scene.sun.latitude_deg = 46.5;
+  const FilmSeason season(scene);
+  EXPECT_NEAR(season.days().front().day_length_h, 13.15, 0.1);
+  EXPECT_NEAR(season.days().back().day_length_h, 11.5, 0.15);
+  EXPECT_NEAR(season.days().front().top_sun_mj_m2, 31.0, 1.0);
+  EXPECT_NEAR(season.days().back().top_sun_mj_m2, 22.8, 1.0);
+}
+
 TEST(FilmSeason, IsAFilmOfItsFrames) {
   const scene::Scene film = as_film(keyed_autumn());
   ASSERT_EQ(film.ageing.frames.size(), 61U);

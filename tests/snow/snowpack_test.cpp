@@ -109,7 +109,7 @@ TEST(SnowpackField, IsOfTheSamePacksOneByOne) {
   const HeightClasses classes(heights_m);
   SnowpackField packs(heights_m.size(), {1.0, 0.01, 0.1});
   const WeatherMoment weather{1.5, 3.0};
-  advance(packs, classes, classes.steps(weather, 1.0, 3.0), drift);
+  advance(packs, classes, classes.step(weather, 1.0, 3.0), drift, {});
   for (std::size_t i = 0; i < heights_m.size(); ++i) {
     const Snowpack expected =
         advanced({1.0, 0.01, 0.1}, pack_step(weather, heights_m[i], 1.0, 3.0), drift[i]);
@@ -121,9 +121,9 @@ TEST(SnowpackField, IsOfTheSamePacksOneByOne) {
 
 TEST(SnowpackField, RefusesWeatherThatIsNoNumber) {
   const HeightClasses classes(std::vector<float>{0.0F});
-  EXPECT_THROW(classes.steps({std::nan(""), 1.0}, 1.0, 3.0), InputError);
-  EXPECT_THROW(classes.steps({0.0, INFINITY}, 1.0, 3.0), InputError);
-  EXPECT_THROW(classes.steps({0.0, -1.0}, 1.0, 3.0), InputError);
+  EXPECT_THROW(classes.step({std::nan(""), 1.0}, 1.0, 3.0), InputError);
+  EXPECT_THROW(classes.step({0.0, INFINITY}, 1.0, 3.0), InputError);
+  EXPECT_THROW(classes.step({0.0, -1.0}, 1.0, 3.0), InputError);
 }
 
 }  // namespace
