@@ -17,7 +17,8 @@ constexpr int sky_width_px = 1024;
 std::optional<cloud::CloudState> clouds_of(const scene::Scene& scene, const Site& site, int frame,
                                            int drifted_frames = 0) {
   if (!site.clouds) return std::nullopt;
-  cloud::CloudState clouds = site.clouds->at_frame(frame + drifted_frames);
+  cloud::CloudState clouds =
+      site.clouds->at_frame(frame + drifted_frames, site.day.sun_direction());
   if (site.season)
     for (cloud::LayerState& layer : clouds.layers)
       layer.moment.amount *= site.season->cloud_cover(scene::season_days(scene.season, frame));

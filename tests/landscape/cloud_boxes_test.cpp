@@ -21,7 +21,7 @@ scene::Scene cumulus_scene() {
 /// The clouds of a scene and a camera that looks at them.
 struct View {
   scene::Scene scene = cumulus_scene();
-  cloud::CloudState clouds = cloud::Clouds(scene, 16.0).at_frame(1);
+  cloud::CloudState clouds = cloud::Clouds(scene, 16.0).at(0.0);
   light::Daylight day{scene.sun, scene.sky};
   Camera camera{{20.0, 0.0, 2.0}, {20.0, 15.0, 6.0}, 60.0};
   std::vector<std::optional<CloudWindow>> windows = cloud_windows(clouds, camera);
