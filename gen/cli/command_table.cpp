@@ -314,13 +314,13 @@ Action declare_new(CLI::App& app) {
 const std::vector<Command>& command_table() {
   static const std::vector<Command> commands = {
       {"render", "generate the scene's data and make its pictures",
-       "wold render meadow.toml --renderer povray --frames 1,3 --size 480x270", declare_render},
+       "wold render meadow.toml --renderer povray --frames 1-3 --size 480x270", declare_render},
       {"generate", "everything but running the renderers",
-       "wold generate meadow.toml --out /tmp/meadow --set grass.blades=200", declare_generate},
+       "wold generate meadow.toml --out sparse --set grass.blades=200", declare_generate},
       {"plan", "list the tasks that render does, which of them are to do, and what they take",
-       "wold plan meadow.toml --frames 1-100 --why", declare_plan},
+       "wold plan meadow.toml --frames 1-3 --why", declare_plan},
       {"task", "do one of the plan's tasks, unless it has been done",
-       "wold task meadow.toml scenes 7 --out /shared/meadow", declare_task},
+       "wold task meadow.toml texels 1 --out shared/meadow", declare_task},
       {"preview", "draw a contact sheet of a scene in seconds, without any renderer",
        "wold preview meadow.toml --out meadow.png --set sun.elevation=12", declare_preview},
       {"check", "check a scene and print it with every key filled in",

@@ -73,9 +73,7 @@ std::vector<landscape::CellChoice> Film::cells_of(int frame) const {
 
 void Film::demand_far_field(int frame) {
   const scene::Scene& scene = job_.scene;
-  const landscape::Camera camera = landscape::resolved_camera(
-      scene.camera, site_.terrain, landscape::time_of_frame(scene, frame));
-  if (!landscape::shows_distance(scene, site_, camera)) return;
+  if (!landscape::shows_distance(scene, site_, frame)) return;
   for (const grass::PatchState& state : landscape::far_states(scene, *site_.withering, frame))
     for (int variant = 0; variant < scene.grass.variants; ++variant)
       demand(variant, state, coarsest_level(scene.grass));

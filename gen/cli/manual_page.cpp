@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <string_view>
 
+#include "cli/command_descriptions.h"
 #include "cli/version.h"
 #include "scene/registry.h"
 
@@ -68,15 +70,31 @@ std::string synopsis(const CommandFacts& command) {
   return text + "\n";
 }
 
-bool is_help(const OptionFacts& option) { return option.name == "--help"; }
+/// Options that print a page and do nothing.
+bool is_page(const OptionFacts& option) {
+  return option.name == "--help" || option.name == "--man";
+}
 
-std::string command_text(const CommandFacts& command) {
-  std::string text = subsection(fmt::format("wold {}", command.name));
-  text += escaped(sentence(command.summary)) + "\n";
+std::string options_text(const CommandFacts& command) {
+  std::string text;
   for (const OptionFacts& argument : command.arguments) text += item(argument);
   for (const OptionFacts& option : command.options)
-    if (!is_help(option)) text += item(option);
-  return text + fmt::format(".IP\n.EX\n{}\n.EE\n", escaped(command.example));
+    if (!is_page(option)) text += item(option);
+  return text;
+}
+
+std::string example_text(const CommandFacts& command) {
+  return fmt::format(".EX\n{}\n.EE\n", escaped(command.example));
+}
+
+std::string command_text(const CommandFacts& command) {
+  return subsection(fmt::format("wold {}", command.name)) + escaped(sentence(command.summary)) +
+         "\n" + options_text(command) + ".IP\n" + example_text(command);
+}
+
+/// The page's first line, as man(1) wants it.
+std::string title(const std::string& name) {
+  return fmt::format(".TH {} 1 \"\" \"Wold {}\" \"User Commands\"\n", name, version);
 }
 
 std::string key_text(const scene::Key& key, const scene::Scene& defaults) {
@@ -123,7 +141,7 @@ std::string files_text() {
 
 std::string manual_page(std::span<const CommandFacts> commands) {
   const CommandFacts& program = commands.front();
-  std::string text = fmt::format(".TH WOLD 1 \"\" \"Wold {}\" \"User Commands\"\n", version);
+  std::string text = title("WOLD");
   text += section("NAME") + "wold \\- a landscape that ages, for Blender and POV\\-Ray\n";
   text += section("SYNOPSIS") + ".nf\n";
   for (const CommandFacts& command : commands.subspan(1)) text += synopsis(command);
@@ -141,6 +159,21 @@ std::string manual_page(std::span<const CommandFacts> commands) {
               "wins over the file.") +
           "\n" + keys_text();
   return text + section("FILES") + files_text() + section("\"EXIT STATUS\"") + exit_text();
+}
+
+std::string command_page(const CommandFacts& command) {
+  std::string name = fmt::format("wold-{}", command.name);
+  std::string text =
+      section("NAME") + fmt::format("{} \\- {}\n", escaped(name), escaped(command.summary));
+  text += section("SYNOPSIS") + synopsis(command);
+  text += section("DESCRIPTION") + escaped(command_description(command.name)) + "\n";
+  text += section("OPTIONS") + options_text(command);
+  text += section("EXAMPLE") + example_text(command);
+  text += section("\"EXIT STATUS\"") + exit_text();
+  text += section("\"SEE ALSO\"") + bold("wold") + "(1), which has every key of a scene\n";
+  std::ranges::transform(name, name.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return title(escaped(name)) + text;
 }
 
 }  // namespace wold::cli

@@ -11,4 +11,7 @@ namespace wold::cli {
 /// scene, files and exit codes. `commands` are command_facts().
 std::string manual_page(std::span<const CommandFacts> commands);
 
+/// A command's own page: what it does, its options, an example.
+std::string command_page(const CommandFacts& command);
+
 }  // namespace wold::cli

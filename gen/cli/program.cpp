@@ -37,6 +37,23 @@ ExitCode run_man(const std::vector<CommandFacts>& commands) {
   return ExitCode::done;
 }
 
+/// Asks for a command's page in the middle of parsing: nothing else of the line counts.
+struct PageAsked {
+  std::string command;
+};
+
+void add_page(CLI::App& sub) {
+  sub.add_flag_callback(
+         "--man", [&sub] { throw PageAsked{sub.get_name()}; }, "print the command's manual page")
+      ->trigger_on_parse();
+}
+
+ExitCode run_page(const CLI::App& app, const std::string& command) {
+  const std::vector<CommandFacts> all = command_facts(app);
+  print_data(command_page(*std::ranges::find(all, command, &CommandFacts::name)));
+  return ExitCode::done;
+}
+
 ExitCode run_completion(const std::vector<CommandFacts>& commands, const std::string& shell) {
   print_data(completion(commands, shell));
   return ExitCode::done;
@@ -62,6 +79,7 @@ void declare(CommandLine& line) {
   for (const Command& command : command_table()) {
     CLI::App* sub = app.add_subcommand(command.name, command.summary);
     sub->footer("Example:\n  " + command.example);
+    add_page(*sub);
     sub->final_callback([&line, action = command.declare(*sub)] { line.action = action; });
   }
 }
@@ -99,6 +117,8 @@ ExitCode execute(int argc, char** argv) {
     line.app.parse(argc, argv);
   } catch (const CLI::ParseError& result) {
     return answer(line.app, result);
+  } catch (const PageAsked& page) {
+    return run_page(line.app, page.command);
   }
   if (!line.action) throw InputError("a command was expected; wold --help lists them");
   return line.action();

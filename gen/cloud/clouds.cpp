@@ -101,29 +101,33 @@ struct Clouds::Film {
   glm::ivec2 cells;
   bool repeats_as_paper;
   std::uint64_t key;
-  glm::dvec3 sun_direction;
   double pixel_m;
   Timeline timeline;
   std::mutex mutex;
   std::map<std::size_t, std::shared_ptr<const ShapeMaps>> maps;  ///< by shape
 
-  ShapeMaps made_maps(std::size_t shape) const {
-    const Shape& drawn_out = timeline.shapes()[shape];
-    const TextureSet shaped = sheared(textures, drawn_out.heading_rad, drawn_out.shear);
+  LayerMap made_ranks(const Shape& shape) const {
+    const TextureSet shaped = sheared(textures, shape.heading_rad, shape.shear);
     const auto repeated = repeats_as_paper ? repeated_as_paper : repeated_by_blending;
-    LayerMap ranks = repeated(shaped, cells, layer->period_px, key);
-    LayerMap lit = sunlit(ranks, tops_m(*layer), layer->droplets, sun_direction, pixel_m);
-    constexpr double smoothed = 0.7;
-    return {std::move(ranks), std::move(lit), 1.0 - smoothed * drawn_out.shear};
+    return repeated(shaped, cells, layer->period_px, key);
   }
 
-  std::shared_ptr<const ShapeMaps> map_of(std::size_t shape) {
-    std::shared_ptr<const ShapeMaps>& map = maps[shape];
-    if (!map) map = std::make_shared<const ShapeMaps>(made_maps(shape));
+  ShapeMaps lit_maps(LayerMap ranks, const Shape& shape, const glm::dvec3& sun_direction) const {
+    constexpr double smoothed = 0.7;
+    LayerMap lit = sunlit(ranks, tops_m(*layer), layer->droplets, sun_direction, pixel_m);
+    return {std::move(ranks), std::move(lit), sun_direction, 1.0 - smoothed * shape.shear};
+  }
+
+  std::shared_ptr<const ShapeMaps> map_of(std::size_t number, const glm::dvec3& sun_direction) {
+    std::shared_ptr<const ShapeMaps>& map = maps[number];
+    if (map && map->sun_direction == sun_direction) return map;
+    const Shape& shape = timeline.shapes()[number];
+    map = std::make_shared<const ShapeMaps>(
+        lit_maps(map ? map->ranks : made_ranks(shape), shape, sun_direction));
     return map;
   }
 
-  LayerState at(double time_s) {
+  LayerState at(double time_s, const glm::dvec3& sun_direction) {
     LayerState state;
     state.layer = layer;
     state.moment = timeline.at(time_s);
@@ -131,15 +135,17 @@ struct Clouds::Film {
     const std::lock_guard lock(mutex);
     std::erase_if(maps,
                   [&](const auto& kept) { return kept.first != first && kept.first != next; });
-    state.map = map_of(first);
-    if (next != first && state.moment.next_share > 0.0) state.next_map = map_of(next);
+    state.map = map_of(first, sun_direction);
+    if (next != first && state.moment.next_share > 0.0)
+      state.next_map = map_of(next, sun_direction);
     return state;
   }
 };
 
 Clouds::Clouds(const scene::Scene& scene, double pixel_m)
-    : pixel_m_(pixel_m), frame_seconds_(scene.film.frame_seconds) {
-  const glm::dvec3 sun_direction = direction_to(scene.sun);
+    : pixel_m_(pixel_m),
+      frame_seconds_(scene.film.frame_seconds),
+      sun_direction_(direction_to(scene.sun)) {
   for (std::size_t i = 0; i < scene.clouds.size(); ++i) {
     const scene::CloudLayer& described = scene.clouds[i];
     const Recipe recipe = recipe_of(described.kind);
@@ -157,7 +163,6 @@ Clouds::Clouds(const scene::Scene& scene, double pixel_m)
                                                     cells,
                                                     described.repeat == "paper",
                                                     key,
-                                                    sun_direction,
                                                     pixel_m,
                                                     Timeline(scene, i, cell_m),
                                                     {},
@@ -181,11 +186,15 @@ double Clouds::usual_pixel_m(const scene::Scene& scene) {
   return std::max(pixel_m, smallest_cell_m / usual_cell_px);
 }
 
-CloudState Clouds::at_frame(int frame) const { return at((frame - 1) * frame_seconds_); }
+CloudState Clouds::at_frame(int frame, const glm::dvec3& sun_direction) const {
+  return at((frame - 1) * frame_seconds_, sun_direction);
+}
 
-CloudState Clouds::at(double time_s) const {
+CloudState Clouds::at(double time_s) const { return at(time_s, sun_direction_); }
+
+CloudState Clouds::at(double time_s, const glm::dvec3& sun_direction) const {
   CloudState state{time_s, pixel_m_, {}};
-  for (const auto& film : films_) state.layers.push_back(film->at(time_s));
+  for (const auto& film : films_) state.layers.push_back(film->at(time_s, sun_direction));
   return state;
 }
 

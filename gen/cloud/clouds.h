@@ -38,8 +38,9 @@ struct Layer {
 /// A shape of a layer over its whole period.
 struct ShapeMaps {
   LayerMap ranks;
-  LayerMap sunlit;  ///< base_brightness in steps of 1/65536, of the whole layer in the scene's sun
-  double detail = 1.0;  ///< share of Layer::detail that wind has not smoothed away
+  LayerMap sunlit;                ///< base_brightness in steps of 1/65536, of the whole layer
+  glm::dvec3 sun_direction = {};  ///< of the sun that shines there
+  double detail = 1.0;            ///< share of Layer::detail that wind has not smoothed away
 };
 
 /// A layer at one moment: its shapes' maps and what is made of them.
@@ -70,8 +71,11 @@ class Clouds {
   static double usual_pixel_m(const scene::Scene& scene);
 
   /// `frame` >= 1, alone: no other frame is needed. Maps are made when they are first used.
-  CloudState at_frame(int frame) const;
+  /// sun_direction, of unit length: the scene's or that of the frame.
+  CloudState at_frame(int frame, const glm::dvec3& sun_direction) const;
   /// time_s >= 0, since the first frame.
+  CloudState at(double time_s, const glm::dvec3& sun_direction) const;
+  /// In the scene's sun.
   CloudState at(double time_s) const;
 
  private:
@@ -79,6 +83,7 @@ class Clouds {
   std::vector<std::shared_ptr<Film>> films_;  ///< one for each layer, highest first
   double pixel_m_;
   double frame_seconds_;
+  glm::dvec3 sun_direction_;
 };
 
 /// How much `field` more of the textures' field raises a rank in [0, 1] near which it is added.

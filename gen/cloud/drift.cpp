@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "core/random.h"
+#include "scene/calendar.h"
+#include "season/film_season.h"
 
 namespace wold::cloud {
 namespace {
@@ -56,6 +58,46 @@ double speed_after(const scene::CloudEvent& event, double before_m_s) {
   return event.kind == "faster" ? before_m_s * event.factor : before_m_s / event.factor;
 }
 
+WindNow wind_at(const std::vector<WindNow>& winds, double time_s) {
+  const auto after = std::ranges::upper_bound(winds, time_s, {}, &WindNow::time_s);
+  if (after == winds.begin()) return winds.front();
+  if (after == winds.end()) return winds.back();
+  const WindNow& before = *(after - 1);
+  const double share = (time_s - before.time_s) / (after->time_s - before.time_s);
+  return {time_s, std::lerp(before.speed_factor, after->speed_factor, share),
+          std::lerp(before.turned_rad, after->turned_rad, share)};
+}
+
+DriftSegment part_of(const DriftSegment& whole, double from_s, double to_s,
+                     const std::vector<WindNow>& winds) {
+  const double from = share_done(whole, from_s - whole.start_s);
+  const double to = share_done(whole, to_s - whole.start_s);
+  const WindNow first = wind_at(winds, from_s), last = wind_at(winds, to_s);
+  return {from_s,
+          to_s - from_s,
+          first.speed_factor * std::lerp(whole.speed_m_s, whole.speed_end_m_s, from),
+          last.speed_factor * std::lerp(whole.speed_m_s, whole.speed_end_m_s, to),
+          first.turned_rad + std::lerp(whole.heading_rad, whole.heading_end_rad, from),
+          last.turned_rad + std::lerp(whole.heading_rad, whole.heading_end_rad, to)};
+}
+
+/// The drift with what the winds make of it: cut where a wind begins, even between the cuts.
+std::vector<DriftSegment> in_winds(const std::vector<DriftSegment>& segments,
+                                   const std::vector<WindNow>& winds) {
+  std::vector<DriftSegment> parts;
+  for (const DriftSegment& segment : segments) {
+    double now_s = segment.start_s;
+    const double end_s = segment.start_s + segment.duration_s;
+    for (const WindNow& wind : winds)
+      if (wind.time_s > now_s && wind.time_s < end_s) {
+        parts.push_back(part_of(segment, now_s, wind.time_s, winds));
+        now_s = wind.time_s;
+      }
+    parts.push_back(part_of(segment, now_s, end_s, winds));
+  }
+  return parts;
+}
+
 }  // namespace
 
 glm::dvec2 way_m(const DriftSegment& segment, double seconds) {
@@ -89,8 +131,23 @@ glm::dvec2 gust_velocity_m_s(double deviation_m_s, double time_s, std::uint64_t 
                [&](const Wave& wave) { return std::cos(wave.per_s * time_s + wave.phase); });
 }
 
+std::vector<WindNow> season_winds(const scene::Scene& scene) {
+  if (!scene::is_season(scene)) return {};
+  const season::FilmSeason season(scene);
+  const double days = scene::season_days(scene.season, scene.season.frames);
+  const double last_s = (scene.season.frames - 1) * scene.film.frame_seconds;
+  std::vector<WindNow> winds;
+  for (double day = 0.0; day <= days; day += 1.0) {
+    const season::WindChange wind = season.wind(day);
+    winds.push_back(
+        {last_s * day / days, wind.speed_factor,
+         winds.empty() ? wind.turned_rad : nearest_turn(winds.back().turned_rad, wind.turned_rad)});
+  }
+  return winds;
+}
+
 Drift::Drift(const scene::CloudLayer& layer, const std::vector<scene::CloudEvent>& in_order,
-             std::uint64_t key)
+             std::uint64_t key, const std::vector<WindNow>& winds)
     : gusts_m_s_(layer.gusts_m_s), key_(key) {
   constexpr double for_ever_s = std::numeric_limits<double>::max();
   double speed = layer.speed_m_s;
@@ -109,6 +166,7 @@ Drift::Drift(const scene::CloudLayer& layer, const std::vector<scene::CloudEvent
     heading = next_heading;
   }
   segments_.push_back({now_s, for_ever_s, speed, speed, heading, heading});
+  if (!winds.empty()) segments_ = in_winds(segments_, winds);
 }
 
 glm::dvec2 Drift::way_m(double time_s) const {

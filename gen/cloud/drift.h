@@ -28,11 +28,22 @@ glm::dvec2 way_m(const DriftSegment& segment, double seconds);
 glm::dvec2 gust_way_m(double deviation_m_s, double time_s, std::uint64_t key);
 glm::dvec2 gust_velocity_m_s(double deviation_m_s, double time_s, std::uint64_t key);
 
-/// How one layer drifts through its wind, faster and slower events.
+/// What a season's wind does to every drift from a moment on, evenly until the next one.
+struct WindNow {
+  double time_s = 0.0;
+  double speed_factor = 1.0;
+  double turned_rad = 0.0;  ///< clockwise
+};
+
+/// The season's wind on the clouds' clock, day by day from 0; none of a scene that is no season.
+/// Throws what season::FilmSeason throws.
+std::vector<WindNow> season_winds(const scene::Scene& scene);
+
+/// How one layer drifts through its wind, faster and slower events, in a season with its wind.
 class Drift {
  public:
   Drift(const scene::CloudLayer& layer, const std::vector<scene::CloudEvent>& in_order,
-        std::uint64_t key);
+        std::uint64_t key, const std::vector<WindNow>& winds = {});
   /// East and north since time 0; time_s >= 0.
   glm::dvec2 way_m(double time_s) const;
   glm::dvec2 velocity_m_s(double time_s) const;

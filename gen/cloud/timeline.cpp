@@ -67,7 +67,7 @@ Timeline::Timeline(const scene::Scene& scene, std::size_t layer, double cell_m)
       gathered_(scene.clouds.at(layer).gathered),
       cell_m_(cell_m),
       drift_(scene.clouds[layer], changes(scene, layer, scene::CloudChange::drift),
-             layer_key(scene, layer)) {
+             layer_key(scene, layer), season_winds(scene)) {
   for (const CloudEvent& event : lights_)
     light_colours_.push_back(colour_of(event, scene.sky.turbidity));
   for (const CloudEvent& event : winds_)

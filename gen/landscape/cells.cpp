@@ -278,7 +278,7 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
   std::optional<Heightfield> mesh;
   if (is_large(scene)) mesh = terrain::mesh_heights(terrain, window_grid(scene));
   const Heightfield& ground = mesh ? *mesh : terrain;
-  const Combing combing(scene);
+  const Combing combing(scene, frame);
   const std::vector<double> key_frames = scene::key_frames(scene);
   const Showing showing = {canopy_snow(scene, frame), light_of_frame(scene, frame)};
   const auto side = static_cast<std::size_t>(window.per_side);

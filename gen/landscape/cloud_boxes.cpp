@@ -43,7 +43,7 @@ void each_filled(const cloud::CloudVolume& volume, const Visit& visit) {
 }
 
 CloudBox cloud_box(const cloud::LayerState& state, double pixel_m, const CloudWindow& window,
-                   const light::Daylight& day, const glm::dvec3& eye_m, double visual_range_m) {
+                   const light::Daylight& day, const glm::dvec3& eye_m) {
   cloud::CloudVolume volume =
       cloud::lifted(state, pixel_m, window.south_west_m, glm::dvec2(window.side_m),
                     {voxels_wide, voxels_wide, voxels_high});
@@ -52,7 +52,7 @@ CloudBox cloud_box(const cloud::LayerState& state, double pixel_m, const CloudWi
   each_filled(volume, [&](std::size_t i, const glm::dvec3& centre_m) {
     const glm::dvec3 way_m = centre_m - eye_m;
     const double distance_m = glm::length(way_m);
-    const double clear = clear_share(distance_m, std::max(way_m.z, 1.0), visual_range_m);
+    const double clear = clear_share(distance_m, std::max(way_m.z, 1.0), day.visual_range_m());
     source[i] = glm::mix(day.sky_radiance(way_m / distance_m), source[i] * colour,
                          static_cast<float>(clear));
     volume.extinction_per_m[i] *= static_cast<float>(window.share(glm::dvec2(centre_m)));
@@ -87,13 +87,11 @@ std::vector<std::optional<CloudWindow>> cloud_windows(const cloud::CloudState& c
 
 std::vector<CloudBox> cloud_boxes(const cloud::CloudState& clouds,
                                   const std::vector<std::optional<CloudWindow>>& windows,
-                                  const light::Daylight& day, const glm::dvec3& eye_m,
-                                  double visual_range_m) {
+                                  const light::Daylight& day, const glm::dvec3& eye_m) {
   std::vector<CloudBox> boxes;
   for (std::size_t i = 0; i < windows.size(); ++i) {
     if (!windows[i]) continue;
-    boxes.push_back(
-        cloud_box(clouds.layers[i], clouds.pixel_m, *windows[i], day, eye_m, visual_range_m));
+    boxes.push_back(cloud_box(clouds.layers[i], clouds.pixel_m, *windows[i], day, eye_m));
     boxes.back().name = fmt::format("cloud_{}", boxes.size());
   }
   return boxes;

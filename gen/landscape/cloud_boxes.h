@@ -30,7 +30,6 @@ std::vector<std::optional<CloudWindow>> cloud_windows(const cloud::CloudState& c
 /// far.
 std::vector<CloudBox> cloud_boxes(const cloud::CloudState& clouds,
                                   const std::vector<std::optional<CloudWindow>>& windows,
-                                  const light::Daylight& day, const glm::dvec3& eye_m,
-                                  double visual_range_m);
+                                  const light::Daylight& day, const glm::dvec3& eye_m);
 
 }  // namespace wold::landscape

@@ -83,11 +83,10 @@ struct CloudySky::Meeting {
 };
 
 CloudySky::CloudySky(const light::Daylight& day, const cloud::CloudState& clouds,
-                     const glm::dvec3& eye_m, double visual_range_m,
+                     const glm::dvec3& eye_m,
                      const std::vector<std::optional<CloudWindow>>& windows)
     : day_(day),
       eye_m_(eye_m),
-      visual_range_m_(visual_range_m),
       pixel_m_(clouds.pixel_m),
       sun_cosine_(std::max(day.sun_direction().z, cloud::lowest_sun_sine)),
       daylight_(day.sun_irradiance() * static_cast<float>(day.sun_direction().z) +
@@ -132,7 +131,7 @@ glm::vec3 CloudySky::before(const glm::vec3& behind, const Layer& layer,
   const auto [distance_m, cosine] = crossing(direction.z, layer.rise_m);
   const glm::dvec2 place_m = glm::dvec2(eye_m_) + glm::dvec2(direction) * distance_m;
   Meeting meeting{place_m, cosine, layer.window ? 1.0 - layer.window->share(place_m) : 1.0,
-                  static_cast<float>(clear_share(distance_m, layer.rise_m, visual_range_m_)),
+                  static_cast<float>(clear_share(distance_m, layer.rise_m, day_.visual_range_m())),
                   cloud::henyey_greenstein(layer.made->droplets.asymmetry,
                                            glm::dot(direction, day_.sun_direction()))};
   if (meeting.clear < 1.0F / 512.0F || meeting.share <= 0.0) return behind;

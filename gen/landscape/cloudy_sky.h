@@ -28,7 +28,7 @@ class CloudySky {
   /// `day` has to outlive it. Layers that are not above the eye are left out, and what of a layer
   /// stands as a volume in its window; no windows at all: nothing does.
   CloudySky(const light::Daylight& day, const cloud::CloudState& clouds, const glm::dvec3& eye_m,
-            double visual_range_m, const std::vector<std::optional<CloudWindow>>& windows = {});
+            const std::vector<std::optional<CloudWindow>>& windows = {});
 
   /// Radiance from a unit direction.
   glm::vec3 radiance(const glm::dvec3& direction) const;
@@ -61,7 +61,6 @@ class CloudySky {
 
   const light::Daylight& day_;
   glm::dvec3 eye_m_;
-  double visual_range_m_;
   double pixel_m_;
   double sun_cosine_;   ///< of the angle between vertical and sunlight in clouds
   glm::vec3 daylight_;  ///< irradiance of level ground in the open

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/random.h"
+#include "scene/calendar.h"
 
 namespace wold::landscape {
 namespace {
@@ -30,10 +31,19 @@ Fbm field(std::uint64_t seed, const char* purpose, int octaves) {
 /// A field's value with the tails cut, so that no blade is pressed flat.
 double tame(double value) { return std::clamp(value, -2.0, 2.0); }
 
+/// No wind of a season presses grass down farther.
+constexpr double most_deg = 40.0;
+
+season::WindChange week_before(const scene::Scene& scene, int frame) {
+  if (!scene::is_season(scene)) return {};
+  return season::FilmSeason(scene).week_of_wind(scene::season_days(scene.season, frame));
+}
+
 }  // namespace
 
-Combing::Combing(const scene::Scene& scene)
+Combing::Combing(const scene::Scene& scene, int frame)
     : wind_(scene.wind),
+      change_(week_before(scene, frame)),
       waves_(field(scene.seed, "waves", 2)),
       turns_(field(scene.seed, "turns", 2)) {}
 
@@ -43,9 +53,11 @@ glm::dvec2 Combing::lean(const glm::dvec2& at_m) const {
   const glm::dvec2 place =
       glm::dvec2(glm::dot(at_m, along), glm::dot(at_m, across) / crest_length) /
       wind_.wave_length_m;
-  const double lean_deg = wind_.lean_deg + wind_.waves_deg * tame(fbm(place, waves_));
+  const double usual_deg = wind_.lean_deg + wind_.waves_deg * tame(fbm(place, waves_));
+  const double lean_deg = std::min(usual_deg * change_.speed_factor, std::max(usual_deg, most_deg));
   const double turned_deg = turning_deg * tame(fbm(place / 2.0, turns_));
-  return std::tan(lean_deg * radians_per_degree) * direction(wind_.heading_deg + turned_deg);
+  return std::tan(lean_deg * radians_per_degree) *
+         direction(wind_.heading_deg + turned_deg + change_.turned_rad / radians_per_degree);
 }
 
 }  // namespace wold::landscape

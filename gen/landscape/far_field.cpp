@@ -49,7 +49,7 @@ Meadow::Meadow(const scene::Scene& scene, const Heightfield& terrain, const With
       withering_(withering),
       view_(view),
       frame_(frame),
-      combing_(scene),
+      combing_(scene, frame),
       key_frames_(scene::key_frames(scene)),
       snow_(snow_level(scene, frame)),
       light_(light_level(scene, frame)),

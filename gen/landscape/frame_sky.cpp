@@ -17,7 +17,8 @@ constexpr int sky_width_px = 1024;
 std::optional<cloud::CloudState> clouds_of(const scene::Scene& scene, const Site& site, int frame,
                                            int drifted_frames = 0) {
   if (!site.clouds) return std::nullopt;
-  cloud::CloudState clouds = site.clouds->at_frame(frame + drifted_frames);
+  cloud::CloudState clouds =
+      site.clouds->at_frame(frame + drifted_frames, site.day.sun_direction());
   if (site.season)
     for (cloud::LayerState& layer : clouds.layers)
       layer.moment.amount *= site.season->cloud_cover(scene::season_days(scene.season, frame));
@@ -39,7 +40,7 @@ FrameSky::FrameSky(const scene::Scene& scene, const Site& site, int frame, const
       site_(site),
       frame_(frame),
       clouds_(clouds_of(scene, site, frame)),
-      sheets_(site.day, clouds_.value_or(cloud::CloudState{}), eye_m, scene.sky.visual_range_m) {}
+      sheets_(site.day, clouds_.value_or(cloud::CloudState{}), eye_m) {}
 
 /// Share of the sunlight that passes the clouds. The frames of a season are days apart, and shadows
 /// that drift by from frame to frame would make it flicker: there it is the mean over what drifts
@@ -77,10 +78,9 @@ void FrameSky::show(Landscape& landscape, bool with_backdrop) const {
   landscape.sky = sky_picture(sheets_, sky_width_px);
   const cloud::CloudState clouds = clouds_.value_or(cloud::CloudState{});
   const Camera& camera = landscape.camera;
-  const double visual_range_m = scene_.sky.visual_range_m;
   const auto windows = cloud_windows(clouds, camera);
-  landscape.clouds = cloud_boxes(clouds, windows, site_.day, camera.eye_m, visual_range_m);
-  const CloudySky behind(site_.day, clouds, camera.eye_m, visual_range_m, windows);
+  landscape.clouds = cloud_boxes(clouds, windows, site_.day, camera.eye_m);
+  const CloudySky behind(site_.day, clouds, camera.eye_m, windows);
   landscape.backdrop = sky_backdrop(behind, camera, landscape.width_px, landscape.height_px,
                                     beyond_everything_m(landscape));
 }

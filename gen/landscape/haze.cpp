@@ -6,25 +6,24 @@
 
 namespace wold::landscape {
 
-Haze::Haze(const light::Daylight& day, const glm::dvec3& eye_m, double visual_range_m)
-    : day_(day), eye_m_(eye_m), visual_range_m_(visual_range_m) {}
+Haze::Haze(const light::Daylight& day, const glm::dvec3& eye_m) : day_(day), eye_m_(eye_m) {}
 
 glm::vec3 Haze::before(const glm::vec3& radiance, const glm::dvec3& at_m) const {
   const glm::dvec3 way_m = at_m - eye_m_;
   const double distance_m = glm::length(way_m);
   if (distance_m <= 0.0) return radiance;
-  const double share = light::haze_share(distance_m, visual_range_m_);
+  const double share = light::haze_share(distance_m, day_.visual_range_m());
   return glm::mix(radiance, day_.haze_radiance(way_m / distance_m, share),
                   static_cast<float>(share));
 }
 
-bool Haze::is_visible(const Heightfield& terrain) const {
+bool shows_haze(const Heightfield& terrain, const glm::dvec3& eye_m, double visual_range_m) {
   constexpr double least = 0.02;
   const double size_m = terrain.size_m();
   double farthest_m = 0.0;
   for (const glm::dvec2 corner : {glm::dvec2(0, 0), {size_m, 0}, {0, size_m}, {size_m, size_m}})
-    farthest_m = std::max(farthest_m, glm::distance(corner, glm::dvec2(eye_m_)));
-  return light::haze_share(farthest_m, visual_range_m_) > least;
+    farthest_m = std::max(farthest_m, glm::distance(corner, glm::dvec2(eye_m)));
+  return light::haze_share(farthest_m, visual_range_m) > least;
 }
 
 void veil_ground(ColourMap& ground, const Heightfield& terrain, const View& view,

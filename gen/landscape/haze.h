@@ -10,20 +10,19 @@ namespace wold::landscape {
 /// The air between the eye and the ground, by Koschmieder: it hides and it glows.
 class Haze {
  public:
-  /// `day` has to outlive it; visual_range_m > 0, see light::haze_share().
-  Haze(const light::Daylight& day, const glm::dvec3& eye_m, double visual_range_m);
+  /// `day` has to outlive it.
+  Haze(const light::Daylight& day, const glm::dvec3& eye_m);
 
   /// A radiance as it is seen from the eye, at a place.
   glm::vec3 before(const glm::vec3& radiance, const glm::dvec3& at_m) const;
 
-  /// Whether any of the terrain is far enough for haze to be seen: 2 % of it.
-  bool is_visible(const Heightfield& terrain) const;
-
  private:
   const light::Daylight& day_;
   glm::dvec3 eye_m_;
-  double visual_range_m_;
 };
+
+/// Whether any of the terrain is so far from the eye that haze is seen there: 2 % of it.
+bool shows_haze(const Heightfield& terrain, const glm::dvec3& eye_m, double visual_range_m);
 
 /// Puts the haze before the ground.
 void veil_ground(ColourMap& ground, const Heightfield& terrain, const View& view, const Haze& haze);

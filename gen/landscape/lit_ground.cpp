@@ -68,13 +68,13 @@ LitGround::LitGround(const scene::Scene& scene, const Site& site, const Landscap
       illuminate_(std::move(illuminate)),
       frame_(landscape.frame),
       view_(landscape.camera, landscape.width_px, landscape.height_px),
-      haze_(site.day, landscape.camera.eye_m, scene.sky.visual_range_m),
-      combing_(scene),
+      haze_(site.day, landscape.camera.eye_m),
+      combing_(scene, landscape.frame),
       snow_(canopy_snow(scene, frame_)),
       model_(scene.ageing, scene.grass.specular),
       patch_(scene, model_, /*variant=*/0),
       combed_(combed_light(scene, site, frame_, patch_.at(landscape.weathering, snow_), model_)) {
-  if (shows_distance(scene, site, landscape.camera))
+  if (shows_distance(scene, site, frame_))
     meadow_.emplace(scene, site.terrain, *site.withering, view_, frame_,
                     far_looks(scene, site, frame_, far));
 }
@@ -126,10 +126,11 @@ void LitGround::show(const SnowyGround& ground, Landscape& landscape) const {
         product(landscape.light, veil_of_grass(grass_light, site_.terrain, view_, *meadow_, haze_));
 }
 
-bool shows_distance(const scene::Scene& scene, const Site& site, const Camera& camera) {
+bool shows_distance(const scene::Scene& scene, const Site& site, int frame) {
+  const Camera camera = resolved_camera(scene.camera, site.terrain, time_of_frame(scene, frame));
   const View view(camera, scene.render.size_px[0], scene.render.size_px[1]);
   return has_far_field(scene, site.terrain, view) ||
-         Haze(site.day, camera.eye_m, scene.sky.visual_range_m).is_visible(site.terrain);
+         shows_haze(site.terrain, camera.eye_m, visual_range_m(scene, site, frame));
 }
 
 }  // namespace wold::landscape

@@ -21,8 +21,8 @@
 
 namespace wold::landscape {
 
-/// Whether what a camera sees is so far that grass is painted on the ground, or haze shows.
-bool shows_distance(const scene::Scene& scene, const Site& site, const Camera& camera);
+/// Whether what a frame (from 1) sees is so far that grass is painted on the ground, or haze shows.
+bool shows_distance(const scene::Scene& scene, const Site& site, int frame);
 
 /// The frame's light on ground that has some light under a clear sky.
 using Illuminate = std::function<ColourMap(const terrain::GroundLight& clear)>;

@@ -11,6 +11,7 @@
 #include "landscape/ground_grids.h"
 #include "landscape/growth.h"
 #include "landscape/view.h"
+#include "scene/calendar.h"
 #include "scene/sun_path.h"
 #include "scene/winter.h"
 #include "terrain/ground.h"
@@ -138,10 +139,17 @@ Site make_site(const scene::Scene& scene, const fs::path& snow_folder,
           ground_samples};
 }
 
+double visual_range_m(const scene::Scene& scene, const Site& site, int frame) {
+  if (!site.season) return scene.sky.visual_range_m;
+  return site.season->visual_range_m(scene::season_days(scene.season, frame));
+}
+
 Site site_of_frame(const scene::Scene& scene, const Site& site, int frame) {
   if (!site.season) return site;
   Site now = site;
-  now.day = light::Daylight(scene::sun_at(scene, time_of_frame(scene, frame)), scene.sky);
+  scene::Sky sky = scene.sky;
+  sky.visual_range_m = visual_range_m(scene, site, frame);
+  now.day = light::Daylight(scene::sun_at(scene, time_of_frame(scene, frame)), sky);
   GroundPart ground =
       whole_ground(scene, now.terrain, now.day,
                    grid_of_ground(scene, now.terrain, now.ground_samples), std::move(now.growth));

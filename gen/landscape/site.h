@@ -59,8 +59,11 @@ struct Site {
 Site make_site(const scene::Scene& scene, const std::filesystem::path& snow_folder = {},
                std::optional<int> ground_samples = {});
 
-/// The site on the day of a frame (from 1): itself, but in a season with that day's light. Shares
-/// clouds and snow with it.
+/// How far one sees in a frame (from 1): sky.visual_range, in a season through that day's air.
+double visual_range_m(const scene::Scene& scene, const Site& site, int frame);
+
+/// The site on the day of a frame (from 1): itself, but in a season with that day's light and air.
+/// Shares clouds and snow with it.
 Site site_of_frame(const scene::Scene& scene, const Site& site, int frame);
 
 /// Growth where cells are laid.

@@ -29,6 +29,8 @@ class Daylight {
   const glm::dvec3& sun_direction() const { return sun_direction_; }
   /// Irradiance by the sun alone on a plane that faces it.
   const glm::vec3& sun_irradiance() const { return sun_irradiance_; }
+  /// Distance at which dark things vanish in the haze, as Koschmieder's.
+  double visual_range_m() const { return visual_range_m_; }
   /// Irradiance by the sky alone on a horizontal plane.
   const glm::vec3& sky_irradiance() const { return sky_irradiance_; }
 

@@ -47,7 +47,8 @@ std::vector<Key> cloud_keys(std::size_t item) {
                  "Drift by speed, heading and gusts, or the paper's x += 0.0001 and y = sin x "
                  "cells a frame."),
             ITEM_FIELD(clouds, motion)),
-      bound(number("clouds.speed", "m/s", {0, 100}, "Speed of the drift."),
+      bound(number("clouds.speed", "m/s", {0, 100},
+                   "Speed of the drift; in a season when the wind is as [wind] says."),
             ITEM_FIELD(clouds, speed_m_s)),
       bound(number("clouds.heading", "deg", {0, 360},
                    "Where the clouds drift to, clockwise from north; a west wind has 90."),

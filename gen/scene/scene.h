@@ -218,6 +218,8 @@ struct SeasonKey {
   std::optional<double> precipitation_mm_day = {};
   std::optional<double> cloud_cover = {};  ///< how much of the clouds has gathered
   std::optional<double> wind_speed_m_s = {};
+  std::optional<double> wind_heading_deg = {};
+  std::optional<double> visual_range_m = {};  ///< of the air without rain
 
   bool operator==(const SeasonKey&) const = default;
 };

@@ -31,9 +31,9 @@ std::vector<Key> season_keys() {
       bound(
           plain(Kind::file, "season.table", "", {0, 0},
                 "Weather day by day as comma-separated values: date (YYYY-MM-DD), tmin_c, tmax_c, "
-                "precipitation_mm and, if known, wind_speed_m_s, wind_heading_deg, cloud_cover. "
-                "It should begin some months before the first frame. Relative paths start at the "
-                "scene file."),
+                "precipitation_mm and, if known, wind_speed_m_s, wind_heading_deg, cloud_cover, "
+                "visual_range_m. It should begin some months before the first frame. Relative "
+                "paths start at the scene file."),
           FIELD(season.table)),
       bound(number("season.hollow_frost", "K", {0, 15},
                    "How much colder nights are in the deepest hollows, where cold air gathers."),
@@ -64,8 +64,17 @@ std::vector<Key> season_key_keys(std::size_t item) {
       bound(automatic("season_keys.cloud_cover", "", {0, 1},
                       "How much of the layers of clouds has gathered."),
             ITEM_FIELD(cloud_cover)),
-      bound(automatic("season_keys.wind_speed", "m/s", {0, 60}, "Of the wind that carries flakes."),
+      bound(automatic("season_keys.wind_speed", "m/s", {0, 60},
+                      "Of the wind that carries flakes; with it, and with where it blows, change "
+                      "clouds and the lean of the grass, which are as [[clouds]] and [wind] say "
+                      "when it is as [wind] says."),
             ITEM_FIELD(wind_speed_m_s)),
+      bound(automatic("season_keys.wind_heading", "deg", {0, 360},
+                      "Where it blows to, clockwise from north; it turns the shorter way."),
+            ITEM_FIELD(wind_heading_deg)),
+      bound(automatic("season_keys.visual_range", "m", {100, 1e6},
+                      "As sky.visual_range; rain hides more."),
+            ITEM_FIELD(visual_range_m)),
   };
 }
 

@@ -23,7 +23,18 @@ constexpr int same_season_days = 15;
 constexpr double seconds_per_hour = 3600.0;
 
 /// The columns by their places in the table.
-enum ColumnIndex { date, tmin, tmax, precipitation, day_length, wind_speed, wind_heading, clouds };
+enum ColumnIndex {
+  date,
+  tmin,
+  tmax,
+  precipitation,
+  day_length,
+  wind_speed,
+  wind_heading,
+  clouds,
+  visual_range,
+  column_count
+};
 
 TableColumn weather_column(const char* name, double lowest, double highest, const char* unit,
                            bool required = false) {
@@ -49,7 +60,8 @@ std::vector<TableColumn> columns() {
           weather_column("day_length_s", 0.0, 24.0 * seconds_per_hour, "s"),
           column_like("wind_speed_m_s", "wind.speed"),
           column_like("wind_heading_deg", "wind.heading"),
-          weather_column("cloud_cover", 0.0, 1.0, "")};
+          weather_column("cloud_cover", 0.0, 1.0, ""),
+          column_like("visual_range_m", "sky.visual_range")};
 }
 
 bool is_number(double value) { return !std::isnan(value); }
@@ -174,9 +186,9 @@ std::vector<Day> read_daily_weather(const std::filesystem::path& file, double la
   const NumberTable table = read_table(file, columns(), OtherColumns::ignored);
   check_rows(file.string(), table);
   const std::chrono::sys_days first{std::chrono::days(static_cast<int>(table.columns[date][0]))};
-  std::array<std::vector<double>, 8> values;
+  std::array<std::vector<double>, column_count> values;
   for (const ColumnIndex column :
-       {tmin, tmax, precipitation, day_length, wind_speed, wind_heading, clouds})
+       {tmin, tmax, precipitation, day_length, wind_speed, wind_heading, clouds, visual_range})
     values[column] = by_day(table, column);
   interpolate_gaps(values[tmin]);
   interpolate_gaps(values[tmax]);
@@ -189,7 +201,8 @@ std::vector<Day> read_daily_weather(const std::filesystem::path& file, double la
                .precipitation_mm = values[precipitation][i],
                .wind_speed_m_s = if_known(values[wind_speed][i]),
                .wind_heading_deg = if_known(values[wind_heading][i]),
-               .cloud_cover = if_known(values[clouds][i])};
+               .cloud_cover = if_known(values[clouds][i]),
+               .visual_range_m = if_known(values[visual_range][i])};
   set_sun(days, values[day_length], latitude);
   return days;
 }

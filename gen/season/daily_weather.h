@@ -19,6 +19,7 @@ struct Day {
   std::optional<double> wind_speed_m_s;
   std::optional<double> wind_heading_deg;  ///< where it blows to, clockwise from north
   std::optional<double> cloud_cover;       ///< 0 clear to 1 overcast
+  std::optional<double> visual_range_m;    ///< of the air without rain
 };
 
 /// Day of the year, 1 to 366.
@@ -28,11 +29,11 @@ int day_of_year(std::chrono::sys_days date);
 ///
 /// Comma-separated values with a header; columns by name, in any order, others are ignored: date
 /// (rising, as 2012-02-29), tmin_c, tmax_c, precipitation_mm and, if known, day_length_s,
-/// wind_speed_m_s, wind_heading_deg, cloud_cover. Cells may be empty and days may be missing: their
-/// temperatures are interpolated in time, or those of the nearest day at the ends; their
-/// precipitation is the mean of the file's days at most 15 calendar days apart from them in any
-/// year, or else of all its days. Day lengths and the sun's radiation are those of the latitude
-/// that fits day_length_s best, or without any of `latitude_deg`.
+/// wind_speed_m_s, wind_heading_deg, cloud_cover, visual_range_m. Cells may be empty and days may
+/// be missing: their temperatures are interpolated in time, or those of the nearest day at the
+/// ends; their precipitation is the mean of the file's days at most 15 calendar days apart from
+/// them in any year, or else of all its days. Day lengths and the sun's radiation are those of the
+/// latitude that fits day_length_s best, or without any of `latitude_deg`.
 ///
 /// Throws InputError with every problem found, with line and column: what read_table() finds,
 /// tmin_c above tmax_c, days more than a year apart, a column without any number. Throws FileError

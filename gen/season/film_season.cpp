@@ -5,12 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <numeric>
+#include <ranges>
 
 #include "core/error.h"
 #include "scene/calendar.h"
 #include "scene/text.h"
 #include "season/day_length.h"
 #include "season/greenness.h"
+#include "season/snow_air.h"
 #include "season/withering.h"
 
 namespace wold::season {
@@ -45,7 +49,8 @@ std::vector<Day> plain_days(const scene::Scene& scene) {
                      .top_sun_mj_m2 = extraterrestrial_mj_m2(day_of_year(date), latitude_deg),
                      .wind_speed_m_s = scene.wind.speed_m_s,
                      .wind_heading_deg = scene.wind.heading_deg,
-                     .cloud_cover = {}});
+                     .cloud_cover = {},
+                     .visual_range_m = {}});
   }
   return plain;
 }
@@ -74,6 +79,16 @@ class KeyCurve {
         points_.emplace_back(days_between(first_of(scene), scene::date_of(key.date)),
                              *(key.*field));
   }
+  /// The same of an angle in degrees, which turns the shorter way.
+  static KeyCurve turning(const scene::Scene& scene,
+                          std::optional<double> scene::SeasonKey::*field) {
+    KeyCurve curve(scene, field);
+    double before = 0.0;
+    for (double& angle : curve.points_ | std::views::values)
+      before = angle = before + std::remainder(angle - before, 360.0);
+    return curve;
+  }
+
   bool is_given() const { return !points_.empty(); }
 
   double at(double day) const {
@@ -89,6 +104,11 @@ class KeyCurve {
   std::vector<std::pair<double, double>> points_;  ///< day after the first frame's, value
 };
 
+/// The same direction in [0, 360).
+double from_north_deg(double turned_deg) {
+  return turned_deg - 360.0 * std::floor(turned_deg / 360.0);
+}
+
 /// What keys say wins.
 void set_by_keys(std::vector<Day>& all, const scene::Scene& scene) {
   using Key = scene::SeasonKey;
@@ -96,6 +116,8 @@ void set_by_keys(std::vector<Day>& all, const scene::Scene& scene) {
   const KeyCurve precipitation(scene, &Key::precipitation_mm_day);
   const KeyCurve cloud_cover(scene, &Key::cloud_cover);
   const KeyCurve wind_speed(scene, &Key::wind_speed_m_s);
+  const KeyCurve wind_heading = KeyCurve::turning(scene, &Key::wind_heading_deg);
+  const KeyCurve visual_range(scene, &Key::visual_range_m);
   for (Day& day : all) {
     const double at = days_between(first_of(scene), day.date);
     if (temperature.is_given()) {
@@ -106,8 +128,11 @@ void set_by_keys(std::vector<Day>& all, const scene::Scene& scene) {
     if (precipitation.is_given()) day.precipitation_mm = precipitation.at(at);
     if (cloud_cover.is_given()) day.cloud_cover = cloud_cover.at(at);
     if (wind_speed.is_given()) day.wind_speed_m_s = wind_speed.at(at);
+    if (wind_heading.is_given()) day.wind_heading_deg = from_north_deg(wind_heading.at(at));
+    if (visual_range.is_given()) day.visual_range_m = visual_range.at(at);
     if (!day.wind_speed_m_s) day.wind_speed_m_s = scene.wind.speed_m_s;
     if (!day.wind_heading_deg) day.wind_heading_deg = scene.wind.heading_deg;
+    if (!day.visual_range_m) day.visual_range_m = scene.sky.visual_range_m;
   }
 }
 
@@ -119,12 +144,49 @@ std::vector<double> weathering_of(const scene::Scene& scene, const std::vector<D
   return degrees;
 }
 
-/// What is so `day` days after the first of `count` >= 2 days, of each of which `value` is known.
+/// Of a season without wind in [wind], only where it blows to counts.
+std::vector<std::complex<double>> wind_changes(const std::vector<Day>& all,
+                                               const scene::Wind& usual) {
+  std::vector<std::complex<double>> changes;
+  for (const Day& day : all)
+    changes.push_back(
+        std::polar(usual.speed_m_s > 0.0 ? *day.wind_speed_m_s / usual.speed_m_s : 1.0,
+                   (*day.wind_heading_deg - usual.heading_deg) * std::numbers::pi / 180.0));
+  return changes;
+}
+
+/// Means over a week, or over as much of it as is known.
+std::vector<std::complex<double>> of_weeks(const std::vector<std::complex<double>>& by_day) {
+  constexpr std::size_t week = 7;
+  std::vector<std::complex<double>> means;
+  for (std::size_t day = 0; day < by_day.size(); ++day) {
+    const std::size_t count = std::min(day + 1, week);
+    const auto end = by_day.begin() + static_cast<std::ptrdiff_t>(day) + 1;
+    means.push_back(
+        std::accumulate(end - static_cast<std::ptrdiff_t>(count), end, std::complex<double>()) /
+        static_cast<double>(count));
+  }
+  return means;
+}
+
+WindChange change_of(const std::complex<double>& wind) { return {std::abs(wind), std::arg(wind)}; }
+
+/// Extinctions add, and with them the inverses of visual ranges.
+double unseen_per_m(const Day& day, const Day& next) {
+  const DayAir air(day, next, /*latitude_deg=*/0.0);
+  const double rain_mm_h =
+      air.precipitation_mm_h() * (1.0 - snow_share(air.sky(/*hour=*/12.0).phase_c));
+  const double in_rain = rain_mm_h > 0.0 ? 1.0 / visual_range_in_rain_m(rain_mm_h) : 0.0;
+  return 1.0 / *day.visual_range_m + in_rain;
+}
+
+/// What is so `day` days after the first of two at least: linear between them, held beyond.
 template <class Value>
-double between_days(double day, std::size_t count, const Value& value) {
-  const double place = std::clamp(day, 0.0, static_cast<double>(count - 1));
-  const auto before = std::min(static_cast<std::size_t>(place), count - 2);
-  return std::lerp(value(before), value(before + 1), place - static_cast<double>(before));
+Value at_day(double day, const std::vector<Value>& by_day) {
+  const double place = std::clamp(day, 0.0, static_cast<double>(by_day.size() - 1));
+  const auto before = std::min(static_cast<std::size_t>(place), by_day.size() - 2);
+  return by_day[before] +
+         (by_day[before + 1] - by_day[before]) * (place - static_cast<double>(before));
 }
 
 }  // namespace
@@ -134,17 +196,35 @@ FilmSeason::FilmSeason(const scene::Scene& scene)
       first_day_(static_cast<int>((days_.front().date - first_of(scene)).count())) {
   set_by_keys(days_, scene);
   weathering_ = weathering_of(scene, days_);
+  winds_ = wind_changes(days_, scene.wind);
+  weeks_of_wind_ = of_weeks(winds_);
+  for (std::size_t i = 0; i < days_.size(); ++i) {
+    cloud_cover_.push_back(days_[i].cloud_cover.value_or(1.0));
+    unseen_per_m_.push_back(unseen_per_m(days_[i], days_[std::min(i + 1, days_.size() - 1)]));
+  }
 }
 
 double FilmSeason::weathering_at(double days_after_first) const {
-  return between_days(days_after_first - first_day_, weathering_.size(),
-                      [&](std::size_t day) { return weathering_[day]; });
+  return at_day(days_after_first - first_day_, weathering_);
 }
 
 double FilmSeason::cloud_cover(double days_after_first) const {
-  return between_days(days_after_first - first_day_, days_.size(),
-                      [&](std::size_t day) { return days_[day].cloud_cover.value_or(1.0); });
+  return at_day(days_after_first - first_day_, cloud_cover_);
 }
+
+WindChange FilmSeason::wind(double days_after_first) const {
+  return change_of(at_day(days_after_first - first_day_, winds_));
+}
+
+WindChange FilmSeason::week_of_wind(double days_after_first) const {
+  return change_of(at_day(days_after_first - first_day_, weeks_of_wind_));
+}
+
+double FilmSeason::visual_range_m(double days_after_first) const {
+  return 1.0 / at_day(days_after_first - first_day_, unseen_per_m_);
+}
+
+double visual_range_in_rain_m(double rain_mm_h) { return 11.6e3 * std::pow(rain_mm_h, -0.63); }
 
 scene::Scene as_film(scene::Scene scene) {
   if (!scene::is_season(scene)) return scene;

@@ -1,11 +1,22 @@
 #pragma once
 
+#include <complex>
 #include <vector>
 
 #include "scene/scene.h"
 #include "season/daily_weather.h"
 
 namespace wold::season {
+
+/// A wind beside that of [wind], for which the scene's clouds and the lean of its grass are given.
+struct WindChange {
+  double speed_factor = 1.0;
+  double turned_rad = 0.0;  ///< clockwise, -pi to pi
+};
+
+/// Visual range in rain of so many mm/h > 0 through air that is clear otherwise: 11.6 km at 1 mm/h
+/// (Atlas 1953, Optical extinction by rainfall, Journal of Meteorology 10:486).
+double visual_range_in_rain_m(double rain_mm_h);
 
 /// The days of a scene's season, its weather and what it makes of the grass: season.table's, with
 /// what [[season_keys]] say instead, and what neither says as in [weather] and [wind].
@@ -31,10 +42,25 @@ class FilmSeason {
   /// How much of the clouds has gathered, in [0, 1], likewise; 1 where nothing says so.
   double cloud_cover(double days_after_first) const;
 
+  /// The wind, likewise, as a vector.
+  WindChange wind(double days_after_first) const;
+  /// The mean wind, as a vector, of the week that ends then: what has combed the grass.
+  WindChange week_of_wind(double days_after_first) const;
+
+  /// Visual range at the terrain's zero, likewise, through the day's air and its rain, which falls
+  /// evenly; falling snow is not in it.
+  double visual_range_m(double days_after_first) const;
+
  private:
+  /// Its absolute value is the factor, its argument the turn.
+  using Change = std::complex<double>;
+
   std::vector<Day> days_;
   int first_day_ = 0;
   std::vector<double> weathering_;
+  std::vector<double> cloud_cover_;
+  std::vector<Change> winds_, weeks_of_wind_;
+  std::vector<double> unseen_per_m_;  ///< 1 / visual range
 };
 
 /// The scene as a film of ageing.frames, weather.earlier and the sun half-way; one that is no

@@ -51,7 +51,8 @@ std::string shrunk(std::string command) {
   command = std::regex_replace(command, std::regex(" --size [0-9x]+"), "");
   const bool all_frames = command.find("--frames") == std::string::npos;
   return command +
-         " --size 64x36 --samples 1 --set terrain.samples=65 --set grass.variants=1 "
+         " --set 'render.size=[64,36]' --set render.samples=1 --set terrain.samples=65 "
+         "--set grass.variants=1 "
          "--set 'grass.levels=[30]' --set 'grass.key_frames=[0,0.5,1]'" +
          (all_frames ? " --set season.frames=3" : "");
 }
@@ -74,6 +75,36 @@ TEST_F(Guide, CommandsDoWhatItSays) {
                            "out/trial/frames/blender/0012.png", "out/my_autumn/film_blender.mp4",
                            "out/my_autumn/report.html"})
     EXPECT_TRUE(fs::exists(folder_ / file)) << file;
+}
+
+/// The example of a command's manual page, without "wold ".
+std::string example_on_page(const std::string& page) {
+  const std::string start = ".EX\nwold ";
+  const std::size_t from = page.find(start) + start.size();
+  return std::regex_replace(page.substr(from, page.find('\n', from) - from), std::regex(R"(\\(.))"),
+                            "$1");
+}
+
+// As they stand on the pages, one after the other, with a scene of that name which is small.
+TEST_F(Guide, ExamplesOfManualPagesWork) {
+  for (const char* program : {"povray", "ffmpeg"})
+    if (!is_installed(program))
+      GTEST_SKIP() << "no " << program << " on this machine: the examples are not tested";
+  const auto run = [&](const std::string& command) {
+    const std::string example = example_on_page(wold(command + " --man").out);
+    EXPECT_EQ(example.rfind(command + ' ', 0), 0U) << example;
+    const Result result = wold(example);
+    EXPECT_EQ(result.code, 0) << example << '\n' << result.err;
+  };
+  run("new");
+  write("meadow.toml", wold(shrunk("check meadow.toml")).out);
+  for (const char* command :
+       {"check", "plan", "task", "generate", "render", "inspect", "preview", "curves", "film"})
+    run(command);
+  for (const char* copy : {"got.png", "want.png"})
+    fs::copy_file(folder_ / "out/meadow/frames/povray/0001.png", folder_ / copy);
+  run("compare");
+  run("report");
 }
 
 }  // namespace

@@ -110,5 +110,24 @@ TEST_F(Program, TheManualHasEveryCommandAndKeyAndNoFaults) {
     expect_contains(shown.out, part);
 }
 
+// Each command's own page is built, whole, and without faults of its making.
+TEST_F(Program, EveryCommandHasItsPage) {
+  const Result manual = wold("--man");
+  for (const std::string command : {"render", "generate", "plan", "task", "preview", "check",
+                                    "inspect", "compare", "curves", "film", "report", "new"}) {
+    expect_contains(manual.out, "\\fBwold\\fR \\fB" + command);
+    const Result page = wold(command + " --man");
+    EXPECT_EQ(page.code, 0) << page.err;
+    EXPECT_EQ(page.out, read_file(fs::path(WOLD_PAGES_DIR) / ("wold-" + command + ".1")));
+    if (!is_installed("man")) continue;
+    write("page.1", page.out);
+    const Result shown =
+        shell("LC_ALL=C.UTF-8 MANWIDTH=80 MANROFFOPT=-ww man --warnings -l page.1");
+    EXPECT_EQ(shown.err, "") << command;
+    for (const std::string part : {"DESCRIPTION", command.c_str(), "EXIT STATUS", "SEE ALSO"})
+      expect_contains(shown.out, part);
+  }
+}
+
 }  // namespace
 }  // namespace wold::test

@@ -82,6 +82,7 @@ TEST(Compose, ALayerRepeatsAfterItsPeriod) {
     EXPECT_NEAR(here.values[i], there.values[i], 1.0 / 255.0);  // an entry of the look
 }
 
+// A season's sun sinks from frame to frame, and the clouds are lit by it.
 TEST(Compose, FramesAndThreadsDoNotMatter) {
   scene::Scene scene = one_layer();
   scene.clouds.push_back(scene.clouds[0]);
@@ -89,13 +90,16 @@ TEST(Compose, FramesAndThreadsDoNotMatter) {
   scene.clouds[1].gusts_m_s = 2.0;
   scene.cloud_events = {{.kind = "wind", .start_s = 100, .duration_s = 500, .heading_deg = 200},
                         {.kind = "gather", .start_s = 100, .duration_s = 100}};
+  const auto sun_of = [](int frame) {
+    return glm::normalize(glm::dvec3(0.5, -1.0, 1.2 - 0.01 * frame));
+  };
   const auto frame_alone = [&](int frame) {
-    return composed(Clouds(scene, pixel_m).at_frame(frame), window).values;
+    return composed(Clouds(scene, pixel_m).at_frame(frame, sun_of(frame)), window).values;
   };
   const Clouds film(scene, pixel_m);
   std::vector<float> fiftieth;
   for (int frame = 1; frame <= 50; frame += 7)
-    fiftieth = composed(film.at_frame(frame), window).values;
+    fiftieth = composed(film.at_frame(frame, sun_of(frame)), window).values;
   EXPECT_EQ(fiftieth, frame_alone(50));
   const ThreadLimit one(1);
   EXPECT_EQ(fiftieth, frame_alone(50));
@@ -181,7 +185,7 @@ TEST(Compose, ThickBasesAreDarkerThanEdges) {
 TEST(Clouds, RefuseMoreThanTheyCanHold) {
   scene::Scene scene = one_layer();
   EXPECT_THROW(Clouds(scene, 0.1), InputError);
-  EXPECT_TRUE(Clouds(scene::Scene{}, pixel_m).at_frame(1).layers.empty());
+  EXPECT_TRUE(Clouds(scene::Scene{}, pixel_m).at(0.0).layers.empty());
   EXPECT_EQ(Clouds::usual_pixel_m(scene), 3200.0 / 256);
   scene.clouds[0].body = "volume";
   EXPECT_EQ(Clouds::usual_pixel_m(scene), 3200.0 / 512);

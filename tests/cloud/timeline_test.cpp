@@ -56,6 +56,39 @@ TEST(Drift, TurnsTheShorterWayAndEndsAsTheWindSays) {
               1e-12);
 }
 
+/// Thirty days, one a frame of 4 s, in which the wind turns by half a turn and grows three times as
+/// fast.
+scene::Scene windy_season() {
+  scene::Scene scene = one_layer({});
+  scene.season.first = {2026, 9, 1};
+  scene.season.last = {2026, 10, 1};
+  scene.season.frames = 31;
+  scene.film.frame_seconds = 4.0;
+  scene.wind.speed_m_s = 2.0;
+  scene.wind.heading_deg = 10.0;
+  scene.season_keys = {{.date = {2026, 9, 1}, .wind_speed_m_s = 2.0, .wind_heading_deg = 10.0},
+                       {.date = {2026, 9, 21}, .wind_speed_m_s = 6.0, .wind_heading_deg = 180.0}};
+  return scene;
+}
+
+// Clouds turn with the season's wind, their own events besides.
+TEST(Drift, FollowsTheSeasonsWind) {
+  scene::Scene scene = windy_season();
+  const double deg = std::numbers::pi / 180.0;
+  const glm::dvec2 end = Timeline(scene, 0, 1e3).at(100.0).velocity_m_s;
+  EXPECT_NEAR(glm::distance(end, 24.0 * glm::dvec2(std::sin(260 * deg), std::cos(260 * deg))), 0.0,
+              1e-9);
+  scene.cloud_events = {{.kind = "faster", .start_s = 30, .duration_s = 50, .factor = 2}};
+  const Timeline timeline(scene, 0, 1e3);
+  EXPECT_NEAR(glm::length(timeline.at(100.0).velocity_m_s), 48.0, 1e-9);
+  EXPECT_NEAR(glm::distance(timeline.at(0.0).velocity_m_s, {8.0, 0.0}), 0.0, 1e-12);
+  const int steps = 30000;
+  const double step_s = 150.0 / steps;  // and beyond the film
+  glm::dvec2 way(0.0);
+  for (int i = 0; i < steps; ++i) way += step_s * timeline.at((i + 0.5) * step_s).velocity_m_s;
+  EXPECT_NEAR(glm::distance(timeline.at(150.0).way_m, way), 0.0, 1e-3);
+}
+
 TEST(Drift, HardlyTurningIsAsExactAsTurning) {
   const auto way = [](double turn_rad) {
     return way_m({0.0, 10.0, 4.0, 9.0, 0.3, 0.3 + turn_rad}, 10.0);

@@ -86,7 +86,7 @@ TEST(Cells, TurnsCounterClockwise) {
 // Cells are boxes that lean; where neighbours lean away from each other one saw the ground.
 TEST(Cells, LeaveNoGapsWhereTheyReach) {
   const scene::Scene scene = small_meadow();
-  const Combing combing(scene);
+  const Combing combing(scene, 1);
   const Heightfield level(3, 12.0);
   const double patch_m = scene.grass.patch_m, height_m = scene.grass.height_m;
   double widest_m = 0.0;

@@ -21,7 +21,7 @@ scene::Scene cumulus_scene() {
 /// The clouds of a scene and a camera that looks at them.
 struct View {
   scene::Scene scene = cumulus_scene();
-  cloud::CloudState clouds = cloud::Clouds(scene, 16.0).at_frame(1);
+  cloud::CloudState clouds = cloud::Clouds(scene, 16.0).at(0.0);
   light::Daylight day{scene.sun, scene.sky};
   Camera camera{{20.0, 0.0, 2.0}, {20.0, 15.0, 6.0}, 60.0};
   std::vector<std::optional<CloudWindow>> windows = cloud_windows(clouds, camera);
@@ -29,7 +29,7 @@ struct View {
 
 TEST(CloudBoxes, ColumnsHaveTheLayersOpticalDepthInsideTheWindow) {
   const View view;
-  const auto boxes = cloud_boxes(view.clouds, view.windows, view.day, view.camera.eye_m, 25e3);
+  const auto boxes = cloud_boxes(view.clouds, view.windows, view.day, view.camera.eye_m);
   ASSERT_EQ(boxes.size(), 1U);
   const CloudBox& box = boxes.front();
   ASSERT_EQ(box.extinction_per_m.size(), static_cast<std::size_t>(box.voxels.x) *
@@ -69,9 +69,9 @@ TEST(CloudBoxes, WindowsStandStillUnderAMovingCamera) {
 // What is volume in the window is not there once more as a sheet.
 TEST(CloudBoxes, SheetsLeaveTheWindowToTheVolume) {
   const View view;
-  const CloudySky sheets(view.day, view.clouds, view.camera.eye_m, 25e3);
-  const CloudySky beyond(view.day, view.clouds, view.camera.eye_m, 25e3, view.windows);
-  const CloudySky clear(view.day, {}, view.camera.eye_m, 25e3);
+  const CloudySky sheets(view.day, view.clouds, view.camera.eye_m);
+  const CloudySky beyond(view.day, view.clouds, view.camera.eye_m, view.windows);
+  const CloudySky clear(view.day, {}, view.camera.eye_m);
   const double base_m = view.clouds.layers[0].layer->base_m;
   const glm::dvec2 centre_m = view.windows[0]->south_west_m + view.windows[0]->side_m / 2.0;
   int clouded = 0;

@@ -22,6 +22,7 @@ const glm::dvec3 zenith(0.0, 0.0, 1.0);
 /// A sky of one layer 2000 m above the eye, whose clouds are at rest.
 scene::Scene one_layer() {
   scene::Scene scene;
+  scene.sky.visual_range_m = clear_air_m;
   scene.clouds.resize(1);
   scene.clouds[0].base_m = 2000.0 + eye_m.z;
   scene.clouds[0].speed_m_s = 0.0;
@@ -46,7 +47,7 @@ struct Sky {
   explicit Sky(const scene::Scene& scene, double time_s = 1.0)
       : day(scene.sun, scene.sky),
         clouds(cloud::Clouds(scene, pixel_m).at(time_s)),
-        seen(day, clouds, eye_m, clear_air_m) {}
+        seen(day, clouds, eye_m) {}
   Sky(const Sky&) = delete;
   Sky& operator=(const Sky&) = delete;
 

@@ -16,7 +16,7 @@ constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
 /// Leans of the grass at places farther apart than the waves are long.
 std::vector<glm::dvec2> leans(const scene::Scene& scene) {
-  const Combing combing(scene);
+  const Combing combing(scene, 1);
   std::vector<glm::dvec2> result;
   for (int j = 0; j < 60; ++j)
     for (int i = 0; i < 60; ++i)
@@ -46,14 +46,35 @@ TEST(Combing, LeansWithTheWindAsMuchAsAsked) {
 
 TEST(Combing, NeighboursLeanNearlyAlikeAndStillAirCombsNothing) {
   scene::Scene scene;
-  const Combing combing(scene);
+  const Combing combing(scene, 1);
   const glm::dvec2 step(scene.grass.patch_m, 0.0);
   for (int i = 0; i < 200; ++i) {
     const glm::dvec2 at_m(0.173 * i, 0.31 * i);
     EXPECT_LT(glm::distance(combing.lean(at_m), combing.lean(at_m + step)), 0.2);
   }
   scene.wind.lean_deg = scene.wind.waves_deg = 0.0;
-  EXPECT_EQ(Combing(scene).lean({3.3, 4.4}), glm::dvec2(0.0));
+  EXPECT_EQ(Combing(scene, 1).lean({3.3, 4.4}), glm::dvec2(0.0));
+}
+
+// In a season the mean lean follows the wind of the week before, and waves stay where they are.
+TEST(Combing, FollowsTheSeasonsWind) {
+  scene::Scene scene;
+  scene.wind.heading_deg = 90.0;
+  scene.wind.speed_m_s = 2.0;
+  scene.wind.lean_deg = 12.0;
+  scene.wind.waves_deg = 3.0;
+  scene.season.first = {2026, 9, 1};
+  scene.season.last = {2026, 10, 1};
+  scene.season.frames = 31;
+  scene.season_keys = {{.date = {2026, 9, 11}, .wind_speed_m_s = 2.0, .wind_heading_deg = 90.0},
+                       {.date = {2026, 9, 12}, .wind_speed_m_s = 3.0, .wind_heading_deg = 180.0}};
+  const Combing before(scene, 11), after(scene, 21);
+  for (int i = 0; i < 100; ++i) {
+    const glm::dvec2 at_m(0.73 * i, 0.31 * i);
+    const glm::dvec2 first = before.lean(at_m), last = after.lean(at_m);
+    EXPECT_NEAR(glm::dot(first, last), 0.0, 1e-9);
+    EXPECT_NEAR(std::atan(glm::length(last)), 1.5 * std::atan(glm::length(first)), 1e-9);
+  }
 }
 
 TEST(Combing, TipsMoveAlongTheGround) {

@@ -118,14 +118,15 @@ TEST(FarField, ShowsWhatTheVolumeWouldShow) {
 TEST(Haze, FollowsKoschmieder) {
   const test::TemporaryFolder folder("haze");
   const Volume fog = even_fog(folder.path());
-  const scene::Scene scene = plain_scene();
+  scene::Scene scene = plain_scene();
+  scene.sky.visual_range_m = 1200.0;
   const Heightfield flat(41, 400.0);
   const Camera camera = resolved_camera(scene.camera, flat, 0.0);
   const View view(camera, 960, 540);
   const light::Daylight day(scene.sun, scene.sky);
-  const Haze haze(day, camera.eye_m, 1200.0);
-  EXPECT_TRUE(haze.is_visible(flat));
-  EXPECT_FALSE(Haze(day, camera.eye_m, 1e6).is_visible(flat));
+  const Haze haze(day, camera.eye_m);
+  EXPECT_TRUE(shows_haze(flat, camera.eye_m, 1200.0));
+  EXPECT_FALSE(shows_haze(flat, camera.eye_m, 1e6));
   const glm::dvec3 at_m = camera.eye_m + glm::dvec3(0.0, 300.0, 0.0);
   const double left = std::pow(0.02, 0.25);
   const glm::vec3 seen = haze.before(glm::vec3(0.0F), at_m);

@@ -99,6 +99,7 @@ TEST(SiteOfFrame, HasTheDaysLight) {
   scene.terrain.samples = 33;
   scene.camera.eye_m = {4.0, 0.5};
   scene.camera.target_m = {4.0, 6.0};
+  scene.season_keys[0].visual_range_m = 5e3;
   const Site site = make_site(scene);
   for (const int frame : {1, 51, 101}) {
     const auto date =
@@ -107,6 +108,7 @@ TEST(SiteOfFrame, HasTheDaysLight) {
         date, scene.sun.time_h, scene.sun.latitude_deg, scene.sun.longitude_deg);
     const glm::dvec3 direction = site_of_frame(scene, site, frame).day.sun_direction();
     EXPECT_NEAR(std::asin(direction.z), glm::radians(sun.elevation_deg), 1e-9);
+    EXPECT_NEAR(site_of_frame(scene, site, frame).day.visual_range_m(), 5e3, 1e-6);
   }
   const auto lights = film_lights(scene, site);
   ASSERT_EQ(static_cast<int>(lights.size()), light_count(scene));

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "core/error.h"
 #include "core/files.h"
 #include "support/temporary_folder.h"
@@ -53,6 +55,49 @@ TEST(FilmSeason, HasTheSunOfItsDays) {
   EXPECT_NEAR(season.days().back().day_length_h, 11.5, 0.15);
   EXPECT_NEAR(season.days().front().top_sun_mj_m2, 31.0, 1.0);
   EXPECT_NEAR(season.days().back().top_sun_mj_m2, 22.8, 1.0);
+}
+
+constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
+
+/// Ten days at 2 m/s to the east, then 4 m/s to the north-west.
+scene::Scene windy_autumn() {
+  scene::Scene scene = keyed_autumn();
+  scene.wind.speed_m_s = 2.0;
+  scene.wind.heading_deg = 90.0;
+  scene.season_keys = {{.date = {2026, 9, 11}, .wind_speed_m_s = 2.0, .wind_heading_deg = 90.0},
+                       {.date = {2026, 9, 12}, .wind_speed_m_s = 4.0, .wind_heading_deg = 315.0}};
+  return scene;
+}
+
+// A wind that turns from 90 to 315 degrees goes through north, and its week remembers both.
+TEST(FilmSeason, WindTurnsAndCombsAWeekLong) {
+  const FilmSeason season(windy_autumn());
+  EXPECT_EQ(season.wind(3.0).speed_factor, 1.0);
+  EXPECT_EQ(season.wind(3.0).turned_rad, 0.0);
+  EXPECT_NEAR(season.wind(20.0).speed_factor, 2.0, 1e-12);
+  EXPECT_NEAR(season.wind(20.0).turned_rad * degrees_per_radian, -135.0, 1e-9);
+  EXPECT_DOUBLE_EQ(season.days()[20].wind_heading_deg.value(), 315.0);
+  // On the 14th four of seven days had 2 m/s to the east, three the other.
+  const WindChange week = season.week_of_wind(13.0);
+  const double east = (4.0 * 2.0 - 3.0 * 4.0 * std::sqrt(0.5)) / 7.0;
+  const double north = 3.0 * 4.0 * std::sqrt(0.5) / 7.0;
+  EXPECT_NEAR(week.speed_factor, std::hypot(east, north) / 2.0, 1e-12);
+  EXPECT_NEAR(week.turned_rad, -std::atan2(north, east), 1e-12);
+}
+
+// Atlas 1953: 11.6 km at 1 mm/h, 2.7 km in 10 mm/h; extinctions add.
+TEST(FilmSeason, RainHidesAndSnowDoesNot) {
+  EXPECT_NEAR(visual_range_in_rain_m(10.0), 2720.0, 10.0);
+  scene::Scene scene = keyed_autumn();
+  scene.season_keys = {{.date = {2026, 9, 11},
+                        .temperature_c = 8.0,
+                        .precipitation_mm_day = 24.0,
+                        .visual_range_m = 11.6e3}};
+  EXPECT_NEAR(FilmSeason(scene).visual_range_m(5.0), 5.8e3, 1e-6);
+  scene.season_keys[0].temperature_c = -5.0;
+  EXPECT_NEAR(FilmSeason(scene).visual_range_m(5.0), 11.6e3, 1e-6);
+  scene.season_keys[0].visual_range_m.reset();
+  EXPECT_NEAR(FilmSeason(scene).visual_range_m(5.0), scene.sky.visual_range_m, 1e-6);
 }
 
 TEST(FilmSeason, IsAFilmOfItsFrames) {
