@@ -5,9 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <utility>
 
+#include "core/parallel.h"
 #include "core/progress.h"
 #include "landscape/assemble.h"
+#include "landscape/canopy_snow.h"
 #include "landscape/cell_window.h"
 #include "landscape/cells.h"
 #include "landscape/far_field.h"
@@ -17,7 +21,8 @@ namespace wold::cli {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int most_samples = 289;        ///< of terrain and ground, along a side
+constexpr int most_samples = 289;  ///< of terrain and ground, along a side
+constexpr int hidden_sky_px = 64;
 constexpr double most_blades = 40000.0;  ///< that stand before the camera
 constexpr int widest_of_large_px = 176;
 constexpr int voxels = 30;  ///< of the texel that far grass is looked up in
@@ -30,6 +35,12 @@ double standing_pixels(const scene::Scene& scene) {
   const double radius_m = std::sqrt(most_blades / blades_per_m2 / half_angle);
   const double pixels_per_radian = 0.5 * scene.render.size_px[0] / std::tan(half_angle);
   return scene.grass.height_m * pixels_per_radian / radius_m;
+}
+
+/// Light is smooth where grass scatters it, but mountains cast sharper shadows.
+landscape::Sketch sketch_of(const scene::Scene& scene) {
+  constexpr int smooth_samples = 145;
+  return {most_samples, landscape::is_large(scene) ? most_samples : smooth_samples, smooth_samples};
 }
 
 }  // namespace
@@ -51,14 +62,27 @@ scene::Scene simplified(scene::Scene scene, int width_px) {
 PreviewFilm::PreviewFilm(const scene::Scene& scene, const std::vector<int>& frames,
                          const fs::path& scratch)
     : scene_(scene),
-      site_(landscape::make_site(scene, scratch / "snow", most_samples)),
+      site_(landscape::make_site(scene, scratch / "snow", sketch_of(scene))),
       texels_(scene, landscape::film_lights(scene, site_), scratch / "texels") {
+  for (const int frame : frames) {
+    const double snow = grass::PatchState::level_of(landscape::canopy_snow(scene, frame));
+    const double light = landscape::light_of_frame(scene, frame);
+    Moment moment{landscape::site_of_frame(scene, site_, frame),
+                  static_cast<int>(std::lround(snow)), static_cast<int>(std::lround(light))};
+    if (frame != frames.front()) moment.site.sketch->sky_width_px = hidden_sky_px;
+    moments_.emplace(frame, std::move(moment));
+  }
+  make_looks(frames);
+}
+
+void PreviewFilm::make_looks(const std::vector<int>& frames) {
   grass::TexelDemand demand;
   for (const int frame : frames)
-    for (const grass::PatchState& state : landscape::far_states(scene, *site_.withering, frame))
-      demand[0][state][0] = {0};
+    for (const grass::PatchState& state : landscape::far_states(scene_, *site_.withering, frame))
+      demand[0][moments_.at(frame).at(state.key_frame)][0] = {0};
   SilentProgress silent;
   texels_.generate(demand, silent);
+  for (const auto& [state, levels] : demand[0]) looks_.emplace(state, far_look(state));
 }
 
 landscape::PatchLook PreviewFilm::far_look(const grass::PatchState& state) const {
@@ -75,25 +99,44 @@ Tubes PreviewFilm::blades(int variant, const grass::PatchState& state) const {
   return texels_.blades(variant, state, scene_.grass.patch_m / pixels_of_shadows);
 }
 
-landscape::BladeMesh PreviewFilm::mesh(int variant, const grass::PatchState& state) {
-  landscape::BladeMesh& mesh = meshes_[{variant, state}];
-  if (!mesh.tubes)
-    mesh = {fmt::format("v{}_{}", variant, state.name()),
-            std::make_shared<const Tubes>(blades(variant, state))};
-  return mesh;
+/// Those of the cells that are not there yet.
+void PreviewFilm::make_meshes(std::span<const landscape::CellChoice> cells) {
+  std::set<std::pair<int, grass::PatchState>> missing;
+  for (const landscape::CellChoice& cell : cells)
+    if (!meshes_.contains({cell.variant, cell.state()}))
+      missing.insert({cell.variant, cell.state()});
+  std::vector<landscape::BladeMesh*> meshes;
+  for (const auto& key : missing) meshes.push_back(&meshes_[key]);
+  const std::vector<std::pair<int, grass::PatchState>> keys(missing.begin(), missing.end());
+  parallel_for(keys.size(), [&](std::size_t i) {
+    const auto& [variant, state] = keys[i];
+    *meshes[i] = {fmt::format("v{}_{}", variant, state.name()),
+                  std::make_shared<const Tubes>(blades(variant, state))};
+  });
 }
 
-landscape::Landscape PreviewFilm::assembled(const scene::Scene& scene, int frame) {
-  const auto cells = landscape::choose_cells(
-      scene, site_.terrain, landscape::growth_of_cells(site_), *site_.withering, frame);
+landscape::Landscape PreviewFilm::assembled(const scene::Scene& scene, const landscape::Site& site,
+                                            int frame) {
+  const Moment& moment = moments_.at(frame);
+  auto cells = landscape::choose_cells(scene, site.terrain, landscape::growth_of_cells(site),
+                                       *site.withering, frame);
+  for (landscape::CellChoice& cell : cells) {
+    cell.snow = moment.snow;
+    cell.light = moment.light;
+  }
+  make_meshes(cells);
   return landscape::assemble(
-      scene, landscape::site_of_frame(scene, site_, frame), frame, cells,
+      scene, site, frame, cells,
       {{},
-       [&](const landscape::CellChoice& cell) { return mesh(cell.variant, cell.state()); },
-       [&](const grass::PatchState& state) { return far_look(state); }});
+       [&](const landscape::CellChoice& cell) {
+         return meshes_.at({cell.variant, cell.state()});
+       },
+       [&](const grass::PatchState& state) { return looks_.at(moment.at(state.key_frame)); }});
 }
 
-landscape::Landscape PreviewFilm::landscape(int frame) { return assembled(scene_, frame); }
+landscape::Landscape PreviewFilm::landscape(int frame) {
+  return assembled(scene_, moments_.at(frame).site, frame);
+}
 
 landscape::Landscape PreviewFilm::overview(int frame, const scene::Camera& camera,
                                            const glm::ivec2& size_px) {
@@ -102,7 +145,9 @@ landscape::Landscape PreviewFilm::overview(int frame, const scene::Camera& camer
   scene.render.size_px = {size_px.x, size_px.y};
   scene.sky.visual_range_m = 1e6;
   scene.grass.far_pixels = 1e9;
-  landscape::Landscape landscape = assembled(scene, frame);
+  landscape::Site site = moments_.at(frame).site;
+  site.sketch->sky_width_px = hidden_sky_px;
+  landscape::Landscape landscape = assembled(scene, site, frame);
   landscape.fog.reset();
   landscape.flakes.flakes.clear();
   landscape.backdrop.reset();

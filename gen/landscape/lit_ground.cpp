@@ -42,9 +42,9 @@ CombedLight combed_light(const scene::Scene& scene, const Site& site, int frame,
 }
 
 /// The grid of what combing does, on a part of the ground of a large terrain: it costs much.
-GroundGrid combed_grid(const GroundGrid& grid) {
-  constexpr int most = 513;
-  return {grid.square, std::min(grid.samples, most)};
+GroundGrid combed_grid(const GroundGrid& grid, const std::optional<Sketch>& sketch) {
+  constexpr int usual = 513;
+  return {grid.square, std::min(grid.samples, sketch ? sketch->combed_samples : usual)};
 }
 
 std::map<grass::PatchState, PatchLook> far_looks(
@@ -82,8 +82,8 @@ LitGround::LitGround(const scene::Scene& scene, const Site& site, const Landscap
 ColourMap LitGround::on_grass(const ColourMap& light, const GroundGrid& grid) const {
   if (!is_large(scene_))
     return product(light, combed_light_map(combed_, combing_, site_.terrain, view_));
-  return product(light,
-                 combed_light_map(combed_, combing_, site_.terrain, view_, combed_grid(grid)));
+  return product(light, combed_light_map(combed_, combing_, site_.terrain, view_,
+                                         combed_grid(grid, site_.sketch)));
 }
 
 ColourMap LitGround::painted(ColourMap ground, const FactorMap& growth,
@@ -95,7 +95,7 @@ ColourMap LitGround::painted(ColourMap ground, const FactorMap& growth,
 }
 
 GroundDetail LitGround::detail(const SnowyGround& ground, const GroundGrid& grid) const {
-  const GroundPart part = ground.covered(ground_part(scene_, site_.terrain, site_.day, grid));
+  const GroundPart part = ground.covered(ground_part(scene_, site_, grid));
   const ColourMap light = illuminate_(part.light);
   return {painted(product(part.reflectance, light), part.growth, on_grass(light, grid))
               .at_corner(glm::dvec2(0.0)),
@@ -104,7 +104,7 @@ GroundDetail LitGround::detail(const SnowyGround& ground, const GroundGrid& grid
 
 ColourMap LitGround::light_in_window() const {
   const GroundGrid window = window_grid(scene_);
-  const GroundGrid grid = light_grid(site_.terrain, window);
+  const GroundGrid grid = light_grid(site_.terrain, window, site_.sketch);
   return on_grass(illuminate_(terrain::ground_light(site_.terrain, site_.day, grid)), window);
 }
 
