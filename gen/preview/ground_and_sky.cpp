@@ -1,7 +1,6 @@
 #include "preview/ground_and_sky.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -111,9 +110,12 @@ class March {
         high_(terrain.corner_m() + terrain.size_m(),
               *std::max_element(terrain.values().begin(), terrain.values().end())) {}
 
-  /// Distance to the ground; infinite where the ray meets none.
-  double distance_m(const glm::dvec3& eye_m, const glm::dvec3& direction) const {
-    const auto [first, last] = inside_m(eye_m, direction);
+  /// Distance to the ground; infinite where the ray meets none. It is known to be above the ground
+  /// up to some distance.
+  double distance_m(const glm::dvec3& eye_m, const glm::dvec3& direction,
+                    double above_to_m = 0.0) const {
+    const auto [begin, last] = inside_m(eye_m, direction);
+    const double first = std::max(begin, above_to_m);
     const auto place = [&](double at_m) { return Place{at_m, gap_m(eye_m + at_m * direction)}; };
     // How much a gap can shrink along a metre of the ray; ground is taken as 60 degrees steep at
     // most, and what is narrower than the least step can be missed.
@@ -160,9 +162,13 @@ class March {
     for (int i = 0; i < 3; ++i) {
       const double share = above.gap_m / (above.gap_m - below.gap_m);
       const Place middle = place(std::lerp(above.at_m, below.at_m, share));
-      (middle.gap_m > 0.0 ? above : below) = middle;
+      if (middle.gap_m > 0.0) {
+        above = middle;
+      } else {
+        below = middle;
+      }
     }
-    return below.at_m;
+    return above.gap_m < -below.gap_m ? above.at_m : below.at_m;
   }
 
   const Heightfield& terrain_;
@@ -178,7 +184,8 @@ Hit seen(const Landscape& landscape, const glm::dvec3& eye_m, const glm::dvec3& 
 }
 
 /// How far the ground is in each pixel of a canvas; infinite where there is none. Every second
-/// pixel of every second row is marched to, and others only where these differ much.
+/// pixel of every second row is marched to from the eye; between such that differ little, a march
+/// begins shortly before them.
 class Distances {
  public:
   Distances(const March& march, const Perspective& perspective, const Image& picture)
@@ -186,24 +193,23 @@ class Distances {
         perspective_(perspective),
         columns_((picture.width + 1) / 2),
         rows_((picture.height + 1) / 2),
-        per_m_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {
+        coarse_m_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {
     parallel_for(static_cast<std::size_t>(rows_), [&](std::size_t row) {
       const int j = static_cast<int>(row);
-      for (int i = 0; i < columns_; ++i) per_m_[index(i, j)] = 1.0 / marched_m(2 * i, 2 * j);
+      for (int i = 0; i < columns_; ++i) coarse_m_[index(i, j)] = marched_m(2 * i, 2 * j, 0.0);
     });
   }
 
-  /// Its reciprocal is linear in a picture of even ground.
   double at_m(int x, int y) const {
     const int i = x / 2, j = y / 2;
-    const int right = i + x % 2, below = j + y % 2;
-    if (right >= columns_ || below >= rows_) return marched_m(x, y);
-    const std::array<double, 4> around = {per_m_[index(i, j)], per_m_[index(right, j)],
-                                          per_m_[index(i, below)], per_m_[index(right, below)]};
-    const auto [far, near] = std::minmax_element(around.begin(), around.end());
+    const int right = std::min(i + x % 2, columns_ - 1), below = std::min(j + y % 2, rows_ - 1);
+    if (x % 2 == 0 && y % 2 == 0) return coarse_m_[index(i, j)];
+    const auto [near_m, far_m] =
+        std::minmax({coarse_m_[index(i, j)], coarse_m_[index(right, j)], coarse_m_[index(i, below)],
+                     coarse_m_[index(right, below)]});
     constexpr double most_ratio = 1.1;
-    if (*near > most_ratio * *far) return marched_m(x, y);
-    return 4.0 / (around[0] + around[1] + around[2] + around[3]);
+    const bool is_even = far_m < most_ratio * near_m;
+    return marched_m(x, y, is_even ? near_m / most_ratio : 0.0);
   }
 
  private:
@@ -211,15 +217,16 @@ class Distances {
     return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) +
            static_cast<std::size_t>(i);
   }
-  double marched_m(int x, int y) const {
-    return march_.distance_m(perspective_.eye_m(), perspective_.direction({x + 0.5, y + 0.5}));
+  double marched_m(int x, int y, double above_to_m) const {
+    return march_.distance_m(perspective_.eye_m(), perspective_.direction({x + 0.5, y + 0.5}),
+                             above_to_m);
   }
 
   const March& march_;
   const Perspective& perspective_;
   int columns_;
   int rows_;
-  std::vector<double> per_m_;
+  std::vector<double> coarse_m_;
 };
 
 }  // namespace
