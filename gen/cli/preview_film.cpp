@@ -16,6 +16,7 @@
 #include "landscape/cells.h"
 #include "landscape/far_field.h"
 #include "landscape/film_lights.h"
+#include "scene/key_frames.h"
 
 namespace wold::cli {
 namespace fs = std::filesystem;
@@ -37,6 +38,16 @@ double standing_pixels(const scene::Scene& scene) {
   return scene.grass.height_m * pixels_per_radian / radius_m;
 }
 
+/// Some of the key frames: between two of them looks are mixed.
+std::vector<double> few_key_frames(const scene::Scene& scene) {
+  constexpr int most = 9;
+  const std::vector<double> all = scene::key_frames(scene);
+  std::vector<double> few;
+  for (const int key : some_of(static_cast<int>(all.size()), most))
+    few.push_back(all[static_cast<std::size_t>(key)]);
+  return few;
+}
+
 /// Light is smooth where grass scatters it, but mountains cast sharper shadows.
 landscape::Sketch sketch_of(const scene::Scene& scene) {
   constexpr int smooth_samples = 145;
@@ -44,6 +55,13 @@ landscape::Sketch sketch_of(const scene::Scene& scene) {
 }
 
 }  // namespace
+
+std::vector<int> some_of(int count, int most) {
+  std::vector<int> some;
+  for (int i = 0; i < std::min(count, most); ++i)
+    some.push_back(count <= most ? i : i * (count - 1) / (most - 1));
+  return some;
+}
 
 scene::Scene simplified(scene::Scene scene, int width_px) {
   // The pictures of a large terrain's ground are as fine as the camera's picture.
@@ -53,6 +71,7 @@ scene::Scene simplified(scene::Scene scene, int width_px) {
   scene.render.grass = "blades";
   scene.terrain.samples = std::min(scene.terrain.samples, most_samples);
   scene.grass.levels = {voxels};
+  scene.grass.key_frames = few_key_frames(scene);
   scene.grass.variants = std::min(scene.grass.variants, 2);
   scene.grass.far_pixels = std::max(scene.grass.far_pixels, standing_pixels(scene));
   for (scene::CloudLayer& layer : scene.clouds) layer.body = "sheet";
@@ -91,7 +110,8 @@ landscape::PatchLook PreviewFilm::far_look(const grass::PatchState& state) const
   volume.emission_grid = "emission_q0";
   volume.voxels = {voxels, voxels, texels_.level_shape(0).height};
   volume.voxel_m = scene_.grass.patch_m / voxels;
-  return landscape::PatchLook(std::span(&volume, 1));
+  constexpr int starts = 8;
+  return landscape::PatchLook(std::span(&volume, 1), starts);
 }
 
 Tubes PreviewFilm::blades(int variant, const grass::PatchState& state) const {

@@ -17,7 +17,11 @@
 
 namespace wold::cli {
 
-/// A scene that shows the same landscape with far less work: coarser, without volumes; grass stands
+/// At most `most` of the whole numbers from 0 to count - 1: first, last and evenly between.
+std::vector<int> some_of(int count, int most);
+
+/// A scene that shows the same landscape with far less work: coarser, without volumes and with few
+/// key frames; grass stands
 /// as blades near the camera and is painted on the ground beyond.
 scene::Scene simplified(scene::Scene scene, int width_px);
 
