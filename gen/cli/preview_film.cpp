@@ -51,7 +51,9 @@ std::vector<double> few_key_frames(const scene::Scene& scene) {
 /// Light is smooth where grass scatters it, but mountains cast sharper shadows.
 landscape::Sketch sketch_of(const scene::Scene& scene) {
   constexpr int smooth_samples = 145;
-  return {most_samples, landscape::is_large(scene) ? most_samples : smooth_samples, smooth_samples};
+  return {.ground_samples = most_samples,
+          .light_samples = landscape::is_large(scene) ? most_samples : smooth_samples,
+          .combed_samples = smooth_samples};
 }
 
 }  // namespace
