@@ -88,12 +88,23 @@ PreviewFilm::PreviewFilm(const scene::Scene& scene, const std::vector<int>& fram
   for (const int frame : frames) {
     const double snow = grass::PatchState::level_of(landscape::canopy_snow(scene, frame));
     const double light = landscape::light_of_frame(scene, frame);
-    Moment moment{landscape::site_of_frame(scene, site_, frame),
-                  static_cast<int>(std::lround(snow)), static_cast<int>(std::lround(light))};
-    if (frame != frames.front()) moment.site.sketch->sky_width_px = hidden_sky_px;
-    moments_.emplace(frame, std::move(moment));
+    moments_.emplace(frame, Moment{site_, static_cast<int>(std::lround(snow)),
+                                   static_cast<int>(std::lround(light))});
   }
-  make_looks(frames);
+  // Making texels leaves threads idle.
+  parallel_for(1 + frames.size(), [&](std::size_t i) {
+    if (i == 0) {
+      make_looks(frames);
+    } else {
+      make_site(frames[i - 1], /*with_sky=*/i == 1);
+    }
+  });
+}
+
+void PreviewFilm::make_site(int frame, bool with_sky) {
+  landscape::Site& site = moments_.at(frame).site;
+  site = landscape::site_of_frame(scene_, site_, frame);
+  if (!with_sky) site.sketch->sky_width_px = hidden_sky_px;
 }
 
 void PreviewFilm::make_looks(const std::vector<int>& frames) {

@@ -21,8 +21,7 @@ namespace wold::cli {
 std::vector<int> some_of(int count, int most);
 
 /// A scene that shows the same landscape with far less work: coarser, without volumes and with few
-/// key frames; grass stands
-/// as blades near the camera and is painted on the ground beyond.
+/// key frames; grass stands as blades near the camera and is painted on the ground beyond.
 scene::Scene simplified(scene::Scene scene, int width_px);
 
 /// The landscapes of a simplified scene, made at once.
@@ -58,6 +57,7 @@ class PreviewFilm {
   Tubes blades(int variant, const grass::PatchState& state) const;
   landscape::Landscape assembled(const scene::Scene& scene, const landscape::Site& site, int frame);
   landscape::PatchLook far_look(const grass::PatchState& state) const;
+  void make_site(int frame, bool with_sky);
   void make_looks(const std::vector<int>& frames);
   void make_meshes(std::span<const landscape::CellChoice> cells);
 
