@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "core/parallel.h"
 #include "grass/fibres.h"
 #include "landscape/canopy_snow.h"
 #include "landscape/cell_window.h"
@@ -20,10 +21,14 @@ GrassColour grass_colour(const grass::WitheringPatch& patch, const grass::Ageing
   constexpr int steps = 64;
   std::map<double, std::vector<glm::vec3>> colours = {{snow, {}}};
   for (const CellChoice& choice : choices) colours[choice.state().snow_share()];
-  for (auto& [share, by_weathering] : colours)
-    for (int i = 0; i <= steps; ++i)
-      by_weathering.push_back(
-          grass::mean_albedo(patch.at(static_cast<double>(i) / steps, share), model));
+  for (auto& entry : colours) {
+    std::vector<glm::vec3>& by_weathering = entry.second;
+    by_weathering.resize(steps + 1);
+    parallel_for(by_weathering.size(), [&](std::size_t i) {
+      by_weathering[i] =
+          grass::mean_albedo(patch.at(static_cast<double>(i) / steps, entry.first), model);
+    });
+  }
   return [colours](double weathering, double share) {
     const std::vector<glm::vec3>& by_weathering = colours.at(share);
     const double place = std::clamp(weathering, 0.0, 1.0) * steps;
