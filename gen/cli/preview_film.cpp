@@ -53,15 +53,16 @@ landscape::Sketch sketch_of(const scene::Scene& scene) {
   constexpr int smooth_samples = 145;
   return {.ground_samples = most_samples,
           .light_samples = landscape::is_large(scene) ? most_samples : smooth_samples,
-          .combed_samples = smooth_samples};
+          .combed_samples = 97};
 }
 
 }  // namespace
 
 std::vector<int> some_of(int count, int most) {
   std::vector<int> some;
-  for (int i = 0; i < std::min(count, most); ++i)
-    some.push_back(count <= most ? i : i * (count - 1) / (most - 1));
+  const int steps = most - 1;
+  for (int i = 0; i < std::min(count, most); ++i)  // to the nearest, halves down
+    some.push_back(count <= most ? i : (2 * i * (count - 1) + steps - 1) / (2 * steps));
   return some;
 }
 

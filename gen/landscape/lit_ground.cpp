@@ -46,7 +46,8 @@ CombedLight combed_light(const scene::Scene& scene, const Site& site, int frame,
           static_cast<float>(scene.grass.gloss)};
 }
 
-/// The grid of what combing does, on a part of the ground of a large terrain: it costs much.
+/// The grid of what combing does, on a part of the ground of a large terrain or a sketch: it costs
+/// much.
 GroundGrid combed_grid(const GroundGrid& grid, const std::optional<Sketch>& sketch) {
   constexpr int usual = 513;
   return {grid.square, std::min(grid.samples, sketch ? sketch->combed_samples : usual)};
@@ -85,7 +86,7 @@ LitGround::LitGround(const scene::Scene& scene, const Site& site, const Landscap
 }
 
 ColourMap LitGround::on_grass(const ColourMap& light, const GroundGrid& grid) const {
-  if (!is_large(scene_))
+  if (!is_large(scene_) && !site_.sketch)
     return product(light, combed_light_map(combed_, combing_, site_.terrain, view_));
   return product(light, combed_light_map(combed_, combing_, site_.terrain, view_,
                                          combed_grid(grid, site_.sketch)));

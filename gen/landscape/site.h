@@ -41,7 +41,7 @@ struct GroundPart {
 struct Sketch {
   int ground_samples;       ///< of the ground that is not large, and of what is white on it
   int light_samples;        ///< of light on the ground
-  int combed_samples;       ///< of what combing does to light on a large terrain
+  int combed_samples;       ///< of what combing does to light
   int sky_width_px = 1024;  ///< of the whole sky, where a backdrop stands before it
 };
 
