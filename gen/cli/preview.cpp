@@ -27,14 +27,6 @@ namespace {
 
 using preview::Tile;
 
-/// At most `most` of the whole numbers from 0 to count - 1: first, last and evenly between.
-std::vector<int> some_of(int count, int most) {
-  std::vector<int> some;
-  for (int i = 0; i < std::min(count, most); ++i)
-    some.push_back(count <= most ? i : i * (count - 1) / (most - 1));
-  return some;
-}
-
 /// First, middle and last.
 std::vector<int> shown_frames(const scene::Scene& scene) {
   std::vector<int> frames = some_of(static_cast<int>(scene.ageing.frames.size()), 3);

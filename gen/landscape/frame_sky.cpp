@@ -10,7 +10,7 @@
 namespace wold::landscape {
 namespace {
 
-constexpr int sky_width_px = 1024;
+constexpr int usual_sky_width_px = 1024;
 
 /// Their own events have gathered them; in a season they are as many of these as its days have.
 /// Those that have drifted there after so many frames more may be asked for.
@@ -72,10 +72,11 @@ ColourMap FrameSky::light(const terrain::GroundLight& clear) const {
 
 void FrameSky::show(Landscape& landscape, bool with_backdrop) const {
   if (!clouds_ && !with_backdrop) {
-    landscape.sky = site_.day.sky_image(sky_width_px);
+    landscape.sky = site_.day.sky_image(usual_sky_width_px);
     return;
   }
-  landscape.sky = sky_picture(sheets_, sky_width_px);
+  landscape.sky =
+      sky_picture(sheets_, site_.sketch ? site_.sketch->sky_width_px : usual_sky_width_px);
   const cloud::CloudState clouds = clouds_.value_or(cloud::CloudState{});
   const Camera& camera = landscape.camera;
   const auto windows = cloud_windows(clouds, camera);

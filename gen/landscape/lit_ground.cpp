@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "core/parallel.h"
 #include "grass/fibres.h"
 #include "landscape/canopy_snow.h"
 #include "landscape/cell_window.h"
@@ -20,10 +21,14 @@ GrassColour grass_colour(const grass::WitheringPatch& patch, const grass::Ageing
   constexpr int steps = 64;
   std::map<double, std::vector<glm::vec3>> colours = {{snow, {}}};
   for (const CellChoice& choice : choices) colours[choice.state().snow_share()];
-  for (auto& [share, by_weathering] : colours)
-    for (int i = 0; i <= steps; ++i)
-      by_weathering.push_back(
-          grass::mean_albedo(patch.at(static_cast<double>(i) / steps, share), model));
+  for (auto& entry : colours) {
+    std::vector<glm::vec3>& by_weathering = entry.second;
+    by_weathering.resize(steps + 1);
+    parallel_for(by_weathering.size(), [&](std::size_t i) {
+      by_weathering[i] =
+          grass::mean_albedo(patch.at(static_cast<double>(i) / steps, entry.first), model);
+    });
+  }
   return [colours](double weathering, double share) {
     const std::vector<glm::vec3>& by_weathering = colours.at(share);
     const double place = std::clamp(weathering, 0.0, 1.0) * steps;
@@ -41,10 +46,11 @@ CombedLight combed_light(const scene::Scene& scene, const Site& site, int frame,
           static_cast<float>(scene.grass.gloss)};
 }
 
-/// The grid of what combing does, on a part of the ground of a large terrain: it costs much.
-GroundGrid combed_grid(const GroundGrid& grid) {
-  constexpr int most = 513;
-  return {grid.square, std::min(grid.samples, most)};
+/// The grid of what combing does, on a part of the ground of a large terrain or a sketch: it costs
+/// much.
+GroundGrid combed_grid(const GroundGrid& grid, const std::optional<Sketch>& sketch) {
+  constexpr int usual = 513;
+  return {grid.square, std::min(grid.samples, sketch ? sketch->combed_samples : usual)};
 }
 
 std::map<grass::PatchState, PatchLook> far_looks(
@@ -80,10 +86,10 @@ LitGround::LitGround(const scene::Scene& scene, const Site& site, const Landscap
 }
 
 ColourMap LitGround::on_grass(const ColourMap& light, const GroundGrid& grid) const {
-  if (!is_large(scene_))
+  if (!is_large(scene_) && !site_.sketch)
     return product(light, combed_light_map(combed_, combing_, site_.terrain, view_));
-  return product(light,
-                 combed_light_map(combed_, combing_, site_.terrain, view_, combed_grid(grid)));
+  return product(light, combed_light_map(combed_, combing_, site_.terrain, view_,
+                                         combed_grid(grid, site_.sketch)));
 }
 
 ColourMap LitGround::painted(ColourMap ground, const FactorMap& growth,
@@ -95,7 +101,7 @@ ColourMap LitGround::painted(ColourMap ground, const FactorMap& growth,
 }
 
 GroundDetail LitGround::detail(const SnowyGround& ground, const GroundGrid& grid) const {
-  const GroundPart part = ground.covered(ground_part(scene_, site_.terrain, site_.day, grid));
+  const GroundPart part = ground.covered(ground_part(scene_, site_, grid));
   const ColourMap light = illuminate_(part.light);
   return {painted(product(part.reflectance, light), part.growth, on_grass(light, grid))
               .at_corner(glm::dvec2(0.0)),
@@ -104,7 +110,7 @@ GroundDetail LitGround::detail(const SnowyGround& ground, const GroundGrid& grid
 
 ColourMap LitGround::light_in_window() const {
   const GroundGrid window = window_grid(scene_);
-  const GroundGrid grid = light_grid(site_.terrain, window);
+  const GroundGrid grid = light_grid(site_.terrain, window, site_.sketch);
   return on_grass(illuminate_(terrain::ground_light(site_.terrain, site_.day, grid)), window);
 }
 

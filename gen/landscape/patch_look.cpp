@@ -50,9 +50,9 @@ class TiledVolume {
   std::vector<glm::vec3> radiance_;
 };
 
-/// The mean over rays that start evenly over the patch, each at another share of a step.
-FarLook mean_look(const TiledVolume& volume, const glm::dvec3& direction) {
-  constexpr int starts = 16;
+/// The mean over starts x starts rays that begin evenly over the patch, each at another share of a
+/// step.
+FarLook mean_look(const TiledVolume& volume, const glm::dvec3& direction, int starts) {
   FarLook mean{glm::dvec3(0.0), 0.0};
   for (int j = 0; j < starts; ++j)
     for (int i = 0; i < starts; ++i) {
@@ -67,7 +67,7 @@ FarLook mean_look(const TiledVolume& volume, const glm::dvec3& direction) {
 
 }  // namespace
 
-PatchLook::PatchLook(std::span<const Volume> volumes) {
+PatchLook::PatchLook(std::span<const Volume> volumes, int starts) {
   for (auto& row : table_) row.fill({glm::dvec3(0.0), 0.0});
   for (const Volume& description : volumes) {
     const TiledVolume volume(description);
@@ -78,8 +78,10 @@ PatchLook::PatchLook(std::span<const Volume> volumes) {
       const double azimuth = 2.0 * pi * static_cast<double>(a) / azimuths;
       const double elevation = elevations_deg[e] * pi / 180.0;
       const FarLook look =
-          mean_look(volume, {std::cos(azimuth) * std::cos(elevation),
-                             std::sin(azimuth) * std::cos(elevation), -std::sin(elevation)});
+          mean_look(volume,
+                    {std::cos(azimuth) * std::cos(elevation),
+                     std::sin(azimuth) * std::cos(elevation), -std::sin(elevation)},
+                    starts);
       table_[a][e].radiance += look.radiance * share;
       table_[a][e].transmittance += look.transmittance * share;
     });

@@ -17,8 +17,11 @@ struct FarLook {
 /// The far look by direction, measured: rays through the volumes, which repeat endlessly.
 class PatchLook {
  public:
-  /// The mean of some volumes, read from their files. Throws FileError.
-  explicit PatchLook(std::span<const Volume> volumes);
+  static constexpr int usual_starts = 16;
+
+  /// The mean of some volumes, read from their files, over starts x starts rays through each.
+  /// Throws FileError.
+  explicit PatchLook(std::span<const Volume> volumes, int starts = usual_starts);
 
   /// Seen along a direction of the patch's own space, downwards, of any length: as much longer as
   /// it is than 1, as much less grass stands along the ray.

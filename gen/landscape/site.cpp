@@ -46,8 +46,10 @@ std::unique_ptr<snow::LargeCover> large_cover(const scene::Scene& scene, const H
 
 /// A part of the ground on which that grows, in the light of a day.
 GroundPart lit_part(const scene::Scene& scene, const Heightfield& terrain,
-                    const light::Daylight& day, const GroundGrid& grid, FactorMap growth) {
-  terrain::GroundLight light = terrain::ground_light(terrain, day, light_grid(terrain, grid));
+                    const light::Daylight& day, const GroundGrid& grid,
+                    const std::optional<Sketch>& sketch, FactorMap growth) {
+  terrain::GroundLight light =
+      terrain::ground_light(terrain, day, light_grid(terrain, grid, sketch));
   ColourMap reflectance =
       terrain::ground_reflectance(terrain, day.sun_direction(), scene.terrain, scene.seed, growth,
                                   canopy_transmittance(scene.grass), grid);
@@ -55,19 +57,19 @@ GroundPart lit_part(const scene::Scene& scene, const Heightfield& terrain,
 }
 
 /// Where maps of the whole ground have their values: as the pictures of a large terrain need them,
-/// so many along a side, or nowhere else than usual.
+/// as many as a sketch has, or nowhere else than usual.
 std::optional<GroundGrid> grid_of_ground(const scene::Scene& scene, const Heightfield& terrain,
-                                         std::optional<int> samples) {
+                                         const std::optional<Sketch>& sketch) {
   if (is_large(scene)) return whole_grid(scene);
-  if (samples) return GroundGrid{terrain.square(), *samples};
+  if (sketch) return GroundGrid{terrain.square(), sketch->ground_samples};
   return std::nullopt;
 }
 
 /// The whole ground in the light of a day, on a grid or with the usual steps.
 GroundPart whole_ground(const scene::Scene& scene, const Heightfield& terrain,
                         const light::Daylight& day, const std::optional<GroundGrid>& grid,
-                        FactorMap growth) {
-  if (grid) return lit_part(scene, terrain, day, *grid, std::move(growth));
+                        const std::optional<Sketch>& sketch, FactorMap growth) {
+  if (grid) return lit_part(scene, terrain, day, *grid, sketch, std::move(growth));
   terrain::GroundLight light = terrain::ground_light(terrain, day);
   ColourMap reflectance =
       terrain::ground_reflectance(terrain, day.sun_direction(), scene.terrain, scene.seed, growth,
@@ -90,16 +92,18 @@ Snow::Snow(const scene::Scene& scene, const Heightfield& terrain, const fs::path
       large(large_cover(
           scene, terrain, [made = weather](double time_s) { return made.at(time_s); }, folder)) {}
 
-GroundGrid light_grid(const Heightfield& terrain, const GroundGrid& grid) {
+GroundGrid light_grid(const Heightfield& terrain, const GroundGrid& grid,
+                      const std::optional<Sketch>& sketch) {
   constexpr double least_samples = 17.0;
   const double step_m = std::max(grid.step_m(), terrain.step_m());
-  const double samples = std::ceil(grid.square.size_m / step_m - 1e-9) + 1.0;
+  double samples = std::ceil(grid.square.size_m / step_m - 1e-9) + 1.0;
+  if (sketch) samples = std::min(samples, 1.0 * sketch->light_samples);
   return {grid.square, static_cast<int>(std::max(samples, least_samples))};
 }
 
-GroundPart ground_part(const scene::Scene& scene, const Heightfield& terrain,
-                       const light::Daylight& day, const GroundGrid& grid) {
-  return lit_part(scene, terrain, day, grid, growth_map(scene, terrain, grid));
+GroundPart ground_part(const scene::Scene& scene, const Site& site, const GroundGrid& grid) {
+  return lit_part(scene, site.terrain, site.day, grid, site.sketch,
+                  growth_map(scene, site.terrain, grid));
 }
 
 const FactorMap& growth_of_cells(const Site& site) {
@@ -107,14 +111,14 @@ const FactorMap& growth_of_cells(const Site& site) {
 }
 
 Site make_site(const scene::Scene& scene, const fs::path& snow_folder,
-               std::optional<int> ground_samples) {
+               const std::optional<Sketch>& sketch) {
   Heightfield terrain = terrain::make_ground(scene.terrain, scene.seed);
   const scene::Scene half_way = at_time(scene, 0.5);
   const light::Daylight day(half_way.sun, scene.sky);
   const bool large = is_large(scene);
-  const auto grid = grid_of_ground(scene, terrain, ground_samples);
+  const auto grid = grid_of_ground(scene, terrain, sketch);
   GroundPart ground =
-      whole_ground(scene, terrain, day, grid,
+      whole_ground(scene, terrain, day, grid, sketch,
                    grid ? growth_map(scene, terrain, *grid) : growth_map(scene, terrain));
   std::optional<FactorMap> growth_of_window;
   if (large) growth_of_window = growth_map(scene, terrain, window_grid(scene));
@@ -136,7 +140,7 @@ Site make_site(const scene::Scene& scene, const fs::path& snow_folder,
           std::move(season),
           std::move(withering),
           std::move(snow),
-          ground_samples};
+          sketch};
 }
 
 double visual_range_m(const scene::Scene& scene, const Site& site, int frame) {
@@ -151,8 +155,8 @@ Site site_of_frame(const scene::Scene& scene, const Site& site, int frame) {
   sky.visual_range_m = visual_range_m(scene, site, frame);
   now.day = light::Daylight(scene::sun_at(scene, time_of_frame(scene, frame)), sky);
   GroundPart ground =
-      whole_ground(scene, now.terrain, now.day,
-                   grid_of_ground(scene, now.terrain, now.ground_samples), std::move(now.growth));
+      whole_ground(scene, now.terrain, now.day, grid_of_ground(scene, now.terrain, now.sketch),
+                   now.sketch, std::move(now.growth));
   now.growth = std::move(ground.growth);
   now.light = std::move(ground.light);
   now.ground_reflectance = std::move(ground.reflectance);

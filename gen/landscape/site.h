@@ -36,6 +36,15 @@ struct GroundPart {
   ColourMap reflectance;       ///< of the bare ground, radiance over irradiance
 };
 
+/// How fine maps of a site are at most that need not be as fine as renderers' pictures: values
+/// along a side.
+struct Sketch {
+  int ground_samples;       ///< of the ground that is not large, and of what is white on it
+  int light_samples;        ///< of light on the ground
+  int combed_samples;       ///< of what combing does to light
+  int sky_width_px = 1024;  ///< of the whole sky, where a backdrop stands before it
+};
+
 /// What stays the same from frame to frame: the place and the light of its day, in a season the
 /// day half-way through it.
 struct Site {
@@ -48,16 +57,16 @@ struct Site {
   std::optional<cloud::Clouds> clouds;
   std::shared_ptr<const season::FilmSeason> season;  ///< if it is one
   std::shared_ptr<const Withering> withering;
-  std::shared_ptr<const Snow> snow;        ///< none where none can fall or lie
-  std::optional<int> ground_samples = {};  ///< along a side of maps of the ground; none: the usual
+  std::shared_ptr<const Snow> snow;   ///< none where none can fall or lie
+  std::optional<Sketch> sketch = {};  ///< none: as fine as pictures need
 };
 
 /// Maps of a large terrain have as many samples as its pictures need; its snow is kept in tiled
 /// pictures in `snow_folder`, which is made where it is needed and is the site's alone. Those of
-/// any other have the usual steps, or as many samples along a side as `ground_samples` says. Throws
-/// what terrain::make_ground(), growth_map(), cloud::Clouds and Snow's parts throw.
+/// any other have the usual steps, or those of a sketch. Throws what terrain::make_ground(),
+/// growth_map(), cloud::Clouds and Snow's parts throw.
 Site make_site(const scene::Scene& scene, const std::filesystem::path& snow_folder = {},
-               std::optional<int> ground_samples = {});
+               const std::optional<Sketch>& sketch = {});
 
 /// How far one sees in a frame (from 1): sky.visual_range, in a season through that day's air.
 double visual_range_m(const scene::Scene& scene, const Site& site, int frame);
@@ -69,13 +78,13 @@ Site site_of_frame(const scene::Scene& scene, const Site& site, int frame);
 /// Growth where cells are laid.
 const FactorMap& growth_of_cells(const Site& site);
 
-/// A part of a site's ground; its light is no finer than the terrain.
-GroundPart ground_part(const scene::Scene& scene, const Heightfield& terrain,
-                       const light::Daylight& day, const GroundGrid& grid);
+/// A part of a site's ground; its light is on the light_grid().
+GroundPart ground_part(const scene::Scene& scene, const Site& site, const GroundGrid& grid);
 
 /// The grid of the light on a part of the ground: as fine as `grid` or, where that is finer, as the
-/// terrain.
-GroundGrid light_grid(const Heightfield& terrain, const GroundGrid& grid);
+/// terrain; of a sketch no finer than it says.
+GroundGrid light_grid(const Heightfield& terrain, const GroundGrid& grid,
+                      const std::optional<Sketch>& sketch);
 
 /// Leaf area, one side, of the scene's tapering blades per area of ground.
 double leaf_area_index(const scene::Grass& grass);

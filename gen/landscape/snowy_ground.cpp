@@ -134,10 +134,13 @@ void SnowyGround::lay_everywhere(int frame) {
   if (!(state.fallen_mm > 0.0)) return;
   depth_m_ = state.depth_m;
   albedo_ = static_cast<float>(mean(state.albedo));
-  white_ = snow.white(state, site_.ground_samples.value_or(white_samples(surface_.size_m())));
+  const std::optional<Sketch>& sketch = site_.sketch;
+  white_ = snow.white(state, sketch ? sketch->ground_samples : white_samples(surface_.size_m()));
   if (is_paper(scene_)) return;  // the ground's shape stays
   surface_ = snow_surface(scene_, site_.terrain, depth_m_, *white_);
-  light_ = terrain::ground_light(surface_, site_.day);
+  light_ = sketch ? terrain::ground_light(surface_, site_.day,
+                                          {surface_.square(), sketch->light_samples})
+                  : terrain::ground_light(surface_, site_.day);
 }
 
 const terrain::GroundLight& SnowyGround::light() const { return light_ ? *light_ : site_.light; }

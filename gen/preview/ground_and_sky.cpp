@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 #include "core/parallel.h"
 
@@ -84,28 +85,50 @@ glm::vec3 ground_radiance(const Landscape& landscape, const glm::dvec2& at_m) {
   return seen;
 }
 
+/// Rise over run where the terrain is steepest.
+double steepest_slope(const Heightfield& terrain) {
+  double steepest_m = 0.0;  // over a step
+  for (int j = 0; j + 1 < terrain.samples(); ++j)
+    for (int i = 0; i + 1 < terrain.samples(); ++i) {
+      const float low = terrain.at(i, j), east = terrain.at(i + 1, j), north = terrain.at(i, j + 1),
+                  high = terrain.at(i + 1, j + 1);
+      const float east_m = std::max(std::abs(east - low), std::abs(high - north));
+      const float north_m = std::max(std::abs(north - low), std::abs(high - east));
+      steepest_m = std::max(steepest_m, double{std::hypot(east_m, north_m)});
+    }
+  return steepest_m / terrain.step_m();
+}
+
 /// Marches along rays until they are below the terrain.
 class March {
  public:
   explicit March(const Heightfield& terrain)
       : terrain_(terrain),
+        steepest_(steepest_slope(terrain)),
         low_(terrain.corner_m(),
              *std::min_element(terrain.values().begin(), terrain.values().end())),
         high_(terrain.corner_m() + terrain.size_m(),
               *std::max_element(terrain.values().begin(), terrain.values().end())) {}
 
-  /// Distance to the ground; infinite where the ray meets none.
-  double distance_m(const glm::dvec3& eye_m, const glm::dvec3& direction) const {
-    const auto [first, last] = inside_m(eye_m, direction);
-    double above = first;
+  /// Distance to the ground; infinite where the ray meets none. It is known to be above the ground
+  /// up to some distance.
+  double distance_m(const glm::dvec3& eye_m, const glm::dvec3& direction,
+                    double above_to_m = 0.0) const {
+    const auto [begin, last] = inside_m(eye_m, direction);
+    const double first = std::max(begin, above_to_m);
+    const auto place = [&](double at_m) { return Place{at_m, gap_m(eye_m + at_m * direction)}; };
+    // How much a gap can shrink along a metre of the ray; ground is taken as 60 degrees steep at
+    // most, and what is narrower than the least step can be missed.
+    const double closing =
+        std::clamp(steepest_ * glm::length(glm::dvec2(direction)) - direction.z, 1e-9, 2.0);
+    Place above{first, 0.0};
     for (double at = first; first < last;) {
-      const glm::dvec3 place = eye_m + at * direction;
-      const double gap = place.z - terrain_.sample(place.x, place.y);
-      if (gap <= 0.0) return at == first ? at : between(eye_m, direction, above, at);
+      const Place here = place(at);
+      if (here.gap_m <= 0.0) return at == first ? at : meeting_m(above, here, place);
       if (at >= last) break;
-      above = at;
-      // Ground up to 60 degrees steep rises less than the gap meanwhile.
-      at = std::min(last, at + std::max(0.5 * gap, 0.1 * terrain_.step_m() + 3e-3 * at));
+      above = here;
+      const double least_m = 0.3 * terrain_.step_m() + 3e-3 * at;
+      at = std::min(last, at + std::max(here.gap_m / closing, least_m));
     }
     return std::numeric_limits<double>::infinity();
   }
@@ -124,39 +147,99 @@ class March {
     return {first, last};
   }
 
-  /// By halves, from above the ground to below it.
-  double between(const glm::dvec3& eye_m, const glm::dvec3& direction, double above,
-                 double below) const {
-    for (int i = 0; i < 12; ++i) {
-      const double middle = 0.5 * (above + below);
-      const glm::dvec3 place = eye_m + middle * direction;
-      (place.z > terrain_.sample(place.x, place.y) ? above : below) = middle;
+  /// A place along a ray and how high it is above the ground.
+  struct Place {
+    double at_m;
+    double gap_m;
+  };
+
+  double gap_m(const glm::dvec3& at_m) const { return at_m.z - terrain_.sample(at_m.x, at_m.y); }
+
+  /// Where the ray meets the ground between a place above it and one below, by false position: over
+  /// so short a way the ground is almost even.
+  template <class PlaceAt>
+  static double meeting_m(Place above, Place below, const PlaceAt& place) {
+    for (int i = 0; i < 3; ++i) {
+      const double share = above.gap_m / (above.gap_m - below.gap_m);
+      const Place middle = place(std::lerp(above.at_m, below.at_m, share));
+      if (middle.gap_m > 0.0) {
+        above = middle;
+      } else {
+        below = middle;
+      }
     }
-    return below;
+    return above.gap_m < -below.gap_m ? above.at_m : below.at_m;
   }
 
   const Heightfield& terrain_;
+  double steepest_;
   glm::dvec3 low_;
   glm::dvec3 high_;
 };
 
-Hit seen(const Landscape& landscape, const March& march, const glm::dvec3& eye_m,
-         const glm::dvec3& direction) {
-  const double distance_m = march.distance_m(eye_m, direction);
+Hit seen(const Landscape& landscape, const glm::dvec3& eye_m, const glm::dvec3& direction,
+         double distance_m) {
   if (!std::isfinite(distance_m)) return behind_everything(landscape, eye_m, direction);
   return {ground_radiance(landscape, glm::dvec2(eye_m + distance_m * direction)), distance_m};
 }
+
+/// How far the ground is in each pixel of a canvas; infinite where there is none. Every second
+/// pixel of every second row is marched to from the eye; between such that differ little, a march
+/// begins shortly before them.
+class Distances {
+ public:
+  Distances(const March& march, const Perspective& perspective, const Image& picture)
+      : march_(march),
+        perspective_(perspective),
+        columns_((picture.width + 1) / 2),
+        rows_((picture.height + 1) / 2),
+        coarse_m_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {
+    parallel_for(static_cast<std::size_t>(rows_), [&](std::size_t row) {
+      const int j = static_cast<int>(row);
+      for (int i = 0; i < columns_; ++i) coarse_m_[index(i, j)] = marched_m(2 * i, 2 * j, 0.0);
+    });
+  }
+
+  double at_m(int x, int y) const {
+    const int i = x / 2, j = y / 2;
+    const int right = std::min(i + x % 2, columns_ - 1), below = std::min(j + y % 2, rows_ - 1);
+    if (x % 2 == 0 && y % 2 == 0) return coarse_m_[index(i, j)];
+    const auto [near_m, far_m] =
+        std::minmax({coarse_m_[index(i, j)], coarse_m_[index(right, j)], coarse_m_[index(i, below)],
+                     coarse_m_[index(right, below)]});
+    constexpr double most_ratio = 1.1;
+    const bool is_even = far_m < most_ratio * near_m;
+    return marched_m(x, y, is_even ? near_m / most_ratio : 0.0);
+  }
+
+ private:
+  std::size_t index(int i, int j) const {
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(i);
+  }
+  double marched_m(int x, int y, double above_to_m) const {
+    return march_.distance_m(perspective_.eye_m(), perspective_.direction({x + 0.5, y + 0.5}),
+                             above_to_m);
+  }
+
+  const March& march_;
+  const Perspective& perspective_;
+  int columns_;
+  int rows_;
+  std::vector<double> coarse_m_;
+};
 
 }  // namespace
 
 void paint_ground_and_sky(const Landscape& landscape, const Perspective& perspective,
                           Canvas& canvas) {
   const March march(landscape.terrain);
+  const Distances distances(march, perspective, canvas.radiance);
   parallel_for(static_cast<std::size_t>(canvas.radiance.height), [&](std::size_t row) {
     const int y = static_cast<int>(row);
     for (int x = 0; x < canvas.radiance.width; ++x) {
       const glm::dvec3 direction = perspective.direction({x + 0.5, y + 0.5});
-      const Hit hit = seen(landscape, march, perspective.eye_m(), direction);
+      const Hit hit = seen(landscape, perspective.eye_m(), direction, distances.at_m(x, y));
       std::copy_n(&hit.radiance.x, 3, canvas.radiance.pixel(x, y));
       canvas.depth_at(x, y) =
           static_cast<float>(hit.distance_m * perspective.depth_along(direction));

@@ -53,23 +53,40 @@ void paint_quad(const Corner& a, const Corner& b, const Corner& c, const Corner&
   paint_triangle({a, c, d}, canvas);
 }
 
-/// The rings of a tube that are drawn, from the first to the last.
-std::vector<int> drawn_rings(int rings) {
-  constexpr int most = 7;
+constexpr int fewest_rings = 4;
+constexpr int most_rings = 7;
+
+/// At most that many of the rings of a tube, from the first to the last.
+std::vector<int> drawn_rings(int rings, int most) {
   const int count = std::min(rings, most);
   std::vector<int> drawn;
   for (int i = 0; i < count; ++i) drawn.push_back(i * (rings - 1) / std::max(1, count - 1));
   return drawn;
 }
 
+/// Whether a tube is so short in the picture that few rings show its bend.
+bool is_small(const Tubes& tubes, std::size_t tube, const glm::dmat4& world_from_cell,
+              const Perspective& perspective) {
+  constexpr double short_px = 24.0;
+  const auto ring = static_cast<std::size_t>(tubes.corners);
+  const std::size_t of_tube = static_cast<std::size_t>(tubes.rings) * ring;
+  const glm::vec3& from_m = tubes.vertices_m[tube * of_tube];
+  const glm::vec3& to_m = tubes.vertices_m[(tube + 1) * of_tube - ring];
+  const double depth_m = perspective.seen(glm::dvec3(world_from_cell * glm::dvec4(from_m, 1.0))).z;
+  return glm::distance(from_m, to_m) * perspective.pixels_per_m(std::max(depth_m, nearest_m)) <
+         short_px;
+}
+
 }  // namespace
 
 void paint_tubes(const Tubes& tubes, const glm::dmat4& world_from_cell, const LightAt& light,
                  const Perspective& perspective, Canvas& canvas) {
-  const std::vector<int> rings = drawn_rings(tubes.rings);
+  const std::vector<int> few = drawn_rings(tubes.rings, fewest_rings);
+  const std::vector<int> many = drawn_rings(tubes.rings, most_rings);
   const auto corners = static_cast<std::size_t>(tubes.corners);
-  std::vector<Corner> tube(rings.size() * corners);
+  std::vector<Corner> tube(many.size() * corners);
   for (std::size_t t = 0; t < tubes.count(); ++t) {
+    const std::vector<int>& rings = is_small(tubes, t, world_from_cell, perspective) ? few : many;
     glm::vec3 factor(1.0F);
     for (std::size_t r = 0; r < rings.size(); ++r) {
       const std::size_t ring =

@@ -73,6 +73,29 @@ TEST(GroundAndSky, RaysMeetALevelFieldWhereTheyShould) {
   EXPECT_GT(ground, side_px * side_px / 3);
 }
 
+TEST(GroundAndSky, RaysEndOnUnevenGround) {
+  landscape::Landscape field = level_field();
+  field.terrain = Heightfield(51, 100.0);
+  for (int j = 0; j < 51; ++j)
+    for (int i = 0; i < 51; ++i)
+      field.terrain.at(i, j) = static_cast<float>(std::sin(0.8 * i) + std::cos(0.5 * j) - 2.0);
+  const Perspective perspective = perspective_of(field);
+  Canvas canvas(side_px, side_px);
+  paint_ground_and_sky(field, perspective, canvas);
+  int ground = 0;
+  for (int y = 0; y < side_px; ++y)
+    for (int x = 0; x < side_px; ++x) {
+      if (!std::isfinite(canvas.depth_at(x, y))) continue;
+      const glm::dvec3 direction = perspective.direction({x + 0.5, y + 0.5});
+      const double distance_m = canvas.depth_at(x, y) / perspective.depth_along(direction);
+      const glm::dvec3 place = field.camera.eye_m + distance_m * direction;
+      ++ground;
+      EXPECT_NEAR(place.z, field.terrain.sample(place.x, place.y), 0.01 * distance_m)
+          << x << ", " << y;
+    }
+  EXPECT_GT(ground, side_px * side_px / 3);
+}
+
 TEST(GroundAndSky, FinerPicturesAreSeenInsideTheirSquares) {
   landscape::Landscape field = level_field();
   field.ground_details = {{ColourMap(11, 30.0, {0.0F, 0.0F, 1.0F}), {35.0, 0.0}}};
