@@ -77,6 +77,16 @@ GroundPart whole_ground(const scene::Scene& scene, const Heightfield& terrain,
   return {std::move(growth), std::move(light), std::move(reflectance)};
 }
 
+/// Sets the light of its day on a site's ground, and what the ground makes of it.
+void light_ground(const scene::Scene& scene, Site& site) {
+  GroundPart ground =
+      whole_ground(scene, site.terrain, site.day, grid_of_ground(scene, site.terrain, site.sketch),
+                   site.sketch, std::move(site.growth));
+  site.growth = std::move(ground.growth);
+  site.light = std::move(ground.light);
+  site.ground_reflectance = std::move(ground.reflectance);
+}
+
 /// The scene with its sun where it stands then.
 scene::Scene at_time(scene::Scene scene, double time) {
   scene.sun = scene::sun_at(scene, time);
@@ -117,9 +127,7 @@ Site make_site(const scene::Scene& scene, const fs::path& snow_folder,
   const light::Daylight day(half_way.sun, scene.sky);
   const bool large = is_large(scene);
   const auto grid = grid_of_ground(scene, terrain, sketch);
-  GroundPart ground =
-      whole_ground(scene, terrain, day, grid, sketch,
-                   grid ? growth_map(scene, terrain, *grid) : growth_map(scene, terrain));
+  FactorMap growth = grid ? growth_map(scene, terrain, *grid) : growth_map(scene, terrain);
   std::optional<FactorMap> growth_of_window;
   if (large) growth_of_window = growth_map(scene, terrain, window_grid(scene));
   std::optional<cloud::Clouds> clouds;
@@ -130,17 +138,19 @@ Site make_site(const scene::Scene& scene, const fs::path& snow_folder,
   std::shared_ptr<const season::FilmSeason> season;
   if (scene::is_season(scene)) season = std::make_shared<const season::FilmSeason>(scene);
   auto withering = std::make_shared<const Withering>(scene, terrain);
-  return {std::move(terrain),
-          std::move(ground.growth),
-          std::move(growth_of_window),
-          day,
-          std::move(ground.light),
-          std::move(ground.reflectance),
-          std::move(clouds),
-          std::move(season),
-          std::move(withering),
-          std::move(snow),
-          sketch};
+  Site site{std::move(terrain),
+            std::move(growth),
+            std::move(growth_of_window),
+            day,
+            {},
+            {},
+            std::move(clouds),
+            std::move(season),
+            std::move(withering),
+            std::move(snow),
+            sketch};
+  if (!site.season) light_ground(scene, site);
+  return site;
 }
 
 double visual_range_m(const scene::Scene& scene, const Site& site, int frame) {
@@ -154,12 +164,7 @@ Site site_of_frame(const scene::Scene& scene, const Site& site, int frame) {
   scene::Sky sky = scene.sky;
   sky.visual_range_m = visual_range_m(scene, site, frame);
   now.day = light::Daylight(scene::sun_at(scene, time_of_frame(scene, frame)), sky);
-  GroundPart ground =
-      whole_ground(scene, now.terrain, now.day, grid_of_ground(scene, now.terrain, now.sketch),
-                   now.sketch, std::move(now.growth));
-  now.growth = std::move(ground.growth);
-  now.light = std::move(ground.light);
-  now.ground_reflectance = std::move(ground.reflectance);
+  light_ground(scene, now);
   return now;
 }
 

@@ -45,8 +45,8 @@ struct Sketch {
   int sky_width_px = 1024;  ///< of the whole sky, where a backdrop stands before it
 };
 
-/// What stays the same from frame to frame: the place and the light of its day, in a season the
-/// day half-way through it.
+/// What stays the same from frame to frame: the place and the light of its day. In a season the day
+/// is the one half-way through it, and only site_of_frame() has light and ground_reflectance.
 struct Site {
   Heightfield terrain;
   FactorMap growth;                           ///< growth_map()'s
