@@ -205,12 +205,26 @@ Starter season() {
   scene.film.frame_seconds = 4.0;
   scene.clouds = {heaps(0.45)};
   return {"season", "From late summer to deep snow, three days from frame to frame.", scene,
-          keys_of_mountains() + Names{"grass.key_frames", "sun.time", "sun.latitude",
-                                      "sun.longitude", "film.frame_seconds", "season.first",
-                                      "season.last", "season.frames", "clouds.kind", "clouds.cover",
-                                      "clouds.speed", "clouds.heading", "season_keys.date",
-                                      "season_keys.weathering", "season_keys.temperature",
-                                      "season_keys.precipitation", "season_keys.cloud_cover"}};
+          keys_of_mountains() + Names{"terrain.elevation",
+                                      "terrain.centre",
+                                      "grass.key_frames",
+                                      "sun.time",
+                                      "sun.latitude",
+                                      "sun.longitude",
+                                      "film.frame_seconds",
+                                      "season.first",
+                                      "season.last",
+                                      "season.frames",
+                                      "season.table",
+                                      "clouds.kind",
+                                      "clouds.cover",
+                                      "clouds.speed",
+                                      "clouds.heading",
+                                      "season_keys.date",
+                                      "season_keys.weathering",
+                                      "season_keys.temperature",
+                                      "season_keys.precipitation",
+                                      "season_keys.cloud_cover"}};
 }
 
 const std::vector<Starter>& starters() {
