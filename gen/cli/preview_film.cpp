@@ -48,12 +48,13 @@ std::vector<double> few_key_frames(const scene::Scene& scene) {
   return few;
 }
 
-/// Light is smooth where grass scatters it, but mountains cast sharper shadows.
+/// Light is smooth where grass scatters it, but mountains cast sharper shadows; snow lies smoothly.
 landscape::Sketch sketch_of(const scene::Scene& scene) {
   constexpr int smooth_samples = 145;
   return {.ground_samples = most_samples,
           .light_samples = landscape::is_large(scene) ? most_samples : smooth_samples,
-          .combed_samples = 97};
+          .combed_samples = 97,
+          .snow_samples = 129};
 }
 
 }  // namespace

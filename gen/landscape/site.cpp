@@ -95,10 +95,13 @@ scene::Scene at_time(scene::Scene scene, double time) {
 
 }  // namespace
 
-Snow::Snow(const scene::Scene& scene, const Heightfield& terrain, const fs::path& folder)
+Snow::Snow(const scene::Scene& scene, const Heightfield& terrain, const fs::path& folder,
+           int most_samples)
     : weather(scene),
       pictures(scene.seed),
-      ground(scene, terrain, [made = weather](double time_s) { return made.at(time_s); }),
+      ground(
+          scene, terrain, [made = weather](double time_s) { return made.at(time_s); },
+          most_samples),
       large(large_cover(
           scene, terrain, [made = weather](double time_s) { return made.at(time_s); }, folder)) {}
 
@@ -134,7 +137,9 @@ Site make_site(const scene::Scene& scene, const fs::path& snow_folder,
   if (!scene.clouds.empty()) clouds.emplace(half_way, cloud::Clouds::usual_pixel_m(scene));
   std::shared_ptr<const Snow> snow;
   if (scene::may_snow(scene) || scene::may_lie(scene))
-    snow = std::make_shared<const Snow>(scene, terrain, snow_folder);
+    snow = std::make_shared<const Snow>(
+        scene, terrain, snow_folder,
+        sketch ? sketch->snow_samples : snow::SnowGround::usual_most_samples);
   std::shared_ptr<const season::FilmSeason> season;
   if (scene::is_season(scene)) season = std::make_shared<const season::FilmSeason>(scene);
   auto withering = std::make_shared<const Withering>(scene, terrain);

@@ -20,8 +20,10 @@ namespace wold::landscape {
 
 /// The snow of a film.
 struct Snow {
-  /// `folder`: see make_site().
-  Snow(const scene::Scene& scene, const Heightfield& terrain, const std::filesystem::path& folder);
+  /// `folder`: see make_site(). Where it is not large, the ground has at most so many samples of
+  /// snow along a side.
+  Snow(const scene::Scene& scene, const Heightfield& terrain, const std::filesystem::path& folder,
+       int most_samples);
 
   snow::Weather weather;
   snow::FlakePictures pictures;
@@ -42,6 +44,7 @@ struct Sketch {
   int ground_samples;       ///< of the ground that is not large, and of what is white on it
   int light_samples;        ///< of light on the ground
   int combed_samples;       ///< of what combing does to light
+  int snow_samples;         ///< of the snow on ground that is not large
   int sky_width_px = 1024;  ///< of the whole sky, where a backdrop stands before it
 };
 

@@ -26,8 +26,7 @@ void require_numbers(const Heightfield& terrain) {
 }
 
 /// The terrain with as many samples as snow is reckoned for.
-Heightfield coarsened(const Heightfield& terrain) {
-  constexpr int most_samples = 1025;
+Heightfield coarsened(const Heightfield& terrain, int most_samples) {
   require_numbers(terrain);
   if (terrain.samples() <= most_samples) return terrain;
   Heightfield result(most_samples, terrain.size_m());
@@ -72,12 +71,12 @@ Snowpack first_pack(const scene::Scene& scene) {
 }
 
 SnowGround::SnowGround(const scene::Scene& scene, const Heightfield& terrain,
-                       WeatherFunction weather)
+                       WeatherFunction weather, int most_samples)
     : cover_(scene.snow_cover),
       seed_(scene.seed),
       weather_(std::move(weather)),
       first_(first_pack(scene)),
-      terrain_(coarsened(terrain)),
+      terrain_(coarsened(terrain, most_samples)),
       mean_height_m_(mean(terrain_.values())),
       earlier_s_(scene.weather.earlier_h * seconds_per_hour),
       earlier_steps_(static_cast<std::size_t>(std::ceil(scene.weather.earlier_h))),

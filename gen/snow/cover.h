@@ -42,8 +42,12 @@ class SnowGround {
     double fallen_mm = 0.0;  ///< water of all snow so far, at the terrain's mean height
   };
 
-  /// Throws InputError when a height is no finite number.
-  SnowGround(const scene::Scene& scene, const Heightfield& terrain, WeatherFunction weather);
+  static constexpr int usual_most_samples = 1025;
+
+  /// Snow is reckoned on at most that many samples along a side. Throws InputError when a height is
+  /// no finite number.
+  SnowGround(const scene::Scene& scene, const Heightfield& terrain, WeatherFunction weather,
+             int most_samples = usual_most_samples);
 
   /// The state at a time since the first frame, after -earlier: from the beginning of the weather,
   /// an hour or less at a time, in a season three. Each step has its fixed place in time, so the

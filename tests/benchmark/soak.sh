@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Kills wold or its renderer with SIGKILL at random moments of a short film by POV-Ray, runs the same
-# command again, and so on; each film that gets done, and the last one, is compared byte for byte
-# with that of an undisturbed run. Exit code 1 when a file is wrong, missing or left over.
+# Kills wold or its renderer with SIGKILL at random moments of a short film, runs the same command
+# again, and so on; each film that gets done, and the last one, is compared byte for byte with that
+# of an undisturbed run. Exit code 1 when a file is wrong, missing or left over.
 #
-#     tests/benchmark/soak.sh [KILLS [SEED]]       default: 200 1
+#     tests/benchmark/soak.sh [KILLS [SEED [RENDERER]]]       default: 200 1 povray
 set -euo pipefail
 here=$(cd "$(dirname "$0")/../.." && pwd)
 wold=$here/build/wold
@@ -12,13 +12,13 @@ RANDOM=${2:-1}
 work=$(mktemp -d /tmp/wold_soak_XXXXXX)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
-cat >film.toml <<'SCENE'
+cat >film.toml <<SCENE
 name = "film"
 terrain = { size = 6, samples = 33 }
 grass = { blades = 40, variants = 1, levels = [30], key_frames = [0.0, 1.0] }
 ageing = { frames = [0.0, 0.3, 0.6, 1.0] }
 camera = { eye = [3, 0.5], target = [3, 4] }
-render = { renderer = "povray", size = [32, 18], samples = 1 }
+render = { renderer = "${3:-povray}", size = [32, 18], samples = 1 }
 SCENE
 
 now_ms() { date +%s%3N; }
@@ -55,7 +55,7 @@ while [ $((of_wold + of_renderers)) -lt "$kills" ]; do
   victim=$run
   if [ $((RANDOM % 3)) = 0 ]; then
     until victim=$(renderer) && [ -n "$victim" ] || ! is_running; do sleep 0.01; done
-    pause $((RANDOM % 200))
+    pause $((RANDOM % (whole / 5)))
   else
     pause $(((RANDOM * 32768 + RANDOM) % whole))
   fi
