@@ -58,17 +58,14 @@ Subject bare_subject(const scene::Scene& scene) {
 }
 
 /// A film in which it may snow is exposed for snow all through; a season is so long that the camera
-/// follows the ground as it whitens, and the sun as snowfall hides it.
+/// follows the ground as it whitens, and the `light` on it as clouds and snowfall hide the sun.
 double gain(const scene::Scene& scene, const light::Daylight& day, const SnowyGround& ground,
-            const SnowyAir& air) {
+            const ColourMap& light) {
   const double for_bare = metered_gain(day, bare_subject(scene));
-  const double for_snow = metered_gain(day, Subject::snow);
-  if (scene::is_season(scene)) {
-    const double for_slopes = snow_gain(day, ground.light().together());
-    return std::lerp(for_bare, std::lerp(for_snow, for_slopes, air.sun_share()),
-                     ground.white_share());
-  }
-  return scene::may_lie(scene) || scene::may_snow(scene) ? for_snow : for_bare;
+  if (scene::is_season(scene))
+    return std::lerp(for_bare, snow_gain(day, light), ground.white_share());
+  const bool for_snow = scene::may_lie(scene) || scene::may_snow(scene);
+  return for_snow ? metered_gain(day, Subject::snow) : for_bare;
 }
 
 /// `illuminate`: what clouds and snow make of the light on the ground under a clear sky.
@@ -105,13 +102,14 @@ Landscape assemble(const scene::Scene& scene, const Site& site, int frame,
   const FrameSky sky(scene, site, frame, landscape.camera.eye_m);
   const double snow_per_m = snow_extinction_per_m(scene, site, frame);
   const SnowyAir air(site.day, snow_per_m, ground.mean_albedo());
-  landscape.exposure_gain = gain(scene, site.day, ground, air) * std::exp2(scene.render.exposure);
   const auto illuminate = [&](const terrain::GroundLight& clear) {
     const ColourMap light = sky.light(clear);
     return snow_per_m > 0.0 ? air.light(light, clear.overcast) : light;
   };
   landscape.daylight = open_daylight(site.day, air.sun_share(), illuminate);
-  LitGround(scene, site, landscape, choices, lookup.far, illuminate).show(ground, landscape);
+  const ColourMap light = illuminate(ground.light());
+  landscape.exposure_gain = gain(scene, site.day, ground, light) * std::exp2(scene.render.exposure);
+  LitGround(scene, site, landscape, choices, lookup.far, illuminate).show(ground, light, landscape);
   sky.show(landscape, snow_per_m > 0.0);
   if (snow_per_m > 0.0) let_it_snow(scene, site, air, landscape);
   return landscape;

@@ -13,8 +13,8 @@ enum class Subject { meadow, clouds, snow };
 /// 20 degrees of elevation comes out as 0.9 at most.
 double metered_gain(const light::Daylight& day, Subject subject);
 
-/// The same for snow on slopes that are lit so under a clear sky: less where one in twenty would
-/// burn out, as slopes towards a low sun do.
+/// The same for snow on slopes that are lit so: less where one in twenty would burn out, as slopes
+/// towards a low sun do.
 double snow_gain(const light::Daylight& day, const ColourMap& light);
 
 }  // namespace wold::landscape

@@ -114,8 +114,8 @@ ColourMap LitGround::light_in_window() const {
   return on_grass(illuminate_(terrain::ground_light(site_.terrain, site_.day, grid)), window);
 }
 
-void LitGround::show(const SnowyGround& ground, Landscape& landscape) const {
-  const ColourMap light = illuminate_(ground.light());
+void LitGround::show(const SnowyGround& ground, const ColourMap& light,
+                     Landscape& landscape) const {
   ColourMap grass_light = on_grass(light, whole_grid(scene_));
   landscape.ground = painted(product(ground.reflectance(), light), ground.growth(), grass_light);
   for (const GroundGrid& grid : detail_grids(scene_, landscape.camera))

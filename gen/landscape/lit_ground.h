@@ -39,8 +39,8 @@ class LitGround {
   LitGround& operator=(const LitGround&) = delete;
 
   /// Sets the landscape's pictures of the ground, its light on the grass, and how much of that
-  /// stands.
-  void show(const SnowyGround& ground, Landscape& landscape) const;
+  /// stands. `light`: the frame's on all of the ground.
+  void show(const SnowyGround& ground, const ColourMap& light, Landscape& landscape) const;
 
  private:
   ColourMap on_grass(const ColourMap& light, const GroundGrid& grid) const;

@@ -8,6 +8,7 @@
 
 #include "landscape/tint.h"
 #include "scene/key_frames.h"
+#include "season/film_season.h"
 #include "support/grown.h"
 #include "terrain/hillside.h"
 
@@ -56,6 +57,38 @@ TEST(Assemble, CellsReferToTheirVolumes) {
   EXPECT_EQ(landscape.exposure_gain, 1.6 * std::numbers::pi);
   EXPECT_NEAR(landscape.camera.eye_m.z, terrain.sample(4.0, 0.5) + 1.6, 1e-6);
   EXPECT_NEAR(landscape.camera.target_m.z, terrain.sample(4.0, 6.0) + 0.5, 1e-6);
+}
+
+// The camera of a season opens when clouds hide the winter sun, so that snow stays white.
+TEST(Assemble, ExposesSnowUnderCloudsAsInTheSun) {
+  scene::Scene scene = small_meadow();
+  scene.season.first = {2026, 12, 1};
+  scene.season.last = {2026, 12, 3};
+  scene.season.frames = 3;
+  scene.season_keys = {{.date = {2026, 12, 1}, .weathering = 1.0, .temperature_c = -8.0}};
+  scene.sun.latitude_deg = 46.5;
+  scene.sun.time_h = 12.0;
+  scene.snow_cover.initial_mm = 60.0;
+  const auto shown = [](const scene::Scene& described) {
+    const scene::Scene film = season::as_film(described);
+    const Site site = make_site(film);
+    return assemble(film, site_of_frame(film, site, 2), 2, {}, {});
+  };
+  const auto mean_shown = [](const Landscape& landscape) {
+    double sum = 0.0;
+    for (const glm::vec3& radiance : landscape.ground.values()) sum += double{radiance.g};
+    return landscape.exposure_gain * sum / static_cast<double>(landscape.ground.values().size());
+  };
+  const Landscape clear = shown(scene);
+  scene.clouds.resize(1);
+  scene.clouds[0].kind = "stratus";
+  scene.clouds[0].cover = 1.0;
+  const Landscape clouded = shown(scene);
+  const double of_card = 0.95 * std::numbers::pi;  // white, on level ground in the open
+  EXPECT_LT(clear.exposure_gain, 0.8 * of_card);   // slopes face the low sun
+  EXPECT_NEAR(clouded.exposure_gain, of_card, 1e-6);
+  EXPECT_LT(mean_shown(clouded), mean_shown(clear));  // it is dim nevertheless
+  EXPECT_GT(mean_shown(clouded), 0.5 * mean_shown(clear));
 }
 
 // With a low sun the sky is exposed, not the ground.
