@@ -51,11 +51,16 @@ TEST(Perspective, SeesInAPixelWhatLiesInItsDirection) {
   EXPECT_GT(perspective.direction({32, 0}).z, perspective.direction({32, 64}).z);
 }
 
+Canvas painted(const landscape::Landscape& field, const Perspective& perspective) {
+  Canvas canvas(side_px, side_px);
+  paint_ground_and_sky(field, perspective, canvas);
+  return canvas;
+}
+
 TEST(GroundAndSky, RaysMeetALevelFieldWhereTheyShould) {
   const landscape::Landscape field = level_field();
   const Perspective perspective = perspective_of(field);
-  Canvas canvas(side_px, side_px);
-  paint_ground_and_sky(field, perspective, canvas);
+  Canvas canvas = painted(field, perspective);
   int ground = 0;
   for (int y = 0; y < side_px; ++y)
     for (int x = 0; x < side_px; ++x) {
@@ -80,8 +85,7 @@ TEST(GroundAndSky, RaysEndOnUnevenGround) {
     for (int i = 0; i < 51; ++i)
       field.terrain.at(i, j) = static_cast<float>(std::sin(0.8 * i) + std::cos(0.5 * j) - 2.0);
   const Perspective perspective = perspective_of(field);
-  Canvas canvas(side_px, side_px);
-  paint_ground_and_sky(field, perspective, canvas);
+  Canvas canvas = painted(field, perspective);
   int ground = 0;
   for (int y = 0; y < side_px; ++y)
     for (int x = 0; x < side_px; ++x) {
