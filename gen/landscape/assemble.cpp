@@ -15,6 +15,7 @@
 #include "landscape/snowy_ground.h"
 #include "landscape/view.h"
 #include "scene/calendar.h"
+#include "scene/sun_path.h"
 #include "scene/winter.h"
 
 namespace wold::landscape {
@@ -55,6 +56,15 @@ std::pair<int, grass::PatchState> blades_key(const CellChoice& choice) {
 
 Subject bare_subject(const scene::Scene& scene) {
   return scene.clouds.empty() ? Subject::meadow : Subject::clouds;
+}
+
+/// What the camera leaves of how dark it gets in a film in which the sun moves. A season's frames
+/// are days apart, and each is exposed anew.
+double dusk(const scene::Scene& scene, int frame) {
+  if (!scene::sun_moves(scene) || scene::is_season(scene)) return 1.0;
+  const auto elevation_deg = [&](double time) { return scene::sun_at(scene, time).elevation_deg; };
+  return dusk_gain(elevation_deg(time_of_frame(scene, frame)),
+                   std::max(elevation_deg(0.0), elevation_deg(1.0)));
 }
 
 /// A film in which it may snow is exposed for snow all through; a season is so long that the camera
@@ -108,7 +118,8 @@ Landscape assemble(const scene::Scene& scene, const Site& site, int frame,
   };
   landscape.daylight = open_daylight(site.day, air.sun_share(), illuminate);
   const ColourMap light = illuminate(ground.light());
-  landscape.exposure_gain = gain(scene, site.day, ground, light) * std::exp2(scene.render.exposure);
+  landscape.exposure_gain =
+      gain(scene, site.day, ground, light) * dusk(scene, frame) * std::exp2(scene.render.exposure);
   LitGround(scene, site, landscape, choices, lookup.far, illuminate).show(ground, light, landscape);
   sky.show(landscape, snow_per_m > 0.0);
   if (snow_per_m > 0.0) let_it_snow(scene, site, air, landscape);

@@ -1,6 +1,7 @@
 #include "landscape/exposure.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numbers>
 #include <vector>
@@ -29,12 +30,23 @@ double card_exposure(Subject subject) {
 /// camera stops opening. A low sun lights the sky more than the ground.
 constexpr double brightest_sky = 0.9;
 
+/// Of a level plane by sun and clear sky, as measured: 0.8 klx + 15.5 klx sin^0.5 and 128 klx
+/// exp(-0.21 / sin) sin. Preetham's sky is too bright by far while the sun is low.
+double clear_illuminance_klx(double sun_elevation_deg) {
+  const double sine = std::sin(glm::radians(sun_elevation_deg));
+  return 0.8 + 15.5 * std::sqrt(sine) + 128.0 * std::exp(-0.21 / sine) * sine;
+}
+
 }  // namespace
 
 double metered_gain(const light::Daylight& day, Subject subject) {
   constexpr double elevation_rad = 20.0 * std::numbers::pi / 180.0;
   const double sky = luminance(day.mean_sky_radiance(elevation_rad));
   return std::min(card_exposure(subject) * std::numbers::pi, brightest_sky / sky);
+}
+
+double dusk_gain(double sun_elevation_deg, double highest_deg) {
+  return std::sqrt(clear_illuminance_klx(sun_elevation_deg) / clear_illuminance_klx(highest_deg));
 }
 
 double snow_gain(const light::Daylight& day, const ColourMap& light) {

@@ -17,4 +17,9 @@ double metered_gain(const light::Daylight& day, Subject subject);
 /// towards a low sun do.
 double snow_gain(const light::Daylight& day, const ColourMap& light);
 
+/// Factor on that of a meter in a film in which the sun moves and stands at `highest_deg` at most:
+/// a camera opens as the sun sinks, but only half-way, as eyes adapt, so that dusk is darker than
+/// day. From the illuminance under a clear sky (Gillette, Pierpoint and Treado 1984). Both above 0.
+double dusk_gain(double sun_elevation_deg, double highest_deg);
+
 }  // namespace wold::landscape

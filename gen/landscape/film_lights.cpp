@@ -78,20 +78,29 @@ grass::Lighting lighting_at(const scene::Scene& scene, const Site& site, double 
   return lighting;
 }
 
+/// How far the sun gets: by height in a season, whose hour of the day hardly changes.
+double sun_way_deg(const scene::Scene& scene) {
+  constexpr int places = 32;
+  double least_deg = 90.0, most_deg = 0.0, turn_deg = 0.0;
+  scene::Sun before = scene::sun_at(scene, 0.0);
+  for (int place = 0; place <= places; ++place) {
+    const scene::Sun sun = scene::sun_at(scene, static_cast<double>(place) / places);
+    least_deg = std::min(least_deg, sun.elevation_deg);
+    most_deg = std::max(most_deg, sun.elevation_deg);
+    turn_deg +=
+        std::abs(sun.azimuth_deg - before.azimuth_deg) * std::cos(glm::radians(sun.elevation_deg));
+    before = sun;
+  }
+  const double climb_deg = most_deg - least_deg;
+  return scene::is_season(scene) ? climb_deg : std::hypot(climb_deg, turn_deg);
+}
+
 }  // namespace
 
 int light_count(const scene::Scene& scene) {
-  if (!scene::is_season(scene)) return 1;
+  if (!scene::sun_moves(scene)) return 1;
   constexpr double most_step_deg = 10.0;
-  constexpr int places = 32;
-  double least_deg = 90.0, most_deg = 0.0;
-  for (int place = 0; place <= places; ++place) {
-    const double elevation_deg =
-        scene::sun_at(scene, static_cast<double>(place) / places).elevation_deg;
-    least_deg = std::min(least_deg, elevation_deg);
-    most_deg = std::max(most_deg, elevation_deg);
-  }
-  return 1 + static_cast<int>(std::ceil((most_deg - least_deg) / most_step_deg));
+  return 1 + static_cast<int>(std::ceil(sun_way_deg(scene) / most_step_deg));
 }
 
 double light_of_frame(const scene::Scene& scene, int frame) {

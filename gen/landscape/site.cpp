@@ -154,7 +154,7 @@ Site make_site(const scene::Scene& scene, const fs::path& snow_folder,
             std::move(withering),
             std::move(snow),
             sketch};
-  if (!site.season) light_ground(scene, site);
+  if (!scene::sun_moves(scene)) light_ground(scene, site);
   return site;
 }
 
@@ -164,7 +164,7 @@ double visual_range_m(const scene::Scene& scene, const Site& site, int frame) {
 }
 
 Site site_of_frame(const scene::Scene& scene, const Site& site, int frame) {
-  if (!site.season) return site;
+  if (!scene::sun_moves(scene)) return site;
   Site now = site;
   scene::Sky sky = scene.sky;
   sky.visual_range_m = visual_range_m(scene, site, frame);

@@ -48,8 +48,8 @@ struct Sketch {
   int sky_width_px = 1024;  ///< of the whole sky, where a backdrop stands before it
 };
 
-/// What stays the same from frame to frame: the place and the light of its day. In a season the day
-/// is the one half-way through it, and only site_of_frame() has light and ground_reflectance.
+/// What stays the same from frame to frame: the place and the light of its day. Where the sun moves
+/// the day is the one half-way, and only site_of_frame() has light and ground_reflectance.
 struct Site {
   Heightfield terrain;
   FactorMap growth;                           ///< growth_map()'s
@@ -74,8 +74,8 @@ Site make_site(const scene::Scene& scene, const std::filesystem::path& snow_fold
 /// How far one sees in a frame (from 1): sky.visual_range, in a season through that day's air.
 double visual_range_m(const scene::Scene& scene, const Site& site, int frame);
 
-/// The site on the day of a frame (from 1): itself, but in a season with that day's light and air.
-/// Shares clouds and snow with it.
+/// The site at a frame (from 1): itself, but where the sun moves with the light of that moment, and
+/// in a season with that day's air. Shares clouds and snow with it.
 Site site_of_frame(const scene::Scene& scene, const Site& site, int frame);
 
 /// Growth where cells are laid.

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "core/machine.h"
+#include "scene/calendar.h"
 #include "scene/cloud_consistency.h"
 #include "scene/season_consistency.h"
 #include "scene/sun_position.h"
@@ -92,6 +93,20 @@ Rule sun_is_up(const Sun& sun) {
       fmt::format("sun.time: found {} h, when the sun stands at {:.1f} degrees, expected a time "
                   "when it is {} degree above the horizon at least",
                   sun.time_h, elevation_deg, least_deg)};
+}
+
+/// A day has its own sun, and so has a season.
+Rule sun_ends_where_it_may(const Scene& scene) {
+  constexpr double least_deg = 1.0, most_deg = 90.0;
+  const std::vector<double>& end = scene.sun.end;
+  const bool dated = !scene.sun.date.empty() || is_season(scene);
+  const bool up = end.size() != 2 || (end[0] >= least_deg && end[0] <= most_deg);
+  return {{"sun.end"},
+          end.empty() || (up && !dated),
+          dated ? "sun.end: found a place, but the sun stands where it stood on a day; expected no "
+                  "sun.end, or neither sun.date nor season.first"
+                : fmt::format("sun.end: found a height of {} degrees, expected {} to {}",
+                              end.empty() ? 0.0 : end[0], least_deg, most_deg)};
 }
 
 Rule grows_somewhere(const Growth& growth) {
@@ -252,6 +267,7 @@ void report_contradictions(const Scene& scene, const Places& places,
       has_all_or_none("camera.eye_end", scene.camera.eye_end.size(), 3, "three"),
       has_all_or_none("camera.target_end", scene.camera.target_end.size(), 3, "three"),
       has_all_or_none("sun.date", scene.sun.date.size(), 3, "three"),
+      has_all_or_none("sun.end", scene.sun.end.size(), 2, "two"),
       veins_shrink_less(scene.ageing),
       keel_fits_the_blade(scene),
       hair_droops_by_the_papers_rule(scene.ageing),
@@ -259,6 +275,7 @@ void report_contradictions(const Scene& scene, const Places& places,
       inside_terrain("camera.target", scene.camera.target_m, scene.terrain.size_m),
       date_is_a_day(scene.sun),
       sun_is_up(scene.sun),
+      sun_ends_where_it_may(scene),
       looks_somewhere(scene.camera),
       ends_inside("camera.eye_end", scene.camera.eye_end, scene.terrain.size_m),
       ends_inside("camera.target_end", scene.camera.target_end, scene.terrain.size_m),

@@ -261,6 +261,11 @@ std::vector<Key> sun_keys() {
             FIELD(sun.latitude_deg)),
       bound(number("sun.longitude", "deg", {-180, 180}, "Where, east positive."),
             FIELD(sun.longitude_deg)),
+      bound(list(Kind::numbers, "sun.end", "deg", {0, 360}, {.fewest = 0, .most = 2},
+                 "Where the sun has moved to in the last frame: height above the horizon, 1 at "
+                 "least, and direction; an empty list is nowhere. Not with sun.date and not in a "
+                 "season, whose sun has its own way."),
+            FIELD(sun.end)),
   };
 }
 

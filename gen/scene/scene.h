@@ -128,6 +128,8 @@ struct Sun {
   double time_h = 12.0;  ///< of that day, universal time
   double latitude_deg = 47.0;
   double longitude_deg = 9.0;  ///< east positive
+  /// Elevation and azimuth in the last frame, in degrees; none: it stands still.
+  std::vector<double> end = {};
 
   bool operator==(const Sun&) const = default;
 };

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "landscape/exposure.h"
 #include "landscape/tint.h"
 #include "scene/key_frames.h"
 #include "season/film_season.h"
@@ -89,6 +90,25 @@ TEST(Assemble, ExposesSnowUnderCloudsAsInTheSun) {
   EXPECT_NEAR(clouded.exposure_gain, of_card, 1e-6);
   EXPECT_LT(mean_shown(clouded), mean_shown(clear));  // it is dim nevertheless
   EXPECT_GT(mean_shown(clouded), 0.5 * mean_shown(clear));
+}
+
+// As the sun sinks pictures get darker, by half the stops that the light loses: on a clear day the
+// ground has about a tenth of the light at 3 degrees that it has at 20 (a tenth to a fifteenth is
+// measured: 20 to 30 klx and 2 to 3 klx).
+TEST(Assemble, DuskIsDarkerThanDay) {
+  scene::Scene scene = small_meadow();
+  scene.ageing.frames = {0.0, 0.0};
+  scene.sun.elevation_deg = 20.0;
+  scene.sun.end = {3.0, scene.sun.azimuth_deg};
+  const Site site = make_site(scene);
+  const auto relative_gain = [&](int frame) {
+    const Site now = site_of_frame(scene, site, frame);
+    return assemble(scene, now, frame, {}, {}).exposure_gain /
+           metered_gain(now.day, Subject::meadow);
+  };
+  EXPECT_NEAR(relative_gain(1), 1.0, 1e-9);
+  EXPECT_GT(relative_gain(2), std::sqrt(1.0 / 20.0));
+  EXPECT_LT(relative_gain(2), std::sqrt(1.0 / 6.0));
 }
 
 // With a low sun the sky is exposed, not the ground.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/colour.h"
 #include "landscape/film_lights.h"
 #include "landscape/site.h"
 #include "scene/sun_position.h"
@@ -118,6 +119,32 @@ TEST(SiteOfFrame, HasTheDaysLight) {
         glm::degrees(std::acos(glm::dot(lights[i - 1].sun_direction, lights[i].sun_direction))),
         12.0);
   EXPECT_EQ(frame_lighting(scene, site, 1).sun_direction, lights.front().sun_direction);
+}
+
+// A sun that sets within a film lights each frame from where it stands, and grass is baked for its
+// way in steps of 10 degrees at most: here 24 to the west and 20 down are 31.
+TEST(SiteOfFrame, HasTheLightOfASettingSun) {
+  scene::Scene scene;
+  scene.terrain.size_m = 8.0;
+  scene.terrain.samples = 33;
+  scene.camera.eye_m = {4.0, 0.5};
+  scene.camera.target_m = {4.0, 6.0};
+  scene.ageing.frames = {0.0, 0.0, 0.0};
+  scene.sun.elevation_deg = 22.0;
+  scene.sun.azimuth_deg = 260.0;
+  scene.sun.end = {2.0, 284.0};
+  const Site site = make_site(scene);
+  const Site half_way = site_of_frame(scene, site, 2);
+  EXPECT_NEAR(std::asin(half_way.day.sun_direction().z), glm::radians(12.0), 1e-9);
+  EXPECT_EQ(light_count(scene), 5);
+  EXPECT_EQ(light_of_frame(scene, 2), 2.0);
+  const auto lights = film_lights(scene, site);
+  EXPECT_NEAR(lights.back().sun_direction.z, std::sin(glm::radians(2.0)), 1e-6);
+  const auto lit = [&](int frame) {
+    return luminance(site_of_frame(scene, site, frame).light.sun.sample(4.0, 4.0));
+  };
+  EXPECT_GT(lit(1), lit(2));
+  EXPECT_GT(lit(2), lit(3));
 }
 
 // However few frames, every light is one: of unit irradiance, as baked grass has it.
