@@ -110,19 +110,19 @@ Landscape assemble(const scene::Scene& scene, const Site& site, int frame,
   const SnowyGround ground(scene, site, frame);
   landscape.terrain = ground.surface();
   const FrameSky sky(scene, site, frame, landscape.camera.eye_m);
-  const double snow_per_m = snow_extinction_per_m(scene, site, frame);
-  const SnowyAir air(site.day, snow_per_m, ground.mean_albedo());
+  const double overcast_per_m = overcast_extinction_per_m(scene, site, frame);
+  const SnowyAir air(site.day, overcast_per_m, ground.mean_albedo());
   const auto illuminate = [&](const terrain::GroundLight& clear) {
     const ColourMap light = sky.light(clear);
-    return snow_per_m > 0.0 ? air.light(light, clear.overcast) : light;
+    return overcast_per_m > 0.0 ? air.light(light, clear.overcast) : light;
   };
   landscape.daylight = open_daylight(site.day, air.sun_share(), illuminate);
   const ColourMap light = illuminate(ground.light());
   landscape.exposure_gain =
       gain(scene, site.day, ground, light) * dusk(scene, frame) * std::exp2(scene.render.exposure);
   LitGround(scene, site, landscape, choices, lookup.far, illuminate).show(ground, light, landscape);
-  sky.show(landscape, snow_per_m > 0.0);
-  if (snow_per_m > 0.0) let_it_snow(scene, site, air, landscape);
+  sky.show(landscape, overcast_per_m > 0.0);
+  if (overcast_per_m > 0.0) let_it_snow(scene, site, air, landscape);
   return landscape;
 }
 

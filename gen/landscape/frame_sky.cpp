@@ -5,6 +5,7 @@
 
 #include "cloud/shadow.h"
 #include "landscape/cloud_boxes.h"
+#include "landscape/nearby_frames.h"
 #include "scene/calendar.h"
 
 namespace wold::landscape {
@@ -19,9 +20,12 @@ std::optional<cloud::CloudState> clouds_of(const scene::Scene& scene, const Site
   if (!site.clouds) return std::nullopt;
   cloud::CloudState clouds =
       site.clouds->at_frame(frame + drifted_frames, site.day.sun_direction());
-  if (site.season)
-    for (cloud::LayerState& layer : clouds.layers)
-      layer.moment.amount *= site.season->cloud_cover(scene::season_days(scene.season, frame));
+  if (site.season) {
+    const double cover = mean_of_nearby(scene, frame, [&](int near) {
+      return site.season->cloud_cover(scene::season_days(scene.season, near));
+    });
+    for (cloud::LayerState& layer : clouds.layers) layer.moment.amount *= cover;
+  }
   return clouds;
 }
 

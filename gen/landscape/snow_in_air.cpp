@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "landscape/faint_flakes.h"
+#include "landscape/nearby_frames.h"
 #include "landscape/view.h"
 #include "scene/winter.h"
 #include "snow/size_distribution.h"
@@ -46,6 +47,11 @@ double snow_extinction_per_m(const scene::Scene& scene, const Site& site, int fr
   return snow::gunn_marshall(rate_mm_h).extinction_per_m(snow::seen_efficiency);
 }
 
+double overcast_extinction_per_m(const scene::Scene& scene, const Site& site, int frame) {
+  return mean_of_nearby(scene, frame,
+                        [&](int near) { return snow_extinction_per_m(scene, site, near); });
+}
+
 void let_it_snow(const scene::Scene& scene, const Site& site, const SnowyAir& air,
                  Landscape& landscape) {
   const Snow& snow = *site.snow;
@@ -55,8 +61,9 @@ void let_it_snow(const scene::Scene& scene, const Site& site, const SnowyAir& ai
   landscape.flakes = with_used_pictures(
       snow.pictures, without_faint_flakes(std::move(seen.flakes), snow::Frustum(view), scene.seed));
   landscape.flakes.radiance = air.radiance();
-  landscape.fog = Fog{seen.fog_extinction_per_m, air.radiance()};
-  show_through(air, *landscape.fog, landscape);
+  const Fog fog{seen.fog_extinction_per_m, air.radiance()};
+  if (fog.extinction_per_m > 0.0) landscape.fog = fog;
+  show_through(air, fog, landscape);
 }
 
 }  // namespace wold::landscape

@@ -11,8 +11,11 @@ namespace wold::landscape {
 /// falls or it rains.
 double snow_extinction_per_m(const scene::Scene& scene, const Site& site, int frame);
 
+/// That of the snow that makes a frame's sky grey: the mean_of_nearby() frames.
+double overcast_extinction_per_m(const scene::Scene& scene, const Site& site, int frame);
+
 /// Sets the flakes before the landscape's camera and the fog that stands for all others, in that
-/// light. Its frame, camera, terrain and size have to be set.
+/// light, and shows its sky through them. Its frame, camera, terrain and size have to be set.
 void let_it_snow(const scene::Scene& scene, const Site& site, const SnowyAir& air,
                  Landscape& landscape);
 

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <string>
 
+#include "landscape/assemble.h"
 #include "landscape/view.h"
+#include "season/film_season.h"
 
 namespace wold::landscape {
 namespace {
@@ -62,6 +64,48 @@ TEST(SnowInAir, HasTheSnowfallsExtinction) {
   scene::Scene scene = snowy("blizzard");
   const double extinction_per_m = snow_extinction_per_m(scene, make_site(scene), 1);
   EXPECT_NEAR(extinction_per_m, 2.49e-3 * std::pow(4.0, 1.05), 0.02 * extinction_per_m);
+}
+
+/// Ten days of which the sixth, frame 6, has frost and all the precipitation.
+scene::Scene one_snowy_day() {
+  scene::Scene scene = snowy("weather");
+  scene.season.first = {2026, 12, 1};
+  scene.season.last = {2026, 12, 10};
+  scene.season.frames = 10;
+  scene.sun.time_h = 12.0;
+  scene.season_keys = {{.date = {2026, 12, 1}, .weathering = 1.0, .temperature_c = -8.0},
+                       {.date = {2026, 12, 5}, .precipitation_mm_day = 0.0},
+                       {.date = {2026, 12, 6}, .precipitation_mm_day = 20.0},
+                       {.date = {2026, 12, 7}, .precipitation_mm_day = 0.0}};
+  return season::as_film(scene);
+}
+
+// The sky greys before a day's snow and clears after it, however sudden that is; flakes are its
+// own.
+TEST(SnowInAir, OfOneDayGreysTheSkyGently) {
+  const scene::Scene scene = one_snowy_day();
+  const Site site = make_site(scene);
+  double own = 0.0, greying = 0.0;
+  for (int frame = 1; frame <= 10; ++frame) {
+    own += snow_extinction_per_m(scene, site, frame);
+    greying += overcast_extinction_per_m(scene, site, frame);
+  }
+  EXPECT_GT(own, 0.0);
+  EXPECT_NEAR(greying, own, 1e-9);
+  for (int frame = 2; frame <= 10; ++frame)
+    EXPECT_LT(std::abs(overcast_extinction_per_m(scene, site, frame) -
+                       overcast_extinction_per_m(scene, site, frame - 1)),
+              0.25 * own);
+  const auto shown = [&](int frame) {
+    return assemble(scene, site_of_frame(scene, site, frame), frame, {}, {});
+  };
+  const Landscape clear = shown(1), before = shown(5), snowing = shown(6);
+  const auto sun = [](const Landscape& landscape) { return landscape.daylight.sun_irradiance.g; };
+  EXPECT_TRUE(before.flakes.flakes.empty());
+  EXPECT_FALSE(before.fog);
+  EXPECT_LT(sun(before), 0.9F * sun(clear));
+  EXPECT_GT(snowing.flakes.flakes.size(), 100u);
+  EXPECT_LT(sun(snowing), 0.5F * sun(before));
 }
 
 // A whirl of many faint flakes, as seen in a picture of few pixels, where POV-Ray would end.
