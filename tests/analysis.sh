@@ -3,12 +3,14 @@
 #
 #     tests/analysis.sh asan [CTEST OPTION...]        tests with address and undefined-behaviour
 #                                                     sanitizers
+#     tests/analysis.sh asan-units                    those without renderers, as .ci/run does
 #     tests/analysis.sh tsan [CTEST OPTION...]        with the thread sanitizer
 #     tests/analysis.sh coverage [CTEST OPTION...]    which lines of gen/ tests run: 90 % at least
 #     tests/analysis.sh cppcheck
 #     tests/analysis.sh tidy [FILE PATTERN...]        clang-tidy, with the checks of .clang-tidy
 #
-# All but cppcheck take a folder build-* of their own and more time than .ci/run has.
+# All but cppcheck take a folder build-* of their own, and all but cppcheck and asan-units more time
+# than .ci/run has.
 set -euo pipefail
 source "$(dirname "$0")/../examples/setup.sh"
 
@@ -21,6 +23,15 @@ test_with() {
   cmake --build --preset "$preset" >&2
   say "Testing with $preset"
   ctest --preset "$preset" --parallel "$(nproc)" "${@:2}"
+}
+
+test_units() {
+  install "${build_packages[@]}" "${test_packages[@]}"
+  say "Building libraries with asan"
+  cmake --preset asan >/dev/null
+  cmake --build --preset asan --target test_{core,scene,season,light,terrain,grass,cloud,snow,landscape} >&2
+  say "Testing libraries with asan"
+  ctest --preset asan --parallel "$(nproc)" --exclude-regex '_NOT_BUILT$|^Slurm$|^Fidelity$'
 }
 
 coverage() {
@@ -50,6 +61,7 @@ check_with_tidy() {
 cd "$here"
 case ${1:-} in
   asan | tsan) test_with "$@" ;;
+  asan-units) test_units ;;
   coverage) coverage "${@:2}" ;;
   cppcheck) check_with_cppcheck ;;
   tidy) check_with_tidy "${@:2}" ;;

@@ -122,13 +122,15 @@ Json stage_step(const StagePlan& stage, const std::vector<std::string>& options)
   return step;
 }
 
+/// Defaults have to be beneath the template's directory and relative to it, taken to be the current
+/// one; the value of any other path has to be given with the job.
 Json path_parameter(const char* name, const char* kind, const char* flow,
                     const std::filesystem::path& path) {
-  return {{"name", name},
-          {"type", "PATH"},
-          {"objectType", kind},
-          {"dataFlow", flow},
-          {"default", std::filesystem::absolute(path).lexically_normal().string()}};
+  Json parameter = {{"name", name}, {"type", "PATH"}, {"objectType", kind}, {"dataFlow", flow}};
+  const std::filesystem::path relative =
+      std::filesystem::absolute(path).lexically_relative(std::filesystem::current_path());
+  if (!relative.empty() && *relative.begin() != "..") parameter["default"] = relative.string();
+  return parameter;
 }
 
 }  // namespace

@@ -193,6 +193,11 @@ TEST_F(Tasks, TheOpenJobDescriptionMakesTheFilm) {
   ASSERT_EQ(result.code, 0) << result.err;
   const json job = json::parse(result.out);
   EXPECT_EQ(job.at("specificationVersion"), "jobtemplate-2023-09");
+  const json elsewhere = json::parse(wold("plan small.toml --openjd --out /tmp/elsewhere").out)
+                             .at("parameterDefinitions");
+  EXPECT_EQ(elsewhere.at(0).at("default"), "small.toml");
+  EXPECT_FALSE(
+      elsewhere.at(1).contains("default"));  // may not lead out of the template's directory
   std::map<std::string, std::string> values;
   for (const json& parameter : job.at("parameterDefinitions"))
     values["{{Param." + parameter.at("name").get<std::string>() + "}}"] = parameter.at("default");
