@@ -137,30 +137,32 @@ glm::vec3 CloudySky::before(const glm::vec3& behind, const Layer& layer,
   if (meeting.clear < 1.0F / 512.0F || meeting.share <= 0.0) return behind;
   meeting.footprint_m = finest_angle_rad * distance_m / std::sqrt(cosine);
   glm::vec3 seen = behind;
-  for (const cloud::Sheet& sheet : layer.sheets) seen = before(seen, layer, sheet, meeting);
+  double depth = 0.0;
+  for (const cloud::Sheet& sheet : layer.sheets) depth += veil(seen, layer, sheet, meeting);
+  const double droplets = depth * cloud::droplets_per_seen(*layer.made);
+  const double once =
+      meeting.phase * scattered_once(droplets / meeting.cosine, droplets / sun_cosine_);
+  seen += day_.sun_irradiance() * layer.light_colour * static_cast<float>(once);
   return glm::mix(behind, seen, meeting.clear);
 }
 
-glm::vec3 CloudySky::before(const glm::vec3& behind, const Layer& layer, const cloud::Sheet& sheet,
-                            const Meeting& meeting) const {
+double CloudySky::veil(glm::vec3& seen, const Layer& layer, const cloud::Sheet& sheet,
+                       const Meeting& meeting) const {
   const glm::dvec2 place_px = meeting.place_m / pixel_m_ - sheet.way_px;
   const double number = rank_at(sheet.map->ranks, place_px);
   const cloud::Layer& made = *layer.made;
-  if (opacity_at(sheet, made, number, sheet.map->detail * made.detail.most()) <= 0.0) return behind;
+  if (opacity_at(sheet, made, number, sheet.map->detail * made.detail.most()) <= 0.0) return 0.0;
   const double detail =
       sheet.map->detail * made.detail.at(meeting.place_m - layer.way_m, meeting.footprint_m);
   const double opacity = opacity_at(sheet, made, number, detail);
-  if (opacity <= 0.0) return behind;
+  if (opacity <= 0.0) return 0.0;
   const double depth = meeting.share * -std::log1p(-std::min(opacity, 0.999999));
   const glm::vec3 diffuse(looked_up(sheet.colour_by_light,
                                     shaded(rank_at(sheet.map->sunlit, place_px), detail),
                                     cloud::lights_per_entry));
-  const double droplets = depth * cloud::droplets_per_seen(made);
-  const double once =
-      meeting.phase * scattered_once(droplets / meeting.cosine, droplets / sun_cosine_);
   const float through = std::exp(static_cast<float>(-depth / meeting.cosine));
-  return behind * through + diffuse * daylight_ * ((1.0F - through) / static_cast<float>(pi)) +
-         day_.sun_irradiance() * layer.light_colour * static_cast<float>(once);
+  seen = seen * through + diffuse * daylight_ * ((1.0F - through) / static_cast<float>(pi));
+  return depth;
 }
 
 void CloudySky::paint(Image& picture, int samples, const DirectionOf& direction) const {

@@ -56,8 +56,10 @@ class CloudySky {
 
   glm::vec3 clouded(glm::vec3 behind, const glm::dvec3& direction) const;
   glm::vec3 before(const glm::vec3& behind, const Layer& layer, const glm::dvec3& direction) const;
-  glm::vec3 before(const glm::vec3& behind, const Layer& layer, const cloud::Sheet& sheet,
-                   const Meeting& meeting) const;
+  /// Lays a sheet over what is `seen`, without sunlight scattered once, which meets all sheets of
+  /// a layer as one cloud; the sheet's optical depth.
+  double veil(glm::vec3& seen, const Layer& layer, const cloud::Sheet& sheet,
+              const Meeting& meeting) const;
 
   const light::Daylight& day_;
   glm::dvec3 eye_m_;

@@ -152,6 +152,24 @@ Shine shine(scene::Scene scene, double opacity) {
   return {sent(188.0), sent(8.0)};
 }
 
+// While a wind draws thick clouds out, two shapes share their optical depth. They are one cloud to
+// sunlight: where both are everywhere alike nothing changes, not even near the sun.
+TEST_F(CloudySkies, ShineAsOneCloudWhileShapesChange) {
+  scene::Scene scene = veil(0.995, "stratus");
+  scene.sun.azimuth_deg = 180.0;
+  scene.sun.elevation_deg = 30.0;
+  scene.cloud_events.push_back(
+      {.kind = "wind", .start_s = 10.0, .duration_s = 100.0, .heading_deg = 150.0, .shear = 0.8});
+  const Sky before(scene, 5.0);
+  const glm::dvec3 direction = light::direction_of(186.0 * deg, 30.0 * deg);
+  const float wanted = before.seen.radiance(direction).g;
+  for (const double time_s : {14.0, 30.0, 60.0, 90.0}) {
+    const Sky meanwhile(scene, time_s);
+    ASSERT_EQ(cloud::sheets_of(meanwhile.clouds.layers[0], pixel_m).size(), 2u);
+    EXPECT_NEAR(meanwhile.seen.radiance(direction).g, wanted, 0.01 * wanted) << time_s;
+  }
+}
+
 // As much as 0.01 of optical depth scatters once by Henyey and Greenstein's law, and a little of
 // the diffuse light, at most a veil's share of a white card's radiance.
 TEST_F(CloudySkies, HaveASilverLining) {
