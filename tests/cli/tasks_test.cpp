@@ -118,7 +118,8 @@ TEST_F(Tasks, PlanCountsWhatIsToDoAndSaysWhy) {
   for (const json& stage : fresh.at("stages")) runs[stage.at("stage")] = stage.at("runs");
   EXPECT_EQ(runs, (std::map<std::string, int>{{"texels", 2}, {"scenes", 2}, {"blender", 2}}));
   render("out");
-  for (const json& stage : plan("--out out").at("stages")) {
+  const json rendered = plan("--out out");
+  for (const json& stage : rendered.at("stages")) {
     EXPECT_EQ(stage.at("runs"), 0) << stage;
     EXPECT_EQ(stage.at("perhaps"), 0) << stage;
     EXPECT_EQ(stage.at("estimate").at("from"), "records") << stage;
@@ -147,8 +148,9 @@ class LongPlan : public Tasks {
   std::string plan_within_ten_seconds(const std::string& options) const {
     const auto start = std::chrono::steady_clock::now();
     const std::string limit = sanitized ? "" : "ulimit -v 1000000; ";
+    const std::chrono::seconds enough(sanitized ? 600 : 10);
     const Result result = shell(limit + command("plan long.toml --renderer blender " + options));
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+    EXPECT_LT(std::chrono::steady_clock::now() - start, enough);
     EXPECT_EQ(result.code, 0) << result.err;
     EXPECT_LT(result.out.size(), 10000U);
     return result.out;
