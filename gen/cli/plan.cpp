@@ -128,7 +128,8 @@ Json path_parameter(const char* name, const char* kind, const char* flow,
                     const std::filesystem::path& path) {
   Json parameter = {{"name", name}, {"type", "PATH"}, {"objectType", kind}, {"dataFlow", flow}};
   const std::filesystem::path relative =
-      std::filesystem::absolute(path).lexically_relative(std::filesystem::current_path());
+      std::filesystem::absolute(path).lexically_normal().lexically_relative(
+          std::filesystem::current_path());
   if (!relative.empty() && *relative.begin() != "..") parameter["default"] = relative.string();
   return parameter;
 }
