@@ -14,11 +14,15 @@ float opacity(const LayerState& state, double rank, double share) {
   return static_cast<float>(moment.amount_is_alpha ? moment.amount * alpha : alpha);
 }
 
+/// How deep the layer's clouds are, of the depth that the whole layer's have.
+double depth_left(const LayerState& state) {
+  return depth_factor(state.moment.amount_is_alpha ? 1.0 : state.moment.amount);
+}
+
 /// What is left of the light where the whole layer would leave `brightness`.
 double light_left(const LayerState& state, double brightness) {
   if (state.layer->lit_as_paper) return 1.0;
-  const double amount = state.moment.amount_is_alpha ? 1.0 : state.moment.amount;
-  return brightness_of_less(brightness, depth_factor(amount));
+  return brightness_of_less(brightness, depth_left(state));
 }
 
 /// entry(value) for the middle of every entry's steps, in [0, 1].
@@ -35,9 +39,12 @@ Sheet sheet_of(const LayerState& state, const std::shared_ptr<const ShapeMaps>& 
                double pixel_m) {
   return {map, state.moment.way_m / pixel_m,
           table(ranks_per_entry, [&](double rank) { return opacity(state, rank, share); }),
-          table(lights_per_entry, [&](double brightness) {
-            return glm::vec4(glm::vec3(state.moment.light * light_left(state, brightness)), 1.0F);
-          })};
+          table(lights_per_entry,
+                [&](double brightness) {
+                  return glm::vec4(glm::vec3(state.moment.light * light_left(state, brightness)),
+                                   1.0F);
+                }),
+          share * depth_left(state)};
 }
 
 }  // namespace

@@ -21,6 +21,7 @@ struct Sheet {
   glm::dvec2 way_px = {};                  ///< how far the map has drifted
   std::vector<float> opacity_by_rank;      ///< in [0, 1]
   std::vector<glm::vec4> colour_by_light;  ///< linear colour for the share of the light, and 1
+  double depth_share = 1.0;  ///< of the depth towards the sun that the map's light tells
 };
 
 /// A layer's sheets, the further one first: one, or two while its shape changes. Two sheets whose

@@ -1,20 +1,96 @@
 #include "cloud/scattering.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace wold::cloud {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// What light that is scattered for the `time`th time, from 1, sends out at the angle.
+double forward_order(double asymmetry, int time, double cosine) {
+  const double phase = henyey_greenstein(std::pow(asymmetry, time), cosine);
+  return time == 1 ? phase : std::max(0.0, phase - 0.25 / pi);
+}
+
+/// Sum over times from 1 of poisson(times - 1 + first) forward_order(times).
+double forward_sum(double asymmetry, double depth, double cosine, int first) {
+  constexpr int times = 40;  // after these all light of droplets is even
+  double poisson = std::exp(-depth) * (first == 0 ? 1.0 : depth);
+  double sum = 0.0;
+  for (int time = 1; time <= times; ++time) {
+    sum += poisson * forward_order(asymmetry, time, cosine);
+    poisson *= depth / (time + first);
+  }
+  return sum;
+}
+
+// The table's steps: even ones of the root of depth / (depth + middle), and of the root of the sine
+// of half the angle, fine in the peak.
+constexpr int depths = 96;
+constexpr int angles = 128;
+constexpr double middle_depth = 4.0;
+
+double depth_of(int step) {
+  const double root = static_cast<double>(step) / depths;  // below 1: depths have no end
+  const double share = root * root;
+  return middle_depth * share / (1.0 - share);
+}
+
+double cosine_of(int step) {
+  const double root = static_cast<double>(step) / (angles - 1);
+  return 1.0 - 2.0 * std::pow(root, 4);
+}
+
+}  // namespace
 
 double henyey_greenstein(double asymmetry, double cosine) {
   const double g = asymmetry;
   const double base = 1.0 + g * g - 2.0 * g * cosine;
-  return (1.0 - g * g) / (4.0 * std::numbers::pi * base * std::sqrt(base));
+  return (1.0 - g * g) / (4.0 * pi * base * std::sqrt(base));
 }
 
 TwoStream two_stream(double asymmetry, double depth_before, double depth_behind) {
   const double c = 0.75 * (1.0 - asymmetry);
   const double all = 1.0 + c * (depth_before + depth_behind);
   return {(1.0 + c * depth_behind) / all, c * depth_behind / all};
+}
+
+double radiance_of(const TwoStream& streams, double cosine) {
+  return ((1.0 + cosine) * streams.onward + (1.0 - cosine) * streams.back) / (2.0 * pi);
+}
+
+double in_forward_peak(double asymmetry, double depth) {
+  return std::exp(-(1.0 - asymmetry * asymmetry) * depth);
+}
+
+double forward_through(double asymmetry, double depth, double cosine) {
+  return forward_sum(asymmetry, depth, cosine, 1);
+}
+
+double forward_source(double asymmetry, double depth, double cosine) {
+  return forward_sum(asymmetry, depth, cosine, 0);
+}
+
+ForwardTable::ForwardTable(Law law, double asymmetry) {
+  values_.reserve(static_cast<std::size_t>(depths) * angles);
+  for (int d = 0; d < depths; ++d)
+    for (int a = 0; a < angles; ++a)
+      values_.push_back(static_cast<float>(law(asymmetry, depth_of(d), cosine_of(a))));
+}
+
+double ForwardTable::at(double depth, double cosine) const {
+  const double d = std::min(depths * std::sqrt(depth / (depth + middle_depth)), depths - 1.0);
+  const double a = (angles - 1) * std::sqrt(std::sqrt(std::clamp(0.5 - 0.5 * cosine, 0.0, 1.0)));
+  const int low_d = std::min(static_cast<int>(d), depths - 2);
+  const int low_a = std::min(static_cast<int>(a), angles - 2);
+  const float* low = &values_[static_cast<std::size_t>(low_d * angles + low_a)];
+  const auto along = [&](const float* row) {
+    return std::lerp(double{row[0]}, double{row[1]}, a - low_a);
+  };
+  return std::lerp(along(low), along(low + angles), d - low_d);
 }
 
 }  // namespace wold::cloud

@@ -86,6 +86,11 @@ double base_brightness(const Droplets& droplets, double optical_depth) {
   return brightness_of(1.0 / (1.0 + 0.75 * (1.0 - droplets.asymmetry) * optical_depth));
 }
 
+double depth_of_brightness(const Droplets& droplets, double brightness) {
+  const double through = std::clamp(through_of(brightness), 1e-6, 1.0);
+  return (1.0 / through - 1.0) / (0.75 * (1.0 - droplets.asymmetry));
+}
+
 double brightness_of_less(double brightness, double factor) {
   const double through = std::max(through_of(brightness), 1e-6);
   return brightness_of(1.0 / (1.0 + factor * (1.0 / through - 1.0)));

@@ -26,7 +26,11 @@ struct Droplets {
 /// the fifth that the ground beneath sends up again.
 double base_brightness(const Droplets& droplets, double optical_depth);
 
-/// That of a cloud that is `factor` times as deep, from 0, as one of the brightness given.
+/// The optical depth of a base with that brightness.
+double depth_of_brightness(const Droplets& droplets, double brightness);
+
+/// The brightness of a cloud that is `factor` times as deep, from 0, as one of the brightness
+/// given.
 double brightness_of_less(double brightness, double factor);
 
 /// The brightness at every pixel, in steps of 1/65535, with tau along the ray from the base to the

@@ -92,18 +92,13 @@ Depths depths_of(const CloudVolume& volume, const glm::dvec3& sun_direction) {
   return {towards(to_sun), towards(-to_sun), towards({0.0, 0.0, 1.0}), towards({0.0, 0.0, -1.0})};
 }
 
-/// Mean radiance of light that two-stream diffusion brings, per unit of irradiance.
-double diffuse_radiance(double asymmetry, double before, double behind) {
-  const TwoStream fluxes = two_stream(asymmetry, before, behind);
-  return (fluxes.onward + fluxes.back) / (2.0 * pi);
-}
-
-/// Source radiance per unit of the sun's irradiance: light that was not scattered yet by the phase
-/// function, and the rest of the fluxes, which come from all around.
-double sun_source(double asymmetry, double before, double behind, double cosine) {
-  const double unscattered = std::exp(-before);
-  return unscattered * henyey_greenstein(asymmetry, cosine) +
-         diffuse_radiance(asymmetry, before, behind) - unscattered / (2.0 * pi);
+/// Source radiance per unit of the sun's irradiance: light that still goes roughly its way, and the
+/// rest of the fluxes. cosine: between the sun's light and that to the eye.
+double sun_source(const ForwardTable& forward, double asymmetry, double before, double behind,
+                  double cosine) {
+  TwoStream rest = two_stream(asymmetry, before, behind);
+  rest.onward -= in_forward_peak(asymmetry, before);
+  return forward.at(before, cosine) + radiance_of(rest, cosine);
 }
 
 glm::dvec3 centre_m(const VoxelBox& box, int x, int y, int z) {
@@ -172,6 +167,7 @@ std::vector<glm::vec3> source_radiance(const CloudVolume& volume, const CloudLig
   const VoxelBox& box = volume.box;
   const Depths depths = depths_of(volume, light.sun_direction);
   const double k = volume.droplets_per_seen, g = volume.asymmetry;
+  const ForwardTable forward(forward_source, g);
   std::vector<glm::vec3> source(box.count());
   const auto rows = static_cast<std::size_t>(box.voxels.y) * static_cast<std::size_t>(box.voxels.z);
   parallel_for(rows, [&](std::size_t row) {
@@ -182,11 +178,13 @@ std::vector<glm::vec3> source_radiance(const CloudVolume& volume, const CloudLig
           row * static_cast<std::size_t>(box.voxels.x) + static_cast<std::size_t>(x);
       const glm::dvec3 from_eye = glm::normalize(centre_m(box, x, y, z) - light.eye_m);
       const double to_sun = k * depths.to_sun[i], up = k * depths.up[i], down = k * depths.down[i];
-      const double sun =
-          sun_source(g, to_sun, k * depths.from_sun[i], glm::dot(from_eye, light.sun_direction));
+      const double sun = sun_source(forward, g, to_sun, k * depths.from_sun[i],
+                                    glm::dot(from_eye, light.sun_direction));
+      const double sky = radiance_of(two_stream(g, up, down), from_eye.z);
+      const double ground = radiance_of(two_stream(g, down, up), -from_eye.z);
       source[i] = static_cast<float>(sun) * light.sun_irradiance +
-                  static_cast<float>(diffuse_radiance(g, up, down)) * light.sky_irradiance +
-                  static_cast<float>(diffuse_radiance(g, down, up)) * light.ground_irradiance;
+                  static_cast<float>(sky) * light.sky_irradiance +
+                  static_cast<float>(ground) * light.ground_irradiance;
     }
   });
   return source;

@@ -52,9 +52,9 @@ struct CloudLight {
 CloudLight cloud_light(const light::Daylight& day, const glm::dvec3& eye_m);
 
 /// Radiance that each voxel sends to the eye per unit of optical depth: along a ray, radiance gains
-/// extinction * source * ds. Free of noise: sunlight that has not been scattered yet comes by
-/// Henyey and Greenstein's phase function, which makes thin edges shine around the sun, and what
-/// has, the sky's and the ground's light by two-stream diffusion along their ways. Optical depths
+/// extinction * source * ds. Free of noise: sunlight that still goes roughly its way comes by
+/// forward_source(), which makes thin edges shine around the sun, the rest of it, the sky's and the
+/// ground's light by two-stream diffusion along their ways. Optical depths
 /// on the way to the sun are swept from plane to plane. The layer's own colour of light is not in
 /// it.
 std::vector<glm::vec3> source_radiance(const CloudVolume& volume, const CloudLight& light);

@@ -36,13 +36,6 @@ Crossing crossing(double sine, double rise_m) {
   return {distance_m, (down_m + distance_m) / (earth_radius_m + rise_m)};
 }
 
-/// Sunlight scattered once on its way down through a slab: optical depths along the line of sight
-/// and along the sun's rays.
-double scattered_once(double seen, double sunlit) {
-  if (std::abs(seen - sunlit) <= 1e-3 * (seen + sunlit)) return seen * std::exp(-seen);
-  return seen * (std::exp(-sunlit) - std::exp(-seen)) / (seen - sunlit);
-}
-
 double rank_at(const cloud::LayerMap& map, const glm::dvec2& place_px) {
   return map.sample(place_px.x / map.width(), place_px.y / map.height());
 }
@@ -77,9 +70,15 @@ struct CloudySky::Meeting {
   glm::dvec2 place_m;
   double cosine;
   double share;              ///< of the layer there that is a sheet
-  float clear;               ///< share that haze before it lets through
-  double phase = 0.0;        ///< per steradian, of sunlight scattered into the line of sight
+  double sun_cosine;         ///< between the line of sight and the way to the sun
   double footprint_m = 0.0;  ///< what the eye makes out there
+};
+
+/// What a line of sight has passed of a layer.
+struct CloudySky::Passed {
+  double depth = 0.0;    ///< vertical optical depth, as it is seen
+  double to_sun = 0.0;   ///< that of the droplets, from the base on towards the sun
+  glm::vec3 sent{0.0F};  ///< without sunshine()
 };
 
 CloudySky::CloudySky(const light::Daylight& day, const cloud::CloudState& clouds,
@@ -88,21 +87,24 @@ CloudySky::CloudySky(const light::Daylight& day, const cloud::CloudState& clouds
     : day_(day),
       eye_m_(eye_m),
       pixel_m_(clouds.pixel_m),
-      sun_cosine_(std::max(day.sun_direction().z, cloud::lowest_sun_sine)),
       daylight_(day.sun_irradiance() * static_cast<float>(day.sun_direction().z) +
                 day.sky_irradiance()) {
   for (std::size_t i = 0; i < clouds.layers.size(); ++i) {
     const cloud::LayerState& state = clouds.layers[i];
     const double rise_m = state.layer->base_m - eye_m.z;
     if (rise_m <= 0.0) continue;
-    layers_.push_back({state.layer, state.moment.way_m, cloud::sheets_of(state, clouds.pixel_m),
-                       rise_m, glm::vec3(state.moment.light),
+    layers_.push_back({state.layer,
+                       state.moment.way_m,
+                       cloud::sheets_of(state, clouds.pixel_m),
+                       rise_m,
+                       glm::vec3(state.moment.light),
+                       {cloud::forward_through, state.layer->droplets.asymmetry},
                        windows.empty() ? std::nullopt : windows[i]});
   }
 }
 
 glm::vec3 CloudySky::radiance(const glm::dvec3& direction) const {
-  return clouded(day_.seen_radiance(direction), direction);
+  return clouded(day_.seen_radiance(direction), day_.sky_radiance(direction), direction);
 }
 
 glm::vec3 CloudySky::irradiance() const {
@@ -114,66 +116,87 @@ glm::vec3 CloudySky::irradiance() const {
       // Rings of equal sin^2: each direction lights level ground alike.
       const double elevation = std::asin(std::sqrt((r + 0.5) / rings));
       const glm::dvec3 direction = light::direction_of(2.0 * pi * (a + 0.5) / azimuths, elevation);
-      sum += glm::dvec3(clouded(day_.sky_radiance(direction), direction));
+      const glm::vec3 clear = day_.sky_radiance(direction);
+      sum += glm::dvec3(clouded(clear, clear, direction));
     }
   return glm::vec3(sum * (pi / (rings * azimuths)));
 }
 
-/// What is seen of the layers before the clear sky.
-glm::vec3 CloudySky::clouded(glm::vec3 behind, const glm::dvec3& direction) const {
+/// What is seen of the layers before the clear sky. Haze before them has the light that all of the
+/// air there has, the clear sky's without the sun's glare.
+glm::vec3 CloudySky::clouded(glm::vec3 behind, const glm::vec3& haze,
+                             const glm::dvec3& direction) const {
   if (direction.z <= 0.0) return behind;
-  for (const Layer& layer : layers_) behind = before(behind, layer, direction);
+  for (const Layer& layer : layers_) behind = before(behind, haze, layer, direction);
   return behind;
 }
 
-glm::vec3 CloudySky::before(const glm::vec3& behind, const Layer& layer,
+glm::vec3 CloudySky::before(const glm::vec3& behind, const glm::vec3& haze, const Layer& layer,
                             const glm::dvec3& direction) const {
   const auto [distance_m, cosine] = crossing(direction.z, layer.rise_m);
   const glm::dvec2 place_m = glm::dvec2(eye_m_) + glm::dvec2(direction) * distance_m;
   Meeting meeting{place_m, cosine, layer.window ? 1.0 - layer.window->share(place_m) : 1.0,
-                  static_cast<float>(clear_share(distance_m, layer.rise_m, day_.visual_range_m())),
-                  cloud::henyey_greenstein(layer.made->droplets.asymmetry,
-                                           glm::dot(direction, day_.sun_direction()))};
-  if (meeting.clear < 1.0F / 512.0F || meeting.share <= 0.0) return behind;
+                  glm::dot(direction, day_.sun_direction())};
+  if (meeting.share <= 0.0) return behind;
   meeting.footprint_m = finest_angle_rad * distance_m / std::sqrt(cosine);
-  glm::vec3 seen = behind;
-  double depth = 0.0;
-  for (const cloud::Sheet& sheet : layer.sheets) depth += veil(seen, layer, sheet, meeting);
-  const double droplets = depth * cloud::droplets_per_seen(*layer.made);
-  const double once =
-      meeting.phase * scattered_once(droplets / meeting.cosine, droplets / sun_cosine_);
-  seen += day_.sun_irradiance() * layer.light_colour * static_cast<float>(once);
-  return glm::mix(behind, seen, meeting.clear);
+  Passed passed;
+  for (const cloud::Sheet& sheet : layer.sheets) veil(passed, layer, sheet, meeting);
+  if (passed.depth <= 0.0) return behind;
+  glm::vec3 sent = passed.sent;
+  if (!layer.made->lit_as_paper) sent += sunshine(layer, passed, meeting);
+  const auto through = static_cast<float>(std::exp(-passed.depth / cosine));
+  const auto clear =
+      static_cast<float>(clear_share(distance_m, layer.rise_m, day_.visual_range_m()));
+  return behind * through + glm::mix(haze * (1.0F - through), sent, clear);
 }
 
-double CloudySky::veil(glm::vec3& seen, const Layer& layer, const cloud::Sheet& sheet,
-                       const Meeting& meeting) const {
+/// Sunlight that the layer's sheets, as one cloud, scatter into the line of sight, as if that led
+/// through all of the cloud before the sun, where it meets a drop at all. Of what is not in the
+/// forward peak the ground sends some back.
+glm::vec3 CloudySky::sunshine(const Layer& layer, const Passed& passed,
+                              const Meeting& meeting) const {
+  const double asymmetry = layer.made->droplets.asymmetry;
+  const double along = passed.depth * cloud::droplets_per_seen(*layer.made) / meeting.cosine;
+  const double to_sun = std::max(passed.to_sun, 1e-6);
+  const double even = cloud::base_brightness(layer.made->droplets, to_sun) -
+                      cloud::in_forward_peak(asymmetry, to_sun);
+  const double radiance = layer.forward.at(to_sun, meeting.sun_cosine) +
+                          std::max(even, 0.0) * day_.sun_direction().z / pi;
+  return day_.sun_irradiance() * layer.light_colour *
+         static_cast<float>(radiance * std::expm1(-along) / std::expm1(-to_sun));
+}
+
+void CloudySky::veil(Passed& passed, const Layer& layer, const cloud::Sheet& sheet,
+                     const Meeting& meeting) const {
   const glm::dvec2 place_px = meeting.place_m / pixel_m_ - sheet.way_px;
   const double number = rank_at(sheet.map->ranks, place_px);
   const cloud::Layer& made = *layer.made;
-  if (opacity_at(sheet, made, number, sheet.map->detail * made.detail.most()) <= 0.0) return 0.0;
+  if (opacity_at(sheet, made, number, sheet.map->detail * made.detail.most()) <= 0.0) return;
   const double detail =
       sheet.map->detail * made.detail.at(meeting.place_m - layer.way_m, meeting.footprint_m);
   const double opacity = opacity_at(sheet, made, number, detail);
-  if (opacity <= 0.0) return 0.0;
+  if (opacity <= 0.0) return;
   const double depth = meeting.share * -std::log1p(-std::min(opacity, 0.999999));
-  const glm::vec3 diffuse(looked_up(sheet.colour_by_light,
-                                    shaded(rank_at(sheet.map->sunlit, place_px), detail),
-                                    cloud::lights_per_entry));
+  const double light = shaded(rank_at(sheet.map->sunlit, place_px), detail);
+  const glm::vec3 diffuse(looked_up(sheet.colour_by_light, light, cloud::lights_per_entry));
   const float through = std::exp(static_cast<float>(-depth / meeting.cosine));
-  seen = seen * through + diffuse * daylight_ * ((1.0F - through) / static_cast<float>(pi));
-  return depth;
+  const glm::vec3 shining = made.lit_as_paper ? daylight_ : day_.sky_irradiance();
+  passed.sent =
+      passed.sent * through + diffuse * shining * ((1.0F - through) / static_cast<float>(pi));
+  passed.depth += depth;
+  passed.to_sun += sheet.depth_share * cloud::depth_of_brightness(made.droplets, light / 65535.0);
 }
 
 void CloudySky::paint(Image& picture, int samples, const DirectionOf& direction) const {
   parallel_for(static_cast<std::size_t>(picture.height), [&](std::size_t row) {
     const int y = static_cast<int>(row);
     for (int x = 0; x < picture.width; ++x) {
-      const glm::vec3 clear = day_.seen_radiance(direction(glm::dvec2(x + 0.5, y + 0.5)));
+      const glm::dvec3 middle = direction(glm::dvec2(x + 0.5, y + 0.5));
+      const glm::vec3 clear = day_.seen_radiance(middle), haze = day_.sky_radiance(middle);
       glm::vec3 sum(0.0F);
       for (int j = 0; j < samples; ++j)
         for (int i = 0; i < samples; ++i)
-          sum += clouded(clear,
+          sum += clouded(clear, haze,
                          direction(glm::dvec2(x + (i + 0.5) / samples, y + (j + 0.5) / samples)));
       sum /= static_cast<float>(samples * samples);
       std::copy_n(&sum.x, 3, picture.pixel(x, y));

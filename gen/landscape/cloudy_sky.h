@@ -8,6 +8,7 @@
 
 #include "cloud/clouds.h"
 #include "cloud/look.h"
+#include "cloud/scattering.h"
 #include "core/image.h"
 #include "landscape/cloud_boxes.h"
 #include "landscape/landscape.h"
@@ -20,9 +21,10 @@ namespace wold::landscape {
 ///
 /// A sheet lets through exp(-tau / mu), tau its vertical optical depth and mu the cosine between
 /// line of sight and vertical there. It sends what two-stream diffusion leaves of the daylight
-/// (cloud/sunlit.h), and, where it is thin, sunlight that was scattered once, which makes edges
-/// near the sun shine. Where an eye makes out more than a layer's map has, the layer's detail is
-/// seen as well: what it adds to the field changes opacity and shade.
+/// (cloud/sunlit.h); of sunlight what is still in the forward peak goes its way
+/// (forward_through()), which makes edges near the sun shine. Where an eye makes out more than a
+/// layer's map has, the layer's detail is seen as well: what it adds to the field changes opacity
+/// and shade.
 class CloudySky {
  public:
   /// `day` has to outlive it. Layers that are not above the eye are left out, and what of a layer
@@ -50,21 +52,23 @@ class CloudySky {
     std::vector<cloud::Sheet> sheets;  ///< the further one first
     double rise_m;                     ///< of its base over the eye
     glm::vec3 light_colour;
+    cloud::ForwardTable forward;  ///< forward_through()
     std::optional<CloudWindow> window;
   };
   struct Meeting;
+  struct Passed;
 
-  glm::vec3 clouded(glm::vec3 behind, const glm::dvec3& direction) const;
-  glm::vec3 before(const glm::vec3& behind, const Layer& layer, const glm::dvec3& direction) const;
-  /// Lays a sheet over what is `seen`, without sunlight scattered once, which meets all sheets of
-  /// a layer as one cloud; the sheet's optical depth.
-  double veil(glm::vec3& seen, const Layer& layer, const cloud::Sheet& sheet,
-              const Meeting& meeting) const;
+  glm::vec3 clouded(glm::vec3 behind, const glm::vec3& haze, const glm::dvec3& direction) const;
+  glm::vec3 before(const glm::vec3& behind, const glm::vec3& haze, const Layer& layer,
+                   const glm::dvec3& direction) const;
+  /// Lays a sheet before what was passed, lit by the sky.
+  void veil(Passed& passed, const Layer& layer, const cloud::Sheet& sheet,
+            const Meeting& meeting) const;
+  glm::vec3 sunshine(const Layer& layer, const Passed& passed, const Meeting& meeting) const;
 
   const light::Daylight& day_;
   glm::dvec3 eye_m_;
   double pixel_m_;
-  double sun_cosine_;   ///< of the angle between vertical and sunlight in clouds
   glm::vec3 daylight_;  ///< irradiance of level ground in the open
   std::vector<Layer> layers_;
 };
