@@ -90,7 +90,8 @@ double ForwardTable::at(double depth, double cosine) const {
   const auto along = [&](const float* row) {
     return std::lerp(double{row[0]}, double{row[1]}, a - low_a);
   };
-  return std::lerp(along(low), along(low + angles), d - low_d);
+  const double above = (depth - depth_of(low_d)) / (depth_of(low_d + 1) - depth_of(low_d));
+  return std::lerp(along(low), along(low + angles), std::min(above, 1.0));
 }
 
 }  // namespace wold::cloud
