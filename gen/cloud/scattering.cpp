@@ -29,9 +29,9 @@ double forward_sum(double asymmetry, double depth, double cosine, int first) {
 
 // The table's steps: even ones of the root of depth / (depth + middle), and of the root of the sine
 // of half the angle, fine in the peak.
-constexpr int depths = 96;
+constexpr int depths = 128;
 constexpr int angles = 128;
-constexpr double middle_depth = 4.0;
+constexpr double middle_depth = 8.0;
 
 double depth_of(int step) {
   const double root = static_cast<double>(step) / depths;  // below 1: depths have no end
