@@ -50,6 +50,10 @@ Layer layer_of(std::uint64_t key, const scene::CloudLayer& described, const Reci
   layer.is_volume = described.body == "volume";
   layer.lit_as_paper = described.light == "paper";
   layer.droplets = {recipe.extinction_per_km * 1e-3, recipe.asymmetry};
+  // A veil has no surface; light that is the same everywhere shows none.
+  constexpr double deep = 5.0;
+  layer.has_relief =
+      !layer.lit_as_paper && layer.droplets.extinction_per_m * layer.thickness_m > deep;
   layer.seen_depth = -std::log1p(-textures.densest_opacity);
   layer.cover = textures.cover;
   layer.profile = textures.profile;
@@ -114,8 +118,16 @@ struct Clouds::Film {
 
   ShapeMaps lit_maps(LayerMap ranks, const Shape& shape, const glm::dvec3& sun_direction) const {
     constexpr double smoothed = 0.7;
-    LayerMap lit = sunlit(ranks, tops_m(*layer), layer->droplets, sun_direction, pixel_m);
-    return {std::move(ranks), std::move(lit), sun_direction, 1.0 - smoothed * shape.shear};
+    const std::vector<float> tops = tops_m(*layer);
+    const Droplets& droplets = layer->droplets;
+    ShapeMaps lit;
+    lit.sunlit = sunlit(ranks, tops, droplets, sun_direction, pixel_m);
+    if (layer->has_relief)
+      lit.relief = relief_of(ranks, tops, droplets, sun_direction, pixel_m, layer->thickness_m);
+    lit.ranks = std::move(ranks);
+    lit.sun_direction = sun_direction;
+    lit.detail = 1.0 - smoothed * shape.shear;
+    return lit;
   }
 
   std::shared_ptr<const ShapeMaps> map_of(std::size_t number, const glm::dvec3& sun_direction) {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "cloud/detail.h"
 #include "cloud/recipe.h"
+#include "cloud/relief.h"
 #include "cloud/sunlit.h"
 #include "cloud/tiling.h"
 #include "cloud/timeline.h"
@@ -27,6 +29,7 @@ struct Layer {
   glm::ivec2 period_px = {};
   bool is_volume = false;      ///< body = "volume"
   bool lit_as_paper = false;   ///< light = "paper": as bright however thick
+  bool has_relief = false;     ///< so dense that what is seen of it has a shape
   double seen_depth = 0.0;     ///< vertical optical depth of the densest place, as it is seen
   double cover = 0.0;          ///< share of the sky, when the whole layer is there; above 1 it
                                ///< has no thin places
@@ -38,7 +41,8 @@ struct Layer {
 /// A shape of a layer over its whole period.
 struct ShapeMaps {
   LayerMap ranks;
-  LayerMap sunlit;                ///< base_brightness in steps of 1/65536, of the whole layer
+  LayerMap sunlit;                ///< base_brightness in steps of 1/65535, of the whole layer
+  std::optional<Relief> relief;   ///< where the layer has one
   glm::dvec3 sun_direction = {};  ///< of the sun that shines there
   double detail = 1.0;            ///< share of Layer::detail that wind has not smoothed away
 };

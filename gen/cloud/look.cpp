@@ -1,5 +1,6 @@
 #include "cloud/look.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace wold::cloud {
@@ -12,6 +13,11 @@ float opacity(const LayerState& state, double rank, double share) {
   const double alpha =
       moment.shapes_by_alpha ? -share * std::expm1(-depth) : -std::expm1(-share * depth);
   return static_cast<float>(moment.amount_is_alpha ? moment.amount * alpha : alpha);
+}
+
+float top(const LayerState& state, double rank) {
+  const double amount = state.moment.amount_is_alpha ? 1.0 : state.moment.amount;
+  return static_cast<float>(top_m(*state.layer, relative_depth(*state.layer, rank, amount)));
 }
 
 /// How deep the layer's clouds are, of the depth that the whole layer's have.
@@ -37,17 +43,27 @@ auto table(unsigned steps_per_entry, const Entry& entry) {
 
 Sheet sheet_of(const LayerState& state, const std::shared_ptr<const ShapeMaps>& map, double share,
                double pixel_m) {
-  return {map, state.moment.way_m / pixel_m,
+  return {map,
+          state.moment.way_m / pixel_m,
           table(ranks_per_entry, [&](double rank) { return opacity(state, rank, share); }),
+          state.layer->has_relief
+              ? table(ranks_per_entry, [&](double rank) { return top(state, rank); })
+              : std::vector<float>(),
           table(lights_per_entry,
                 [&](double brightness) {
                   return glm::vec4(glm::vec3(state.moment.light * light_left(state, brightness)),
                                    1.0F);
                 }),
-          share * depth_left(state)};
+          share,
+          depth_left(state)};
 }
 
 }  // namespace
+
+double by_rank(const std::vector<float>& table, double rank) {
+  const auto entry = static_cast<std::size_t>(std::clamp(rank, 0.0, 65535.0)) / ranks_per_entry;
+  return double{table[std::min(entry, table.size() - 1)]};
+}
 
 std::vector<Sheet> sheets_of(const LayerState& state, double pixel_m) {
   const double next_share = state.next_map ? state.moment.next_share : 0.0;

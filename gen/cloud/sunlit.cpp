@@ -9,25 +9,27 @@
 namespace wold::cloud {
 namespace {
 
-constexpr int ray_steps = 32;
+constexpr int most_ray_steps = 32;
 
-/// A part of the ray to the sun, from the base up.
+/// A part of the ray to the sun.
 struct RayStep {
   glm::ivec2 away_px;  ///< of its middle
-  float low_m;         ///< its lower end
+  float low_m;         ///< its lower end, above the base
   float rise_m;
   float length_m;
 };
 
 /// Steps that grow with the distance, as what is near shades most.
-std::vector<RayStep> ray_to_sun(double top_m, const glm::dvec3& sun_direction, double pixel_m) {
+std::vector<RayStep> ray_to_sun(double low_m, double top_m, const glm::dvec3& sun_direction,
+                                double pixel_m) {
   const double sine = std::max(sun_direction.z, lowest_sun_sine);
-  const double length_m = top_m / sine;
+  const double length_m = (top_m - low_m) / sine;
+  const int ray_steps = static_cast<int>(std::ceil(most_ray_steps * (1.0 - low_m / top_m)));
   const glm::dvec2 level(sun_direction.x, sun_direction.y);
   const glm::dvec2 towards = glm::length(level) > 0.0 ? glm::normalize(level) : glm::dvec2(0.0);
   const double across = std::sqrt(1.0 - sine * sine);
   // From a third of the mean length to five thirds of it.
-  const auto share = [](double step) {
+  const auto share = [&](double step) {
     const double x = step / ray_steps;
     return x * (1.0 + 2.0 * x) / 3.0;
   };
@@ -36,7 +38,8 @@ std::vector<RayStep> ray_to_sun(double top_m, const glm::dvec3& sun_direction, d
     const double from_m = length_m * share(i), to_m = length_m * share(i + 1);
     const double away_m = across * 0.5 * (from_m + to_m);
     steps.push_back({glm::ivec2(glm::round(towards * (away_m / pixel_m))),
-                     static_cast<float>(from_m * sine), static_cast<float>((to_m - from_m) * sine),
+                     static_cast<float>(low_m + from_m * sine),
+                     static_cast<float>((to_m - from_m) * sine),
                      static_cast<float>(to_m - from_m)});
   }
   return steps;
@@ -97,9 +100,9 @@ double brightness_of_less(double brightness, double factor) {
 }
 
 LayerMap sunlit(const LayerMap& ranks, const std::vector<float>& height_m, const Droplets& droplets,
-                const glm::dvec3& sun_direction, double pixel_m) {
+                const glm::dvec3& sun_direction, double pixel_m, double from_m) {
   const PeriodicMap<float> tops = tops_of(ranks, height_m);
-  const std::vector<RayStep> steps = ray_to_sun(height_m.back(), sun_direction, pixel_m);
+  const std::vector<RayStep> steps = ray_to_sun(from_m, height_m.back(), sun_direction, pixel_m);
   PeriodicMap<float> in_cloud_m(ranks.width(), ranks.height());
   parallel_for(static_cast<std::size_t>(ranks.height()), [&](std::size_t row) {
     const int y = static_cast<int>(row);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "cloud/billow_box.h"
 #include "cloud/box_filter.h"
+#include "cloud/heap.h"
 #include "cloud/optical_sweep.h"
 #include "cloud/scattering.h"
 #include "core/parallel.h"
@@ -15,44 +15,9 @@ namespace wold::cloud {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-/// Of a column's height, over which extinction rises from the flat base.
-constexpr double soft_base = 1.0 / 7.0;
-
-/// Extinction over a column's height t in [0, 1], of any scale.
-double column_profile(double t) {
-  if (t <= 0.0 || t >= 1.0) return 0.0;
-  return std::min(1.0, t / soft_base) * std::sqrt(1.0 - t);
-}
-
-/// Round heads in a layer, that drift with it and repeat with its period.
-class LayerBillows {
- public:
-  explicit LayerBillows(const LayerState& state) : box_(state.layer->key) {
-    // Heads of a quarter of the thickness, as many as make the period whole.
-    const double wanted_m = 0.25 * BillowBox::heads * state.layer->thickness_m;
-    const glm::dvec2 boxes = glm::max(glm::round(state.layer->period_m / wanted_m), 1.0);
-    per_m_ = glm::dvec3(boxes / state.layer->period_m, 1.0 / wanted_m);
-    origin_m_ = glm::dvec3(state.moment.way_m, state.layer->base_m);
-  }
-  double at(const glm::dvec3& place_m) const {
-    return static_cast<double>(box_.at(glm::vec3((place_m - origin_m_) * per_m_)));
-  }
-
- private:
-  BillowBox box_;
-  glm::dvec3 per_m_, origin_m_;
-};
-
-/// What is left of a column's extinction between the heads; nothing is lost at the flat base.
-double eroded(double profile, double t, double billow) {
-  constexpr double depth = 0.9;
-  const double bites = std::clamp((t - 0.05) / 0.3, 0.0, 1.0);
-  return std::max(0.0, profile - depth * bites * (1.0 - billow));
-}
-
 /// Fills a column from its lowest voxel's centre up so that its optical depth is `depth`; what is
 /// lower than a voxel is in the first.
-void fill_column(const CloudVolume& volume, const LayerBillows& billows, double depth, double top_m,
+void fill_column(const CloudVolume& volume, const Billows& billows, double depth, double top_m,
                  glm::dvec3 centre_m, float* lowest, std::size_t stride) {
   const double step_m = volume.box.voxel_m.z;
   const int voxels = std::min(volume.box.voxels.z, static_cast<int>(std::ceil(top_m / step_m)));
@@ -141,7 +106,7 @@ CloudVolume lifted(const LayerState& state, double pixel_m, const glm::dvec2& so
   volume.extinction_per_m.resize(volume.box.count());
   const PeriodicMap<float> depths = depth_map(state, pixel_m, volume.box);
   const PeriodicMap<float> smooth = smoothed(depths, layer.thickness_m / volume.box.voxel_m.x);
-  const LayerBillows billows(state);
+  const Billows billows(state);
   const auto plane = static_cast<std::size_t>(voxels.x) * static_cast<std::size_t>(voxels.y);
   parallel_for(static_cast<std::size_t>(voxels.y), [&](std::size_t y) {
     for (int x = 0; x < voxels.x; ++x) {
