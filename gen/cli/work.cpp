@@ -91,7 +91,7 @@ Verdict Work::verdict(const Task& task) {
         return {Need::yes, fmt::format("{} is not what was written", name)};
     return {};
   };
-  const Verdict verdict = judge();
+  Verdict verdict = judge();
   if (task.stage == Stage::scenes) scenes_[task.index] = verdict;
   return verdict;
 }
