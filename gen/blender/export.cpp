@@ -66,6 +66,7 @@ std::vector<int> picks_of(const Landscape& landscape, const std::vector<std::siz
 std::vector<fs::path> shared_files(const Landscape& landscape,
                                    const std::vector<VolumeEntry>& volumes, const fs::path& data) {
   std::vector<fs::path> files;
+  files.reserve(volumes.size());
   for (const VolumeEntry& volume : volumes) files.push_back(volume.file);
   for (const landscape::BladeMesh& mesh : landscape.blade_meshes)
     for (const fs::path& file : blade_files(mesh.name, data / "blades")) files.push_back(file);

@@ -45,7 +45,7 @@ std::vector<std::string> settings() {
 }
 
 /// In single quotes; all that is written here is without them, or they are made typographic.
-std::string quoted(std::string text) {
+std::string quoted(const std::string& text) {
   std::string safe;
   for (const char c : text) safe += c == '\'' ? std::string("\u2019") : std::string(1, c);
   return "'" + safe + "'";

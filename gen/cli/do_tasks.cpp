@@ -57,9 +57,9 @@ void make_texels(const Job& job, Work& work, const StageTasks& stage,
 std::size_t pictures_at_once(const Job& job, double bytes_each) {
   // Reading the scene takes a renderer one thread, and small pictures do not fill many.
   constexpr int threads_each = 4;
+  const int by_threads = threads_of(job) / threads_each;
   const double by_memory = memory_for_renderers(job, 1) / bytes_each;
-  return static_cast<std::size_t>(
-      std::max(1.0, std::min<double>(threads_of(job) / threads_each, by_memory)));
+  return static_cast<std::size_t>(std::max(1.0, std::min<double>(by_threads, by_memory)));
 }
 
 /// What each of so many renderers may take; what is left is this process's.

@@ -34,7 +34,7 @@ FileState FileStates::of(const std::string& name) {
     if (seen && known != known_.end() && looks_like(*seen, known->second)) return known->second;
   }
   const std::string bytes = read_file(folder_ / name);
-  const FileState state = {bytes.size(), seen ? seen->modified_ns : 0, content_hash(bytes)};
+  FileState state = {bytes.size(), seen ? seen->modified_ns : 0, content_hash(bytes)};
   learn(name, state);
   return state;
 }

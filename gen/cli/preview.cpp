@@ -35,8 +35,7 @@ std::vector<int> shown_frames(const scene::Scene& scene) {
 }
 
 fs::path file_of(const PreviewOptions& options, const scene::Scene& scene) {
-  const fs::path file =
-      options.out.empty() ? fs::path("out") / scene.name / "preview.png" : options.out;
+  fs::path file = options.out.empty() ? fs::path("out") / scene.name / "preview.png" : options.out;
   if (file.extension() != ".png")
     throw InputError(
         fmt::format("--out: found {}, expected a file name that ends in .png", file.string()));

@@ -60,9 +60,10 @@ landscape::Sketch sketch_of(const scene::Scene& scene) {
 }  // namespace
 
 std::vector<int> some_of(int count, int most) {
+  const int steps = most - 1, number = std::min(count, most);
   std::vector<int> some;
-  const int steps = most - 1;
-  for (int i = 0; i < std::min(count, most); ++i)  // to the nearest, halves down
+  some.reserve(static_cast<std::size_t>(number));
+  for (int i = 0; i < number; ++i)  // to the nearest, halves down
     some.push_back(count <= most ? i : (2 * i * (count - 1) + steps - 1) / (2 * steps));
   return some;
 }
@@ -141,6 +142,7 @@ void PreviewFilm::make_meshes(std::span<const landscape::CellChoice> cells) {
     if (!meshes_.contains({cell.variant, cell.state()}))
       missing.insert({cell.variant, cell.state()});
   std::vector<landscape::BladeMesh*> meshes;
+  meshes.reserve(missing.size());
   for (const auto& key : missing) meshes.push_back(&meshes_[key]);
   const std::vector<std::pair<int, grass::PatchState>> keys(missing.begin(), missing.end());
   parallel_for(keys.size(), [&](std::size_t i) {

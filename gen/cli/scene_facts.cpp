@@ -66,6 +66,7 @@ std::vector<std::string> changed_keys(const SceneFacts& now, const SceneFacts& t
   std::set_symmetric_difference(now.begin(), now.end(), then.begin(), then.end(),
                                 std::back_inserter(pairs));
   std::vector<std::string> keys;
+  keys.reserve(pairs.size());
   for (const auto& pair : pairs) keys.push_back(pair.first);
   std::sort(keys.begin(), keys.end());
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());

@@ -91,7 +91,7 @@ Verdict Work::verdict(const Task& task) {
         return {Need::yes, fmt::format("{} is not what was written", name)};
     return {};
   };
-  const Verdict verdict = judge();
+  Verdict verdict = judge();
   if (task.stage == Stage::scenes) scenes_[task.index] = verdict;
   return verdict;
 }
@@ -161,6 +161,7 @@ void Work::prepare(Stage stage, Progress& progress) {
 }
 
 void Work::finish() {
+  forget_film();  // and its scratch files
   update_file(job_.out / "scene.toml", scene::resolved_toml(job_.scene));
   write_programs(job_.scene, job_.out);
   write_manifest(job_.out, records_, states_);

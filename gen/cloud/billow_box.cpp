@@ -13,7 +13,7 @@ namespace {
 /// The points of one octave, one in each cell.
 std::vector<glm::vec3> points_of(int cells, std::uint64_t key) {
   std::vector<glm::vec3> points;
-  const auto number = static_cast<std::uint64_t>(cells * cells * cells);
+  const auto number = static_cast<std::uint64_t>(cells) * cells * cells;
   const auto part = [&](std::uint64_t cell, const char* axis) {
     return static_cast<float>(random_uniform({key, key_of("billow"), cell, key_of(axis)}));
   };

@@ -137,7 +137,7 @@ std::vector<WindNow> season_winds(const scene::Scene& scene) {
   const double days = scene::season_days(scene.season, scene.season.frames);
   const double last_s = (scene.season.frames - 1) * scene.film.frame_seconds;
   std::vector<WindNow> winds;
-  for (double day = 0.0; day <= days; day += 1.0) {
+  for (int day = 0; day <= days; ++day) {
     const season::WindChange wind = season.wind(day);
     winds.push_back(
         {last_s * day / days, wind.speed_factor,

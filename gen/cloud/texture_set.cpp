@@ -80,6 +80,7 @@ std::vector<float> profile_of(const std::vector<PeriodicMap<float>>& opacities) 
 
 TextureSet picture_textures(const std::vector<std::string>& paths, int side_px) {
   std::vector<PeriodicMap<float>> opacities;
+  opacities.reserve(paths.size());
   for (const std::string& path : paths) opacities.push_back(picture_opacity(path, side_px));
   float densest = 0.0F;
   for (const PeriodicMap<float>& map : opacities)

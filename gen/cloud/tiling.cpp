@@ -122,7 +122,7 @@ LayerMap repeated_by_blending(const TextureSet& textures, const glm::ivec2& cell
       constexpr double unseen = 1e-6;
       if (patch.weight < unseen) continue;
       const Sample& sample =
-          samples[static_cast<std::size_t>(patch.vertex.y * grid.vertices().x + patch.vertex.x)];
+          samples[static_cast<std::size_t>(patch.vertex.y) * grid.vertices().x + patch.vertex.x];
       const glm::dvec2 at = place + sample.shift;
       sum += patch.weight * gaussian[sample.texture].sample(at.x, at.y);
       squares += patch.weight * patch.weight;

@@ -54,9 +54,8 @@ Verdict compare_paths(const fs::path& got, const fs::path& want, const Limits& l
   const std::vector<Comparison> comparisons =
       are_folders ? compare_folders(got, want, limits, report_folder)
                   : std::vector{compare_pair(got, want, limits, report_folder)};
-  const Verdict result =
-      verdict(comparisons, are_folders ? folders_json(got, want, comparisons, limits)
-                                       : to_json(comparisons.front(), limits));
+  Verdict result = verdict(comparisons, are_folders ? folders_json(got, want, comparisons, limits)
+                                                    : to_json(comparisons.front(), limits));
   if (report_folder.empty()) return result;
   make_folder(report_folder);
   write_file(report_folder / "metrics.json", result.json);

@@ -63,7 +63,8 @@ std::vector<Comparison> compare_folders(const fs::path& got, const fs::path& wan
                        : unpaired((is_got ? got : want) / name, is_got, evidence));
     list.back().name = name.string();
   }
-  std::ranges::stable_partition(list, [](const Comparison& one) { return !is_same(one); });
+  std::stable_partition(list.begin(), list.end(),
+                        [](const Comparison& one) { return !is_same(one); });
   return list;
 }
 

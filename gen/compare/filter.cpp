@@ -30,7 +30,7 @@ void add_weighted(std::span<float> sum, const float* values, double weight) {
 template <class Add>
 Image by_rows(const Image& image, const Add& add) {
   Image result(image.width, image.height, image.channels);
-  const auto length = static_cast<std::size_t>(image.width * image.channels);
+  const std::size_t length = static_cast<std::size_t>(image.width) * image.channels;
   parallel_for(static_cast<std::size_t>(image.height), [&](std::size_t row) {
     const auto y = static_cast<int>(row);
     add(std::span(result.pixel(0, y), length), y);

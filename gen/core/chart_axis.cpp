@@ -50,7 +50,8 @@ Axis linear_axis(const std::string& title, double low, double high, double step)
   const double first = std::floor(low / step + rounding);
   const double last = std::ceil(high / step - rounding);
   Axis axis{title, first * step, last * step, {}, {}, false};
-  for (double k = first; k <= last; ++k) axis.ticks.push_back(k * step);
+  const long steps = std::lround(last - first);
+  for (long k = 0; k <= steps; ++k) axis.ticks.push_back((first + static_cast<double>(k)) * step);
   return axis;
 }
 
@@ -58,13 +59,12 @@ Axis logarithmic_axis(const std::string& title, double low, double high) {
   check_bounds(low, high);
   if (low <= 0.0)
     throw std::invalid_argument(fmt::format("a logarithmic axis needs low > 0, got {}", low));
-  const double first = std::floor(std::log10(low) + rounding);
-  const double last = std::max(first + 1.0, std::ceil(std::log10(high) - rounding));
+  const int first = static_cast<int>(std::floor(std::log10(low) + rounding));
+  const int last = std::max(first + 1, static_cast<int>(std::ceil(std::log10(high) - rounding)));
   Axis axis{title, std::pow(10.0, first), std::pow(10.0, last), {}, {}, true};
-  for (double k = first; k <= last; ++k) axis.ticks.push_back(std::pow(10.0, k));
-  for (double k = first; k < last; ++k)
-    for (double times = 2.0; times < 10.0; ++times)
-      axis.minor_ticks.push_back(times * std::pow(10.0, k));
+  for (int k = first; k <= last; ++k) axis.ticks.push_back(std::pow(10.0, k));
+  for (int k = first; k < last; ++k)
+    for (int times = 2; times < 10; ++times) axis.minor_ticks.push_back(times * std::pow(10.0, k));
   return axis;
 }
 

@@ -39,9 +39,10 @@ glm::vec2 stratified_root(const BladeRandom& random, int number, int blades, dou
   const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(blades))));
   const long cells = static_cast<long>(columns) * columns;
   const long cell = number * cells / blades;
+  const long row = cell / columns, column = cell % columns;
   const double side_m = patch_m / columns;
-  return {(static_cast<double>(cell % columns) + random.uniform("root x")) * side_m,
-          (static_cast<double>(cell / columns) + random.uniform("root y")) * side_m};
+  return {(static_cast<double>(column) + random.uniform("root x")) * side_m,
+          (static_cast<double>(row) + random.uniform("root y")) * side_m};
 }
 
 float positive_spread(double mean, double relative, double normal) {

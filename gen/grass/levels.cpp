@@ -247,8 +247,9 @@ double Transmittances::difference(const Transmittances& a, const Transmittances&
 }
 
 std::vector<glm::dvec3> transmittance_directions(double elevation_deg) {
-  std::vector<glm::dvec3> directions;
   const int count = elevation_deg > 89.0 ? 1 : azimuths;
+  std::vector<glm::dvec3> directions;
+  directions.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
     directions.push_back(
         direction_at(elevation_deg * radians_per_degree, 0.4 + i * std::numbers::pi / 2.0));

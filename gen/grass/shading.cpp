@@ -29,8 +29,9 @@ float sine(const glm::vec3& a, const glm::vec3& b) {
 /// Rings of equal solid angle, that is of equal steps in the sine; their middles are taken in the
 /// sine as well, which gives a horizontal plane its irradiance exactly.
 std::vector<SkyRing> make_rings() {
-  std::vector<SkyRing> rings;
   constexpr int count = 3;
+  std::vector<SkyRing> rings;
+  rings.reserve(count);
   for (int i = 0; i < count; ++i)
     rings.push_back({std::asin((i + 0.5) / count), 2.0 * pi / count / 4.0});
   return rings;

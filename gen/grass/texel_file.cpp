@@ -67,7 +67,7 @@ Topology topology(const TexelShape& shape, const std::vector<std::uint32_t>& vox
     if (at.z() / leaf_side != open) close_layer();
     open = at.z() / leaf_side;
     const auto leaf =
-        static_cast<std::size_t>(at.y() / leaf_side * leaves_across + at.x() / leaf_side);
+        static_cast<std::size_t>(at.y() / leaf_side) * leaves_across + at.x() / leaf_side;
     const openvdb::Index within = Topology::Places::coordToOffset(at);
     layer[leaf].origin = at & ~(leaf_side - 1);
     layer[leaf].active.setOn(within);

@@ -31,7 +31,7 @@ double flakes_on_a_ray(const std::vector<snow::SeenFlake>& flakes, const snow::F
     const double area_m2 = 4.0 * glm::length(flake.right_m) * glm::length(flake.up_m);
     const double covered = area_m2 / (glm::dot(from_eye_m, from_eye_m) * part_sr);
     const glm::ivec2 part(place * static_cast<double>(parts));
-    passed[static_cast<std::size_t>(part.y * parts + part.x)] +=
+    passed[static_cast<std::size_t>(part.y) * parts + part.x] +=
         std::min(1.0, covered) * drawn_share(flake.opacity, least_opacity);
   }
   return *std::max_element(passed.begin(), passed.end());

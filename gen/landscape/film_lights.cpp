@@ -108,9 +108,10 @@ double light_of_frame(const scene::Scene& scene, int frame) {
 }
 
 std::vector<grass::Lighting> film_lights(const scene::Scene& scene, const Site& site) {
+  const int count = light_count(scene);
   std::vector<grass::Lighting> lights;
-  for (int light = 0; light < light_count(scene); ++light)
-    lights.push_back(lighting_at(scene, site, light));
+  lights.reserve(static_cast<std::size_t>(count));
+  for (int light = 0; light < count; ++light) lights.push_back(lighting_at(scene, site, light));
   return lights;
 }
 

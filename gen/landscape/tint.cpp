@@ -12,7 +12,7 @@ namespace {
 
 std::size_t place_of(const glm::ivec2& cell, const CellWindow& window) {
   const glm::ivec2 inside = cell - window.first;
-  return static_cast<std::size_t>(inside.y * window.per_side + inside.x);
+  return static_cast<std::size_t>(inside.y) * window.per_side + inside.x;
 }
 
 /// What every cell of the window shows, row by row; nothing where none stands.

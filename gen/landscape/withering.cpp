@@ -127,7 +127,7 @@ std::pair<double, double> Withering::range(int frame) const {
     const double from = frame_days_.at(index) - delays_days_.second;
     const double to = frame_days_.at(index) - delays_days_.first;
     auto [least, most] = std::minmax({season_->weathering_at(from), season_->weathering_at(to)});
-    for (double day = std::ceil(from); day < to; day += 1.0) {
+    for (int day = static_cast<int>(std::ceil(from)); day < to; ++day) {
       least = std::min(least, season_->weathering_at(day));
       most = std::max(most, season_->weathering_at(day));
     }

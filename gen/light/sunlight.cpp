@@ -50,7 +50,7 @@ glm::dvec3 direct_sunlight_klx(double elevation_rad, double turbidity) {
   const double mass = air_mass(elevation_rad);
   glm::dvec3 xyz(0.0);
   double above = 0.0;
-  for (double nm = 380.0; nm <= 780.0; nm += 5.0) {
+  for (int nm = 380; nm <= 780; nm += 5) {
     const glm::dvec3 seen = sun_spectrum(nm) * observer(nm);
     xyz += seen * transmittance(nm, mass, turbidity);
     above += seen.y;

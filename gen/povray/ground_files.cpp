@@ -47,7 +47,7 @@ std::string write_terrain(const Heightfield& terrain, const fs::path& folder) {
   append_vertices(text, terrain);
   append_triangles(text, terrain.samples());
   text += "}\n";
-  const std::string name = fmt::format("terrain_{}.inc", content_hash(text));
+  std::string name = fmt::format("terrain_{}.inc", content_hash(text));
   update_file(folder / name, text);
   return name;
 }

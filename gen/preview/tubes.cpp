@@ -60,6 +60,7 @@ constexpr int most_rings = 7;
 std::vector<int> drawn_rings(int rings, int most) {
   const int count = std::min(rings, most);
   std::vector<int> drawn;
+  drawn.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) drawn.push_back(i * (rings - 1) / std::max(1, count - 1));
   return drawn;
 }

@@ -24,7 +24,8 @@ double deviation(const Image& image, int channel) {
     sum += value;
     sum_of_squares += value * value;
   }
-  const double count = static_cast<double>(image.values.size() / stride);
+  const std::size_t pixels = image.values.size() / stride;
+  const auto count = static_cast<double>(pixels);
   const double mean = sum / count;
   return std::sqrt(std::max(0.0, sum_of_squares / count - mean * mean));
 }

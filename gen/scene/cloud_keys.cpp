@@ -3,8 +3,7 @@
 #include "scene/keys.h"
 
 /// A key's field in an item of a list of the scene, for reading and writing alike.
-#define ITEM_FIELD(list, path) \
-  [item](auto& scene) -> auto& { return scene.list[item].path; }
+#define ITEM_FIELD(list, path) ([item](auto& scene) -> auto& { return scene.list[item].path; })
 
 namespace wold::scene {
 

@@ -4,8 +4,7 @@
 #include "scene/key_builders.h"
 
 /// A key's field, for reading and writing alike.
-#define FIELD(path) \
-  [](auto& scene) -> auto& { return scene.path; }
+#define FIELD(path) ([](auto& scene) -> auto& { return scene.path; })
 
 namespace wold::scene {
 namespace {

@@ -117,6 +117,7 @@ std::string nearest_table(std::string_view name) {
 
 std::string nearest_of(std::string_view name, const std::vector<Key>& keys) {
   std::vector<std::string> leaves;
+  leaves.reserve(keys.size());
   for (const Key& key : keys) leaves.emplace_back(leaf_of(key.name));
   const std::string near = nearest(leaf_of(name), leaves);
   return near.empty() ? near : fmt::format("{}.{}", table_of(name), near);

@@ -3,11 +3,9 @@
 #include "scene/keys.h"
 
 /// A key's field, for reading and writing alike.
-#define FIELD(path) \
-  [](auto& scene) -> auto& { return scene.path; }
+#define FIELD(path) ([](auto& scene) -> auto& { return scene.path; })
 /// The same in an item of [[season_keys]].
-#define ITEM_FIELD(path) \
-  [item](auto& scene) -> auto& { return scene.season_keys[item].path; }
+#define ITEM_FIELD(path) ([item](auto& scene) -> auto& { return scene.season_keys[item].path; })
 
 namespace wold::scene {
 namespace {

@@ -3,8 +3,7 @@
 #include "scene/keys.h"
 
 /// A key's field, for reading and writing alike.
-#define FIELD(path) \
-  [](auto& scene) -> auto& { return scene.path; }
+#define FIELD(path) ([](auto& scene) -> auto& { return scene.path; })
 
 namespace wold::scene {
 

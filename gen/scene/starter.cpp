@@ -42,6 +42,7 @@ Starter hillside() {
 /// Numbers from `first` to `last`, evenly spread, with four decimals.
 std::vector<double> evenly(int count, double first, double last) {
   std::vector<double> numbers;
+  numbers.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
     numbers.push_back(std::round(1e4 * (first + (last - first) * i / (count - 1))) / 1e4);
   return numbers;

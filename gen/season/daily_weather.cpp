@@ -209,7 +209,7 @@ std::vector<Day> read_daily_weather(const std::filesystem::path& file, double la
 
 double latitude_deg(std::span<const Day> days) {
   double best = 0.0;
-  for (double latitude = -90.0; latitude <= 90.0; latitude += 1.0)
+  for (int latitude = -90; latitude <= 90; ++latitude)
     if (day_length_error(days, latitude) < day_length_error(days, best)) best = latitude;
   double low = std::max(best - 1.0, -90.0), high = std::min(best + 1.0, 90.0);
   while (high - low > 1e-6) {

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <ranges>
 
 #include "core/error.h"
 #include "scene/calendar.h"
@@ -84,7 +83,7 @@ class KeyCurve {
                           std::optional<double> scene::SeasonKey::*field) {
     KeyCurve curve(scene, field);
     double before = 0.0;
-    for (double& angle : curve.points_ | std::views::values)
+    for (auto& [day, angle] : curve.points_)
       before = angle = before + std::remainder(angle - before, 360.0);
     return curve;
   }

@@ -19,7 +19,7 @@ void Canvas::raise(const glm::dvec2& low, const glm::dvec2& high, const Opacity&
   for (int row = index(low.y); row <= index(high.y); ++row)
     for (int column = index(low.x); column <= index(high.x); ++column) {
       const glm::dvec2 at((column + 0.5) * step - 1.0, (row + 0.5) * step - 1.0);
-      float& value = values_[static_cast<std::size_t>(row * side_ + column)];
+      float& value = values_[static_cast<std::size_t>(row) * side_ + column];
       value = std::max(value, static_cast<float>(opacity(at)));
     }
 }
@@ -77,8 +77,8 @@ Image Canvas::picture() const {
       float sum = 0.0F;
       for (int row = 0; row < samples; ++row)
         for (int column = 0; column < samples; ++column)
-          sum += values_[static_cast<std::size_t>((side_ - 1 - (y * samples + row)) * side_ +
-                                                  x * samples + column)];
+          sum += values_[static_cast<std::size_t>(side_ - 1 - (y * samples + row)) * side_ +
+                         x * samples + column];
       *image.pixel(x, y) = std::clamp(sum / (samples * samples), 0.0F, 1.0F);
     }
   return image;

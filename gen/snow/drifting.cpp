@@ -9,7 +9,7 @@
 namespace wold::snow {
 namespace {
 
-constexpr double half_window_deg = 15.0, ray_step_deg = 5.0;
+constexpr int half_window_deg = 15, ray_step_deg = 5;
 
 /// A point of a ray: in samples from the place that looks, with the weights of the four samples
 /// around it. The same for all places.
@@ -42,7 +42,7 @@ std::vector<double> distances(double most) {
 std::vector<Look> looks(const Heightfield& terrain, double heading_deg) {
   const double most = std::min(farthest_shelter_m / terrain.step_m(), terrain.samples() - 1.0);
   std::vector<Look> result;
-  for (double off = -half_window_deg; off <= half_window_deg; off += ray_step_deg) {
+  for (int off = -half_window_deg; off <= half_window_deg; off += ray_step_deg) {
     const double azimuth = glm::radians(heading_deg + 180.0 + off);
     // Whole directions stay on the grid's lines: a remainder of 1e-16 would look a column further.
     const auto rounded = [](double x) { return std::round(x * 1e9) * 1e-9; };

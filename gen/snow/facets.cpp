@@ -54,7 +54,7 @@ Facets::Facets(const Heightfield& terrain, double facet_m2)
       const auto corner = [&](int x, int y) {
         return corner_m(terrain, glm::dvec2(i + x, j + y) * side_m);
       };
-      Facet* const square = &facets_[static_cast<std::size_t>(2 * (j * along_side_ + i))];
+      Facet* const square = &facets_[2 * (static_cast<std::size_t>(j) * along_side_ + i)];
       square[0] = {{corner(0, 0), corner(1, 0), corner(1, 1)}, texture_area};
       square[1] = {{corner(0, 0), corner(1, 1), corner(0, 1)}, texture_area};
     }

@@ -40,7 +40,7 @@ class FlakeSizes {
     constexpr double deviation = 0.12, half_width = deviation * 1.7320508;  // evenly spread
     constexpr double one = 1U << 20;
     constexpr auto slowest = static_cast<std::uint64_t>(one * (1.0 - half_width));
-    constexpr auto step = static_cast<std::uint64_t>(one * 2.0 * half_width / 1023.0 + 0.5);
+    constexpr auto step = static_cast<std::uint64_t>(one * 2.0 * half_width / 1023.0);
     const std::uint64_t spread = slowest + step * (bits >> rank_bits & 1023U);
     return static_cast<std::uint32_t>(speeds_[rank(bits)] * spread >> (20 - finer_bits));
   }

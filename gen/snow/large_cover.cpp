@@ -23,6 +23,11 @@ int apron(double step_m) {
   return slide_apron + static_cast<int>(std::ceil(farthest_shelter_m / step_m));
 }
 
+/// Where a sample or tile lies, row by row.
+std::size_t place_of(const glm::ivec2& at, int in_a_row) {
+  return static_cast<std::size_t>(at.y) * in_a_row + at.x;
+}
+
 void require_number(float height_m, const glm::ivec2& at) {
   if (std::isfinite(height_m)) return;
   throw InputError(fmt::format(
@@ -63,8 +68,7 @@ struct LargeCover::Window {
   void each_of_tile(const Body& body) const {
     for (int y = 0; y < tile_count.y; ++y)
       for (int x = 0; x < tile_count.x; ++x)
-        body(glm::ivec2(x, y),
-             static_cast<std::size_t>((tile_first.y + y) * side + tile_first.x + x));
+        body(glm::ivec2(x, y), place_of(tile_first + glm::ivec2(x, y), side));
   }
 };
 
@@ -170,7 +174,7 @@ void LargeCover::write_ground(const LargeGround& ground) {
         require_number(heights.at(x, y), around.first + glm::ivec2(x, y));
     const FactorMap most_m = most_depths_m(heights);
     around.each_of_tile([&](const glm::ivec2& at, std::size_t place) {
-      const auto value = static_cast<std::size_t>(at.y * limits_.tile_samples + at.x) * 2;
+      const auto value = place_of(at, limits_.tile_samples) * 2;
       values[value] = heights.values()[place];
       values[value + 1] = most_m.values()[place];
     });
@@ -201,10 +205,10 @@ void LargeCover::write_drift(int heading_deg) {
   const auto fill = [&](const glm::ivec2& tile, std::span<float> values) {
     const Window around = window(tile);
     const FactorMap weights = drift_weights(ground(around).first, heading_deg, cover_.drifting);
-    double& sum = sums[static_cast<std::size_t>(tile.y * tiles.x + tile.x)];
+    double& sum = sums[place_of(tile, tiles.x)];
     around.each_of_tile([&](const glm::ivec2& at, std::size_t place) {
       const float weight = weights.values()[place];
-      values[static_cast<std::size_t>(at.y * limits_.tile_samples + at.x)] = weight;
+      values[place_of(at, limits_.tile_samples)] = weight;
       sum += weight;
     });
   };
@@ -226,7 +230,7 @@ void LargeCover::pass(int from_hour, int to_hour) {
     SnowpackField lying = after(around, packs(around, from_hour), weather);
     const std::vector<std::vector<double>*> of_pack = channels_of(lying, channels());
     around.each_of_tile([&](const glm::ivec2& at, std::size_t place) {
-      auto value = static_cast<std::size_t>(at.y * limits_.tile_samples + at.x) * of_pack.size();
+      auto value = place_of(at, limits_.tile_samples) * of_pack.size();
       for (const std::vector<double>* channel : of_pack)
         values[value++] = static_cast<float>((*channel)[place]);
     });
@@ -326,7 +330,7 @@ const CoverLevel& LargeCover::square(int level, int hour, const glm::ivec2& firs
   const int step = (hour - clock_.first_h) / clock_.step_h;
   Square& kept = squares_[static_cast<std::size_t>(level)][static_cast<std::size_t>(step % 2)];
   if (kept.hour == hour && kept.first == first) return kept.lying;
-  const auto places = static_cast<std::size_t>(side * side);
+  const std::size_t places = static_cast<std::size_t>(side) * side;
   const auto of_pack = static_cast<std::size_t>(channels());
   std::vector<float> values(places * of_pack);
   images_.read(picture(hour, level), first, glm::ivec2(side), channels(), values);

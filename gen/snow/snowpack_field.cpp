@@ -31,9 +31,10 @@ HeightClasses::HeightClasses(std::span<const float> heights_m) : of_place_(heigh
   const auto [low, high] = std::ranges::minmax(heights_m);
   low_m_ = std::floor(low);  // tiles of a ground have the same classes
   class_m_ = std::max(1.0, (static_cast<double>(high) - low_m_) / most_classes);
-  count_ = static_cast<std::size_t>((high - low_m_) / class_m_ + 0.5) + 1;
+  count_ = static_cast<std::size_t>(std::lround((high - low_m_) / class_m_)) + 1;
   parallel_for_blocks(of_place_.size(), [&](std::size_t place) {
-    of_place_[place] = static_cast<std::uint16_t>((heights_m[place] - low_m_) / class_m_ + 0.5);
+    of_place_[place] =
+        static_cast<std::uint16_t>(std::lround((heights_m[place] - low_m_) / class_m_));
   });
 }
 

@@ -126,7 +126,7 @@ std::vector<Weather::Row> Weather::rows_of_season(const scene::Scene& scene) {
                       day.wind_speed_m_s.value_or(scene.wind.speed_m_s),
                       day.wind_heading_deg.value_or(scene.wind.heading_deg), air.sky(hour)}});
     };
-    for (double hour = 0.0; hour < day_h; hour += row_h) add(season::snow_day_h + hour);
+    for (int row = 0; row * row_h < day_h; ++row) add(season::snow_day_h + row * row_h);
     add(season::snow_day_h + day_h - moment_h);
   }
   return rows;

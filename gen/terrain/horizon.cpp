@@ -22,8 +22,8 @@ double horizon_rad(const Heightfield& terrain, const glm::dvec2& from_m,
 bool is_hidden(const Heightfield& terrain, const glm::dvec3& from_m, const glm::dvec3& to_m) {
   const glm::dvec3 way_m = to_m - from_m;
   const double steps = std::ceil(glm::length(glm::dvec2(way_m)) / terrain.step_m());
-  for (double step = 1.0; step < steps; ++step) {
-    const glm::dvec3 at_m = from_m + way_m * (step / steps);
+  for (long step = 1; step < steps; ++step) {
+    const glm::dvec3 at_m = from_m + way_m * (static_cast<double>(step) / steps);
     if (double{terrain.sample(at_m.x, at_m.y)} > at_m.z) return true;
   }
   return false;

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include "core/files.h"
 #include "core/image.h"
 #include "small_film.h"
@@ -43,6 +45,19 @@ TEST_F(Generate, SameSceneSameBytesWithAnyNumberOfThreads) {
   generate("two", "--threads 2");
   EXPECT_THAT(different(contents("two"), wanted), IsEmpty());
   expect_nothing_half_written("one");
+}
+
+// A large terrain's snow lies in scratch files while frames are made.
+TEST_F(Generate, TheManifestListsWhatIsThereAndNothingElse) {
+  generate("out",
+           "--frames 1 --set terrain.size=1300 --set grass.levels=[30] --set grass.variants=1 "
+           "--set weather.temperature=-3 --set weather.precipitation=2");
+  std::set<std::string> listed, there;
+  const auto manifest = nlohmann::json::parse(read_file(folder_ / "out/manifest.json"));
+  for (const nlohmann::json& file : manifest.at("files")) listed.insert(file.at("path"));
+  for (const fs::path& file : files_below(folder_ / "out"))
+    if (file != "manifest.json" && *file.begin() != "tasks") there.insert(file.string());
+  EXPECT_EQ(listed, there);
 }
 
 TEST_F(Generate, KeepsTexelsAndVolumesThatAreStillRight) {

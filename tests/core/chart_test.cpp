@@ -43,6 +43,10 @@ TEST(ChartAxis, AConstantHasAnAxisToo) {
   EXPECT_TRUE(is_on(logarithmic_axis("", 10.0, 10.0), 10.0));
 }
 
+TEST(ChartAxis, TicksEndWhereNeighbouringNumbersAreMoreThanAStepApart) {
+  EXPECT_EQ(linear_axis("", 1e17, 1e17 + 64.0, 2.0).ticks.size(), 33u);
+}
+
 TEST(ChartAxis, LogarithmicPositionsAreEvenInDecades) {
   const Axis axis = logarithmic_axis("", 1.0, 1000.0);
   EXPECT_NEAR(axis_position(axis, 10.0), 1.0 / 3.0, 1e-12);
