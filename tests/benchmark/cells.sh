@@ -27,7 +27,7 @@ for cells in "$@"; do
     --set "terrain.hill_height=$(times "$size" 0.2083)" \
     --set "camera.eye=[$(times "$size" 0.5), 0.5]" \
     --set "camera.target=[$(times "$size" 0.51), $(times "$size" 0.333)]"; echo)
-  drawn=$(awk '/^Cell/ {n++} END {print n + 0}' "$out/povray/data/frame_0002/cells.inc")
+  drawn=$(awk '/^(Cell|Part)[(]/ {n++} END {print n + 0}' "$out/povray/data/frame_0002/cells.inc")
   read -r blender_s blender_mb < <(measured blender -b --python-exit-code 1 \
     -P "$out/blender/scene.py" -- 2; echo)
   read -r povray_s povray_mb < <(cd "$out/povray" && measured povray data/frame_0002.ini; echo)
