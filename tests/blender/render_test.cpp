@@ -217,6 +217,7 @@ TEST_F(BlenderRender, JointsOfCellsCannotBeSeen) {
     const Image picture = read_image(folder / "picture.png");
     const Eye eye(landscape);
     int inside = 0;
+    double error = 0.0, squares = 0.0;
     for (int y = 0; y < picture.height; ++y)
       for (int x = 0; x < picture.width; ++x) {
         const glm::dvec3 d = eye.direction_of_pixel(x + 0.5, y + 0.5);
@@ -230,9 +231,14 @@ TEST_F(BlenderRender, JointsOfCellsCannotBeSeen) {
           continue;  // beside the meadow
         ++inside;
         const double want = 2.0 * 0.2 * (1.0 - std::exp(-extinction * length));
-        ASSERT_NEAR(linear_of(picture.pixel(x, y)[1]), want, 0.008) << "pixel " << x << ", " << y;
+        const double off = linear_of(picture.pixel(x, y)[1]) - want;
+        ASSERT_LT(std::abs(off), 0.012) << "pixel " << x << ", " << y;
+        error += off;
+        squares += off * off;
       }
     EXPECT_GT(inside, 160 * 90 / 3);
+    EXPECT_LT(std::abs(error / inside), 0.0005);
+    EXPECT_LT(std::sqrt(squares / inside), 0.002);
   }
 }
 
