@@ -99,6 +99,7 @@ std::vector<VolumeEntry> write_volumes(const Landscape& landscape, const ShownPa
   const auto parts = shown.of_volumes();
   const std::vector<double> distances_m = nearest_m(landscape);
   std::vector<std::size_t> used;
+  used.reserve(parts.size());
   std::vector<VolumeEntry> entries;
   for (const auto& [number, of_volume] : parts) {
     const landscape::Volume& volume = landscape.volumes[number];
