@@ -62,7 +62,7 @@ SceneFiles files_of(const TaskRecord& scenes, std::string_view renderer) {
 
 SceneFiles guessed_files(const scene::Scene& scene, Stage stage) {
   constexpr double states = 1.25;                // of a variant, that one picture shows
-  constexpr double part_bytes = 5.0 * megabyte;  // of a state: its volumes cut into parts
+  constexpr double part_bytes = 2.0 * megabyte;  // of a state: its volumes cut into parts
   const double texels = states * scene.grass.variants;
   const double voxels = texels * voxels_of(scene);
   return stage == Stage::blender

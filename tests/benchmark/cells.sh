@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Time and memory of examples/mountain.toml by the number of its cells: what generating takes, how
-# many cells are drawn, and what each renderer takes for one frame of 960x540.
+# many parts of them are drawn, and what each renderer takes for one frame of 960x540.
 #
 #     tests/benchmark/cells.sh [CELLS PER SIDE...]       default: 10 40 80 160 320
 set -euo pipefail
@@ -16,7 +16,7 @@ measured() {
 }
 times() { awk -v side="$1" -v factor="$2" 'BEGIN {print side * factor}'; }
 
-echo '| cells | drawn | generate | memory | Blender | memory | POV-Ray | memory |'
+echo '| cells | parts drawn | generate | memory | Blender | memory | POV-Ray | memory |'
 echo '|---|---|---|---|---|---|---|---|'
 [ $# -gt 0 ] || set -- 10 40 80 160 320
 for cells in "$@"; do
