@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "blender/blade_files.h"
@@ -45,22 +47,38 @@ double step_voxels(const Landscape& landscape, double voxel_m, double distance_m
   return std::clamp(1.5 * pixel_m / voxel_m, shortest_step_voxels, longest_step_voxels);
 }
 
-/// Indices into Landscape::volumes, in order.
-std::vector<std::size_t> used_volumes(const std::vector<double>& distances_m) {
-  std::vector<std::size_t> used;
-  for (std::size_t i = 0; i < distances_m.size(); ++i)
-    if (std::isfinite(distances_m[i])) used.push_back(i);
-  return used;
-}
+/// The parts of volumes that cells show.
+class ShownParts {
+ public:
+  explicit ShownParts(const Landscape& landscape) {
+    for (const landscape::Cell& cell : landscape.cells) numbers_[key(cell)] = 0;
+    int next = 0;
+    for (auto& [part, number] : numbers_) number = next++;
+  }
 
-std::vector<int> picks_of(const Landscape& landscape, const std::vector<std::size_t>& used) {
-  std::vector<int> new_index(landscape.volumes.size());
-  for (std::size_t i = 0; i < used.size(); ++i) new_index[used[i]] = static_cast<int>(i);
-  std::vector<int> picks;
-  for (const landscape::Cell& cell : landscape.cells)
-    picks.push_back(new_index.at(static_cast<std::size_t>(cell.volume)));
-  return picks;
-}
+  /// By index into Landscape::volumes, in ascending order.
+  std::map<std::size_t, std::vector<landscape::Part>> of_volumes() const {
+    std::map<std::size_t, std::vector<landscape::Part>> parts;
+    for (const auto& [part, number] : numbers_) parts[part.first].push_back(part.second);
+    return parts;
+  }
+
+  /// Which of all parts, in order of volumes, the cells show.
+  std::vector<int> picks(const Landscape& landscape) const {
+    std::vector<int> picks;
+    for (const landscape::Cell& cell : landscape.cells) picks.push_back(numbers_.at(key(cell)));
+    return picks;
+  }
+
+ private:
+  using Key = std::pair<std::size_t, landscape::Part>;
+
+  static Key key(const landscape::Cell& cell) {
+    return {static_cast<std::size_t>(cell.volume), cell.part};
+  }
+
+  std::map<Key, int> numbers_;
+};
 
 /// What frames share, in `data`, as far as this one needs it.
 std::vector<fs::path> shared_files(const Landscape& landscape,
@@ -76,6 +94,27 @@ std::vector<fs::path> shared_files(const Landscape& landscape,
   return files;
 }
 
+/// In order of the picks.
+std::vector<VolumeEntry> write_volumes(const Landscape& landscape, const ShownParts& shown,
+                                       const fs::path& folder) {
+  const auto parts = shown.of_volumes();
+  const std::vector<double> distances_m = nearest_m(landscape);
+  std::vector<std::size_t> used;
+  used.reserve(parts.size());
+  std::vector<VolumeEntry> entries;
+  for (const auto& [number, of_volume] : parts) {
+    const landscape::Volume& volume = landscape.volumes[number];
+    const double step = step_voxels(landscape, volume.voxel_m, distances_m[number]);
+    used.push_back(number);
+    for (const landscape::Part& part : of_volume)
+      entries.push_back({volume_file(folder, volume, part), step});
+  }
+  parallel_for(used.size(), [&](std::size_t i) {
+    write_volume(folder, landscape.volumes[used[i]], parts.at(used[i]));
+  });
+  return entries;
+}
+
 }  // namespace
 
 std::vector<fs::path> export_frame(const Landscape& landscape, const fs::path& folder) {
@@ -87,16 +126,9 @@ std::vector<fs::path> export_frame(const Landscape& landscape, const fs::path& f
   if (!landscape.blade_meshes.empty()) make_folder(blades_folder);
   parallel_for(landscape.blade_meshes.size(),
                [&](std::size_t i) { write_blades(landscape.blade_meshes[i], blades_folder); });
-  const std::vector<double> distances_m = nearest_m(landscape);
-  const std::vector<std::size_t> used = used_volumes(distances_m);
-  std::vector<VolumeEntry> entries(used.size());
-  parallel_for(used.size(), [&](std::size_t i) {
-    const landscape::Volume& volume = landscape.volumes[used[i]];
-    entries[i] = {volume_folder / (volume.name + ".vdb"),
-                  step_voxels(landscape, volume.voxel_m, distances_m[used[i]])};
-    write_volume(entries[i].file, volume);
-  });
-  write_frame_data(landscape, frame_folder, entries, picks_of(landscape, used), folder / "data");
+  const ShownParts shown(landscape);
+  const std::vector<VolumeEntry> entries = write_volumes(landscape, shown, volume_folder);
+  write_frame_data(landscape, frame_folder, entries, shown.picks(landscape), folder / "data");
   std::vector<fs::path> files = files_below(frame_folder);
   for (const fs::path& shared : shared_files(landscape, entries, folder / "data"))
     files.push_back(shared);

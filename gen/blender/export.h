@@ -5,9 +5,10 @@
 
 #include "landscape/landscape.h"
 
-/// Writes landscapes as Blender 3.4 scenes: one volume per baked texel (OpenVDB), the frame as raw
-/// arrays, pictures and a small JSON file, and scene.py, which renders them with Cycles. The folder
-/// needs nothing else: copied to a machine that has Blender it makes the same picture.
+/// Writes landscapes as Blender 3.4 scenes: one volume per baked texel, or per part of one
+/// (volume_file.h), the frame as raw arrays, pictures and a small JSON file, and scene.py, which
+/// renders them with Cycles. The folder needs nothing else: copied to a machine that has Blender it
+/// makes the same picture.
 ///
 ///     folder/scene.py, wold_addon.py
 ///     folder/data/volumes/NAME.vdb         shared by all frames

@@ -8,16 +8,16 @@
 
 namespace wold::blender {
 
-/// A volume of the frame, as frame.json names it.
+/// A volume of the frame or a part of one, as frame.json names it.
 struct VolumeEntry {
   std::filesystem::path file;  ///< the .vdb
   double step_voxels = 1.0;    ///< length of a ray's step
 };
 
 /// Writes a frame's arrays, pictures and frame.json into `folder`. `volumes` are the ones in use
-/// and `picks` is each cell's index into them; the landscape's meshes lie in "blades" of
-/// `shared_folder`; its pictures of flakes are written to "flakes" there, NAME.png, of which the
-/// name says what is in them: what is there already stays.
+/// and `picks` is the index into them of each cell, or part of one; the landscape's meshes lie in
+/// "blades" of `shared_folder`; its pictures of flakes are written to "flakes" there, NAME.png, of
+/// which the name says what is in them: what is there already stays.
 ///
 ///   heights_m.f32          samples x samples, x fastest: the terrain
 ///   positions_m.f32        3 per cell

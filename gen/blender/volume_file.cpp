@@ -16,8 +16,8 @@ constexpr const char* content_key = "wold_content";
 /// Changes whenever this file writes the same volume differently.
 constexpr int layout = 2;
 
-std::string content_of(const landscape::Volume& volume) {
-  return fmt::format("{} {} {}", layout, volume.content, volume.emission_grid);
+std::string content_of(const landscape::Volume& volume, const landscape::Part& part) {
+  return fmt::format("{} {} {}{}", layout, volume.content, volume.emission_grid, suffix_of(part));
 }
 
 bool is_there(const fs::path& path, const std::string& content) {
@@ -55,6 +55,22 @@ void leave_out_empty_voxels(openvdb::FloatGrid& density) {
   density.pruneGrid();
 }
 
+/// Index 1 is the first voxel.
+openvdb::CoordBBox voxels_of(const landscape::Volume& volume, const landscape::Part& part) {
+  const auto before = [&](const glm::dvec2& share) {
+    return glm::ivec2(glm::round(share * glm::dvec2(volume.voxels)));
+  };
+  const glm::ivec2 low = before(part.low), high = before(part.high);
+  return {openvdb::Coord(low.x + 1, low.y + 1, 1), openvdb::Coord(high.x, high.y, volume.voxels.z)};
+}
+
+openvdb::FloatGrid::Ptr cut_out(const openvdb::FloatGrid& density,
+                                const openvdb::CoordBBox& voxels) {
+  auto part = density.deepCopy();
+  part->tree().clip(voxels);
+  return part;
+}
+
 /// density * radiance on the voxels of `density`.
 openvdb::Vec3SGrid::Ptr emission_per_metre(const openvdb::FloatGrid& density,
                                            const openvdb::Vec3SGrid& radiance) {
@@ -75,15 +91,15 @@ openvdb::Vec3SGrid::Ptr emission_per_metre(const openvdb::FloatGrid& density,
 /// fades over one voxel while the other comes up, and they add to what interpolating across the
 /// joint gives. Two corners are enough, since Cycles fills the box of active voxels.
 template <class Grid>
-void add_border(Grid& grid, const glm::ivec3& voxels) {
+void add_border(Grid& grid, const openvdb::CoordBBox& voxels) {
   const typename Grid::ValueType nothing(0.0F);
   auto accessor = grid.getAccessor();
-  accessor.setValueOn(openvdb::Coord(0), nothing);
-  accessor.setValueOn(openvdb::Coord(voxels.x + 1, voxels.y + 1, voxels.z + 1), nothing);
+  accessor.setValueOn(voxels.min().offsetBy(-1), nothing);
+  accessor.setValueOn(voxels.max().offsetBy(1), nothing);
 }
 
 template <class Grid>
-void prepare(Grid& grid, const char* name, const glm::ivec3& voxels, double voxel_m) {
+void prepare(Grid& grid, const char* name, const openvdb::CoordBBox& voxels, double voxel_m) {
   add_border(grid, voxels);
   grid.clearMetadata();
   grid.setName(name);
@@ -93,8 +109,8 @@ void prepare(Grid& grid, const char* name, const glm::ivec3& voxels, double voxe
 }
 
 void write_grids(const fs::path& path, const openvdb::FloatGrid::Ptr& density,
-                 const openvdb::Vec3SGrid::Ptr& emission, const glm::ivec3& voxels, double voxel_m,
-                 const openvdb::MetaMap& metadata) {
+                 const openvdb::Vec3SGrid::Ptr& emission, const openvdb::CoordBBox& voxels,
+                 double voxel_m, const openvdb::MetaMap& metadata) {
   prepare(*density, "density", voxels, voxel_m);
   prepare(*emission, "emission", voxels, voxel_m);
   write_vdb(path, {density, emission}, metadata);
@@ -102,16 +118,29 @@ void write_grids(const fs::path& path, const openvdb::FloatGrid::Ptr& density,
 
 }  // namespace
 
-void write_volume(const fs::path& path, const landscape::Volume& volume) {
-  const std::string content = content_of(volume);
-  if (is_there(path, content)) return;
-  auto density = read_grid<openvdb::FloatGrid>(volume.vdb, "density");
+fs::path volume_file(const fs::path& folder, const landscape::Volume& volume,
+                     const landscape::Part& part) {
+  return folder / (volume.name + suffix_of(part) + ".vdb");
+}
+
+void write_volume(const fs::path& folder, const landscape::Volume& volume,
+                  const std::vector<landscape::Part>& parts) {
+  std::vector<landscape::Part> missing;
+  for (const landscape::Part& part : parts)
+    if (!is_there(volume_file(folder, volume, part), content_of(volume, part)))
+      missing.push_back(part);
+  if (missing.empty()) return;
+  auto whole = read_grid<openvdb::FloatGrid>(volume.vdb, "density");
   const auto radiance = read_grid<openvdb::Vec3SGrid>(volume.vdb, volume.emission_grid);
-  leave_out_empty_voxels(*density);
-  auto emission = emission_per_metre(*density, *radiance);
-  openvdb::MetaMap metadata;
-  metadata.insertMeta(content_key, openvdb::StringMetadata(content));
-  write_grids(path, density, emission, volume.voxels, volume.voxel_m, metadata);
+  leave_out_empty_voxels(*whole);
+  for (const landscape::Part& part : missing) {
+    const openvdb::CoordBBox voxels = voxels_of(volume, part);
+    const auto density = cut_out(*whole, voxels);
+    openvdb::MetaMap metadata;
+    metadata.insertMeta(content_key, openvdb::StringMetadata(content_of(volume, part)));
+    write_grids(volume_file(folder, volume, part), density, emission_per_metre(*density, *radiance),
+                voxels, volume.voxel_m, metadata);
+  }
 }
 
 void write_cloud(const fs::path& path, const landscape::CloudBox& cloud) {
@@ -129,7 +158,8 @@ void write_cloud(const fs::path& path, const landscape::CloudBox& cloud) {
         rho.setValue(openvdb::Coord(x, y, z), extinction);
         glow.setValue(openvdb::Coord(x, y, z), openvdb::Vec3s(gain.x, gain.y, gain.z));
       }
-  write_grids(path, density, emission, cloud.voxels, cloud.voxel_m, {});
+  const openvdb::CoordBBox voxels(openvdb::Coord(1), openvdb::Coord(&cloud.voxels.x));
+  write_grids(path, density, emission, voxels, cloud.voxel_m, {});
 }
 
 }  // namespace wold::blender

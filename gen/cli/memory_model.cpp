@@ -61,10 +61,13 @@ SceneFiles files_of(const TaskRecord& scenes, std::string_view renderer) {
 }
 
 SceneFiles guessed_files(const scene::Scene& scene, Stage stage) {
-  constexpr double states = 1.25;  // of a variant, that one picture shows
-  const double voxels = states * scene.grass.variants * voxels_of(scene);
-  return stage == Stage::blender ? SceneFiles{0.54 * voxels, 9.0 * ground_samples(scene)}
-                                 : SceneFiles{3.3 * voxels, 100.0 * ground_samples(scene)};
+  constexpr double states = 1.25;                // of a variant, that one picture shows
+  constexpr double part_bytes = 2.0 * megabyte;  // of a state: its volumes cut into parts
+  const double texels = states * scene.grass.variants;
+  const double voxels = texels * voxels_of(scene);
+  return stage == Stage::blender
+             ? SceneFiles{0.54 * voxels + part_bytes * texels, 9.0 * ground_samples(scene)}
+             : SceneFiles{3.3 * voxels, 100.0 * ground_samples(scene)};
 }
 
 double renderer_memory_bytes(const Job& job, Stage stage, const SceneFiles& files) {

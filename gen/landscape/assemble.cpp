@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 
+#include "landscape/blade_parts.h"
 #include "landscape/exposure.h"
 #include "landscape/frame_sky.h"
 #include "landscape/lit_ground.h"
@@ -21,37 +23,104 @@
 namespace wold::landscape {
 namespace {
 
-void add(const CellChoice& choice, int volume, std::vector<Cell>& cells) {
-  cells.push_back({choice.world_from_cell, volume, choice.reach});
+/// A part of a cell that is drawn.
+struct Drawn {
+  const CellChoice* choice;
+  const PlacedPart* placed;
+};
+
+/// The parts of those cells that are drawn as blades, or of the others.
+std::vector<Drawn> drawn_parts(std::span<const CellChoice> choices, bool blades) {
+  std::vector<Drawn> parts;
+  for (const CellChoice& choice : choices)
+    if (choice.blades == blades)
+      for (const PlacedPart& placed : choice.parts) parts.push_back({&choice, &placed});
+  return parts;
 }
 
-void add(const CellChoice& choice, int mesh, std::vector<BladeCell>& cells) {
-  cells.push_back({choice.world_from_cell, mesh});
+void add(const Drawn& part, int volume, std::vector<Cell>& cells) {
+  const PlacedPart& placed = *part.placed;
+  cells.push_back({placed.world_from_cell, volume, part.choice->reach, placed.part});
+}
+
+void add(const Drawn& part, int mesh, std::vector<BladeCell>& cells) {
+  cells.push_back({part.placed->world_from_cell, mesh});
 }
 
 /// Each different patch once, in ascending order of `key`, and the cells that refer to them.
 template <class Key, class Lookup, class Patch, class Instance>
-void place(std::span<const CellChoice> choices, bool blades, const Key& key, const Lookup& lookup,
+void place(const std::vector<Drawn>& parts, const Key& key, const Lookup& lookup,
            std::vector<Patch>& patches, std::vector<Instance>& cells) {
-  using Value = std::invoke_result_t<Key, const CellChoice&>;
+  using Value = std::invoke_result_t<Key, const Drawn&>;
   std::map<Value, int> numbers;
-  std::map<Value, const CellChoice*> examples;
-  for (const CellChoice& choice : choices)
-    if (choice.blades == blades) examples.emplace(key(choice), &choice);
+  std::map<Value, const Drawn*> examples;
+  for (const Drawn& part : parts) examples.emplace(key(part), &part);
   for (const auto& [value, example] : examples) {
     numbers[value] = static_cast<int>(patches.size());
     patches.push_back(lookup(*example));
   }
-  for (const CellChoice& choice : choices)
-    if (choice.blades == blades) add(choice, numbers.at(key(choice)), cells);
+  for (const Drawn& part : parts) add(part, numbers.at(key(part)), cells);
 }
 
-std::tuple<int, grass::PatchState, int, int> volume_key(const CellChoice& choice) {
+std::tuple<int, grass::PatchState, int, int> volume_key(const Drawn& part) {
+  const CellChoice& choice = *part.choice;
   return {choice.variant, choice.state(), choice.turn, choice.level};
 }
 
-std::pair<int, grass::PatchState> blades_key(const CellChoice& choice) {
-  return {choice.variant, choice.state()};
+std::tuple<int, grass::PatchState, Part> blades_key(const Drawn& part) {
+  return {part.choice->variant, part.choice->state(), part.placed->part};
+}
+
+/// Where none of a patch's blades stands on a part, there is nothing to draw.
+void leave_out_empty_meshes(Landscape& landscape) {
+  std::vector<int> number(landscape.blade_meshes.size(), -1);
+  std::vector<BladeMesh> meshes;
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    BladeMesh& mesh = landscape.blade_meshes[i];
+    if (mesh.tubes && mesh.tubes->count() == 0) continue;
+    number[i] = static_cast<int>(meshes.size());
+    meshes.push_back(std::move(mesh));
+  }
+  landscape.blade_meshes = std::move(meshes);
+  for (BladeCell& cell : landscape.blade_cells)
+    cell.mesh = number[static_cast<std::size_t>(cell.mesh)];
+  std::erase_if(landscape.blade_cells, [](const BladeCell& cell) { return cell.mesh < 0; });
+}
+
+/// Renderers hold every part apart in memory, and a fine volume takes 30 or 200 MB: where some
+/// cells show parts of it, none shows it whole besides, but in quarters that lie as the whole did.
+void show_no_fine_volume_twice(Landscape& landscape) {
+  constexpr int fine_voxels = 100;  // along a side
+  std::set<int> in_parts;
+  for (const Cell& cell : landscape.cells) {
+    const Volume& volume = landscape.volumes[static_cast<std::size_t>(cell.volume)];
+    if (!cell.part.is_whole() && volume.voxels.x >= fine_voxels) in_parts.insert(cell.volume);
+  }
+  std::vector<Cell> cells;
+  for (const Cell& cell : landscape.cells) {
+    cells.push_back(cell);
+    if (!cell.part.is_whole() || !in_parts.contains(cell.volume)) continue;
+    cells.pop_back();
+    const Volume& volume = landscape.volumes[static_cast<std::size_t>(cell.volume)];
+    for (const Part& quarter : quarters_of_patch(volume.voxels.x))
+      cells.push_back({cell.world_from_cell, cell.volume, cell.reach, quarter});
+  }
+  landscape.cells = std::move(cells);
+}
+
+/// All that stands on the ground.
+void place_grass(std::span<const CellChoice> choices, const PatchLookup& lookup,
+                 Landscape& landscape) {
+  const auto volume = [&](const Drawn& part) { return lookup.volume(*part.choice); };
+  const auto blades = [&](const Drawn& part) {
+    return part_of(lookup.blades(*part.choice), landscape.patch_m, part.placed->part);
+  };
+  place(drawn_parts(choices, /*blades=*/false), volume_key, volume, landscape.volumes,
+        landscape.cells);
+  show_no_fine_volume_twice(landscape);
+  place(drawn_parts(choices, /*blades=*/true), blades_key, blades, landscape.blade_meshes,
+        landscape.blade_cells);
+  leave_out_empty_meshes(landscape);
 }
 
 Subject bare_subject(const scene::Scene& scene) {
@@ -104,9 +173,7 @@ Landscape assemble(const scene::Scene& scene, const Site& site, int frame,
   landscape.height_px = scene.render.size_px[1];
   landscape.samples = scene.render.samples;
   landscape.df3_bits = scene.render.df3_bits;
-  place(choices, /*blades=*/false, volume_key, lookup.volume, landscape.volumes, landscape.cells);
-  place(choices, /*blades=*/true, blades_key, lookup.blades, landscape.blade_meshes,
-        landscape.blade_cells);
+  place_grass(choices, lookup, landscape);
   const SnowyGround ground(scene, site, frame);
   landscape.terrain = ground.surface();
   const FrameSky sky(scene, site, frame, landscape.camera.eye_m);

@@ -23,8 +23,8 @@ struct PatchLookup {
 };
 
 /// One frame (from 1) as the exporters want it: `choices` are choose_cells', `lookup` is called
-/// once for each different volume or mesh, in ascending order, and what it gives are the
-/// landscape's in that order.
+/// once for each different volume and for each different part of a mesh, in ascending order, and
+/// what it gives, or the part of it, are the landscape's in that order.
 /// `site` is site_of_frame()'s. exposure_gain is metered_gain() (exposure.h), or towards
 /// snow_gain() in a season, times dusk_gain() where the sun moves within a day, times 2^exposure.
 Landscape assemble(const scene::Scene& scene, const Site& site, int frame,

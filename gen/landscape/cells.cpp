@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "core/error.h"
 #include "core/noise.h"
@@ -201,10 +202,12 @@ CellChoice choose_cell(const scene::Scene& scene, const glm::ivec2& cell, const 
   return choice;
 }
 
-/// Where x of a cell points to after so many quarter-turns; y points to the left of that.
-glm::dvec2 east_of(int turn) {
-  constexpr int cosines[] = {1, 0, -1, 0};
-  return {cosines[turn & 3], cosines[(turn + 3) & 3]};
+int voxels_of(const scene::Scene& scene, const CellChoice& choice) {
+  return scene.grass.levels[static_cast<std::size_t>(choice.level)];
+}
+
+double tolerance_m(double pixels_per_m) {
+  return std::max(ground_tolerance_m, ground_tolerance_px / pixels_per_m);
 }
 
 void check_frame(const scene::Scene& scene, int frame) {
@@ -215,29 +218,10 @@ void check_frame(const scene::Scene& scene, int frame) {
 
 }  // namespace
 
-glm::dmat4 world_from_cell(const Heightfield& terrain, double patch_m, const glm::ivec2& cell,
-                           int turn, const glm::dvec2& lean) {
-  const glm::dvec2 low = glm::dvec2(cell) * patch_m;
-  const glm::dvec2 high = low + patch_m;
-  const double z00 = terrain.sample(low.x, low.y);
-  const double z10 = terrain.sample(high.x, low.y);
-  const double z01 = terrain.sample(low.x, high.y);
-  const double z11 = terrain.sample(high.x, high.y);
-  const glm::dvec2 rise(((z10 + z11) - (z00 + z01)) / (2.0 * patch_m),
-                        ((z01 + z11) - (z00 + z10)) / (2.0 * patch_m));
-  const glm::dvec2 east = east_of(turn);  // where the turned cell's axes point
-  const glm::dvec2 north(-east.y, east.x);
-  const glm::dvec2 centre = (low + high) / 2.0;
-  const glm::dvec2 origin = centre - (east + north) * (patch_m / 2.0);
-  const double z = (z00 + z10 + z01 + z11) / 4.0 + glm::dot(rise, origin - centre);
-  return {glm::dvec4(east, glm::dot(rise, east), 0), glm::dvec4(north, glm::dot(rise, north), 0),
-          glm::dvec4(lean, 1.0 + glm::dot(rise, lean), 0), glm::dvec4(origin, z, 1)};
-}
-
-glm::dmat4 reach_to_neighbours(const Combing& combing, double patch_m, const glm::ivec2& cell,
-                               int turn, double height_m) {
-  const glm::dvec2 here_m = centre_m(cell, patch_m);
-  const glm::dvec2 own = combing.lean(here_m);
+glm::dmat4 reach_to_neighbours(const Combing& combing, double patch_m, const Stance& stance,
+                               double height_m) {
+  const glm::dvec2 here_m = centre_m(stance.cell, patch_m);
+  const glm::dvec2& own = stance.lean;
   glm::dvec2 low_m, high_m;  // beyond the square's sides
   for (int axis = 0; axis < 2; ++axis) {
     glm::dvec2 step_m(0.0);
@@ -249,9 +233,9 @@ glm::dmat4 reach_to_neighbours(const Combing& combing, double patch_m, const glm
   }
   const glm::dvec2 stretch = 1.0 + (low_m + high_m) / patch_m;
   const glm::dvec2 shift_m = 0.5 * (high_m - low_m);
-  const glm::dvec2 east = east_of(turn);
-  const glm::dvec2 north(-east.y, east.x);
-  const glm::dvec2 in_cell = turn % 2 == 0 ? stretch : glm::dvec2(stretch.y, stretch.x);
+  const glm::dvec2 east = east_of(stance.turn);
+  const glm::dvec2 north = left_of(east);
+  const glm::dvec2 in_cell = stance.turn % 2 == 0 ? stretch : glm::dvec2(stretch.y, stretch.x);
   const glm::dvec2 origin_m = glm::dvec2(glm::dot(shift_m, east), glm::dot(shift_m, north)) +
                               0.5 * patch_m * (1.0 - in_cell);
   return {{in_cell.x, 0, 0, 0}, {0, in_cell.y, 0, 0}, {0, 0, 1, 0}, {origin_m, 0, 1}};
@@ -288,16 +272,16 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
     const glm::dvec3 middle_m = middle_of(scene.grass, terrain, cell);
     const Grown grown = grown_in(growth, cell, scene.grass.patch_m);
     if (grown.most <= 0.0F || !sight.may_see(middle_m)) return;
-    const CellChoice choice =
+    CellChoice choice =
         choose_cell(scene, cell, texel, key_frames, withering.at(glm::dvec2(middle_m), frame),
                     showing, sight.pixels(middle_m));
     if (choice.blades && cell_uniform(scene, cell, "grown") >= double{grown.mean}) return;
-    row.push_back(choice);
     const double patch_m = scene.grass.patch_m;
-    row.back().world_from_cell =
-        world_from_cell(ground, patch_m, cell, choice.turn, combing.lean(centre_m(cell, patch_m)));
-    row.back().reach =
-        reach_to_neighbours(combing, patch_m, cell, choice.turn, scene.grass.height_m);
+    const Stance stance = {cell, choice.turn, combing.lean(centre_m(cell, patch_m))};
+    choice.parts = parts_on_ground(ground, patch_m, stance, voxels_of(scene, choice),
+                                   tolerance_m(sight.pixels(middle_m)));
+    choice.reach = reach_to_neighbours(combing, patch_m, stance, scene.grass.height_m);
+    row.push_back(std::move(choice));
   };
   parallel_for(side, [&](std::size_t j) {
     for (std::size_t i = 0; i < side; ++i)

@@ -6,6 +6,7 @@
 
 #include "core/ground_map.h"
 #include "grass/patch_state.h"
+#include "landscape/cell_parts.h"
 #include "landscape/cell_window.h"
 #include "landscape/combing.h"
 #include "landscape/withering.h"
@@ -17,9 +18,9 @@ namespace wold::landscape {
 /// the scene's grass.key_frames and grass.levels; `snow` and `light` are those of PatchState;
 /// `turn` counts quarter-turns counter-clockwise, seen from above.
 struct CellChoice {
-  glm::dmat4 world_from_cell{1.0};  ///< see Cell in landscape.h
-  glm::dmat4 reach{1.0};            ///< likewise
-  glm::ivec2 cell{0};               ///< column (east) and row (north), from 0
+  std::vector<PlacedPart> parts;  ///< of the patch, as the ground needs
+  glm::dmat4 reach{1.0};          ///< see Cell in landscape.h
+  glm::ivec2 cell{0};             ///< column (east) and row (north), from 0
   int variant = 0;
   int key_frame = 0;
   int snow = 0;
@@ -31,16 +32,15 @@ struct CellChoice {
   grass::PatchState state() const { return {key_frame, snow, light}; }
 };
 
-/// The best affine fit of the ground under a cell, after `turn` quarter-turns about the patch's
-/// centre: least squares through the four corners, which leaves |z00 - z10 - z01 + z11| / 4 at
-/// each. What stands on it leans over by `lean` (see Combing) along the ground.
-glm::dmat4 world_from_cell(const Heightfield& terrain, double patch_m, const glm::ivec2& cell,
-                           int turn, const glm::dvec2& lean);
+/// How far what is drawn of a cell may leave the ground under it: so many metres or, where that is
+/// more, pixels.
+constexpr double ground_tolerance_m = 0.01;
+constexpr double ground_tolerance_px = 0.5;
 
 /// Cell::reach of a cell whose grass is `height_m` high: where neighbours lean away from each other
 /// both reach half as far beyond their squares as the gap between them is wide at that height.
-glm::dmat4 reach_to_neighbours(const Combing& combing, double patch_m, const glm::ivec2& cell,
-                               int turn, double height_m);
+glm::dmat4 reach_to_neighbours(const Combing& combing, double patch_m, const Stance& stance,
+                               double height_m);
 
 /// How many of the four quarter-turns a level uses. A turn needs its own baked light, and a volume
 /// of 254^3 takes about 200 MB in a renderer: 1 from 200 voxels per side on, 2 from 100 on, else 4.
@@ -55,8 +55,9 @@ int turns_of_level(const scene::Scene& scene, int level);
 /// turn by keyed choice, so that neighbours differ; the key frame by keyed dithering between the
 /// two nearest to the local weathering, the level of snow likewise to canopy_snow(), the light to
 /// light_of_frame(); the coarsest level whose voxels cover at most grass.pixels_per_voxel, with a
-/// keyed tenth of jitter, so that no ring shows where levels change. Only `level` (and with it the
-/// turns allowed) and whether a cell is listed depend on the camera. Cells are drawn as
+/// keyed tenth of jitter, so that no ring shows where levels change; in as many parts as
+/// ground_tolerance_m and ground_tolerance_px ask for. Only `level` (and with it the turns
+/// allowed), `parts` and whether a cell is listed depend on the camera. Cells are drawn as
 /// render.grass asks: with "auto" as blades where even the finest level is too coarse. Frame from
 /// 1; throws InputError when the scene has no such frame.
 std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfield& terrain,

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <compare>
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "core/ground_map.h"
@@ -32,15 +34,34 @@ struct Volume {
   double voxel_m = 0.0;       ///< side; N * voxel_m is the patch
 };
 
-/// An instance of a volume. Cell space: metres, [0, patch] x [0, patch] x [0, height];
-/// world_from_cell turns it by quarter-turns about the patch's centre, leans it over with the wind,
-/// shears z to the terrain and moves it. Its determinant is 1: densities stay. Where neighbours
-/// lean away from each other there is a gap between them: renderers show the volume, which repeats
-/// itself, upright over its square, or, if they cannot, stretched in cell space by `reach`.
+/// A rectangle of a patch, in shares of its side along the cell's x and y.
+struct Part {
+  glm::dvec2 low{0.0};
+  glm::dvec2 high{1.0};
+
+  bool is_whole() const { return low == glm::dvec2(0.0) && high == glm::dvec2(1.0); }
+  auto operator<=>(const Part& other) const {
+    return std::tie(low.x, low.y, high.x, high.y) <=>
+           std::tie(other.low.x, other.low.y, other.high.x, other.high.y);
+  }
+  bool operator==(const Part& other) const { return low == other.low && high == other.high; }
+};
+
+/// What to append to a patch's name, safe in a file name: nothing to that of a whole one.
+std::string suffix_of(const Part& part);
+
+/// An instance of a volume, or of a part of it. Cell space: metres, [0, patch] x [0, patch] x
+/// [0, height]; world_from_cell turns it by quarter-turns about the patch's centre, leans it over
+/// with the wind, shears z to the terrain and moves it. Its determinant is 1: densities stay. The
+/// parts of one cell differ in how they lie on the ground, not in what they show of it. Where
+/// neighbours lean away from each other there is a gap between them: renderers show the volume,
+/// which repeats itself, upright over its square, or, if they cannot, stretched in cell space by
+/// `reach`.
 struct Cell {
   glm::dmat4 world_from_cell;
   int volume = 0;  ///< index into Landscape::volumes
   glm::dmat4 reach{1.0};
+  Part part{};  ///< all of the volume that is shown; its borders are voxels' borders
 };
 
 /// The blades of a patch, or the points it is made of, as a mesh that glows by itself, in cell
@@ -50,7 +71,7 @@ struct BladeMesh {
   std::shared_ptr<const Tubes> tubes;
 };
 
-/// An instance of a mesh, placed like a Cell.
+/// An instance of a mesh, placed like a Cell; parts of a cell have meshes of their own.
 struct BladeCell {
   glm::dmat4 world_from_cell;
   int mesh = 0;  ///< index into Landscape::blade_meshes

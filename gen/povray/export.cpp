@@ -131,21 +131,28 @@ void write_volumes_list(std::ostream& out, const landscape::Landscape& scene,
     out << fmt::format("Blades({}, \"{}\")\n", i, scene.blade_meshes[i].name);
 }
 
-/// A macro call: the columns of world_from_cell are where x, y and z of the cell go, and its
-/// corner.
-void write_cell(std::ostream& out, const char* macro, int patch,
-                const glm::dmat4& world_from_cell) {
+/// The columns of world_from_cell, which are where x, y and z of the cell go, and its corner: a
+/// macro's arguments.
+std::string place_text(const glm::dmat4& world_from_cell) {
   const auto column = [&](int c) { return vector(glm::dvec3(world_from_cell[c])); };
-  out << fmt::format("{}({}, {}, {}, {}, {})\n", macro, patch, column(0), column(1), column(2),
-                     column(3));
+  return fmt::format("{}, {}, {}, {}", column(0), column(1), column(2), column(3));
+}
+
+std::string cell_text(const landscape::Cell& cell, int volume) {
+  const std::string place = place_text(cell.world_from_cell);
+  if (cell.part.is_whole()) return fmt::format("Cell({}, {})\n", volume, place);
+  const auto shares = [](const glm::dvec2& v) {
+    return fmt::format("<{}, {}>", number(v.x), number(v.y));
+  };
+  return fmt::format("Part({}, {}, {}, {})\n", volume, place, shares(cell.part.low),
+                     shares(cell.part.high));
 }
 
 void write_cells(std::ostream& out, const landscape::Landscape& scene,
                  const std::map<int, int>& used) {
-  for (const landscape::Cell& cell : scene.cells)
-    write_cell(out, "Cell", used.at(cell.volume), cell.world_from_cell);
+  for (const landscape::Cell& cell : scene.cells) out << cell_text(cell, used.at(cell.volume));
   for (const landscape::BladeCell& cell : scene.blade_cells)
-    write_cell(out, "Blade_cell", cell.mesh, cell.world_from_cell);
+    out << fmt::format("Blade_cell({}, {})\n", cell.mesh, place_text(cell.world_from_cell));
 }
 
 /// What frames share, in `data`, as far as this one needs it.

@@ -382,7 +382,7 @@ def load_blades(frame):
 
 
 def cell_points(frame, cells):
-    """One point per cell with what the geometry nodes need to place what stands on it."""
+    """One point per cell, or per part of one, with what the geometry nodes need to place it."""
     count = cells["count"]
     mesh = point_mesh("cells", frame.numbers(cells["positions"], "f", 3 * count))
     for name in ("first_turns", "scales", "second_turns"):

@@ -49,7 +49,7 @@ global_settings {
 #include concat(Here, "air.inc")
 
 // Here grass stands where it grew and nothing else casts shadows; wold.inc has more to say.
-#macro Onto_ground(Middle) #end
+#macro Onto_ground(Middle, Side_m) #end
 #macro Shade_density(Channel, Middle) #end
 #macro Shade_pane() #end
 

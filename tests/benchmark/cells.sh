@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Time and memory of examples/mountain.toml by the number of its cells: what generating takes, how
-# many cells are drawn, and what each renderer takes for one frame of 960x540.
+# many parts of them are drawn, and what each renderer takes for one frame of 960x540.
 #
 #     tests/benchmark/cells.sh [CELLS PER SIDE...]       default: 10 40 80 160 320
 set -euo pipefail
@@ -16,7 +16,7 @@ measured() {
 }
 times() { awk -v side="$1" -v factor="$2" 'BEGIN {print side * factor}'; }
 
-echo '| cells | drawn | generate | memory | Blender | memory | POV-Ray | memory |'
+echo '| cells | parts drawn | generate | memory | Blender | memory | POV-Ray | memory |'
 echo '|---|---|---|---|---|---|---|---|'
 [ $# -gt 0 ] || set -- 10 40 80 160 320
 for cells in "$@"; do
@@ -27,7 +27,7 @@ for cells in "$@"; do
     --set "terrain.hill_height=$(times "$size" 0.2083)" \
     --set "camera.eye=[$(times "$size" 0.5), 0.5]" \
     --set "camera.target=[$(times "$size" 0.51), $(times "$size" 0.333)]"; echo)
-  drawn=$(awk '/^Cell/ {n++} END {print n + 0}' "$out/povray/data/frame_0002/cells.inc")
+  drawn=$(awk '/^(Cell|Part)[(]/ {n++} END {print n + 0}' "$out/povray/data/frame_0002/cells.inc")
   read -r blender_s blender_mb < <(measured blender -b --python-exit-code 1 \
     -P "$out/blender/scene.py" -- 2; echo)
   read -r povray_s povray_mb < <(cd "$out/povray" && measured povray data/frame_0002.ini; echo)

@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/vdb_file.h"
+#include "support/quartered.h"
 #include "support/synthetic_landscape.h"
 
 namespace wold::blender {
@@ -55,6 +56,7 @@ std::map<std::string, std::string> all_files(const fs::path& folder) {
 }
 
 TEST_F(BlenderExport, ArraysAndJsonSayWhatTheLandscapeSays) {
+  test::quarter_cells(landscape);
   export_frame(landscape, folder / "out");
   const auto frame = frame_json();
   EXPECT_EQ(frame["size_px"], nlohmann::json({landscape.width_px, landscape.height_px}));
@@ -68,7 +70,8 @@ TEST_F(BlenderExport, ArraysAndJsonSayWhatTheLandscapeSays) {
     const landscape::Cell& cell = landscape.cells[i];
     const landscape::Volume& volume = landscape.volumes[static_cast<std::size_t>(cell.volume)];
     const auto pick = static_cast<std::size_t>(picks.at(i));
-    EXPECT_EQ(frame["volumes"][pick]["file"], "../volumes/" + volume.name + ".vdb");
+    EXPECT_EQ(frame["volumes"][pick]["file"],
+              "../volumes/" + volume.name + suffix_of(cell.part) + ".vdb");
     for (int axis = 0; axis < 3; ++axis)  // nudged by at most 0.03 voxels
       EXPECT_NEAR(positions_m[3 * i + static_cast<std::size_t>(axis)],
                   cell.world_from_cell[3][axis], 0.031 * volume.voxel_m);
@@ -96,6 +99,43 @@ TEST_F(BlenderExport, VolumesHoldDensityAndItsProductWithRadiance) {
   EXPECT_EQ(box.min(), openvdb::Coord(0));
   EXPECT_EQ(box.max(),
             openvdb::Coord(volume.voxels.x + 1, volume.voxels.y + 1, volume.voxels.z + 1));
+}
+
+// Cycles interpolates linearly and each part fades within its border, so what counts is the sum.
+TEST_F(BlenderExport, PartsOfAVolumeAddUpToIt) {
+  landscape.volumes.resize(1);
+  landscape.cells.resize(2);
+  for (landscape::Cell& cell : landscape.cells) cell.volume = 0;
+  test::quarter_cells(landscape);
+  export_frame(landscape, folder / "out");
+  const landscape::Volume& volume = landscape.volumes.front();
+  const auto density_of = [&](const landscape::Part& part) {
+    return openvdb::gridPtrCast<openvdb::FloatGrid>(read_vdb_grid(
+        folder / "out/data/volumes" / (volume.name + suffix_of(part) + ".vdb"), "density"));
+  };
+  auto left = density_of({});
+  std::size_t voxels = 0;
+  for (const landscape::Part& part : landscape::quarters_of_patch(volume.voxels.x)) {
+    const auto density = density_of(part);
+    EXPECT_EQ(density->transform(), left->transform());
+    const openvdb::CoordBBox box = density->evalActiveVoxelBoundingBox();
+    for (int axis = 0; axis < 2; ++axis) {
+      EXPECT_NEAR(box.min()[axis], part.low[axis] * volume.voxels.x, 1e-9);
+      EXPECT_NEAR(box.max()[axis], part.high[axis] * volume.voxels.x + 1.0, 1e-9);
+    }
+    EXPECT_EQ(box.min().z(), 0);
+    EXPECT_EQ(box.max().z(), volume.voxels.z + 1);
+    for (auto at = density->cbeginValueOn(); at; ++at) {
+      const float before = left->tree().getValue(at.getCoord());
+      if (*at > 0.0F) {
+        ++voxels;
+        EXPECT_EQ(*at, before) << "shown by two parts, or by another than the whole";
+        left->tree().setValue(at.getCoord(), 0.0F);
+      }
+    }
+  }
+  EXPECT_GT(voxels, 100U);
+  for (auto at = left->cbeginValueOn(); at; ++at) EXPECT_EQ(*at, 0.0F) << at.getCoord();
 }
 
 TEST_F(BlenderExport, WritesOnlyVolumesInUseAndTheSameBytesTwice) {

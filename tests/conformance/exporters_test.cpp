@@ -13,6 +13,7 @@
 #include "core/files.h"
 #include "core/parallel.h"
 #include "povray/export.h"
+#include "support/quartered.h"
 #include "support/snowy_view.h"
 #include "support/synthetic_landscape.h"
 
@@ -48,6 +49,7 @@ class Exporters : public testing::TestWithParam<Exporter> {
     fs::remove_all(folder);
     landscape =
         test::synthetic_landscape({.cells_per_side = 2, .height_voxels = 8}, folder / "texels");
+    test::quarter_cells(landscape);
     test::add_flakes(landscape, 40, 5.0);
     landscape.fog = landscape::Fog{0.01, glm::vec3(0.1F)};
     landscape.ground_details = {{ColourMap(3, 0.5), {0.2, 0.3}}, {ColourMap(3, 0.2), {0.3, 0.4}}};

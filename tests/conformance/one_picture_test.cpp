@@ -9,6 +9,7 @@
 #include "core/image.h"
 #include "povray/export.h"
 #include "support/blurred_difference.h"
+#include "support/quartered.h"
 #include "support/snowy_view.h"
 #include "support/synthetic_landscape.h"
 #include "support/temporary_folder.h"
@@ -39,6 +40,24 @@ Image povray_picture(const Landscape& landscape, const fs::path& folder) {
   povray::export_frame(landscape, folder);
   povray::export_scene(folder);
   return run("povray data/frame_0001.ini +Opicture.png", folder);
+}
+
+// Every other cell in quarters, of which each lies in its own way: they show the same grass, and
+// stand where a whole one's would.
+TEST(OnePicture, PartsOfCellsAreAlike) {
+  for (const char* renderer : {"blender", "povray"})
+    if (!is_installed(renderer))
+      GTEST_SKIP() << "no " << renderer << " on this machine: the pictures are not compared";
+  const test::TemporaryFolder folder("one_picture_of_parts");
+  Landscape landscape = test::synthetic_landscape({}, folder.path() / "texels");
+  test::quarter_cells(landscape);
+  for (landscape::Cell& cell : landscape.cells)
+    if (!cell.part.is_whole())
+      cell.world_from_cell[3].z += 0.02 * (cell.part.low.x - cell.part.low.y);
+  const Image blender = blender_picture(landscape, folder.path() / "blender");
+  const Image povray = povray_picture(landscape, folder.path() / "povray");
+  const double difference = test::blurred_difference(blender, povray);
+  EXPECT_LE(difference, 1.5 / 255.0) << 255.0 * difference << " of 255";
 }
 
 // Grass under snowfall in fog: near flakes of many pixels, far ones of a part of one.

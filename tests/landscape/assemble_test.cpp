@@ -29,6 +29,17 @@ scene::Scene small_meadow() {
   return scene;
 }
 
+/// A tube in the middle of each of the smallest parts of a patch of half a metre.
+BladeMesh tube_in_each_part(const std::string& name) {
+  Tubes tubes{1, 1, {}, {}};
+  for (int k = 0; k < 64; ++k) {
+    const glm::vec2 eighths = glm::vec2(k % 8, k / 8) + 0.5F;
+    tubes.vertices_m.emplace_back(eighths / 16.0F, 0.0F);
+    tubes.radiance.emplace_back(1.0F);
+  }
+  return {name, std::make_shared<const Tubes>(std::move(tubes))};
+}
+
 TEST(Assemble, CellsReferToTheirVolumes) {
   const scene::Scene scene = small_meadow();
   const Site site = make_site(scene);
@@ -48,12 +59,16 @@ TEST(Assemble, CellsReferToTheirVolumes) {
                                         [](const CellChoice&) { return BladeMesh{}; }});
   std::set<std::string> names;
   for (const Volume& volume : landscape.volumes) EXPECT_TRUE(names.insert(volume.name).second);
-  ASSERT_EQ(landscape.cells.size(), choices.size());
-  for (std::size_t k = 0; k < choices.size(); ++k) {
-    const Cell& cell = landscape.cells[k];
-    EXPECT_EQ(landscape.volumes[static_cast<std::size_t>(cell.volume)].name, name(choices[k]));
-    EXPECT_EQ(cell.world_from_cell, choices[k].world_from_cell);
-  }
+  auto cell = landscape.cells.begin();
+  for (const CellChoice& choice : choices)
+    for (const PlacedPart& placed : choice.parts) {
+      ASSERT_NE(cell, landscape.cells.end());
+      EXPECT_EQ(landscape.volumes[static_cast<std::size_t>(cell->volume)].name, name(choice));
+      EXPECT_EQ(cell->part, placed.part);
+      EXPECT_EQ(cell++->world_from_cell, placed.world_from_cell);
+    }
+  EXPECT_EQ(cell, landscape.cells.end());
+  EXPECT_GT(landscape.cells.size(), choices.size());
   EXPECT_EQ(landscape.weathering, 0.30);
   EXPECT_EQ(landscape.exposure_gain, 1.6 * std::numbers::pi);
   EXPECT_NEAR(landscape.camera.eye_m.z, terrain.sample(4.0, 0.5) + 1.6, 1e-6);
@@ -134,9 +149,11 @@ TEST(Assemble, CellsOfBladesReferToTheirMeshes) {
       assemble(scene, site, 2, choices,
                {[](const CellChoice&) { return Volume{}; },
                 [](const CellChoice& choice) {
-                  return BladeMesh{std::to_string(choice.variant * 100 + choice.key_frame), {}};
+                  return tube_in_each_part(std::to_string(choice.variant * 100 + choice.key_frame));
                 }});
-  EXPECT_EQ(landscape.cells.size() + landscape.blade_cells.size(), choices.size());
+  std::size_t parts = 0;
+  for (const CellChoice& choice : choices) parts += choice.parts.size();
+  EXPECT_EQ(landscape.cells.size() + landscape.blade_cells.size(), parts);
   ASSERT_FALSE(landscape.cells.empty());
   ASSERT_FALSE(landscape.blade_cells.empty());
   std::set<std::string> names;
@@ -145,10 +162,62 @@ TEST(Assemble, CellsOfBladesReferToTheirMeshes) {
   auto cell = landscape.blade_cells.begin();
   for (const CellChoice& choice : choices) {
     if (!choice.blades) continue;
-    EXPECT_EQ(landscape.blade_meshes[static_cast<std::size_t>(cell->mesh)].name,
-              std::to_string(choice.variant * 100 + choice.key_frame));
-    EXPECT_EQ(cell++->world_from_cell, choice.world_from_cell);
+    for (const PlacedPart& placed : choice.parts) {
+      EXPECT_EQ(landscape.blade_meshes[static_cast<std::size_t>(cell->mesh)].name,
+                std::to_string(choice.variant * 100 + choice.key_frame) + suffix_of(placed.part));
+      EXPECT_EQ(cell++->world_from_cell, placed.world_from_cell);
+    }
   }
+}
+
+// Nothing stands on three quarters of a patch with one blade.
+TEST(Assemble, PartsWithoutBladesAreNotDrawn) {
+  scene::Scene scene = small_meadow();
+  scene.render.grass = "blades";
+  const Site site = make_site(scene);
+  const std::vector<CellChoice> choices =
+      choose_cells(scene, site.terrain, site.growth, *site.withering, 2);
+  auto tubes = std::make_shared<Tubes>(Tubes{1, 1, {glm::vec3(0.01F)}, {glm::vec3(1.0F)}});
+  const Landscape landscape =
+      assemble(scene, site, 2, choices,
+               {{}, [&](const CellChoice& choice) {
+                  return BladeMesh{std::to_string(choice.variant * 100 + choice.key_frame), tubes};
+                }});
+  EXPECT_EQ(landscape.blade_cells.size(), choices.size());
+  std::vector<bool> used(landscape.blade_meshes.size(), false);
+  for (const BladeCell& cell : landscape.blade_cells)
+    used.at(static_cast<std::size_t>(cell.mesh)) = true;
+  EXPECT_EQ(std::ranges::count(used, false), 0);
+}
+
+// A renderer would hold it in memory both ways.
+TEST(Assemble, NoFineVolumeIsShownWholeAndInParts) {
+  const scene::Scene scene = small_meadow();
+  const Site site = make_site(scene);
+  const std::vector<CellChoice> choices =
+      choose_cells(scene, site.terrain, site.growth, *site.withering, 2);
+  const Landscape landscape = assemble(
+      scene, site, 2, choices,
+      {[&](const CellChoice& choice) {
+         Volume volume;
+         volume.voxels = glm::ivec3(scene.grass.levels[static_cast<std::size_t>(choice.level)]);
+         return volume;
+       },
+       {}});
+  std::set<int> whole, in_parts;
+  double area = 0.0;
+  for (const Cell& cell : landscape.cells) {
+    (cell.part.is_whole() ? whole : in_parts).insert(cell.volume);
+    area += (cell.part.high.x - cell.part.low.x) * (cell.part.high.y - cell.part.low.y);
+  }
+  EXPECT_NEAR(area, static_cast<double>(choices.size()), 1e-9);
+  int fine = 0;
+  for (const int volume : in_parts)
+    if (landscape.volumes[static_cast<std::size_t>(volume)].voxels.x > 100) {
+      ++fine;
+      EXPECT_FALSE(whole.contains(volume));
+    }
+  EXPECT_GT(fine, 0);
 }
 
 TEST(WeatheringTint, RestoresTheWantedColour) {

@@ -50,39 +50,6 @@ std::vector<CellChoice> choices_of(const scene::Scene& scene, int frame = 2) {
   return choose_cells(scene, terrain, grown(scene), Withering(scene, terrain), frame);
 }
 
-TEST(Cells, MatrixMapsCornersOntoTheGround) {
-  const scene::Scene scene = small_meadow();
-  const Heightfield terrain = terrain::make_hillside(scene.terrain, 5);
-  const double patch_m = scene.grass.patch_m;
-  for (int turn = 0; turn < 4; ++turn) {
-    const glm::ivec2 cell(3 + turn, 7);
-    const glm::dmat4 matrix = world_from_cell(terrain, patch_m, cell, turn, glm::dvec2(0.0));
-    EXPECT_NEAR(glm::determinant(matrix), 1.0, 1e-12);
-    EXPECT_EQ(matrix[2], glm::dvec4(0, 0, 1, 0));
-    const glm::dvec2 low = glm::dvec2(cell) * patch_m;
-    const auto z = [&](double u, double v) {
-      return terrain.sample(low.x + u * patch_m, low.y + v * patch_m);
-    };
-    const double twist = std::abs(z(0, 0) - z(1, 0) - z(0, 1) + z(1, 1)) / 4.0;
-    for (const glm::dvec2 corner :
-         {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1), glm::dvec2(1, 1)}) {
-      const glm::dvec4 at_m = matrix * glm::dvec4(corner * patch_m, 0, 1);
-      EXPECT_NEAR(std::abs(at_m.z - terrain.sample(at_m.x, at_m.y)), twist, 1e-6);
-      EXPECT_NEAR(std::abs(at_m.x - low.x - patch_m / 2), patch_m / 2, 1e-12);
-      EXPECT_NEAR(std::abs(at_m.y - low.y - patch_m / 2), patch_m / 2, 1e-12);
-    }
-  }
-}
-
-TEST(Cells, TurnsCounterClockwise) {
-  const Heightfield level(3, 2.0);
-  const glm::dmat4 once = world_from_cell(level, 0.5, {1, 2}, 1, glm::dvec2(0.0));
-  const glm::dvec4 east_edge = once * glm::dvec4(0.5, 0.25, 0.1, 1);  // goes to the north edge
-  EXPECT_NEAR(east_edge.x, 0.75, 1e-12);
-  EXPECT_NEAR(east_edge.y, 1.5, 1e-12);
-  EXPECT_NEAR(east_edge.z, 0.1, 1e-12);
-}
-
 // Cells are boxes that lean; where neighbours lean away from each other one saw the ground.
 TEST(Cells, LeaveNoGapsWhereTheyReach) {
   const scene::Scene scene = small_meadow();
@@ -94,10 +61,10 @@ TEST(Cells, LeaveNoGapsWhereTheyReach) {
     for (int j = 0; j < 23; ++j) {
       /// Both ends of the cell at a height.
       const auto ends_m = [&](const glm::ivec2& cell, double z) {
-        const int turn = cell.x + 2 * cell.y;
-        const glm::dvec2 lean = combing.lean((glm::dvec2(cell) + 0.5) * patch_m);
-        const glm::dmat4 matrix = world_from_cell(level, patch_m, cell, turn, lean) *
-                                  reach_to_neighbours(combing, patch_m, cell, turn, height_m);
+        const Stance stance = {cell, cell.x + 2 * cell.y,
+                               combing.lean((glm::dvec2(cell) + 0.5) * patch_m)};
+        const glm::dmat4 matrix = fit_to_ground(level, patch_m, stance, {}).world_from_cell *
+                                  reach_to_neighbours(combing, patch_m, stance, height_m);
         const glm::dvec2 a(matrix * glm::dvec4(0, 0, z, 1));
         const glm::dvec2 b(matrix * glm::dvec4(patch_m, patch_m, z, 1));
         return std::pair(glm::min(a, b), glm::max(a, b));
@@ -170,7 +137,8 @@ TEST(Cells, LevelsAreAsFineAsThePixels) {
   for (const CellChoice& choice :
        choose_cells(scene, terrain, grown(scene), Withering(scene, terrain), 1)) {
     levels.insert(choice.level);
-    const glm::dvec4 centre = choice.world_from_cell * glm::dvec4(0.25, 0.25, 0.14, 1);
+    const glm::dvec4 centre =
+        choice.parts.front().world_from_cell * glm::dvec4(0.25, 0.25, 0.14, 1);
     const double distance_m = glm::length(glm::dvec3(centre) - camera.eye_m);
     const auto pixels = [&](int level) {
       return 0.5 / scene.grass.levels[static_cast<std::size_t>(level)] * pixels_per_radian /

@@ -81,7 +81,8 @@ TEST(Combing, TipsMoveAlongTheGround) {
   Heightfield slope(2, 6.0);
   slope.at(1, 0) = slope.at(1, 1) = 3.0F;  // z = x / 2
   const glm::dvec2 lean(0.2, -0.1);
-  const glm::dmat4 matrix = world_from_cell(slope, 0.6, {4, 5}, /*turn=*/1, lean);
+  const glm::dmat4 matrix =
+      fit_to_ground(slope, 0.6, {{4, 5}, /*turn=*/1, lean}, {}).world_from_cell;
   EXPECT_NEAR(glm::determinant(matrix), 1.0, 1e-12);
   const glm::dvec3 up(matrix[2]);
   EXPECT_EQ(glm::dvec2(up), lean);

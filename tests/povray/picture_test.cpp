@@ -14,6 +14,7 @@
 #include "povray/export.h"
 #include "support/cloudy_view.h"
 #include "support/detailed_ground.h"
+#include "support/quartered.h"
 #include "support/snowy_view.h"
 #include "support/synthetic_landscape.h"
 
@@ -85,10 +86,11 @@ glm::dvec2 bright_spot(const Image& picture, float threshold) {
 
 // Looking straight down from far away every ray crosses the same optical depth tau = 2.45 1/m x 8
 // voxels of 1/28 m = 0.7, so it shows L (1 - exp(-tau)) + G exp(-tau) (Beer-Lambert), also where it
-// passes from cell to cell.
+// passes from cell to cell or from quarter to quarter of one.
 TEST_F(Picture, FogFollowsBeerLambertWithoutSeams) {
   const test::ConstantMeadow fog;
   landscape::Landscape scene = test::constant_meadow(fog, folder / "texels");
+  test::quarter_cells(scene);
   scene.camera = {{1.6, 1.55, 60.0}, {1.6, 1.56, 0.0}, 2.0};
   const Image picture = render(scene);
   const double through = std::exp(-0.7);
@@ -105,6 +107,7 @@ TEST_F(Picture, DenseFogOnASlopeHasNoHoles) {
   fog.extinction = 10.0F;
   fog.slope = 0.2;
   landscape::Landscape scene = test::constant_meadow(fog, folder / "texels");
+  test::quarter_cells(scene);
   scene.camera = {{1.5, -1.5, 1.4}, {1.5, 1.5, 0.5}, 40.0};
   const Image picture = render(scene);
   for (int y = picture.height / 2; y < picture.height - 8; ++y)

@@ -1,0 +1,150 @@
+#include "landscape/cell_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+namespace wold::landscape {
+namespace {
+
+struct Rectangle {
+  glm::dvec2 low_m{0.0};
+  glm::dvec2 high_m{0.0};
+
+  glm::dvec2 centre_m() const { return (low_m + high_m) / 2.0; }
+};
+
+/// z = height_m + dot(rise, at - the rectangle's centre).
+struct Plane {
+  double height_m = 0.0;
+  glm::dvec2 rise{0.0};
+};
+
+/// The ground that a part covers.
+Rectangle ground_of(const Part& part, double patch_m, const Stance& stance) {
+  const glm::dvec2 centre_m = (glm::dvec2(stance.cell) + 0.5) * patch_m;
+  const glm::dvec2 east = east_of(stance.turn);
+  const auto place_m = [&](const glm::dvec2& share) {
+    const glm::dvec2 from_centre_m = (share - 0.5) * patch_m;
+    return centre_m + from_centre_m.x * east + from_centre_m.y * left_of(east);
+  };
+  const glm::dvec2 a = place_m(part.low), b = place_m(part.high);
+  return {glm::min(a, b), glm::max(a, b)};
+}
+
+/// How the ground rises, by least squares over places spread evenly.
+glm::dvec2 rise_of(const Heightfield& terrain, const Rectangle& ground) {
+  constexpr int per_side = 8;
+  glm::dvec2 squares_m2(0.0), products_m2(0.0);
+  for (int j = 0; j < per_side; ++j)
+    for (int i = 0; i < per_side; ++i) {
+      const glm::dvec2 share = (glm::dvec2(i, j) + 0.5) / double{per_side} - 0.5;
+      const glm::dvec2 from_centre_m = share * (ground.high_m - ground.low_m);
+      const glm::dvec2 at_m = ground.centre_m() + from_centre_m;
+      squares_m2 += from_centre_m * from_centre_m;
+      products_m2 += from_centre_m * double{terrain.sample(at_m.x, at_m.y)};
+    }
+  return products_m2 / squares_m2;
+}
+
+/// Both ends of a rectangle's side and the terrain's samples between them.
+std::vector<double> corners_along(const Heightfield& terrain, const Rectangle& ground, int axis) {
+  const double first_m = terrain.corner_m()[axis], step_m = terrain.step_m();
+  const double low_m = ground.low_m[axis], high_m = ground.high_m[axis];
+  std::vector<double> places_m = {low_m};
+  for (double k = std::floor((low_m - first_m) / step_m) + 1.0; first_m + k * step_m < high_m; ++k)
+    places_m.push_back(first_m + k * step_m);
+  places_m.push_back(high_m);
+  return places_m;
+}
+
+/// The plane under a rectangle and how far it leaves the ground.
+std::pair<Plane, double> plane_under(const Heightfield& terrain, const Rectangle& ground) {
+  const glm::dvec2 rise = rise_of(terrain, ground);
+  const std::vector<double> rows_m = corners_along(terrain, ground, 1);
+  double least_m = std::numeric_limits<double>::infinity();
+  double most_m = -least_m;
+  for (const double x : corners_along(terrain, ground, 0))
+    for (const double y : rows_m) {
+      const double above_m =
+          double{terrain.sample(x, y)} - glm::dot(rise, glm::dvec2(x, y) - ground.centre_m());
+      least_m = std::min(least_m, above_m);
+      most_m = std::max(most_m, above_m);
+    }
+  return {{(least_m + most_m) / 2.0, rise}, (most_m - least_m) / 2.0};
+}
+
+/// A quarter of a quarter ... of a patch: which of `per_side` x `per_side`.
+struct Quarter {
+  glm::ivec2 place{0};
+  int per_side = 1;
+};
+
+Part part_of(const Quarter& quarter, int voxels) {
+  const int step = (voxels + 2) / quarter.per_side;
+  const auto border = [&](int k) { return std::clamp((k * step - 2.0) / voxels, 0.0, 1.0); };
+  const glm::ivec2& at = quarter.place;
+  return {{border(at.x), border(at.y)}, {border(at.x + 1), border(at.y + 1)}};
+}
+
+std::array<Quarter, 4> quarters_of(const Quarter& whole) {
+  std::array<Quarter, 4> quarters;
+  for (int k = 0; k < 4; ++k)
+    quarters[static_cast<std::size_t>(k)] = {2 * whole.place + glm::ivec2(k & 1, k >> 1),
+                                             2 * whole.per_side};
+  return quarters;
+}
+
+}  // namespace
+
+glm::dvec2 east_of(int turn) {
+  constexpr int cosines[] = {1, 0, -1, 0};
+  return {cosines[turn & 3], cosines[(turn + 3) & 3]};
+}
+
+glm::dvec2 left_of(const glm::dvec2& direction) { return {-direction.y, direction.x}; }
+
+GroundFit fit_to_ground(const Heightfield& terrain, double patch_m, const Stance& stance,
+                        const Part& part) {
+  const Rectangle ground = ground_of(part, patch_m, stance);
+  const auto [plane, deviation_m] = plane_under(terrain, ground);
+  const glm::dvec2& rise = plane.rise;
+  const glm::dvec2& lean = stance.lean;
+  const glm::dvec2 east = east_of(stance.turn);
+  const glm::dvec2 north = left_of(east);
+  const glm::dvec2 origin_m =
+      (glm::dvec2(stance.cell) + 0.5) * patch_m - (east + north) * (patch_m / 2.0);
+  const double z_m = plane.height_m + glm::dot(rise, origin_m - ground.centre_m());
+  return {{glm::dvec4(east, glm::dot(rise, east), 0), glm::dvec4(north, glm::dot(rise, north), 0),
+           glm::dvec4(lean, 1.0 + glm::dot(rise, lean), 0), glm::dvec4(origin_m, z_m, 1)},
+          deviation_m};
+}
+
+std::vector<PlacedPart> parts_on_ground(const Heightfield& terrain, double patch_m,
+                                        const Stance& stance, int voxels, double tolerance_m) {
+  constexpr int most_per_side = 8;
+  std::vector<PlacedPart> parts;
+  std::vector<Quarter> todo = {{}};
+  while (!todo.empty()) {
+    const Quarter quarter = todo.back();
+    todo.pop_back();
+    const Part part = part_of(quarter, voxels);
+    const GroundFit fit = fit_to_ground(terrain, patch_m, stance, part);
+    if (fit.deviation_m <= tolerance_m || quarter.per_side == most_per_side)
+      parts.push_back({part, fit.world_from_cell});
+    else
+      std::ranges::copy(quarters_of(quarter), std::back_inserter(todo));
+  }
+  return parts;
+}
+
+std::array<Part, 4> quarters_of_patch(int voxels) {
+  std::array<Part, 4> parts;
+  std::ranges::transform(quarters_of({}), parts.begin(),
+                         [&](const Quarter& quarter) { return part_of(quarter, voxels); });
+  return parts;
+}
+
+}  // namespace wold::landscape

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "core/ground_map.h"
+#include "landscape/landscape.h"
+
+namespace wold::landscape {
+
+/// Where a cell of the terrain is and how its patch stands there.
+struct Stance {
+  glm::ivec2 cell{0};    ///< column (east) and row (north), from 0
+  int turn = 0;          ///< quarter-turns counter-clockwise, seen from above
+  glm::dvec2 lean{0.0};  ///< of what stands on it, along the ground (see Combing)
+};
+
+/// Where x of a cell points to after so many quarter-turns.
+glm::dvec2 east_of(int turn);
+
+/// A quarter-turn counter-clockwise, seen from above: from a cell's x to its y.
+glm::dvec2 left_of(const glm::dvec2& direction);
+
+/// A part of a cell where it stands.
+struct PlacedPart {
+  Part part;
+  glm::dmat4 world_from_cell{1.0};  ///< see Cell in landscape.h
+};
+
+/// A part on the plane that fits the ground under it, and how far that leaves the ground at most.
+struct GroundFit {
+  glm::dmat4 world_from_cell{1.0};
+  double deviation_m = 0.0;
+};
+
+/// The plane rises as the ground does by least squares, and lies as far below the ground at one
+/// place as above it at another. The deviation is exact: the ground is bilinear between its
+/// samples, so it leaves a plane farthest at them or on the part's border.
+GroundFit fit_to_ground(const Heightfield& terrain, double patch_m, const Stance& stance,
+                        const Part& part);
+
+/// The parts of a cell, together its whole patch, none of which leaves the ground by more than
+/// `tolerance_m`: the cell itself, or its quarters, each of them whole or in quarters, down to an
+/// eighth of the side, where what is left is left. Borders lie between the voxels of a volume of
+/// `voxels` a side (30, 62, 126 or 254), two short of the even share: so a part begins one voxel
+/// before a multiple of eight of the volume's indices, and OpenVDB's leaves, of which Blender
+/// builds its hull, are as full as can be.
+std::vector<PlacedPart> parts_on_ground(const Heightfield& terrain, double patch_m,
+                                        const Stance& stance, int voxels, double tolerance_m);
+
+/// The quarters of a whole patch, as parts_on_ground() makes them.
+std::array<Part, 4> quarters_of_patch(int voxels);
+
+}  // namespace wold::landscape
