@@ -35,7 +35,7 @@ struct CellChoice {
 /// How far what is drawn of a cell may leave the ground under it: so many metres or, where that is
 /// more, pixels.
 constexpr double ground_tolerance_m = 0.01;
-constexpr double ground_tolerance_px = 0.5;
+constexpr double ground_tolerance_px = 3.0;
 
 /// Cell::reach of a cell whose grass is `height_m` high: where neighbours lean away from each other
 /// both reach half as far beyond their squares as the gap between them is wide at that height.

@@ -186,9 +186,9 @@ TEST_F(BlenderRender, SkyVoxelAndGroundAppearWhereTheyAre) {
   EXPECT_NEAR(picture.pixel(160, 239)[2], 0.4613F, 1.0F / 255.0F);
 }
 
-// Constant extinction and source radiance over 6 x 6 sheared cells of which half stands, every
-// other one in quarters: along every ray the radiance is S (1 - exp(-extinction length)), whatever
-// joints it crosses.
+// Constant extinction and source radiance over 6 x 6 sheared cells of which half stands, at last
+// every other one in quarters: along every ray the radiance is S (1 - exp(-extinction length)),
+// whatever joints it crosses.
 TEST_F(BlenderRender, JointsOfCellsCannotBeSeen) {
   constexpr float extinction = 2.5F;
   constexpr int height = 22;
@@ -204,14 +204,18 @@ TEST_F(BlenderRender, JointsOfCellsCannotBeSeen) {
     m = glm::dmat4({1, 0, 0, 0}, {0, 1, slope, 0}, {0, 0, 1, 0},
                    {m[3].x, m[3].y, slope * m[3].y, 1});
   }
-  test::quarter_cells(landscape);
   landscape.terrain.values().assign(landscape.terrain.values().size(), -5.0F);
   landscape.ground.values().assign(landscape.ground.values().size(), glm::vec3(0.0F));
   landscape.sky = Image(8, 4, 3);
   landscape.width_px = 160;
   landscape.height_px = 90;
   const double thickness_m = height * landscape.volumes[0].voxel_m;
-  for (const glm::dvec3& from : {glm::dvec3(1.53, 1.4, 4.0), glm::dvec3(1.6, -0.4, 1.1)}) {
+  const std::array<glm::dvec3, 2> eyes_m = {glm::dvec3(1.53, 1.4, 4.0), {1.6, -0.4, 1.1}};
+  for (int number = 0; number < 4; ++number) {
+    const glm::dvec3& from = eyes_m[static_cast<std::size_t>(number % 2)];
+    if (number == 2) test::quarter_cells(landscape);
+    // Rays cross twice as many joints, each of which may be off.
+    const double most_off = number < 2 ? 0.008 : 0.012;
     landscape.camera = {from, {1.5, 1.6, 0.3}, from.z > 2.0 ? 30.0 : 34.0};
     ASSERT_EQ(run(), 0) << read_file(folder / "log");
     const Image picture = read_image(folder / "picture.png");
@@ -232,7 +236,7 @@ TEST_F(BlenderRender, JointsOfCellsCannotBeSeen) {
         ++inside;
         const double want = 2.0 * 0.2 * (1.0 - std::exp(-extinction * length));
         const double off = linear_of(picture.pixel(x, y)[1]) - want;
-        ASSERT_LT(std::abs(off), 0.012) << "pixel " << x << ", " << y;
+        ASSERT_LT(std::abs(off), most_off) << "pixel " << x << ", " << y;
         error += off;
         squares += off * off;
       }
