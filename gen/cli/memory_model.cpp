@@ -61,19 +61,16 @@ SceneFiles files_of(const TaskRecord& scenes, std::string_view renderer) {
 }
 
 SceneFiles guessed_files(const scene::Scene& scene, Stage stage) {
-  constexpr double states = 1.25;                // of a variant, that one picture shows
-  constexpr double part_bytes = 2.0 * megabyte;  // of a state: its volumes cut into parts
-  const double texels = states * scene.grass.variants;
-  const double voxels = texels * voxels_of(scene);
-  return stage == Stage::blender
-             ? SceneFiles{0.54 * voxels + part_bytes * texels, 9.0 * ground_samples(scene)}
-             : SceneFiles{3.3 * voxels, 100.0 * ground_samples(scene)};
+  constexpr double states = 1.25;  // of a variant, that one picture shows
+  const double voxels = states * scene.grass.variants * voxels_of(scene);
+  return stage == Stage::blender ? SceneFiles{0.54 * voxels, 9.0 * ground_samples(scene)}
+                                 : SceneFiles{3.3 * voxels, 100.0 * ground_samples(scene)};
 }
 
 double renderer_memory_bytes(const Job& job, Stage stage, const SceneFiles& files) {
   const double start = (stage == Stage::blender ? 830.0 : 200.0) * megabyte;
   return start + thread_bytes * threads_of(job) +
-         (stage == Stage::blender ? wanted(files, 52.0, 120.0) : wanted(files, 0.85, 6.0));
+         (stage == Stage::blender ? wanted(files, 64.0, 120.0) : wanted(files, 0.85, 6.0));
 }
 
 }  // namespace wold::cli
