@@ -15,11 +15,6 @@ float opacity(const LayerState& state, double rank, double share) {
   return static_cast<float>(moment.amount_is_alpha ? moment.amount * alpha : alpha);
 }
 
-float top(const LayerState& state, double rank) {
-  const double amount = state.moment.amount_is_alpha ? 1.0 : state.moment.amount;
-  return static_cast<float>(top_m(*state.layer, relative_depth(*state.layer, rank, amount)));
-}
-
 /// How deep the layer's clouds are, of the depth that the whole layer's have.
 double depth_left(const LayerState& state) {
   return depth_factor(state.moment.amount_is_alpha ? 1.0 : state.moment.amount);
@@ -46,9 +41,6 @@ Sheet sheet_of(const LayerState& state, const std::shared_ptr<const ShapeMaps>& 
   return {map,
           state.moment.way_m / pixel_m,
           table(ranks_per_entry, [&](double rank) { return opacity(state, rank, share); }),
-          state.layer->has_relief
-              ? table(ranks_per_entry, [&](double rank) { return top(state, rank); })
-              : std::vector<float>(),
           table(lights_per_entry,
                 [&](double brightness) {
                   return glm::vec4(glm::vec3(state.moment.light * light_left(state, brightness)),
@@ -59,6 +51,13 @@ Sheet sheet_of(const LayerState& state, const std::shared_ptr<const ShapeMaps>& 
 }
 
 }  // namespace
+
+std::vector<float> top_m_by_rank(const LayerState& state) {
+  const double amount = state.moment.amount_is_alpha ? 1.0 : state.moment.amount;
+  return table(ranks_per_entry, [&](double rank) {
+    return static_cast<float>(top_m(*state.layer, relative_depth(*state.layer, rank, amount)));
+  });
+}
 
 double by_rank(const std::vector<float>& table, double rank) {
   const auto entry = static_cast<std::size_t>(std::clamp(rank, 0.0, 65535.0)) / ranks_per_entry;

@@ -20,13 +20,15 @@ struct Sheet {
   std::shared_ptr<const ShapeMaps> map;
   glm::dvec2 way_px = {};                  ///< how far the map has drifted
   std::vector<float> opacity_by_rank;      ///< in [0, 1]
-  std::vector<float> top_m_by_rank;        ///< above the base; empty without relief
   std::vector<glm::vec4> colour_by_light;  ///< linear colour for the share of the light, and 1
   double share = 1.0;                      ///< of the layer's optical depth
   double depth_left = 1.0;  ///< of the depth that the whole layer's clouds have towards the sun
 };
 
-/// What such a table has for a rank of 16 bits, of any size.
+/// Tops above the base at that moment, in steps of ranks_per_entry.
+std::vector<float> top_m_by_rank(const LayerState& state);
+
+/// What such tables have for a rank of 16 bits, of any size.
 double by_rank(const std::vector<float>& table, double rank);
 
 /// A layer's sheets, the further one first: one, or two while its shape changes. Two sheets whose

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace wold::landscape {
 namespace {
@@ -21,13 +22,12 @@ double depth_in(const cloud::Droplets& droplets, const std::vector<cloud::LayerM
 
 }  // namespace
 
-Heaps::Heaps(const cloud::LayerState& state, const std::vector<cloud::Sheet>& sheets)
-    : layer_(state.layer), way_m_(state.moment.way_m), billows_(state) {
-  for (const cloud::Sheet& sheet : sheets) {
-    shapes_.push_back({sheet.map, sheet.share, sheet.depth_left, sheet.top_m_by_rank});
-    highest_m_ = std::max(highest_m_, double{sheet.top_m_by_rank.back()});
-  }
-}
+Heaps::Heaps(const cloud::LayerState& state, std::vector<cloud::Sheet> sheets)
+    : layer_(state.layer),
+      way_m_(state.moment.way_m),
+      shapes_(std::move(sheets)),
+      top_m_by_rank_(cloud::top_m_by_rank(state)),
+      billows_(state) {}
 
 glm::dvec2 Heaps::in_periods(const glm::dvec2& place_m) const {
   return (place_m - way_m_) / layer_->period_m;
@@ -36,9 +36,9 @@ glm::dvec2 Heaps::in_periods(const glm::dvec2& place_m) const {
 double Heaps::top_m(const glm::dvec2& place_m) const {
   const glm::dvec2 at = in_periods(place_m);
   double top_m = 0.0;
-  for (const Shape& shape : shapes_)
-    top_m += shape.share *
-             cloud::by_rank(shape.top_m_by_rank, shape.map->relief->ranks.sample(at.x, at.y));
+  for (const cloud::Sheet& shape : shapes_)
+    top_m +=
+        shape.share * cloud::by_rank(top_m_by_rank_, shape.map->relief->ranks.sample(at.x, at.y));
   return top_m;
 }
 
@@ -66,7 +66,7 @@ double Heaps::depth_to_sun(const glm::dvec3& place_m) const {
   const double height_share = (place_m.z - layer_->base_m) / layer_->thickness_m;
   const glm::dvec2 at = in_periods(glm::dvec2(place_m));
   double depth = 0.0;
-  for (const Shape& shape : shapes_)
+  for (const cloud::Sheet& shape : shapes_)
     depth += shape.share * shape.depth_left *
              depth_in(layer_->droplets, shape.map->relief->sunlit, at, height_share);
   return depth;

@@ -14,11 +14,11 @@ namespace wold::landscape {
 class Heaps {
  public:
   /// `sheets`: the layer's at that moment.
-  Heaps(const cloud::LayerState& state, const std::vector<cloud::Sheet>& sheets);
+  Heaps(const cloud::LayerState& state, std::vector<cloud::Sheet> sheets);
 
   /// Above the base.
   double top_m(const glm::dvec2& place_m) const;
-  double highest_m() const { return highest_m_; }
+  double highest_m() const { return double{top_m_by_rank_.back()}; }
 
   /// side_field(), at least -1; heads finer than footprint_m are evened out.
   double field(const glm::dvec3& place_m, double footprint_m) const;
@@ -30,20 +30,13 @@ class Heaps {
   double depth_to_sun(const glm::dvec3& place_m) const;
 
  private:
-  struct Shape {
-    std::shared_ptr<const cloud::ShapeMaps> map;
-    double share;
-    double depth_left;
-    std::vector<float> top_m_by_rank;
-  };
-
   glm::dvec2 in_periods(const glm::dvec2& place_m) const;
 
   std::shared_ptr<const cloud::Layer> layer_;
   glm::dvec2 way_m_;
-  std::vector<Shape> shapes_;
+  std::vector<cloud::Sheet> shapes_;
+  std::vector<float> top_m_by_rank_;
   cloud::Billows billows_;
-  double highest_m_ = 0.0;
 };
 
 }  // namespace wold::landscape

@@ -42,19 +42,20 @@ double sample(const cloud::LayerMap& map, const glm::dvec2& place_px) {
   return map.sample(place_px.x / map.width(), place_px.y / map.height());
 }
 
-/// What of a step lies inside a cloud whose field, there linear, has these values at its ends.
-struct Inside {
-  double from = 0.0, to = 0.0;  ///< shares of the step
-  double density = 0.0;         ///< mean between them, over the densest
-  double share() const { return to - from; }
-};
-Inside inside_of(double first, double last) {
-  constexpr double soft = 0.2;  // of the field
+/// What the paper's events leave of a layer.
+double alpha_of(const cloud::LayerMoment& moment) {
+  return moment.amount_is_alpha ? moment.amount : 1.0;
+}
+
+/// Mean density, over the densest, of a step through a heap whose field, there linear, has these
+/// values at its ends.
+double dense_share(double first, double last) {
+  constexpr double soft = 0.2;  // of the field, from the surface to the densest
+  if (first <= 0.0 && last <= 0.0) return 0.0;
   const auto dense = [](double field) { return std::clamp(field / soft, 0.0, 1.0); };
-  if (first <= 0.0 && last <= 0.0) return {};
-  const double middle = first == last ? 0.0 : first / (first - last);
-  return {first > 0.0 ? 0.0 : middle, last > 0.0 ? 1.0 : middle,
-          0.5 * (dense(first) + dense(last))};
+  const double outside = std::max(-std::min(first, last), 0.0);
+  const double inside = std::max(first, last);
+  return inside / (inside + outside) * 0.5 * (dense(first) + dense(last));
 }
 
 }  // namespace
@@ -100,7 +101,7 @@ LayerSight::LayerSight(const cloud::LayerState& state, double pixel_m, const glm
       pixel_m_(pixel_m),
       way_m_(state.moment.way_m),
       colour_(state.moment.light),
-      alpha_(state.moment.amount_is_alpha ? state.moment.amount : 1.0),
+      seen_per_m_(alpha_of(state.moment) * state.layer->seen_depth / state.layer->thickness_m),
       sheets_(cloud::sheets_of(state, pixel_m)),
       forward_(cloud::forward_through, state.layer->droplets.asymmetry),
       window_(window) {
@@ -195,48 +196,46 @@ double LayerSight::entry_between(const Ray& ray, double outside, double inside,
   return inside;
 }
 
+/// How many times as deep heaps are along a line of sight as columns are seen: from the side clouds
+/// end within some metres, while through a base, unless it is but a fringe, they are the column.
+double LayerSight::crispness(const Ray& ray, double base_depth) const {
+  constexpr double from_side = 8.0;
+  if (base_depth <= 0.0) return from_side;
+  const double column = seen_per_m_ * heaps_->top_m(glm::dvec2(place_on(ray, 0.0))) / ray.cosine;
+  return column > 0.0 ? std::lerp(from_side, 1.0, std::min(base_depth / column, 1.0)) : 1.0;
+}
+
 /// Follows the line of sight through heaps. What stands on the base where it was met is in the
-/// base's depth already, unless the base is but a fringe there; other heaps are entered from the
-/// side.
+/// base's depth already.
 void LayerSight::add_sides(Passed& passed, const Ray& ray) const {
-  // Seen depths are meant for columns; from the side clouds end within some metres.
-  constexpr double crispness = 8.0;
   const int count = steps_along(ray);
   const double step_m = (ray.top_distance_m - ray.distance_m) / count;
-  const double seen_per_m = layer_->seen_depth / layer_->thickness_m;
   const double finest_m = finest_angle_rad * ray.distance_m;
   const double footprint_m = std::max(finest_m, 0.5 * step_m);  // of what steps can show
   double before = heaps_->field(place_on(ray, 0.0), footprint_m);
-  Lit lit;  // of the surface that is seen
-  bool is_lit = false;
   double in_base = passed.depth;
-  double crisp = crispness;
-  if (in_base > 0.0) {
-    const double column = seen_per_m * heaps_->top_m(glm::dvec2(place_on(ray, 0.0))) / ray.cosine;
-    crisp = column > 0.0 ? std::lerp(crispness, 1.0, std::min(in_base / column, 1.0)) : 1.0;
-  }
+  double crisp = crispness(ray, in_base);
+  std::optional<Lit> lit;  // of the surface that is seen
   for (int i = 0; i < count && passed.depth < opaque; ++i) {
-    const double after = heaps_->field(place_on(ray, (i + 1.0) / count), footprint_m);
+    const double low = static_cast<double>(i) / count, high = (i + 1.0) / count;
+    const double after = heaps_->field(place_on(ray, high), footprint_m);
     const bool enters = before <= 0.0 && after > 0.0;
-    const Inside inside = inside_of(before, after);
+    const double dense_m = dense_share(before, after) * step_m;
     before = after;
-    if (inside.share() <= 0.0) {
+    if (dense_m <= 0.0) {
       in_base = 0.0;
-      crisp = crispness;
+      crisp = crispness(ray, in_base);
       continue;
     }
-    const double low = static_cast<double>(i) / count, high = (i + 1.0) / count;
     const glm::dvec3 place_m =
         place_on(ray, enters ? entry_between(ray, low, high, footprint_m) : low);
-    const double dense_m =
-        window_share(glm::dvec2(place_m)) * inside.density * inside.share() * step_m;
-    const double all = alpha_ * crisp * seen_per_m * dense_m;
-    const double counted = std::min(in_base, all);
+    const double there_m = window_share(glm::dvec2(place_m)) * dense_m;
+    const double seen = crisp * seen_per_m_ * there_m;
+    const double counted = std::min(in_base, seen);
     in_base -= counted;
-    if (all <= counted) continue;
-    if (enters || !is_lit) lit = side_light(place_m, finest_m);
-    is_lit = true;
-    passed.add(all - counted, layer_->droplets.extinction_per_m * dense_m, lit);
+    if (seen <= counted) continue;
+    if (enters || !lit) lit = side_light(place_m, finest_m);
+    passed.add(seen - counted, layer_->droplets.extinction_per_m * there_m, *lit);
   }
 }
 

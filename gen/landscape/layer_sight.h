@@ -56,6 +56,7 @@ class LayerSight {
   glm::dvec3 place_on(const Ray& ray, double height_share) const;
   int steps_along(const Ray& ray) const;
   double entry_between(const Ray& ray, double outside, double inside, double footprint_m) const;
+  double crispness(const Ray& ray, double base_depth) const;
   double window_share(const glm::dvec2& place_m) const;
   glm::vec3 sent(const Passed& passed, const Ray& ray) const;
 
@@ -66,7 +67,7 @@ class LayerSight {
   double pixel_m_;
   glm::dvec2 way_m_;
   glm::vec3 colour_;                  ///< of the layer's light
-  double alpha_;                      ///< share that the paper's events leave of it
+  double seen_per_m_;                 ///< optical depth of its densest places, as columns are seen
   std::vector<cloud::Sheet> sheets_;  ///< its shapes
   cloud::ForwardTable forward_;       ///< forward_through()
   std::optional<Heaps> heaps_;        ///< where it has relief
