@@ -30,7 +30,7 @@ struct Volume {
   std::filesystem::path vdb;  ///< many volumes share a file
   std::string emission_grid;  ///< "emission_q0" ... one per quarter-turn of the sun
   std::string content;        ///< hash: same content, same bytes
-  glm::ivec3 voxels;          ///< active box (N, N, height)
+  glm::ivec3 voxels{0};       ///< active box (N, N, height)
   double voxel_m = 0.0;       ///< side; N * voxel_m is the patch
 };
 
@@ -95,7 +95,7 @@ struct Backdrop {
 /// A cloud as a volume that stands in world space, as voxels in memory: x fastest, then y, then z.
 struct CloudBox {
   std::string name;  ///< unique in the frame, safe as a file name
-  glm::ivec3 voxels;
+  glm::ivec3 voxels{0};
   double voxel_m = 0.0;
   glm::dvec3 corner_m;  ///< lowest, in the south-west
   std::vector<float> extinction_per_m;

@@ -54,6 +54,7 @@ TEST(Assemble, CellsReferToTheirVolumes) {
                                        {[&](const CellChoice& choice) {
                                           Volume volume;
                                           volume.name = name(choice);
+                                          volume.voxels = glm::ivec3(30);  // not fine
                                           return volume;
                                         },
                                         [](const CellChoice&) { return BladeMesh{}; }});
