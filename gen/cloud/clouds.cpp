@@ -116,26 +116,33 @@ struct Clouds::Film {
     return repeated(shaped, cells, layer->period_px, key);
   }
 
-  ShapeMaps lit_maps(LayerMap ranks, const Shape& shape, const glm::dvec3& sun_direction) const {
+  /// The maps of a shape without light.
+  ShapeMaps made_maps(const Shape& shape) const {
     constexpr double smoothed = 0.7;
-    const std::vector<float> tops = tops_m(*layer);
-    const Droplets& droplets = layer->droplets;
-    ShapeMaps lit;
-    lit.sunlit = sunlit(ranks, tops, droplets, sun_direction, pixel_m);
+    ShapeMaps made;
+    made.ranks = made_ranks(shape);
     if (layer->has_relief)
-      lit.relief = relief_of(ranks, tops, droplets, sun_direction, pixel_m, layer->thickness_m);
-    lit.ranks = std::move(ranks);
-    lit.sun_direction = sun_direction;
-    lit.detail = 1.0 - smoothed * shape.shear;
-    return lit;
+      made.relief = Relief{relief_ranks(made.ranks, pixel_m, layer->thickness_m), {}};
+    made.detail = 1.0 - smoothed * shape.shear;
+    return made;
+  }
+
+  void light(ShapeMaps& shape, const glm::dvec3& sun_direction) const {
+    const std::vector<float> tops = tops_m(*layer);
+    shape.sun_direction = sun_direction;
+    shape.sunlit = sunlit(shape.ranks, tops, layer->droplets, sun_direction, pixel_m);
+    if (!shape.relief) return;
+    const double coarse_m = pixel_m * shape.ranks.width() / shape.relief->ranks.width();
+    shape.relief->sunlit =
+        relief_light(shape.relief->ranks, tops, layer->droplets, sun_direction, coarse_m);
   }
 
   std::shared_ptr<const ShapeMaps> map_of(std::size_t number, const glm::dvec3& sun_direction) {
     std::shared_ptr<const ShapeMaps>& map = maps[number];
     if (map && map->sun_direction == sun_direction) return map;
-    const Shape& shape = timeline.shapes()[number];
-    map = std::make_shared<const ShapeMaps>(
-        lit_maps(map ? map->ranks : made_ranks(shape), shape, sun_direction));
+    ShapeMaps lit = map ? *map : made_maps(timeline.shapes()[number]);
+    light(lit, sun_direction);
+    map = std::make_shared<const ShapeMaps>(std::move(lit));
     return map;
   }
 

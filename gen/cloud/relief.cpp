@@ -31,20 +31,22 @@ LayerMap shrunk(const PeriodicMap<float>& map, int factor) {
 
 }  // namespace
 
-Relief relief_of(const LayerMap& ranks, const std::vector<float>& height_m,
-                 const Droplets& droplets, const glm::dvec3& sun_direction, double pixel_m,
-                 double thickness_m) {
+LayerMap relief_ranks(const LayerMap& ranks, double pixel_m, double thickness_m) {
   const double radius_px = smooth_radius * thickness_m / pixel_m;
   const int most_px = (std::min(ranks.width(), ranks.height()) - 1) / 2;
-  const int factor = std::max(1, static_cast<int>(radius_px));
-  Relief relief;
-  relief.ranks =
-      shrunk(smoothed(ranks, std::min(static_cast<int>(std::lround(radius_px)), most_px)), factor);
-  const double coarse_m = pixel_m * ranks.width() / relief.ranks.width();
+  const int rounded_px = static_cast<int>(std::lround(radius_px));
+  return shrunk(smoothed(ranks, std::min(rounded_px, most_px)), std::max(1, rounded_px));
+}
+
+std::vector<LayerMap> relief_light(const LayerMap& relief_ranks, const std::vector<float>& height_m,
+                                   const Droplets& droplets, const glm::dvec3& sun_direction,
+                                   double coarse_m) {
+  std::vector<LayerMap> light;
+  light.reserve(heights);
   for (int i = 0; i < heights; ++i)
-    relief.sunlit.push_back(sunlit(relief.ranks, height_m, droplets, sun_direction, coarse_m,
-                                   i * double{height_m.back()} / heights));
-  return relief;
+    light.push_back(sunlit(relief_ranks, height_m, droplets, sun_direction, coarse_m,
+                           i * double{height_m.back()} / heights));
+  return light;
 }
 
 }  // namespace wold::cloud

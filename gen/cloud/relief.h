@@ -13,9 +13,13 @@ struct Relief {
   std::vector<LayerMap> sunlit;  ///< sunlit() of these at evenly spaced heights, from the base on
 };
 
-/// height_m, droplets, sun_direction and pixel_m as for sunlit(); thickness_m: of the layer.
-Relief relief_of(const LayerMap& ranks, const std::vector<float>& height_m,
-                 const Droplets& droplets, const glm::dvec3& sun_direction, double pixel_m,
-                 double thickness_m);
+/// The ranks of a relief. pixel_m: of the ranks given, thickness_m: of the layer.
+LayerMap relief_ranks(const LayerMap& ranks, double pixel_m, double thickness_m);
+
+/// Its light: height_m, droplets and sun_direction as for sunlit(), coarse_m the side of its
+/// pixels.
+std::vector<LayerMap> relief_light(const LayerMap& relief_ranks, const std::vector<float>& height_m,
+                                   const Droplets& droplets, const glm::dvec3& sun_direction,
+                                   double coarse_m);
 
 }  // namespace wold::cloud

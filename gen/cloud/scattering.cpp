@@ -23,6 +23,7 @@ double forward_sum(double asymmetry, double depth, double cosine, int first) {
   for (int time = 1; time <= times; ++time) {
     sum += poisson * forward_order(asymmetry, time, cosine);
     poisson *= depth / (time + first);
+    if (time > depth && poisson < 1e-9) break;
   }
   return sum;
 }

@@ -22,13 +22,13 @@ bool differ(const glm::vec3& a, const glm::vec3& b) {
 }  // namespace
 
 CloudySky::CloudySky(const light::Daylight& day, const cloud::CloudState& clouds,
-                     const glm::dvec3& eye_m,
+                     const glm::dvec3& eye_m, double finest_rad,
                      const std::vector<std::optional<CloudWindow>>& windows)
     : day_(day) {
   for (std::size_t i = 0; i < clouds.layers.size(); ++i) {
     const cloud::LayerState& state = clouds.layers[i];
     if (state.layer->base_m <= eye_m.z) continue;
-    layers_.emplace_back(state, clouds.pixel_m, eye_m, day,
+    layers_.emplace_back(state, clouds.pixel_m, eye_m, day, finest_rad,
                          windows.empty() ? std::nullopt : windows[i]);
   }
 }

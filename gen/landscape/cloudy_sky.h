@@ -18,9 +18,14 @@ namespace wold::landscape {
 /// first, which sink into the haze with their distance.
 class CloudySky {
  public:
+  /// Half a pixel of a picture 1000 pixels and 60 degrees wide.
+  static constexpr double usual_finest_rad = 5e-4;
+
   /// `day` has to outlive it. Layers that are not above the eye are left out, and what of a layer
-  /// stands as a volume in its window; no windows at all: nothing does.
+  /// stands as a volume in its window; no windows at all: nothing does. The eye makes out angles of
+  /// finest_rad.
   CloudySky(const light::Daylight& day, const cloud::CloudState& clouds, const glm::dvec3& eye_m,
+            double finest_rad = usual_finest_rad,
             const std::vector<std::optional<CloudWindow>>& windows = {});
 
   /// Radiance from a unit direction.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "cloud/shadow.h"
 #include "landscape/cloud_boxes.h"
@@ -44,7 +45,8 @@ FrameSky::FrameSky(const scene::Scene& scene, const Site& site, int frame, const
       site_(site),
       frame_(frame),
       clouds_(clouds_of(scene, site, frame)),
-      sheets_(site.day, clouds_.value_or(cloud::CloudState{}), eye_m) {}
+      sheets_(site.day, clouds_.value_or(cloud::CloudState{}), eye_m,
+              std::numbers::pi / usual_sky_width_px) {}
 
 /// Share of the sunlight that passes the clouds. The frames of a season are days apart, and shadows
 /// that drift by from frame to frame would make it flicker: there it is the mean over what drifts
@@ -85,7 +87,9 @@ void FrameSky::show(Landscape& landscape, bool with_backdrop) const {
   const Camera& camera = landscape.camera;
   const auto windows = cloud_windows(clouds, camera);
   landscape.clouds = cloud_boxes(clouds, windows, site_.day, camera.eye_m);
-  const CloudySky behind(site_.day, clouds, camera.eye_m, windows);
+  const double half_pixel_rad =
+      0.5 * glm::radians(camera.field_of_view_deg) / static_cast<double>(landscape.width_px);
+  const CloudySky behind(site_.day, clouds, camera.eye_m, half_pixel_rad, windows);
   landscape.backdrop = sky_backdrop(behind, camera, landscape.width_px, landscape.height_px,
                                     beyond_everything_m(landscape));
 }

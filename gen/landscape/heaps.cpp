@@ -20,14 +20,27 @@ double depth_in(const cloud::Droplets& droplets, const std::vector<cloud::LayerM
   return cloud::depth_of_brightness(droplets, light / 65535.0);
 }
 
+cloud::PeriodicMap<float> mean_tops_m(const std::vector<cloud::Sheet>& shapes,
+                                      const std::vector<float>& top_m_by_rank) {
+  const cloud::LayerMap& first = shapes.front().map->relief->ranks;
+  cloud::PeriodicMap<float> tops_m(first.width(), first.height());
+  for (const cloud::Sheet& shape : shapes) {
+    const std::vector<std::uint16_t>& ranks = shape.map->relief->ranks.values();
+    for (std::size_t i = 0; i < ranks.size(); ++i)
+      tops_m.values()[i] +=
+          static_cast<float>(shape.share * cloud::by_rank(top_m_by_rank, ranks[i]));
+  }
+  return tops_m;
+}
+
 }  // namespace
 
 Heaps::Heaps(const cloud::LayerState& state, std::vector<cloud::Sheet> sheets)
-    : layer_(state.layer),
-      way_m_(state.moment.way_m),
-      shapes_(std::move(sheets)),
-      top_m_by_rank_(cloud::top_m_by_rank(state)),
-      billows_(state) {}
+    : layer_(state.layer), way_m_(state.moment.way_m), shapes_(std::move(sheets)), billows_(state) {
+  const std::vector<float> top_m_by_rank = cloud::top_m_by_rank(state);
+  highest_m_ = double{top_m_by_rank.back()};
+  tops_m_ = mean_tops_m(shapes_, top_m_by_rank);
+}
 
 glm::dvec2 Heaps::in_periods(const glm::dvec2& place_m) const {
   return (place_m - way_m_) / layer_->period_m;
@@ -35,11 +48,7 @@ glm::dvec2 Heaps::in_periods(const glm::dvec2& place_m) const {
 
 double Heaps::top_m(const glm::dvec2& place_m) const {
   const glm::dvec2 at = in_periods(place_m);
-  double top_m = 0.0;
-  for (const cloud::Sheet& shape : shapes_)
-    top_m +=
-        shape.share * cloud::by_rank(top_m_by_rank_, shape.map->relief->ranks.sample(at.x, at.y));
-  return top_m;
+  return tops_m_.sample(at.x, at.y);
 }
 
 double Heaps::field(const glm::dvec3& place_m, double footprint_m) const {

@@ -18,7 +18,7 @@ class Heaps {
 
   /// Above the base.
   double top_m(const glm::dvec2& place_m) const;
-  double highest_m() const { return double{top_m_by_rank_.back()}; }
+  double highest_m() const { return highest_m_; }
 
   /// side_field(), at least -1; heads finer than footprint_m are evened out.
   double field(const glm::dvec3& place_m, double footprint_m) const;
@@ -35,7 +35,8 @@ class Heaps {
   std::shared_ptr<const cloud::Layer> layer_;
   glm::dvec2 way_m_;
   std::vector<cloud::Sheet> shapes_;
-  std::vector<float> top_m_by_rank_;
+  cloud::PeriodicMap<float> tops_m_;  ///< where they would be without drift
+  double highest_m_;
   cloud::Billows billows_;
 };
 

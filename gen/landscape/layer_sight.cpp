@@ -10,9 +10,6 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double earth_radius_m = 6.371e6;
 
-/// What an eye makes out: half a pixel of a picture 1000 pixels and 60 degrees wide.
-constexpr double finest_angle_rad = 5e-4;
-
 /// Logarithm of how much deeper a cloud is where its field is higher by 1. Only fine detail is
 /// shaded by this, and gently: light has been scattered too often to show more.
 constexpr double shade_per_field = 1.0;
@@ -93,10 +90,12 @@ struct LayerSight::Passed {
 };
 
 LayerSight::LayerSight(const cloud::LayerState& state, double pixel_m, const glm::dvec3& eye_m,
-                       const light::Daylight& day, const std::optional<CloudWindow>& window)
+                       const light::Daylight& day, double finest_rad,
+                       const std::optional<CloudWindow>& window)
     : day_(day),
       layer_(state.layer),
       eye_m_(eye_m),
+      finest_rad_(finest_rad),
       rise_m_(state.layer->base_m - eye_m.z),
       pixel_m_(pixel_m),
       way_m_(state.moment.way_m),
@@ -132,7 +131,7 @@ int LayerSight::steps_along(const Ray& ray) const {
   constexpr double most = 48.0;
   const double across_m = heaps_->highest_m() * std::hypot(ray.direction.x, ray.direction.y);
   return static_cast<int>(
-      std::clamp(std::ceil(across_m / (2.0 * finest_angle_rad * ray.distance_m)), 1.0, most));
+      std::clamp(std::ceil(across_m / (3.0 * finest_rad_ * ray.distance_m)), 1.0, most));
 }
 
 double LayerSight::window_share(const glm::dvec2& place_m) const {
@@ -143,7 +142,7 @@ void LayerSight::add_base(Passed& passed, const Ray& ray) const {
   const glm::dvec2 place_m = glm::dvec2(eye_m_) + glm::dvec2(ray.direction) * ray.distance_m;
   const double share = window_share(place_m);
   if (share <= 0.0) return;
-  const double footprint_m = finest_angle_rad * ray.distance_m / std::sqrt(ray.cosine);
+  const double footprint_m = finest_rad_ * ray.distance_m / std::sqrt(ray.cosine);
   double depth = 0.0;
   Lit lit;
   for (const cloud::Sheet& sheet : sheets_) {
@@ -210,7 +209,7 @@ double LayerSight::crispness(const Ray& ray, double base_depth) const {
 void LayerSight::add_sides(Passed& passed, const Ray& ray) const {
   const int count = steps_along(ray);
   const double step_m = (ray.top_distance_m - ray.distance_m) / count;
-  const double finest_m = finest_angle_rad * ray.distance_m;
+  const double finest_m = finest_rad_ * ray.distance_m;
   const double footprint_m = std::max(finest_m, 0.5 * step_m);  // of what steps can show
   double before = heaps_->field(place_on(ray, 0.0), footprint_m);
   double in_base = passed.depth;

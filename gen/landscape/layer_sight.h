@@ -34,10 +34,11 @@ struct SeenClouds {
 /// paper has it is as bright everywhere and has no sides.
 class LayerSight {
  public:
-  /// `day` has to outlive it; the layer is above the eye. What of it stands as a volume in its
-  /// window is left out.
+  /// `day` has to outlive it; the layer is above the eye, which makes out angles of finest_rad.
+  /// What of the layer stands as a volume in its window is left out.
   LayerSight(const cloud::LayerState& state, double pixel_m, const glm::dvec3& eye_m,
-             const light::Daylight& day, const std::optional<CloudWindow>& window);
+             const light::Daylight& day, double finest_rad,
+             const std::optional<CloudWindow>& window);
 
   /// Along a unit direction above the horizon.
   SeenClouds along(const glm::dvec3& direction) const;
@@ -63,6 +64,7 @@ class LayerSight {
   const light::Daylight& day_;
   std::shared_ptr<const cloud::Layer> layer_;
   glm::dvec3 eye_m_;
+  double finest_rad_;
   double rise_m_;
   double pixel_m_;
   glm::dvec2 way_m_;

@@ -70,7 +70,8 @@ TEST(CloudBoxes, WindowsStandStillUnderAMovingCamera) {
 TEST(CloudBoxes, SheetsLeaveTheWindowToTheVolume) {
   const View view;
   const CloudySky sheets(view.day, view.clouds, view.camera.eye_m);
-  const CloudySky beyond(view.day, view.clouds, view.camera.eye_m, view.windows);
+  const CloudySky beyond(view.day, view.clouds, view.camera.eye_m, CloudySky::usual_finest_rad,
+                         view.windows);
   const CloudySky clear(view.day, {}, view.camera.eye_m);
   const double base_m = view.clouds.layers[0].layer->base_m;
   const glm::dvec2 centre_m = view.windows[0]->south_west_m + view.windows[0]->side_m / 2.0;

@@ -35,7 +35,7 @@ struct Sight {
   explicit Sight(const scene::Scene& scene)
       : day(scene.sun, scene.sky),
         layer(cloud::Clouds(scene, pixel_m).at(10.0).layers[0]),
-        seen(layer, pixel_m, eye_m, day, std::nullopt) {}
+        seen(layer, pixel_m, eye_m, day, 5e-4, std::nullopt) {}
   Sight(const Sight&) = delete;
   Sight& operator=(const Sight&) = delete;
 
