@@ -1,6 +1,7 @@
 #include "cloud/box_filter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "core/parallel.h"
@@ -48,6 +49,16 @@ PeriodicMap<float> box_filtered(const PeriodicMap<float>& map, int radius) {
     filter_columns(along, from, std::min(from + strip, map.width()), radius, result);
   });
   return result;
+}
+
+int tops_radius_px(double thickness_px, int side_px) {
+  constexpr double radius = 0.08;  // of the thickness
+  return std::min(static_cast<int>(std::lround(radius * thickness_px)), (side_px - 1) / 2);
+}
+
+PeriodicMap<float> smoothed_for_tops(const PeriodicMap<float>& map, double thickness_px) {
+  const int radius_px = tops_radius_px(thickness_px, std::min(map.width(), map.height()));
+  return box_filtered(box_filtered(map, radius_px), radius_px);
 }
 
 }  // namespace wold::cloud

@@ -1,7 +1,6 @@
 #include "cloud/relief.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "cloud/box_filter.h"
 
@@ -9,16 +8,6 @@ namespace wold::cloud {
 namespace {
 
 constexpr int heights = 4;
-
-/// Of the thickness, of one of two box filters: single columns would stand out of a cloud like
-/// needles.
-constexpr double smooth_radius = 0.08;
-
-PeriodicMap<float> smoothed(const LayerMap& ranks, int radius_px) {
-  PeriodicMap<float> values(ranks.width(), ranks.height());
-  std::ranges::copy(ranks.values(), values.values().begin());
-  return box_filtered(box_filtered(values, radius_px), radius_px);
-}
 
 LayerMap shrunk(const PeriodicMap<float>& map, int factor) {
   LayerMap small(std::max(map.width() / factor, 1), std::max(map.height() / factor, 1));
@@ -32,10 +21,11 @@ LayerMap shrunk(const PeriodicMap<float>& map, int factor) {
 }  // namespace
 
 LayerMap relief_ranks(const LayerMap& ranks, double pixel_m, double thickness_m) {
-  const double radius_px = smooth_radius * thickness_m / pixel_m;
-  const int most_px = (std::min(ranks.width(), ranks.height()) - 1) / 2;
-  const int rounded_px = static_cast<int>(std::lround(radius_px));
-  return shrunk(smoothed(ranks, std::min(rounded_px, most_px)), std::max(1, rounded_px));
+  const double thickness_px = thickness_m / pixel_m;
+  PeriodicMap<float> values(ranks.width(), ranks.height());
+  std::ranges::copy(ranks.values(), values.values().begin());
+  const int factor = tops_radius_px(thickness_px, std::min(ranks.width(), ranks.height()));
+  return shrunk(smoothed_for_tops(values, thickness_px), std::max(1, factor));
 }
 
 std::vector<LayerMap> relief_light(const LayerMap& relief_ranks, const std::vector<float>& height_m,

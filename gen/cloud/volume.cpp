@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "cloud/box_filter.h"
 #include "cloud/heap.h"
@@ -14,7 +13,6 @@
 namespace wold::cloud {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 /// Fills a column from its lowest voxel's centre up so that its optical depth is `depth`; what is
 /// lower than a voxel is in the first.
 void fill_column(const CloudVolume& volume, const Billows& billows, double depth, double top_m,
@@ -82,15 +80,6 @@ PeriodicMap<float> depth_map(const LayerState& state, double pixel_m, const Voxe
   return depths;
 }
 
-/// What tops follow: single columns would stand out of a cloud like needles. thickness_px: the
-/// layer's, in columns.
-PeriodicMap<float> smoothed(const PeriodicMap<float>& depths, double thickness_px) {
-  constexpr double radius = 0.08;  // of the thickness
-  const int radius_px = std::min(static_cast<int>(std::lround(radius * thickness_px)),
-                                 (std::min(depths.width(), depths.height()) - 1) / 2);
-  return box_filtered(box_filtered(depths, radius_px), radius_px);
-}
-
 }  // namespace
 
 CloudVolume lifted(const LayerState& state, double pixel_m, const glm::dvec2& south_west_m,
@@ -105,7 +94,8 @@ CloudVolume lifted(const LayerState& state, double pixel_m, const glm::dvec2& so
   volume.droplets_per_seen = droplets_per_seen(layer);
   volume.extinction_per_m.resize(volume.box.count());
   const PeriodicMap<float> depths = depth_map(state, pixel_m, volume.box);
-  const PeriodicMap<float> smooth = smoothed(depths, layer.thickness_m / volume.box.voxel_m.x);
+  const PeriodicMap<float> smooth =
+      smoothed_for_tops(depths, layer.thickness_m / volume.box.voxel_m.x);
   const Billows billows(state);
   const auto plane = static_cast<std::size_t>(voxels.x) * static_cast<std::size_t>(voxels.y);
   parallel_for(static_cast<std::size_t>(voxels.y), [&](std::size_t y) {

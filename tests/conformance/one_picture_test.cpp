@@ -42,12 +42,19 @@ Image povray_picture(const Landscape& landscape, const fs::path& folder) {
   return run("povray data/frame_0001.ini +Opicture.png", folder);
 }
 
+/// Says so where a renderer is missing.
+class OnePicture : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const char* renderer : {"blender", "povray"})
+      if (!is_installed(renderer))
+        GTEST_SKIP() << "no " << renderer << " on this machine: the pictures are not compared";
+  }
+};
+
 // Every other cell in quarters, of which each lies in its own way: they show the same grass, and
 // stand where a whole one's would.
-TEST(OnePicture, PartsOfCellsAreAlike) {
-  for (const char* renderer : {"blender", "povray"})
-    if (!is_installed(renderer))
-      GTEST_SKIP() << "no " << renderer << " on this machine: the pictures are not compared";
+TEST_F(OnePicture, PartsOfCellsAreAlike) {
   const test::TemporaryFolder folder("one_picture_of_parts");
   Landscape landscape = test::synthetic_landscape({}, folder.path() / "texels");
   test::quarter_cells(landscape);
@@ -61,10 +68,7 @@ TEST(OnePicture, PartsOfCellsAreAlike) {
 }
 
 // Grass under snowfall in fog: near flakes of many pixels, far ones of a part of one.
-TEST(OnePicture, SnowfallAndFogAreAlike) {
-  for (const char* renderer : {"blender", "povray"})
-    if (!is_installed(renderer))
-      GTEST_SKIP() << "no " << renderer << " on this machine: the pictures are not compared";
+TEST_F(OnePicture, SnowfallAndFogAreAlike) {
   const test::TemporaryFolder folder("one_picture");
   Landscape landscape = test::synthetic_landscape({}, folder.path() / "texels");
   test::add_flakes(landscape, 3000, 4.0);
