@@ -50,7 +50,7 @@ std::vector<double> few_key_frames(const scene::Scene& scene) {
 
 /// Light is smooth where grass scatters it, but mountains cast sharper shadows; snow lies smoothly.
 landscape::Sketch sketch_of(const scene::Scene& scene) {
-  constexpr int smooth_samples = 145;
+  constexpr int smooth_samples = 97;
   return {.ground_samples = most_samples,
           .light_samples = landscape::is_large(scene) ? most_samples : smooth_samples,
           .combed_samples = 97,
@@ -131,7 +131,7 @@ landscape::PatchLook PreviewFilm::far_look(const grass::PatchState& state) const
 }
 
 Tubes PreviewFilm::blades(int variant, const grass::PatchState& state) const {
-  constexpr double pixels_of_shadows = 128.0;  // along a patch
+  constexpr double pixels_of_shadows = 96.0;  // along a patch
   return texels_.blades(variant, state, scene_.grass.patch_m / pixels_of_shadows);
 }
 

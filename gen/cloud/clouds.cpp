@@ -54,6 +54,8 @@ Layer layer_of(std::uint64_t key, const scene::CloudLayer& described, const Reci
   constexpr double deep = 5.0;
   layer.has_relief =
       !layer.lit_as_paper && layer.droplets.extinction_per_m * layer.thickness_m > deep;
+  if (layer.has_relief || layer.is_volume) layer.heads.emplace(key);
+  layer.forward.emplace(forward_through, layer.droplets.asymmetry);
   layer.seen_depth = -std::log1p(-textures.densest_opacity);
   layer.cover = textures.cover;
   layer.profile = textures.profile;

@@ -4,9 +4,11 @@
 #include <optional>
 #include <vector>
 
+#include "cloud/billow_box.h"
 #include "cloud/detail.h"
 #include "cloud/recipe.h"
 #include "cloud/relief.h"
+#include "cloud/scattering.h"
 #include "cloud/sunlit.h"
 #include "cloud/tiling.h"
 #include "cloud/timeline.h"
@@ -35,7 +37,9 @@ struct Layer {
                                ///< has no thin places
   std::vector<float> profile;  ///< TextureSet's
   Detail detail;               ///< what the maps are too coarse for
-  std::vector<float> rank_per_field;  ///< TextureSet's
+  std::vector<float> rank_per_field;    ///< TextureSet's
+  std::optional<BillowBox> heads;       ///< where it has a shape
+  std::optional<ForwardTable> forward;  ///< forward_through() of its droplets
 };
 
 /// A shape of a layer over its whole period.

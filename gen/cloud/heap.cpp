@@ -24,7 +24,7 @@ double side_field(double t, double billow) {
   return column - depth * bites * (1.0 - billow);
 }
 
-Billows::Billows(const LayerState& state) : box_(state.layer->key) {
+Billows::Billows(const LayerState& state) : layer_(state.layer) {
   // As many as make the period whole.
   const double wanted_m = 0.25 * BillowBox::heads * state.layer->thickness_m;
   const glm::dvec2 boxes = glm::max(glm::round(state.layer->period_m / wanted_m), 1.0);
@@ -33,7 +33,7 @@ Billows::Billows(const LayerState& state) : box_(state.layer->key) {
 }
 
 double Billows::at(const glm::dvec3& place_m) const {
-  return static_cast<double>(box_.at(glm::vec3((place_m - origin_m_) * per_m_)));
+  return static_cast<double>(layer_->heads->at(glm::vec3((place_m - origin_m_) * per_m_)));
 }
 
 double Billows::fine_at(const glm::dvec3& place_m, double footprint_m) const {
@@ -43,7 +43,8 @@ double Billows::fine_at(const glm::dvec3& place_m, double footprint_m) const {
     const double head_m = 0.5 / (per_m_.z * BillowBox::heads * times);
     const double shown = std::clamp(head_m / (2.0 * footprint_m) - 0.5, 0.0, 1.0);
     if (shown <= 0.0) return weight * mean;
-    return weight * std::lerp(mean, static_cast<double>(box_.at(glm::vec3(place * times))), shown);
+    return weight *
+           std::lerp(mean, static_cast<double>(layer_->heads->at(glm::vec3(place * times))), shown);
   };
   return octave(1.0, 0.6) + octave(4.0, 0.28) + octave(16.0, 0.12);
 }

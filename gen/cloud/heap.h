@@ -1,8 +1,8 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <memory>
 
-#include "cloud/billow_box.h"
 #include "cloud/clouds.h"
 
 /// How a column of a dense cloud is filled: a flat base, a rounded top, and between them heads.
@@ -24,6 +24,7 @@ double side_field(double t, double billow);
 /// thickness wide, with smaller ones on them.
 class Billows {
  public:
+  /// The layer has heads.
   explicit Billows(const LayerState& state);
 
   /// In [0, 1], 1 at the heads' middles; world space.
@@ -34,7 +35,7 @@ class Billows {
   double fine_at(const glm::dvec3& place_m, double footprint_m) const;
 
  private:
-  BillowBox box_;
+  std::shared_ptr<const Layer> layer_;
   glm::dvec3 per_m_, origin_m_;
 };
 

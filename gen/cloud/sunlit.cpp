@@ -69,12 +69,37 @@ void add_step(const PeriodicMap<float>& tops, int y, const RayStep& step, float*
 
 /// Light walks at random before it has lost its direction: over the transport mean free path, here
 /// the base of the kernel.
-PeriodicMap<float> diffused(const PeriodicMap<float>& in_cloud_m, const Droplets& droplets,
-                            double pixel_m) {
-  const double path_m = 1.0 / (droplets.extinction_per_m * (1.0 - droplets.asymmetry));
+double diffusion_radius_m(const Droplets& droplets) {
+  return 0.25 / (droplets.extinction_per_m * (1.0 - droplets.asymmetry));
+}
+
+PeriodicMap<float> diffused(const PeriodicMap<float>& in_cloud_m, double radius_px) {
   const double most_px = 0.25 * std::min(in_cloud_m.width(), in_cloud_m.height());
-  const int radius = static_cast<int>(std::min(0.25 * path_m / pixel_m, most_px));
+  const int radius = static_cast<int>(std::min(radius_px, most_px));
   return box_filtered(box_filtered(in_cloud_m, radius), radius);
+}
+
+/// Means of 2 x 2 pixels; sides are even.
+PeriodicMap<float> halved(const PeriodicMap<float>& map) {
+  PeriodicMap<float> half(map.width() / 2, map.height() / 2);
+  parallel_for(static_cast<std::size_t>(half.height()), [&](std::size_t row) {
+    const int y = static_cast<int>(row);
+    const float *low = map.row(2 * y), *high = map.row(2 * y + 1);
+    for (int x = 0; x < half.width(); ++x)
+      half.at(x, y) = 0.25F * (low[2 * x] + low[2 * x + 1] + high[2 * x] + high[2 * x + 1]);
+  });
+  return half;
+}
+
+/// Lengths of the rays to the sun inside clouds with these tops.
+PeriodicMap<float> lengths_in_cloud_m(const PeriodicMap<float>& tops,
+                                      const std::vector<RayStep>& steps) {
+  PeriodicMap<float> in_cloud_m(tops.width(), tops.height());
+  parallel_for(static_cast<std::size_t>(tops.height()), [&](std::size_t row) {
+    const int y = static_cast<int>(row);
+    for (const RayStep& step : steps) add_step(tops, y, step, in_cloud_m.row(y));
+  });
+  return in_cloud_m;
 }
 
 double through_of(double brightness) {
@@ -101,18 +126,29 @@ double brightness_of_less(double brightness, double factor) {
 
 LayerMap sunlit(const LayerMap& ranks, const std::vector<float>& height_m, const Droplets& droplets,
                 const glm::dvec3& sun_direction, double pixel_m, double from_m) {
-  const PeriodicMap<float> tops = tops_of(ranks, height_m);
-  const std::vector<RayStep> steps = ray_to_sun(from_m, height_m.back(), sun_direction, pixel_m);
-  PeriodicMap<float> in_cloud_m(ranks.width(), ranks.height());
-  parallel_for(static_cast<std::size_t>(ranks.height()), [&](std::size_t row) {
-    const int y = static_cast<int>(row);
-    for (const RayStep& step : steps) add_step(tops, y, step, in_cloud_m.row(y));
+  // Where light diffuses over many pixels, coarser ones show the same.
+  constexpr double enough_px = 2.0;
+  PeriodicMap<float> tops = tops_of(ranks, height_m);
+  double radius_px = diffusion_radius_m(droplets) / pixel_m;
+  while (radius_px >= 2.0 * enough_px && tops.width() % 2 == 0 && tops.height() % 2 == 0) {
+    tops = halved(tops);
+    radius_px /= 2.0;
+    pixel_m *= 2.0;
+  }
+  PeriodicMap<float> brightness = diffused(
+      lengths_in_cloud_m(tops, ray_to_sun(from_m, height_m.back(), sun_direction, pixel_m)),
+      radius_px);
+  parallel_for_blocks(brightness.values().size(), [&](std::size_t i) {
+    float& value = brightness.values()[i];
+    value = static_cast<float>(
+        base_brightness(droplets, droplets.extinction_per_m * static_cast<double>(value)));
   });
-  in_cloud_m = diffused(in_cloud_m, droplets, pixel_m);
   LayerMap result(ranks.width(), ranks.height());
-  parallel_for_blocks(result.values().size(), [&](std::size_t i) {
-    const double depth = droplets.extinction_per_m * static_cast<double>(in_cloud_m.values()[i]);
-    result.values()[i] = static_cast<std::uint16_t>(65535.0 * base_brightness(droplets, depth));
+  parallel_for(static_cast<std::size_t>(result.height()), [&](std::size_t row) {
+    const int y = static_cast<int>(row);
+    for (int x = 0; x < result.width(); ++x)
+      result.at(x, y) = static_cast<std::uint16_t>(
+          65535.0 * brightness.sample((x + 0.5) / result.width(), (y + 0.5) / result.height()));
   });
   return result;
 }

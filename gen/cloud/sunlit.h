@@ -35,7 +35,8 @@ double brightness_of_less(double brightness, double factor);
 
 /// The brightness at every pixel, in steps of 1/65535, with tau along the ray from a height above
 /// the base, in [0, height_m.back()), to the sun: sunward edges are bright, and a cloud is darkest
-/// on its far side. height_m: the top above the flat base by rank, on equal steps from 0 to 1.
+/// on its far side. Where light diffuses over many pixels it is worked out on coarser ones and
+/// interpolated. height_m: the top above the flat base by rank, on equal steps from 0 to 1.
 /// sun_direction is a unit vector to a sun above the horizon; pixel_m > 0.
 LayerMap sunlit(const LayerMap& ranks, const std::vector<float>& height_m, const Droplets& droplets,
                 const glm::dvec3& sun_direction, double pixel_m, double from_m = 0.0);

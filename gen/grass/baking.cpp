@@ -17,12 +17,9 @@ Transmittances blade_transmittances(std::span<const PointDynamics> samples, doub
     poses.insert(poses.end(), sample.poses().begin(), sample.poses().end());
   }
   Transmittances result;
-  for (std::size_t i = 0; i < result.value.size(); ++i) {
-    const auto directions = transmittance_directions(Transmittances::elevations_deg[i]);
-    for (const glm::dvec3& direction : directions)
-      result.value[i] += blade_transmittance(blades, poses, patch_m, direction) /
-                         static_cast<double>(directions.size());
-  }
+  for (std::size_t i = 0; i < result.value.size(); ++i)
+    result.value[i] = blade_transmittance(
+        blades, poses, patch_m, transmittance_directions(Transmittances::elevations_deg[i]));
   return result;
 }
 

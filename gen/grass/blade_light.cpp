@@ -12,10 +12,11 @@ namespace {
 /// Which of the light from one direction reaches the blades.
 class Shadows {
  public:
-  Shadows(const BladePatch& patch, const glm::dvec3& direction, double pixel_m)
+  Shadows(const std::vector<Piece>& pieces, double patch_m, const glm::dvec3& direction,
+          double pixel_m)
       : direction_(direction),
-        picture_(patch, direction,
-                 std::clamp(static_cast<int>(patch.patch_m / pixel_m), 64, 4096)) {}
+        picture_(pieces, patch_m, direction,
+                 std::clamp(static_cast<int>(patch_m / pixel_m), 64, 4096)) {}
 
   /// Share of a blade's width at a place that is not in shadow.
   float reaching(const BladePlace& place) const {
@@ -39,9 +40,10 @@ std::vector<glm::vec3> place_radiance(const BladePatch& patch, std::span<const B
                                       const Lighting& lighting, const FibreLook& look,
                                       double shadow_pixel_m) {
   const TurnedLight light(lighting, /*turn=*/0);
+  const std::vector<Piece> pieces = BladePicture::pieces_of(patch);
   // One picture at a time: the sun, then every direction of the sky.
   const auto each_place = [&](const glm::dvec3& direction, const auto& visit) {
-    const Shadows shadows(patch, direction, shadow_pixel_m);
+    const Shadows shadows(pieces, patch.patch_m, direction, shadow_pixel_m);
     parallel_for(places.size(), [&](std::size_t i) { visit(i, shadows.reaching(places[i])); });
   };
   std::vector<float> sunlit(places.size());

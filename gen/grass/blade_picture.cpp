@@ -3,28 +3,31 @@
 #include <algorithm>
 #include <cmath>
 
-#include "grass/silhouette.h"
-
 namespace wold::grass {
 
 BladePicture::BladePicture(const BladePatch& patch, const glm::dvec3& direction, int side)
-    : patch_m_(patch.patch_m),
+    : BladePicture(pieces_of(patch), patch.patch_m, direction, side) {}
+
+BladePicture::BladePicture(const std::vector<Piece>& pieces, double patch_m,
+                           const glm::dvec3& direction, int side)
+    : patch_m_(patch_m),
       slope_(glm::dvec2(direction) / direction.z),
       side_(side),
       pixels_(static_cast<std::size_t>(side) * static_cast<std::size_t>(side)) {
-  constexpr int segments = 24;
-  for (std::uint32_t blade = 0; blade < patch.blades.size(); ++blade)
-    each_strip(
-        patch.blades[blade], patch.poses[blade], segments, patch.patch_m, glm::vec3(direction),
-        [&](const Strip& strip) {
-          each_covered_pixel(side, strip, [&](std::size_t at, double t) {
-            const float height = std::lerp(strip.height_a, strip.height_b, static_cast<float>(t));
-            Pixel& pixel = pixels_[at];
-            if (pixel.blade != nothing && pixel.height_m >= height) return;
-            const float along = std::lerp(strip.along_a, strip.along_b, static_cast<float>(t));
-            pixel = {blade, along, height, strip.snow};
-          });
+  for (const Piece& piece : pieces)
+    each_covered_pixel(
+        side, strip_of(piece, patch_m, glm::vec3(direction)), [&](std::size_t at, double t) {
+          const float height_m = std::lerp(piece.a_m.z, piece.b_m.z, static_cast<float>(t));
+          Pixel& pixel = pixels_[at];
+          if (pixel.blade != nothing && pixel.height_m >= height_m) return;
+          const float along = std::lerp(piece.along_a, piece.along_b, static_cast<float>(t));
+          pixel = {piece.blade, along, height_m, piece.snow};
         });
+}
+
+std::vector<Piece> BladePicture::pieces_of(const BladePatch& patch) {
+  constexpr int segments = 24;
+  return grass::pieces_of(patch.blades, patch.poses, segments);
 }
 
 double BladePicture::coverage() const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "grass/blade_patch.h"
+#include "grass/silhouette.h"
 
 namespace wold::grass {
 
@@ -22,6 +23,10 @@ class BladePicture {
 
   /// direction: unit, towards the eye or the light, z > 0. `side`: pixels along the patch.
   BladePicture(const BladePatch& patch, const glm::dvec3& direction, int side);
+  /// The same of the patch's pieces, which are made but once for many directions.
+  BladePicture(const std::vector<Piece>& pieces, double patch_m, const glm::dvec3& direction,
+               int side);
+  static std::vector<Piece> pieces_of(const BladePatch& patch);
 
   const std::vector<Pixel>& pixels() const { return pixels_; }
   /// Share of the pixels that show a blade.

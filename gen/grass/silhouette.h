@@ -2,87 +2,38 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/glm.hpp>
+#include <vector>
 
-#include "grass/axis.h"
-#include "grass/snow_ridge.h"
+#include "grass/blade.h"
 
 /// Silhouettes of bent blades, projected along a direction onto the plane of the ground and drawn
 /// into a square of pixels that tiles like the patch.
 namespace wold::grass {
 
-/// A straight piece of a blade, or of the snow on it, on the ground's plane, in patches: the
-/// parallelogram from a - half to b + half.
-struct Strip {
-  glm::dvec2 a, b, half;
-  float along_a, along_b;    ///< place on the blade: 0 root, 1 tip
-  float height_a, height_b;  ///< of the axis above the ground, m
+/// A straight piece of a blade, or of the snow on it, in the patch's space, not wrapped.
+struct Piece {
+  std::uint32_t blade = 0;
   bool snow = false;
+  glm::vec3 a_m{0.0F}, b_m{0.0F};  ///< ends of its axis
+  glm::vec3 tangent{0.0F};
+  glm::vec3 level{0.0F}, upper{0.0F};    ///< unit vectors along the axes of a ridge's section
+  glm::vec2 half_m{0.0F};                ///< half its width and height; a blade's section is round
+  float along_a = 0.0F, along_b = 0.0F;  ///< place on the blade: 0 root, 1 tip
 };
 
-/// Where a ray along `direction` (towards the eye, z > 0) through a place meets the ground's plane,
-/// in patches.
-inline glm::dvec2 on_ground(const glm::vec3& place_m, const glm::vec3& direction, double patch_m) {
-  const glm::vec2 slope = glm::vec2(direction) / direction.z;
-  return glm::dvec2((glm::vec2(place_m) - place_m.z * slope) / static_cast<float>(patch_m));
-}
+/// Each blade's pieces, `segments` of the blade itself and then those of its snow.
+std::vector<Piece> pieces_of(const std::vector<Blade>& blades, const std::vector<BladePose>& poses,
+                             int segments);
 
-/// Calls visit(strip) for the pieces of the ridge of snow on a blade.
-template <class Visit>
-void each_ridge_strip(const Blade& blade, const BladePose& pose, double patch_m,
-                      const glm::vec3& direction, const Visit& visit) {
-  constexpr int segments = 48;
-  const float length_m = blade.length_m * pose.length_scale;
-  const glm::vec3 level(-blade.heading.y, blade.heading.x, 0.0F);
-  const auto place = [&](const glm::vec2& in_plane_m) {
-    return on_ground(glm::vec3(blade.root_m, 0.0F) + from_plane(blade, in_plane_m), direction,
-                     patch_m);
-  };
-  const BladeAxis axis(blade, pose);
-  for (int i = 0; i < segments; ++i) {
-    const float begin = static_cast<float>(i) / segments;
-    const float end = static_cast<float>(i + 1) / segments;
-    const float along = 0.5F * (begin + end);
-    const AxisPoint at = axis.at(length_m * along);
-    const SnowRidge ridge = snow_ridge(blade, pose, along, at);
-    if (ridge.half_height_m <= 0.0F) continue;
-    const glm::vec3 across = glm::cross(from_plane(blade, at.tangent), direction);
-    const glm::vec3 aside = across / std::max(glm::length(across), 1e-3F);
-    const float reach_m = std::hypot(
-        ridge.half_width_m * glm::dot(aside, level),
-        ridge.half_height_m * glm::dot(aside, from_plane(blade, upper_side(at.tangent))));
-    const glm::vec2 half_way = 0.5F * length_m / segments * at.tangent;
-    const glm::dvec2 half = on_ground(reach_m * aside, direction, patch_m);
-    visit(Strip{place(ridge.centre_m - half_way), place(ridge.centre_m + half_way), half, begin,
-                end, ridge.centre_m.y - half_way.y, ridge.centre_m.y + half_way.y, true});
-  }
-}
+/// A piece on the ground's plane, in patches: the parallelogram from a - half to b + half.
+struct Strip {
+  glm::dvec2 a, b, half;
+};
 
-/// Calls visit(strip) for `segments` pieces of the blade, seen along `direction` (unit, towards the
-/// eye, z > 0), and for those of its snow.
-template <class Visit>
-void each_strip(const Blade& blade, const BladePose& pose, int segments, double patch_m,
-                const glm::vec3& direction, const Visit& visit) {
-  const float length_m = blade.length_m * pose.length_scale;
-  const auto place = [&](const glm::vec3& place_m) {
-    return on_ground(place_m, direction, patch_m);
-  };
-  const BladeAxis axis(blade, pose);
-  AxisPoint from = axis.at(0.0F);
-  float begin = 0.0F;
-  for (int i = 1; i <= segments; ++i) {
-    const float end = static_cast<float>(i) / static_cast<float>(segments);
-    const AxisPoint to = axis.at(length_m * end);
-    const glm::vec3 across = glm::cross(from_plane(blade, to.tangent), direction);
-    const float sine = std::max(glm::length(across), 1e-3F);
-    const float radius = blade.radius_m * pose.mesophyll_width * (1.0F - 0.5F * (begin + end));
-    visit(Strip{place(on_patch_m(blade, from)), place(on_patch_m(blade, to)),
-                place(across / sine * radius), begin, end, from.position_m.y, to.position_m.y});
-    from = to;
-    begin = end;
-  }
-  if (pose.snow > 0.0F) each_ridge_strip(blade, pose, patch_m, direction, visit);
-}
+/// Seen along `direction` (unit, towards the eye, z > 0).
+Strip strip_of(const Piece& piece, double patch_m, const glm::vec3& direction);
 
 /// The whole numbers x in [first, end) for which linear functions of x lie between bounds.
 class Run {

@@ -102,7 +102,6 @@ LayerSight::LayerSight(const cloud::LayerState& state, double pixel_m, const glm
       colour_(state.moment.light),
       seen_per_m_(alpha_of(state.moment) * state.layer->seen_depth / state.layer->thickness_m),
       sheets_(cloud::sheets_of(state, pixel_m)),
-      forward_(cloud::forward_through, state.layer->droplets.asymmetry),
       window_(window) {
   if (layer_->has_relief) heaps_.emplace(state, sheets_);
 }
@@ -253,7 +252,7 @@ glm::vec3 LayerSight::sent(const Passed& passed, const Ray& ray) const {
                                    cloud::in_forward_peak(droplets.asymmetry, to_sun),
                                0.0) *
                       sun_height / pi;
-  const double forward = forward_.at(to_sun, glm::dot(ray.direction, day_.sun_direction()));
+  const double forward = layer_->forward->at(to_sun, glm::dot(ray.direction, day_.sun_direction()));
   const double met = std::expm1(-passed.droplets) / std::expm1(-to_sun);
   return day_.sun_irradiance() *
              static_cast<float>((forward + even) * met + passed.light.faced / pi) +

@@ -71,7 +71,6 @@ class LayerSight {
   glm::vec3 colour_;                  ///< of the layer's light
   double seen_per_m_;                 ///< optical depth of its densest places, as columns are seen
   std::vector<cloud::Sheet> sheets_;  ///< its shapes
-  cloud::ForwardTable forward_;       ///< forward_through()
   std::optional<Heaps> heaps_;        ///< where it has relief
   std::optional<CloudWindow> window_;
 };

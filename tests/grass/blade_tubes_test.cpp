@@ -97,7 +97,7 @@ TEST(BladePicture, CoversWhatTheTransmittanceLeavesOut) {
   for (const double elevation : {15.0, 45.0, 90.0}) {
     const glm::dvec3 direction = direction_at(elevation * test::degree, 0.3);
     EXPECT_NEAR(BladePicture(patch, direction, 512).coverage(),
-                1.0 - blade_transmittance(patch.blades, patch.poses, patch.patch_m, direction),
+                1.0 - blade_transmittance(patch.blades, patch.poses, patch.patch_m, {direction}),
                 0.01);
   }
 }

@@ -48,7 +48,7 @@ TEST(Coverage, OfIndependentBladesFollowsBeersLaw) {
       const auto blades = random_blades(count, 60.0, 0.05);
       const glm::dvec3 direction = direction_at(elevation_deg * degree, 0.4);
       const double seen =
-          blade_transmittance(blades, std::vector<BladePose>(blades.size()), patch_m, direction);
+          blade_transmittance(blades, std::vector<BladePose>(blades.size()), patch_m, {direction});
       const double depth = -std::log(seen);
       EXPECT_NEAR(depth / depth_of(blades, direction), 1.0, 0.04)
           << count << " blades from " << elevation_deg << " degrees";
@@ -60,7 +60,7 @@ TEST(Coverage, OfOneBladeIsItsSilhouetteWhereverItStands) {
   blades[0].radius_m = 0.02F;
   for (float x : {0.25F, 0.49F}) {
     blades[0].root_m = {x, 0.01F};
-    const double seen = blade_transmittance(blades, {BladePose{}}, patch_m, {0.0, 0.0, 1.0});
+    const double seen = blade_transmittance(blades, {BladePose{}}, patch_m, {{0.0, 0.0, 1.0}});
     EXPECT_NEAR((1.0 - seen) / depth_of(blades, {0.0, 0.0, 1.0}), 1.0, 0.03);
   }
 }

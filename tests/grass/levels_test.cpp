@@ -76,11 +76,8 @@ TEST(Levels, FittedDensityLetsThroughWhatTheFineOneDoes) {
 
 /// What the opaque blades let through, from an elevation of Transmittances.
 double blades_let_through(const PointDynamics& patch, double patch_m, std::size_t elevation) {
-  const auto directions = transmittance_directions(Transmittances::elevations_deg[elevation]);
-  double sum = 0.0;
-  for (const glm::dvec3& direction : directions)
-    sum += blade_transmittance(patch.blades(), patch.poses(), patch_m, direction);
-  return sum / static_cast<double>(directions.size());
+  return blade_transmittance(patch.blades(), patch.poses(), patch_m,
+                             transmittance_directions(Transmittances::elevations_deg[elevation]));
 }
 
 TEST(Levels, OfAWitheringMeadowMatchTheFinestAndTheBlades) {
