@@ -53,11 +53,13 @@ check_with_cppcheck() {
     --error-exitcode=1 -j "$(nproc)"
 }
 
-# With commands that have no precompiled headers and no options of GCC's own.
+# With commands that have no precompiled headers and no options of GCC's own. The settings are read
+# once before: of a file that it cannot read, clang-tidy says so and falls back to its own.
 check_with_tidy() {
   install "${build_packages[@]}" "${test_packages[@]}" clang clang-tidy
   cmake -S . -B build-clang -G Ninja -DCMAKE_CXX_COMPILER=clang++ \
     -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
+  clang-tidy --config="$(<.clang-tidy)" --list-checks >/dev/null
   run-clang-tidy -quiet -p build-clang -j "$(nproc)" "${@:-/gen/.*\\.cpp}"
 }
 
