@@ -37,6 +37,15 @@ test_units() {
     --label-regex '^(core|scene|season|light|terrain|cloud|snow)$'
 }
 
+# On one processor TBB has one thread, and nothing would be found.
+check_threads() {
+  [ "$(nproc)" -gt 1 ] || {
+    echo "error: the thread sanitizer needs two processors" >&2
+    exit 4
+  }
+  test_with tsan "$@"
+}
+
 coverage() {
   install gcovr
   find build-coverage -name '*.gcda' -delete 2>/dev/null || true
@@ -65,7 +74,8 @@ check_with_tidy() {
 
 cd "$here"
 case ${1:-} in
-  asan | tsan) test_with "$@" ;;
+  asan) test_with "$@" ;;
+  tsan) check_threads "${@:2}" ;;
   asan-units) test_units ;;
   coverage) coverage "${@:2}" ;;
   cppcheck) check_with_cppcheck ;;
