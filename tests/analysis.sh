@@ -37,6 +37,15 @@ test_units() {
     --label-regex '^(core|scene|season|light|terrain|cloud|snow)$'
 }
 
+# On one processor TBB has one thread, and nothing would be found.
+check_threads() {
+  [ "$(nproc)" -gt 1 ] || {
+    echo "error: the thread sanitizer needs two processors" >&2
+    exit 4
+  }
+  test_with tsan "$@"
+}
+
 coverage() {
   install gcovr
   find build-coverage -name '*.gcda' -delete 2>/dev/null || true
@@ -53,17 +62,20 @@ check_with_cppcheck() {
     --error-exitcode=1 -j "$(nproc)"
 }
 
-# With commands that have no precompiled headers and no options of GCC's own.
+# With commands that have no precompiled headers and no options of GCC's own. The settings are read
+# once before: of a file that it cannot read, clang-tidy says so and falls back to its own.
 check_with_tidy() {
   install "${build_packages[@]}" "${test_packages[@]}" clang clang-tidy
   cmake -S . -B build-clang -G Ninja -DCMAKE_CXX_COMPILER=clang++ \
     -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
+  clang-tidy --config="$(<.clang-tidy)" --list-checks >/dev/null
   run-clang-tidy -quiet -p build-clang -j "$(nproc)" "${@:-/gen/.*\\.cpp}"
 }
 
 cd "$here"
 case ${1:-} in
-  asan | tsan) test_with "$@" ;;
+  asan) test_with "$@" ;;
+  tsan) check_threads "${@:2}" ;;
   asan-units) test_units ;;
   coverage) coverage "${@:2}" ;;
   cppcheck) check_with_cppcheck ;;

@@ -87,7 +87,7 @@ double ForwardTable::at(double depth, double cosine) const {
   const double a = (angles - 1) * std::sqrt(std::sqrt(std::clamp(0.5 - 0.5 * cosine, 0.0, 1.0)));
   const int low_d = std::min(static_cast<int>(d), depths - 2);
   const int low_a = std::min(static_cast<int>(a), angles - 2);
-  const float* low = &values_[static_cast<std::size_t>(low_d * angles + low_a)];
+  const float* low = values_.data() + static_cast<std::ptrdiff_t>(low_d) * angles + low_a;
   const auto along = [&](const float* row) {
     return std::lerp(double{row[0]}, double{row[1]}, a - low_a);
   };

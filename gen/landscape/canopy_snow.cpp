@@ -40,11 +40,13 @@ double intercepted_share(double leaf_area_index, double share,
                          double to_s) {
   const double capacity_mm = canopy_capacity_mm(leaf_area_index);
   const double caught_per_mm = canopy_cover(leaf_area_index) / capacity_mm;
-  for (double begin_s = from_s; begin_s < to_s; begin_s += step_s) {
+  double begin_s = from_s;
+  while (begin_s < to_s) {
     const double end_s = std::min(begin_s + step_s, to_s);
     const CanopyWeather now = weather(0.5 * (begin_s + end_s));
     share = after(share, caught_per_mm * now.snowfall_mm_h, unloading_per_h(now.temperature_c),
                   (end_s - begin_s) / hour_s);
+    begin_s = end_s;
   }
   return std::clamp(share, 0.0, 1.0);
 }

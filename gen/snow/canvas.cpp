@@ -75,10 +75,9 @@ Image Canvas::picture() const {
   for (int y = 1; y < side_px - 1; ++y)
     for (int x = 1; x < side_px - 1; ++x) {
       float sum = 0.0F;
-      for (int row = 0; row < samples; ++row)
-        for (int column = 0; column < samples; ++column)
-          sum += values_[static_cast<std::size_t>(side_ - 1 - (y * samples + row)) * side_ +
-                         x * samples + column];
+      for (int row = y * samples; row < (y + 1) * samples; ++row)
+        for (int column = x * samples; column < (x + 1) * samples; ++column)
+          sum += values_[static_cast<std::size_t>(side_ - 1 - row) * side_ + column];
       *image.pixel(x, y) = std::clamp(sum / (samples * samples), 0.0F, 1.0F);
     }
   return image;
