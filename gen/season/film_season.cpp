@@ -139,6 +139,7 @@ std::vector<double> weathering_of(const scene::Scene& scene, const std::vector<D
   const KeyCurve keys(scene, &scene::SeasonKey::weathering);
   if (!keys.is_given()) return weathering_degrees(greenness(all));
   std::vector<double> degrees;
+  degrees.reserve(all.size());
   for (const Day& day : all) degrees.push_back(keys.at(days_between(first_of(scene), day.date)));
   return degrees;
 }
@@ -147,6 +148,7 @@ std::vector<double> weathering_of(const scene::Scene& scene, const std::vector<D
 std::vector<std::complex<double>> wind_changes(const std::vector<Day>& all,
                                                const scene::Wind& usual) {
   std::vector<std::complex<double>> changes;
+  changes.reserve(all.size());
   for (const Day& day : all)
     changes.push_back(
         std::polar(usual.speed_m_s > 0.0 ? *day.wind_speed_m_s / usual.speed_m_s : 1.0,
