@@ -280,7 +280,9 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
     const Stance stance = {cell, choice.turn, combing.lean(centre_m(cell, patch_m))};
     choice.parts = parts_on_ground(ground, patch_m, stance, voxels_of(scene, choice),
                                    tolerance_m(sight.pixels(middle_m)));
-    choice.reach = reach_to_neighbours(combing, patch_m, stance, scene.grass.height_m);
+    // Half-way up, so that they show as much too little above as too much below: along a line of
+    // sight between them either would be a seam.
+    choice.reach = reach_to_neighbours(combing, patch_m, stance, 0.5 * scene.grass.height_m);
     row.push_back(std::move(choice));
   };
   parallel_for(side, [&](std::size_t j) {

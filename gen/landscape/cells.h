@@ -37,8 +37,9 @@ struct CellChoice {
 constexpr double ground_tolerance_m = 0.01;
 constexpr double ground_tolerance_px = 3.0;
 
-/// Cell::reach of a cell whose grass is `height_m` high: where neighbours lean away from each other
-/// both reach half as far beyond their squares as the gap between them is wide at that height.
+/// Cell::reach of a cell that meets its neighbours at a height of its grass: where they lean away
+/// from each other both reach half as far beyond their squares as the gap between them is wide
+/// there.
 glm::dmat4 reach_to_neighbours(const Combing& combing, double patch_m, const Stance& stance,
                                double height_m);
 

@@ -80,6 +80,35 @@ TEST(Cells, LeaveNoGapsWhereTheyReach) {
   EXPECT_LT(widest_m, 0.1 * patch_m) << "cells hardly overlap";
 }
 
+// Seen from between them, neighbours that overlap were a bright seam and gaps a dark one.
+TEST(Cells, ShowAsMuchBetweenThemAsWithin) {
+  const scene::Scene scene = from_above();
+  const double patch_m = scene.grass.patch_m, height_m = scene.grass.height_m;
+  const std::vector<CellChoice> choices = choices_of(scene);
+  ASSERT_EQ(choices.size(), 24U * 24U);
+  /// Both ends of a cell along x at a height.
+  const auto ends_m = [&](const CellChoice& choice, double z) {
+    const glm::dmat4 matrix = choice.parts.at(0).world_from_cell * choice.reach;
+    const double a = (matrix * glm::dvec4(0, 0, z, 1)).x;
+    const double b = (matrix * glm::dvec4(patch_m, patch_m, z, 1)).x;
+    return std::pair(std::min(a, b), std::max(a, b));
+  };
+  int apart = 0;
+  for (std::size_t k = 0; k + 1 < choices.size(); ++k) {
+    if (k % 24 == 23) continue;
+    const auto overlap_m = [&](double z) {
+      return ends_m(choices[k], z).second - ends_m(choices[k + 1], z).first;
+    };
+    const double mean_m = 0.5 * (overlap_m(0.0) + overlap_m(height_m));
+    const bool lean_apart = overlap_m(height_m) < overlap_m(0.0);
+    if (lean_apart) {
+      EXPECT_NEAR(mean_m, 0.0, 1e-9);
+    }
+    apart += lean_apart ? 1 : 0;
+  }
+  EXPECT_GT(apart, 50);
+}
+
 TEST(Cells, NeighboursDiffer) {
   const std::vector<CellChoice> choices = choices_of(from_above());
   ASSERT_EQ(choices.size(), 24U * 24U);
