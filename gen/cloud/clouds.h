@@ -38,7 +38,7 @@ struct Layer {
   std::vector<float> profile;  ///< TextureSet's
   Detail detail;               ///< what the maps are too coarse for
   std::vector<float> rank_per_field;    ///< TextureSet's
-  std::optional<BillowBox> heads;       ///< where it has a shape
+  std::optional<BillowBox> heads;       ///< of one with relief or that is a volume
   std::optional<ForwardTable> forward;  ///< forward_through() of its droplets
 };
 

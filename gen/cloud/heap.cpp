@@ -33,7 +33,11 @@ Billows::Billows(const LayerState& state) : layer_(state.layer) {
 }
 
 double Billows::at(const glm::dvec3& place_m) const {
-  return static_cast<double>(layer_->heads->at(glm::vec3((place_m - origin_m_) * per_m_)));
+  return in_box((place_m - origin_m_) * per_m_);
+}
+
+double Billows::in_box(const glm::dvec3& place) const {
+  return static_cast<double>(layer_->heads->at(glm::vec3(place)));
 }
 
 double Billows::fine_at(const glm::dvec3& place_m, double footprint_m) const {
@@ -43,8 +47,7 @@ double Billows::fine_at(const glm::dvec3& place_m, double footprint_m) const {
     const double head_m = 0.5 / (per_m_.z * BillowBox::heads * times);
     const double shown = std::clamp(head_m / (2.0 * footprint_m) - 0.5, 0.0, 1.0);
     if (shown <= 0.0) return weight * mean;
-    return weight *
-           std::lerp(mean, static_cast<double>(layer_->heads->at(glm::vec3(place * times))), shown);
+    return weight * std::lerp(mean, in_box(place * times), shown);
   };
   return octave(1.0, 0.6) + octave(4.0, 0.28) + octave(16.0, 0.12);
 }

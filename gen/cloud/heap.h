@@ -35,6 +35,8 @@ class Billows {
   double fine_at(const glm::dvec3& place_m, double footprint_m) const;
 
  private:
+  double in_box(const glm::dvec3& place) const;
+
   std::shared_ptr<const Layer> layer_;
   glm::dvec3 per_m_, origin_m_;
 };

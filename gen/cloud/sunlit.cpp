@@ -74,8 +74,7 @@ double diffusion_radius_m(const Droplets& droplets) {
 }
 
 PeriodicMap<float> diffused(const PeriodicMap<float>& in_cloud_m, double radius_px) {
-  const double most_px = 0.25 * std::min(in_cloud_m.width(), in_cloud_m.height());
-  const int radius = static_cast<int>(std::min(radius_px, most_px));
+  const int radius = static_cast<int>(radius_px);
   return box_filtered(box_filtered(in_cloud_m, radius), radius);
 }
 
@@ -129,7 +128,8 @@ LayerMap sunlit(const LayerMap& ranks, const std::vector<float>& height_m, const
   // Where light diffuses over many pixels, coarser ones show the same.
   constexpr double enough_px = 2.0;
   PeriodicMap<float> tops = tops_of(ranks, height_m);
-  double radius_px = diffusion_radius_m(droplets) / pixel_m;
+  double radius_px = std::min(diffusion_radius_m(droplets) / pixel_m,
+                              0.25 * std::min(ranks.width(), ranks.height()));
   while (radius_px >= 2.0 * enough_px && tops.width() % 2 == 0 && tops.height() % 2 == 0) {
     tops = halved(tops);
     radius_px /= 2.0;

@@ -26,6 +26,7 @@ class BladePicture {
   /// The same of the patch's pieces, which are made but once for many directions.
   BladePicture(const std::vector<Piece>& pieces, double patch_m, const glm::dvec3& direction,
                int side);
+  /// As many of each blade as its picture needs.
   static std::vector<Piece> pieces_of(const BladePatch& patch);
 
   const std::vector<Pixel>& pixels() const { return pixels_; }

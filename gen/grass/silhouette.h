@@ -23,7 +23,8 @@ struct Piece {
   float along_a = 0.0F, along_b = 0.0F;  ///< place on the blade: 0 root, 1 tip
 };
 
-/// Each blade's pieces, `segments` of the blade itself and then those of its snow.
+/// Each blade's pieces, `segments` >= 1 of the blade itself and then those of its snow. A pose for
+/// each blade.
 std::vector<Piece> pieces_of(const std::vector<Blade>& blades, const std::vector<BladePose>& poses,
                              int segments);
 

@@ -37,8 +37,8 @@ struct CellChoice {
 constexpr double ground_tolerance_m = 0.01;
 constexpr double ground_tolerance_px = 3.0;
 
-/// Cell::reach of a cell that meets its neighbours at a height of its grass: where they lean away
-/// from each other both reach half as far beyond their squares as the gap between them is wide
+/// Cell::reach of a cell that meets its neighbours `height_m` above the ground: where they lean
+/// away from each other both reach half as far beyond their squares as the gap between them is wide
 /// there.
 glm::dmat4 reach_to_neighbours(const Combing& combing, double patch_m, const Stance& stance,
                                double height_m);
