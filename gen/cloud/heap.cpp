@@ -24,7 +24,8 @@ double side_field(double t, double billow) {
   return column - depth * bites * (1.0 - billow);
 }
 
-Billows::Billows(const LayerState& state) : layer_(state.layer) {
+Billows::Billows(const LayerState& state)
+    : layer_(state.layer), heads_(&state.layer->heads.value()) {
   // As many as make the period whole.
   const double wanted_m = 0.25 * BillowBox::heads * state.layer->thickness_m;
   const glm::dvec2 boxes = glm::max(glm::round(state.layer->period_m / wanted_m), 1.0);
@@ -37,7 +38,7 @@ double Billows::at(const glm::dvec3& place_m) const {
 }
 
 double Billows::in_box(const glm::dvec3& place) const {
-  return static_cast<double>(layer_->heads->at(glm::vec3(place)));
+  return static_cast<double>(heads_->at(glm::vec3(place)));
 }
 
 double Billows::fine_at(const glm::dvec3& place_m, double footprint_m) const {

@@ -24,7 +24,7 @@ double side_field(double t, double billow);
 /// thickness wide, with smaller ones on them.
 class Billows {
  public:
-  /// The layer has heads.
+  /// Throws std::bad_optional_access where the layer has no heads.
   explicit Billows(const LayerState& state);
 
   /// In [0, 1], 1 at the heads' middles; world space.
@@ -37,7 +37,8 @@ class Billows {
  private:
   double in_box(const glm::dvec3& place) const;
 
-  std::shared_ptr<const Layer> layer_;
+  std::shared_ptr<const Layer> layer_;  ///< keeps the heads
+  const BillowBox* heads_;
   glm::dvec3 per_m_, origin_m_;
 };
 

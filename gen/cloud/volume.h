@@ -30,12 +30,13 @@ struct CloudVolume {
   double asymmetry = 0.86;
 };
 
-/// The layer over a part of the world: its base flat at base_m, its top thickness_m times
-/// (depth over the densest, smoothed over a sixth of the thickness)^0.7 higher. Extinction rises
-/// over the lowest seventh and falls as sqrt(1 - t) to the top, bitten into between round heads
-/// above the base (billow_box.h), and is scaled so that every column has the optical depth, and so
-/// the opacity, of the layer there. The box reaches from the base to the layer's thickness. A
-/// volume over just the layer's period repeats. `voxels` >= 1 each, side_m > 0.
+/// A layer that has heads, over a part of the world: its base flat at base_m, its top thickness_m
+/// times (depth over the densest, smoothed over a sixth of the thickness)^0.7 higher. Extinction
+/// rises over the lowest seventh and falls as sqrt(1 - t) to the top, bitten into between round
+/// heads above the base (billow_box.h), and is scaled so that every column has the optical depth,
+/// and so the opacity, of the layer there. The box reaches from the base to the layer's thickness.
+/// A volume over just the layer's period repeats. `voxels` >= 1 each, side_m > 0. Throws
+/// std::bad_optional_access where the layer has no heads.
 CloudVolume lifted(const LayerState& state, double pixel_m, const glm::dvec2& south_west_m,
                    const glm::dvec2& side_m, const glm::ivec3& voxels);
 

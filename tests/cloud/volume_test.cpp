@@ -13,10 +13,11 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double pixel_m = 50.0;
 
-CloudState one_layer(const char* kind) {
+CloudState one_volume(const char* kind) {
   scene::Scene scene;
   scene.clouds.resize(1);
   scene.clouds[0].kind = kind;
+  scene.clouds[0].body = "volume";
   scene.clouds[0].cell_m = 3200.0;
   scene.clouds[0].cells = {2, 2};
   return Clouds(scene, pixel_m).at(30.0);
@@ -52,7 +53,7 @@ TEST(Sweep, ShadowsLieAwayFromTheSun) {
 
 TEST(Volume, ColumnsHaveTheLayersOpacity) {
   for (const char* kind : {"cumulus", "stratus", "cirrus"}) {
-    const CloudState state = one_layer(kind);
+    const CloudState state = one_volume(kind);
     const CloudVolume volume = lifted_period(state, {64, 64, 16});
     EXPECT_TRUE(volume.box.repeats);
     for (int y = 0; y < 64; ++y)
@@ -69,8 +70,15 @@ TEST(Volume, ColumnsHaveTheLayersOpacity) {
   }
 }
 
+TEST(Volume, IsOfALayerWithHeads) {
+  scene::Scene scene;
+  scene.clouds.resize(1);
+  scene.clouds[0].kind = "cirrus";
+  EXPECT_THROW(lifted_period(Clouds(scene, pixel_m).at(0.0), {8, 8, 8}), std::bad_optional_access);
+}
+
 TEST(Volume, HasAFlatBaseAndHigherTopsWhereItIsDenser) {
-  const CloudState state = one_layer("cumulus");
+  const CloudState state = one_volume("cumulus");
   const Layer& layer = *state.layers[0].layer;
   const CloudVolume volume = lifted_period(state, {64, 64, 32});
   EXPECT_EQ(volume.box.corner_m.z, layer.base_m);
@@ -97,7 +105,7 @@ TEST(Volume, HasAFlatBaseAndHigherTopsWhereItIsDenser) {
 }
 
 TEST(Volume, DriftsWithItsLayer) {
-  CloudState state = one_layer("cumulus");
+  CloudState state = one_volume("cumulus");
   state.layers[0].moment.way_m = {0.0, 0.0};
   const CloudVolume before = lifted_period(state, {64, 64, 16});
   state.layers[0].moment.way_m = {300.0, 0.0};  // three voxels
@@ -162,7 +170,7 @@ TEST(Light, MakesThinEdgesShineAroundTheSun) {
 }
 
 TEST(Light, IsNeverNegativeOrEndless) {
-  const CloudVolume volume = lifted_period(one_layer("cumulus"), {48, 48, 16});
+  const CloudVolume volume = lifted_period(one_volume("cumulus"), {48, 48, 16});
   scene::Sun sun;
   for (const double elevation : {1.0, 20.0, 90.0}) {
     sun.elevation_deg = elevation;
