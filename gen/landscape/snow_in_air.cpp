@@ -43,7 +43,7 @@ double snow_extinction_per_m(const scene::Scene& scene, const Site& site, int fr
   if (!site.snow) return 0.0;
   const Camera camera = resolved_camera(scene.camera, site.terrain, time_of_frame(scene, frame));
   const double rate_mm_h =
-      site.snow->weather.snow_mm_h(scene::time_s(scene, frame), camera.eye_m.z);
+      site.snow->weather.falling_snow_mm_h(scene::time_s(scene, frame), camera.eye_m.z);
   return snow::gunn_marshall(rate_mm_h).extinction_per_m(snow::seen_efficiency);
 }
 

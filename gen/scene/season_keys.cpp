@@ -57,7 +57,9 @@ std::vector<Key> season_key_keys(std::size_t item) {
       bound(automatic("season_keys.temperature", "deg C", {-60, 50},
                       "The day's mean at the terrain's zero."),
             ITEM_FIELD(temperature_c)),
-      bound(automatic("season_keys.precipitation", "mm/day", {0, 500}, "Of water."),
+      bound(automatic(
+                "season_keys.precipitation", "mm/day", {0, 500},
+                "Of water; it falls within some hours, and is seen as heavily as it does then."),
             ITEM_FIELD(precipitation_mm_day)),
       bound(automatic("season_keys.cloud_cover", "", {0, 1},
                       "How much of the layers of clouds has gathered."),

@@ -20,7 +20,7 @@ namespace {
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr double longest_gap_days = 366.0;
 constexpr int same_season_days = 15;
-constexpr double seconds_per_hour = 3600.0;
+constexpr double seconds_per_hour = 3600.0, hours_per_day = 24.0;
 
 /// The columns by their places in the table.
 enum ColumnIndex {
@@ -199,12 +199,18 @@ std::vector<Day> read_daily_weather(const std::filesystem::path& file, double la
                .tmin_c = values[tmin][i],
                .tmax_c = std::max(values[tmin][i], values[tmax][i]),
                .precipitation_mm = values[precipitation][i],
+               .wet_h = wet_hours(values[precipitation][i]),
                .wind_speed_m_s = if_known(values[wind_speed][i]),
                .wind_heading_deg = if_known(values[wind_heading][i]),
                .cloud_cover = if_known(values[clouds][i]),
                .visual_range_m = if_known(values[visual_range][i])};
   set_sun(days, values[day_length], latitude);
   return days;
+}
+
+double wet_hours(double precipitation_mm) {
+  if (!(precipitation_mm > 0.0)) return hours_per_day;
+  return std::min(hours_per_day, std::pow(precipitation_mm, 1.0 - 0.612) / 0.425);
 }
 
 double latitude_deg(std::span<const Day> days) {

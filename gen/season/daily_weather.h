@@ -14,6 +14,7 @@ struct Day {
   double tmin_c = 0.0;  ///< lowest air temperature, not above tmax_c
   double tmax_c = 0.0;
   double precipitation_mm = 0.0;  ///< of water, rain or snow
+  double wet_h = 24.0;            ///< in which it falls
   double day_length_h = 12.0;     ///< from sunrise to sunset
   double top_sun_mj_m2 = 36.0;    ///< radiation on the level above the atmosphere
   std::optional<double> wind_speed_m_s;
@@ -21,6 +22,14 @@ struct Day {
   std::optional<double> cloud_cover;       ///< 0 clear to 1 overcast
   std::optional<double> visual_range_m;    ///< of the air without rain
 };
+
+/// Hours in which a day's precipitation falls, so that precipitation over hours is how heavily the
+/// mean drop falls: above 0, 24 at most, and that where nothing falls.
+///
+/// Fitted to the hourly rain and snow of 92 days, six to six, with 0.5 mm or more at Col de Porte
+/// from October 2005 to September 2006 (measured by Morin and others 2012, as Essery 2015, A
+/// factorial snowpack model, has them): 0.425 mm/h times (mm a day)^0.612.
+double wet_hours(double precipitation_mm);
 
 /// Day of the year, 1 to 366.
 int day_of_year(std::chrono::sys_days date);

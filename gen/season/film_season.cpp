@@ -124,7 +124,10 @@ void set_by_keys(std::vector<Day>& all, const scene::Scene& scene) {
       day.tmin_c = temperature.at(at) - half_k;
       day.tmax_c = temperature.at(at) + half_k;
     }
-    if (precipitation.is_given()) day.precipitation_mm = precipitation.at(at);
+    if (precipitation.is_given()) {
+      day.precipitation_mm = precipitation.at(at);
+      day.wet_h = wet_hours(day.precipitation_mm);
+    }
     if (cloud_cover.is_given()) day.cloud_cover = cloud_cover.at(at);
     if (wind_speed.is_given()) day.wind_speed_m_s = wind_speed.at(at);
     if (wind_heading.is_given()) day.wind_heading_deg = from_north_deg(wind_heading.at(at));
@@ -175,8 +178,7 @@ WindChange change_of(const std::complex<double>& wind) { return {std::abs(wind),
 /// Extinctions add, and with them the inverses of visual ranges.
 double unseen_per_m(const Day& day, const Day& next) {
   const DayAir air(day, next, /*latitude_deg=*/0.0);
-  const double rain_mm_h =
-      air.precipitation_mm_h() * (1.0 - snow_share(air.sky(/*hour=*/12.0).phase_c));
+  const double rain_mm_h = air.falling_mm_h() * (1.0 - snow_share(air.sky(/*hour=*/12.0).phase_c));
   const double in_rain = rain_mm_h > 0.0 ? 1.0 / visual_range_in_rain_m(rain_mm_h) : 0.0;
   return 1.0 / *day.visual_range_m + in_rain;
 }

@@ -45,6 +45,7 @@ DayAir::DayAir(const Day& day, const Day& next, double latitude_deg)
       tmax_c_(day.tmax_c),
       next_tmin_c_(next.tmin_c),
       precipitation_mm_h_(day.precipitation_mm / day_h),
+      falling_mm_h_(day.precipitation_mm / day.wet_h),
       day_length_h_(day.day_length_h),
       latitude_rad_(latitude_deg * pi / 180.0),
       declination_rad_(declination_rad(day_of_year(day.date))) {

@@ -21,8 +21,9 @@ struct SnowSky {
 /// A day from six to six.
 ///
 /// Temperatures swing from its lowest at six to its highest at three and to the next day's lowest;
-/// precipitation is spread evenly, rain or snow by the mean of these two (at Col de Porte that
-/// tells the snowfall that was measured better than the day's own mean). The sun's light is that of
+/// precipitation is spread evenly over the ground's day, and looks as it does while it falls; it is
+/// rain or snow by the mean of these two temperatures (at Col de Porte that tells the snowfall that
+/// was measured better than the day's own mean). The sun's light is that of
 /// day length and latitude, half a wave between sunrise and sunset, through a sky as clear as the
 /// swing is wide (Hargreaves and Samani 1982), diffuse as Erbs, Klein and Duffie (1982, Estimation
 /// of the diffuse radiation fraction) have it for such a sky.
@@ -34,13 +35,15 @@ class DayAir {
   /// `hour` in [6, 30], after the day's midnight.
   double temperature_c(double hour) const;
   double precipitation_mm_h() const { return precipitation_mm_h_; }
+  /// While it falls.
+  double falling_mm_h() const { return falling_mm_h_; }
   SnowSky sky(double hour) const;
 
  private:
   double sun_w_m2(double hour) const;
 
   double tmin_c_, tmax_c_, next_tmin_c_;
-  double precipitation_mm_h_;
+  double precipitation_mm_h_, falling_mm_h_;
   double day_length_h_;
   double transmitted_;  ///< share of the sun's light that comes through the air
   double mean_sun_w_m2_;

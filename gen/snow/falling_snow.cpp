@@ -237,7 +237,7 @@ FallingSnow::FallingSnow(const scene::Scene& scene, const Weather& weather,
 }
 
 SeenFlakes FallingSnow::at(double time_s, const SnowView& view, const Heightfield& ground) const {
-  const double rate_mm_h = weather_.snow_mm_h(time_s, view.eye_m.z);
+  const double rate_mm_h = weather_.falling_snow_mm_h(time_s, view.eye_m.z);
   constexpr double least_rate_mm_h = 1e-3;  // a flake in 2 m3, and none of them seen
   if (!motion_ || rate_mm_h < least_rate_mm_h) return {};
   const Frustum frustum(view);

@@ -178,7 +178,7 @@ Flake PaperSnow::shown(const PaperFlake& flake, std::uint64_t bits) const {
 }
 
 SeenFlakes PaperSnow::at(double time_s, const SnowView& view, const Heightfield& ground) const {
-  const double rate_mm_h = weather_.snow_mm_h(time_s, view.eye_m.z);
+  const double rate_mm_h = weather_.falling_snow_mm_h(time_s, view.eye_m.z);
   if (!(rate_mm_h > 0.0)) return {};
   const Frustum frustum(view);
   const PaperBox box = box_of(frustum, ground);

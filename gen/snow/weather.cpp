@@ -32,8 +32,11 @@ double heading_deg(const glm::dvec2& wind) {
 }
 
 WeatherMoment of_keys(const scene::Scene& scene) {
-  return {scene.weather.temperature_c, scene.weather.precipitation_mm_h, scene.wind.speed_m_s,
-          scene.wind.heading_deg};
+  return {.temperature_c = scene.weather.temperature_c,
+          .precipitation_mm_h = scene.weather.precipitation_mm_h,
+          .wind_speed_m_s = scene.wind.speed_m_s,
+          .wind_heading_deg = scene.wind.heading_deg,
+          .falling_mm_h = scene.weather.precipitation_mm_h};
 }
 
 /// A share of the way from one to the other.
@@ -55,7 +58,7 @@ WeatherMoment with_strength(WeatherMoment moment, const std::string& strength) {
       {"light", 0.4}, {"moderate", 1.2}, {"blizzard", 4.0}};
   const auto rate = rates_mm_h.find(strength);
   if (rate == rates_mm_h.end()) return moment;
-  moment.precipitation_mm_h = rate->second;
+  moment.precipitation_mm_h = moment.falling_mm_h = rate->second;
   moment.temperature_c = std::min(moment.temperature_c, 0.0);
   if (moment.sky) moment.sky->phase_c = std::min(moment.sky->phase_c, season::all_snow_c);
   return moment;
@@ -81,11 +84,14 @@ double run_of(const glm::dvec2& a, const glm::dvec2& b, double share, double dur
 
 double snow_share(double temperature_c) { return std::clamp(1.0 - 0.5 * temperature_c, 0.0, 1.0); }
 
-double snow_mm_h(const WeatherMoment& weather, double height_m) {
+double snow_share(const WeatherMoment& weather, double height_m) {
   const double cooler_k = lapse_k_per_m * height_m;
-  return weather.precipitation_mm_h * (weather.sky
-                                           ? season::snow_share(weather.sky->phase_c - cooler_k)
-                                           : snow_share(weather.temperature_c - cooler_k));
+  return weather.sky ? season::snow_share(weather.sky->phase_c - cooler_k)
+                     : snow_share(weather.temperature_c - cooler_k);
+}
+
+double snow_mm_h(const WeatherMoment& weather, double height_m) {
+  return weather.precipitation_mm_h * snow_share(weather, height_m);
 }
 
 std::vector<Weather::Row> Weather::rows_of_table(const scene::Scene& scene) {
@@ -106,6 +112,7 @@ std::vector<Weather::Row> Weather::rows_of_table(const scene::Scene& scene) {
                                &moment.wind_speed_m_s, &moment.wind_heading_deg};
     for (std::size_t field = 0; field < fields.size(); ++field)
       if (!table[field + 1].empty()) *fields[field] = table[field + 1][i];
+    moment.falling_mm_h = moment.precipitation_mm_h;
   }
   return rows;
 }
@@ -122,9 +129,12 @@ std::vector<Weather::Row> Weather::rows_of_season(const scene::Scene& scene) {
     const auto add = [&](double hour) {
       rows.push_back(
           {.time_s = (day_h * static_cast<double>(i) + hour) * seconds_per_hour,
-           .moment = {air.temperature_c(hour), air.precipitation_mm_h(),
-                      day.wind_speed_m_s.value_or(scene.wind.speed_m_s),
-                      day.wind_heading_deg.value_or(scene.wind.heading_deg), air.sky(hour)}});
+           .moment = {.temperature_c = air.temperature_c(hour),
+                      .precipitation_mm_h = air.precipitation_mm_h(),
+                      .wind_speed_m_s = day.wind_speed_m_s.value_or(scene.wind.speed_m_s),
+                      .wind_heading_deg = day.wind_heading_deg.value_or(scene.wind.heading_deg),
+                      .sky = air.sky(hour),
+                      .falling_mm_h = air.falling_mm_h()}});
     };
     for (int row = 0; row * row_h < day_h; ++row) add(season::snow_day_h + row * row_h);
     add(season::snow_day_h + day_h - moment_h);
@@ -171,13 +181,21 @@ WeatherMoment Weather::at(double time_s) const {
   const WeatherMoment& a = span.before.moment;
   const WeatherMoment& b = span.after.moment;
   const double speed = glm::length(wind);
-  return {std::lerp(a.temperature_c, b.temperature_c, span.share),
-          std::lerp(a.precipitation_mm_h, b.precipitation_mm_h, span.share), speed,
-          speed > 0.0 ? heading_deg(wind) : a.wind_heading_deg, between(a.sky, b.sky, span.share)};
+  return {.temperature_c = std::lerp(a.temperature_c, b.temperature_c, span.share),
+          .precipitation_mm_h = std::lerp(a.precipitation_mm_h, b.precipitation_mm_h, span.share),
+          .wind_speed_m_s = speed,
+          .wind_heading_deg = speed > 0.0 ? heading_deg(wind) : a.wind_heading_deg,
+          .sky = between(a.sky, b.sky, span.share),
+          .falling_mm_h = std::lerp(a.falling_mm_h, b.falling_mm_h, span.share)};
 }
 
 double Weather::snow_mm_h(double time_s, double height_m) const {
   return snow::snow_mm_h(at(time_s), height_m);
+}
+
+double Weather::falling_snow_mm_h(double time_s, double height_m) const {
+  const WeatherMoment now = at(time_s);
+  return now.falling_mm_h * snow_share(now, height_m);
 }
 
 glm::dvec2 Weather::wind_way_m(double time_s) const {
@@ -196,7 +214,7 @@ double Weather::wind_run_m(double time_s) const {
 
 double Weather::heaviest_mm_h() const {
   double heaviest = 0.0;
-  for (const Row& row : rows_) heaviest = std::max(heaviest, row.moment.precipitation_mm_h);
+  for (const Row& row : rows_) heaviest = std::max(heaviest, row.moment.falling_mm_h);
   return heaviest;
 }
 

@@ -16,6 +16,7 @@ struct WeatherMoment {
   double wind_speed_m_s = 0.0;
   double wind_heading_deg = 0.0;            ///< where it blows to, clockwise from north
   std::optional<season::SnowSky> sky = {};  ///< in a season
+  double falling_mm_h = 0.0;  ///< precipitation while it falls: in a season, for hours of a day
 };
 
 /// Temperature falls with height by the standard atmosphere's lapse rate.
@@ -25,8 +26,11 @@ inline constexpr double lapse_k_per_m = 0.0065;
 /// linear between: half at 1 degree, where as much falls as snow as as rain.
 double snow_share(double temperature_c);
 
-/// Snow that falls at a height above the terrain's zero, in mm of water per hour: by snow_share(),
-/// in a season by the day's, season::snow_share().
+/// Share of it at a height above the terrain's zero: by its temperature, in a season by the day's,
+/// season::snow_share().
+double snow_share(const WeatherMoment& weather, double height_m);
+
+/// Snow that comes to the ground at a height above the terrain's zero, in mm of water per hour.
 double snow_mm_h(const WeatherMoment& weather, double height_m);
 
 /// The scene's weather over time: constant as the keys of [weather], [wind] and [snowfall] say, or
@@ -54,8 +58,11 @@ class Weather {
   /// For how long the weather had lasted when the film starts.
   double earlier_s() const { return earlier_s_; }
 
-  /// The snow that falls at a time and height, see snow::snow_mm_h().
+  /// The snow that comes to the ground at a time and height, see snow::snow_mm_h().
   double snow_mm_h(double time_s, double height_m) const;
+
+  /// The same as one sees it fall, in mm of water per hour while it does.
+  double falling_snow_mm_h(double time_s, double height_m) const;
 
   /// The way, east and north in metres, that the mean wind has blown since the weather began: the
   /// exact integral of at()'s wind.
@@ -64,7 +71,7 @@ class Weather {
   /// How far it has blown since then, whichever way: the integral of its speed.
   double wind_run_m(double time_s) const;
 
-  /// The highest rate of precipitation, in mm of water per hour.
+  /// The highest rate of precipitation while it falls, in mm of water per hour.
   double heaviest_mm_h() const;
 
  private:

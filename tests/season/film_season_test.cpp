@@ -93,7 +93,8 @@ TEST(FilmSeason, RainHidesAndSnowDoesNot) {
                         .temperature_c = 8.0,
                         .precipitation_mm_day = 24.0,
                         .visual_range_m = 11.6e3}};
-  EXPECT_NEAR(FilmSeason(scene).visual_range_m(5.0), 5.8e3, 1e-6);
+  const double in_rain_m = visual_range_in_rain_m(24.0 / wet_hours(24.0));
+  EXPECT_NEAR(FilmSeason(scene).visual_range_m(5.0), 1.0 / (1.0 / 11.6e3 + 1.0 / in_rain_m), 1e-6);
   scene.season_keys[0].temperature_c = -5.0;
   EXPECT_NEAR(FilmSeason(scene).visual_range_m(5.0), 11.6e3, 1e-6);
   scene.season_keys[0].visual_range_m.reset();

@@ -200,8 +200,10 @@ TEST_F(SeasonSnow, FallsOnTheGroundWhenItFallsInTheAir) {
     const double air_mm = weather.snow_mm_h(time_s(frame) + 3600.0 * 7.0, 0.0) * 24.0;
     fallen_mm = level.at(time_s(frame + 1)).fallen_mm;
     ASSERT_NEAR(fallen_mm - before_mm, air_mm, 1e-9 * fallen_mm) << frame;
-    const bool wet = weather.at(time_s(frame) + 3600.0).precipitation_mm_h > 0.0;
-    snowy += air_mm > 0.0, rainy += wet && air_mm == 0.0;
+    const double wet_mm = weather.at(time_s(frame) + 3600.0).precipitation_mm_h * 24.0;
+    const double seen_mm_h = weather.falling_snow_mm_h(time_s(frame) + 3600.0 * 7.0, 0.0);
+    EXPECT_NEAR(seen_mm_h * season::wet_hours(wet_mm), air_mm, 1e-9) << frame;
+    snowy += air_mm > 0.0, rainy += wet_mm > 0.0 && air_mm == 0.0;
   }
   EXPECT_GT(snowy, 10);
   EXPECT_GT(rainy, 5);
