@@ -11,6 +11,7 @@
 #include "core/random.h"
 #include "terrain/horizon.h"
 #include "terrain/relief.h"
+#include "terrain/rock.h"
 
 namespace wold::terrain {
 namespace {
@@ -101,28 +102,29 @@ glm::dvec4 flat_sky_light(const SkyPatches& sky) {
 struct GroundColour {
   static constexpr double moisture_m = 3.5;
   static constexpr double litter_m = 0.35;
-  static constexpr double cracks_m = 1.5;
+  static constexpr double border_m = 1.5;
 
   glm::vec3 soil;
-  glm::vec3 rock;
+  Rock rock;
   double rock_slope_deg;
   Fbm moisture;
   Fbm litter;
-  Fbm cracks;
+  Fbm border;
   double wet_shown;  ///< shares of the details that the map shows
   double litter_shown;
-  double stone_shown;
+  double border_shown;
 
   GroundColour(const scene::Terrain& terrain, std::uint64_t seed, double step_m)
       : soil(terrain.ground_albedo[0], terrain.ground_albedo[1], terrain.ground_albedo[2]),
-        rock(terrain.rock_albedo[0], terrain.rock_albedo[1], terrain.rock_albedo[2]),
+        rock({terrain.rock_albedo[0], terrain.rock_albedo[1], terrain.rock_albedo[2]}, seed,
+             step_m),
         rock_slope_deg(terrain.rock_slope_deg),
         moisture{random_bits({seed, key_of("ground"), 0, key_of("moisture")}), 2, 0.8},
         litter{random_bits({seed, key_of("ground"), 0, key_of("litter")}), 3, 0.3},
-        cracks{random_bits({seed, key_of("ground"), 0, key_of("cracks")}), 6, 0.95},
+        border{random_bits({seed, key_of("ground"), 0, key_of("border")}), 6, 0.95},
         wet_shown(shown_share(moisture_m, step_m)),
         litter_shown(shown_share(litter_m, step_m)),
-        stone_shown(shown_share(cracks_m, step_m)) {}
+        border_shown(shown_share(border_m, step_m)) {}
 
   /// Soil, darker where moist, with pale dry litter on it.
   glm::vec3 earth(const glm::dvec2& at_m) const {
@@ -133,35 +135,17 @@ struct GroundColour {
     return soil * (1.0F - 0.12F * wet) * (1.0F + straw * glm::vec3(0.30F, 0.30F, 0.24F));
   }
 
-  /// Relief of the rock in metres: faces between cracks, ridged noise (Musgrave 1994).
-  double rock_relief_m(const glm::dvec2& at_m) const {
-    return 0.07 * std::abs(fbm(at_m / cracks_m, cracks));
-  }
-
-  /// Rock, dark in its cracks, lit by its relief: Lambert's cosine changes by the slope towards the
-  /// sun, which stands in `to_sun`, over the cosine of the ground as a whole.
-  glm::vec3 stone(const glm::dvec2& at_m, const glm::dvec3& to_sun, double lambert) const {
-    constexpr double step_m = 0.03;
-    constexpr float mean = 0.93F;  // of what is below, over all of the rock
-    if (stone_shown <= 0.0) return rock * mean;
-    const glm::dvec2 towards = glm::normalize(glm::dvec2(to_sun) + 1e-9);
-    const double here_m = rock_relief_m(at_m);
-    const double rise = (rock_relief_m(at_m + towards * step_m) - here_m) / step_m;
-    const double lit = 1.0 - rise * glm::length(glm::dvec2(to_sun)) / std::max(lambert, 0.35);
-    const double open = std::min(1.0, 0.6 + 9.0 * here_m);
-    const auto detail = static_cast<float>(open * std::clamp(lit, 0.4, 1.6));
-    return rock * glm::mix(mean, detail, static_cast<float>(stone_shown));
-  }
-
   /// Rock shows where it is steep, over 5 degrees and along a ragged border, and where no grass
   /// holds soil on it.
-  glm::vec3 albedo(const glm::dvec2& at_m, const glm::dvec3& up, const glm::dvec3& to_sun,
+  glm::vec3 albedo(const glm::dvec3& place_m, const glm::dvec3& up, const glm::dvec3& to_sun,
                    float growth) const {
+    const glm::dvec2 at_m(place_m);
     const double beyond = std::acos(up.z) / radians_per_degree - rock_slope_deg;
     if (beyond < -8.0) return earth(at_m);
-    const double ragged = beyond + 2.5 * stone_shown * fbm(at_m / cracks_m, cracks);
-    return glm::mix(earth(at_m), stone(at_m, to_sun, glm::dot(up, to_sun)),
-                    (1.0F - growth) * static_cast<float>(glm::smoothstep(-2.5, 2.5, ragged)));
+    const double ragged = beyond + 2.5 * border_shown * fbm(at_m / border_m, border);
+    const double bare = (1.0 - double{growth}) * glm::smoothstep(-2.5, 2.5, ragged);
+    if (bare <= 0.0) return earth(at_m);
+    return glm::mix(earth(at_m), rock.at(place_m, up, to_sun), static_cast<float>(bare));
   }
 };
 
@@ -215,7 +199,7 @@ ColourMap ground_reflectance(const Heightfield& terrain, const glm::dvec3& sun_d
                              const scene::Terrain& look, std::uint64_t seed,
                              const FactorMap& growth, double canopy_transmittance) {
   return ground_reflectance(terrain, sun_direction, look, seed, growth, canopy_transmittance,
-                            {{.size_m = terrain.size_m()}, map_samples(terrain.size_m(), 0.03)});
+                            {{.size_m = terrain.size_m()}, map_samples(terrain.size_m(), 0.02)});
 }
 
 ColourMap ground_reflectance(const Heightfield& terrain, const glm::dvec3& sun_direction,
@@ -230,7 +214,8 @@ ColourMap ground_reflectance(const Heightfield& terrain, const glm::dvec3& sun_d
       const glm::dvec2 at_m = map.place_m(i, j);
       const float grown = growth.sample(at_m.x, at_m.y);
       const double under_grass = std::pow(canopy_transmittance, double{grown});
-      map.at(i, j) = colour.albedo(at_m, normal(terrain, at_m.x, at_m.y), sun_direction, grown) *
+      const glm::dvec3 place_m(at_m, terrain.sample(at_m.x, at_m.y));
+      map.at(i, j) = colour.albedo(place_m, normal(terrain, at_m.x, at_m.y), sun_direction, grown) *
                      static_cast<float>(under_grass / pi);
     }
   });

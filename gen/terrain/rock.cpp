@@ -1,0 +1,117 @@
+#include "terrain/rock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/ground_map.h"
+#include "core/random.h"
+
+namespace wold::terrain {
+namespace {
+
+/// A block's face.
+struct Face {
+  glm::dvec3 tilt{0.0};  ///< of its normal, in [-1, 1] along each axis
+  double joint = 0.0;    ///< distance to the next joint, in blocks
+};
+
+/// Three numbers in [0, 1).
+glm::dvec3 place_of(std::uint64_t bits) {
+  constexpr std::uint64_t part_bits = 21, mask = (1ULL << part_bits) - 1;
+  return glm::dvec3(bits & mask, bits >> part_bits & mask, bits >> 2 * part_bits & mask) /
+         static_cast<double>(mask + 1);
+}
+
+/// Of the block about a place, in blocks.
+Face face_at(const glm::dvec3& at, std::uint64_t key) {
+  const glm::ivec3 low(glm::floor(at));
+  double nearest2 = 1e9, next2 = 1e9;
+  glm::dvec3 nearest{}, next{};
+  std::uint64_t block = 0;
+  for (int k = -1; k <= 1; ++k)
+    for (int j = -1; j <= 1; ++j)
+      for (int i = -1; i <= 1; ++i) {
+        const glm::ivec3 cell = low + glm::ivec3(i, j, k);
+        const std::uint64_t bits =
+            random_bits({key, static_cast<std::uint64_t>(cell.x),
+                         static_cast<std::uint64_t>(cell.y), static_cast<std::uint64_t>(cell.z)});
+        const glm::dvec3 away = glm::dvec3(cell) + place_of(bits) - at;
+        const double away2 = glm::dot(away, away);
+        if (away2 < nearest2) {
+          next2 = nearest2, next = nearest;
+          nearest2 = away2, nearest = away, block = bits;
+        } else if (away2 < next2) {
+          next2 = away2, next = away;
+        }
+      }
+  return {2.0 * place_of(mixed(block)) - 1.0,
+          0.5 * (next2 - nearest2) / std::max(glm::distance(next, nearest), 1e-9)};
+}
+
+/// How much of a joint a place is, 0 to 1, and the mean over all places.
+double joint_at(const Face& face) { return 1.0 - glm::smoothstep(0.0, 0.08, face.joint); }
+constexpr double mean_joint = 0.207;
+
+/// What a rough surface that faces `up` sends back of sun and sky: in clear air four fifths of the
+/// light are the sun's.
+double light_on(const glm::dvec3& up, const glm::dvec3& to_sun) {
+  return 0.8 * std::max(0.0, glm::dot(up, to_sun)) + 0.2 * (0.5 + 0.5 * up.z);
+}
+
+/// Beds that dip by 20 degrees, in a keyed direction.
+glm::dmat3 beds(std::uint64_t key) {
+  constexpr double dip = 20.0 * std::numbers::pi / 180.0;
+  const double heading = 2.0 * std::numbers::pi * random_uniform({key, key_of("dip"), 0, 0});
+  const glm::dvec3 across(std::cos(heading), std::sin(heading), 0.0);
+  const glm::dvec3 up = std::cos(dip) * glm::dvec3(0.0, 0.0, 1.0) +
+                        std::sin(dip) * glm::dvec3(-across.y, across.x, 0.0);
+  return glm::transpose(glm::dmat3(across, glm::cross(up, across), up));
+}
+
+}  // namespace
+
+Rock::Rock(const glm::vec3& albedo, std::uint64_t seed, double step_m)
+    : albedo_(albedo),
+      key_(random_bits({seed, key_of("ground"), 0, key_of("rock")})),
+      bend_{random_bits({key_, key_of("bend"), 0, 0}), 4, 0.8},
+      stain_{random_bits({key_, key_of("stain"), 0, 0}), 5, 0.5},
+      to_beds_(beds(key_)) {
+  for (std::size_t i = 0; i < sizes.size(); ++i) shown_[i] = shown_share(sizes[i].block_m, step_m);
+}
+
+/// Bent, so that no joint is a straight line; a bed is half as thick as a block is wide.
+glm::dvec3 Rock::bedded(const glm::dvec3& place_m) const {
+  constexpr double bend_m = 0.12, feature_m = 1.5, flatness = 2.0;
+  const glm::dvec3 at = place_m / feature_m;
+  const glm::dvec3 bend(fbm({at.y, at.z}, bend_), fbm({at.z, at.x}, bend_),
+                        fbm({at.x, at.y}, bend_));
+  return to_beds_ * (place_m + bend_m * bend) * glm::dvec3(1.0, 1.0, flatness);
+}
+
+glm::vec3 Rock::at(const glm::dvec3& place_m, const glm::dvec3& up,
+                   const glm::dvec3& to_sun) const {
+  if (shown_[0] <= 0.0) return albedo_;
+  const glm::dvec3 place = bedded(place_m);
+  glm::dvec3 faced = up;  // of no unit length, so that faces have the light of `up` on the mean
+  double open = 1.0;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    if (shown_[i] <= 0.0) continue;
+    const Face face = face_at(place / sizes[i].block_m, key_ + i);
+    faced += shown_[i] * sizes[i].tilt * face.tilt;
+    open *= 1.0 + shown_[i] * sizes[i].dark * (mean_joint - joint_at(face));
+  }
+  const double lit = light_on(faced, to_sun) / light_on(up, to_sun);
+  const auto shade = static_cast<float>(open * std::clamp(lit, 0.3, 1.8));
+  return albedo_ * shade * stain_at(place_m);
+}
+
+/// Damp and lichens.
+glm::vec3 Rock::stain_at(const glm::dvec3& place_m) const {
+  constexpr double feature_m = 1.2;
+  const glm::dvec3 at = place_m / feature_m;
+  const double stain = shown_[0] * std::tanh(fbm({at.x + 0.7 * at.z, at.y - 0.7 * at.z}, stain_));
+  return 1.0F + static_cast<float>(stain) * glm::vec3(0.16F, 0.13F, 0.06F);
+}
+
+}  // namespace wold::terrain

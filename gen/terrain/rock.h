@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+
+#include "core/noise.h"
+
+namespace wold::terrain {
+
+/// The look of bare rock: beds that dip a little, broken by joints into blocks, these into smaller
+/// ones and these again (cellular noise, Worley 1996). Each block has a face of its own that turns
+/// to or away from the light, and dark joints about it. Keyed, in space, so that steep faces show
+/// blocks and not their plan drawn out.
+class Rock {
+ public:
+  /// As a map with that step shows it: blocks finer than the step are evened out.
+  Rock(const glm::vec3& albedo, std::uint64_t seed, double step_m);
+
+  /// Radiance over that of a smooth white surface which faces `up` and is lit by the sun and the
+  /// sky: the albedo on the mean.
+  glm::vec3 at(const glm::dvec3& place_m, const glm::dvec3& up, const glm::dvec3& to_sun) const;
+
+ private:
+  struct Size {
+    double block_m;
+    double tilt;  ///< how far faces turn from the ground's
+    double dark;  ///< how much light joints take
+  };
+  static constexpr std::array<Size, 3> sizes = {
+      {{1.2, 0.42, 0.6}, {0.4, 0.26, 0.4}, {0.12, 0.16, 0.2}}};
+
+  glm::dvec3 bedded(const glm::dvec3& place_m) const;
+  glm::vec3 stain_at(const glm::dvec3& place_m) const;
+
+  glm::vec3 albedo_;
+  std::uint64_t key_;
+  Fbm bend_, stain_;
+  glm::dmat3 to_beds_;
+  std::array<double, sizes.size()> shown_;
+};
+
+}  // namespace wold::terrain

@@ -1,0 +1,70 @@
+#include "terrain/rock.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/random.h"
+
+namespace wold::terrain {
+namespace {
+
+const glm::dvec3 to_sun = glm::normalize(glm::dvec3(-0.6, -0.5, 0.6));
+
+/// Means over `count` keyed places of 40 m.
+template <class Value>
+double mean(int count, const Value& value) {
+  double sum = 0.0;
+  for (int i = 0; i < count; ++i) {
+    const auto along = [i](const char* axis) {
+      return 40.0 * random_uniform({3, 0, static_cast<std::uint64_t>(i), key_of(axis)});
+    };
+    sum += value(glm::dvec3(along("x"), along("y"), along("z")));
+  }
+  return sum / count;
+}
+
+TEST(Rock, HasItsAlbedoOnTheMeanHoweverFine) {
+  for (const double slope_deg : {0.0, 50.0, 70.0})
+    for (const double step_m : {0.02, 0.3, 1.0, 10.0}) {
+      const double slope = slope_deg * 0.0174533;
+      const glm::dvec3 up(0.0, -std::sin(slope), std::cos(slope));
+      const Rock rock(glm::vec3(0.2F), 5, step_m);
+      const double albedo = mean(
+          4000, [&](const glm::dvec3& place_m) { return double{rock.at(place_m, up, to_sun).g}; });
+      EXPECT_NEAR(albedo, 0.2, 0.012) << slope_deg << " degrees, " << step_m << " m";
+    }
+}
+
+TEST(Rock, FacesTurnToTheSunAndAway) {
+  const Rock rock(glm::vec3(1.0F), 5, 0.02);
+  const glm::dvec3 up = glm::normalize(glm::dvec3(0.0, -1.0, 0.7));
+  const auto share = [&](double from, double to) {
+    return mean(4000, [&](const glm::dvec3& place_m) {
+      const double shade{rock.at(place_m, up, to_sun).g};
+      return shade > from && shade <= to ? 1.0 : 0.0;
+    });
+  };
+  EXPECT_GT(share(1.2, 3.0), 0.1);
+  EXPECT_GT(share(0.0, 0.8), 0.1);
+  EXPECT_EQ(share(0.05, 3.0), 1.0);
+}
+
+// A map's plan would be drawn out on a wall: nothing would change upwards.
+TEST(Rock, HasBlocksOnAWall) {
+  const Rock rock(glm::vec3(1.0F), 5, 0.02);
+  const glm::dvec3 up(0.0, -1.0, 0.0);
+  const auto change = [&](const glm::dvec3& way_m) {
+    return mean(2000, [&](const glm::dvec3& place_m) {
+      return std::abs(double{rock.at(place_m + way_m, up, to_sun).g} -
+                      double{rock.at(place_m, up, to_sun).g});
+    });
+  };
+  const double aside = change({0.05, 0.0, 0.0}), upwards = change({0.0, 0.0, 0.05});
+  EXPECT_GT(upwards, aside);  // beds are flat
+  EXPECT_LT(upwards, 3.0 * aside);
+  EXPECT_LT(aside, 0.5 * change({5.0, 0.0, 0.0}));
+}
+
+}  // namespace
+}  // namespace wold::terrain
