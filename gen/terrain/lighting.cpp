@@ -199,7 +199,7 @@ ColourMap ground_reflectance(const Heightfield& terrain, const glm::dvec3& sun_d
                              const scene::Terrain& look, std::uint64_t seed,
                              const FactorMap& growth, double canopy_transmittance) {
   return ground_reflectance(terrain, sun_direction, look, seed, growth, canopy_transmittance,
-                            {{.size_m = terrain.size_m()}, map_samples(terrain.size_m(), 0.02)});
+                            {{.size_m = terrain.size_m()}, map_samples(terrain.size_m(), 0.03)});
 }
 
 ColourMap ground_reflectance(const Heightfield& terrain, const glm::dvec3& sun_direction,
