@@ -24,7 +24,7 @@ struct Day {
 };
 
 /// Hours in which a day's precipitation falls, so that precipitation over hours is how heavily the
-/// mean drop falls: above 0, 24 at most, and that where nothing falls.
+/// mean drop falls. Above 0 and at most 24; 24 on a dry day. `precipitation_mm` >= 0.
 ///
 /// Fitted to the hourly rain and snow of 92 days, six to six, with 0.5 mm or more at Col de Porte
 /// from October 2005 to September 2006 (measured by Morin and others 2012, as Essery 2015, A

@@ -35,7 +35,7 @@ class DayAir {
   /// `hour` in [6, 30], after the day's midnight.
   double temperature_c(double hour) const;
   double precipitation_mm_h() const { return precipitation_mm_h_; }
-  /// While it falls.
+  /// The same over the hours in which it falls, Day::wet_h.
   double falling_mm_h() const { return falling_mm_h_; }
   SnowSky sky(double hour) const;
 

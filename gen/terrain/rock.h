@@ -14,18 +14,20 @@ namespace wold::terrain {
 /// blocks and not their plan drawn out.
 class Rock {
  public:
-  /// As a map with that step shows it: blocks finer than the step are evened out.
+  /// As a map with that step, > 0, shows it: blocks finer than the step are evened out. `albedo` is
+  /// linear red, green and blue in [0, 1].
   Rock(const glm::vec3& albedo, std::uint64_t seed, double step_m);
 
   /// Radiance over that of a smooth white surface which faces `up` and is lit by the sun and the
-  /// sky: the albedo on the mean.
+  /// sky: the albedo on the mean, 2.7 times that at most. World space; `up`, not below the horizon,
+  /// and `to_sun` are unit vectors.
   glm::vec3 at(const glm::dvec3& place_m, const glm::dvec3& up, const glm::dvec3& to_sun) const;
 
  private:
   struct Size {
     double block_m;
     double tilt;  ///< how far faces turn from the ground's
-    double dark;  ///< how much light joints take
+    double dark;  ///< share of the light that joints take
   };
   static constexpr std::array<Size, 3> sizes = {
       {{1.2, 0.42, 0.6}, {0.4, 0.26, 0.4}, {0.12, 0.16, 0.2}}};

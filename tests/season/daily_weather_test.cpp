@@ -1,5 +1,6 @@
 #include "season/daily_weather.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -85,8 +86,7 @@ TEST_F(DailyWeather, HasNoGaps) {
 TEST_F(DailyWeather, FillsRainFromTheSameSeason) {
   std::string text = "date,tmin_c,tmax_c,precipitation_mm\n";
   for (int year = 2001; year < 2004; ++year)
-    text += std::to_string(year) + "-01-10,0,1,6\n" + std::to_string(year) + "-07-10,0,1," +
-            (year == 2002 ? "\n" : "2\n");
+    text += fmt::format("{0}-01-10,0,1,6\n{0}-07-10,0,1,{1}\n", year, year == 2002 ? "" : "2");
   const std::vector<Day> days = read(text);
   const auto on = [&](sys_days date) {
     return days[static_cast<std::size_t>((date - days[0].date).count())].precipitation_mm;
@@ -135,6 +135,17 @@ TEST_F(DailyWeather, NamesEverythingThatIsWrong) {
                           "name it; is it \"tmin\"?"));
   EXPECT_THAT(problems("# nothing\n\n"), ElementsAre(HasSubstr("found no header")));
   EXPECT_THROW(read_daily_weather("/nowhere/days.csv", latitude), FileError);
+}
+
+// Medians of 12 to 27 days each at Col de Porte, from October 2005 to September 2006, of how
+// heavily the mean drop falls. As heavily as the day's mean at least.
+TEST(WetHours, AreThoseOfMeasuredDays) {
+  const std::pair<double, double> mm_and_mm_h[] = {
+      {1.1, 0.47}, {3.2, 0.67}, {7.0, 1.47}, {14.1, 2.33}, {26.1, 3.96}};
+  for (const auto& [mm, mm_h] : mm_and_mm_h)
+    EXPECT_NEAR(mm / wet_hours(mm), mm_h, 0.3 * mm_h) << mm;
+  for (const double mm : {0.0, 500.0, 2000.0}) EXPECT_EQ(wet_hours(mm), 24.0);
+  EXPECT_GT(wet_hours(1e-6), 0.0);
 }
 
 TEST(DayLength, IsThatOfTheFireDangerRatingSystem) {

@@ -39,17 +39,7 @@ TEST(DayAir, SwingsFromMorningToMorning) {
   EXPECT_DOUBLE_EQ(air.temperature_c(30.0), -2.0);
   EXPECT_DOUBLE_EQ(air.sky(9.0).phase_c, 1.0);
   EXPECT_DOUBLE_EQ(air.precipitation_mm_h(), 0.5);
-}
-
-// Medians of 12 to 27 days each at Col de Porte, from October 2005 to September 2006, of how
-// heavily the mean drop falls. As heavily as the day's mean at least.
-TEST(WetHours, AreThoseOfMeasuredDays) {
-  const std::pair<double, double> mm_and_mm_h[] = {
-      {1.1, 0.47}, {3.2, 0.67}, {7.0, 1.47}, {14.1, 2.33}, {26.1, 3.96}};
-  for (const auto& [mm, mm_h] : mm_and_mm_h)
-    EXPECT_NEAR(mm / wet_hours(mm), mm_h, 0.3 * mm_h) << mm;
-  for (const double mm : {0.0, 500.0, 2000.0}) EXPECT_EQ(wet_hours(mm), 24.0);
-  EXPECT_GT(wet_hours(1e-6), 0.0);
+  EXPECT_DOUBLE_EQ(air.falling_mm_h(), 0.5);  // all day long, as its wet_h says
 }
 
 // Hargreaves: 0.16 sqrt(9 K) of what comes to the air's top, at night none.

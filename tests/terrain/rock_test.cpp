@@ -45,9 +45,9 @@ TEST(Rock, FacesTurnToTheSunAndAway) {
       return shade > from && shade <= to ? 1.0 : 0.0;
     });
   };
-  EXPECT_GT(share(1.2, 3.0), 0.1);
+  EXPECT_GT(share(1.2, 2.7), 0.1);
   EXPECT_GT(share(0.0, 0.8), 0.1);
-  EXPECT_EQ(share(0.05, 3.0), 1.0);
+  EXPECT_EQ(share(0.07, 2.7), 1.0);
 }
 
 // A map's plan would be drawn out on a wall: nothing would change upwards.
