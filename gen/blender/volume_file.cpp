@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 constexpr const char* content_key = "wold_content";
 
 /// Changes whenever this file writes the same volume differently.
-constexpr int layout = 2;
+constexpr int layout = 3;
 
 std::string content_of(const landscape::Volume& volume, const landscape::Part& part) {
   return fmt::format("{} {} {}{}", layout, volume.content, volume.emission_grid, suffix_of(part));
@@ -62,6 +62,15 @@ openvdb::CoordBBox voxels_of(const landscape::Volume& volume, const landscape::P
   };
   const glm::ivec2 low = before(part.low), high = before(part.high);
   return {openvdb::Coord(low.x + 1, low.y + 1, 1), openvdb::Coord(high.x, high.y, volume.voxels.z)};
+}
+
+/// Up to the highest of the voxels that are there: Cycles keeps the whole box in memory.
+openvdb::CoordBBox without_air_above(const openvdb::CoordBBox& voxels,
+                                     const openvdb::FloatGrid& density) {
+  const openvdb::CoordBBox there = density.evalActiveVoxelBoundingBox();
+  openvdb::Coord highest = voxels.max();
+  highest.z() = there.empty() ? voxels.min().z() : there.max().z();
+  return {voxels.min(), highest};
 }
 
 openvdb::FloatGrid::Ptr cut_out(const openvdb::FloatGrid& density,
@@ -134,8 +143,9 @@ void write_volume(const fs::path& folder, const landscape::Volume& volume,
   const auto radiance = read_grid<openvdb::Vec3SGrid>(volume.vdb, volume.emission_grid);
   leave_out_empty_voxels(*whole);
   for (const landscape::Part& part : missing) {
-    const openvdb::CoordBBox voxels = voxels_of(volume, part);
-    const auto density = cut_out(*whole, voxels);
+    const openvdb::CoordBBox columns = voxels_of(volume, part);
+    const auto density = cut_out(*whole, columns);
+    const openvdb::CoordBBox voxels = without_air_above(columns, *density);
     openvdb::MetaMap metadata;
     metadata.insertMeta(content_key, openvdb::StringMetadata(content_of(volume, part)));
     write_grids(volume_file(folder, volume, part), density, emission_per_metre(*density, *radiance),
