@@ -101,6 +101,27 @@ TEST_F(BlenderExport, VolumesHoldDensityAndItsProductWithRadiance) {
             openvdb::Coord(volume.voxels.x + 1, volume.voxels.y + 1, volume.voxels.z + 1));
 }
 
+// Cycles holds the box of active voxels in memory, all of it.
+TEST_F(BlenderExport, VolumesEndAboveTheHighestVoxelThatIsThere) {
+  const landscape::Volume& volume = landscape.volumes.front();
+  const auto density =
+      openvdb::gridPtrCast<openvdb::FloatGrid>(read_vdb_grid(volume.vdb, "density"));
+  const auto radiance = read_vdb_grid(volume.vdb, volume.emission_grid);
+  constexpr int highest = 3;
+  ASSERT_GT(volume.voxels.z, highest);
+  for (auto at = density->beginValueOn(); at; ++at)
+    if (at.getCoord().z() > highest) at.setValue(0.0F);
+  landscape.volumes.resize(1);
+  for (landscape::Cell& cell : landscape.cells) cell.volume = 0;
+  write_vdb(volume.vdb, {density, radiance});
+  export_frame(landscape, folder / "out");
+  const fs::path file = folder / "out/data/volumes" / (volume.name + ".vdb");
+  for (const std::string name : {"density", "emission"})
+    EXPECT_EQ(read_vdb_grid(file, name)->evalActiveVoxelBoundingBox().max(),
+              openvdb::Coord(volume.voxels.x + 1, volume.voxels.y + 1, highest + 1))
+        << name;
+}
+
 // Cycles interpolates linearly and each part fades within its border, so what counts is the sum.
 TEST_F(BlenderExport, PartsOfAVolumeAddUpToIt) {
   landscape.volumes.resize(1);
