@@ -19,8 +19,8 @@ std::filesystem::path volume_file(const std::filesystem::path& folder,
 /// Voxels have the same indices in all parts; where parts touch each fades over one voxel while the
 /// other comes up, so that side by side they show what the volume does. Voxels of no density are
 /// left out, so that Cycles steps over them, and a part ends one voxel above its highest density. A
-/// file remembers the volume's content; one that is
-/// there with the same content stays. Throws FileError.
+/// file remembers the volume's content; one that is there with the same content stays. Throws
+/// FileError.
 void write_volume(const std::filesystem::path& folder, const landscape::Volume& volume,
                   const std::vector<landscape::Part>& parts);
 
