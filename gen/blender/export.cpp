@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
-#include <utility>
+#include <set>
 #include <vector>
 
 #include "blender/blade_files.h"
 #include "blender/frame_data.h"
+#include "blender/shown_volumes.h"
 #include "blender/volume_file.h"
 #include "core/file_list.h"
 #include "core/files.h"
@@ -47,45 +47,12 @@ double step_voxels(const Landscape& landscape, double voxel_m, double distance_m
   return std::clamp(1.5 * pixel_m / voxel_m, shortest_step_voxels, longest_step_voxels);
 }
 
-/// The parts of volumes that cells show.
-class ShownParts {
- public:
-  explicit ShownParts(const Landscape& landscape) {
-    for (const landscape::Cell& cell : landscape.cells) numbers_[key(cell)] = 0;
-    int next = 0;
-    for (auto& [part, number] : numbers_) number = next++;
-  }
-
-  /// By index into Landscape::volumes, in ascending order.
-  std::map<std::size_t, std::vector<landscape::Part>> of_volumes() const {
-    std::map<std::size_t, std::vector<landscape::Part>> parts;
-    for (const auto& [part, number] : numbers_) parts[part.first].push_back(part.second);
-    return parts;
-  }
-
-  /// Which of all parts, in order of volumes, the cells show.
-  std::vector<int> picks(const Landscape& landscape) const {
-    std::vector<int> picks;
-    for (const landscape::Cell& cell : landscape.cells) picks.push_back(numbers_.at(key(cell)));
-    return picks;
-  }
-
- private:
-  using Key = std::pair<std::size_t, landscape::Part>;
-
-  static Key key(const landscape::Cell& cell) {
-    return {static_cast<std::size_t>(cell.volume), cell.part};
-  }
-
-  std::map<Key, int> numbers_;
-};
-
 /// What frames share, in `data`, as far as this one needs it.
 std::vector<fs::path> shared_files(const Landscape& landscape,
                                    const std::vector<VolumeEntry>& volumes, const fs::path& data) {
-  std::vector<fs::path> files;
-  files.reserve(volumes.size());
-  for (const VolumeEntry& volume : volumes) files.push_back(volume.file);
+  std::set<fs::path> vdbs;
+  for (const VolumeEntry& volume : volumes) vdbs.insert(volume.file);
+  std::vector<fs::path> files(vdbs.begin(), vdbs.end());
   for (const landscape::BladeMesh& mesh : landscape.blade_meshes)
     for (const fs::path& file : blade_files(mesh.name, data / "blades")) files.push_back(file);
   if (!landscape.flakes.flakes.empty())
@@ -94,24 +61,24 @@ std::vector<fs::path> shared_files(const Landscape& landscape,
   return files;
 }
 
-/// In order of the picks.
-std::vector<VolumeEntry> write_volumes(const Landscape& landscape, const ShownParts& shown,
+/// Writes the volumes that are shown; entries in order of their numbers.
+std::vector<VolumeEntry> write_volumes(const Landscape& landscape, const ShownVolumes& shown,
                                        const fs::path& folder) {
-  const auto parts = shown.of_volumes();
   const std::vector<double> distances_m = nearest_m(landscape);
-  std::vector<std::size_t> used;
-  used.reserve(parts.size());
+  const auto file_of = [&](std::size_t volume) {
+    return folder / (landscape.volumes[volume].name + ".vdb");
+  };
+  std::set<std::size_t> used;
   std::vector<VolumeEntry> entries;
-  for (const auto& [number, of_volume] : parts) {
-    const landscape::Volume& volume = landscape.volumes[number];
-    const double step = step_voxels(landscape, volume.voxel_m, distances_m[number]);
-    used.push_back(number);
-    for (const landscape::Part& part : of_volume)
-      entries.push_back({volume_file(folder, volume, part), step});
+  for (const ShownVolume& each : shown.all()) {
+    const double voxel_m = landscape.volumes[each.volume].voxel_m;
+    const double step = step_voxels(landscape, voxel_m, distances_m[each.volume]);
+    used.insert(each.volume);
+    entries.push_back({file_of(each.volume), step, each.quarter, each.in_parts});
   }
-  parallel_for(used.size(), [&](std::size_t i) {
-    write_volume(folder, landscape.volumes[used[i]], parts.at(used[i]));
-  });
+  const std::vector<std::size_t> todo(used.begin(), used.end());
+  parallel_for(todo.size(),
+               [&](std::size_t i) { write_volume(file_of(todo[i]), landscape.volumes[todo[i]]); });
   return entries;
 }
 
@@ -126,9 +93,9 @@ std::vector<fs::path> export_frame(const Landscape& landscape, const fs::path& f
   if (!landscape.blade_meshes.empty()) make_folder(blades_folder);
   parallel_for(landscape.blade_meshes.size(),
                [&](std::size_t i) { write_blades(landscape.blade_meshes[i], blades_folder); });
-  const ShownParts shown(landscape);
+  const ShownVolumes shown(landscape);
   const std::vector<VolumeEntry> entries = write_volumes(landscape, shown, volume_folder);
-  write_frame_data(landscape, frame_folder, entries, shown.picks(landscape), folder / "data");
+  write_frame_data(landscape, frame_folder, entries, shown.picks(), folder / "data");
   std::vector<fs::path> files = files_below(frame_folder);
   for (const fs::path& shared : shared_files(landscape, entries, folder / "data"))
     files.push_back(shared);

@@ -216,6 +216,27 @@ Json write_instances(const std::vector<Placement>& placements, const std::vector
           {"picks", written("picks.i32", picks)}};
 }
 
+/// A part along one axis, from low to high, in metres. One on a side of its patch reaches beyond:
+/// there the volume fades and its neighbour comes up.
+glm::dvec2 shown_m(double low, double high, double patch_m) {
+  return patch_m * glm::dvec2(low > 0.0 ? low : -1.0, high < 1.0 ? high : 2.0);
+}
+
+/// Writes which part of its cell each shows, and names the arrays in `cells`.
+void write_parts(const Landscape& landscape, const fs::path& folder, Json& cells) {
+  std::vector<float> middles_m, halves_m;
+  for (const landscape::Cell& cell : landscape.cells) {
+    const glm::dvec2 x_m = shown_m(cell.part.low.x, cell.part.high.x, landscape.patch_m);
+    const glm::dvec2 y_m = shown_m(cell.part.low.y, cell.part.high.y, landscape.patch_m);
+    append(middles_m, {(x_m[0] + x_m[1]) / 2.0, (y_m[0] + y_m[1]) / 2.0, 0.0});
+    append(halves_m, {(x_m[1] - x_m[0]) / 2.0, (y_m[1] - y_m[0]) / 2.0, 0.0});
+  }
+  cells["part_middles"] = "part_middles_m.f32";
+  cells["part_halves"] = "part_halves_m.f32";
+  write_array(folder / "part_middles_m.f32", middles_m);
+  write_array(folder / "part_halves_m.f32", halves_m);
+}
+
 Json write_cells(const Landscape& landscape, const fs::path& folder,
                  const std::vector<int>& picks) {
   std::vector<Placement> placements;
@@ -225,7 +246,9 @@ Json write_cells(const Landscape& landscape, const fs::path& folder,
     placements.push_back(placement_of(cell.world_from_cell * cell.reach));
     placements.back().position_m += nudge(i, volume.voxel_m);
   }
-  return write_instances(placements, picks, folder, "");
+  Json cells = write_instances(placements, picks, folder, "");
+  write_parts(landscape, folder, cells);
+  return cells;
 }
 
 Json write_blade_cells(const Landscape& landscape, const fs::path& folder) {
@@ -244,7 +267,9 @@ Json volumes_json(const std::vector<VolumeEntry>& volumes, const fs::path& folde
   for (const VolumeEntry& volume : volumes)
     list.push_back({{"file", volume.file.lexically_relative(folder).generic_string()},
                     {"bytes", fs::file_size(volume.file)},
-                    {"step_voxels", volume.step_voxels}});
+                    {"step_voxels", volume.step_voxels},
+                    {"quarter", volume.quarter ? Json(*volume.quarter) : Json(nullptr)},
+                    {"in_parts", volume.in_parts}});
   return list;
 }
 
@@ -281,6 +306,7 @@ void write_frame_data(const Landscape& landscape, const fs::path& folder,
                       {"backdrop", write_backdrop(landscape, folder)},
                       {"cells", write_cells(landscape, folder, picks)},
                       {"volumes", volumes_json(volumes, folder)},
+                      {"density_unit_per_m", density_unit_per_m},
                       {"blade_cells", write_blade_cells(landscape, folder)},
                       {"blades", blades_json(landscape, shared_folder / "blades", folder)},
                       {"flakes", write_flakes(landscape, folder, shared_folder / "flakes")},

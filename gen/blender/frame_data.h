@@ -1,17 +1,19 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "landscape/landscape.h"
 
 namespace wold::blender {
 
-/// A volume of the frame or a part of one, as frame.json names it.
+/// What cells of the frame show, as frame.json names it.
 struct VolumeEntry {
   std::filesystem::path file;  ///< the .vdb
   double step_voxels = 1.0;    ///< length of a ray's step
+  std::optional<int> quarter;  ///< see ShownVolume
+  bool in_parts = false;
 };
 
 /// Writes a frame's arrays, pictures and frame.json into `folder`. `volumes` are the ones in use
@@ -25,6 +27,8 @@ struct VolumeEntry {
 ///   scales.f32
 ///   second_turns_rad.f32
 ///   picks.i32              1 per cell
+///   part_middles_m.f32     3 per cell: middle of what is shown of it, in cell space
+///   part_halves_m.f32      3 per cell: from there to its sides
 ///   blade_*.*32            the same five for the cells that are drawn as blades
 ///   flake_corners_m.f32    12 per flake: its corners from the lower left on against the clock,
 ///                          from the camera's eye; this and the next two only with flakes

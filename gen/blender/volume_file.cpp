@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.h"
 #include "core/vdb_file.h"
+#include "landscape/cell_parts.h"
 
 namespace wold::blender {
 namespace {
@@ -13,10 +16,10 @@ namespace fs = std::filesystem;
 constexpr const char* content_key = "wold_content";
 
 /// Changes whenever this file writes the same volume differently.
-constexpr int layout = 3;
+constexpr int layout = 4;
 
-std::string content_of(const landscape::Volume& volume, const landscape::Part& part) {
-  return fmt::format("{} {} {}{}", layout, volume.content, volume.emission_grid, suffix_of(part));
+std::string content_of(const landscape::Volume& volume) {
+  return fmt::format("{} {} {}", layout, volume.content, volume.emission_grid);
 }
 
 bool is_there(const fs::path& path, const std::string& content) {
@@ -55,34 +58,25 @@ void leave_out_empty_voxels(openvdb::FloatGrid& density) {
   density.pruneGrid();
 }
 
-/// Index 1 is the first voxel.
-openvdb::CoordBBox voxels_of(const landscape::Volume& volume, const landscape::Part& part) {
-  const auto before = [&](const glm::dvec2& share) {
-    return glm::ivec2(glm::round(share * glm::dvec2(volume.voxels)));
-  };
-  const glm::ivec2 low = before(part.low), high = before(part.high);
-  return {openvdb::Coord(low.x + 1, low.y + 1, 1), openvdb::Coord(high.x, high.y, volume.voxels.z)};
-}
-
-/// Up to the highest of the voxels that are there: Cycles keeps the whole box in memory.
-openvdb::CoordBBox without_air_above(const openvdb::CoordBBox& voxels,
-                                     const openvdb::FloatGrid& density) {
+/// Up to the highest of the voxels that are there: Cycles keeps the whole box in memory. Index 1 is
+/// the first voxel.
+openvdb::CoordBBox without_air_above(const glm::ivec3& voxels, const openvdb::FloatGrid& density) {
   const openvdb::CoordBBox there = density.evalActiveVoxelBoundingBox();
-  openvdb::Coord highest = voxels.max();
-  highest.z() = there.empty() ? voxels.min().z() : there.max().z();
-  return {voxels.min(), highest};
+  return {openvdb::Coord(1),
+          openvdb::Coord(voxels.x, voxels.y, there.empty() ? 1 : there.max().z())};
 }
 
-openvdb::FloatGrid::Ptr cut_out(const openvdb::FloatGrid& density,
-                                const openvdb::CoordBBox& voxels) {
-  auto part = density.deepCopy();
-  part->tree().clip(voxels);
-  return part;
+/// From 1/m. What would be 1 or more, grass through which a millimetre lets no hundredth of the light,
+/// becomes as good as 1.
+void count_in_units(openvdb::FloatGrid& density) {
+  constexpr float most = 0.999F;
+  for (auto at = density.beginValueOn(); at; ++at)
+    at.setValue(std::min(*at / density_unit_per_m, most));
 }
 
 /// density * radiance on the voxels of `density`.
-openvdb::Vec3SGrid::Ptr emission_per_metre(const openvdb::FloatGrid& density,
-                                           const openvdb::Vec3SGrid& radiance) {
+openvdb::Vec3SGrid::Ptr emission_of(const openvdb::FloatGrid& density,
+                                    const openvdb::Vec3SGrid& radiance) {
   const openvdb::Vec3s dark(0.0F);
   auto tree = std::make_shared<openvdb::Vec3STree>(density.tree(), dark, openvdb::TopologyCopy());
   auto emission = openvdb::Vec3SGrid::create(tree);
@@ -96,9 +90,9 @@ openvdb::Vec3SGrid::Ptr emission_per_metre(const openvdb::FloatGrid& density,
 }
 
 /// A border of zeros, one voxel wide. Cycles repeats a grid's outermost values beyond it: without
-/// the border two neighbours would both be there, twice as dense, where they overlap. With it each
-/// fades over one voxel while the other comes up, and they add to what interpolating across the
-/// joint gives. Two corners are enough, since Cycles fills the box of active voxels.
+/// the border two neighbouring cells would both be there, twice as dense, where they overlap. With
+/// it each fades over one voxel while the other comes up, and they add to what interpolating across
+/// the joint gives. Two corners are enough, since Cycles fills the box of active voxels.
 template <class Grid>
 void add_border(Grid& grid, const openvdb::CoordBBox& voxels) {
   const typename Grid::ValueType nothing(0.0F);
@@ -108,49 +102,67 @@ void add_border(Grid& grid, const openvdb::CoordBBox& voxels) {
 }
 
 template <class Grid>
-void prepare(Grid& grid, const char* name, const openvdb::CoordBBox& voxels, double voxel_m) {
-  add_border(grid, voxels);
+void prepare(Grid& grid, const std::string& name, double voxel_m) {
   grid.clearMetadata();
   grid.setName(name);
   grid.setTransform(cycles_transform(voxel_m));
-  grid.setGridClass(openvdb::GRID_FOG_VOLUME);
-  grid.setSaveFloatAsHalf(true);
 }
 
-void write_grids(const fs::path& path, const openvdb::FloatGrid::Ptr& density,
-                 const openvdb::Vec3SGrid::Ptr& emission, const openvdb::CoordBBox& voxels,
-                 double voxel_m, const openvdb::MetaMap& metadata) {
-  prepare(*density, "density", voxels, voxel_m);
-  prepare(*emission, "emission", voxels, voxel_m);
-  write_vdb(path, {density, emission}, metadata);
+/// Density and what it emits, ready to be written.
+openvdb::GridPtrVec medium_grids(const openvdb::FloatGrid::Ptr& density,
+                                 const openvdb::Vec3SGrid::Ptr& emission,
+                                 const openvdb::CoordBBox& voxels, double voxel_m) {
+  const auto ready = [&](auto& grid, const char* name) {
+    add_border(grid, voxels);
+    prepare(grid, name, voxel_m);
+    grid.setGridClass(openvdb::GRID_FOG_VOLUME);
+    grid.setSaveFloatAsHalf(true);
+  };
+  ready(*density, "density");
+  ready(*emission, "emission");
+  return {density, emission};
+}
+
+/// The leaves over a quarter in which there is any density. Two voxels of a leaf say so, not on its
+/// faces, since Cycles makes every region a voxel wider.
+openvdb::MaskGrid::Ptr region_of(const landscape::Part& quarter, const glm::ivec3& voxels,
+                                 const openvdb::FloatGrid& density) {
+  constexpr int leaf_side = openvdb::FloatTree::LeafNodeType::DIM;
+  auto region = openvdb::MaskGrid::create();
+  for (auto leaf = density.tree().cbeginLeaf(); leaf; ++leaf) {
+    const openvdb::Coord first = leaf->origin();
+    const glm::dvec2 middle =
+        (glm::dvec2(first.x(), first.y()) + leaf_side / 2.0 - 1.0) / glm::dvec2(voxels);
+    if (leaf->isEmpty() || glm::any(glm::lessThan(middle, quarter.low)) ||
+        glm::any(glm::greaterThan(middle, quarter.high)))
+      continue;
+    for (const int inside : {1, leaf_side - 2}) region->tree().setValueOn(first.offsetBy(inside));
+  }
+  return region;
 }
 
 }  // namespace
 
-fs::path volume_file(const fs::path& folder, const landscape::Volume& volume,
-                     const landscape::Part& part) {
-  return folder / (volume.name + suffix_of(part) + ".vdb");
-}
-
-void write_volume(const fs::path& folder, const landscape::Volume& volume,
-                  const std::vector<landscape::Part>& parts) {
-  std::vector<landscape::Part> missing;
-  for (const landscape::Part& part : parts)
-    if (!is_there(volume_file(folder, volume, part), content_of(volume, part)))
-      missing.push_back(part);
-  if (missing.empty()) return;
-  auto whole = read_grid<openvdb::FloatGrid>(volume.vdb, "density");
+void write_volume(const fs::path& path, const landscape::Volume& volume) {
+  const std::string content = content_of(volume);
+  if (is_there(path, content)) return;
+  const auto density = read_grid<openvdb::FloatGrid>(volume.vdb, "density");
   const auto radiance = read_grid<openvdb::Vec3SGrid>(volume.vdb, volume.emission_grid);
-  leave_out_empty_voxels(*whole);
-  for (const landscape::Part& part : missing) {
-    const openvdb::CoordBBox columns = voxels_of(volume, part);
-    const auto density = cut_out(*whole, columns);
-    const openvdb::CoordBBox voxels = without_air_above(columns, *density);
-    openvdb::MetaMap metadata;
-    metadata.insertMeta(content_key, openvdb::StringMetadata(content_of(volume, part)));
-    write_grids(volume_file(folder, volume, part), density, emission_per_metre(*density, *radiance),
-                voxels, volume.voxel_m, metadata);
+  leave_out_empty_voxels(*density);
+  count_in_units(*density);
+  openvdb::GridPtrVec regions;
+  for (const landscape::Part& quarter : landscape::quarters_of_patch(volume.voxels.x)) {
+    const auto region = region_of(quarter, volume.voxels, *density);
+    prepare(*region, fmt::format("quarter {}", regions.size()), volume.voxel_m);
+    regions.push_back(region);
   }
+  openvdb::GridPtrVec grids =
+      medium_grids(density, emission_of(*density, *radiance),
+                   without_air_above(volume.voxels, *density), volume.voxel_m);
+  grids.insert(grids.end(), regions.begin(), regions.end());
+  openvdb::MetaMap metadata;
+  metadata.insertMeta(content_key, openvdb::StringMetadata(content));
+  write_vdb(path, grids, metadata);
 }
 
 void write_cloud(const fs::path& path, const landscape::CloudBox& cloud) {
@@ -169,7 +181,7 @@ void write_cloud(const fs::path& path, const landscape::CloudBox& cloud) {
         glow.setValue(openvdb::Coord(x, y, z), openvdb::Vec3s(gain.x, gain.y, gain.z));
       }
   const openvdb::CoordBBox voxels(openvdb::Coord(1), openvdb::Coord(&cloud.voxels.x));
-  write_grids(path, density, emission, voxels, cloud.voxel_m, {});
+  write_vdb(path, medium_grids(density, emission, voxels, cloud.voxel_m));
 }
 
 }  // namespace wold::blender

@@ -1,30 +1,28 @@
 #pragma once
 
 #include <filesystem>
-#include <vector>
 
 #include "landscape/landscape.h"
 
 namespace wold::blender {
 
-/// The file of a part of a volume.
-std::filesystem::path volume_file(const std::filesystem::path& folder,
-                                  const landscape::Volume& volume, const landscape::Part& part);
+/// What `density` and `emission` of a grass volume are counted in, so that all of it is less than
+/// 1: below that, Cycles can be told to take no voxel for a reason to look there.
+constexpr float density_unit_per_m = 4096.0F;
 
-/// Writes parts of a volume as Cycles reads them, a file for each, in half precision (error below
-/// 0.05 %):
-///   `density`   extinction in 1/m,
-///   `emission`  density times source radiance: what a ray's radiance gains per metre. The product
-///               is stored, since interpolating the two apart darkens every edge.
-/// Voxels have the same indices in all parts; where parts touch each fades over one voxel while the
-/// other comes up, so that side by side they show what the volume does. Voxels of no density are
-/// left out, so that Cycles steps over them, and a part ends one voxel above its highest density. A
-/// file remembers the volume's content; one that is there with the same content stays. Throws
-/// FileError.
-void write_volume(const std::filesystem::path& folder, const landscape::Volume& volume,
-                  const std::vector<landscape::Part>& parts);
+/// Writes a volume as Cycles reads it, in half precision (error below 0.05 % or 0.0002/m):
+///   `density`    extinction in density_unit_per_m,
+///   `emission`   density times source radiance: what a ray's radiance gains. The product is
+///                stored, since interpolating the two apart darkens every edge,
+///   `quarter 0`  to 3, in the order of landscape::quarters_of_patch(): a mask with active voxels
+///                in just those of OpenVDB's leaves of which the quarter consists. Cycles builds a
+///                hull for each, while all of them share the volume in memory.
+/// Voxels of no density are left out, so that Cycles steps over them, and the volume ends one voxel
+/// above its highest density. A file remembers the volume's content; one that is there with the
+/// same content stays. Throws FileError.
+void write_volume(const std::filesystem::path& path, const landscape::Volume& volume);
 
-/// Writes a cloud likewise, always anew.
+/// Writes a cloud likewise, but per metre, without quarters and always anew.
 void write_cloud(const std::filesystem::path& path, const landscape::CloudBox& cloud);
 
 }  // namespace wold::blender

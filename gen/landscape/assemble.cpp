@@ -87,27 +87,6 @@ void leave_out_empty_meshes(Landscape& landscape) {
   std::erase_if(landscape.blade_cells, [](const BladeCell& cell) { return cell.mesh < 0; });
 }
 
-/// Renderers hold every part apart in memory, and a fine volume takes 30 or 200 MB: where some
-/// cells show parts of it, none shows it whole besides, but in quarters that lie as the whole did.
-void show_no_fine_volume_twice(Landscape& landscape) {
-  constexpr int fine_voxels = 100;  // along a side
-  std::set<int> in_parts;
-  for (const Cell& cell : landscape.cells) {
-    const Volume& volume = landscape.volumes[static_cast<std::size_t>(cell.volume)];
-    if (!cell.part.is_whole() && volume.voxels.x >= fine_voxels) in_parts.insert(cell.volume);
-  }
-  std::vector<Cell> cells;
-  for (const Cell& cell : landscape.cells) {
-    cells.push_back(cell);
-    if (!cell.part.is_whole() || !in_parts.contains(cell.volume)) continue;
-    cells.pop_back();
-    const Volume& volume = landscape.volumes[static_cast<std::size_t>(cell.volume)];
-    for (const Part& quarter : quarters_of_patch(volume.voxels.x))
-      cells.push_back({cell.world_from_cell, cell.volume, cell.reach, quarter});
-  }
-  landscape.cells = std::move(cells);
-}
-
 /// All that stands on the ground.
 void place_grass(std::span<const CellChoice> choices, const PatchLookup& lookup,
                  Landscape& landscape) {
@@ -117,7 +96,6 @@ void place_grass(std::span<const CellChoice> choices, const PatchLookup& lookup,
   };
   place(drawn_parts(choices, /*blades=*/false), volume_key, volume, landscape.volumes,
         landscape.cells);
-  show_no_fine_volume_twice(landscape);
   place(drawn_parts(choices, /*blades=*/true), blades_key, blades, landscape.blade_meshes,
         landscape.blade_cells);
   leave_out_empty_meshes(landscape);

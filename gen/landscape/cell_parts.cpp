@@ -84,7 +84,7 @@ struct Quarter {
 
 Part part_of(const Quarter& quarter, int voxels) {
   const int step = (voxels + 2) / quarter.per_side;
-  const auto border = [&](int k) { return std::clamp((k * step - 2.0) / voxels, 0.0, 1.0); };
+  const auto border = [&](int k) { return std::clamp((k * step - 1.0) / voxels, 0.0, 1.0); };
   const glm::ivec2& at = quarter.place;
   return {{border(at.x), border(at.y)}, {border(at.x + 1), border(at.y + 1)}};
 }

@@ -43,13 +43,13 @@ GroundFit fit_to_ground(const Heightfield& terrain, double patch_m, const Stance
 /// The parts of a cell, together its whole patch, none of which leaves the ground by more than
 /// `tolerance_m`: the cell itself, or its quarters, each of them whole or in quarters, down to an
 /// eighth of the side, where what is left is left. Borders lie between the voxels of a volume of
-/// `voxels` a side (30, 62, 126 or 254), two short of the even share: so a part begins one voxel
-/// before a multiple of eight of the volume's indices, and OpenVDB's leaves, of which Blender
-/// builds its hull, are as full as can be.
+/// `voxels` a side (30, 62, 126 or 254), one before the even share of the side and two more: where
+/// a border of one voxel goes before the volume, quarters consist of whole blocks of 8^3 voxels,
+/// OpenVDB's leaves, of which Blender builds its hulls.
 std::vector<PlacedPart> parts_on_ground(const Heightfield& terrain, double patch_m,
                                         const Stance& stance, int voxels, double tolerance_m);
 
-/// The quarters of a whole patch, as parts_on_ground() makes them.
+/// The quarters of a whole patch, as parts_on_ground() makes them: by rows from the low corner.
 std::array<Part, 4> quarters_of_patch(int voxels);
 
 }  // namespace wold::landscape

@@ -206,10 +206,6 @@ int voxels_of(const scene::Scene& scene, const CellChoice& choice) {
   return scene.grass.levels[static_cast<std::size_t>(choice.level)];
 }
 
-double tolerance_m(double pixels_per_m) {
-  return std::max(ground_tolerance_m, ground_tolerance_px / pixels_per_m);
-}
-
 void check_frame(const scene::Scene& scene, int frame) {
   const std::size_t frames = scene.ageing.frames.size();
   if (frame < 1 || static_cast<std::size_t>(frame) > frames)
@@ -241,10 +237,7 @@ glm::dmat4 reach_to_neighbours(const Combing& combing, double patch_m, const Sta
   return {{in_cell.x, 0, 0, 0}, {0, in_cell.y, 0, 0}, {0, 0, 1, 0}, {origin_m, 0, 1}};
 }
 
-int turns_of_level(int voxels_per_side) {
-  if (voxels_per_side >= 200) return 1;
-  return voxels_per_side >= 100 ? 2 : 4;
-}
+int turns_of_level(int voxels_per_side) { return voxels_per_side >= 200 ? 1 : 2; }
 
 int turns_of_level(const scene::Scene& scene, int level) {
   if (scene.ageing.fur.clumps > 0) return 1;
@@ -278,8 +271,8 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
     if (choice.blades && cell_uniform(scene, cell, "grown") >= double{grown.mean}) return;
     const double patch_m = scene.grass.patch_m;
     const Stance stance = {cell, choice.turn, combing.lean(centre_m(cell, patch_m))};
-    choice.parts = parts_on_ground(ground, patch_m, stance, voxels_of(scene, choice),
-                                   tolerance_m(sight.pixels(middle_m)));
+    choice.parts =
+        parts_on_ground(ground, patch_m, stance, voxels_of(scene, choice), ground_tolerance_m);
     // Half-way up, so that they show as much too little above as too much below: along a line of
     // sight between them either would be a seam.
     choice.reach = reach_to_neighbours(combing, patch_m, stance, 0.5 * scene.grass.height_m);

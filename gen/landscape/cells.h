@@ -32,10 +32,8 @@ struct CellChoice {
   grass::PatchState state() const { return {key_frame, snow, light}; }
 };
 
-/// How far what is drawn of a cell may leave the ground under it: so many metres or, where that is
-/// more, pixels.
+/// How far what is drawn of a cell may leave the ground under it.
 constexpr double ground_tolerance_m = 0.01;
-constexpr double ground_tolerance_px = 3.0;
 
 /// Cell::reach of a cell that meets its neighbours `height_m` above the ground: where they lean
 /// away from each other both reach half as far beyond their squares as the gap between them is wide
@@ -43,8 +41,9 @@ constexpr double ground_tolerance_px = 3.0;
 glm::dmat4 reach_to_neighbours(const Combing& combing, double patch_m, const Stance& stance,
                                double height_m);
 
-/// How many of the four quarter-turns a level uses. A turn needs its own baked light, and a volume
-/// of 254^3 takes about 200 MB in a renderer: 1 from 200 voxels per side on, 2 from 100 on, else 4.
+/// How many of the four quarter-turns a level uses. A turn needs its own baked light and its own
+/// place in a renderer's memory, 200 MB for a volume of 254^3: 1 from 200 voxels per side on, else
+/// 2.
 int turns_of_level(int voxels_per_side);
 
 /// How many of them cells of a scene use of a level: a coat has one nap.
@@ -57,7 +56,7 @@ int turns_of_level(const scene::Scene& scene, int level);
 /// two nearest to the local weathering, the level of snow likewise to canopy_snow(), the light to
 /// light_of_frame(); the coarsest level whose voxels cover at most grass.pixels_per_voxel, with a
 /// keyed tenth of jitter, so that no ring shows where levels change; in as many parts as
-/// ground_tolerance_m and ground_tolerance_px ask for. Only `level` (and with it the turns
+/// ground_tolerance_m asks for. Only `level` (and with it the turns
 /// allowed), `parts` and whether a cell is listed depend on the camera. Cells are drawn as
 /// render.grass asks: with "auto" as blades where even the finest level is too coarse. Frame from
 /// 1; throws InputError when the scene has no such frame.

@@ -143,11 +143,13 @@ def glow(nodes, colour):
     nodes.link(emission.outputs["Emission"], nodes.add("ShaderNodeOutputMaterial").inputs["Surface"])
 
 
-def medium(nodes, extinction, radiance):
-    """A volume shader that absorbs by `extinction` (1/m) and adds `radiance` (per m), sockets."""
+def medium(nodes, extinction, radiance, strength=1.0):
+    """A volume shader that absorbs by `extinction` (1/m) and adds `radiance` times `strength` (per
+    m); the first two are sockets."""
     absorption = nodes.add("ShaderNodeVolumeAbsorption")
     absorption.inputs["Color"].default_value = (0, 0, 0, 1)
     emission = nodes.add("ShaderNodeEmission")
+    emission.inputs["Strength"].default_value = strength
     both = nodes.add("ShaderNodeAddShader")
     nodes.link(extinction, absorption.inputs["Density"])
     nodes.link(radiance, emission.inputs["Color"])
@@ -171,30 +173,88 @@ def ground_material(frame):
     return material
 
 
-def grass_material(frame, step_voxels):
-    """Grid `density` absorbs (1/m), grid `emission` adds (radiance/m); the map `standing_light`
-    multiplies them, its alpha the first and its colour the second."""
-    material, nodes = new_material(f"grass, step {step_voxels:.2f}")
-    material.cycles.volume_step_rate = step_voxels
-    density = nodes.add("ShaderNodeAttribute", attribute_name="density")
+def mixed(nodes, share, first, second):
+    """A shader: the second one's share, an output socket, is `share`. Cycles passes over the side of
+    a mix that is not used with all that leads to it. Nothing is where a shader is None."""
+    both = nodes.add("ShaderNodeMixShader")
+    nodes.link(share, both.inputs["Fac"])
+    for shader, socket in ((first, both.inputs[1]), (second, both.inputs[2])):
+        if shader:
+            nodes.link(shader, socket)
+    return both.outputs["Shader"]
+
+
+def compared(nodes, value, operation, number):
+    """An output socket: 1 where it holds of `value`, another, else 0."""
+    comparison = nodes.add("ShaderNodeMath", operation=operation)
+    comparison.inputs[1].default_value = number
+    nodes.link(value, comparison.inputs[0])
+    return comparison.outputs["Value"]
+
+
+def grass_medium(nodes, frame, density):
+    """Grid `density` absorbs, grid `emission` adds, both in `density_unit_per_m`; the map
+    `standing_light` multiplies them, its alpha the first and its colour the second."""
+    unit_per_m = frame["density_unit_per_m"]
     radiance = nodes.add("ShaderNodeAttribute", attribute_name="emission")
     ground = map_outputs(nodes, frame, frame["standing_light"])
+    extinction = nodes.add("ShaderNodeMath", operation="MULTIPLY")
+    extinction.inputs[1].default_value = unit_per_m
     standing = nodes.add("ShaderNodeMath", operation="MULTIPLY")
     lit = nodes.add("ShaderNodeVectorMath", operation="MULTIPLY")
-    output = nodes.add("ShaderNodeOutputMaterial")
-    # Cycles passes over the unused side of a mix with all that leads to it: where there is no
-    # grass, which is most of the air, neither light nor colour is looked up.
-    there = nodes.add("ShaderNodeMath", operation="GREATER_THAN")
-    there.inputs[1].default_value = 0.0
-    grass = nodes.add("ShaderNodeMixShader")
-    nodes.link(density.outputs["Fac"], there.inputs[0])
-    nodes.link(density.outputs["Fac"], standing.inputs[0])
+    nodes.link(density, extinction.inputs[0])
+    nodes.link(extinction.outputs["Value"], standing.inputs[0])
     nodes.link(ground["Alpha"], standing.inputs[1])
     nodes.link(radiance.outputs["Vector"], lit.inputs[0])
     nodes.link(ground["Color"], lit.inputs[1])
-    nodes.link(there.outputs["Value"], grass.inputs["Fac"])
-    nodes.link(medium(nodes, standing.outputs["Value"], lit.outputs["Vector"]), grass.inputs[2])
-    nodes.link(grass.outputs["Shader"], output.inputs["Volume"])
+    return medium(nodes, standing.outputs["Value"], lit.outputs["Vector"], unit_per_m)
+
+
+def inside_part(nodes):
+    """An output socket: 1 in the part of its cell that an instance shows, else 0."""
+    place = nodes.add("ShaderNodeTexCoord").outputs["Object"]
+    middle, half = (nodes.add("ShaderNodeAttribute", attribute_type="INSTANCER",
+                              attribute_name=name).outputs["Vector"]
+                    for name in ("part_middles", "part_halves"))
+
+    def vector(operation, *operands):
+        node = nodes.add("ShaderNodeVectorMath", operation=operation)
+        for operand, socket in zip(operands, node.inputs):
+            nodes.link(operand, socket)
+        return node.outputs["Vector"]
+
+    from_middle = vector("ABSOLUTE", vector("SUBTRACT", place, middle))
+    beyond = nodes.add("ShaderNodeSeparateXYZ")
+    farthest = nodes.add("ShaderNodeMath", operation="MAXIMUM")
+    nodes.link(vector("SUBTRACT", from_middle, half), beyond.inputs["Vector"])
+    nodes.link(beyond.outputs["X"], farthest.inputs[0])
+    nodes.link(beyond.outputs["Y"], farthest.inputs[1])
+    return compared(nodes, farthest.outputs["Value"], "LESS_THAN", 0.0)
+
+
+def asking_for(nodes, grid, density, shader):
+    """The same shader, but Cycles counts `grid` among those it needs and makes it part of the hull
+    it builds. It is never looked up: all densities are below 1."""
+    attribute = nodes.add("ShaderNodeAttribute", attribute_name=grid)
+    emission = nodes.add("ShaderNodeEmission")
+    nodes.link(attribute.outputs["Color"], emission.inputs["Color"])
+    return mixed(nodes, compared(nodes, density, "GREATER_THAN", 1.0), shader,
+                 emission.outputs["Emission"])
+
+
+def grass_material(frame, step_voxels, quarter, in_parts):
+    """For volumes or, if `quarter` is not None, that quarter of them, all of it or parts."""
+    material, nodes = new_material(f"grass, step {step_voxels:.2f}, quarter {quarter}")
+    material.cycles.volume_step_rate = step_voxels
+    density = nodes.add("ShaderNodeAttribute", attribute_name="density").outputs["Fac"]
+    shader = grass_medium(nodes, frame, density)
+    if quarter is not None:
+        shader = asking_for(nodes, f"quarter {quarter}", density, shader)
+    # Where there is no grass, which is most of the air, neither light nor colour is looked up.
+    shader = mixed(nodes, compared(nodes, density, "GREATER_THAN", 0.0), None, shader)
+    if in_parts:
+        shader = mixed(nodes, inside_part(nodes), None, shader)
+    nodes.link(shader, nodes.add("ShaderNodeOutputMaterial").inputs["Volume"])
     return material
 
 
@@ -352,15 +412,19 @@ def load_volume(frame, entry, name):
 
 def load_volumes(frame):
     """The frame's volumes as a collection that is not itself in the scene. Blender orders its
-    members by name, so the names carry padded numbers: an instance's index counts on it."""
+    members by name, so the names are padded numbers: an instance's index counts on it. And Cycles
+    moves a volume's hull by a hash of its name, which of so few characters is nearly 0: quarters
+    have to meet."""
     collection = bpy.data.collections.new("volumes")
     materials = {}
     for number, entry in enumerate(frame["volumes"]):
-        volume = load_volume(frame, entry, f"volume {number:05d}")
-        step = round(entry["step_voxels"], 2)
-        if step not in materials:
-            materials[step] = grass_material(frame, step)
-        volume.materials.append(materials[step])
+        volume = load_volume(frame, entry, f"{number:04d}")
+        kind = (round(entry["step_voxels"], 2), entry["quarter"], entry["in_parts"])
+        if kind not in materials:
+            materials[kind] = grass_material(frame, *kind)
+        if entry["quarter"] is not None:
+            volume.render.clipping = 1.0  # more than all there is: the hull is the quarter's
+        volume.materials.append(materials[kind])
         collection.objects.link(bpy.data.objects.new(volume.name, volume))
     return collection
 
@@ -385,9 +449,10 @@ def cell_points(frame, cells):
     """One point per cell, or per part of one, with what the geometry nodes need to place it."""
     count = cells["count"]
     mesh = point_mesh("cells", frame.numbers(cells["positions"], "f", 3 * count))
-    for name in ("first_turns", "scales", "second_turns"):
-        values = frame.numbers(cells[name], "f", 3 * count)
-        mesh.attributes.new(name, "FLOAT_VECTOR", "POINT").data.foreach_set("vector", values)
+    for name in ("first_turns", "scales", "second_turns", "part_middles", "part_halves"):
+        if name in cells:  # blades have no parts
+            values = frame.numbers(cells[name], "f", 3 * count)
+            mesh.attributes.new(name, "FLOAT_VECTOR", "POINT").data.foreach_set("vector", values)
     picks = frame.numbers(cells["picks"], "i", count)
     mesh.attributes.new("picks", "INT", "POINT").data.foreach_set("value", picks)
     return mesh

@@ -1,6 +1,7 @@
 #include "blender/export.h"
 
 #include <gtest/gtest.h>
+#include <openvdb/tools/Morphology.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -9,6 +10,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "blender/volume_file.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/vdb_file.h"
@@ -65,13 +67,22 @@ TEST_F(BlenderExport, ArraysAndJsonSayWhatTheLandscapeSays) {
   EXPECT_EQ(array<float>(frame["terrain"]["heights"]), landscape.terrain.values());
   const auto positions_m = array<float>(frame["cells"]["positions"]);
   const auto picks = array<int>(frame["cells"]["picks"]);
+  const auto middles_m = array<float>(frame["cells"]["part_middles"]);
+  const auto halves_m = array<float>(frame["cells"]["part_halves"]);
   ASSERT_EQ(positions_m.size(), 3 * landscape.cells.size());
   for (std::size_t i = 0; i < landscape.cells.size(); ++i) {
     const landscape::Cell& cell = landscape.cells[i];
     const landscape::Volume& volume = landscape.volumes[static_cast<std::size_t>(cell.volume)];
     const auto pick = static_cast<std::size_t>(picks.at(i));
-    EXPECT_EQ(frame["volumes"][pick]["file"],
-              "../volumes/" + volume.name + suffix_of(cell.part) + ".vdb");
+    EXPECT_EQ(frame["volumes"][pick]["file"], "../volumes/" + volume.name + ".vdb");
+    EXPECT_EQ(frame["volumes"][pick]["quarter"].is_null(), cell.part.is_whole());
+    for (int axis = 0; axis < 2; ++axis) {
+      const auto at = 3 * i + static_cast<std::size_t>(axis);
+      const double low = (middles_m[at] - halves_m[at]) / landscape.patch_m;
+      const double high = (middles_m[at] + halves_m[at]) / landscape.patch_m;
+      EXPECT_NEAR(std::max(low, 0.0), cell.part.low[axis], 1e-6);
+      EXPECT_NEAR(std::min(high, 1.0), cell.part.high[axis], 1e-6);
+    }
     for (int axis = 0; axis < 3; ++axis)  // nudged by at most 0.03 voxels
       EXPECT_NEAR(positions_m[3 * i + static_cast<std::size_t>(axis)],
                   cell.world_from_cell[3][axis], 0.031 * volume.voxel_m);
@@ -89,10 +100,11 @@ TEST_F(BlenderExport, VolumesHoldDensityAndItsProductWithRadiance) {
   const auto emission = openvdb::gridPtrCast<openvdb::Vec3SGrid>(read_vdb_grid(file, "emission"));
   ASSERT_GT(want->activeVoxelCount(), 100U);
   for (auto at = want->cbeginValueOn(); at; ++at) {
-    const float rho = got->tree().getValue(at.getCoord());
+    const float rho = density_unit_per_m * got->tree().getValue(at.getCoord());
     const openvdb::Vec3s light = *at * radiance->tree().getValue(at.getCoord());
-    EXPECT_NEAR(rho, *at, 1e-3F * *at);
-    EXPECT_LT((emission->tree().getValue(at.getCoord()) - light).length(), 1e-3F * light.length());
+    EXPECT_NEAR(rho, *at, 1e-3F * *at + 2e-4F);
+    const openvdb::Vec3s gain = emission->tree().getValue(at.getCoord()) * density_unit_per_m;
+    EXPECT_LT((gain - light).length(), 1e-3F * light.length() + 2e-4F);
   }
   // The box is the volume's and a border of one voxel: what Cycles' seams depend on.
   const openvdb::CoordBBox box = got->evalActiveVoxelBoundingBox();
@@ -122,41 +134,43 @@ TEST_F(BlenderExport, VolumesEndAboveTheHighestVoxelThatIsThere) {
         << name;
 }
 
-// Cycles interpolates linearly and each part fades within its border, so what counts is the sum.
-TEST_F(BlenderExport, PartsOfAVolumeAddUpToIt) {
-  landscape.volumes.resize(1);
-  landscape.cells.resize(2);
-  for (landscape::Cell& cell : landscape.cells) cell.volume = 0;
-  test::quarter_cells(landscape);
+// Cycles makes its hull of the leaves with active voxels, a voxel wider: those of a quarter's mask
+// are the leaves over it that hold any density, and a voxel more goes into no other.
+TEST_F(BlenderExport, QuartersAreTheLeavesOfTheVolumeOverThem) {
   export_frame(landscape, folder / "out");
   const landscape::Volume& volume = landscape.volumes.front();
-  const auto density_of = [&](const landscape::Part& part) {
-    return openvdb::gridPtrCast<openvdb::FloatGrid>(read_vdb_grid(
-        folder / "out/data/volumes" / (volume.name + suffix_of(part) + ".vdb"), "density"));
-  };
-  auto left = density_of({});
-  std::size_t voxels = 0;
-  for (const landscape::Part& part : landscape::quarters_of_patch(volume.voxels.x)) {
-    const auto density = density_of(part);
-    EXPECT_EQ(density->transform(), left->transform());
-    const openvdb::CoordBBox box = density->evalActiveVoxelBoundingBox();
-    for (int axis = 0; axis < 2; ++axis) {
-      EXPECT_NEAR(box.min()[axis], part.low[axis] * volume.voxels.x, 1e-9);
-      EXPECT_NEAR(box.max()[axis], part.high[axis] * volume.voxels.x + 1.0, 1e-9);
-    }
-    EXPECT_EQ(box.min().z(), 0);
-    EXPECT_EQ(box.max().z(), volume.voxels.z + 1);
-    for (auto at = density->cbeginValueOn(); at; ++at) {
-      const float before = left->tree().getValue(at.getCoord());
-      if (*at > 0.0F) {
-        ++voxels;
-        EXPECT_EQ(*at, before) << "shown by two parts, or by another than the whole";
-        left->tree().setValue(at.getCoord(), 0.0F);
+  const fs::path file = folder / "out/data/volumes" / (volume.name + ".vdb");
+  const auto density = openvdb::gridPtrCast<openvdb::FloatGrid>(read_vdb_grid(file, "density"));
+  const auto quarters = landscape::quarters_of_patch(volume.voxels.x);
+  std::map<openvdb::Coord, int> owners;
+  for (std::size_t i = 0; i < quarters.size(); ++i) {
+    const auto mask = openvdb::gridPtrCast<openvdb::MaskGrid>(
+        read_vdb_grid(file, "quarter " + std::to_string(i)));
+    EXPECT_EQ(mask->transform(), density->transform());
+    const glm::dvec2 low = 1.0 + quarters[i].low * double(volume.voxels.x);  // index space
+    const glm::dvec2 high = 1.0 + quarters[i].high * double(volume.voxels.x);
+    auto wider = mask->deepCopy();
+    openvdb::tools::dilateActiveValues(wider->tree(), 1);
+    ASSERT_EQ(wider->tree().leafCount(), mask->tree().leafCount());
+    for (auto leaf = mask->tree().cbeginLeaf(); leaf; ++leaf) {
+      ++owners[leaf->origin()];
+      const openvdb::CoordBBox box = leaf->getNodeBoundingBox();
+      for (int axis = 0; axis < 2; ++axis) {
+        EXPECT_GE(box.min()[axis], low[axis] > 1.0 ? low[axis] - 1e-9 : 0.0);
+        EXPECT_LE(box.max()[axis] + 1, quarters[i].high[axis] < 1.0 ? high[axis] + 1e-9 : 1e9);
       }
     }
   }
-  EXPECT_GT(voxels, 100U);
-  for (auto at = left->cbeginValueOn(); at; ++at) EXPECT_EQ(*at, 0.0F) << at.getCoord();
+  std::size_t leaves = 0;
+  for (auto leaf = density->tree().cbeginLeaf(); leaf; ++leaf) {
+    float most = 0.0F;
+    for (auto at = leaf->cbeginValueOn(); at; ++at) most = std::max(most, *at);
+    EXPECT_LT(most, 1.0F);
+    EXPECT_EQ(owners.count(leaf->origin()), most > 0.0F ? 1U : 0U);
+    if (most > 0.0F) ++leaves;
+  }
+  EXPECT_EQ(owners.size(), leaves);
+  for (const auto& [origin, count] : owners) EXPECT_EQ(count, 1);
 }
 
 TEST_F(BlenderExport, WritesOnlyVolumesInUseAndTheSameBytesTwice) {
@@ -166,7 +180,7 @@ TEST_F(BlenderExport, WritesOnlyVolumesInUseAndTheSameBytesTwice) {
   export_scene(folder / "again");
   EXPECT_FALSE(fs::exists(folder / "out/data/volumes" / (landscape.volumes[2].name + ".vdb")));
   const auto once = all_files(folder / "out");
-  EXPECT_EQ(once.size(), 23U);
+  EXPECT_EQ(once.size(), 25U);
   EXPECT_TRUE(once == all_files(folder / "again"));
 }
 
