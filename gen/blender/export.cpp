@@ -74,7 +74,7 @@ std::vector<VolumeEntry> write_volumes(const Landscape& landscape, const ShownVo
     const double voxel_m = landscape.volumes[each.volume].voxel_m;
     const double step = step_voxels(landscape, voxel_m, distances_m[each.volume]);
     used.insert(each.volume);
-    entries.push_back({file_of(each.volume), step, each.quarter, each.in_parts});
+    entries.push_back({file_of(each.volume), step, each.quarter});
   }
   const std::vector<std::size_t> todo(used.begin(), used.end());
   parallel_for(todo.size(),

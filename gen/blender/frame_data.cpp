@@ -268,8 +268,7 @@ Json volumes_json(const std::vector<VolumeEntry>& volumes, const fs::path& folde
     list.push_back({{"file", volume.file.lexically_relative(folder).generic_string()},
                     {"bytes", fs::file_size(volume.file)},
                     {"step_voxels", volume.step_voxels},
-                    {"quarter", volume.quarter ? Json(*volume.quarter) : Json(nullptr)},
-                    {"in_parts", volume.in_parts}});
+                    {"quarter", volume.quarter ? Json(*volume.quarter) : Json(nullptr)}});
   return list;
 }
 

@@ -13,7 +13,6 @@ struct VolumeEntry {
   std::filesystem::path file;  ///< the .vdb
   double step_voxels = 1.0;    ///< length of a ray's step
   std::optional<int> quarter;  ///< see ShownVolume
-  bool in_parts = false;
 };
 
 /// Writes a frame's arrays, pictures and frame.json into `folder`. `volumes` are the ones in use

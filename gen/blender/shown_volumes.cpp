@@ -9,12 +9,11 @@ namespace {
 
 ShownVolume shown(const landscape::Landscape& landscape, const landscape::Cell& cell) {
   const auto volume = static_cast<std::size_t>(cell.volume);
-  if (cell.part.is_whole()) return {volume, std::nullopt, false};
+  if (cell.part.is_whole()) return {volume, std::nullopt};
   const auto quarters = landscape::quarters_of_patch(landscape.volumes[volume].voxels.x);
   const glm::dvec2 middle = 0.5 * (cell.part.low + cell.part.high);
   const glm::bvec2 high = glm::greaterThan(middle, quarters.back().low);
-  const int quarter = int{high.x} + 2 * int{high.y};
-  return {volume, quarter, cell.part != quarters[static_cast<std::size_t>(quarter)]};
+  return {volume, int{high.x} + 2 * int{high.y}};
 }
 
 }  // namespace

@@ -9,11 +9,10 @@
 
 namespace wold::blender {
 
-/// What a cell shows: a volume or a quarter of one, all of it or parts of it.
+/// What a cell shows: a volume, or a quarter of one or part of the quarter.
 struct ShownVolume {
   std::size_t volume = 0;      ///< index into Landscape::volumes
   std::optional<int> quarter;  ///< of landscape::quarters_of_patch(); none: the whole
-  bool in_parts = false;       ///< no cell that shows it shows all of the quarter
 
   auto operator<=>(const ShownVolume&) const = default;
 };

@@ -66,8 +66,8 @@ openvdb::CoordBBox without_air_above(const glm::ivec3& voxels, const openvdb::Fl
           openvdb::Coord(voxels.x, voxels.y, there.empty() ? 1 : there.max().z())};
 }
 
-/// From 1/m. What would be 1 or more, grass through which a millimetre lets no hundredth of the light,
-/// becomes as good as 1.
+/// From 1/m. What would be 1 or more, grass through which a millimetre lets no hundredth of the
+/// light, becomes as good as 1.
 void count_in_units(openvdb::FloatGrid& density) {
   constexpr float most = 0.999F;
   for (auto at = density.beginValueOn(); at; ++at)
@@ -101,8 +101,7 @@ void add_border(Grid& grid, const openvdb::CoordBBox& voxels) {
   accessor.setValueOn(voxels.max().offsetBy(1), nothing);
 }
 
-template <class Grid>
-void prepare(Grid& grid, const std::string& name, double voxel_m) {
+void prepare(openvdb::GridBase& grid, const std::string& name, double voxel_m) {
   grid.clearMetadata();
   grid.setName(name);
   grid.setTransform(cycles_transform(voxel_m));
@@ -123,20 +122,27 @@ openvdb::GridPtrVec medium_grids(const openvdb::FloatGrid::Ptr& density,
   return {density, emission};
 }
 
-/// The leaves over a quarter in which there is any density. Two voxels of a leaf say so, not on its
-/// faces, since Cycles makes every region a voxel wider.
+/// Where there is any density, in leaves: constant ones are single values in `density`.
+openvdb::MaskTree leaves_of(const openvdb::FloatGrid& density) {
+  openvdb::MaskTree leaves(density.tree(), false, true, openvdb::TopologyCopy());
+  leaves.voxelizeActiveTiles();
+  return leaves;
+}
+
+/// Those of `leaves` that lie over a quarter. Two voxels of a leaf say so, not on its faces, since
+/// Cycles makes every region a voxel wider.
 openvdb::MaskGrid::Ptr region_of(const landscape::Part& quarter, const glm::ivec3& voxels,
-                                 const openvdb::FloatGrid& density) {
-  constexpr int leaf_side = openvdb::FloatTree::LeafNodeType::DIM;
+                                 const openvdb::MaskTree& leaves) {
+  constexpr int side = openvdb::MaskTree::LeafNodeType::DIM;
   auto region = openvdb::MaskGrid::create();
-  for (auto leaf = density.tree().cbeginLeaf(); leaf; ++leaf) {
+  for (auto leaf = leaves.cbeginLeaf(); leaf; ++leaf) {
     const openvdb::Coord first = leaf->origin();
     const glm::dvec2 middle =
-        (glm::dvec2(first.x(), first.y()) + leaf_side / 2.0 - 1.0) / glm::dvec2(voxels);
+        (glm::dvec2(first.x(), first.y()) + side / 2.0 - 1.0) / glm::dvec2(voxels);
     if (leaf->isEmpty() || glm::any(glm::lessThan(middle, quarter.low)) ||
         glm::any(glm::greaterThan(middle, quarter.high)))
       continue;
-    for (const int inside : {1, leaf_side - 2}) region->tree().setValueOn(first.offsetBy(inside));
+    for (const int inside : {1, side - 2}) region->tree().setValueOn(first.offsetBy(inside));
   }
   return region;
 }
@@ -150,9 +156,10 @@ void write_volume(const fs::path& path, const landscape::Volume& volume) {
   const auto radiance = read_grid<openvdb::Vec3SGrid>(volume.vdb, volume.emission_grid);
   leave_out_empty_voxels(*density);
   count_in_units(*density);
+  const openvdb::MaskTree leaves = leaves_of(*density);
   openvdb::GridPtrVec regions;
   for (const landscape::Part& quarter : landscape::quarters_of_patch(volume.voxels.x)) {
-    const auto region = region_of(quarter, volume.voxels, *density);
+    const auto region = region_of(quarter, volume.voxels, leaves);
     prepare(*region, fmt::format("quarter {}", regions.size()), volume.voxel_m);
     regions.push_back(region);
   }

@@ -37,10 +37,11 @@ struct Texel {
 };
 
 /// How much two neighbours look alike: the same variant shows even when it is turned, and levels
-/// that use fewer turns undo the difference.
+/// that use but two turns undo a half-turn.
 int likeness(const Texel& a, const Texel& b) {
   if (a.variant != b.variant) return 0;
-  return a.turn == b.turn ? 3 : 1;
+  if (a.turn == b.turn) return 3;
+  return a.turn % 2 == b.turn % 2 ? 2 : 1;
 }
 
 /// One of the texels that look least like the neighbours; `uniform` in [0, 1) chooses.

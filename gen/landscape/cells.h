@@ -42,8 +42,8 @@ glm::dmat4 reach_to_neighbours(const Combing& combing, double patch_m, const Sta
                                double height_m);
 
 /// How many of the four quarter-turns a level uses. A turn needs its own baked light and its own
-/// place in a renderer's memory, 200 MB for a volume of 254^3: 1 from 200 voxels per side on, else
-/// 2.
+/// place in a renderer's memory, 200 MB for a volume of 254^3: 1 from 200 voxels per side on, 2
+/// from 50 on, else 4.
 int turns_of_level(int voxels_per_side);
 
 /// How many of them cells of a scene use of a level: a coat has one nap.

@@ -14,6 +14,7 @@ Lengths are metres; x points east, y north, z up.
 import argparse
 import array
 import contextlib
+import itertools
 import json
 import math
 import os
@@ -232,6 +233,11 @@ def inside_part(nodes):
     return compared(nodes, farthest.outputs["Value"], "LESS_THAN", 0.0)
 
 
+def grid_of(quarter):
+    """The grid whose active voxels are in a quarter of the volume."""
+    return f"quarter {quarter}"
+
+
 def asking_for(nodes, grid, density, shader):
     """The same shader, but Cycles counts `grid` among those it needs and makes it part of the hull
     it builds. It is never looked up: all densities are below 1."""
@@ -242,17 +248,17 @@ def asking_for(nodes, grid, density, shader):
                  emission.outputs["Emission"])
 
 
-def grass_material(frame, step_voxels, quarter, in_parts):
-    """For volumes or, if `quarter` is not None, that quarter of them, all of it or parts."""
+def grass_material(frame, step_voxels, quarter):
+    """For volumes or, if `quarter` is not None, that quarter of them."""
     material, nodes = new_material(f"grass, step {step_voxels:.2f}, quarter {quarter}")
     material.cycles.volume_step_rate = step_voxels
     density = nodes.add("ShaderNodeAttribute", attribute_name="density").outputs["Fac"]
     shader = grass_medium(nodes, frame, density)
     if quarter is not None:
-        shader = asking_for(nodes, f"quarter {quarter}", density, shader)
+        shader = asking_for(nodes, grid_of(quarter), density, shader)
     # Where there is no grass, which is most of the air, neither light nor colour is looked up.
     shader = mixed(nodes, compared(nodes, density, "GREATER_THAN", 0.0), None, shader)
-    if in_parts:
+    if quarter is not None:  # the hull alone would not do: Cycles passes over a face now and then
         shader = mixed(nodes, inside_part(nodes), None, shader)
     nodes.link(shader, nodes.add("ShaderNodeOutputMaterial").inputs["Volume"])
     return material
@@ -403,23 +409,51 @@ def load_volume(frame, entry, name):
     volume.render.space = "WORLD"  # extinction is per metre of the world, whatever the shear
     if not volume.grids.load():
         raise DataError(f"{path} is damaged: {volume.grids.error_message}")
-    missing = {"density", "emission"} - {grid.name for grid in volume.grids}
+    needed = {"density", "emission"}
+    if entry.get("quarter") is not None:
+        needed.add(grid_of(entry["quarter"]))
+    missing = needed - {grid.name for grid in volume.grids}
     if missing:
         raise DataError(f"{path} has no grid {' and '.join(sorted(missing))}")
     volume.grids.unload()  # the renderer reads it anew
     return volume
 
 
+def share_of_name(name):
+    """A number in [0, 1], Jenkins' hash (the final mix of lookup3): Cycles moves a volume's hull by
+    a tenth of a metre times this, over how many active voxels it has along a side."""
+    bits = 0xffffffff
+
+    def turned(word, by):
+        return (word << by | word >> (32 - by)) & bits
+
+    word = 0
+    for letter in name.encode():
+        word = (37 * word + letter) & bits
+    words = [(0xdeadbf00 + word) & bits, 0xdeadbf00, 0xdeadbf00]
+    into = 2
+    for by in (14, 11, 25, 16, 4, 14, 24):
+        source = words[(into + 2) % 3]
+        words[into] = ((words[into] ^ source) - turned(source, by)) & bits
+        into = (into + 1) % 3
+    return words[2] / bits
+
+
+def name_of_volume(number):
+    """Names in the order of the numbers, for which Cycles moves no hull by more than a hundredth of
+    what it may: quarters have to meet."""
+    attempts = (f"{number:05d} {attempt}" for attempt in itertools.count())
+    return next(name for name in attempts if share_of_name(name) < 0.01)
+
+
 def load_volumes(frame):
     """The frame's volumes as a collection that is not itself in the scene. Blender orders its
-    members by name, so the names are padded numbers: an instance's index counts on it. And Cycles
-    moves a volume's hull by a hash of its name, which of so few characters is nearly 0: quarters
-    have to meet."""
+    members by name: an instance's index counts on it."""
     collection = bpy.data.collections.new("volumes")
     materials = {}
     for number, entry in enumerate(frame["volumes"]):
-        volume = load_volume(frame, entry, f"{number:04d}")
-        kind = (round(entry["step_voxels"], 2), entry["quarter"], entry["in_parts"])
+        volume = load_volume(frame, entry, name_of_volume(number))
+        kind = (round(entry["step_voxels"], 2), entry["quarter"])
         if kind not in materials:
             materials[kind] = grass_material(frame, *kind)
         if entry["quarter"] is not None:

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
+#include <regex>
 
 #include "blender/export.h"
 #include "core/files.h"
@@ -236,7 +237,7 @@ TEST_F(BlenderRender, JointsOfCellsCannotBeSeen) {
         ++inside;
         const double want = 2.0 * 0.2 * (1.0 - std::exp(-extinction * length));
         const double off = linear_of(picture.pixel(x, y)[1]) - want;
-        ASSERT_LT(std::abs(off), most_off) << "pixel " << x << ", " << y;
+        ASSERT_LT(std::abs(off), most_off) << "view " << number << ", pixel " << x << ", " << y;
         error += off;
         squares += off * off;
       }
@@ -244,6 +245,38 @@ TEST_F(BlenderRender, JointsOfCellsCannotBeSeen) {
     EXPECT_LT(std::abs(error / inside), 0.0005);
     EXPECT_LT(std::sqrt(squares / inside), 0.002);
   }
+}
+
+/// What the renderer has held at once, by its own count, in MB.
+double peak_mb(const std::string& log) {
+  static const std::regex peak(R"(\| Mem:[0-9.]+M, Peak:([0-9.]+)M \|)");
+  double most = 0.0;
+  for (std::sregex_iterator found(log.begin(), log.end(), peak), end; found != end; ++found)
+    most = std::max(most, std::stod((*found)[1]));
+  return most;
+}
+
+// A volume of 126^3 takes 41 MB: as much whole, in quarters, in parts of them, and all at once, but
+// for the quarters' masks.
+TEST_F(BlenderRender, PartsOfAVolumeShareItInMemory) {
+  landscape::Volume& volume = landscape.volumes.front();
+  const int voxels = 126;
+  volume.voxel_m *= static_cast<double>(volume.voxels.x) / voxels;
+  volume.voxels = glm::ivec3(voxels);
+  make_volume(voxels, [&](openvdb::FloatGrid& density, openvdb::Vec3SGrid& emission) {
+    const openvdb::CoordBBox box(openvdb::Coord(1), openvdb::Coord(voxels));
+    density.fill(box, 5.0F);
+    emission.fill(box, openvdb::Vec3s(0.2F));
+  });
+  for (landscape::Cell& cell : landscape.cells) cell.volume = 0;
+  landscape.width_px = 32;
+  landscape.height_px = 18;
+  ASSERT_EQ(run(), 0) << read_file(folder / "log");
+  const double whole_mb = peak_mb(read_file(folder / "log"));
+  EXPECT_GT(whole_mb, 40.0);
+  test::quarter_cells(landscape);
+  ASSERT_EQ(run(), 0) << read_file(folder / "log");
+  EXPECT_LT(peak_mb(read_file(folder / "log")), whole_mb + 10.0);
 }
 
 // A cloud stands in the air, and behind it the backdrop, the right way up.

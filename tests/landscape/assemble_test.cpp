@@ -191,36 +191,6 @@ TEST(Assemble, PartsWithoutBladesAreNotDrawn) {
   EXPECT_EQ(std::ranges::count(used, false), 0);
 }
 
-// A renderer would hold it in memory both ways.
-TEST(Assemble, NoFineVolumeIsShownWholeAndInParts) {
-  const scene::Scene scene = small_meadow();
-  const Site site = make_site(scene);
-  const std::vector<CellChoice> choices =
-      choose_cells(scene, site.terrain, site.growth, *site.withering, 2);
-  const Landscape landscape = assemble(
-      scene, site, 2, choices,
-      {[&](const CellChoice& choice) {
-         Volume volume;
-         volume.voxels = glm::ivec3(scene.grass.levels[static_cast<std::size_t>(choice.level)]);
-         return volume;
-       },
-       {}});
-  std::set<int> whole, in_parts;
-  double area = 0.0;
-  for (const Cell& cell : landscape.cells) {
-    (cell.part.is_whole() ? whole : in_parts).insert(cell.volume);
-    area += (cell.part.high.x - cell.part.low.x) * (cell.part.high.y - cell.part.low.y);
-  }
-  EXPECT_NEAR(area, static_cast<double>(choices.size()), 1e-9);
-  int fine = 0;
-  for (const int volume : in_parts)
-    if (landscape.volumes[static_cast<std::size_t>(volume)].voxels.x > 100) {
-      ++fine;
-      EXPECT_FALSE(whole.contains(volume));
-    }
-  EXPECT_GT(fine, 0);
-}
-
 TEST(WeatheringTint, RestoresTheWantedColour) {
   const scene::Scene scene = small_meadow();
   const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);

@@ -93,7 +93,7 @@ TEST(PartsOnGround, AreAsSmallAsCurvatureAsks) {
 // Blender builds of blocks of eight reach no farther than they must.
 TEST(PartsOnGround, TileThePatchBetweenItsVoxels) {
   const Heightfield bumps = ground([](const glm::dvec2& at_m) {
-    return 0.04 * std::sin(9.0 * at_m.x) * std::cos(7.0 * at_m.y) + 0.3 * at_m.x;
+    return 0.06 * std::sin(9.0 * at_m.x) * std::cos(7.0 * at_m.y) + 0.3 * at_m.x;
   });
   std::set<std::size_t> counts;
   for (const int voxels : {30, 62, 126, 254})

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -110,11 +111,18 @@ TEST(Cells, ShowAsMuchBetweenThemAsWithin) {
 }
 
 TEST(Cells, NeighboursDiffer) {
-  const std::vector<CellChoice> choices = choices_of(from_above());
+  const scene::Scene scene = from_above();
+  const std::vector<CellChoice> choices = choices_of(scene);
   ASSERT_EQ(choices.size(), 24U * 24U);
-  std::map<int, int> uses;
-  for (const CellChoice& choice : choices) ++uses[choice.variant * 4 + choice.turn];
-  EXPECT_EQ(uses.size(), 16U);
+  std::set<std::array<int, 3>> uses, all;
+  for (const CellChoice& choice : choices) {
+    uses.insert({choice.level, choice.variant, choice.turn});
+    for (int variant = 0; variant < scene.grass.variants; ++variant)
+      for (int turn = 0; turn < turns_of_level(scene, choice.level); ++turn)
+        all.insert({choice.level, variant, turn});
+  }
+  EXPECT_EQ(uses, all);
+  EXPECT_GE(all.size(), 8U);
   for (std::size_t k = 0; k < choices.size(); ++k) {
     if (k % 24 > 0) {
       EXPECT_NE(choices[k].variant, choices[k - 1].variant);
