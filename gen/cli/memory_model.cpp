@@ -23,12 +23,16 @@ double ground_samples(const scene::Scene& scene) {
   return static_cast<double>(scene.terrain.samples) * scene.terrain.samples;
 }
 
-double wanted(const SceneFiles& files, double per_volume_byte, double per_cell_byte) {
-  return files.volume_bytes * per_volume_byte + files.cell_bytes * per_cell_byte;
+double blender_bytes(const SceneFiles& files) {
+  return 64.0 * files.volume_bytes + 120.0 * files.cell_bytes;
+}
+
+double povray_bytes(const SceneFiles& files) {
+  return 0.85 * files.volume_bytes + 6.0 * files.cell_bytes + 30.0 * files.part_bytes;
 }
 
 double scene_memory_bytes(const Job& job, int threads) {
-  return idle_bytes(job) + 50.0 * megabyte + cells_bytes(job.scene) +
+  return idle_bytes(job) + 100.0 * megabyte + cells_bytes(job.scene) +
          (20.0 + 16.0 * threads) * voxels_of(job.scene);
 }
 
@@ -56,6 +60,7 @@ SceneFiles files_of(const TaskRecord& scenes, std::string_view renderer) {
     const auto bytes = static_cast<double>(state.bytes);
     if (name.ends_with(".vdb") || name.ends_with(".df3")) files.volume_bytes += bytes;
     if (name.ends_with(".f32") || name.ends_with(".inc")) files.cell_bytes += bytes;
+    if (name.ends_with("/cells.inc")) files.part_bytes += bytes;
   }
   return files;
 }
@@ -63,14 +68,14 @@ SceneFiles files_of(const TaskRecord& scenes, std::string_view renderer) {
 SceneFiles guessed_files(const scene::Scene& scene, Stage stage) {
   constexpr double states = 1.25;  // of a variant, that one picture shows
   const double voxels = states * scene.grass.variants * voxels_of(scene);
-  return stage == Stage::blender ? SceneFiles{0.54 * voxels, 9.0 * ground_samples(scene)}
-                                 : SceneFiles{3.3 * voxels, 100.0 * ground_samples(scene)};
+  return stage == Stage::blender ? SceneFiles{0.54 * voxels, 9.0 * ground_samples(scene), 0.0}
+                                 : SceneFiles{3.3 * voxels, 100.0 * ground_samples(scene), 0.0};
 }
 
 double renderer_memory_bytes(const Job& job, Stage stage, const SceneFiles& files) {
   const double start = (stage == Stage::blender ? 830.0 : 200.0) * megabyte;
   return start + thread_bytes * threads_of(job) +
-         (stage == Stage::blender ? wanted(files, 64.0, 120.0) : wanted(files, 0.85, 6.0));
+         (stage == Stage::blender ? blender_bytes(files) : povray_bytes(files));
 }
 
 }  // namespace wold::cli

@@ -26,6 +26,7 @@ double scene_memory_bytes(const Job& job);
 struct SceneFiles {
   double volume_bytes = 0.0;  ///< .vdb or .df3
   double cell_bytes = 0.0;    ///< .f32 or .inc: ground and cells
+  double part_bytes = 0.0;    ///< of these, cells.inc: a line for each part of a cell
 };
 
 SceneFiles files_of(const TaskRecord& scenes, std::string_view renderer);
