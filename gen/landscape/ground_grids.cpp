@@ -14,10 +14,15 @@ constexpr double side_ratio = 0.25;
 constexpr double ahead = 0.3;  ///< of a square's side, from the eye to its middle
 constexpr int most_samples = 2049;
 
-int picture_samples(const scene::Scene& scene) {
+/// Along a side, so that a step covers two and a half pixels at most where it is a fifth of the
+/// side away.
+double needed_samples(const scene::Scene& scene) {
   constexpr double samples_per_pixel = 2.0;
-  const double samples = std::ceil(samples_per_pixel * pixels_per_radian(scene)) + 1.0;
-  return static_cast<int>(std::clamp<double>(samples, 65, most_samples));
+  return std::ceil(samples_per_pixel * pixels_per_radian(scene)) + 1.0;
+}
+
+int picture_samples(const scene::Scene& scene) {
+  return static_cast<int>(std::clamp<double>(needed_samples(scene), 65, most_samples));
 }
 
 /// Level direction of view; none when the camera looks straight down.
@@ -31,6 +36,14 @@ glm::dvec2 ahead_of(const Camera& camera) {
 
 GroundGrid whole_grid(const scene::Scene& scene) {
   return {{.size_m = scene.terrain.size_m}, picture_samples(scene)};
+}
+
+GroundGrid picture_grid(const scene::Scene& scene) {
+  constexpr double usual_step_m = 0.03, least_step_m = 0.005;
+  const double size_m = scene.terrain.size_m;
+  const double samples = std::clamp<double>(
+      needed_samples(scene), map_samples(size_m, usual_step_m), map_samples(size_m, least_step_m));
+  return {{.size_m = size_m}, static_cast<int>(samples)};
 }
 
 std::vector<GroundGrid> detail_grids(const scene::Scene& scene, const Camera& camera) {

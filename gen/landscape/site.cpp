@@ -73,7 +73,7 @@ GroundPart whole_ground(const scene::Scene& scene, const Heightfield& terrain,
   terrain::GroundLight light = terrain::ground_light(terrain, day);
   ColourMap reflectance =
       terrain::ground_reflectance(terrain, day.sun_direction(), scene.terrain, scene.seed, growth,
-                                  canopy_transmittance(scene.grass));
+                                  canopy_transmittance(scene.grass), picture_grid(scene));
   return {std::move(growth), std::move(light), std::move(reflectance)};
 }
 

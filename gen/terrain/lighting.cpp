@@ -197,13 +197,6 @@ GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day,
 
 ColourMap ground_reflectance(const Heightfield& terrain, const glm::dvec3& sun_direction,
                              const scene::Terrain& look, std::uint64_t seed,
-                             const FactorMap& growth, double canopy_transmittance) {
-  return ground_reflectance(terrain, sun_direction, look, seed, growth, canopy_transmittance,
-                            {{.size_m = terrain.size_m()}, map_samples(terrain.size_m(), 0.03)});
-}
-
-ColourMap ground_reflectance(const Heightfield& terrain, const glm::dvec3& sun_direction,
-                             const scene::Terrain& look, std::uint64_t seed,
                              const FactorMap& growth, double canopy_transmittance,
                              const GroundGrid& grid) {
   ColourMap map(grid.samples, grid.square);

@@ -29,13 +29,10 @@ GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day,
 /// What the bare ground makes of the light that falls on it: radiance over irradiance, albedo / pi.
 ///
 /// The albedo varies about terrain.ground_albedo: moist hollows and litter (keyed fBm), detail down
-/// to the map's step of about 3 cm; beyond terrain.rock_slope it turns to rock, whose relief the
-/// sun shows. Where grass stands, `growth` in [0, 1], the share `canopy_transmittance` of the light
-/// comes through to the ground and back, its power of `growth` where it stands thinner.
-ColourMap ground_reflectance(const Heightfield& terrain, const glm::dvec3& sun_direction,
-                             const scene::Terrain& look, std::uint64_t seed,
-                             const FactorMap& growth, double canopy_transmittance);
-/// The same on another grid; what is smaller than its step shows its mean.
+/// to the grid's step, what is smaller shows its mean; beyond terrain.rock_slope it turns to rock,
+/// whose relief the sun shows. Where grass stands, `growth` in [0, 1], the share
+/// `canopy_transmittance` of the light comes through to the ground and back, its power of `growth`
+/// where it stands thinner.
 ColourMap ground_reflectance(const Heightfield& terrain, const glm::dvec3& sun_direction,
                              const scene::Terrain& look, std::uint64_t seed,
                              const FactorMap& growth, double canopy_transmittance,

@@ -29,8 +29,8 @@ class Rock {
     double tilt;  ///< how far faces turn from the ground's
     double dark;  ///< share of the light that joints take
   };
-  static constexpr std::array<Size, 3> sizes = {
-      {{1.2, 0.42, 0.6}, {0.4, 0.26, 0.4}, {0.12, 0.16, 0.2}}};
+  static constexpr std::array<Size, 4> sizes = {
+      {{1.2, 0.42, 0.6}, {0.4, 0.26, 0.4}, {0.12, 0.16, 0.2}, {0.03, 0.14, 0.07}}};
 
   glm::dvec3 bedded(const glm::dvec3& place_m) const;
   glm::vec3 stain_at(const glm::dvec3& place_m) const;

@@ -37,7 +37,8 @@ rmse() { "$wold" compare "$1" "$2" | sed -n 's/^ *"rmse": \(.*\),$/\1/p' | tail 
 echo '| renderer | drawn as | samples | seconds | memory | error |'
 echo '|---|---|---|---|---|---|'
 for route in texels blades; do
-  "$wold" generate "$scene" --quiet --frames 1 --out "$out/$route" --grass "$route" --renderer both "$@"
+  "$wold" generate "$scene" --quiet --frames 1 --size "${size[0]}x${size[1]}" \
+    --out "$out/$route" --grass "$route" --renderer both "$@"
 done
 for renderer in blender povray; do
   for route in texels blades; do
