@@ -8,17 +8,18 @@
 
 namespace wold::landscape {
 
-/// The grid of the picture of a large terrain's ground (is_large()).
+/// The grid of the picture of the ground of a terrain that is not large (is_large()): steps of 3
+/// cm, finer ones, down to 5 mm, where the scene's picture is large enough to show them; at most
+/// 4097 samples along a side.
+GroundGrid picture_grid(const scene::Scene& scene);
+
+/// The grids of the pictures of a large terrain's ground.
 ///
 /// The whole terrain, and about the camera squares of a quarter of the side of the one before, down
 /// to steps of 3 cm. All have the same number of samples. The eye stands at a fifth of a square's
 /// side from its rear, so that what lies beyond a square is at least a fifth of the next coarser
 /// one's side away: with two samples per pixel and radian a step there covers 2.5 pixels at most.
 GroundGrid whole_grid(const scene::Scene& scene);
-
-/// Of the picture of the ground of a terrain that is not large: steps of 3 cm, finer ones where the
-/// scene's picture is large enough to show them.
-GroundGrid picture_grid(const scene::Scene& scene);
 
 /// Coarse to fine; they lie on their own steps, whole numbers of them apart when the camera moves.
 /// They may reach beyond the terrain. None for terrains that are not large.

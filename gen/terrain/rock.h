@@ -9,7 +9,7 @@
 namespace wold::terrain {
 
 /// The look of bare rock: beds that dip a little, broken by joints into blocks, these into smaller
-/// ones and these again (cellular noise, Worley 1996). Each block has a face of its own that turns
+/// ones and so on (cellular noise, Worley 1996). Each block has a face of its own that turns
 /// to or away from the light, and dark joints about it. Keyed, in space, so that steep faces show
 /// blocks and not their plan drawn out.
 class Rock {
