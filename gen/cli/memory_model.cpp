@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "landscape/cell_window.h"
+#include "landscape/ground_grids.h"
+
 namespace wold::cli {
 namespace {
 
@@ -23,6 +26,14 @@ double ground_samples(const scene::Scene& scene) {
   return static_cast<double>(scene.terrain.samples) * scene.terrain.samples;
 }
 
+/// Painting the ground and what else a frame needs; more where the ground's picture is large.
+double painting_bytes(const scene::Scene& scene) {
+  constexpr double usual = 100.0 * megabyte, least = 30.0 * megabyte, sample_bytes = 47.0;
+  if (landscape::is_large(scene)) return usual;
+  const double along_a_side = landscape::picture_grid(scene).samples;
+  return std::max(usual, least + sample_bytes * along_a_side * along_a_side);
+}
+
 double blender_bytes(const SceneFiles& files) {
   return 64.0 * files.volume_bytes + 120.0 * files.cell_bytes;
 }
@@ -32,7 +43,7 @@ double povray_bytes(const SceneFiles& files) {
 }
 
 double scene_memory_bytes(const Job& job, int threads) {
-  return idle_bytes(job) + 100.0 * megabyte + cells_bytes(job.scene) +
+  return idle_bytes(job) + painting_bytes(job.scene) + cells_bytes(job.scene) +
          (20.0 + 16.0 * threads) * voxels_of(job.scene);
 }
 

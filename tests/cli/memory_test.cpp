@@ -23,8 +23,8 @@ class Memory : public SmallFilm {
       "render small.toml --renderer blender --quiet --out out --threads 8 --memory ";
 
   /// What `plan` says that a task of the stage takes, MB.
-  double planned_mb(const std::string& stage) const {
-    const Result result = wold("plan small.toml --renderer blender --json --threads 8 --out out");
+  double planned_mb(const std::string& stage, const std::string& options = "--threads 8") const {
+    const Result result = wold("plan small.toml --renderer blender --json --out out " + options);
     const auto plan = nlohmann::json::parse(result.out);
     for (const auto& entry : plan.at("stages"))
       if (entry.at("stage") == stage)
@@ -89,6 +89,17 @@ TEST_F(Memory, ThatRunsOutAnywhereLeavesNothingHalfMade) {
   EXPECT_GE(failed, 3);
   for (const char* out : {" out", " undisturbed"}) ASSERT_EQ(shell(generate + out).code, 0);
   EXPECT_THAT(different(contents("out"), contents("undisturbed")), testing::IsEmpty());
+}
+
+// The ground's picture grows with the scene's.
+TEST_F(Memory, PlannedForALargePictureIsEnough) {
+  const std::string large = "--threads 2 --size 1920x108 --set terrain.size=20";
+  const double scenes_mb = planned_mb("scenes", large);
+  EXPECT_GT(scenes_mb, planned_mb("scenes", "--threads 2") + 200.0);
+  const Result result = shell(
+      fmt::format("ulimit -S -d {:.0f}; {}", scenes_mb * 1000.0,
+                  command("generate small.toml --renderer blender --quiet --out out " + large)));
+  EXPECT_EQ(result.code, 0) << result.err;
 }
 
 using TinyFilmsMemory = TinyFilm;
