@@ -98,12 +98,13 @@ def remove_landscape():
 
 
 def gather(things):
-    """Moves new objects from the scene's own collection into one of the landscape's."""
+    """Moves new objects from the scene's own collection into one of the landscape's, in their
+    order."""
     scene = bpy.context.scene
     home = bpy.data.collections.new("Wold landscape")
     scene.collection.children.link(home)
-    for thing in things:
-        if isinstance(thing, bpy.types.Object) and thing.name in scene.collection.objects:
+    for thing in tuple(scene.collection.objects):
+        if thing in things:
             scene.collection.objects.unlink(thing)
             home.objects.link(thing)
 

@@ -2,7 +2,7 @@
 # Time and memory of examples/mountain.toml by the number of its cells: what generating takes, how
 # many parts of them are drawn, and what each renderer takes for one frame of 960x540.
 #
-#     tests/benchmark/cells.sh [CELLS PER SIDE...]       default: 10 40 80 160 320
+#     tests/benchmark/cells.sh [CELLS PER SIDE...]       default: 10 40 80 160 320 1000
 set -euo pipefail
 here=$(cd "$(dirname "$0")/../.." && pwd)
 wold=$here/build/wold
@@ -18,7 +18,7 @@ times() { awk -v side="$1" -v factor="$2" 'BEGIN {print side * factor}'; }
 
 echo '| cells | parts drawn | generate | memory | Blender | memory | POV-Ray | memory |'
 echo '|---|---|---|---|---|---|---|---|'
-[ $# -gt 0 ] || set -- 10 40 80 160 320
+[ $# -gt 0 ] || set -- 10 40 80 160 320 1000
 for cells in "$@"; do
   out=$work/$cells
   size=$(times "$cells" 0.6)

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <glm/gtc/matrix_transform.hpp>
@@ -277,6 +278,27 @@ TEST_F(BlenderRender, PartsOfAVolumeShareItInMemory) {
   test::quarter_cells(landscape);
   ASSERT_EQ(run(), 0) << read_file(folder / "log");
   EXPECT_LT(peak_mb(read_file(folder / "log")), whole_mb + 10.0);
+}
+
+// Cycles holds the bounds of volumes against each other's, for which it took five times as long for
+// four times the cells, and more than ten minutes for hundreds of thousands.
+TEST_F(BlenderRender, TimeGrowsNoFasterThanTheNumberOfCells) {
+  landscape.width_px = 16;
+  landscape.height_px = 9;
+  landscape.samples = 1;
+  const auto seconds = [&](int cells_per_side) {
+    const Landscape grown = test::synthetic_landscape(
+        {.cells_per_side = cells_per_side, .volumes = 1}, folder / "texels");
+    landscape.terrain = grown.terrain;
+    landscape.cells = grown.cells;
+    export_frame(landscape, folder);
+    export_scene(folder);
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(rerun(), 0) << read_file(folder / "log");
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  const double some_s = seconds(125);
+  EXPECT_LT(seconds(250), 4.0 * some_s);
 }
 
 // A cloud stands in the air, and behind it the backdrop, the right way up.
