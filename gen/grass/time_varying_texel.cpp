@@ -103,6 +103,8 @@ std::string described(const scene::Scene& scene, const Lighting& lighting) {
   relevant.ageing.frames = plain.ageing.frames;
   relevant.ageing.variation = plain.ageing.variation;
   relevant.ageing.variation_feature_m = plain.ageing.variation_feature_m;
+  relevant.ageing.variety = plain.ageing.variety;
+  relevant.ageing.variety_feature_m = plain.ageing.variety_feature_m;
   const auto three = [](const auto& v) { return fmt::format(" {},{},{}", v.x, v.y, v.z); };
   std::string text = texel_models() + scene::resolved_toml(relevant);
   text += three(lighting.sun_direction) + three(lighting.sun_irradiance) +

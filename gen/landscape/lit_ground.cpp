@@ -80,16 +80,21 @@ LitGround::LitGround(const scene::Scene& scene, const Site& site, const Landscap
       model_(scene.ageing, scene.grass.specular),
       patch_(scene, model_, /*variant=*/0),
       combed_(combed_light(scene, site, frame_, patch_.at(landscape.weathering, snow_), model_)) {
+  if (scene.ageing.variety > 0.0) variety_.emplace(scene, patch_, snow_);
   if (shows_distance(scene, site, frame_))
     meadow_.emplace(scene, site.terrain, *site.withering, view_, frame_,
                     far_looks(scene, site, frame_, far));
 }
 
 ColourMap LitGround::on_grass(const ColourMap& light, const GroundGrid& grid) const {
-  if (!is_large(scene_) && !site_.sketch)
-    return product(light, combed_light_map(combed_, combing_, site_.terrain, view_));
-  return product(light, combed_light_map(combed_, combing_, site_.terrain, view_,
-                                         combed_grid(grid, site_.sketch)));
+  const FactorMap combed = is_large(scene_) || site_.sketch
+                               ? combed_light_map(combed_, combing_, site_.terrain, view_,
+                                                  combed_grid(grid, site_.sketch))
+                               : combed_light_map(combed_, combing_, site_.terrain, view_);
+  const ColourMap on_combed = product(light, combed);
+  if (!variety_) return on_combed;
+  return product(on_combed, variety_map(*variety_, *site_.withering, frame_,
+                                        {light.square(), light.samples()}));
 }
 
 ColourMap LitGround::painted(ColourMap ground, const FactorMap& growth,

@@ -16,6 +16,7 @@
 #include "landscape/landscape.h"
 #include "landscape/site.h"
 #include "landscape/snowy_ground.h"
+#include "landscape/variety.h"
 #include "landscape/view.h"
 #include "scene/scene.h"
 
@@ -62,7 +63,8 @@ class LitGround {
   grass::AgeingModel model_;
   grass::WitheringPatch patch_;
   CombedLight combed_;
-  std::optional<Meadow> meadow_;  ///< as it looks from afar, where it is seen so
+  std::optional<Variety> variety_;  ///< of colour, if any
+  std::optional<Meadow> meadow_;    ///< as it looks from afar, where it is seen so
 };
 
 }  // namespace wold::landscape

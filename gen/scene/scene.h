@@ -115,6 +115,8 @@ struct Ageing {
   Fur fur;                           ///< how it is combed and coloured when it is hair
   double variation = 0.10;           ///< amplitude of the weathering field on the ground
   double variation_feature_m = 7.0;  ///< its feature size
+  double variety = 0.3;              ///< of pigments on the ground, standard deviation of their log
+  double variety_feature_m = 4.0;    ///< its largest feature size
   std::vector<double> frames = {0.0, 0.30, 0.917};  ///< weathering degree of each frame
 
   bool operator==(const Ageing&) const = default;

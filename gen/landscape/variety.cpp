@@ -1,0 +1,98 @@
+#include "landscape/variety.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/noise.h"
+#include "core/parallel.h"
+#include "core/random.h"
+#include "grass/dynamics.h"
+
+namespace wold::landscape {
+namespace {
+
+constexpr double most_richness = 2.5;
+constexpr std::size_t degrees = 33;
+
+scene::Ageing enriched(scene::Ageing ageing, double richness) {
+  const double factor = std::exp(ageing.variety * richness);
+  ageing.chlorophyll_ug_cm2 *= factor;
+  ageing.brown_pigment /= factor;
+  return ageing;
+}
+
+/// Where a value in [0, 1] lies in a table of so many: the place before it, and how far beyond.
+struct Between {
+  std::size_t first;
+  float share;
+};
+
+Between between(double value, std::size_t count) {
+  const double place = std::clamp(value, 0.0, 1.0) * static_cast<double>(count - 1);
+  const std::size_t first = std::min(static_cast<std::size_t>(place), count - 2);
+  return {first, static_cast<float>(place - static_cast<double>(first))};
+}
+
+}  // namespace
+
+Variety::Variety(const scene::Scene& scene, const grass::WitheringPatch& patch, double snow)
+    : feature_m_(scene.ageing.variety_feature_m),
+      key_(random_bits({scene.seed, key_of("variety"), 0, key_of("field")})),
+      factors_(degrees) {
+  std::vector<grass::AgeingModel> models;
+  const std::size_t count = ByRichness{}.size();
+  for (std::size_t k = 0; k < count; ++k)
+    models.emplace_back(
+        enriched(scene.ageing,
+                 most_richness * (2.0 * static_cast<double>(k) / (count - 1.0) - 1.0)),
+        scene.grass.specular);
+  parallel_for(degrees, [&](std::size_t degree) {
+    const grass::BladePatch withered = patch.at(static_cast<double>(degree) / (degrees - 1), snow);
+    ByRichness& factors = factors_[degree];
+    std::ranges::transform(models, factors.begin(), [&](const grass::AgeingModel& model) {
+      return glm::max(grass::mean_albedo(withered, model), 1e-3F);  // a channel may be empty
+    });
+    const glm::vec3 usual = factors[count / 2];
+    for (glm::vec3& factor : factors) factor /= usual;
+  });
+}
+
+double Variety::richness(const glm::dvec2& at_m, double step_m) const {
+  constexpr int octaves = 4;
+  constexpr double rough = 0.7;  // height of an octave over that of the one twice as large
+  double sum = 0.0, variance = 0.0, height = 1.0, feature_m = feature_m_;
+  for (std::uint64_t octave = 0; octave < octaves; ++octave) {
+    const Fbm field{random_bits({key_, key_of("octave"), octave, 0}), /*octaves=*/1};
+    const double shown = shown_share(feature_m, step_m);
+    if (shown > 0.0) sum += shown * height * fbm(at_m / feature_m, field);
+    variance += height * height;
+    height *= rough;
+    feature_m *= 0.5;
+  }
+  return std::clamp(sum / std::sqrt(variance), -most_richness, most_richness);
+}
+
+glm::vec3 Variety::factor(double richness, double weathering) const {
+  const Between degree = between(weathering, factors_.size());
+  const Between rich = between(0.5 + 0.5 * richness / most_richness, ByRichness{}.size());
+  const auto at_degree = [&](std::size_t k) {
+    return glm::mix(factors_[k][rich.first], factors_[k][rich.first + 1], rich.share);
+  };
+  return glm::mix(at_degree(degree.first), at_degree(degree.first + 1), degree.share);
+}
+
+ColourMap variety_map(const Variety& variety, const Withering& withering, int frame,
+                      const GroundGrid& grid) {
+  ColourMap map(grid.samples, grid.square);
+  parallel_for(static_cast<std::size_t>(grid.samples), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < grid.samples; ++i) {
+      const glm::dvec2 at_m = map.place_m(i, j);
+      map.at(i, j) =
+          variety.factor(variety.richness(at_m, grid.step_m()), withering.at(at_m, frame));
+    }
+  });
+  return map;
+}
+
+}  // namespace wold::landscape

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "core/ground_map.h"
+#include "grass/blade_patch.h"
+#include "landscape/withering.h"
+#include "scene/scene.h"
+
+namespace wold::landscape {
+
+/// How the colour of a meadow differs from place to place, as rich and poor soil and other species
+/// make it: by a keyed field of standard deviation 1, the richness. Leaves there hold
+/// exp(ageing.variety * richness) times the scene's chlorophyll and die with
+/// exp(-ageing.variety * richness) times its brown pigment.
+class Variety {
+ public:
+  /// `patch`: the scene's; `snow` in [0, 1]: the share of what its blades can carry that lies on
+  /// them. Throws what AgeingModel's constructor throws.
+  Variety(const scene::Scene& scene, const grass::WitheringPatch& patch, double snow);
+
+  /// In [-2.5, 2.5]; without what a map with steps of `step_m` cannot show.
+  double richness(const glm::dvec2& at_m, double step_m) const;
+
+  /// Factor on the radiance of grass of a richness at a weathering degree in [0, 1].
+  glm::vec3 factor(double richness, double weathering) const;
+
+ private:
+  using ByRichness = std::array<glm::vec3, 5>;  ///< from the least to the largest
+
+  double feature_m_;
+  std::uint64_t key_;
+  std::vector<ByRichness> factors_;  ///< by weathering degree, from 0 to 1
+};
+
+/// The factor everywhere on a grid in a frame (from 1).
+ColourMap variety_map(const Variety& variety, const Withering& withering, int frame,
+                      const GroundGrid& grid);
+
+}  // namespace wold::landscape
