@@ -20,10 +20,10 @@ CombedLight::CombedLight(std::vector<grass::Fibre> fibres, grass::Lighting light
     : fibres_(std::move(fibres)), lighting_(std::move(lighting)), skylight_(0.0F), gloss_(gloss) {
   for (const grass::SkyDirection& sky : grass::sky_directions(lighting_))
     skylight_ += 0.5F * sky.irradiance;
-  upright_ = luminance(glm::dvec2(0.0), lighting_.eye_direction);
+  upright_ = radiance(glm::dvec2(0.0), lighting_.eye_direction);
 }
 
-float CombedLight::luminance(const glm::dvec2& lean, const glm::dvec3& to_eye) const {
+glm::vec3 CombedLight::radiance(const glm::dvec2& lean, const glm::dvec3& to_eye) const {
   constexpr float sunlit = 0.5F;
   grass::TurnedLight light(lighting_, /*turn=*/0);
   light.eye = glm::vec3(to_eye);
@@ -31,11 +31,11 @@ float CombedLight::luminance(const glm::dvec2& lean, const glm::dvec3& to_eye) c
   for (const grass::Fibre& fibre : fibres_)
     sum +=
         grass::source_radiance(leaning(fibre, glm::vec2(lean)), light, sunlit, skylight_, gloss_);
-  return wold::luminance(sum);
+  return sum;
 }
 
 float CombedLight::factor(const glm::dvec2& lean, const glm::dvec3& to_eye) const {
-  return luminance(lean, to_eye) / upright_;
+  return luminance(radiance(lean, to_eye)) / luminance(upright_);
 }
 
 FactorMap combed_light_map(const CombedLight& light, const Combing& combing,

@@ -22,14 +22,17 @@ class CombedLight {
   /// in half the sun and half the sky. `lean` is Combing's, `to_eye` unit.
   float factor(const glm::dvec2& lean, const glm::dvec3& to_eye) const;
 
+  /// Radiance of the upright ones, all together, to the baked eye.
+  const glm::vec3& upright() const { return upright_; }
+
  private:
-  float luminance(const glm::dvec2& lean, const glm::dvec3& to_eye) const;
+  glm::vec3 radiance(const glm::dvec2& lean, const glm::dvec3& to_eye) const;
 
   std::vector<grass::Fibre> fibres_;
   grass::Lighting lighting_;
   glm::vec3 skylight_;
   float gloss_;
-  float upright_;
+  glm::vec3 upright_;
 };
 
 /// The factor everywhere on the terrain: it makes the waves visible, silvery where blades lie so

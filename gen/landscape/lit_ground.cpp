@@ -80,7 +80,8 @@ LitGround::LitGround(const scene::Scene& scene, const Site& site, const Landscap
       model_(scene.ageing, scene.grass.specular),
       patch_(scene, model_, /*variant=*/0),
       combed_(combed_light(scene, site, frame_, patch_.at(landscape.weathering, snow_), model_)) {
-  if (scene.ageing.variety > 0.0) variety_.emplace(scene, patch_, snow_);
+  if (scene.ageing.variety > 0.0)
+    variety_.emplace(scene, patch_, snow_, frame_lighting(scene, site, frame_));
   if (shows_distance(scene, site, frame_))
     meadow_.emplace(scene, site.terrain, *site.withering, view_, frame_,
                     far_looks(scene, site, frame_, far));

@@ -7,6 +7,8 @@
 #include "core/parallel.h"
 #include "core/random.h"
 #include "grass/dynamics.h"
+#include "grass/fibres.h"
+#include "landscape/combed_light.h"
 
 namespace wold::landscape {
 namespace {
@@ -35,7 +37,8 @@ Between between(double value, std::size_t count) {
 
 }  // namespace
 
-Variety::Variety(const scene::Scene& scene, const grass::WitheringPatch& patch, double snow)
+Variety::Variety(const scene::Scene& scene, const grass::WitheringPatch& patch, double snow,
+                 const grass::Lighting& lighting)
     : feature_m_(scene.ageing.variety_feature_m),
       key_(random_bits({scene.seed, key_of("variety"), 0, key_of("field")})),
       factors_(degrees) {
@@ -50,7 +53,10 @@ Variety::Variety(const scene::Scene& scene, const grass::WitheringPatch& patch, 
     const grass::BladePatch withered = patch.at(static_cast<double>(degree) / (degrees - 1), snow);
     ByRichness& factors = factors_[degree];
     std::ranges::transform(models, factors.begin(), [&](const grass::AgeingModel& model) {
-      return glm::max(grass::mean_albedo(withered, model), 1e-3F);  // a channel may be empty
+      constexpr int fibres = 150;
+      const CombedLight light(grass::representative_fibres(withered, model, fibres), lighting,
+                              static_cast<float>(scene.grass.gloss));
+      return glm::max(light.upright(), 1e-6F);  // a channel may be empty
     });
     const glm::vec3 usual = factors[count / 2];
     for (glm::vec3& factor : factors) factor /= usual;

@@ -7,6 +7,7 @@
 
 #include "core/ground_map.h"
 #include "grass/blade_patch.h"
+#include "grass/shading.h"
 #include "landscape/withering.h"
 #include "scene/scene.h"
 
@@ -18,9 +19,10 @@ namespace wold::landscape {
 /// exp(-ageing.variety * richness) times its brown pigment.
 class Variety {
  public:
-  /// `patch`: the scene's; `snow` in [0, 1]: the share of what its blades can carry that lies on
-  /// them. Throws what AgeingModel's constructor throws.
-  Variety(const scene::Scene& scene, const grass::WitheringPatch& patch, double snow);
+  /// `patch` is the scene's, `snow` in [0, 1] the share of what its blades can carry that lies on
+  /// them, `lighting` what it was baked for. Throws what AgeingModel's constructor throws.
+  Variety(const scene::Scene& scene, const grass::WitheringPatch& patch, double snow,
+          const grass::Lighting& lighting);
 
   /// In [-2.5, 2.5]; without what a map with steps of `step_m` cannot show.
   double richness(const glm::dvec2& at_m, double step_m) const;

@@ -16,14 +16,22 @@ scene::Scene even_meadow() {
   scene.grass.blades = 20;
   scene.ageing.fresh_spread = 0.0;
   scene.ageing.litter = 0.0;
+  scene.grass.specular = 0.0;
   return scene;
+}
+
+grass::Lighting half_the_sky() {
+  return {.sun_direction = {0.0, 0.6, 0.8},
+          .sun_irradiance = glm::vec3(3.0F),
+          .sky_radiance = std::vector<glm::vec3>(grass::sky_rings().size(), glm::vec3(0.2F)),
+          .eye_direction = {0.0, -1.0, 0.0}};
 }
 
 struct Sward {
   explicit Sward(const scene::Scene& scene)
       : model(scene.ageing, scene.grass.specular),
         patch(scene, model, /*variant=*/0),
-        variety(scene, patch, /*snow=*/0.0) {}
+        variety(scene, patch, /*snow=*/0.0, half_the_sky()) {}
 
   grass::AgeingModel model;
   grass::WitheringPatch patch;
@@ -45,6 +53,12 @@ TEST(Variety, HasTheDeviationThatWasAskedForAndNoneThatAMapCannotShow) {
   EXPECT_NEAR(std::sqrt(squares / places), 1.0, 0.05);
 }
 
+/// What a canopy of such leaves scatters, by the recollision probability 0.45.
+glm::vec3 canopy(const scene::Ageing& ageing, double weathering) {
+  const glm::vec3 leaf = grass::LeafColour(ageing)(weathering).albedo;
+  return leaf / (1.0F - 0.45F * leaf);
+}
+
 // The leaf model knows what more chlorophyll and less brown pigment look like.
 TEST(Variety, IsThatOfTheLeavesPigments) {
   const scene::Scene scene = even_meadow();
@@ -53,8 +67,7 @@ TEST(Variety, IsThatOfTheLeavesPigments) {
   rich.brown_pigment *= std::exp(-2.5 * rich.variety);
   const Sward sward(scene);
   for (const double weathering : {0.0, 1.0}) {
-    const glm::vec3 wanted = grass::LeafColour(rich)(weathering).albedo /
-                             grass::LeafColour(scene.ageing)(weathering).albedo;
+    const glm::vec3 wanted = canopy(rich, weathering) / canopy(scene.ageing, weathering);
     const glm::vec3 got = sward.variety.factor(2.5, weathering);
     for (int channel = 0; channel < 3; ++channel)
       EXPECT_NEAR(got[channel], wanted[channel], 0.02) << weathering;
