@@ -94,7 +94,7 @@ ColourMap LitGround::on_grass(const ColourMap& light, const GroundGrid& grid) co
                                : combed_light_map(combed_, combing_, site_.terrain, view_);
   const ColourMap on_combed = product(light, combed);
   if (!variety_) return on_combed;
-  return product(on_combed, variety_map(*variety_, *site_.withering, frame_,
+  return product(on_combed, variety_map(*variety_, *site_.withering, frame_, site_.terrain, view_,
                                         {light.square(), light.samples()}));
 }
 

@@ -9,6 +9,7 @@
 #include "grass/dynamics.h"
 #include "grass/fibres.h"
 #include "landscape/combed_light.h"
+#include "landscape/each_in_view.h"
 
 namespace wold::landscape {
 namespace {
@@ -88,15 +89,11 @@ glm::vec3 Variety::factor(double richness, double weathering) const {
 }
 
 ColourMap variety_map(const Variety& variety, const Withering& withering, int frame,
-                      const GroundGrid& grid) {
-  ColourMap map(grid.samples, grid.square);
-  parallel_for(static_cast<std::size_t>(grid.samples), [&](std::size_t row) {
-    const int j = static_cast<int>(row);
-    for (int i = 0; i < grid.samples; ++i) {
-      const glm::dvec2 at_m = map.place_m(i, j);
-      map.at(i, j) =
-          variety.factor(variety.richness(at_m, grid.step_m()), withering.at(at_m, frame));
-    }
+                      const Heightfield& terrain, const View& view, const GroundGrid& grid) {
+  ColourMap map(grid.samples, grid.square, glm::vec3(1.0F));
+  each_in_view(map, terrain, view, [&](int i, int j, const glm::dvec3& place_m) {
+    const glm::dvec2 at_m(place_m);
+    map.at(i, j) = variety.factor(variety.richness(at_m, grid.step_m()), withering.at(at_m, frame));
   });
   return map;
 }

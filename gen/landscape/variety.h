@@ -8,6 +8,7 @@
 #include "core/ground_map.h"
 #include "grass/blade_patch.h"
 #include "grass/shading.h"
+#include "landscape/view.h"
 #include "landscape/withering.h"
 #include "scene/scene.h"
 
@@ -38,8 +39,8 @@ class Variety {
   std::vector<ByRichness> factors_;  ///< by weathering degree, from 0 to 1
 };
 
-/// The factor everywhere on a grid in a frame (from 1).
+/// The factor on a grid in a frame (from 1), where it is in view.
 ColourMap variety_map(const Variety& variety, const Withering& withering, int frame,
-                      const GroundGrid& grid);
+                      const Heightfield& terrain, const View& view, const GroundGrid& grid);
 
 }  // namespace wold::landscape

@@ -218,7 +218,8 @@ std::vector<Key> ageing_keys() {
       bound(number("ageing.variation_feature", "m", {0.1, 1000}, "Size of such places."),
             FIELD(ageing.variation_feature_m)),
       bound(number("ageing.variety", "", {0, 0.5},
-                   "How far chlorophyll and brown pigment differ from place to place, as a share."),
+                   "How far chlorophyll and brown pigment differ from place to place, as a share, "
+                   "with ageing.colour \"prospect\"."),
             FIELD(ageing.variety)),
       bound(number("ageing.variety_feature", "m", {0.1, 1000},
                    "Size of the largest such places; others are down to an eighth of it."),
