@@ -17,7 +17,8 @@ namespace wold::landscape {
 /// How the colour of a meadow differs from place to place, as rich and poor soil and other species
 /// make it: by a keyed field of standard deviation 1, the richness. Leaves there hold
 /// exp(ageing.variety * richness) times the scene's chlorophyll and die with
-/// exp(-ageing.variety * richness) times its brown pigment.
+/// exp(-ageing.variety * richness) times its brown pigment. That is a modelling choice; what it
+/// looks like is the leaf model's.
 class Variety {
  public:
   /// `patch` is the scene's, `snow` in [0, 1] the share of what its blades can carry that lies on
@@ -25,10 +26,12 @@ class Variety {
   Variety(const scene::Scene& scene, const grass::WitheringPatch& patch, double snow,
           const grass::Lighting& lighting);
 
-  /// In [-2.5, 2.5]; without what a map with steps of `step_m` cannot show.
+  /// In [-2.5, 2.5]; of features from ageing.variety_feature down to an eighth of it, as far as a
+  /// map with steps of `step_m` shows them.
   double richness(const glm::dvec2& at_m, double step_m) const;
 
-  /// Factor on the radiance of grass of a richness at a weathering degree in [0, 1].
+  /// Factor on the radiance (linear sRGB) of grass of a richness at a weathering degree in [0, 1],
+  /// more than 0; 1 where the richness is 0.
   glm::vec3 factor(double richness, double weathering) const;
 
  private:
