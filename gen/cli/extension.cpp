@@ -28,7 +28,7 @@ std::string how_to_use(const fs::path& archive, const fs::path& script) {
   return fmt::format(
       "Blender 4.2 and newer: blender --command extension install-file -r user_default -e {0}\n"
       "  or Edit > Preferences > Get Extensions > Install from Disk\n"
-      "Blender 3.4 to 4.1: Edit > Preferences > Add-ons > Install, then enable \"Wold\"\n"
+      "Blender 3.4 to 4.1: Edit > Preferences > Add-ons > Install, then enable \"Wold landscape\"\n"
       "Without installing it, a frame of a folder that wold has written:\n"
       "  blender -b --factory-startup --python-exit-code 1 -P {1} -- out/NAME/blender 1 --out "
       "1.png\n"

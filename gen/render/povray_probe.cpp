@@ -24,12 +24,11 @@ constexpr int height_px = 8;
 constexpr std::string_view scene = R"(#version 3.7;
 global_settings { assumed_gamma 1 }
 camera { orthographic location <0, 0, -2> right 4*x up 2*y look_at 0 }
-#macro Glow(Density)
-  interior { media { emission 4 method 3 intervals 1 samples 4 density { Density } } }
-#end
 #declare Box = box { <-0.6, -0.6, -0.6>, <0.6, 0.6, 0.6> hollow pigment { rgbt 1 } }
-object { Box Glow(density_file df3 "voxel.df3" translate -0.5) translate -x }
-object { Box Glow(rgb 1) translate x }
+#declare Glow = media { emission 4 method 3 intervals 1 samples 4 }
+#declare Voxel = density { density_file df3 "voxel.df3" translate -0.5 }
+object { Box interior { media { Glow density { Voxel } } } translate -x }
+object { Box interior { media { Glow } } translate x }
 )";
 
 /// A folder of its own that goes with the object.
