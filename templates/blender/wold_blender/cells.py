@@ -126,9 +126,9 @@ def placing_nodes(members: Any, shift: bool) -> Any:
     return tree
 
 
-def add_instances(points: Any, members: Any) -> None:
+def add_instances(home: Any, points: Any, members: Any) -> None:
     """Lays members of a collection, which is not in the scene, on the points of a mesh."""
-    modifier = add_object("cells", points).modifiers.new("place", "NODES")
+    modifier = add_object(home, "cells", points).modifiers.new("place", "NODES")
     modifier.node_group = placing_nodes(members, SHIFT in points.attributes)
 
 
@@ -138,7 +138,7 @@ def cover_material() -> Any:
     return material
 
 
-def add_cover(frame: Frame, cells: dict[str, Any]) -> None:
+def add_cover(home: Any, frame: Frame, cells: dict[str, Any]) -> None:
     """Before the cells a volume that overlaps all of them and that no ray can meet: a mesh as large
     as they are together, whose only face is a point. Cycles holds each volume's bounds against
     those of the others, the first first, until it finds some that overlap: ten minutes for 300,000
@@ -147,25 +147,26 @@ def add_cover(frame: Frame, cells: dict[str, Any]) -> None:
     low, high = ([choose(places[axis::3]) for axis in range(3)] for choose in (min, max))
     mesh = quad_mesh("cover", array.array("f", 4 * low + high), array.array("i", range(4)))
     mesh.materials.append(cover_material())
-    add_object("cover", mesh)
+    add_object(home, "cover", mesh)
 
 
-def add_volume_cells(frame: Frame) -> None:
+def add_volume_cells(home: Any, frame: Frame) -> None:
     cells = frame["cells"]
     if cells["count"] == 0:
         return
-    add_cover(frame, cells)
+    add_cover(home, frame, cells)
     mesh = cell_points(frame, cells, len(frame["volumes"]))
     shift_volumes(frame, cells, mesh)
-    add_instances(mesh, load_volumes(frame))
+    add_instances(home, mesh, load_volumes(frame))
 
 
-def add_blade_cells(frame: Frame) -> None:
+def add_blade_cells(home: Any, frame: Frame) -> None:
     cells = frame["blade_cells"]
     if cells["count"] > 0:
-        add_instances(cell_points(frame, cells, len(frame["blades"])), load_blades(frame))
+        points = cell_points(frame, cells, len(frame["blades"]))
+        add_instances(home, points, load_blades(frame))
 
 
-def add_grass(frame: Frame) -> None:
-    add_volume_cells(frame)
-    add_blade_cells(frame)
+def add_grass(home: Any, frame: Frame) -> None:
+    add_volume_cells(home, frame)
+    add_blade_cells(home, frame)

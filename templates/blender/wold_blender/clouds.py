@@ -23,10 +23,10 @@ def cloud_material() -> Any:
     return material
 
 
-def add_clouds(frame: Frame) -> None:
+def add_clouds(home: Any, frame: Frame) -> None:
     for number, entry in enumerate(frame["clouds"]):
         volume = load_volume(frame, entry, f"cloud {number}", {"density", "emission"})
         volume.materials.append(cloud_material())
         shift_m = volume_shift_voxels() * entry["voxel_m"]
         place = Vector(entry["corner_m"]) + Vector((shift_m, shift_m, shift_m))
-        add_object(volume.name, volume).location = place
+        add_object(home, volume.name, volume).location = place

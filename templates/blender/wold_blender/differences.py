@@ -108,10 +108,14 @@ def attributes_are_looked_up_at_random() -> bool:
     return volumes_are_read_by_nanovdb()
 
 
+def steps_are_the_material_s() -> bool:
+    """A version without this has one length of steps for the whole scene."""
+    return cycles_has(bpy.types.Material, "volume_step_rate")
+
+
 def set_step(material: Any, voxels: float) -> None:
-    """How long a step along a ray through a material is, in voxels. Blender 5.0 and 5.1 have one
-    length for the whole scene."""
-    if cycles_has(bpy.types.Material, "volume_step_rate"):
+    """How long a step along a ray through a material is, in voxels."""
+    if steps_are_the_material_s():
         material.cycles.volume_step_rate = voxels
 
 

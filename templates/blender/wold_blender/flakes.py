@@ -32,7 +32,7 @@ def flake_material(frame: Frame, picture: str, radiance: Sequence[float]) -> Any
     return material
 
 
-def add_flakes(frame: Frame) -> None:
+def add_flakes(home: Any, frame: Frame) -> None:
     """All flakes as one mesh that counts from the eye."""
     flakes = frame["flakes"]
     if flakes is None:
@@ -46,4 +46,4 @@ def add_flakes(frame: Frame) -> None:
     for picture in flakes["pictures"]:
         mesh.materials.append(flake_material(frame, picture, flakes["radiance"]))
     mesh.polygons.foreach_set("material_index", frame.numbers(flakes["picks"], "i", count))
-    add_object("flakes", mesh).location = frame["camera"]["eye_m"]
+    add_object(home, "flakes", mesh).location = frame["camera"]["eye_m"]

@@ -24,11 +24,11 @@ def ground_material(frame: Frame) -> Any:
     return material
 
 
-def add_terrain(frame: Frame) -> None:
+def add_terrain(home: Any, frame: Frame) -> None:
     terrain = frame["terrain"]
     samples = terrain["samples"]
     heights_m = frame.numbers(terrain["heights"], "f", samples * samples)
     points = grid_points(heights_m, samples, terrain["size_m"] / (samples - 1))
     mesh = quad_mesh("terrain", points, grid_quads(samples))
     mesh.materials.append(ground_material(frame))
-    add_object("terrain", mesh)
+    add_object(home, "terrain", mesh)

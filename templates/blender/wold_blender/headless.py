@@ -50,8 +50,8 @@ def build(options: argparse.Namespace) -> None:
     set_picture(scene, frame, options.size or frame["size_px"])
     set_threads(scene, options.threads)
     print(f"wold: renders on {choose_device(scene, options.device)}", flush=True)
-    add_landscape(frame)
-    add_camera(frame)
+    add_landscape(scene, frame)
+    add_camera(scene, frame)
 
 
 def render(path: str) -> None:

@@ -21,25 +21,29 @@ from .meshes import add_object
 from .sky import add_backdrop, set_sky
 
 
-def add_landscape(frame: Frame) -> None:
-    """Adds everything but the camera, and sets the scene's world."""
-    add_terrain(frame)
-    add_grass(frame)
-    set_sky(frame)
-    add_clouds(frame)
-    add_backdrop(frame)
-    add_flakes(frame)
+def add_landscape(scene: Any, frame: Frame) -> Any:
+    """Everything but the camera, in a collection of its own, which is returned; and the scene's
+    world. Throws DataError; what has been made by then stays."""
+    home = bpy.data.collections.new("Wold landscape")
+    scene.collection.children.link(home)
+    add_terrain(home, frame)
+    add_grass(home, frame)
+    set_sky(scene, frame)
+    add_clouds(home, frame)
+    add_backdrop(home, frame)
+    add_flakes(home, frame)
+    return home
 
 
-def add_camera(frame: Frame) -> Any:
+def add_camera(scene: Any, frame: Frame) -> Any:
     """The landscape's camera, which becomes the scene's."""
     view = frame["camera"]
     lens = bpy.data.cameras.new("camera")
     lens.sensor_fit = "HORIZONTAL"
     lens.clip_start = 0.01
     lens.clip_end = 1000000.0
-    camera = add_object("camera", lens)
-    bpy.context.scene.camera = camera
+    camera = add_object(scene.collection, "camera", lens)
+    scene.camera = camera
     aim_camera(camera, view)
     return camera
 

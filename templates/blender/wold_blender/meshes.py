@@ -13,9 +13,10 @@ if TYPE_CHECKING:
     Numbers = array.array[Any]
 
 
-def add_object(name: str, data: Any) -> Any:
+def add_object(home: Any, name: str, data: Any) -> Any:
+    """An object in the collection `home`."""
     thing = bpy.data.objects.new(name, data)
-    bpy.context.scene.collection.objects.link(thing)
+    home.objects.link(thing)
     return thing
 
 

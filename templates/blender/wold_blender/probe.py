@@ -32,7 +32,7 @@ def add_voxel(x_m: float) -> None:
     volume = bpy.data.volumes.new("voxel")
     volume.filepath = VOXEL_FILE
     volume.materials.append(material)
-    add_object("voxel", volume).location = (x_m - 0.5, -0.5, -0.5)
+    add_object(bpy.context.scene.collection, "voxel", volume).location = (x_m - 0.5, -0.5, -0.5)
 
 
 def add_fog_cube(x_m: float) -> None:
@@ -48,7 +48,7 @@ def add_fog_cube(x_m: float) -> None:
 def add_camera() -> None:
     """Two metres to the left and two to the right of the middle fill the picture's width."""
     lens = bpy.data.cameras.new("camera")
-    camera = add_object("camera", lens)
+    camera = add_object(bpy.context.scene.collection, "camera", lens)
     aim_camera(camera, {"eye_m": (0, -4, 0), "target_m": (0, 0, 0), "field_of_view_deg": 53.13})
     bpy.context.scene.camera = camera
 

@@ -35,9 +35,9 @@ def fog_medium(nodes: Nodes, fog: dict[str, Any]) -> Any:
     return medium(nodes, extinction, constant(nodes, gained))
 
 
-def set_sky(frame: Frame) -> None:
+def set_sky(scene: Any, frame: Frame) -> None:
     world = bpy.data.worlds.new("sky")
-    bpy.context.scene.world = world
+    scene.world = world
     nodes = Nodes(give_nodes(world))
     world.cycles.sampling_method = "NONE"
     background = nodes.add("ShaderNodeBackground")
@@ -59,7 +59,7 @@ def backdrop_material(frame: Frame, picture: str) -> Any:
     return material
 
 
-def add_backdrop(frame: Frame) -> None:
+def add_backdrop(home: Any, frame: Frame) -> None:
     """What the camera sees of a sky with clouds: a picture on a rectangle far behind everything."""
     backdrop = frame["backdrop"]
     if backdrop is None:
@@ -69,4 +69,4 @@ def add_backdrop(frame: Frame) -> None:
     points = array.array("f", [number for point in corners for number in point])
     mesh = rectangle("backdrop", points)
     mesh.materials.append(backdrop_material(frame, backdrop["file"]))
-    add_object("backdrop", mesh)
+    add_object(home, "backdrop", mesh)
