@@ -67,6 +67,22 @@ std::string_view command_description(std::string_view command) {
       {"new",
        "Writes NAME.toml with the keys that are worth changing first, each with its meaning;"
        " all the others have their defaults. It never replaces a file."},
+      {"doctor",
+       "Lists Blender and POV-Ray as wold render would take them, by --blender and --povray, "
+       "WOLD_BLENDER and WOLD_POVRAY, or the PATH, with their versions. Each makes a picture of "
+       "one "
+       "voxel, from which is known whether it shows volumes and fog; what it computes on is asked "
+       "for, too. Other Blenders on the PATH and FFmpeg are listed without being tried. Exit code "
+       "0 says that a renderer shows all that a scene can have, 3 that none does. What was found "
+       "is "
+       "kept in ~/.cache/wold (XDG_CACHE_HOME), where wold render looks."},
+      {"extension",
+       "Writes wold_blender-VERSION.zip, which Blender installs as an extension (4.2 and newer) or "
+       "as an add-on (3.4 to 4.1), and wold_render.py, which renders a folder of wold generate "
+       "with "
+       "the archive beside it, by Blender or by a Python that has the package bpy. The same "
+       "program "
+       "writes the same bytes; older files of these names are replaced, and no others."},
   };
   return descriptions.at(command);
 }

@@ -83,6 +83,18 @@ void add_frames(CLI::App& app, std::vector<int>& frames, const std::string& doc)
       ->type_name("1,5,9-12");
 }
 
+void add_program(CLI::App& app, const std::string& option, std::string& program,
+                 const std::string& doc) {
+  app.add_option(option, program, doc)->type_name("PROGRAM");
+}
+
+/// The programs that make pictures, by name or path.
+void add_programs(CLI::App& app, std::string& blender, std::string& povray) {
+  add_program(app, "--blender", blender,
+              "Blender, or a Python that has the package bpy; WOLD_BLENDER's without it");
+  add_program(app, "--povray", povray, "POV-Ray; WOLD_POVRAY's without it");
+}
+
 /// Everything that says which files are made.
 void add_job_options(CLI::App& app, RenderArguments& arguments) {
   RenderOptions& options = arguments.options;
@@ -123,12 +135,17 @@ Action generate_like(CLI::App& app, const std::shared_ptr<RenderArguments>& argu
   };
 }
 
+void add_programs(CLI::App& app, RenderOptions& options) {
+  add_programs(app, options.blender, options.povray);
+}
+
 Action declare_generate(CLI::App& app) {
   return generate_like(app, std::make_shared<RenderArguments>(), run_generate);
 }
 
 Action declare_render(CLI::App& app) {
   auto arguments = std::make_shared<RenderArguments>();
+  add_programs(app, arguments->options);
   return generate_like(app, arguments, run_render);
 }
 
@@ -136,6 +153,7 @@ Action declare_plan(CLI::App& app) {
   auto arguments = std::make_shared<RenderArguments>();
   auto form = std::make_shared<PlanForm>(PlanForm::text);
   add_job_options(app, *arguments);
+  add_programs(app, arguments->options);
   const auto add_form = [&](const std::string& option, PlanForm value, const std::string& doc) {
     return app.add_flag_callback(
         option, [form, value] { *form = value; }, doc);
@@ -157,6 +175,7 @@ Action declare_task(CLI::App& app) {
   };
   auto options = std::make_shared<Options>();
   add_job_options(app, options->arguments);
+  add_programs(app, options->arguments.options);
   app.add_option("STAGE", options->stage, "one that `wold plan` lists")->required();
   app.add_option("INDEX", options->index, "one that `wold plan` lists for it")->required();
   add_quiet(app, options->arguments.options.quiet);
@@ -309,6 +328,19 @@ Action declare_new(CLI::App& app) {
   return [options] { return run_new(options->name, options->kind); };
 }
 
+Action declare_doctor(CLI::App& app) {
+  auto options = std::make_shared<DoctorOptions>();
+  add_programs(app, options->blender, options->povray);
+  app.add_flag("--json", options->json, "print JSON");
+  return [options] { return run_doctor(*options); };
+}
+
+Action declare_extension(CLI::App& app) {
+  auto out = std::make_shared<std::filesystem::path>();
+  app.add_option("--out", *out, "folder to write to")->type_name("DIR")->required();
+  return [out] { return run_extension(*out); };
+}
+
 }  // namespace
 
 const std::vector<Command>& command_table() {
@@ -337,6 +369,10 @@ const std::vector<Command>& command_table() {
        "make one web page of an output folder: frames over time, times, curves, parameters",
        "wold report out/meadow", declare_report},
       {"new", "write a commented starter scene", "wold new meadow --kind season", declare_new},
+      {"doctor", "list the renderers on this machine, what each can show, and what to do",
+       "wold doctor --blender ~/blender-5.2/blender", declare_doctor},
+      {"extension", "write Blender's add-on as an installable archive",
+       "wold extension --out blender_add_on", declare_extension},
   };
   return commands;
 }

@@ -19,8 +19,10 @@ struct RenderOptions {
   std::vector<std::string> overrides;  ///< key=value, applied after the scene file
   std::vector<int> frames;             ///< from 1, rising; empty: all
   std::filesystem::path out;           ///< empty: out/<scene name>
-  int threads = 0;                     ///< 0: the scene's render.threads
-  std::uint64_t memory_bytes = 0;      ///< 0: the machine's
+  std::string blender;             ///< program or its path; empty: WOLD_BLENDER's, or the PATH's
+  std::string povray;              ///< likewise
+  int threads = 0;                 ///< 0: the scene's render.threads
+  std::uint64_t memory_bytes = 0;  ///< 0: the machine's
   bool dry_run = false;
   bool quiet = false;
 };
@@ -58,6 +60,13 @@ struct PreviewOptions {
   std::filesystem::path scene;
   std::vector<std::string> overrides;  ///< key=value, applied after the scene file
   std::filesystem::path out;           ///< ends in .png; empty: out/<scene name>/preview.png
+};
+
+/// What `doctor` is asked for.
+struct DoctorOptions {
+  std::string blender;  ///< program or its path; empty: WOLD_BLENDER's, or the PATH's
+  std::string povray;   ///< likewise
+  bool json = false;
 };
 
 /// Generates everything the renderers need.
@@ -101,6 +110,14 @@ ExitCode run_report(const std::filesystem::path& out, const std::filesystem::pat
 /// Writes NAME.toml, one of scene::starter_kinds(), into the working folder; refuses to replace a
 /// file.
 ExitCode run_new(const std::string& name, const std::string& kind);
+
+/// Prints which renderers there are, what each can show and what to do, after probing them anew.
+/// ExitCode::renderer when none shows all that a scene can have.
+ExitCode run_doctor(const DoctorOptions& options);
+
+/// Writes Blender's package as an installable archive into the folder `out`, and beside it the
+/// script that renders without it being installed; prints both names.
+ExitCode run_extension(const std::filesystem::path& out);
 
 /// Prints all keys of a scene as markdown.
 ExitCode run_help_keys();

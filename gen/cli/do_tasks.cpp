@@ -86,7 +86,22 @@ void make_pictures(const Job& job, Work& work, std::vector<Task> tasks, double b
           });
 }
 
+bool has_pictures_to_make(Work& work, const StageTasks& stage) {
+  return makes_pictures(stage.stage) && std::ranges::any_of(stage.indices, [&](int index) {
+           return work.verdict({stage.stage, index}).need != Need::no;
+         });
+}
+
 }  // namespace
+
+void require_renderers(const Job& job, const std::vector<StageTasks>& stages,
+                       Renderers& renderers) {
+  Work work(job);
+  std::vector<render::Renderer> wanted;
+  for (const StageTasks& stage : stages)
+    if (has_pictures_to_make(work, stage)) wanted.push_back(renderer_of(stage.stage));
+  renderers.require(wanted);
+}
 
 void do_tasks(const Job& job, Work& work, const std::vector<StageTasks>& stages,
               Progress& progress) {

@@ -57,6 +57,8 @@ Job plan_job(const RenderOptions& options) {
   check_frames(options.frames, count);
   job.frames = options.frames.empty() ? counted(count) : options.frames;
   job.out = options.out.empty() ? std::filesystem::path("out") / job.scene.name : options.out;
+  job.blender = options.blender;
+  job.povray = options.povray;
   job.threads = options.threads > 0 ? options.threads : job.scene.render.threads;
   job.memory_bytes = static_cast<double>(options.memory_bytes);
   return job;

@@ -90,6 +90,8 @@ std::vector<std::string> task_options(const RenderOptions& options) {
   std::vector<std::string> arguments = {"--out", "{{Param.Out}}"};
   if (!options.frames.empty())
     arguments.insert(arguments.end(), {"--frames", ranges_text(options.frames)});
+  if (!options.blender.empty()) arguments.insert(arguments.end(), {"--blender", options.blender});
+  if (!options.povray.empty()) arguments.insert(arguments.end(), {"--povray", options.povray});
   if (options.threads > 0)
     arguments.insert(arguments.end(), {"--threads", std::to_string(options.threads)});
   for (const std::string& change : options.overrides)

@@ -4,10 +4,10 @@
 #include "cli/memory_budget.h"
 #include "cli/output.h"
 #include "cli/plan.h"
+#include "cli/renderers.h"
 #include "cli/scene_warnings.h"
 #include "core/file_list.h"
 #include "core/parallel.h"
-#include "render/renderer.h"
 
 namespace wold::cli {
 namespace {
@@ -17,22 +17,17 @@ std::vector<StageTasks> without_pictures(std::vector<StageTasks> stages) {
   return stages;
 }
 
-/// Before minutes are spent on what could not be rendered.
-void find_renderers(const std::vector<StageTasks>& stages) {
-  for (const StageTasks& stage : stages)
-    if (makes_pictures(stage.stage)) render::find_renderer(renderer_of(stage.stage));
-}
-
 /// Does what is missing and lists the files.
 void complete(const Job& job, const std::vector<StageTasks>& stages, Progress& progress) {
-  find_renderers(stages);
+  Renderers renderers(job);
+  require_renderers(job, stages, renderers);
   require_memory(job, stages);
   const ThreadLimit limit(job.threads);
   const FolderLock lock(job.out, Access::alone);
   remove_temporaries(job.out);
   std::error_code in_use;
   std::filesystem::remove(job.out / "snow", in_use);  // where scratch folders were
-  Work work(job);
+  Work work(job, &renderers);
   do_tasks(job, work, stages, progress);
   work.finish();
 }

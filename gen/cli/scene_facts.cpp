@@ -17,8 +17,8 @@ namespace wold::cli {
 namespace {
 
 bool changes_no_file(const std::string& key) {
-  return key == "name" || key == "render.renderer" || key == "render.threads" ||
-         key == "render.timeout";
+  return key == "name" || key == "render.renderer" || key == "render.device" ||
+         key == "render.threads" || key == "render.timeout";
 }
 
 /// Block by block: an elevation model may be larger than memory.

@@ -12,8 +12,8 @@ namespace wold::cli {
 /// "clouds[1].kind". Values are TOML; of files they are the hashes of what is in them.
 using SceneFacts = std::map<std::string, std::string>;
 
-/// The facts of a scene: all its keys but its name and those that only say who works, with how many
-/// threads and for how long. Throws FileError when a file it names cannot be read.
+/// The facts of a scene: all its keys but its name and those that only say who works, on what,
+/// with how many threads and for how long. Throws FileError when a file it names cannot be read.
 SceneFacts facts_of(const scene::Scene& scene);
 
 /// Equal for equal facts.

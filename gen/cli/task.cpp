@@ -2,6 +2,7 @@
 #include "cli/do_tasks.h"
 #include "cli/folder_lock.h"
 #include "cli/memory_budget.h"
+#include "cli/renderers.h"
 #include "core/parallel.h"
 
 namespace wold::cli {
@@ -11,10 +12,12 @@ ExitCode run_task(const RenderOptions& options, const std::string& stage, int in
   const Job job = plan_job(options);
   const Task task = find_task(job, stage, index);
   const std::vector<StageTasks> stages = {{task.stage, {task.index}, {}, {}}};
+  Renderers renderers(job);
+  require_renderers(job, stages, renderers);
   require_memory(job, stages);
   const ThreadLimit limit(job.threads);
   const FolderLock lock(job.out, Access::shared);
-  Work work(job);
+  Work work(job, &renderers);
   do_tasks(job, work, stages, progress);
   return ExitCode::done;
 }

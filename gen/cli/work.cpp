@@ -18,29 +18,23 @@ namespace wold::cli {
 namespace fs = std::filesystem;
 namespace {
 
-std::string hash_of_files_below(const fs::path& folder) {
-  std::string text;
-  for (const fs::path& file : files_below(folder))
-    text += fmt::format("{} {}\n", file.lexically_relative(folder).string(),
-                        content_hash(read_file(file)));
-  return content_hash(text);
-}
-
 std::string hash_of_build() {
   return content_hash(content_hash(read_file("/proc/self/exe")) +
-                      hash_of_files_below(shipped_file("models")) +
-                      hash_of_files_below(shipped_file("templates")));
+                      hash_of_programs_below(shipped_file("models")) +
+                      hash_of_programs_below(shipped_file("templates")));
 }
 
-render::Job picture_job(const Job& job, const Task& task, const RendererShare& share) {
+render::Job picture_job(const Job& job, const Task& task, const RendererShare& share,
+                        Renderers& renderers) {
   const scene::Render& settings = job.scene.render;
   const std::string number = fmt::format("{:04}", task.index);
   render::Job picture;
-  picture.kind = renderer_of(task.stage);
+  picture.program = renderers.program(renderer_of(task.stage));
   picture.scene_folder = job.out / name_of(task.stage);
   picture.frame = task.index;
   picture.size_px = {settings.size_px[0], settings.size_px[1]};
   picture.samples = settings.samples;
+  picture.device = settings.device;
   picture.threads = share.threads;
   picture.memory_bytes = share.memory_bytes;
   picture.timeout = std::chrono::seconds(std::lround(settings.timeout_minutes * 60.0));
@@ -64,13 +58,14 @@ fs::path picture_path(const Job& job, const Task& task) {
   return job.out / "frames" / name_of(task.stage) / fmt::format("{:04}.png", task.index);
 }
 
-Work::Work(const Job& job)
+Work::Work(const Job& job, Renderers* renderers)
     : job_(job),
+      renderers_(renderers),
       facts_(facts_of(job.scene)),
       facts_hash_(hash_of(facts_)),
       build_(hash_of_build()),
-      programs_({{Stage::blender, hash_of_files_below(shipped_file("templates/blender"))},
-                 {Stage::povray, hash_of_files_below(shipped_file("templates/povray"))}}),
+      programs_({{Stage::blender, hash_of_programs_below(shipped_file("templates/blender"))},
+                 {Stage::povray, hash_of_programs_below(shipped_file("templates/povray"))}}),
       states_(job.out),
       records_(job.out) {}
 
@@ -97,7 +92,8 @@ Verdict Work::verdict(const Task& task) {
 }
 
 Verdict Work::outdated(const Task& task, const TaskRecord& record) {
-  if (makes_pictures(task.stage)) return {Need::yes, "made from other scene files"};
+  if (makes_pictures(task.stage))
+    return {Need::yes, "made from other scene files or with other settings"};
   const auto [known, is_new] = changes_.try_emplace(record.facts);
   std::string& why = known->second;
   if (is_new) {
@@ -121,9 +117,12 @@ std::string Work::source(const Task& task) {
 
 std::string Work::picture_source(const Task& task) {
   const scene::Render& settings = job_.scene.render;
-  return content_hash(fmt::format("{} {}x{} {} {}", text_of(task), settings.size_px[0],
-                                  settings.size_px[1], settings.samples,
-                                  scene_hashes(task.index).at(task.stage)));
+  std::string text =
+      fmt::format("{} {}x{} {} {}", text_of(task), settings.size_px[0], settings.size_px[1],
+                  settings.samples, scene_hashes(task.index).at(task.stage));
+  // Another device adds up in another order: the last bits differ.
+  if (task.stage == Stage::blender) text += " " + settings.device;
+  return content_hash(text);
 }
 
 const Work::SceneHashes& Work::scene_hashes(int frame) {
@@ -208,7 +207,7 @@ Work::Made Work::make_picture(const Task& task, const RendererShare& share, Prog
     throw FileError(
         fmt::format("the task \"{}\" needs the files of \"{}\", which has to be run first: {}",
                     text_of(task), text_of(scene_files), verdict.why));
-  const render::Job picture = picture_job(job_, task, share);
+  const render::Job picture = picture_job(job_, task, share, *renderers_);
   const double memory_bytes = render::run(picture, progress, interrupted);
   return {{picture.picture}, memory_bytes};
 }

@@ -9,6 +9,7 @@
 #include "cli/file_states.h"
 #include "cli/film.h"
 #include "cli/job.h"
+#include "cli/renderers.h"
 #include "cli/scene_facts.h"
 #include "cli/task_record.h"
 #include "cli/tasks.h"
@@ -40,8 +41,9 @@ std::filesystem::path picture_path(const Job& job, const Task& task);
 /// renders nothing again.
 class Work {
  public:
-  /// `job` has to outlive it. Throws FileError when a file that the scene names cannot be read.
-  explicit Work(const Job& job);
+  /// `job` has to outlive it, and so have `renderers`: without them run() makes no pictures. Throws
+  /// FileError when a file that the scene names cannot be read.
+  explicit Work(const Job& job, Renderers* renderers = nullptr);
 
   /// Without doing or writing anything.
   Verdict verdict(const Task& task);
@@ -85,6 +87,7 @@ class Work {
   Film& film();
 
   const Job& job_;
+  Renderers* renderers_;
   SceneFacts facts_;
   std::string facts_hash_;
   std::string build_;                      ///< hash of the program, its models and templates

@@ -1,7 +1,10 @@
 #include "core/file_list.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "core/files.h"
 #include "core/temporary_name.h"
 
 namespace wold {
@@ -24,6 +27,21 @@ std::vector<fs::path> files_below(const fs::path& folder) {
   std::erase_if(files,
                 [](const fs::path& file) { return file.filename().string().front() == '.'; });
   return files;
+}
+
+std::vector<fs::path> programs_below(const fs::path& folder) {
+  std::vector<fs::path> files = files_below(folder);
+  std::erase_if(
+      files, [](const fs::path& file) { return file.parent_path().filename() == "__pycache__"; });
+  return files;
+}
+
+std::string hash_of_programs_below(const fs::path& folder) {
+  std::string text;
+  for (const fs::path& file : programs_below(folder))
+    text += fmt::format("{} {}\n", file.lexically_relative(folder).string(),
+                        content_hash(read_file(file)));
+  return content_hash(text);
 }
 
 void remove_temporaries(const fs::path& folder) {

@@ -6,20 +6,27 @@
 #include <charconv>
 #include <cmath>
 
+#include "render/blender_module.h"
+#include "render/short_run.h"
+
 namespace wold::render {
+namespace fs = std::filesystem;
 namespace {
 
 using Arguments = std::vector<std::string>;
 
-Arguments blender_arguments(const Job& job, const std::string& program, const std::string& output) {
-  // Blender takes relative names from $PWD, not from the folder it was started in
-  const std::string script = (std::filesystem::absolute(job.scene_folder) / "scene.py").string();
-  Arguments arguments = {program, "-b", "--factory-startup",
-                         // without it a Python error still ends with exit code 0
-                         "--python-exit-code", "1", "-P", script, "--", std::to_string(job.frame),
-                         "--out", output, "--size",
-                         fmt::format("{}x{}", job.size_px.x, job.size_px.y), "--samples",
-                         std::to_string(job.samples)};
+/// Blender takes relative names from $PWD, not from the folder it was started in.
+Arguments blender_arguments(const Job& job, const fs::path& output) {
+  Arguments arguments = {fs::absolute(job.scene_folder).string(),
+                         std::to_string(job.frame),
+                         "--out",
+                         output.string(),
+                         "--size",
+                         fmt::format("{}x{}", job.size_px.x, job.size_px.y),
+                         "--samples",
+                         std::to_string(job.samples),
+                         "--device",
+                         job.device};
   if (job.threads > 0)
     arguments.insert(arguments.end(), {"--threads", std::to_string(job.threads)});
   return arguments;
@@ -33,19 +40,18 @@ std::string quoted(const std::string& path) {
 
 /// Antialiasing stands in the folder's povray.ini, which POV-Ray reads where it is started. Names
 /// are relative to there: above may be folders whose names no quoting saves.
-Arguments povray_arguments(const Job& job, const std::string& program, const std::string& output) {
-  Arguments arguments = {
-      program,
-      "+Iscene.pov",
-      "+L.",
-      fmt::format("Declare=FRAME={}", job.frame),
-      "+O" + quoted(std::filesystem::relative(output, job.scene_folder).string()),
-      "+FN8",
-      fmt::format("+W{}", job.size_px.x),
-      fmt::format("+H{}", job.size_px.y),
-      "-D",
-      "-P",
-      "+V"};
+Arguments povray_arguments(const Job& job, const fs::path& output) {
+  Arguments arguments = {job.program.found.path.string(),
+                         "+Iscene.pov",
+                         "+L.",
+                         fmt::format("Declare=FRAME={}", job.frame),
+                         "+O" + quoted(fs::relative(output, job.scene_folder).string()),
+                         "+FN8",
+                         fmt::format("+W{}", job.size_px.x),
+                         fmt::format("+H{}", job.size_px.y),
+                         "-D",
+                         "-P",
+                         "+V"};
   if (job.threads > 0) arguments.push_back(fmt::format("+WT{}", job.threads));
   return arguments;
 }
@@ -78,10 +84,21 @@ std::optional<double> povray_fraction(std::string_view line) {
 
 }  // namespace
 
-std::vector<std::string> command_line(const Job& job, const std::filesystem::path& program,
-                                      const std::filesystem::path& output) {
-  return job.kind == Renderer::blender ? blender_arguments(job, program.string(), output.string())
-                                       : povray_arguments(job, program.string(), output.string());
+Command launch(const RendererProgram& program, const std::vector<std::string>& arguments) {
+  const std::string path = program.found.path.string();
+  Arguments all = program.form == ProgramForm::python
+                      ? python_command(path)
+                      // without the exit code a Python error still ends with 0
+                      : Arguments{path, "-b", "--factory-startup", "--python-exit-code", "1", "-P"};
+  all.insert(all.end(), {program.launcher.string(), "--"});
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  return {std::move(all), neutral_folder};
+}
+
+Command render_command(const Job& job, const fs::path& output) {
+  if (job.program.form == ProgramForm::povray)
+    return {povray_arguments(job, output), fs::absolute(job.scene_folder)};
+  return launch(job.program, blender_arguments(job, output));
 }
 
 std::optional<double> progress_fraction(Renderer renderer, std::string_view line) {

@@ -10,10 +10,18 @@
 
 namespace wold::render {
 
-/// The arguments that make `program` render `job` to `output`, the program first. They are meant
-/// to be run in the job's scene folder; `program` and `output` are absolute.
-std::vector<std::string> command_line(const Job& job, const std::filesystem::path& program,
-                                      const std::filesystem::path& output);
+/// A program and the folder it is started in.
+struct Command {
+  std::vector<std::string> arguments;  ///< the program first
+  std::filesystem::path folder;
+};
+
+/// What runs wold_render.py in Blender or Python with these arguments. It is started in a folder
+/// from which nothing is imported: never in that of the data.
+Command launch(const RendererProgram& program, const std::vector<std::string>& arguments);
+
+/// What makes the program render `job` to `output`, an absolute path.
+Command render_command(const Job& job, const std::filesystem::path& output);
 
 /// How far a line of the renderer's output says it is, in [0, 1]; nothing for any other line.
 std::optional<double> progress_fraction(Renderer renderer, std::string_view line);

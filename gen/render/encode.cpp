@@ -20,7 +20,7 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-constexpr ExternalProgram ffmpeg = {"FFmpeg", "ffmpeg", "WOLD_FFMPEG"};
+constexpr ExternalProgram ffmpeg = {"FFmpeg", "ffmpeg", "WOLD_FFMPEG", ""};
 constexpr int widest_webp_px = 640;
 
 /// Fills up odd sizes, which yuv420p does not have, by the last column and row.
@@ -52,8 +52,8 @@ Arguments webp_arguments(const Encoding& encoding) {
 }
 
 Arguments command_line(const Encoding& encoding, const fs::path& output) {
-  Arguments arguments = {find_program(ffmpeg).string(), "-hide_banner", "-nostdin", "-y",
-                         "-loglevel", "warning", "-nostats", "-progress", "pipe:1",
+  Arguments arguments = {find_ffmpeg().path.string(), "-hide_banner", "-nostdin", "-y", "-loglevel",
+                         "warning", "-nostats", "-progress", "pipe:1",
                          // A damaged picture is an error, not a gap.
                          "-xerror", "-err_detect", "explode", "-framerate",
                          fmt::format("{:.9g}", encoding.frames_per_second), "-start_number",
@@ -132,6 +132,8 @@ void encode_to(const fs::path& output, const Encoding& encoding, Progress& progr
 }
 
 }  // namespace
+
+FoundProgram find_ffmpeg() { return find_program(ffmpeg); }
 
 void encode(const Encoding& encoding, Progress& progress,
             const std::function<bool()>& interrupted) {

@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 
 #include "core/progress.h"
+#include "render/program.h"
 
 namespace wold::render {
 
@@ -20,6 +21,9 @@ struct Encoding {
   std::filesystem::path film;       ///< ends in .mp4 or .webp
   std::filesystem::path log;        ///< FFmpeg's own words, kept in any case
 };
+
+/// FFmpeg: $WOLD_FFMPEG or `ffmpeg` on the PATH. Throws RendererError when there is none.
+FoundProgram find_ffmpeg();
 
 /// Encodes a film with FFmpeg ($WOLD_FFMPEG or `ffmpeg` on the PATH). An .mp4 is H.264 that every
 /// player knows: yuv420p by BT.709, what is odd of its size filled up with the pictures' edge, its

@@ -3,20 +3,22 @@
 #include <chrono>
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <string>
 
-#include "render/renderer.h"
+#include "render/renderer_program.h"
 
 namespace wold::render {
 
 /// One picture to make from an exported scene folder.
 struct Job {
-  Renderer kind = Renderer::blender;
-  std::filesystem::path scene_folder;  ///< holds scene.py or scene.pov and its data/
+  RendererProgram program;
+  std::filesystem::path scene_folder;  ///< holds data/, of POV-Ray also scene.pov
   int frame = 1;                       ///< from 1
   glm::ivec2 size_px{0};
-  int samples = 1;                  ///< per pixel
-  int threads = 0;                  ///< 0: all processors
-  double memory_bytes = 0.0;        ///< that the program may take of its own; 0: no limit
+  int samples = 1;             ///< per pixel
+  std::string device = "cpu";  ///< of Blender: "cpu", "gpu", or "auto", the latter if there is one
+  int threads = 0;             ///< 0: all processors
+  double memory_bytes = 0.0;   ///< that the program may take of its own; 0: no limit
   std::chrono::seconds timeout{0};  ///< from the start; longer than 0
   std::filesystem::path picture;    ///< where the finished picture goes
   std::filesystem::path log;        ///< the renderer's own words, kept in any case

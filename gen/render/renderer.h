@@ -1,7 +1,9 @@
 #pragma once
 
-#include <filesystem>
+#include <string>
 #include <string_view>
+
+#include "render/program.h"
 
 namespace wold::render {
 
@@ -11,8 +13,12 @@ enum class Renderer { blender, povray };
 /// "Blender" or "POV-Ray", for people.
 std::string_view display_name(Renderer renderer);
 
-/// The program: $WOLD_BLENDER or $WOLD_POVRAY when set, otherwise the first `blender` or `povray`
-/// on the PATH. Throws RendererError that names the Debian package to install when there is none.
-std::filesystem::path find_renderer(Renderer renderer);
+/// Where it is looked for.
+const ExternalProgram& external_program(Renderer renderer);
+
+/// The program: `chosen`, which --blender or --povray named, else $WOLD_BLENDER or $WOLD_POVRAY,
+/// else the first `blender` or `povray` on the PATH; see find_program(). Throws RendererError that
+/// names the Debian package to install when there is none.
+FoundProgram find_renderer(Renderer renderer, const std::string& chosen = {});
 
 }  // namespace wold::render

@@ -65,17 +65,17 @@ std::string memory_advice(double memory_bytes) {
 }
 
 RendererError failure(const Job& job, const Log& log, std::string_view reason) {
-  return RendererError(
-      fmt::format("{} failed on frame {}: {}{}; its log is {}{}", display_name(job.kind), job.frame,
-                  reason, memory_advice(job.memory_bytes), log.path().string(), log.last_lines()));
+  return RendererError(fmt::format(
+      "{} failed on frame {}: {}{}; its log is {}{}", display_name(job.program.kind), job.frame,
+      reason, memory_advice(job.memory_bytes), log.path().string(), log.last_lines()));
 }
 
 /// Runs the program to its end; leaving by an exception ends it too.
-ProcessEnd watch(const Job& job, const std::vector<std::string>& command, Listener& listener,
-                 const Log& log, const std::function<bool()>& interrupted) {
+ProcessEnd watch(const Job& job, const Command& command, Listener& listener, const Log& log,
+                 const std::function<bool()>& interrupted) {
   const auto hear = [&](std::string_view bytes) { listener.hear(bytes); };
-  const auto end = run_to_end(command, fs::absolute(job.scene_folder),
-                              {job.timeout, job.memory_bytes}, hear, interrupted);
+  const auto end = run_to_end(command.arguments, command.folder, {job.timeout, job.memory_bytes},
+                              hear, interrupted);
   if (!end) throw failure(job, log, fmt::format("no picture after {} s", job.timeout.count()));
   listener.hear({}, /*at_end=*/true);
   return *end;
@@ -87,13 +87,13 @@ void drop_notes(const fs::path& output) {
   if (output.extension() == ".png") write_image(output, read_image(output), PixelFormat::uint8);
 }
 
-double render_to(const fs::path& output, const Job& job, const fs::path& program,
-                 Progress& progress, const std::function<bool()>& interrupted) {
+double render_to(const fs::path& output, const Job& job, Progress& progress,
+                 const std::function<bool()>& interrupted) {
   Log log(job.log);
-  const std::vector<std::string> command = command_line(job, program, output);
-  log.add(fmt::format("{}", fmt::join(command, " ")));
+  const Command command = render_command(job, output);
+  log.add(fmt::format("{}", fmt::join(command.arguments, " ")));
   Percent percent(progress);
-  Listener listener(job.kind, percent, log);
+  Listener listener(job.program.kind, percent, log);
   const ProcessEnd end = watch(job, command, listener, log, interrupted);
   if (end.code != 0 || end.signal != 0) throw failure(job, log, to_string(end));
   if (const std::string problem = picture_problem(output, job.size_px); !problem.empty())
@@ -130,17 +130,16 @@ void require_writable(const fs::path& output) {
 }  // namespace
 
 double run(const Job& job, Progress& progress, const std::function<bool()>& interrupted) {
-  const fs::path program = find_renderer(job.kind);
   const fs::path picture = fs::absolute(job.picture);
   make_folder(picture.parent_path());
   std::error_code ignored;
   fs::remove(picture, ignored);
-  progress.begin(fmt::format("{} frame {}", display_name(job.kind), job.frame), 100);
+  progress.begin(fmt::format("{} frame {}", display_name(job.program.kind), job.frame), 100);
   double most_memory_bytes = 0.0;
   write_file_by_path(picture, [&](const fs::path& output) {
     require_writable(output);
     const Leftovers leftovers(output);
-    most_memory_bytes = render_to(output, job, program, progress, interrupted);
+    most_memory_bytes = render_to(output, job, progress, interrupted);
   });
   progress.end();
   return most_memory_bytes;

@@ -18,9 +18,10 @@ namespace wold::render {
 /// Returns the most memory, in bytes, that the program was seen to have of its own; see
 /// memory_of_process_bytes().
 ///
-/// Throws RendererError (program missing, failed, killed, out of time, no valid picture; it names
-/// the frame, the reason and the log with its last lines), FileError (a folder cannot be written
-/// or is full) and InterruptedError. The program and its children have ended in every case.
+/// Throws RendererError (the program cannot be started, failed, killed, out of time, no valid
+/// picture; it names the frame, the reason and the log with its last lines), FileError (a folder
+/// cannot be written or is full) and InterruptedError. The program and its children have ended in
+/// every case.
 double run(const Job& job, Progress& progress, const std::function<bool()>& interrupted);
 
 }  // namespace wold::render

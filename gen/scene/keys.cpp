@@ -362,6 +362,11 @@ std::vector<Key> render_keys() {
       bound(only(integer("render.df3_bits", "bits", {8, 16}, "Depth of POV-Ray's density files."),
                  {8, 16}),
             FIELD(render.df3_bits)),
+      bound(word("render.device", {"cpu", "gpu", "auto"},
+                 "What Blender computes on: the processor, a graphics card (OptiX, CUDA, HIP, "
+                 "oneAPI or Metal, as Blender finds it), or a graphics card if there is one. "
+                 "POV-Ray has only the processor."),
+            FIELD(render.device)),
       bound(integer("render.threads", "", {0, 1024}, "Threads to use; 0 is all processors."),
             FIELD(render.threads)),
       bound(number("render.timeout", "min", {0.01, 10080},

@@ -176,6 +176,7 @@ struct Render {
   std::string grass = "texels";  ///< "texels", "blades", "auto", "points"
   double exposure = 0.0;         ///< in stops
   int df3_bits = 8;
+  std::string device = "cpu";     ///< of Blender: "cpu", "gpu", "auto"
   int threads = 0;                ///< 0: all
   double timeout_minutes = 60.0;  ///< per frame and renderer
 

@@ -61,8 +61,10 @@ TEST_F(Killed, RenderersAtRandomMomentsAreNamedAndTheirPicturesMadeAgain) {
 }
 
 TEST_F(Killed, ItTakesItsRendererWithIt) {
-  write("fake.sh", "#!/bin/sh\necho $$ > pid.new; mv pid.new '" + (folder_ / "pid").string() +
-                       "'; exec sleep 600\n");
+  write("fake.sh",
+        "#!/bin/sh\ncase \"$*\" in *--version*|*probe.pov*) exec povray \"$@\" ;; esac\n"
+        "echo $$ > pid.new; mv pid.new '" +
+            (folder_ / "pid").string() + "'; exec sleep 600\n");
   fs::permissions(folder_ / "fake.sh", fs::perms::owner_all);
   Running program(folder_,
                   render_line("out", "WOLD_POVRAY='" + (folder_ / "fake.sh").string() + "'"));

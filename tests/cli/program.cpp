@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 
 #include "core/files.h"
@@ -49,6 +50,8 @@ Result Running::finish() {
 void Program::SetUp() {
   std::string pattern = (fs::path(testing::TempDir()) / "wold cli XXXXXX").string();
   folder_ = ::mkdtemp(pattern.data());
+  // What renderers can do is asked once for all tests, and not kept among the user's own files.
+  ::setenv("XDG_CACHE_HOME", WOLD_BUILD_DIR "/test_cache", 1);
 }
 
 void Program::TearDown() { fs::remove_all(folder_); }

@@ -113,8 +113,9 @@ TEST_F(Program, TheManualHasEveryCommandAndKeyAndNoFaults) {
 // Each command's own page is built, whole, and without faults of its making.
 TEST_F(Program, EveryCommandHasItsPage) {
   const Result manual = wold("--man");
-  for (const std::string command : {"render", "generate", "plan", "task", "preview", "check",
-                                    "inspect", "compare", "curves", "film", "report", "new"}) {
+  for (const std::string command :
+       {"render", "generate", "plan", "task", "preview", "check", "inspect", "compare", "curves",
+        "film", "report", "new", "doctor", "extension"}) {
     expect_contains(manual.out, "\\fBwold\\fR \\fB" + command);
     const Result page = wold(command + " --man");
     EXPECT_EQ(page.code, 0) << page.err;

@@ -72,18 +72,20 @@ void SmallFilm::expect_nothing_half_written(const std::string& folder) const {
   EXPECT_EQ(result.code, 0) << result.out << result.err;
 }
 
-std::string SmallFilm::blender_played_by(const std::string& body) const {
+std::string SmallFilm::blender_played_by(const std::string& body, const FakeBlender& fake) const {
   write_image(folder_ / "good.png", gradient(64, 36), PixelFormat::uint8);
-  write("fake.sh", "#!/bin/sh\ncd '" + folder_.string() +
+  write("fake.sh", fake_blender_head((folder_ / "probes").string(), fake) + "cd '" +
+                       folder_.string() +
                        "'\ngood=good.png\n"
                        "while [ $# -gt 0 ]; do\n"
-                       "  case $1 in --) frame=$2 ;; --out) out=$2 ;; esac\n"
+                       "  case $1 in --) frame=$3 ;; --out) out=$2 ;; esac\n"
                        "  shift\n"
                        "done\n"
                        "echo $frame >> calls\n" +
                        body + "\n");
   fs::permissions(folder_ / "fake.sh", fs::perms::owner_all);
-  return "WOLD_BLENDER='" + (folder_ / "fake.sh").string() + "'";
+  return "WOLD_BLENDER='" + (folder_ / "fake.sh").string() + "' XDG_CACHE_HOME='" +
+         (folder_ / ".cache").string() + "'";
 }
 
 std::string SmallFilm::calls() const {

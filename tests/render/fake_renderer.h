@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -25,11 +24,7 @@ class FakeRenderer : public ::testing::Test {
     make_folder(folder_ / "scene");
     write_image(folder_ / "good.png", gradient(32, 18), PixelFormat::uint8);
   }
-  ~FakeRenderer() override {
-    ::unsetenv("WOLD_BLENDER");
-    ::unsetenv("WOLD_POVRAY");
-    fs::remove_all(folder_);
-  }
+  ~FakeRenderer() override { fs::remove_all(folder_); }
 
   static Image gradient(int width, int height) {
     Image image(width, height, 3);
@@ -38,22 +33,40 @@ class FakeRenderer : public ::testing::Test {
     return image;
   }
 
-  /// Installs a script as Blender; in it, $out is the wanted picture and $folder the test's folder.
+  /// Writes a shell script that may be run.
+  fs::path write_program(const std::string& name, const std::string& text) const {
+    write_file(folder_ / name, text);
+    fs::permissions(folder_ / name, fs::perms::owner_all);
+    return folder_ / name;
+  }
+
+  /// Writes a script that is run as Blender; in it, $out is the wanted picture and $folder the
+  /// test's folder.
   void play(const std::string& body) {
-    const fs::path script = folder_ / "fake.sh";
-    write_file(script, "#!/bin/sh\nfolder='" + folder_.string() +
-                           "'\nwhile [ $# -gt 0 ]; do [ \"$1\" = --out ] && out=$2; shift; done\n" +
-                           body + "\n");
-    fs::permissions(script, fs::perms::owner_all);
-    ::setenv("WOLD_BLENDER", script.c_str(), 1);
+    write_program("fake.sh",
+                  "#!/bin/sh\nfolder='" + folder_.string() +
+                      "'\nwhile [ $# -gt 0 ]; do [ \"$1\" = --out ] && out=$2; shift; done\n" +
+                      body + "\n");
+  }
+
+  /// The script of play(), which is not asked what it is.
+  render::RendererProgram fake_program() const {
+    return {render::Renderer::blender,
+            render::ProgramForm::blender,
+            {folder_ / "fake.sh", "PATH"},
+            "9.9.9",
+            "",
+            "",
+            folder_ / "launcher.py"};
   }
 
   render::Job job() const {
-    return {render::Renderer::blender,
+    return {fake_program(),
             folder_ / "scene",
             3,
             {32, 18},
             4,
+            "cpu",
             1,
             0.0,
             std::chrono::seconds(20),

@@ -20,16 +20,21 @@ class RealPovray : public FakeRenderer {
  protected:
   void SetUp() override {
     try {
-      render::find_renderer(render::Renderer::povray);
+      povray_ = render::find_renderer(render::Renderer::povray);
     } catch (const RendererError& error) {
       GTEST_SKIP() << error.what();
     }
   }
   render::Job povray_job() const {
     render::Job result = job();
-    result.kind = render::Renderer::povray;
+    result.program.kind = render::Renderer::povray;
+    result.program.form = render::ProgramForm::povray;
+    result.program.found = povray_;
     return result;
   }
+
+ private:
+  render::FoundProgram povray_;
 };
 
 TEST_F(RealPovray, RendersBelowAFolderWithSpaces) {
