@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# From a fresh clone on a bare Debian 12 to pictures, in one command:
+# From a fresh clone on a bare Debian 12 or 13 to pictures, in one command:
 #
 #     ./examples/run.sh [SCENE [OPTION...]]     default: examples/hillside.toml
 #

@@ -1,5 +1,6 @@
-# Sourced by examples/run.sh and tests/run.sh: installs what is missing and builds. Bare Debian 12
-# with git is enough; safe to run again, and quick then.
+# shellcheck shell=bash disable=SC2034
+# Sourced by examples/run.sh and tests/run.sh: installs what is missing and builds. Bare Debian 12 or
+# 13 with git is enough; safe to run again, and quick then.
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 

@@ -74,7 +74,7 @@ std::vector<VolumeEntry> write_volumes(const Landscape& landscape, const ShownVo
     const double voxel_m = landscape.volumes[each.volume].voxel_m;
     const double step = step_voxels(landscape, voxel_m, distances_m[each.volume]);
     used.insert(each.volume);
-    entries.push_back({file_of(each.volume), step, each.quarter});
+    entries.push_back({file_of(each.volume), voxel_m, step, each.quarter});
   }
   const std::vector<std::size_t> todo(used.begin(), used.end());
   parallel_for(todo.size(),
@@ -100,12 +100,6 @@ std::vector<fs::path> export_frame(const Landscape& landscape, const fs::path& f
   for (const fs::path& shared : shared_files(landscape, entries, folder / "data"))
     files.push_back(shared);
   return files;
-}
-
-void export_scene(const fs::path& folder) {
-  make_folder(folder);
-  for (const std::string program : {"scene.py", "wold_addon.py"})
-    update_file(folder / program, read_file(shipped_file("templates/blender/" + program)));
 }
 
 }  // namespace wold::blender

@@ -5,12 +5,10 @@
 
 #include "landscape/landscape.h"
 
-/// Writes landscapes as Blender 3.4 scenes: one volume per baked texel, or per part of one
-/// (volume_file.h), the frame as raw arrays, pictures and a small JSON file, and scene.py, which
-/// renders them with Cycles. The folder needs nothing else: copied to a machine that has Blender it
-/// makes the same picture.
+/// Writes landscapes for Blender 3.4 and later: one volume per baked texel (volume_file.h), the
+/// frame as raw arrays, pictures and a small JSON file. The folder holds data only. The package
+/// templates/blender/wold_blender makes a scene of it, in Blender's window or without.
 ///
-///     folder/scene.py, wold_addon.py
 ///     folder/data/volumes/NAME.vdb         shared by all frames
 ///     folder/data/blades/NAME.*            meshes, shared by all frames (blade_files.h)
 ///     folder/data/flakes/NAME.png          pictures of flakes, shared by all frames
@@ -26,10 +24,5 @@ namespace wold::blender {
 /// frame is made of. Throws FileError; every file that exists afterwards is whole.
 std::vector<std::filesystem::path> export_frame(const landscape::Landscape& landscape,
                                                 const std::filesystem::path& folder);
-
-/// Writes folder/scene.py, the program that renders any exported frame:
-/// `blender -b --python-exit-code 1 -P scene.py -- FRAME`, and folder/wold_addon.py, by which
-/// Blender imports the folder into any scene. Throws FileError.
-void export_scene(const std::filesystem::path& folder);
 
 }  // namespace wold::blender

@@ -15,6 +15,9 @@
 namespace wold::blender {
 namespace {
 
+/// Of the folder; templates/blender/wold_blender/frame_data.py reads no other.
+constexpr int format = 5;
+
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using landscape::Landscape;
@@ -122,6 +125,7 @@ Json write_clouds(const Landscape& landscape, const fs::path& folder) {
     write_cloud(folder / name, cloud);
     list.push_back({{"file", name},
                     {"bytes", fs::file_size(folder / name)},
+                    {"voxel_m", cloud.voxel_m},
                     {"corner_m", json_of(cloud.corner_m)}});
   }
   return list;
@@ -261,12 +265,13 @@ Json write_blade_cells(const Landscape& landscape, const fs::path& folder) {
   return write_instances(placements, picks, folder, "blade_");
 }
 
-/// The size lets scene.py refuse a file that was cut short; Blender itself would crash.
+/// The size lets a file that was cut short be refused; Blender itself would crash.
 Json volumes_json(const std::vector<VolumeEntry>& volumes, const fs::path& folder) {
   Json list = Json::array();
   for (const VolumeEntry& volume : volumes)
     list.push_back({{"file", volume.file.lexically_relative(folder).generic_string()},
                     {"bytes", fs::file_size(volume.file)},
+                    {"voxel_m", volume.voxel_m},
                     {"step_voxels", volume.step_voxels},
                     {"quarter", volume.quarter ? Json(*volume.quarter) : Json(nullptr)}});
   return list;
@@ -287,7 +292,8 @@ void write_frame_data(const Landscape& landscape, const fs::path& folder,
                       const std::vector<VolumeEntry>& volumes, const std::vector<int>& picks,
                       const fs::path& shared_folder) {
   write_image(folder / "sky.exr", landscape.sky, PixelFormat::float32);
-  const Json frame = {{"frame", landscape.frame},
+  const Json frame = {{"format", format},
+                      {"frame", landscape.frame},
                       {"weathering", landscape.weathering},
                       {"time_s", landscape.time_s},
                       {"daylight", daylight_json(landscape.daylight)},

@@ -11,6 +11,7 @@ namespace wold::blender {
 /// What cells of the frame show, as frame.json names it.
 struct VolumeEntry {
   std::filesystem::path file;  ///< the .vdb
+  double voxel_m = 0.0;        ///< side of its voxels
   double step_voxels = 1.0;    ///< length of a ray's step
   std::optional<int> quarter;  ///< see ShownVolume
 };

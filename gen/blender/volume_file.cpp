@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 constexpr const char* content_key = "wold_content";
 
 /// Changes whenever this file writes the same volume differently.
-constexpr int layout = 4;
+constexpr int layout = 5;
 
 std::string content_of(const landscape::Volume& volume) {
   return fmt::format("{} {} {}", layout, volume.content, volume.emission_grid);
@@ -130,11 +130,12 @@ openvdb::MaskTree leaves_of(const openvdb::FloatGrid& density) {
 }
 
 /// Those of `leaves` that lie over a quarter. Two voxels of a leaf say so, not on its faces, since
-/// Cycles makes every region a voxel wider.
-openvdb::MaskGrid::Ptr region_of(const landscape::Part& quarter, const glm::ivec3& voxels,
-                                 const openvdb::MaskTree& leaves) {
+/// Cycles makes every hull a voxel wider. Truth values and no mask: from Blender 5.0 on Cycles does
+/// not know masks.
+openvdb::BoolGrid::Ptr hull_of(const landscape::Part& quarter, const glm::ivec3& voxels,
+                               const openvdb::MaskTree& leaves) {
   constexpr int side = openvdb::MaskTree::LeafNodeType::DIM;
-  auto region = openvdb::MaskGrid::create();
+  auto hull = openvdb::BoolGrid::create();
   for (auto leaf = leaves.cbeginLeaf(); leaf; ++leaf) {
     const openvdb::Coord first = leaf->origin();
     const glm::dvec2 middle =
@@ -142,9 +143,9 @@ openvdb::MaskGrid::Ptr region_of(const landscape::Part& quarter, const glm::ivec
     if (leaf->isEmpty() || glm::any(glm::lessThan(middle, quarter.low)) ||
         glm::any(glm::greaterThan(middle, quarter.high)))
       continue;
-    for (const int inside : {1, side - 2}) region->tree().setValueOn(first.offsetBy(inside));
+    for (const int inside : {1, side - 2}) hull->tree().setValueOn(first.offsetBy(inside), true);
   }
-  return region;
+  return hull;
 }
 
 }  // namespace
@@ -157,16 +158,15 @@ void write_volume(const fs::path& path, const landscape::Volume& volume) {
   leave_out_empty_voxels(*density);
   count_in_units(*density);
   const openvdb::MaskTree leaves = leaves_of(*density);
-  openvdb::GridPtrVec regions;
-  for (const landscape::Part& quarter : landscape::quarters_of_patch(volume.voxels.x)) {
-    const auto region = region_of(quarter, volume.voxels, leaves);
-    prepare(*region, fmt::format("quarter {}", regions.size()), volume.voxel_m);
-    regions.push_back(region);
-  }
+  const openvdb::CoordBBox box = without_air_above(volume.voxels, *density);
   openvdb::GridPtrVec grids =
-      medium_grids(density, emission_of(*density, *radiance),
-                   without_air_above(volume.voxels, *density), volume.voxel_m);
-  grids.insert(grids.end(), regions.begin(), regions.end());
+      medium_grids(density, emission_of(*density, *radiance), box, volume.voxel_m);
+  int number = 0;
+  for (const landscape::Part& quarter : landscape::quarters_of_patch(volume.voxels.x)) {
+    const auto hull = hull_of(quarter, volume.voxels, leaves);
+    prepare(*hull, fmt::format("quarter {}", number++), volume.voxel_m);
+    grids.push_back(hull);
+  }
   openvdb::MetaMap metadata;
   metadata.insertMeta(content_key, openvdb::StringMetadata(content));
   write_vdb(path, grids, metadata);

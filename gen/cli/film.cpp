@@ -43,9 +43,8 @@ std::vector<std::string> wanted_renderers(const scene::Scene& scene) {
 }
 
 void write_programs(const scene::Scene& scene, const fs::path& out) {
-  for (const std::string& renderer : wanted_renderers(scene))
-    renderer == "blender" ? blender::export_scene(out / renderer)
-                          : povray::export_scene(out / renderer);
+  if (std::ranges::count(wanted_renderers(scene), "povray") > 0)
+    povray::export_scene(out / "povray");
 }
 
 Film::Film(const Job& job)

@@ -15,12 +15,21 @@
 namespace wold {
 namespace {
 
+/// By OpenImageIO's own choice of a filter, in one thread.
+OIIO::ImageBuf resized(const OIIO::ImageBuf& picture, const OIIO::ROI& size) {
+#if OIIO_VERSION >= OIIO_MAKE_VERSION(3, 0, 0)
+  return OIIO::ImageBufAlgo::resize(picture, OIIO::ImageBufAlgo::KWArgs{}, size, 1);
+#else
+  return OIIO::ImageBufAlgo::resize(picture, "", 0.0F, size, 1);
+#endif
+}
+
 OIIO::ImageBuf shrunk(const OIIO::ImageBuf& picture, int widest_px) {
   const OIIO::ImageSpec& spec = picture.spec();
   if (spec.width <= widest_px) return picture;
   const double scale = static_cast<double>(widest_px) / spec.width;
   const int height_px = std::max(1, static_cast<int>(std::lround(scale * spec.height)));
-  return OIIO::ImageBufAlgo::resize(picture, "", 0.0F, {0, widest_px, 0, height_px}, 1);
+  return resized(picture, {0, widest_px, 0, height_px});
 }
 
 }  // namespace

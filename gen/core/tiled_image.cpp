@@ -58,8 +58,9 @@ void write_tiled_image(const std::filesystem::path& path, const TiledExtent& ext
 
 struct TiledImages::Cache {
   // The shared one: threads keep pointers into a private one beyond its end, and a new one in its
-  // place would follow them (OpenImageIO 2.4).
-  OIIO::ImageCache* images = OIIO::ImageCache::create(true);
+  // place would follow them (OpenImageIO 2.4). A plain pointer until OpenImageIO 3.0, a shared one
+  // from then on.
+  decltype(OIIO::ImageCache::create(true)) images = OIIO::ImageCache::create(true);
   Cache() = default;
   Cache(const Cache&) = delete;
   Cache& operator=(const Cache&) = delete;

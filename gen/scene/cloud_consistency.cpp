@@ -1,6 +1,7 @@
 #include "scene/cloud_consistency.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -1,5 +1,5 @@
-// scene.py in Blender itself: where things appear and how bright, against closed forms. Skipped
-// where there is no Blender.
+// The package wold_blender in Blender itself ($WOLD_BLENDER): where things appear and how bright,
+// against closed forms. Skipped where there is no Blender.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -16,6 +16,7 @@
 #include "core/files.h"
 #include "core/image.h"
 #include "core/vdb_file.h"
+#include "support/blender.h"
 #include "support/cloudy_view.h"
 #include "support/detailed_ground.h"
 #include "support/quartered.h"
@@ -33,7 +34,7 @@ constexpr double degree = std::numbers::pi / 180.0;
 class BlenderRender : public testing::Test {
  protected:
   void SetUp() override {
-    if (std::system("blender --version > /dev/null 2>&1") != 0)
+    if (!test::has_blender())
       GTEST_SKIP() << "no Blender on this machine: its pictures are not tested";
     fs::remove_all(folder);
     landscape = test::synthetic_landscape({.cells_per_side = 6, .volumes = 1}, folder / "texels");
@@ -47,13 +48,11 @@ class BlenderRender : public testing::Test {
   /// Exit status of Blender; what it says goes to folder/log.
   int run() {
     export_frame(landscape, folder);
-    export_scene(folder);
     return rerun();
   }
   int rerun() const {
-    return std::system(fmt::format("blender -b --python-exit-code 1 -P {0}/scene.py -- 1 "
-                                   "--out {0}/picture.png > {0}/log 2>&1",
-                                   folder.string())
+    return std::system(fmt::format("{0} --out {1}/picture.png > {1}/log 2>&1",
+                                   test::blender_render(folder.string(), 1), folder.string())
                            .c_str());
   }
 
@@ -292,7 +291,6 @@ TEST_F(BlenderRender, TimeGrowsNoFasterThanTheNumberOfCells) {
     landscape.terrain = grown.terrain;
     landscape.cells = grown.cells;
     export_frame(landscape, folder);
-    export_scene(folder);
     const auto start = std::chrono::steady_clock::now();
     EXPECT_EQ(rerun(), 0) << read_file(folder / "log");
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -30,7 +30,6 @@ struct Exporter {
 
 void export_blender(const Landscape& landscape, const fs::path& folder) {
   blender::export_frame(landscape, folder);
-  blender::export_scene(folder);
 }
 
 void export_povray(const Landscape& landscape, const fs::path& folder) {

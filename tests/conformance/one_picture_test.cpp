@@ -9,6 +9,7 @@
 #include "core/image.h"
 #include "povray/export.h"
 #include "support/blurred_difference.h"
+#include "support/blender.h"
 #include "support/quartered.h"
 #include "support/snowy_view.h"
 #include "support/synthetic_landscape.h"
@@ -20,10 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 using landscape::Landscape;
 
-bool is_installed(const char* renderer) {
-  return std::system(fmt::format("command -v {} > /dev/null", renderer).c_str()) == 0;
-}
-
 Image run(const std::string& command, const fs::path& folder) {
   if (std::system(fmt::format("cd '{}' && {} > log 2>&1", folder.string(), command).c_str()) != 0)
     ADD_FAILURE() << read_file(folder / "log");
@@ -32,8 +29,7 @@ Image run(const std::string& command, const fs::path& folder) {
 
 Image blender_picture(const Landscape& landscape, const fs::path& folder) {
   blender::export_frame(landscape, folder);
-  blender::export_scene(folder);
-  return run("blender -b --python-exit-code 1 -P scene.py -- 1 --out picture.png", folder);
+  return run(test::blender_render(folder.string(), 1) + " --out picture.png", folder);
 }
 
 Image povray_picture(const Landscape& landscape, const fs::path& folder) {
@@ -46,9 +42,8 @@ Image povray_picture(const Landscape& landscape, const fs::path& folder) {
 class OnePicture : public testing::Test {
  protected:
   void SetUp() override {
-    for (const char* renderer : {"blender", "povray"})
-      if (!is_installed(renderer))
-        GTEST_SKIP() << "no " << renderer << " on this machine: the pictures are not compared";
+    if (!test::has_blender() || !test::succeeds("povray --version"))
+      GTEST_SKIP() << "no Blender or no POV-Ray on this machine: the pictures are not compared";
   }
 };
 

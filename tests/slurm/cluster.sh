@@ -1,3 +1,4 @@
+# shellcheck shell=bash disable=SC2046,SC2086,SC2116  # lists of processes are split on purpose
 # Sourced: a real Slurm of some nodes on loopback, wholly below one folder; nothing under /etc, no
 # fixed ports, no control groups. Needs slurmctld, slurmd, slurm-client and munge.
 

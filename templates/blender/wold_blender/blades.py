@@ -1,0 +1,41 @@
+"""Grass as meshes of blades."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import bpy
+
+from .frame_data import Frame
+from .meshes import give_attribute, quad_mesh
+from .nodes import attribute, glow, map_outputs, new_material
+
+
+def blades_material(frame: Frame) -> Any:
+    """Vertices carry their radiance in `radiance`, the map `light` tints."""
+    material, nodes = new_material("blades")
+    light = map_outputs(nodes, frame, frame["light"])["Color"]
+    glow(nodes, nodes.vector_math("MULTIPLY", attribute(nodes, "radiance", "Vector"), light))
+    return material
+
+
+def blade_mesh(frame: Frame, entry: dict[str, Any], name: str) -> Any:
+    file, count = entry["file"], entry["vertices"]
+    vertices_m = frame.numbers(file + ".vertices.f32", "f", 3 * count)
+    quads = frame.numbers(file + ".quads.i32", "i", 4 * entry["quads"])
+    mesh = quad_mesh(name, vertices_m, quads)
+    give_attribute(mesh, "radiance", "POINT", frame.numbers(file + ".radiance.f32", "f", 3 * count))
+    return mesh
+
+
+def load_blades(frame: Frame) -> Any:
+    """The frame's meshes of blades as a collection that is not itself in the scene. Blender orders
+    its members by name: an instance's index counts on it."""
+    collection = bpy.data.collections.new("blades")
+    material = blades_material(frame) if frame["blades"] else None
+    for number, entry in enumerate(frame["blades"]):
+        name = f"blades {number:05d}"
+        mesh = blade_mesh(frame, entry, name)
+        mesh.materials.append(material)
+        collection.objects.link(bpy.data.objects.new(name, mesh))
+    return collection

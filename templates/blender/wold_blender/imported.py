@@ -1,0 +1,134 @@
+"""The landscape that stands in a user's scene: put there, replaced by another frame, taken away.
+
+What this package has made carries a mark. Nothing else in the scene is touched.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import bpy
+from mathutils import Vector
+
+from .differences import steps_are_the_material_s
+from .frame_data import Frame
+from .landscape import add_camera, add_landscape, aim_camera
+from .meshes import add_object
+from .render_settings import set_light_transport, set_picture
+
+MARK = "wold_landscape"
+SUN = "Wold sun"
+KINDS = (
+    "objects",
+    "collections",
+    "meshes",
+    "volumes",
+    "materials",
+    "images",
+    "node_groups",
+    "worlds",
+    "cameras",
+    "lights",
+)
+
+
+def everything() -> set[Any]:
+    return {thing for kind in KINDS for thing in getattr(bpy.data, kind)}
+
+
+def marked(kind: str) -> list[Any]:
+    return [thing for thing in getattr(bpy.data, kind) if thing.get(MARK)]
+
+
+def all_marked() -> set[Any]:
+    return {thing for kind in KINDS for thing in marked(kind)}
+
+
+def add_sun(home: Any, frame: Frame) -> None:
+    """The landscape's sun: a lamp's strength is the irradiance of what faces it."""
+    daylight = frame["daylight"]
+    lamp = bpy.data.lights.new(SUN, "SUN")
+    lamp.angle = 0.00925  # radians
+    sun = add_object(home, SUN, lamp)
+    sun.rotation_euler = Vector(daylight["to_sun"]).to_track_quat("Z", "Y").to_euler()
+    brightest = max(*daylight["sun_irradiance"], 1e-9)
+    lamp.color = [channel / brightest for channel in daylight["sun_irradiance"]]
+    lamp["irradiance"] = brightest
+
+
+def set_renderer(scene: Any, frame: Frame) -> None:
+    """As the landscape is rendered alone, but with light that things of one's own take and pass on."""
+    set_light_transport(scene, frame["samples"])
+    scene.cycles.max_bounces = 4
+    set_picture(scene, frame, frame["size_px"])
+
+
+def remove(things: set[Any]) -> None:
+    """Removes marked things; of pictures those that nothing shows any more."""
+    bpy.data.batch_remove([thing for thing in things if not isinstance(thing, bpy.types.Image)])
+    bpy.data.batch_remove([picture for picture in marked("images") if picture.users == 0])
+
+
+def put_in_place(scene: Any, frame: Frame) -> None:
+    """The frame's landscape instead of the one that is there. On failure that one stays."""
+    before = everything()
+    replaced = all_marked()
+    world = scene.world
+    try:
+        home = add_landscape(scene, frame)
+        add_sun(home, frame)
+    except Exception:
+        scene.world = world
+        bpy.data.batch_remove(list(everything() - before))
+        raise
+    scene.world.cycles.sampling_method = "AUTOMATIC"  # the sky lights things
+    for thing in everything() - before:
+        thing[MARK] = True
+    remove(replaced)
+
+
+def set_up_view(scene: Any, frame: Frame) -> None:
+    """The landscape's camera and picture. Both are the user's from then on."""
+    add_camera(scene, frame)
+    set_renderer(scene, frame)
+
+
+def follow_view(scene: Any, before: Frame, now: Frame) -> None:
+    """Moves camera and exposure from one frame's to another's. What the user has set otherwise
+    stays."""
+    if before["camera"] != now["camera"] and is_where(scene.camera, before["camera"]):
+        aim_camera(scene.camera, now["camera"])
+    if math.isclose(scene.view_settings.exposure, exposure(before), abs_tol=1e-4):
+        scene.view_settings.exposure = exposure(now)
+
+
+def exposure(frame: Frame) -> float:
+    return math.log2(frame["exposure_gain"])
+
+
+def is_where(camera: Any, view: dict[str, Any]) -> bool:
+    return camera is not None and (camera.location - Vector(view["eye_m"])).length < 1e-3
+
+
+def set_sun(factor: float) -> None:
+    """The sun lamp's strength; 1 is the landscape's."""
+    for lamp in marked("lights"):
+        lamp.energy = factor * lamp["irradiance"]
+
+
+def set_detail(scene: Any, detail: float) -> None:
+    """Steps along a ray; at detail 1 as long as the landscape is rendered alone."""
+    if not steps_are_the_material_s():
+        scene.cycles.volume_step_rate = 1.0 / detail
+        return
+    for material in marked("materials"):
+        usual = material.get("wold_step") or material.cycles.volume_step_rate
+        material["wold_step"] = usual
+        material.cycles.volume_step_rate = usual / detail
+
+
+def show_grass_in_viewport(shown: bool) -> None:
+    for thing in marked("objects"):
+        for modifier in thing.modifiers:
+            modifier.show_viewport = shown
