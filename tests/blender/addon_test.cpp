@@ -54,7 +54,7 @@ TEST(BlenderAddOn, IsInstalledFollowsTheTimelineAndLeavesCleanly) {
   const fs::path log = root / "log";
   expect_done(fmt::format("{} extension --out {}", WOLD_PROGRAM, root.string()), log);
   expect_done(fmt::format("{} --out {}/alone.png",
-                          test::blender_render((root / "blender").string(), 2), root.string()),
+                          test::blender_render(root / "blender", 2), root.string()),
               log);
   expect_done(fmt::format("{0} {1} -- {2}/wold_blender-*.zip {2}/blender {2}/addon.png",
                           clean_profile(root),

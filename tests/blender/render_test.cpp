@@ -52,7 +52,7 @@ class BlenderRender : public testing::Test {
   }
   int rerun() const {
     return std::system(fmt::format("{0} --out {1}/picture.png > {1}/log 2>&1",
-                                   test::blender_render(folder.string(), 1), folder.string())
+                                   test::blender_render(folder, 1), folder.string())
                            .c_str());
   }
 

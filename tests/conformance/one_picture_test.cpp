@@ -29,7 +29,7 @@ Image run(const std::string& command, const fs::path& folder) {
 
 Image blender_picture(const Landscape& landscape, const fs::path& folder) {
   blender::export_frame(landscape, folder);
-  return run(test::blender_render(folder.string(), 1) + " --out picture.png", folder);
+  return run(test::blender_render(folder, 1) + " --out picture.png", folder);
 }
 
 Image povray_picture(const Landscape& landscape, const fs::path& folder) {

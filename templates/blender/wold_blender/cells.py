@@ -115,14 +115,15 @@ def placing_nodes(members: Any, shift: bool) -> Any:
     nodes.link(source.outputs[0], place.inputs["Instance"])
     nodes.link(named_attribute(nodes, "picks", "INT"), place.inputs["Instance Index"])
     nodes.link(named_attribute(nodes, "first_turns", "FLOAT_VECTOR"), place.inputs["Rotation"])
-    instances = place.outputs["Instances"]
-    nodes.link(shifted(nodes, instances) if shift else instances, scale.inputs["Instances"])
+    nodes.link(place.outputs["Instances"], scale.inputs["Instances"])
     nodes.link(named_attribute(nodes, "scales", "FLOAT_VECTOR"), scale.inputs["Scale"])
     nodes.link(point, scale.inputs["Center"])
     nodes.link(scale.outputs["Instances"], turn.inputs["Instances"])
     nodes.link(named_attribute(nodes, "second_turns", "FLOAT_VECTOR"), turn.inputs["Rotation"])
     nodes.link(point, turn.inputs["Pivot Point"])
-    nodes.link(turn.outputs["Instances"], nodes.add("NodeGroupOutput").inputs[0])
+    turned = turn.outputs["Instances"]
+    placed = shifted(nodes, turned) if shift else turned
+    nodes.link(placed, nodes.add("NodeGroupOutput").inputs[0])
     return tree
 
 

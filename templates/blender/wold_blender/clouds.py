@@ -9,7 +9,7 @@ from mathutils import Vector
 from .differences import set_step, volume_shift_voxels
 from .frame_data import Frame
 from .meshes import add_object
-from .nodes import attribute, end_in, grid_colour, medium, new_material
+from .nodes import end_in, grid_colour, grid_number, medium, new_material
 from .volumes import load_volume
 
 STEP_VOXELS = 2.0
@@ -18,7 +18,7 @@ STEP_VOXELS = 2.0
 def cloud_material() -> Any:
     material, nodes = new_material("cloud")
     set_step(material, STEP_VOXELS)
-    density = attribute(nodes, "density", "Fac")
+    density = grid_number(nodes, "density")
     end_in(nodes, "Volume", medium(nodes, density, grid_colour(nodes, "emission")))
     return material
 

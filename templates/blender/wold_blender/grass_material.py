@@ -12,7 +12,17 @@ from typing import Any, NamedTuple
 
 from .differences import set_step
 from .frame_data import Frame
-from .nodes import Nodes, attribute, end_in, grid_colour, map_outputs, medium, mixed, new_material
+from .nodes import (
+    Nodes,
+    attribute,
+    end_in,
+    grid_colour,
+    grid_number,
+    map_outputs,
+    medium,
+    mixed,
+    new_material,
+)
 
 QUARTERS = range(4)
 
@@ -77,7 +87,7 @@ def asking_for(nodes: Nodes, grid: str, density: Any, shader: Any) -> Any:
 def grass_material(frame: Frame, kind: Kind) -> Any:
     material, nodes = new_material(f"grass, step {kind.step_voxels}, quarter {kind.quarter}")
     set_step(material, kind.step_voxels)
-    density = attribute(nodes, "density", "Fac")
+    density = grid_number(nodes, "density")
     shader = grass_medium(nodes, frame, density)
     for grid in sorted(kind.hull_grids()):
         shader = asking_for(nodes, grid, density, shader)

@@ -7,8 +7,6 @@ things of one's own; it does not reach them in fog. Cells of grass that the land
 does not see have not been written: look from near it.
 """
 
-from __future__ import annotations
-
 import functools
 import os
 from typing import Any

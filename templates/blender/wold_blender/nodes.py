@@ -71,9 +71,17 @@ def attribute(nodes: Nodes, name: str, output: str) -> Any:
     return nodes.add("ShaderNodeAttribute", attribute_name=name).outputs[output]
 
 
+def grid_number(nodes: Nodes, name: str) -> Any:
+    """An output socket: a grid's number, interpolated at the shaded point. None is below zero, so
+    that the maximum changes nothing but makes the look-up one of all eight voxels."""
+    number = attribute(nodes, name, "Fac")
+    if attributes_are_looked_up_at_random():
+        return nodes.math("MAXIMUM", number, 0.0)
+    return number
+
+
 def grid_colour(nodes: Nodes, name: str) -> Any:
-    """An output socket: a grid's three numbers, interpolated at the shaded point. None is below
-    zero, so that the maximum changes nothing but makes the look-up one of all eight voxels."""
+    """An output socket: a grid's three numbers; see grid_number()."""
     colour = attribute(nodes, name, "Vector")
     if attributes_are_looked_up_at_random():
         return nodes.vector_math("MAXIMUM", colour, (0, 0, 0))

@@ -1,0 +1,35 @@
+#include "support/blender.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+namespace wold::test {
+namespace {
+
+std::string program() {
+  const char* chosen = std::getenv("WOLD_BLENDER");
+  return chosen != nullptr && *chosen != '\0' ? chosen : "blender";
+}
+
+bool is_python() { return succeeds(fmt::format("'{}' --version | grep -q ^Python", program())); }
+
+}  // namespace
+
+bool succeeds(const std::string& command) {
+  return std::system(fmt::format("({}) > /dev/null 2>&1", command).c_str()) == 0;
+}
+
+bool has_blender() { return succeeds(fmt::format("'{}' --version", program())); }
+
+std::string blender_script(const std::filesystem::path& script) {
+  const char* options = is_python() ? "-B" : "-b --factory-startup --python-exit-code 1 -P";
+  return fmt::format("'{}' {} '{}'", program(), options, script.string());
+}
+
+std::string blender_render(const std::filesystem::path& folder, int frame) {
+  return fmt::format("{} -- '{}' {}", blender_script(WOLD_TEMPLATES_DIR "/blender/wold_render.py"),
+                     folder.string(), frame);
+}
+
+}  // namespace wold::test
