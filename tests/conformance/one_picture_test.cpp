@@ -9,6 +9,7 @@
 #include "core/image.h"
 #include "povray/export.h"
 #include "support/blurred_difference.h"
+#include "support/povray_film.h"
 #include "support/quartered.h"
 #include "support/snowy_view.h"
 #include "support/synthetic_landscape.h"
@@ -38,7 +39,7 @@ Image blender_picture(const Landscape& landscape, const fs::path& folder) {
 
 Image povray_picture(const Landscape& landscape, const fs::path& folder) {
   povray::export_frame(landscape, folder);
-  povray::export_scene(folder);
+  povray::export_scene(test::film_of(landscape), folder);
   return run("povray data/frame_0001.ini +Opicture.png", folder);
 }
 
