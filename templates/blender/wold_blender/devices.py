@@ -66,7 +66,7 @@ def choose_device(scene: Any, device: str) -> str:
         types = ", ".join(device_types()) or "none"
         raise DeviceError(
             "no graphics card was found that this Blender can use (it was built for: "
-            f"{types}); install the card's driver, or use render.device = \"cpu\""
+            f'{types}); install the card\'s driver, or use render.device = "cpu"'
         )
     scene.cycles.device = "GPU" if cards else "CPU"
     return cards or "the processor"

@@ -63,7 +63,7 @@ class Frame:
         try:
             return self.data[key]
         except KeyError:
-            raise DataError(f"{self.json_path} has no \"{key}\"; run `wold generate` again") from None
+            raise DataError(f'{self.json_path} has no "{key}"; run `wold generate` again') from None
 
     def path(self, name: str) -> str:
         """The absolute path of a file that frame.json names. Throws DataError for one that is
@@ -112,7 +112,7 @@ def moments(folder: str) -> list[Moment]:
             found.append(moment(path, int(number.group(1))))
     if not found:
         raise DataError(
-            f"{data} has no frames: choose the folder \"blender\" that `wold generate` has written"
+            f'{data} has no frames: choose the folder "blender" that `wold generate` has written'
         )
     return sorted(found, key=lambda each: each.number)
 

@@ -66,9 +66,7 @@ def inside_part(nodes: Nodes) -> Any:
         ]
         for name in ("part_middles", "part_halves")
     )
-    from_middle = nodes.vector_math(
-        "ABSOLUTE", nodes.vector_math("SUBTRACT", place, middle)
-    )
+    from_middle = nodes.vector_math("ABSOLUTE", nodes.vector_math("SUBTRACT", place, middle))
     beyond = nodes.add("ShaderNodeSeparateXYZ")
     nodes.link(nodes.vector_math("SUBTRACT", from_middle, half), beyond.inputs["Vector"])
     farthest = nodes.math("MAXIMUM", beyond.outputs["X"], beyond.outputs["Y"])

@@ -81,8 +81,6 @@ def rendered() -> tuple[bool, bool]:
     return brightness(pixels, SIDE_PX // 2) > SEEN, brightness(pixels, SIDE_PX * 3 // 2) > SEEN
 
 
-
-
 def probe() -> dict[str, Any]:
     """What `wold doctor` says of this Blender."""
     volumes, fog = rendered()
