@@ -28,11 +28,12 @@ Json json_of(const ExpectedThings& things) {
   Json tiles = Json::array();
   for (const ExpectedTile& tile : things.tiles)
     tiles.push_back({tile.tile, json_of(tile.with), json_of(tile.without)});
-  return {{"name", things.name}, {"tiles", tiles}};
+  return {{"name", things.name}, {"least_share", things.least_share}, {"tiles", tiles}};
 }
 
 ExpectedThings things_of(const Json& json, int tiles) {
-  ExpectedThings things{json.at("name").get<std::string>(), {}};
+  ExpectedThings things{
+      json.at("name").get<std::string>(), json.at("least_share").get<double>(), {}};
   for (const Json& tile : json.at("tiles")) {
     things.tiles.push_back({tile.at(0).get<int>(), colour_of(tile.at(1)), colour_of(tile.at(2))});
     const int number = things.tiles.back().tile;
