@@ -45,6 +45,7 @@ ExpectedThings things_of(const Json& json, int tiles) {
 ExpectedPicture picture_of(const Json& json) {
   ExpectedPicture expected;
   expected.tiles = {json.at("tiles").at(0).get<int>(), json.at("tiles").at(1).get<int>()};
+  if (expected.tiles.x < 1 || expected.tiles.y < 1) throw FileError("there are no tiles");
   for (const Json& things : json.at("things"))
     expected.things.push_back(things_of(things, expected.tiles.x * expected.tiles.y));
   return expected;

@@ -1,10 +1,11 @@
 #include "small_film.h"
 
+#include <fmt/format.h>
+
 #include <fstream>
 #include <thread>
 
 #include "core/files.h"
-#include "core/image.h"
 
 namespace wold::test {
 namespace {
@@ -29,13 +30,6 @@ target = [3, 4]
 size = [64, 36]
 samples = 1
 )";
-
-Image gradient(int width, int height) {
-  Image image(width, height, 3);
-  for (std::size_t i = 0; i < image.values.size(); ++i)
-    image.values[i] = static_cast<float>(i) / static_cast<float>(image.values.size());
-  return image;
-}
 
 }  // namespace
 
@@ -73,15 +67,20 @@ void SmallFilm::expect_nothing_half_written(const std::string& folder) const {
 }
 
 std::string SmallFilm::blender_played_by(const std::string& body) const {
-  write_image(folder_ / "good.png", gradient(64, 36), PixelFormat::uint8);
-  write("fake.sh", "#!/bin/sh\ncd '" + folder_.string() +
-                       "'\ngood=good.png\n"
-                       "while [ $# -gt 0 ]; do\n"
-                       "  case $1 in --) frame=$2 ;; --out) out=$2 ;; esac\n"
-                       "  shift\n"
-                       "done\n"
-                       "echo $frame >> calls\n" +
-                       body + "\n");
+  write("fake.sh", fmt::format(R"(#!/bin/sh
+scene=$PWD
+cd '{}'
+while [ $# -gt 0 ]; do
+  case $1 in --) frame=$2 ;; --out) out=$2 ;; esac
+  shift
+done
+echo $frame >> calls
+good=good_$frame.png
+paint() {{ '{}' "$scene/data/frame_000$frame/expected.json" $good 64 36 $1; }}
+paint
+{}
+)",
+                               folder_.string(), WOLD_PAINTER, body));
   fs::permissions(folder_ / "fake.sh", fs::perms::owner_all);
   return "WOLD_BLENDER='" + (folder_ / "fake.sh").string() + "'";
 }

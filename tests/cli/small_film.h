@@ -33,8 +33,8 @@ class SmallFilm : public Program {
   void expect_nothing_half_written(const std::string& folder) const;
 
   /// A shell script that plays Blender; returns the environment that chooses it. In it, $out is the
-  /// wanted picture, $frame its number, and $good a sound picture. Every run adds the number to the
-  /// file "calls".
+  /// wanted picture, $frame its number, and $good a sound picture. `paint without` makes that one
+  /// without any grass. Every run adds the number to the file "calls".
   std::string blender_played_by(const std::string& body) const;
 
   /// The frames the script was called for since the last time, such as "1 2 ".
