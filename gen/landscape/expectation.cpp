@@ -25,7 +25,7 @@ constexpr std::array<std::pair<Kind, const char*>, 3> kinds = {
 double least_share(Kind kind, std::size_t patches) {
   constexpr std::size_t many_patches = 50;
   if (kind == Kind::blades) return 0.4;
-  return kind == Kind::clouds || patches >= many_patches ? 0.85 : 0.5;
+  return kind == Kind::clouds || patches >= many_patches ? 0.88 : 0.5;
 }
 
 /// Tiles of equal size that cover a picture, and rays through each.
@@ -48,11 +48,11 @@ struct Tiling {
 
 /// No tile is smaller than 8 pixels, as far as there are so many. Few tiles get more rays each.
 Tiling tiling_of(const Landscape& landscape) {
-  constexpr double rays = 5000.0;
+  constexpr double rays = 20000.0;
   const glm::ivec2 size_px(landscape.width_px, landscape.height_px);
   const glm::ivec2 tiles = glm::clamp(size_px / 8, glm::ivec2(1), glm::ivec2(32, 18));
   const auto side = static_cast<int>(std::lround(std::sqrt(rays / (tiles.x * tiles.y))));
-  return {tiles, glm::dvec2(size_px) / glm::dvec2(tiles), std::clamp(side, 3, 16)};
+  return {tiles, glm::dvec2(size_px) / glm::dvec2(tiles), std::clamp(side, 6, 32)};
 }
 
 Perspective perspective_of(const Landscape& landscape) {

@@ -111,21 +111,6 @@ glm::dvec3 spread(std::size_t number) {
                     (static_cast<double>(number) + 1.0));
 }
 
-/// The mean of some rays that enter a patch anywhere.
-FarLook mean_look(const TiledVolume& volume, PatchRay ray, std::size_t first) {
-  constexpr std::size_t rays = 4;
-  FarLook mean{glm::dvec3(0.0), 0.0};
-  for (std::size_t i = 0; i < rays; ++i) {
-    const glm::dvec3 random = spread(first * rays + i);
-    ray.start = glm::dvec2(random);
-    ray.begin = random.z;
-    const FarLook look = volume.trace(ray);
-    mean.radiance += look.radiance / static_cast<double>(rays);
-    mean.transmittance += look.transmittance / static_cast<double>(rays);
-  }
-  return mean;
-}
-
 std::size_t voxels_of(const Volume& volume) {
   const glm::i64vec3 voxels(volume.voxels);
   return static_cast<std::size_t>(voxels.x * voxels.y * voxels.z);
@@ -196,7 +181,10 @@ std::size_t look_at_grass(const Landscape& landscape, std::vector<Sight>& sights
       const glm::dvec3 at_m = ground_place_m(landscape, sight);
       PatchRay ray = ray_into(cell.world_from_cell, landscape, sight);
       ray.thickness *= double{landscape.standing.sample(at_m.x, at_m.y)};
-      sight.grass = mean_look(volume, ray, seen[i]);
+      const glm::dvec3 anywhere = spread(seen[i]);  // as a whole meadow looks, not this place
+      ray.start = glm::dvec2(anywhere);
+      ray.begin = anywhere.z;
+      sight.grass = volume.trace(ray);
       sight.grass->radiance *= light_at(landscape, at_m);
     });
   }

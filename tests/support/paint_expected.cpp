@@ -1,5 +1,6 @@
 // paint_expected EXPECTED.json PICTURE.png WIDTH HEIGHT [without]: a picture that shows what is
 // expected of it, or nothing of that; a ramp where nothing is.
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <string_view>
@@ -14,7 +15,9 @@ using namespace wold;
 
 void paint(Image& picture, const ExpectedPicture& expected, const ExpectedTile& tile,
            const glm::vec3& colour) {
-  const auto border = [](int number, int tiles, int pixels) { return number * pixels / tiles; };
+  const auto border = [](int number, int tiles, int pixels) {
+    return static_cast<int>(std::lround(static_cast<double>(number) * pixels / tiles));
+  };
   const int x = tile.tile % expected.tiles.x, y = tile.tile / expected.tiles.x;
   for (int j = border(y, expected.tiles.y, picture.height);
        j < border(y + 1, expected.tiles.y, picture.height); ++j)
