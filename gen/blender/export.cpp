@@ -16,6 +16,7 @@
 #include "core/file_list.h"
 #include "core/files.h"
 #include "core/parallel.h"
+#include "landscape/expectation.h"
 
 namespace wold::blender {
 namespace {
@@ -95,6 +96,7 @@ std::vector<fs::path> export_frame(const Landscape& landscape, const fs::path& f
                [&](std::size_t i) { write_blades(landscape.blade_meshes[i], blades_folder); });
   const ShownVolumes shown(landscape);
   const std::vector<VolumeEntry> entries = write_volumes(landscape, shown, volume_folder);
+  write_expected_picture(frame_folder / "expected.json", landscape::expected_picture(landscape));
   write_frame_data(landscape, frame_folder, entries, shown.picks(), folder / "data");
   std::vector<fs::path> files = files_below(frame_folder);
   for (const fs::path& shared : shared_files(landscape, entries, folder / "data"))

@@ -13,8 +13,8 @@
 #include "core/files.h"
 #include "core/parallel.h"
 #include "core/temporary_name.h"
+#include "landscape/perspective.h"
 #include "preview/camera_picture.h"
-#include "preview/perspective.h"
 #include "preview/sheet.h"
 #include "preview/sky_picture.h"
 #include "scene/key_frames.h"
@@ -72,7 +72,7 @@ glm::vec3 mean_light(const landscape::Landscape& landscape) {
 void mark_camera(const landscape::Camera& camera, const landscape::Landscape& overview,
                  Image& picture) {
   const glm::vec3 colour(1.0F, 0.45F, 0.1F);
-  const preview::Perspective perspective(overview.camera, {picture.width, picture.height});
+  const landscape::Perspective perspective(overview.camera, {picture.width, picture.height});
   const glm::dvec2 ahead = glm::dvec2(camera.target_m - camera.eye_m);
   const double azimuth = std::atan2(ahead.x, ahead.y);
   const double reach_m = 0.22 * overview.terrain.size_m();

@@ -39,6 +39,8 @@ render::Job picture_job(const Job& job, const Task& task, const RendererShare& s
   picture.memory_bytes = share.memory_bytes;
   picture.timeout = std::chrono::seconds(std::lround(settings.timeout_minutes * 60.0));
   picture.picture = picture_path(job, task);
+  picture.expected =
+      picture.scene_folder / "data" / fmt::format("frame_{}", number) / "expected.json";
   picture.log = job.out / "logs" / fmt::format("{}_{}.log", name_of(task.stage), number);
   return picture;
 }

@@ -44,7 +44,7 @@ void add(const Drawn& part, int volume, std::vector<Cell>& cells) {
 }
 
 void add(const Drawn& part, int mesh, std::vector<BladeCell>& cells) {
-  cells.push_back({part.placed->world_from_cell, mesh});
+  cells.push_back({part.placed->world_from_cell, mesh, part.placed->part});
 }
 
 /// Each different patch once, in ascending order of `key`, and the cells that refer to them.

@@ -75,6 +75,7 @@ struct BladeMesh {
 struct BladeCell {
   glm::dmat4 world_from_cell;
   int mesh = 0;  ///< index into Landscape::blade_meshes
+  Part part{};   ///< of the patch, on which the mesh's blades stand
 };
 
 struct Camera {

@@ -3,52 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "core/parallel.h"
-#include "core/vdb_dense.h"
+#include "landscape/tiled_volume.h"
 
 namespace wold::landscape {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-/// A volume in memory that repeats along x and y.
-class TiledVolume {
- public:
-  explicit TiledVolume(const Volume& volume)
-      : voxels_(volume.voxels),
-        voxel_m_(volume.voxel_m),
-        extinction_(read_dense_floats(volume.vdb, "density", glm::ivec3(1), voxels_)),
-        radiance_(read_dense_vectors(volume.vdb, volume.emission_grid, glm::ivec3(1), voxels_)) {}
-
-  /// A ray from a point of the top, in shares of the patch, down to the ground in steps of a
-  /// voxel, the first of them `begin` of a step away: the mean over all begins is exact.
-  FarLook trace(const glm::dvec2& start, double begin, const glm::dvec3& direction) const {
-    FarLook look;
-    glm::dvec3 at = glm::dvec3(start * static_cast<double>(voxels_.x), voxels_.z - 1e-6);
-    for (at += begin * direction; at.z >= 0.0 && look.transmittance > 1e-3; at += direction) {
-      const std::size_t voxel = index(glm::ivec3(glm::floor(at)));
-      const double left = std::exp(-double{extinction_[voxel]} * voxel_m_);
-      look.radiance += look.transmittance * (1.0 - left) * glm::dvec3(radiance_[voxel]);
-      look.transmittance *= left;
-    }
-    return look;
-  }
-
- private:
-  std::size_t index(const glm::ivec3& at) const {
-    const auto wrapped = [](int i, int n) { return static_cast<std::size_t>(((i % n) + n) % n); };
-    const auto side = static_cast<std::size_t>(voxels_.x);
-    return (static_cast<std::size_t>(at.z) * side + wrapped(at.y, voxels_.y)) * side +
-           wrapped(at.x, voxels_.x);
-  }
-
-  glm::ivec3 voxels_;
-  double voxel_m_;
-  std::vector<float> extinction_;
-  std::vector<glm::vec3> radiance_;
-};
 
 /// The mean over starts x starts rays that begin evenly over the patch, each at another share of a
 /// step.
@@ -58,7 +20,7 @@ FarLook mean_look(const TiledVolume& volume, const glm::dvec3& direction, int st
     for (int i = 0; i < starts; ++i) {
       const double begin = ((7 * i + 5 * j) % starts + 0.5) / starts;
       const FarLook look =
-          volume.trace((glm::dvec2(i, j) + 0.5) / static_cast<double>(starts), begin, direction);
+          volume.trace({(glm::dvec2(i, j) + 0.5) / static_cast<double>(starts), direction, begin});
       mean.radiance += look.radiance / (1.0 * starts * starts);
       mean.transmittance += look.transmittance / (starts * starts);
     }

@@ -4,15 +4,10 @@
 #include <glm/glm.hpp>
 #include <span>
 
+#include "landscape/far_look.h"
 #include "landscape/landscape.h"
 
 namespace wold::landscape {
-
-/// What a meadow of one kind of patch shows from far away, where a pixel covers many blades.
-struct FarLook {
-  glm::dvec3 radiance{0.0};    ///< of the grass alone
-  double transmittance = 1.0;  ///< share of the ground below that is seen
-};
 
 /// The far look by direction, measured: rays through the volumes, which repeat endlessly.
 class PatchLook {

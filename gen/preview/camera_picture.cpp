@@ -15,7 +15,7 @@ namespace {
 
 constexpr int finer = 2;  // pixels of a canvas along one of the picture
 
-void paint_grass(const landscape::Landscape& landscape, const Perspective& perspective,
+void paint_grass(const landscape::Landscape& landscape, const landscape::Perspective& perspective,
                  Canvas& canvas) {
   const LightAt light = [&](const glm::dvec3& at_m) {
     return landscape.light.sample(at_m.x, at_m.y);
@@ -48,7 +48,8 @@ Image camera_picture(const landscape::Landscape& landscape, int width_px) {
   const double aspect = static_cast<double>(landscape.height_px) / landscape.width_px;
   const int height_px = std::max(1, static_cast<int>(std::lround(aspect * width_px)));
   Canvas canvas(finer * width_px, finer * height_px);
-  const Perspective perspective(landscape.camera, {canvas.radiance.width, canvas.radiance.height});
+  const landscape::Perspective perspective(landscape.camera,
+                                           {canvas.radiance.width, canvas.radiance.height});
   paint_ground_and_sky(landscape, perspective, canvas);
   paint_grass(landscape, perspective, canvas);
   if (landscape.fog) paint_fog(*landscape.fog, perspective, canvas);

@@ -25,7 +25,7 @@ glm::dvec2 at_least(const glm::dvec2& half_px, double& opacity) {
   return half_px * (least_px / length_px);
 }
 
-Spot spot_of(const Flake& flake, const Perspective& perspective) {
+Spot spot_of(const Flake& flake, const landscape::Perspective& perspective) {
   const glm::dvec3 centre_m(flake.centre_m);
   Spot spot{perspective.seen(centre_m), {}, {}, flake.opacity};
   const glm::dvec2 middle(spot.middle);
@@ -66,7 +66,8 @@ void paint_spot(const Spot& spot, const Image& picture, const glm::vec3& radianc
 
 }  // namespace
 
-void paint_fog(const landscape::Fog& fog, const Perspective& perspective, Canvas& canvas) {
+void paint_fog(const landscape::Fog& fog, const landscape::Perspective& perspective,
+               Canvas& canvas) {
   for (int y = 0; y < canvas.radiance.height; ++y)
     for (int x = 0; x < canvas.radiance.width; ++x) {
       const double slant = perspective.depth_along(perspective.direction({x + 0.5, y + 0.5}));
@@ -77,7 +78,8 @@ void paint_fog(const landscape::Fog& fog, const Perspective& perspective, Canvas
     }
 }
 
-void paint_flakes(const landscape::Flakes& flakes, const Perspective& perspective, Canvas& canvas) {
+void paint_flakes(const landscape::Flakes& flakes, const landscape::Perspective& perspective,
+                  Canvas& canvas) {
   constexpr double nearest_m = 0.02;
   for (const Flake& flake : flakes.flakes) {
     const Spot spot = spot_of(flake, perspective);

@@ -1,15 +1,17 @@
 #pragma once
 
 #include "landscape/landscape.h"
+#include "landscape/perspective.h"
 #include "preview/canvas.h"
-#include "preview/perspective.h"
 
 namespace wold::preview {
 
 /// Puts the fog before what has been painted.
-void paint_fog(const landscape::Fog& fog, const Perspective& perspective, Canvas& canvas);
+void paint_fog(const landscape::Fog& fog, const landscape::Perspective& perspective,
+               Canvas& canvas);
 
 /// Paints falling flakes over it where nothing nearer is.
-void paint_flakes(const landscape::Flakes& flakes, const Perspective& perspective, Canvas& canvas);
+void paint_flakes(const landscape::Flakes& flakes, const landscape::Perspective& perspective,
+                  Canvas& canvas);
 
 }  // namespace wold::preview

@@ -1,14 +1,14 @@
 #pragma once
 
 #include "landscape/landscape.h"
+#include "landscape/perspective.h"
 #include "preview/canvas.h"
-#include "preview/perspective.h"
 
 namespace wold::preview {
 
 /// Paints the terrain, found by marching along a ray through each pixel's middle, and the sky
 /// behind it, both as the landscape's pictures have them.
-void paint_ground_and_sky(const landscape::Landscape& landscape, const Perspective& perspective,
-                          Canvas& canvas);
+void paint_ground_and_sky(const landscape::Landscape& landscape,
+                          const landscape::Perspective& perspective, Canvas& canvas);
 
 }  // namespace wold::preview

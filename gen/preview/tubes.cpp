@@ -67,7 +67,7 @@ std::vector<int> drawn_rings(int rings, int most) {
 
 /// Whether a tube is so short in the picture that few rings show its bend.
 bool is_small(const Tubes& tubes, std::size_t tube, const glm::dmat4& world_from_cell,
-              const Perspective& perspective) {
+              const landscape::Perspective& perspective) {
   constexpr double short_px = 24.0;
   const auto ring = static_cast<std::size_t>(tubes.corners);
   const std::size_t of_tube = static_cast<std::size_t>(tubes.rings) * ring;
@@ -81,7 +81,7 @@ bool is_small(const Tubes& tubes, std::size_t tube, const glm::dmat4& world_from
 }  // namespace
 
 void paint_tubes(const Tubes& tubes, const glm::dmat4& world_from_cell, const LightAt& light,
-                 const Perspective& perspective, Canvas& canvas) {
+                 const landscape::Perspective& perspective, Canvas& canvas) {
   const std::vector<int> few = drawn_rings(tubes.rings, fewest_rings);
   const std::vector<int> many = drawn_rings(tubes.rings, most_rings);
   const auto corners = static_cast<std::size_t>(tubes.corners);

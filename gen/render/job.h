@@ -19,9 +19,10 @@ struct Job {
   std::string device = "cpu";  ///< of Blender: "cpu", "gpu", or "auto", the latter if there is one
   int threads = 0;             ///< 0: all processors
   double memory_bytes = 0.0;   ///< that the program may take of its own; 0: no limit
-  std::chrono::seconds timeout{0};  ///< from the start; longer than 0
-  std::filesystem::path picture;    ///< where the finished picture goes
-  std::filesystem::path log;        ///< the renderer's own words, kept in any case
+  std::chrono::seconds timeout{0};   ///< from the start; longer than 0
+  std::filesystem::path picture;     ///< where the finished picture goes
+  std::filesystem::path log;         ///< the renderer's own words, kept in any case
+  std::filesystem::path expected{};  ///< what it should show (expected_picture.h); empty: not known
 };
 
 }  // namespace wold::render

@@ -13,6 +13,7 @@
 #include "core/image.h"
 #include "render/command.h"
 #include "render/log.h"
+#include "render/missing_things.h"
 #include "render/picture_check.h"
 #include "render/process.h"
 
@@ -87,8 +88,16 @@ void drop_notes(const fs::path& output) {
   if (output.extension() == ".png") write_image(output, read_image(output), PixelFormat::uint8);
 }
 
+/// What is wrong with a finished picture; empty when nothing is.
+std::string problem_of(const fs::path& output, const Job& job, const ExpectedPicture& expected) {
+  const std::string problem = picture_problem(output, job.size_px);
+  return problem.empty() ? missing_things(output, expected, job.program.kind) : problem;
+}
+
 double render_to(const fs::path& output, const Job& job, Progress& progress,
                  const std::function<bool()>& interrupted) {
+  const ExpectedPicture expected =
+      job.expected.empty() ? ExpectedPicture{} : read_expected_picture(job.expected);
   Log log(job.log);
   const Command command = render_command(job, output);
   log.add(fmt::format("{}", fmt::join(command.arguments, " ")));
@@ -96,7 +105,7 @@ double render_to(const fs::path& output, const Job& job, Progress& progress,
   Listener listener(job.program.kind, percent, log);
   const ProcessEnd end = watch(job, command, listener, log, interrupted);
   if (end.code != 0 || end.signal != 0) throw failure(job, log, to_string(end));
-  if (const std::string problem = picture_problem(output, job.size_px); !problem.empty())
+  if (const std::string problem = problem_of(output, job, expected); !problem.empty())
     throw failure(job, log, problem);
   drop_notes(output);
   percent.reach(1.0);

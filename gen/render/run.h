@@ -11,9 +11,9 @@ namespace wold::render {
 ///
 /// The program runs in its own process group; its output goes to job.log, its progress (in
 /// percent) to `progress`. The picture appears under job.picture only when the program succeeded
-/// in time and the picture has the right size and is not blank; an older one is removed first. A
-/// PNG has 8 bits per channel and no notes: same pixels, same bytes. `interrupted` is asked several
-/// times a second.
+/// in time and the picture has the right size, is not blank and shows what job.expected says
+/// (missing_things.h). An older picture is removed first. A PNG has 8 bits per channel and no
+/// notes: same pixels, same bytes. `interrupted` is asked several times a second.
 ///
 /// Returns the most memory, in bytes, that the program was seen to have of its own; see
 /// memory_of_process_bytes().

@@ -1,10 +1,11 @@
 #include "small_film.h"
 
+#include <fmt/format.h>
+
 #include <fstream>
 #include <thread>
 
 #include "core/files.h"
-#include "core/image.h"
 
 namespace wold::test {
 namespace {
@@ -29,13 +30,6 @@ target = [3, 4]
 size = [64, 36]
 samples = 1
 )";
-
-Image gradient(int width, int height) {
-  Image image(width, height, 3);
-  for (std::size_t i = 0; i < image.values.size(); ++i)
-    image.values[i] = static_cast<float>(i) / static_cast<float>(image.values.size());
-  return image;
-}
 
 }  // namespace
 
@@ -73,16 +67,19 @@ void SmallFilm::expect_nothing_half_written(const std::string& folder) const {
 }
 
 std::string SmallFilm::blender_played_by(const std::string& body, const FakeBlender& fake) const {
-  write_image(folder_ / "good.png", gradient(64, 36), PixelFormat::uint8);
-  write("fake.sh", fake_blender_head((folder_ / "probes").string(), fake) + "cd '" +
-                       folder_.string() +
-                       "'\ngood=good.png\n"
-                       "while [ $# -gt 0 ]; do\n"
-                       "  case $1 in --) frame=$3 ;; --out) out=$2 ;; esac\n"
-                       "  shift\n"
-                       "done\n"
-                       "echo $frame >> calls\n" +
-                       body + "\n");
+  const std::string head = fake_blender_head((folder_ / "probes").string(), fake);
+  write("fake.sh", fmt::format(R"({}cd '{}'
+while [ $# -gt 0 ]; do
+  case $1 in --) scene=$2; frame=$3 ;; --out) out=$2 ;; esac
+  shift
+done
+echo $frame >> calls
+good=good_$frame.png
+paint() {{ '{}' "$scene/data/frame_000$frame/expected.json" $good 64 36 $1; }}
+paint
+{}
+)",
+                               head, folder_.string(), WOLD_PAINTER, body));
   fs::permissions(folder_ / "fake.sh", fs::perms::owner_all);
   return "WOLD_BLENDER='" + (folder_ / "fake.sh").string() + "' XDG_CACHE_HOME='" +
          (folder_ / ".cache").string() + "'";

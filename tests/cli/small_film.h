@@ -34,8 +34,9 @@ class SmallFilm : public Program {
   void expect_nothing_half_written(const std::string& folder) const;
 
   /// A shell script that plays Blender; returns the environment that chooses it. In it, $out is the
-  /// wanted picture, $frame its number, and $good a sound picture. Every picture adds the number to
-  /// the file "calls", every probe a line to "probes". What it says is not kept for other tests.
+  /// wanted picture, $frame its number, and $good a sound picture. `paint without` makes that one
+  /// without any grass. Every picture adds the number to the file "calls", every probe a line to
+  /// "probes". What it says is not kept for other tests.
   std::string blender_played_by(const std::string& body, const FakeBlender& fake = {}) const;
 
   /// The frames the script was called for since the last time, such as "1 2 ".

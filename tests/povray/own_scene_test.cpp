@@ -10,8 +10,8 @@
 #include <numbers>
 
 #include "core/image.h"
-#include "povray/constant_meadow.h"
 #include "support/cloudy_view.h"
+#include "support/constant_meadow.h"
 #include "support/snowy_view.h"
 #include "support/synthetic_landscape.h"
 

@@ -10,9 +10,9 @@
 
 #include "core/files.h"
 #include "core/image.h"
-#include "povray/constant_meadow.h"
 #include "povray/export.h"
 #include "support/cloudy_view.h"
+#include "support/constant_meadow.h"
 #include "support/detailed_ground.h"
 #include "support/povray_film.h"
 #include "support/quartered.h"

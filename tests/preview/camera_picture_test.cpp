@@ -7,16 +7,16 @@
 #include <numeric>
 
 #include "core/colour.h"
+#include "landscape/perspective.h"
 #include "preview/flakes.h"
 #include "preview/ground_and_sky.h"
-#include "preview/perspective.h"
 #include "preview/tubes.h"
 
 namespace wold::test {
 namespace {
 
+using landscape::Perspective;
 using preview::Canvas;
-using preview::Perspective;
 
 constexpr int side_px = 64;
 

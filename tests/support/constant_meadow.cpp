@@ -1,4 +1,4 @@
-#include "povray/constant_meadow.h"
+#include "support/constant_meadow.h"
 
 #include <openvdb/openvdb.h>
 

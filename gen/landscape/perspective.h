@@ -6,13 +6,13 @@
 
 #include "landscape/landscape.h"
 
-namespace wold::preview {
+namespace wold::landscape {
 
 /// A pinhole camera over a picture: world space to pixels and back. x to the right, y down; depth
 /// in metres along the line of sight of the picture's middle.
 class Perspective {
  public:
-  Perspective(const landscape::Camera& camera, const glm::ivec2& size_px)
+  Perspective(const Camera& camera, const glm::ivec2& size_px)
       : eye_m_(camera.eye_m),
         forward_(glm::normalize(camera.target_m - camera.eye_m)),
         right_(glm::normalize(glm::cross(forward_, glm::dvec3(0.0, 0.0, 1.0)))),
@@ -50,4 +50,4 @@ class Perspective {
   glm::dvec2 middle_px_;
 };
 
-}  // namespace wold::preview
+}  // namespace wold::landscape

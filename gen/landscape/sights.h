@@ -1,0 +1,31 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+#include "landscape/bare_view.h"
+#include "landscape/cloud_view.h"
+#include "landscape/far_look.h"
+#include "landscape/landscape.h"
+
+namespace wold::landscape {
+
+/// A line of sight, and what it meets from the farthest to the nearest.
+struct Sight {
+  glm::dvec3 direction{0.0};  ///< unit vector
+  bool meets_ground = false;
+  Hit bare;                      ///< the ground, or what is behind everything
+  std::optional<FarLook> grass;  ///< of volumes, lit, that stand on the ground there
+  std::optional<FarLook> blades;
+  SeenBox clouds;
+};
+
+/// Fills in the volumes that stand where sights meet the ground. Returns of how many cells they
+/// are, or parts of cells. Throws FileError when a volume cannot be read.
+std::size_t look_at_grass(const Landscape& landscape, std::vector<Sight>& sights);
+
+/// Fills in the blades likewise.
+void look_at_blades(const Landscape& landscape, std::vector<Sight>& sights);
+
+}  // namespace wold::landscape

@@ -1,0 +1,125 @@
+// A renderer that leaves out grass or clouds is caught by its picture, whatever it says. Skipped
+// where it is missing.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "blender/export.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "povray/export.h"
+#include "render/run.h"
+#include "support/cloudy_view.h"
+#include "support/synthetic_landscape.h"
+#include "support/temporary_folder.h"
+
+namespace wold {
+namespace {
+
+namespace fs = std::filesystem;
+using landscape::Landscape;
+using render::Renderer;
+
+class WithoutThings : public testing::TestWithParam<Renderer> {
+ protected:
+  void SetUp() override {
+    try {
+      render::find_renderer(GetParam());
+    } catch (const RendererError& error) {
+      GTEST_SKIP() << error.what();
+    }
+  }
+
+  /// Renders `drawn` where the picture of `wanted` is expected.
+  void render(const Landscape& drawn, const Landscape& wanted) const {
+    const fs::path scene_folder = folder_.path() / "scene";
+    const fs::path expected = "data/frame_0001/expected.json";
+    export_to(wanted, folder_.path() / "wanted");
+    export_to(drawn, scene_folder);
+    SilentProgress progress;
+    render::run({GetParam(),
+                 scene_folder,
+                 1,
+                 {wanted.width_px, wanted.height_px},
+                 4,
+                 0,
+                 0.0,
+                 std::chrono::seconds(300),
+                 folder_.path() / "picture.png",
+                 folder_.path() / "log",
+                 folder_.path() / "wanted" / expected},
+                progress, [] { return false; });
+  }
+
+  /// What the renderer is blamed for; empty when nothing is.
+  std::string blame(const Landscape& drawn, const Landscape& wanted) const {
+    try {
+      render(drawn, wanted);
+    } catch (const RendererError& error) {
+      EXPECT_FALSE(fs::exists(folder_.path() / "picture.png"));
+      return error.what();
+    }
+    return {};
+  }
+
+  Landscape meadow(int cells_per_side = 6) const {
+    return test::synthetic_landscape({.cells_per_side = cells_per_side, .height_voxels = 10},
+                                     folder_.path() / "texels");
+  }
+
+ private:
+  static void export_to(const Landscape& landscape, const fs::path& folder) {
+    if (GetParam() == Renderer::blender) {
+      blender::export_frame(landscape, folder);
+      blender::export_scene(folder);
+    } else {
+      povray::export_frame(landscape, folder);
+      povray::export_scene(folder);
+    }
+  }
+
+  const test::TemporaryFolder folder_{"without_things"};
+};
+
+TEST_P(WithoutThings, GrassThatIsNotDrawnIsMissed) {
+  const Landscape wanted = meadow();
+  EXPECT_EQ(blame(wanted, wanted), "");
+  Landscape bare = wanted;
+  bare.cells.clear();
+  EXPECT_THAT(blame(bare, wanted), testing::HasSubstr("of the grass that should be there"));
+}
+
+TEST_P(WithoutThings, HalfOfTheGrassIsMissed) {
+  const Landscape wanted = meadow(10);
+  EXPECT_EQ(blame(wanted, wanted), "");
+  Landscape half = wanted;
+  std::erase_if(half.cells, [&](const landscape::Cell& cell) { return cell.volume == 0; });
+  EXPECT_THAT(blame(half, wanted), testing::HasSubstr("of the grass that should be there"));
+}
+
+TEST_P(WithoutThings, BladesThatAreNotDrawnAreMissed) {
+  Landscape wanted = meadow();
+  for (const landscape::Cell& cell : wanted.cells)
+    wanted.blade_cells.push_back({cell.world_from_cell, 0});
+  wanted.cells.clear();
+  EXPECT_EQ(blame(wanted, wanted), "");
+  Landscape bare = wanted;
+  bare.blade_cells.clear();
+  EXPECT_THAT(blame(bare, wanted), testing::HasSubstr("of the blades that should be there"));
+}
+
+TEST_P(WithoutThings, CloudsThatAreNotDrawnAreMissed) {
+  Landscape wanted = meadow();
+  test::make_cloudy_view(wanted);
+  EXPECT_EQ(blame(wanted, wanted), "");
+  Landscape clear = wanted;
+  clear.clouds.clear();
+  EXPECT_THAT(blame(clear, wanted), testing::HasSubstr("of the clouds that should be there"));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, WithoutThings, testing::Values(Renderer::blender, Renderer::povray),
+                         [](const auto& tested) {
+                           return tested.param == Renderer::blender ? "blender" : "povray";
+                         });
+
+}  // namespace
+}  // namespace wold
