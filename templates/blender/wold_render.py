@@ -6,8 +6,9 @@
     python3 wold_render.py -- FOLDER 1
     ... wold_render.py -- --probe                    says what this Blender can show
 
-FOLDER is the folder "blender" that `wold generate` has written. It holds data: nothing in it is run.
-The package wold_blender has to be beside this file, as a folder or as wold_blender-VERSION.zip.
+FOLDER is the folder "blender" that `wold generate` has written. It holds data, and
+nothing in it is run. The package wold_blender has to be beside this file, as a folder or as
+wold_blender-VERSION.zip.
 """
 
 import glob

@@ -58,7 +58,7 @@ def add_sun(home: Any, frame: Frame) -> None:
 
 
 def set_renderer(scene: Any, frame: Frame) -> None:
-    """As the landscape is rendered alone, but with light that things of one's own take and pass on."""
+    """As the landscape is rendered alone. Light has bounces here, for things of the user's own."""
     set_light_transport(scene, frame["samples"])
     scene.cycles.max_bounces = 4
     set_picture(scene, frame, frame["size_px"])
