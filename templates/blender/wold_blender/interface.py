@@ -58,7 +58,7 @@ def show(scene: Any) -> None:
         imported.set_up_view(scene, frame)
     settings.frame = number
     imported.set_sun(settings.sun)
-    imported.set_detail(scene, settings.detail)
+    imported.set_detail(settings.detail)
     imported.show_grass_in_viewport(settings.grass_in_viewport)
 
 
@@ -92,7 +92,7 @@ def on_degree(settings: Any, context: Any) -> None:
 
 
 def on_detail(settings: Any, _context: Any) -> None:
-    imported.set_detail(settings.id_data, settings.detail)
+    imported.set_detail(settings.detail)
 
 
 class WoldSettings(bpy.types.PropertyGroup):  # type: ignore[misc]
