@@ -6,13 +6,20 @@
     python3 wold_render.py -- FOLDER 1
     ... wold_render.py -- --probe                    says what this Blender can show
 
-FOLDER is the folder "blender" that `wold generate` has written. It holds data: nothing in it is run.
-The package wold_blender has to be beside this file, as a folder or as wold_blender-VERSION.zip.
+FOLDER is the folder "blender" that `wold generate` has written. It holds data, and
+nothing in it is run. The package wold_blender has to be beside this file, as a folder or as
+wold_blender-VERSION.zip.
 """
 
 import glob
 import os
+import re
 import sys
+
+
+def version_of(archive: str) -> list[int]:
+    """The numbers in an archive's name: [0, 10, 2] comes after [0, 9, 0]."""
+    return [int(number) for number in re.findall(r"\d+", os.path.basename(archive))]
 
 
 def package_place() -> str:
@@ -20,10 +27,10 @@ def package_place() -> str:
     here = os.path.dirname(os.path.abspath(__file__))
     if os.path.isdir(os.path.join(here, "wold_blender")):
         return here
-    archives = sorted(glob.glob(os.path.join(glob.escape(here), "wold_blender-*.zip")))
+    archives = glob.glob(os.path.join(glob.escape(here), "wold_blender-*.zip"))
     if not archives:
         sys.exit(f"wold: error {here} has neither wold_blender nor wold_blender-VERSION.zip")
-    return archives[-1]
+    return max(archives, key=version_of)
 
 
 def main() -> None:

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """What a browser makes of a report: report_browser.py PAGE.html
 
-Drives headless Chromium by WebDriver (W3C; chromedriver), uses the page as a reader would and prints
-what was seen as JSON. Screenshots of the pictures go into the working folder.
+Drives headless Chromium by WebDriver (W3C; chromedriver), uses the page as a reader would and
+prints what was seen as JSON. Screenshots of the pictures go into the working folder.
 """
+
 import base64
 import json
 import pathlib
@@ -13,12 +14,29 @@ import sys
 import time
 import urllib.request
 
-KEYS = {"left": "\ue012", "right": "\ue014", "home": "\ue011", "end": "\ue010", "space": " ", "tab": "\ue004"}
+OPTIONS = [
+    "--headless=new",
+    "--no-sandbox",
+    "--disable-gpu",
+    "--hide-scrollbars",
+    "--window-size=1200,900",
+    "--force-device-scale-factor=1",
+]
+KEYS = {
+    "left": "\ue012",
+    "right": "\ue014",
+    "home": "\ue011",
+    "end": "\ue010",
+    "space": " ",
+    "tab": "\ue004",
+}
 
 
 class Browser:
     def __init__(self):
-        self.driver = subprocess.Popen(["chromedriver", "--port=0"], stdout=subprocess.PIPE, text=True)
+        self.driver = subprocess.Popen(
+            ["chromedriver", "--port=0"], stdout=subprocess.PIPE, text=True
+        )
         for line in self.driver.stdout:
             if "on port " in line and "started" in line:
                 port = int(line.rsplit("on port ", 1)[1].strip(" .\n"))
@@ -26,15 +44,14 @@ class Browser:
         else:
             raise RuntimeError("chromedriver did not start")
         self.base = f"http://127.0.0.1:{port}/session"
-        options = {"args": ["--headless=new", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
-                            "--window-size=1200,900", "--force-device-scale-factor=1"]}
-        answer = self.send("POST", "", {"capabilities": {"alwaysMatch": {
-            "goog:chromeOptions": options, "goog:loggingPrefs": {"browser": "ALL"}}}})
+        wanted = {"goog:chromeOptions": {"args": OPTIONS}, "goog:loggingPrefs": {"browser": "ALL"}}
+        answer = self.send("POST", "", {"capabilities": {"alwaysMatch": wanted}})
         self.base += "/" + answer["sessionId"]
 
     def send(self, method, path, body=None):
         data = None if body is None else json.dumps(body).encode()
-        request = urllib.request.Request(self.base + path, data, {"Content-Type": "application/json"}, method=method)
+        headers = {"Content-Type": "application/json"}
+        request = urllib.request.Request(self.base + path, data, headers, method=method)
         with urllib.request.urlopen(request, timeout=60) as answer:
             return json.load(answer)["value"]
 
@@ -52,15 +69,25 @@ class Browser:
         return self.send("POST", "/execute/sync", {"script": script, "args": []})
 
     def press(self, *keys):
-        strokes = [{"type": kind, "value": KEYS[key]} for key in keys for kind in ("keyDown", "keyUp")]
-        self.send("POST", "/actions", {"actions": [{"type": "key", "id": "keys", "actions": strokes}]})
+        strokes = [
+            {"type": kind, "value": KEYS[key]} for key in keys for kind in ("keyDown", "keyUp")
+        ]
+        self.send(
+            "POST", "/actions", {"actions": [{"type": "key", "id": "keys", "actions": strokes}]}
+        )
 
     def drag(self, start, end):
-        move = lambda at: {"type": "pointerMove", "duration": 30, "x": round(at[0]), "y": round(at[1])}
-        self.send("POST", "/actions", {"actions": [{
-            "type": "pointer", "id": "mouse", "parameters": {"pointerType": "mouse"},
-            "actions": [move(start), {"type": "pointerDown", "button": 0}, move(end),
-                        {"type": "pointerUp", "button": 0}]}]})
+        def move(at):
+            return {"type": "pointerMove", "duration": 30, "x": round(at[0]), "y": round(at[1])}
+
+        down, up = ({"type": kind, "button": 0} for kind in ("pointerDown", "pointerUp"))
+        mouse = {
+            "type": "pointer",
+            "id": "mouse",
+            "parameters": {"pointerType": "mouse"},
+            "actions": [move(start), down, move(end), up],
+        }
+        self.send("POST", "/actions", {"actions": [mouse]})
 
     def element(self, css):
         found = self.send("POST", "/element", {"using": "css selector", "value": css})
@@ -68,8 +95,10 @@ class Browser:
 
     def box(self, css):
         self.run(f"document.querySelector('{css}').scrollIntoView({{block: 'center'}})")
-        return self.run(f"const b = document.querySelector('{css}').getBoundingClientRect();"
-                        "return [b.left, b.top, b.width, b.height]")
+        return self.run(
+            f"const b = document.querySelector('{css}').getBoundingClientRect();"
+            "return [b.left, b.top, b.width, b.height]"
+        )
 
     def picture_of(self, css, file):
         self.run(f"document.querySelector('{css}').scrollIntoView({{block: 'center'}})")
@@ -91,13 +120,19 @@ def use(browser, page):
     seen["text"] = browser.run("return document.body.innerText")
     if browser.run("return document.querySelector('.stage') !== null"):
         use_viewer(browser, seen)
-    seen["outside"] = browser.run("return performance.getEntriesByType('resource').map(e => e.name)"
-                                  ".filter(name => !name.startsWith('data:'))")
+    seen["outside"] = browser.run(
+        "return performance.getEntriesByType('resource').map(e => e.name)"
+        ".filter(name => !name.startsWith('data:'))"
+    )
     seen["widths"] = narrow_widths(browser)
     browser.picture_of("body", "narrow.png")
-    browser.developer("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": "dark"}])
+    browser.developer(
+        "Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": "dark"}]
+    )
     seen["dark"] = browser.run("return getComputedStyle(document.body).backgroundColor")
-    seen["console"] = [entry["message"] for entry in browser.send("POST", "/se/log", {"type": "browser"})]
+    seen["console"] = [
+        entry["message"] for entry in browser.send("POST", "/se/log", {"type": "browser"})
+    ]
     return seen
 
 
@@ -121,7 +156,9 @@ def use_viewer(browser, seen):
         browser.press("space")
         seen["playing"] = wait_for_change(browser, seen["dragged home"])
         browser.press("space")
-        seen["paused"] = browser.run("return document.getElementById('play').getAttribute('aria-label')")
+        seen["paused"] = browser.run(
+            "return document.getElementById('play').getAttribute('aria-label')"
+        )
         browser.press("home")
     if browser.run("return document.querySelector('.handle') !== null"):
         use_wipe(browser, seen)
@@ -138,11 +175,15 @@ def use_wipe(browser, seen):
     left, top, width, height = browser.box(".stage")
     middle = top + height / 2
     browser.drag((left + width / 2, middle), (left + 0.2 * width, middle))
-    seen["wiped"] = browser.run("return document.querySelector('.handle').getAttribute('aria-valuenow')")
+    seen["wiped"] = browser.run(
+        "return document.querySelector('.handle').getAttribute('aria-valuenow')"
+    )
     browser.picture_of(".stage", "wiped.png")
     browser.run("document.querySelector('.handle').focus()")
     browser.press("right", "right")
-    seen["wiped by keys"] = browser.run("return document.querySelector('.handle').getAttribute('aria-valuenow')")
+    seen["wiped by keys"] = browser.run(
+        "return document.querySelector('.handle').getAttribute('aria-valuenow')"
+    )
     seen["frame after wiping"] = words(browser)
     for view in ("side", "only-0", "only-1"):
         browser.run(f"document.querySelector('input[value={view}]').click()")
@@ -154,9 +195,17 @@ def use_wipe(browser, seen):
 
 def narrow_widths(browser):
     """The width of a telephone, and of what stands on it with all parameters shown."""
-    browser.developer("Emulation.setDeviceMetricsOverride", width=360, height=740, deviceScaleFactor=1, mobile=True)
+    browser.developer(
+        "Emulation.setDeviceMetricsOverride",
+        width=360,
+        height=740,
+        deviceScaleFactor=1,
+        mobile=True,
+    )
     browser.run("const all = document.getElementById('all'); if (all) all.checked = true;")
-    return browser.run("return [innerWidth, document.documentElement.scrollWidth, document.body.scrollWidth]")
+    return browser.run(
+        "return [innerWidth, document.documentElement.scrollWidth, document.body.scrollWidth]"
+    )
 
 
 def main():

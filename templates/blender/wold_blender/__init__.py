@@ -1,4 +1,8 @@
-"""Landscapes of Wold in Blender 3.4 and later: an extension, an add-on, and wold_render.py's package."""
+"""Landscapes of Wold in Blender 3.4 and later.
+
+Blender from 4.2 on takes this package as an extension, earlier ones as an add-on. wold_render.py
+renders with it from the command line.
+"""
 
 bl_info = {  # for Blender before 4.2; later ones read blender_manifest.toml
     "name": "Wold landscape",

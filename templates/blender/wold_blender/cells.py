@@ -63,8 +63,8 @@ def cell_points(frame: Frame, cells: dict[str, Any], members: int) -> Any:
 
 
 def shift_volumes(frame: Frame, cells: dict[str, Any], mesh: Any) -> None:
-    """Says of each cell by how much its volume is moved, where that is to be done. Parts are bounded
-    in the volume's own space, from where it was before."""
+    """Says of each cell by how much its volume is moved, where that is to be done. The bounds of a
+    part are in the volume's own space. They are measured from where the volume was before."""
     shift_voxels = volume_shift_voxels()
     if shift_voxels == 0.0:
         return

@@ -6,7 +6,7 @@ from typing import Any
 
 from mathutils import Vector
 
-from .differences import set_step, volume_shift_voxels
+from .differences import volume_shift_voxels
 from .frame_data import Frame
 from .meshes import add_object
 from .nodes import end_in, grid_colour, grid_number, medium, new_material
@@ -17,7 +17,7 @@ STEP_VOXELS = 2.0
 
 def cloud_material() -> Any:
     material, nodes = new_material("cloud")
-    set_step(material, STEP_VOXELS)
+    material.cycles.volume_step_rate = STEP_VOXELS
     density = grid_number(nodes, "density")
     end_in(nodes, "Volume", medium(nodes, density, grid_colour(nodes, "emission")))
     return material

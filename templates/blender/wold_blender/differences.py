@@ -1,9 +1,10 @@
 """What differs between the versions of Blender that this package runs in, one function for each.
 
-Each function is named after the fact that it adapts to, and asks what the running Blender has. A
-fact that cannot be asked for is one of Cycles' inner workings; it is told by a property that came
-in the same version. `DIFFERENCES` says in which versions each fact holds: tests/blender checks it
-in every Blender it finds, and fails when the oldest supported version no longer needs a function.
+A function that returns a bool is a fact. It asks what the running Blender has. Some facts cannot be
+asked for, since they are Cycles' inner workings: a property that came in the same version tells
+them. The other functions do what a fact asks for. `DIFFERENCES` says in which versions each fact
+holds. tests/blender checks that in the Blender that it runs. tests/python fails when the oldest
+supported version no longer needs a fact.
 """
 
 from __future__ import annotations
@@ -17,12 +18,12 @@ Version = tuple[int, int]
 OLDEST: Version = (3, 4)  # that is supported
 
 
-def has(thing: Any, name: str) -> bool:
+def _has(thing: Any, name: str) -> bool:
     """Whether a thing or a type of Blender has a property."""
     return name in thing.bl_rna.properties
 
 
-def cycles_has(kind: Any, name: str) -> bool:
+def _cycles_has(kind: Any, name: str) -> bool:
     """Whether Cycles' settings of a type of Blender have a property."""
     return name in kind.bl_rna.properties["cycles"].fixed_type.properties
 
@@ -32,11 +33,11 @@ def cycles_has(kind: Any, name: str) -> bool:
 
 def sockets_belong_to_an_interface() -> bool:
     """Since 4.0 node groups list their sockets in `interface`, before in `inputs`, `outputs`."""
-    return has(bpy.types.NodeTree, "interface")
+    return _has(bpy.types.NodeTree, "interface")
 
 
 def add_group_socket(tree: Any, name: str, in_out: str, kind: str) -> None:
-    """`in_out` is "INPUT" or "OUTPUT"."""
+    """Before 4.0 in another way. `in_out` is "INPUT" or "OUTPUT"."""
     if sockets_belong_to_an_interface():
         tree.interface.new_socket(name, in_out=in_out, socket_type=kind)
     else:
@@ -45,11 +46,11 @@ def add_group_socket(tree: Any, name: str, in_out: str, kind: str) -> None:
 
 def emission_sampling_has_methods() -> bool:
     """Since 3.5 a material is sampled as a light by a method, before or not."""
-    return cycles_has(bpy.types.Material, "emission_sampling")
+    return _cycles_has(bpy.types.Material, "emission_sampling")
 
 
 def leave_out_of_lights(material: Any) -> None:
-    """Nothing here is lit by anything else."""
+    """Before 3.5 by another property. Nothing here is lit by anything else."""
     if emission_sampling_has_methods():
         material.cycles.emission_sampling = "NONE"
     else:
@@ -58,11 +59,11 @@ def leave_out_of_lights(material: Any) -> None:
 
 def things_have_nodes_from_the_start() -> bool:
     """Since 5.0 every material and world has nodes; to ask for them is deprecated."""
-    return has(bpy.types.Scene, "compositing_node_group")
+    return _has(bpy.types.Scene, "compositing_node_group")
 
 
 def give_nodes(thing: Any) -> Any:
-    """The node tree of a material or a world."""
+    """The node tree of a material or a world, which before 5.0 has none until it is asked for."""
     if not things_have_nodes_from_the_start():
         thing.use_nodes = True
     return thing.node_tree
@@ -72,7 +73,7 @@ def give_nodes(thing: Any) -> Any:
 
 
 def polygons_are_told_where_they_end() -> bool:
-    """Until 3.5 a polygon has a start and a length, since then a start alone."""
+    """Before 3.6 a polygon has a start and a length, since then a start alone."""
     return not bpy.types.MeshPolygon.bl_rna.properties["loop_total"].is_readonly
 
 
@@ -81,7 +82,7 @@ def polygons_are_told_where_they_end() -> bool:
 
 def volumes_are_read_by_nanovdb() -> bool:
     """Since 5.0 Cycles' volumes are NanoVDB's, and it has a second integrator for them."""
-    return cycles_has(bpy.types.Scene, "volume_biased")
+    return _cycles_has(bpy.types.Scene, "volume_biased")
 
 
 def voxel_value_is_at_its_lower_corner() -> bool:
@@ -90,8 +91,8 @@ def voxel_value_is_at_its_lower_corner() -> bool:
 
 
 def volume_shift_voxels() -> float:
-    """How far volumes are moved along each axis, so that values are where they were meant to be:
-    exported volumes have them in the middle of the box."""
+    """How far volumes are moved along each axis; 0 before 5.0. Exported volumes have their values
+    in the middle of the box, and this move brings them there."""
     return 0.5 if voxel_value_is_at_its_lower_corner() else 0.0
 
 
@@ -108,25 +109,14 @@ def attributes_are_looked_up_at_random() -> bool:
     return volumes_are_read_by_nanovdb()
 
 
-def steps_are_the_material_s() -> bool:
-    """A version without this has one length of steps for the whole scene."""
-    return cycles_has(bpy.types.Material, "volume_step_rate")
-
-
-def set_step(material: Any, voxels: float) -> None:
-    """How long a step along a ray through a material is, in voxels."""
-    if steps_are_the_material_s():
-        material.cycles.volume_step_rate = voxels
-
-
 def homogeneous_volumes_are_declared() -> bool:
-    """Until 4.5 Cycles is told that a volume is the same everywhere, which it then works out at
-    once; since 5.0 it finds out by itself."""
-    return cycles_has(bpy.types.World, "homogeneous_volume")
+    """Before 5.0 Cycles is told that a volume is the same everywhere. It then works the volume out
+    at once. Later versions find out by themselves."""
+    return _cycles_has(bpy.types.World, "homogeneous_volume")
 
 
 def declare_homogeneous(thing: Any) -> None:
-    """`thing` is a world or a material."""
+    """Only before 5.0. `thing` is a world or a material."""
     if homogeneous_volumes_are_declared():
         thing.cycles.homogeneous_volume = True
 
@@ -136,10 +126,11 @@ def declare_homogeneous(thing: Any) -> None:
 
 def pictures_are_cached_beside_themselves() -> bool:
     """Since 5.2 Cycles may write a folder of tiles beside each picture that it reads."""
-    return has(bpy.types.RenderSettings, "use_texture_cache")
+    return _has(bpy.types.RenderSettings, "use_texture_cache")
 
 
 def leave_no_cache_beside_pictures(scene: Any) -> None:
+    """Only since 5.2. Exported folders stay as they are."""
     if pictures_are_cached_beside_themselves():
         scene.render.use_texture_cache = False
         scene.render.use_auto_generate_texture_cache = False
@@ -147,10 +138,11 @@ def leave_no_cache_beside_pictures(scene: Any) -> None:
 
 def lights_are_in_a_tree() -> bool:
     """Since 3.5 Cycles can sort lights into a tree. One sun needs none."""
-    return cycles_has(bpy.types.Scene, "use_light_tree")
+    return _cycles_has(bpy.types.Scene, "use_light_tree")
 
 
 def leave_out_light_tree(scene: Any) -> None:
+    """Only since 3.5."""
     if lights_are_in_a_tree():
         scene.cycles.use_light_tree = False
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from .differences import set_step
 from .frame_data import Frame
 from .nodes import (
     Nodes,
@@ -84,7 +83,7 @@ def asking_for(nodes: Nodes, grid: str, density: Any, shader: Any) -> Any:
 
 def grass_material(frame: Frame, kind: Kind) -> Any:
     material, nodes = new_material(f"grass, step {kind.step_voxels}, quarter {kind.quarter}")
-    set_step(material, kind.step_voxels)
+    material.cycles.volume_step_rate = kind.step_voxels
     density = grid_number(nodes, "density")
     shader = grass_medium(nodes, frame, density)
     for grid in sorted(kind.hull_grids()):

@@ -6,9 +6,11 @@ import itertools
 
 
 def hash_share(name: str) -> float:
-    """A number in [0, 1], Jenkins' hash (the final mix of lookup3). Until Blender 5.1 Cycles moves a
-    volume's hull by a tenth of a metre times this, over how many active voxels it has along a side,
-    to keep hulls of different volumes apart."""
+    """A number in [0, 1]: Jenkins' hash, the final mix of lookup3.
+
+    Until Blender 5.1 Cycles moves a volume's hull, to keep hulls of different volumes apart. The
+    hull is moved by a tenth of a metre times this number, divided by the count of active voxels
+    along a side."""
     bits = 0xFFFFFFFF
 
     def turned(word: int, by: int) -> int:

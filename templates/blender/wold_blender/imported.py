@@ -11,7 +11,6 @@ from typing import Any
 import bpy
 from mathutils import Vector
 
-from .differences import steps_are_the_material_s
 from .frame_data import Frame
 from .landscape import add_camera, add_landscape, aim_camera
 from .meshes import add_object
@@ -58,7 +57,7 @@ def add_sun(home: Any, frame: Frame) -> None:
 
 
 def set_renderer(scene: Any, frame: Frame) -> None:
-    """As the landscape is rendered alone, but with light that things of one's own take and pass on."""
+    """As the landscape is rendered alone. Light has bounces here, for things of the user's own."""
     set_light_transport(scene, frame["samples"])
     scene.cycles.max_bounces = 4
     set_picture(scene, frame, frame["size_px"])
@@ -117,11 +116,8 @@ def set_sun(factor: float) -> None:
         lamp.energy = factor * lamp["irradiance"]
 
 
-def set_detail(scene: Any, detail: float) -> None:
+def set_detail(detail: float) -> None:
     """Steps along a ray; at detail 1 as long as the landscape is rendered alone."""
-    if not steps_are_the_material_s():
-        scene.cycles.volume_step_rate = 1.0 / detail
-        return
     for material in marked("materials"):
         usual = material.get("wold_step") or material.cycles.volume_step_rate
         material["wold_step"] = usual

@@ -1,11 +1,14 @@
 """What the user sees: an import, a tab "Wold" in the sidebar, and a landscape that follows the
 timeline.
 
-Grass, ground and sky emit what was computed for the landscape's sun. They hide things and are hidden
-by them, and grass takes sunlight from things, but things cast no shadow on them. The sun lamp is for
-things of one's own; it does not reach them in fog. Cells of grass that the landscape's own camera
-does not see have not been written: look from near it.
+Grass, ground and sky emit what was computed for the landscape's sun. They hide things and are
+hidden by them. Grass takes sunlight from things. Things cast no shadow on grass, ground and sky.
+The sun lamp is for things of the user's own. It does not reach them in fog. Cells of grass that the
+landscape's own camera does not see have not been written: look from near it.
 """
+
+# No `from __future__ import annotations` here: annotations would be texts then, and Blender 3.4
+# evaluates those of properties in another place, where it does not find their names.
 
 import functools
 import os
@@ -55,7 +58,7 @@ def show(scene: Any) -> None:
         imported.set_up_view(scene, frame)
     settings.frame = number
     imported.set_sun(settings.sun)
-    imported.set_detail(scene, settings.detail)
+    imported.set_detail(settings.detail)
     imported.show_grass_in_viewport(settings.grass_in_viewport)
 
 
@@ -89,7 +92,7 @@ def on_degree(settings: Any, context: Any) -> None:
 
 
 def on_detail(settings: Any, _context: Any) -> None:
-    imported.set_detail(settings.id_data, settings.detail)
+    imported.set_detail(settings.detail)
 
 
 class WoldSettings(bpy.types.PropertyGroup):  # type: ignore[misc]

@@ -9,7 +9,7 @@ import bpy
 
 from .differences import polygons_are_told_where_they_end
 
-if TYPE_CHECKING:
+if TYPE_CHECKING:  # before Python 3.12 this cannot be evaluated
     Numbers = array.array[Any]
 
 

@@ -32,8 +32,8 @@ def set_light_transport(scene: Any, samples: int) -> None:
 
 
 def set_picture(scene: Any, frame: Frame, size_px: tuple[int, int]) -> None:
-    """sRGB of the radiance times the exposure gain. No dates are written into the file; Cycles still
-    adds its render time, so compare pixels, not bytes."""
+    """sRGB of the radiance times the exposure gain. No dates are written into the file. Cycles adds
+    its render time all the same: compare pixels, not bytes."""
     scene.render.resolution_x, scene.render.resolution_y = size_px
     scene.render.resolution_percentage = 100
     scene.display_settings.display_device = "sRGB"
