@@ -8,8 +8,8 @@
 #include "core/files.h"
 #include "core/image.h"
 #include "povray/export.h"
-#include "support/blurred_difference.h"
 #include "support/blender.h"
+#include "support/blurred_difference.h"
 #include "support/quartered.h"
 #include "support/snowy_view.h"
 #include "support/synthetic_landscape.h"
@@ -42,8 +42,10 @@ Image povray_picture(const Landscape& landscape, const fs::path& folder) {
 class OnePicture : public testing::Test {
  protected:
   void SetUp() override {
-    if (!test::has_blender() || !test::succeeds("povray --version"))
-      GTEST_SKIP() << "no Blender or no POV-Ray on this machine: the pictures are not compared";
+    if (!test::shows_volumes() || !test::succeeds("povray --version"))
+      GTEST_SKIP()
+          << "no Blender that shows volumes or no POV-Ray on this machine: the pictures are "
+             "not compared";
   }
 };
 
