@@ -9,22 +9,24 @@
 
 #declare Degree = 0.3;
 
+global_settings { Wold_Settings(Degree) }
+
 // Things are put on Wold_terrain, which is not drawn yet.
 Wold_Terrain(Degree)
 
 // The landscape's light comes from all of the sky and from the sun: "ambient" as "diffuse".
-#declare Paint = finish { ambient 0.8 diffuse 0.8 }
+#declare Paint = finish { ambient 0.8 diffuse 0.8 emission 0 }
 
 #declare Ball = sphere {
-  <20, 8.2, Wold_height_m(20, 8.2) + 0.4> * Units_per_m, 0.45 * Units_per_m
+  <20, 8.2, Wold_height_m(20, 8.2) + 0.4> * Wold_units_per_m, 0.45 * Wold_units_per_m
   pigment { color rgb <0.75, 0.18, 0.12> }
   finish { Paint }
 }
 
 #declare Crate = box {
-  <-0.4, -0.4, -0.2> * Units_per_m, <0.4, 0.4, 0.75> * Units_per_m
+  <-0.4, -0.4, -0.2> * Wold_units_per_m, <0.4, 0.4, 0.75> * Wold_units_per_m
   rotate 30 * z
-  translate <21.9, 8.8, Wold_height_m(21.9, 8.8)> * Units_per_m
+  translate <21.9, 8.8, Wold_height_m(21.9, 8.8)> * Wold_units_per_m
   pigment { color rgb <0.7, 0.68, 0.62> }
   finish { Paint }
 }

@@ -14,7 +14,8 @@ constexpr float density_unit_per_m = 4096.0F;
 ///   `density`    extinction in density_unit_per_m,
 ///   `emission`   density times source radiance: what a ray's radiance gains. The product is
 ///                stored, since interpolating the two apart darkens every edge,
-///   `quarter 0`  to 3, in the order of landscape::quarters_of_patch(): truth values, active in just
+///   `quarter 0`  to 3, in the order of landscape::quarters_of_patch(): truth values, active in
+///   just
 ///                those of OpenVDB's leaves of which the quarter consists. Cycles builds a hull for
 ///                each, while all of them share the volume in memory.
 /// Voxels of no density are left out, so that Cycles steps over them, and the volume ends one voxel

@@ -34,11 +34,16 @@ std::string fog_line(const Diagnosis& diagnosis) {
                     "it does not show snow that is far away: take " + other_build(diagnosis.kind));
 }
 
+std::string nanovdb_meaning(const Capabilities& can) {
+  if (!can.nanovdb) return "it does not say how it holds volumes";
+  if (*can.nanovdb) return "volumes take memory only where something is";
+  return can.volumes ? "volumes take memory also where nothing is: several times more"
+                     : "it was built without it, and Blender shows no volumes without it since 5.0";
+}
+
 std::string nanovdb_line(const Capabilities& can) {
-  if (!can.nanovdb) return line("NanoVDB", "unknown", "it does not say how it holds volumes");
-  return *can.nanovdb ? line("NanoVDB", "yes", "volumes take memory only where something is")
-                      : line("NanoVDB", "no",
-                             "volumes take memory also where nothing is: several times more");
+  const std::string_view value = !can.nanovdb ? "unknown" : *can.nanovdb ? "yes" : "no";
+  return line("NanoVDB", value, nanovdb_meaning(can));
 }
 
 std::string devices_line(const Capabilities& can) {

@@ -15,6 +15,7 @@
 #include "landscape/lit_ground.h"
 #include "landscape/view.h"
 #include "povray/export.h"
+#include "scene/calendar.h"
 
 namespace wold::cli {
 namespace fs = std::filesystem;
@@ -35,6 +36,15 @@ std::set<int> turns_of(const scene::Scene& scene, int level) {
   return turns;
 }
 
+std::vector<povray::FrameMoment> moments_of(const scene::Scene& scene) {
+  std::vector<povray::FrameMoment> moments;
+  for (const double weathering : scene.ageing.frames) {
+    const int frame = static_cast<int>(moments.size()) + 1;
+    moments.push_back({frame, weathering, scene::time_s(scene, frame)});
+  }
+  return moments;
+}
+
 }  // namespace
 
 std::vector<std::string> wanted_renderers(const scene::Scene& scene) {
@@ -44,7 +54,7 @@ std::vector<std::string> wanted_renderers(const scene::Scene& scene) {
 
 void write_programs(const scene::Scene& scene, const fs::path& out) {
   if (std::ranges::count(wanted_renderers(scene), "povray") > 0)
-    povray::export_scene(out / "povray");
+    povray::export_scene(moments_of(scene), out / "povray");
 }
 
 Film::Film(const Job& job)

@@ -60,7 +60,8 @@ class Film {
 /// The renderers a scene asks for, by their folder names: "blender", "povray".
 std::vector<std::string> wanted_renderers(const scene::Scene& scene);
 
-/// Writes the renderers' own programs into their folders below `out`. Throws FileError.
+/// Writes the renderers' own programs into their folders below `out`, and for POV-Ray which frames
+/// the film has. Throws FileError.
 void write_programs(const scene::Scene& scene, const std::filesystem::path& out);
 
 }  // namespace wold::cli

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <iterator>
 #include <string>
+#include <string_view>
 
 #include "core/files.h"
 #include "core/image.h"
+#include "povray/text.h"
 
 namespace wold::povray {
 namespace {
@@ -17,6 +19,9 @@ namespace fs = std::filesystem;
 // The scene's unit (templates/povray/scene.pov). POV-Ray moves rays, not meshes: a mesh has to be
 // written in the unit whose tolerances it can bear.
 constexpr float units_per_m = 100.0F;
+
+/// Of NAME.inc. The number is that of the layout.
+constexpr std::string_view first_line = "// Blades of grass, layout 2: centimetres, z up.\n";
 
 void append_vertices(std::string& text, const Tubes& tubes) {
   fmt::format_to(std::back_inserter(text), "  vertex_vectors {{ {}\n", tubes.vertices_m.size());
@@ -64,13 +69,13 @@ void write_blades(const landscape::BladeMesh& mesh, const fs::path& folder) {
   const fs::path picture = folder / (mesh.name + ".exr");
   if (!fs::exists(picture)) write_image(picture, radiance_picture(*mesh.tubes), PixelFormat::half);
   const fs::path text_file = folder / (mesh.name + ".inc");
-  if (fs::exists(text_file)) return;
-  std::string text = "// Blades of grass: centimetres, z up.\n#declare Mesh = mesh2 {\n";
+  if (fs::exists(text_file) && read_file(text_file).starts_with(first_line)) return;
+  std::string text = fmt::format("{}{}#declare Wold_mesh = mesh2 {{\n", first_line, include_begin);
   append_vertices(text, *mesh.tubes);
   append_picture_places(text, *mesh.tubes);
   append_triangles(text, *mesh.tubes);
   text += "}\n";
-  write_file(text_file, text);
+  write_file(text_file, text += include_end);
 }
 
 }  // namespace wold::povray

@@ -30,29 +30,28 @@ std::map<int, int> used_volumes(const landscape::Landscape& scene) {
   return used;
 }
 
-/// `name`: "Light", its files, place and scale.
+/// What is said of the map in the files `name`.df3 or `name`_r.df3 and so on: place and scale.
 template <class Map, class Scale>
 std::string map_text(const char* name, const Map& map, const Scale& scale) {
   return fmt::format(
-      "#declare {0}_samples = {1};  // per side\n"
-      "#declare {0}_step_m = {2};\n"
-      "#declare {0}_corner_m = {3};\n"
-      "#declare {0}_max = {4};  // of the largest numbers in its files\n",
+      "#declare Wold_{0}_samples = {1};  // per side\n"
+      "#declare Wold_{0}_step_m = {2};\n"
+      "#declare Wold_{0}_corner_m = {3};\n"
+      "#declare Wold_{0}_max = {4};  // of the largest numbers in its files\n",
       name, map.samples(), number(map.step_m()), vector(glm::dvec3(map.corner_m(), 0.0)), scale);
 }
 
 /// Writes the maps that multiply the grass and says so: extinction and light of the volumes, and,
 /// where there are any, the light on blades, which stand or do not.
 std::string write_grass_maps(const landscape::Landscape& scene, const fs::path& folder) {
-  const auto light_text = [&](const char* name, const char* stem, const ColourMap& light) {
-    return map_text(name, light, vector(write_light(light, folder, stem)));
+  const auto light_text = [&](const char* name, const ColourMap& light) {
+    return map_text(name, light, vector(write_light(light, folder, name)));
   };
   const FactorMap standing = continued(scene.standing);
   std::string text =
-      map_text("Standing", standing, number(write_factor(standing, folder / "standing.df3"))) +
-      light_text("Light", "light", continued(product(scene.light, scene.standing)));
-  if (!scene.blade_meshes.empty())
-    text += light_text("Blade_light", "blade_light", continued(scene.light));
+      map_text("standing", standing, number(write_factor(standing, folder / "standing.df3"))) +
+      light_text("light", continued(product(scene.light, scene.standing)));
+  if (!scene.blade_meshes.empty()) text += light_text("blade_light", continued(scene.light));
   return text;
 }
 
@@ -66,20 +65,20 @@ std::string write_backdrop(const std::optional<landscape::Backdrop>& backdrop,
   }
   write_image(path, backdrop->picture, PixelFormat::half);
   return fmt::format(
-      "#declare Backdrop_corner_m = {};\n"
-      "#declare Backdrop_right_m = {};\n"
-      "#declare Backdrop_up_m = {};\n",
+      "#declare Wold_backdrop_corner_m = {};\n"
+      "#declare Wold_backdrop_right_m = {};\n"
+      "#declare Wold_backdrop_up_m = {};\n",
       vector(backdrop->corner_m), vector(backdrop->right_m), vector(backdrop->up_m));
 }
 
 std::string air_text(const landscape::Landscape& scene) {
   std::string text;
   if (!scene.flakes.flakes.empty())
-    text += fmt::format("#declare Flake_radiance = {};\n", vector(scene.flakes.radiance));
+    text += fmt::format("#declare Wold_flake_radiance = {};\n", vector(scene.flakes.radiance));
   if (scene.fog)
     text += fmt::format(
-        "#declare Fog_extinction_per_m = {};\n"
-        "#declare Fog_radiance = {};\n",
+        "#declare Wold_fog_extinction_per_m = {};\n"
+        "#declare Wold_fog_radiance = {};\n",
         number(scene.fog->extinction_per_m), vector(scene.fog->radiance));
   return text;
 }
@@ -87,48 +86,42 @@ std::string air_text(const landscape::Landscape& scene) {
 std::string clouds_text(const std::vector<landscape::CloudBox>& clouds) {
   std::string text;
   for (const landscape::CloudBox& cloud : clouds)
-    text += fmt::format("Cloud(\"{}\", {})\n", cloud.name, vector(cloud.corner_m));
-  return text;
+    text += fmt::format("Wold_cloud({}, {})\n", literal(cloud.name), vector(cloud.corner_m));
+  return include_file(text);
 }
 
 std::string frame_text(const landscape::Landscape& scene, const std::string& terrain) {
   return fmt::format(
       "// Frame {}, weathering degree {}. Metres; x east, y north, z up.\n"
-      "#declare Eye_m = {};\n"
-      "#declare Target_m = {};\n"
-      "#declare Field_of_view_deg = {};  // horizontal\n"
-      "#declare Exposure_gain = {};\n"
-      "#declare To_sun = {};\n"
-      "#declare Sun_irradiance = {};  // of what faces it\n"
-      "#declare Sky_irradiance = {};  // of level ground\n"
-      "#declare Patch_m = {};\n"
-      "#declare Ground_samples = {};\n"
-      "#declare Ground_step_m = {};\n"
-      "#declare Terrain_file = \"{}\"\n",
+      "#declare Wold_eye_m = {};\n"
+      "#declare Wold_target_m = {};\n"
+      "#declare Wold_field_of_view_deg = {};  // horizontal\n"
+      "#declare Wold_exposure_gain = {};\n"
+      "#declare Wold_to_sun = {};\n"
+      "#declare Wold_sun_irradiance = {};  // of what faces it\n"
+      "#declare Wold_sky_irradiance = {};  // of level ground\n"
+      "#declare Wold_patch_m = {};\n"
+      "#declare Wold_ground_samples = {};\n"
+      "#declare Wold_ground_step_m = {};\n"
+      "#declare Wold_terrain_file = {};\n",
       scene.frame, number(scene.weathering), vector(scene.camera.eye_m),
       vector(scene.camera.target_m), number(scene.camera.field_of_view_deg),
       number(scene.exposure_gain), vector(scene.daylight.to_sun),
       vector(scene.daylight.sun_irradiance), vector(scene.daylight.sky_irradiance),
-      number(scene.patch_m), scene.ground.samples(), number(scene.ground.step_m()), terrain);
-}
-
-/// By which a scene finds the frame of a degree or a time without reading all of it.
-std::string moment_text(const landscape::Landscape& scene) {
-  return fmt::format(
-      "#declare Weathering_degree = {};\n"
-      "#declare Time_s = {};\n",
-      number(scene.weathering), number(scene.time_s));
+      number(scene.patch_m), scene.ground.samples(), number(scene.ground.step_m()),
+      literal(terrain));
 }
 
 void write_volumes_list(std::ostream& out, const landscape::Landscape& scene,
                         const std::map<int, int>& used) {
-  out << fmt::format("Volumes({})\n", used.size());
+  out << include_begin << fmt::format("Wold_volumes({})\n", used.size());
   for (const auto& [from, to] : used)
-    out << fmt::format("Volume({}, \"{}\")\n", to,
-                       scene.volumes[static_cast<std::size_t>(from)].name);
-  out << fmt::format("Meshes({})\n", scene.blade_meshes.size());
+    out << fmt::format("Wold_volume({}, {})\n", to,
+                       literal(scene.volumes[static_cast<std::size_t>(from)].name));
+  out << fmt::format("Wold_meshes({})\n", scene.blade_meshes.size());
   for (std::size_t i = 0; i < scene.blade_meshes.size(); ++i)
-    out << fmt::format("Blades({}, \"{}\")\n", i, scene.blade_meshes[i].name);
+    out << fmt::format("Wold_blades({}, {})\n", i, literal(scene.blade_meshes[i].name));
+  out << include_end;
 }
 
 /// The columns of world_from_cell, which are where x, y and z of the cell go, and its corner: a
@@ -140,19 +133,21 @@ std::string place_text(const glm::dmat4& world_from_cell) {
 
 std::string cell_text(const landscape::Cell& cell, int volume) {
   const std::string place = place_text(cell.world_from_cell);
-  if (cell.part.is_whole()) return fmt::format("Cell({}, {})\n", volume, place);
+  if (cell.part.is_whole()) return fmt::format("Wold_cell({}, {})\n", volume, place);
   const auto shares = [](const glm::dvec2& v) {
     return fmt::format("<{}, {}>", number(v.x), number(v.y));
   };
-  return fmt::format("Part({}, {}, {}, {})\n", volume, place, shares(cell.part.low),
+  return fmt::format("Wold_part({}, {}, {}, {})\n", volume, place, shares(cell.part.low),
                      shares(cell.part.high));
 }
 
 void write_cells(std::ostream& out, const landscape::Landscape& scene,
                  const std::map<int, int>& used) {
+  out << include_begin;
   for (const landscape::Cell& cell : scene.cells) out << cell_text(cell, used.at(cell.volume));
   for (const landscape::BladeCell& cell : scene.blade_cells)
-    out << fmt::format("Blade_cell({}, {})\n", cell.mesh, place_text(cell.world_from_cell));
+    out << fmt::format("Wold_blade_cell({}, {})\n", cell.mesh, place_text(cell.world_from_cell));
+  out << include_end;
 }
 
 /// What frames share, in `data`, as far as this one needs it.
@@ -195,9 +190,8 @@ std::vector<fs::path> export_frame(const landscape::Landscape& scene, const fs::
   for (const landscape::CloudBox& cloud : scene.clouds) write_cloud(cloud, scene.df3_bits, frame);
   write_file(frame / "clouds.inc", clouds_text(scene.clouds));
   write_flakes(scene.flakes, scene.camera.eye_m, frame, data / "flakes");
-  write_file(frame / "moment.inc", moment_text(scene));
-  write_file(frame / "frame.inc",
-             frame_text(scene, terrain) + maps + details + backdrop + air_text(scene));
+  write_file(frame / "frame.inc", include_file(frame_text(scene, terrain) + maps + details +
+                                               backdrop + air_text(scene)));
   const fs::path frame_ini = data / fmt::format("frame_{:04}.ini", scene.frame);
   write_file(frame_ini, frame_settings(scene));
   update_file(folder / "povray.ini", settings(scene));
@@ -207,8 +201,9 @@ std::vector<fs::path> export_frame(const landscape::Landscape& scene, const fs::
   return files;
 }
 
-void export_scene(const fs::path& folder) {
+void export_scene(std::span<const FrameMoment> film, const fs::path& folder) {
   make_folder(folder);
+  write_frame_index(film, folder);
   for (const auto& entry : fs::directory_iterator(shipped_file("templates/povray"))) {
     const fs::path& file = entry.path();
     if (file.extension() == ".pov" || file.extension() == ".inc")

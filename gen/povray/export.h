@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include "landscape/landscape.h"
+#include "povray/frame_index.h"
 
 namespace wold::povray {
 
@@ -12,7 +14,6 @@ namespace wold::povray {
 ///     povray.ini                    size and quality of a bare `povray scene.pov`
 ///     data/frame_0001.ini           the same with frame, input and output
 ///     data/frame_0001/frame.inc     camera, exposure, scales of the maps
-///     data/frame_0001/moment.inc    its weathering degree and time
 ///     data/frame_0001/volumes.inc   the volumes and meshes this frame uses
 ///     data/frame_0001/cells.inc     one macro call per cell, or per part of one
 ///     data/frame_0001/clouds.inc    one macro call per cloud that is a volume
@@ -30,7 +31,8 @@ namespace wold::povray {
 std::vector<std::filesystem::path> export_frame(const landscape::Landscape& scene,
                                                 const std::filesystem::path& folder);
 
-/// Copies the scene program (templates/povray/*.pov, *.inc) to `folder`. Throws FileError.
-void export_scene(const std::filesystem::path& folder);
+/// Copies the scene program (templates/povray/*.pov, *.inc) to `folder` and writes which frames the
+/// film has: data/frames.inc (frame_index.h). Throws FileError.
+void export_scene(std::span<const FrameMoment> film, const std::filesystem::path& folder);
 
 }  // namespace wold::povray

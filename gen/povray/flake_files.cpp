@@ -45,10 +45,10 @@ std::map<Look, int> looks_of(const Flakes& flakes) {
 }
 
 void append_pictures(std::string& text, const Flakes& flakes) {
-  fmt::format_to(std::back_inserter(text), "Flake_pictures({})\n", flakes.pictures.size());
+  fmt::format_to(std::back_inserter(text), "Wold_flake_pictures({})\n", flakes.pictures.size());
   for (std::size_t i = 0; i < flakes.pictures.size(); ++i)
-    fmt::format_to(std::back_inserter(text), "Flake_picture({}, \"{}\")\n", i,
-                   flakes.pictures[i].name);
+    fmt::format_to(std::back_inserter(text), "Wold_flake_picture({}, {})\n", i,
+                   literal(flakes.pictures[i].name));
 }
 
 void append_vertices(std::string& text, const Flakes& flakes, const glm::dvec3& eye_m) {
@@ -66,7 +66,8 @@ void append_vertices(std::string& text, const Flakes& flakes, const glm::dvec3& 
 void append_textures(std::string& text, const std::map<Look, int>& looks) {
   fmt::format_to(std::back_inserter(text), "  texture_list {{ {}\n", looks.size());
   for (const auto& [look, number] : looks)
-    fmt::format_to(std::back_inserter(text), ",Flake_texture({}, {})\n", look.first, look.second);
+    fmt::format_to(std::back_inserter(text), ",Wold_flake_texture({}, {})\n", look.first,
+                   look.second);
   text += "  }\n";
 }
 
@@ -102,14 +103,14 @@ void write_flakes(const Flakes& flakes, const glm::dvec3& eye_m, const fs::path&
   }
   write_pictures(flakes.pictures, pictures_folder);
   const std::map<Look, int> looks = looks_of(flakes);
-  std::string text = "// Flakes: centimetres from the eye, z up.\n";
+  std::string text = fmt::format("// Flakes: centimetres from the eye, z up.\n{}", include_begin);
   append_pictures(text, flakes);
-  text += "#declare Flakes = mesh2 {\n";
+  text += "#declare Wold_flakes = mesh2 {\n";
   append_vertices(text, flakes, eye_m);
   append_textures(text, looks);
   append_triangles(text, flakes, looks);
   text += "}\n";
-  write_file(path, text);
+  write_file(path, text += include_end);
 }
 
 }  // namespace wold::povray

@@ -42,11 +42,14 @@ void append_triangles(std::string& text, int n) {
 }  // namespace
 
 std::string write_terrain(const Heightfield& terrain, const fs::path& folder) {
-  std::string text =
-      "// The ground's triangles: metres, x east, y north, z up.\n#declare Terrain = mesh2 {\n";
+  std::string text = fmt::format(
+      "// The ground's triangles: metres, x east, y north, z up.\n{}"
+      "#declare Wold_terrain_mesh = mesh2 {{\n",
+      include_begin);
   append_vertices(text, terrain);
   append_triangles(text, terrain.samples());
   text += "}\n";
+  text += include_end;
   std::string name = fmt::format("terrain_{}.inc", content_hash(text));
   update_file(folder / name, text);
   return name;
@@ -92,7 +95,7 @@ std::string write_ground_details(const landscape::Landscape& scene, const fs::pa
   const std::size_t count = scene.ground_details.size();
   for (std::size_t stale = count + 1; fs::remove(path(stale));) ++stale;
   if (count == 0) return {};
-  std::string text = fmt::format("#declare Ground_detail = array[{}][5] {{\n", count);
+  std::string text = fmt::format("#declare Wold_ground_detail = array[{}][5] {{\n", count);
   const ColourMap* coarser = &scene.ground;
   for (std::size_t i = 0; i < count; ++i) {
     const landscape::GroundDetail& detail = scene.ground_details[i];

@@ -11,9 +11,9 @@
 
 namespace wold::povray {
 
-/// Writes the terrain as a mesh2, `#declare Terrain = mesh2 { ... }`: every square of the map is
-/// cut along the diagonal from (i, j) to (i + 1, j + 1). The name says what is in it, so frames
-/// with the same ground share the file: returns "terrain_<hash>.inc". Throws FileError.
+/// Writes the terrain as a mesh2, `#declare Wold_terrain_mesh = mesh2 { ... }`: every square of the
+/// map is cut along the diagonal from (i, j) to (i + 1, j + 1). The name says what is in it, so
+/// frames with the same ground share the file: returns "terrain_<hash>.inc". Throws FileError.
 std::string write_terrain(const Heightfield& terrain, const std::filesystem::path& folder);
 
 /// The map, and its border's values a metre or so beyond it: blades hang over the terrain's edges,

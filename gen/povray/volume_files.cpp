@@ -24,7 +24,7 @@ fs::path grid_file(const fs::path& folder, const std::string& name, int grid) {
 
 /// First line of the .inc: what these files were made from. The number is that of the layout.
 std::string content_line(const landscape::Volume& volume, int bits) {
-  return fmt::format("// {}, content {}, {} bit, layout 2\n", volume.name, volume.content, bits);
+  return fmt::format("// {}, content {}, {} bit, layout 3\n", volume.name, volume.content, bits);
 }
 
 /// Second line of the .inc, by which it vouches for the bytes of the four df3 files.
@@ -75,10 +75,10 @@ struct Grids {
 
 std::string description(const Grids& grids, float extinction_max, glm::vec3 emission_max) {
   return fmt::format(
-      "#declare Voxels = {};\n"
-      "#declare Voxel_m = {};\n"
-      "#declare Extinction_max = {};  // 1/m, of the largest number in _d\n"
-      "#declare Emission_max = {};  // radiance/m, in _r, _g, _b\n",
+      "#declare Wold_voxels = {};\n"
+      "#declare Wold_voxel_m = {};\n"
+      "#declare Wold_extinction_max = {};  // 1/m, of the largest number in _d\n"
+      "#declare Wold_emission_max = {};  // radiance/m, in _r, _g, _b\n",
       vector(grids.voxels), number(grids.voxel_m), number(extinction_max), vector(emission_max));
 }
 
@@ -92,8 +92,9 @@ void write_grids(const Grids& grids, int bits, const fs::path& folder) {
     emission_max[channel] =
         write_grid(grid_file(folder, grids.name, channel + 1),
                    weighted_channel(grids.extinction, grids.radiance, channel), grids.voxels, bits);
-  write_file(folder / (grids.name + ".inc"), grids.first_line + files_line(grids.name, folder) +
-                                                 description(grids, extinction_max, emission_max));
+  write_file(folder / (grids.name + ".inc"),
+             grids.first_line + files_line(grids.name, folder) +
+                 include_file(description(grids, extinction_max, emission_max)));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A withering meadow on a hillside, for POV-Ray 3.7.
+// A withering meadow on a hillside, for POV-Ray 3.7 and 3.8.
 //
 //   povray scene.pov                     frame 1, in this folder
 //   povray scene.pov Declare=FRAME=2     another frame
@@ -10,10 +10,11 @@
 // povray.ini, which it reads when it is in the folder where POV-Ray is started, has the scene's.
 //
 // The world is metres, x east, y north, z up, as in the data. POV-Ray is left-handed by default;
-// the camera's mirrored "right" in surroundings.inc is the one place that makes it right-handed.
+// the camera's mirrored "right" in wold_surroundings.inc is the one place that makes it
+// right-handed.
 //
 // Nothing is lit here. Grass, ground and sky carry their radiance, computed for the scene's sun;
-// the picture is that radiance times Exposure_gain, in sRGB.
+// the picture is that radiance times Wold_exposure_gain, in sRGB.
 #version 3.7;
 
 global_settings {
@@ -27,52 +28,52 @@ global_settings {
 
 // POV-Ray's tolerances are absolute: two surfaces nearer than about 5e-5 units are one to it. In
 // centimetres that is far below anything here, in metres the seams between cells would show.
-#declare Units_per_m = 100;
+#declare Wold_units_per_m = 100;
 
 // POV-Ray looks for files in the folder where it was started and in its library paths.
-#local Frame_folder = concat("data/frame_", str(FRAME, -4, 0), "/");
-#if (file_exists(concat(Frame_folder, "frame.inc")))
-  #declare Here = "";
+#local _folder = concat("data/frame_", str(FRAME, -4, 0), "/");
+#if (file_exists(concat(_folder, "frame.inc")))
+  #declare Wold_here = "";
 #else
-  #declare Here = "povray/";
-  #if (!file_exists(concat(Here, Frame_folder, "frame.inc")))
-    #error concat("frame ", str(FRAME, 0, 0), " is not there: ", Frame_folder,
+  #declare Wold_here = "povray/";
+  #if (!file_exists(concat(Wold_here, _folder, "frame.inc")))
+    #error concat("frame ", str(FRAME, 0, 0), " is not there: ", _folder,
       "frame.inc was not found. Start POV-Ray in the folder of scene.pov or name it: +L<folder>\n")
   #end
 #end
-#declare Frame_folder = concat(Here, Frame_folder);
+#declare Wold_frame_folder = concat(Wold_here, _folder);
 
-#include concat(Frame_folder, "frame.inc")
-#include concat(Here, "grass.inc")
-#include concat(Here, "clouds.inc")
-#include concat(Here, "surroundings.inc")
-#include concat(Here, "air.inc")
+#include concat(Wold_frame_folder, "frame.inc")
+#include concat(Wold_here, "wold_grass.inc")
+#include concat(Wold_here, "wold_clouds.inc")
+#include concat(Wold_here, "wold_surroundings.inc")
+#include concat(Wold_here, "wold_air.inc")
 
 // Here grass stands where it grew and nothing else casts shadows; wold.inc has more to say.
-#macro Onto_ground(Middle, Side_m) #end
-#macro Shade_density(Channel, Middle) #end
-#macro Shade_pane() #end
+#macro Wold_onto_ground(_middle, _side_m) #end
+#macro Wold_shade_density(_channel, _middle) #end
+#macro Wold_shade_pane() #end
 
-Grass_maps()
+Wold_grass_maps()
 
-Frame_camera()
+Wold_frame_camera()
 
-Sky(concat(Frame_folder, "sky.exr"))
-#ifdef (Backdrop_corner_m)
-  Backdrop(concat(Frame_folder, "backdrop.exr"))
+Wold_sky(concat(Wold_frame_folder, "sky.exr"))
+#ifdef (Wold_backdrop_corner_m)
+  Wold_backdrop(concat(Wold_frame_folder, "backdrop.exr"))
 #end
 
-#include concat(Here, "data/", Terrain_file)
-Ground(concat(Frame_folder, "ground.exr"))
+#include concat(Wold_here, "data/", Wold_terrain_file)
+Wold_draw_ground(concat(Wold_frame_folder, "ground.exr"))
 
-#include concat(Frame_folder, "volumes.inc")
-#include concat(Frame_folder, "cells.inc")
-#include concat(Frame_folder, "clouds.inc")
+#include concat(Wold_frame_folder, "volumes.inc")
+#include concat(Wold_frame_folder, "cells.inc")
+#include concat(Wold_frame_folder, "clouds.inc")
 
-#ifdef (Flake_radiance)
-  #include concat(Frame_folder, "flakes.inc")
-  Falling_flakes()
+#ifdef (Wold_flake_radiance)
+  #include concat(Wold_frame_folder, "flakes.inc")
+  Wold_falling_flakes()
 #end
-#ifdef (Fog_extinction_per_m)
-  Fog()
+#ifdef (Wold_fog_extinction_per_m)
+  Wold_fog()
 #end

@@ -25,7 +25,8 @@ picture() {
   local depth
   depth=$(awk -v n="$3" 'BEGIN {print int(sqrt(n))}')
   if [ "$1" = blender ]; then
-    measured blender -b --python-exit-code 1 -P "$out/$2/blender/scene.py" -- 1 \
+    measured blender -b --python-exit-code 1 -P "$here/templates/blender/wold_render.py" -- \
+      "$out/$2/blender" 1 \
       --size "${size[0]}x${size[1]}" --samples "$3" --out "$4"
   else
     (cd "$out/$2/povray" && measured povray data/frame_0001.ini "+W${size[0]}" "+H${size[1]}" \

@@ -29,7 +29,7 @@ for cells in "$@"; do
     --set "camera.target=[$(times "$size" 0.51), $(times "$size" 0.333)]"; echo)
   drawn=$(awk '/^(Cell|Part)[(]/ {n++} END {print n + 0}' "$out/povray/data/frame_0002/cells.inc")
   read -r blender_s blender_mb < <(measured blender -b --python-exit-code 1 \
-    -P "$out/blender/scene.py" -- 2; echo)
+    -P "$here/templates/blender/wold_render.py" -- "$out/blender" 2 --out "$out/2.png"; echo)
   read -r povray_s povray_mb < <(cd "$out/povray" && measured povray data/frame_0002.ini; echo)
   echo "| $((cells * cells)) | $drawn | $generate_s s | $generate_mb MB |" \
     "$blender_s s | $blender_mb MB | $povray_s s | $povray_mb MB |"

@@ -24,9 +24,10 @@ void expect_done(const std::string& command, const fs::path& log) {
 
 /// Blender keeps what a user installs below these.
 std::string clean_profile(const fs::path& root) {
-  return fmt::format("env BLENDER_USER_RESOURCES={0}/profile BLENDER_USER_SCRIPTS={0}/profile "
-                     "BLENDER_USER_CONFIG={0}/profile BLENDER_USER_EXTENSIONS={0}/profile",
-                     root.string());
+  return fmt::format(
+      "env BLENDER_USER_RESOURCES={0}/profile BLENDER_USER_SCRIPTS={0}/profile "
+      "BLENDER_USER_CONFIG={0}/profile BLENDER_USER_EXTENSIONS={0}/profile",
+      root.string());
 }
 
 /// Two frames: the second is withered, has lost its first row of cells, has a darker ground and is
@@ -45,22 +46,21 @@ void export_film(landscape::Landscape landscape, const fs::path& folder) {
 }
 
 TEST(BlenderAddOn, IsInstalledFollowsTheTimelineAndLeavesCleanly) {
-  if (!test::has_blender())
-    GTEST_SKIP() << "no Blender on this machine: its add-on is not tested";
+  if (!test::has_blender()) GTEST_SKIP() << "no Blender on this machine: its add-on is not tested";
   const test::TemporaryFolder folder("addon");
   const fs::path& root = folder.path();
   export_film(test::synthetic_landscape({.width_px = 64, .height_px = 36}, root / "texels"),
               root / "blender");
   const fs::path log = root / "log";
   expect_done(fmt::format("{} extension --out {}", WOLD_PROGRAM, root.string()), log);
-  expect_done(fmt::format("{} --out {}/alone.png",
-                          test::blender_render(root / "blender", 2), root.string()),
-              log);
-  expect_done(fmt::format("{0} {1} -- {2}/wold_blender-*.zip {2}/blender {2}/addon.png",
-                          clean_profile(root),
-                          test::blender_script(WOLD_TESTS_DIR "/blender/addon_check.py"),
+  expect_done(fmt::format("{} --out {}/alone.png", test::blender_render(root / "blender", 2),
                           root.string()),
               log);
+  expect_done(
+      fmt::format("{0} {1} -- {2}/wold_blender-*.zip {2}/blender {2}/addon.png",
+                  clean_profile(root),
+                  test::blender_script(WOLD_TESTS_DIR "/blender/addon_check.py"), root.string()),
+      log);
   ASSERT_TRUE(fs::exists(root / "addon.png")) << read_file(root / "log");
   const double difference =
       test::blurred_difference(read_image(root / "addon.png"), read_image(root / "alone.png"));

@@ -11,6 +11,7 @@
 namespace wold::test {
 namespace {
 
+using testing::HasSubstr;
 using testing::IsEmpty;
 
 class Generate : public SmallFilm {
@@ -37,9 +38,11 @@ TEST_F(Generate, SameSceneSameBytesWithAnyNumberOfThreads) {
   generate("one", "--threads 1");
   const auto wanted = contents("one");
   for (const std::string file :
-       {"scene.toml", "texels/v0_k00.vdb", "blender/scene.py", "blender/data/frame_0002/frame.json",
-        "povray/scene.pov", "povray/data/frame_0002/frame.inc"})
+       {"scene.toml", "texels/v0_k00.vdb", "blender/data/frame_0002/frame.json", "povray/scene.pov",
+        "povray/data/frame_0002/frame.inc"})
     EXPECT_EQ(wanted.count(file), 1U) << file;
+  for (const auto& [file, hash] : wanted)
+    EXPECT_FALSE(file.ends_with(".py")) << file << ": exported folders hold data only";
   generate("again", "--threads 1");
   EXPECT_THAT(different(contents("again"), wanted), IsEmpty());
   generate("two", "--threads 2");
@@ -58,6 +61,16 @@ TEST_F(Generate, TheManifestListsWhatIsThereAndNothingElse) {
   for (const fs::path& file : files_below(folder_ / "out"))
     if (file != "manifest.json" && *file.begin() != "tasks") there.insert(file.string());
   EXPECT_EQ(listed, there);
+}
+
+TEST_F(Generate, TheIndexOfFramesListsAllOfThemWhicheverAreMade) {
+  const std::string frames = "--set 'ageing.frames=[0.1, 0.8, 0.5]' --set film.frame_seconds=60 ";
+  generate("all", frames);
+  generate("last", frames + "--frames 3");
+  const std::string index = read_file(folder_ / "last/povray/data/frames.inc");
+  EXPECT_EQ(index, read_file(folder_ / "all/povray/data/frames.inc"));
+  for (const char* row : {"{ 1, 0.1, 0 }", "{ 2, 0.8, 60 }", "{ 3, 0.5, 120 }"})
+    EXPECT_THAT(index, HasSubstr(row));
 }
 
 TEST_F(Generate, KeepsTexelsAndVolumesThatAreStillRight) {

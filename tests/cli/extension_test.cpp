@@ -41,6 +41,8 @@ TEST_F(Extension, HoldsThePackageInAFolderOfItsName) {
   expect_contains(names, "wold_blender/__init__.py ");
   expect_contains(names, "wold_blender/blender_manifest.toml ");
   EXPECT_EQ(names.find("__pycache__"), std::string::npos) << names;
+  expect_contains(read_file(shipped_file("templates/blender/wold_blender/blender_manifest.toml")),
+                  "\nversion = \"0.1.0\"\n");
   EXPECT_EQ(read_file(folder_ / "a b/wold_render.py"),
             read_file(shipped_file("templates/blender/wold_render.py")));
 }

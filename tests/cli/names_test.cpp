@@ -67,8 +67,10 @@ TEST_F(Names, OfFoldersMayBeAnythingForBlenderInAGermanLocale) {
   EXPECT_THAT(different(contents(here("-y")), contents(here("-x"))), testing::IsEmpty());
   expect_nothing_else();
   const std::string alone = quoted(here("-x/blender"));
+  ASSERT_EQ(wold("extension --out package").code, 0);
+  const std::string script = quoted((folder_ / "package/wold_render.py").string());
   const Result result =
-      shell("cd -- " + alone + " && blender -b --python-exit-code 1 -P scene.py -- 1");
+      shell("cd -- " + alone + " && blender -b --python-exit-code 1 -P " + script + " -- . 1");
   EXPECT_EQ(result.code, 0) << result.out << result.err;
   EXPECT_EQ(read_file(folder_ / here("-x/blender/frame_0001.png")).substr(1, 3), "PNG");
 }

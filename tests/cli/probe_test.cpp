@@ -120,6 +120,9 @@ TEST_F(Probed, ARefusalIsNotKept) {
 
 TEST_F(Probed, ATaskOfPicturesToo) {
   const std::string blender = blender_played_by(play, without_volumes);
+  expect_refused(wold("task small.toml --quiet --out fresh --renderer blender blender 1", blender),
+                 "shows no volumes");
+  EXPECT_FALSE(fs::exists(folder_ / "fresh"));
   for (const char* task : {"texels 1", "texels 2", "scenes 1"})
     EXPECT_EQ(
         wold("task small.toml --quiet --out out --renderer blender " + std::string(task), blender)

@@ -48,8 +48,10 @@ TEST_P(Renderers, TheExportedFolderWorksElsewhereWithoutWold) {
   fs::copy(folder_ / "out" / GetParam(), elsewhere, fs::copy_options::recursive);
   fs::rename(folder_ / "out", folder_ / "kept");  // nothing may be read from where it was made
   const bool is_blender = GetParam() == "blender";
+  ASSERT_EQ(wold("extension --out package").code, 0);
   const std::string command =
-      is_blender ? "blender -b --python-exit-code 1 -P scene.py -- 1" : "povray scene.pov";
+      is_blender ? "blender -b --python-exit-code 1 -P ../package/wold_render.py -- . 1"
+                 : "povray scene.pov";
   const Result result = shell("cd 'another place' && " + command);
   ASSERT_EQ(result.code, 0) << result.out << result.err;
   const std::string name = is_blender ? "another place/frame_0001.png" : "another place/scene.png";

@@ -13,6 +13,7 @@
 #include "core/files.h"
 #include "core/parallel.h"
 #include "povray/export.h"
+#include "support/povray_film.h"
 #include "support/quartered.h"
 #include "support/snowy_view.h"
 #include "support/synthetic_landscape.h"
@@ -34,7 +35,7 @@ void export_blender(const Landscape& landscape, const fs::path& folder) {
 
 void export_povray(const Landscape& landscape, const fs::path& folder) {
   povray::export_frame(landscape, folder);
-  povray::export_scene(folder);
+  povray::export_scene(test::film_of(landscape), folder);
 }
 
 const Exporter exporters[] = {

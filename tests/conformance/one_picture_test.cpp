@@ -10,6 +10,7 @@
 #include "povray/export.h"
 #include "support/blender.h"
 #include "support/blurred_difference.h"
+#include "support/povray_film.h"
 #include "support/quartered.h"
 #include "support/snowy_view.h"
 #include "support/synthetic_landscape.h"
@@ -34,7 +35,7 @@ Image blender_picture(const Landscape& landscape, const fs::path& folder) {
 
 Image povray_picture(const Landscape& landscape, const fs::path& folder) {
   povray::export_frame(landscape, folder);
-  povray::export_scene(folder);
+  povray::export_scene(test::film_of(landscape), folder);
   return run("povray data/frame_0001.ini +Opicture.png", folder);
 }
 

@@ -1,7 +1,9 @@
 #include "povray/export.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <map>
 
 #include "core/df3.h"
@@ -10,6 +12,7 @@
 #include "core/vdb_dense.h"
 #include "povray/ground_files.h"
 #include "povray/volume_files.h"
+#include "support/povray_film.h"
 #include "support/synthetic_landscape.h"
 
 namespace wold::povray {
@@ -141,10 +144,39 @@ TEST_F(Export, AnInterruptedVolumeIsWrittenAgain) {
   EXPECT_EQ(read_file(blue), bytes);
 }
 
+// A folder of an older wold has meshes that are written otherwise, under the same names.
+TEST_F(Export, BladesOfAnotherLayoutAreWrittenAgain) {
+  export_frame(scene, folder / "povray");
+  const fs::path mesh = folder / "povray/data/blades" / (scene.blade_meshes[0].name + ".inc");
+  const std::string bytes = read_file(mesh);
+  write_file(mesh, "// Blades of grass: centimetres, z up.\n#declare Mesh = mesh2 {}\n");
+  export_frame(scene, folder / "povray");
+  EXPECT_EQ(read_file(mesh), bytes);
+}
+
+// It lists the film, not what there is: whoever writes it writes the same.
+TEST_F(Export, IndexListsAllFramesOfTheFilm) {
+  const std::vector<FrameMoment> film = {{1, 0.0, 0.0}, {2, 0.25, 1800.0}, {3, 0.917, 86400.5}};
+  export_scene(film, folder / "povray");
+  const std::string index = read_file(folder / "povray/data/frames.inc");
+  EXPECT_THAT(index, testing::HasSubstr("Wold_frames = array[3][3]"));
+  for (const char* row : {"{ 1, 0, 0 }", "{ 2, 0.25, 1800 }", "{ 3, 0.917, 86400.5 }"})
+    EXPECT_THAT(index, testing::HasSubstr(row));
+  const auto written = fs::last_write_time(folder / "povray/data/frames.inc");
+  export_frame(scene, folder / "povray");
+  export_scene(film, folder / "povray");
+  EXPECT_EQ(fs::last_write_time(folder / "povray/data/frames.inc"), written);
+}
+
+TEST_F(Export, WhatIsNoNumberIsAFileError) {
+  scene.camera.eye_m.x = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(export_frame(scene, folder / "povray"), FileError);
+}
+
 TEST_F(Export, UnwritableFolderIsAFileErrorAndLeavesNothing) {
   write_file(folder / "occupied", "a file where a folder should be");
   EXPECT_THROW(export_frame(scene, folder / "occupied"), FileError);
-  EXPECT_THROW(export_scene(folder / "occupied"), FileError);
+  EXPECT_THROW(export_scene(test::film_of(scene), folder / "occupied"), FileError);
   EXPECT_EQ(read_file(folder / "occupied"), "a file where a folder should be");
   EXPECT_EQ(contents(folder).size(), 1 + scene.volumes.size());
 }

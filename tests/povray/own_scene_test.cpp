@@ -1,20 +1,19 @@
 // wold.inc: grass, clouds and snow in a scene of one's own, against scene.pov and closed forms.
+#include "povray/own_scene.h"
+
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 
-#include "core/files.h"
 #include "core/image.h"
 #include "povray/constant_meadow.h"
-#include "povray/export.h"
 #include "support/cloudy_view.h"
 #include "support/snowy_view.h"
 #include "support/synthetic_landscape.h"
-#include "support/temporary_folder.h"
 
 namespace wold::povray {
 namespace {
@@ -26,35 +25,6 @@ constexpr double pi = std::numbers::pi;
 double linear(double srgb) {
   return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
 }
-
-class OwnScene : public testing::Test {
- protected:
-  void SetUp() override {
-    if (std::system("command -v povray > /dev/null") != 0)
-      GTEST_SKIP() << "povray is not installed: apt-get install povray";
-  }
-
-  /// Runs POV-Ray on `scene` in a folder beside the landscape's.
-  Image run(const landscape::Landscape& landscape, const fs::path& scene) const {
-    const fs::path here = folder.path() / "mine";
-    make_folder(here);
-    const std::string command =
-        fmt::format("cd {} && povray +L../povray {} +W{} +H{} -A -D +Opicture.png > log 2>&1",
-                    here.string(), scene.string(), landscape.width_px, landscape.height_px);
-    if (std::system(command.c_str()) != 0) ADD_FAILURE() << read_file(here / "log");
-    return read_image(here / "picture.png");
-  }
-  Image run_text(const landscape::Landscape& landscape, const std::string& text) const {
-    write_file(folder.path() / "my.pov", "#version 3.7;\n#include \"wold.inc\"\n" + text);
-    return run(landscape, folder.path() / "my.pov");
-  }
-  void export_all(const landscape::Landscape& landscape) const {
-    export_frame(landscape, folder.path() / "povray");
-    export_scene(folder.path() / "povray");
-  }
-
-  const test::TemporaryFolder folder{"own_scene"};
-};
 
 // All macros together, and nothing of one's own, are the landscape's picture, pixel by pixel and
 // but for the gaps between cells: with cells, blades, flakes and fog, and with clouds.
@@ -118,8 +88,8 @@ struct FromAbove {
 constexpr const char* one_slab_and_one_block = R"(
   #declare Paint = texture { pigment { rgb 0.25 } finish { ambient 1 diffuse 1 } }
   #declare Things = union {
-    box { <0.9, 0.8, 1> * Units_per_m, <1.5, 2.2, 1.02> * Units_per_m }
-    box { <0.1, 1.2, -1> * Units_per_m, <0.7, 1.8, 0.1> * Units_per_m }
+    box { <0.9, 0.8, 1> * Wold_units_per_m, <1.5, 2.2, 1.02> * Wold_units_per_m }
+    box { <0.1, 1.2, -1> * Wold_units_per_m, <0.7, 1.8, 0.1> * Wold_units_per_m }
     texture { Paint }
   }
 )";
@@ -130,12 +100,11 @@ constexpr const char* one_slab_and_one_block = R"(
 TEST_F(OwnScene, ThingsHideAreHiddenShadeAndAreShaded) {
   const FromAbove view(folder.path() / "texels");
   export_all(view.landscape);
+  const std::string things = one_slab_and_one_block;
   const std::string light = "Wold_Light(0) Wold_Ground(0) Wold_Grass(Wold_terrain, 0) ";
   const std::string rest = "Wold_Clouds(0) Wold_Camera(0) object { Things }";
-  const Image shaded = run_text(
-      view.landscape, std::string(one_slab_and_one_block) + "Wold_Shadows(Things) " + light + rest);
-  const Image unshaded =
-      run_text(view.landscape, std::string(one_slab_and_one_block) + light + rest);
+  const Image shaded = run_text(view.landscape, things + "Wold_Shadows(Things) " + light + rest);
+  const Image unshaded = run_text(view.landscape, things + light + rest);
   const double sine = std::sqrt(0.5);
   const double depth_m = view.height_m - 0.1;
   const double open = view.seen(view.height_m, view.fog.ground);
@@ -182,8 +151,8 @@ TEST_F(OwnScene, ExampleShowsItsBall) {
   EXPECT_LT(picture.pixel(60, 2)[0], 1.1F * picture.pixel(60, 2)[1]);  // the sky
 }
 
-// Of three frames the nearest by degree, and of equally near ones by time, gives the ground; the
-// nearest by time gives the sky.
+// Of the frames that have been made the nearest by degree, and of equally near ones by time, gives
+// the ground; the nearest by time gives the sky. Three of six have been made.
 TEST_F(OwnScene, DegreesAndTimesFindTheirFrames) {
   landscape::Landscape scene = test::constant_meadow({}, folder.path() / "texels");
   scene.cells.clear();
@@ -198,6 +167,13 @@ TEST_F(OwnScene, DegreesAndTimesFindTheirFrames) {
     std::fill(scene.sky.values.begin(), scene.sky.values.end(), 0.03F * frame);
     export_all(scene);
   }
+  export_scene(std::vector<FrameMoment>{{1, 0.0, 60.0},
+                                        {2, 0.4, 120.0},
+                                        {3, 0.8, 180.0},
+                                        {4, 0.8, 240.0},
+                                        {5, 0.41, 300.0},
+                                        {6, 0.9, 360.0}},
+               folder.path() / "povray");
   const auto expect = [&](const char* text, double ground, double sky) {
     const Image picture = run_text(scene, fmt::format("{} Wold_Camera(0)", text));
     EXPECT_NEAR(linear(picture.pixel(8, 30)[1]) / scene.exposure_gain, ground, 0.002) << text;
@@ -206,6 +182,25 @@ TEST_F(OwnScene, DegreesAndTimesFindTheirFrames) {
   expect("Wold_Ground(0.39) Wold_Clouds(190)", 0.02, 0.09);
   expect("Wold_Ground(0.41) Wold_Clouds(0)", 0.06, 0.03);
   expect("#declare Wold_time_s = 300; Wold_Ground(1) Wold_Clouds(1000)", 0.08, 0.12);
+  expect("Wold_Ground(0.9) Wold_Clouds(110)", 0.06, 0.03);
+  expect("Wold_Ground(0) Wold_Clouds(290)", 0.02, 0.12);
+}
+
+TEST_F(OwnScene, SaysWhatIsMissing) {
+  const landscape::Landscape scene = test::constant_meadow({}, folder.path() / "texels");
+  const auto said = [&] {
+    make_folder(folder.path() / "mine");
+    write_file(folder.path() / "mine/my.pov",
+               "#version 3.7;\n#include \"wold.inc\"\nWold_Terrain(0)\n");
+    const std::string command =
+        "cd " + folder.path().string() + "/mine && povray +L../povray my.pov -D > log 2>&1";
+    EXPECT_NE(std::system(command.c_str()), 0);
+    return read_file(folder.path() / "mine/log");
+  };
+  export_scene(test::film_of(scene), folder.path() / "povray");
+  EXPECT_THAT(said(), testing::HasSubstr("none has been made"));
+  fs::remove(folder.path() / "povray/data/frames.inc");
+  EXPECT_THAT(said(), testing::HasSubstr("data/frames.inc was not found"));
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "povray/export.h"
 #include "support/cloudy_view.h"
 #include "support/detailed_ground.h"
+#include "support/povray_film.h"
 #include "support/quartered.h"
 #include "support/snowy_view.h"
 #include "support/synthetic_landscape.h"
@@ -41,7 +42,7 @@ class Picture : public testing::Test {
 
   Image render(const landscape::Landscape& scene) const {
     export_frame(scene, folder / "povray");
-    export_scene(folder / "povray");
+    export_scene(test::film_of(scene), folder / "povray");
     const std::string command = fmt::format(
         "cd {} && povray povray/data/frame_0001.ini +Opicture.png > log 2>&1", folder.string());
     if (std::system(command.c_str()) != 0) ADD_FAILURE() << read_file(folder / "log");
@@ -288,6 +289,22 @@ TEST_F(Picture, FlakesAndFogShowWhatTheirFormulaeSay) {
                 0.015 * wanted)
         << direction.x << ", " << direction.y << ", " << direction.z;
   }
+}
+
+// Names are POV-Ray's strings: a quote must not end one, nor a backslash begin an escape.
+TEST_F(Picture, NamesWithQuotesAndBackslashesAreFound) {
+  landscape::Landscape scene = test::constant_meadow({}, folder / "texels");
+  landscape::Landscape cloudy = scene;
+  test::make_cloudy_view(cloudy);
+  scene.clouds = cloudy.clouds;
+  test::add_flakes(scene, 30, 4.0);
+  const Image wanted = render(scene);
+  const std::string odd = "\"; #error \\n\\";
+  for (landscape::Volume& volume : scene.volumes) volume.name += odd;
+  for (landscape::BladeMesh& mesh : scene.blade_meshes) mesh.name += odd;
+  for (landscape::CloudBox& cloud : scene.clouds) cloud.name += odd;
+  for (landscape::FlakePicture& picture : scene.flakes.pictures) picture.name += odd;
+  EXPECT_EQ(render(scene).values, wanted.values);
 }
 
 TEST_F(Picture, BareCommandsWorkHereAndFromAbove) {

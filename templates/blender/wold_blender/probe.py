@@ -25,8 +25,7 @@ SEEN = 0.25  # of 1, encoded: what is shown is white, what is not is black
 
 
 def add_voxel(x_m: float) -> None:
-    """A cube of one metre that is a grid of 6^3 equal voxels. Full leaves of 8^3 equal ones are not in
-    the hull that Cycles 3.4 puts around a volume."""
+    """A cube of one metre that is a grid of constant density."""
     material, nodes = new_material("voxel")
     density = attribute(nodes, "density", "Fac")
     end_in(nodes, "Volume", medium(nodes, density, constant(nodes, (10, 10, 10))))
