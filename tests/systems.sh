@@ -130,17 +130,29 @@ render_scene() {
     "$(apart "$got" "$(picture_of bookworm "$5.2" povray)")" "$seconds" "$megabytes"
 }
 
-# compare_renderers SYSTEM: every scene by every renderer, from the data that the system has made.
+# keep_pictures SYSTEM NAME: and of all else that was made for a scene nothing.
+keep_pictures() {
+  find "$cache/$1$made" -mindepth 2 -maxdepth 2 -path "*/$2*/*" ! -name frames -exec rm -rf {} +
+}
+
+# compare_scene SYSTEM NAME SCENE FRAME OPTION...: by every renderer, from data made once.
+compare_scene() {
+  local kind program number=0 log=$cache/$1.$2.log code seconds
+  read -r code seconds < <(attempt "$log" of_wold "$1" generate "${@:2}" --renderer both)
+  row "$1" - "$2: generated, exit code $code" - - "$seconds" -
+  [ "$code" = 0 ] || return 0
+  while read -r kind program; do
+    number=$((number + 1))
+    render_scene "$1" "$2.$number" "$kind" "$program" "${@:2}"
+  done < <(renderers_of "$1")
+  keep_pictures "$1" "$2"
+}
+
 compare_renderers() {
-  local line kind program number scene
+  local line scene
   for line in "${scenes[@]}"; do
     read -ra scene <<<"$line"
-    of_wold "$1" generate "${scene[@]}" --renderer both >"$cache/$1.${scene[0]}.log" 2>&1
-    number=0
-    while read -r kind program; do
-      number=$((number + 1))
-      render_scene "$1" "${scene[0]}.$number" "$kind" "$program" "${scene[@]}"
-    done < <(renderers_of "$1")
+    compare_scene "$1" "${scene[@]}"
   done
 }
 

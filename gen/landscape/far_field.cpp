@@ -44,8 +44,7 @@ glm::dvec3 in_cell(const glm::dvec3& sight, const glm::dvec2& gradient, const gl
 
 Meadow::Meadow(const scene::Scene& scene, const Heightfield& terrain, const Withering& withering,
                const View& view, int frame, std::map<grass::PatchState, PatchLook> looks)
-    : scene_(scene),
-      terrain_(terrain),
+    : terrain_(terrain),
       withering_(withering),
       view_(view),
       frame_(frame),

@@ -47,7 +47,6 @@ class Meadow {
   /// And under a level of snow.
   FarLook at_snow(int key_frame, int snow, const glm::dvec3& direction) const;
 
-  const scene::Scene& scene_;
   const Heightfield& terrain_;
   const Withering& withering_;
   const View& view_;

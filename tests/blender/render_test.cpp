@@ -34,8 +34,8 @@ constexpr double degree = std::numbers::pi / 180.0;
 class BlenderRender : public testing::Test {
  protected:
   void SetUp() override {
-    if (!test::has_blender())
-      GTEST_SKIP() << "no Blender on this machine: its pictures are not tested";
+    if (!test::shows_volumes())
+      GTEST_SKIP() << "no Blender that shows volumes on this machine: its pictures are not tested";
     fs::remove_all(folder);
     landscape = test::synthetic_landscape({.cells_per_side = 6, .volumes = 1}, folder / "texels");
     landscape.blade_cells.clear();

@@ -50,8 +50,8 @@ class Examples : public GoldenPictures, public testing::WithParamInterface<std::
 
 TEST_P(Examples, AreNamedAfterTheirFileAndLookAsTheyDid) {
   for (const char* renderer : {"blender", "povray"})
-    if (!is_installed(renderer))
-      GTEST_SKIP() << "no " << renderer << " on this machine: the examples are not tested";
+    if (!can_render(renderer))
+      GTEST_SKIP() << "no complete " << renderer << " on this machine: the examples are not tested";
   const std::string scene = " '" + (examples / GetParam()).string() + "' ";
   const Result checked = wold("check" + scene);
   ASSERT_EQ(checked.code, 0) << checked.err;

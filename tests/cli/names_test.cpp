@@ -58,7 +58,7 @@ TEST_F(Names, OfFoldersMayBeAnything) {
 }
 
 TEST_F(Names, OfFoldersMayBeAnythingForBlenderInAGermanLocale) {
-  if (!is_installed("blender")) GTEST_SKIP() << "no blender on this machine";
+  if (!can_render("blender")) GTEST_SKIP() << "no complete blender on this machine";
   const std::string render = "render ./-tiny.toml --quiet --renderer blender --frames 1 --out=";
   EXPECT_EQ(in_odd_folder(command(render + "-x")).code, 0);
   const Result made = in_odd_folder(command(render + "-y", german()));

@@ -62,8 +62,9 @@ class OneLook : public Program, public testing::WithParamInterface<Film> {
   void SetUp() override {
     Program::SetUp();
     for (const char* renderer : {"blender", "povray"})
-      if (!is_installed(renderer))
-        GTEST_SKIP() << "no " << renderer << " on this machine: the two looks are not compared";
+      if (!can_render(renderer))
+        GTEST_SKIP() << "no complete " << renderer
+                     << " on this machine: the two looks are not compared";
   }
 
   fs::path picture(const char* renderer, int frame) const {

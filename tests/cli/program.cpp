@@ -3,9 +3,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "core/files.h"
 
@@ -62,6 +64,14 @@ std::string Program::command(const std::string& arguments, const std::string& en
 
 Result Program::shell(const std::string& command) const {
   return Running(folder_, command).finish();
+}
+
+bool Program::can_render(const std::string& renderer) const {
+  const auto found = nlohmann::json::parse(wold("doctor --json").out);
+  return std::ranges::any_of(found.at("renderers"), [&](const nlohmann::json& one) {
+    return one.at("renderer") == renderer && one.at("program").is_string() &&
+           (one.at("state") == "complete" || std::stoi(one.at("version").get<std::string>()) < 5);
+  });
 }
 
 void Program::write(const std::string& name, const std::string& text) const {

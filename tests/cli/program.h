@@ -60,6 +60,10 @@ class Program : public testing::Test {
     return shell("command -v " + program).code == 0;
   }
 
+  /// Whether a renderer is on this machine and should make every picture. Debian's Blender does not
+  /// from 5.0 on: it shows no volumes. An older one that says so is at fault.
+  bool can_render(const std::string& renderer) const;
+
   void write(const std::string& name, const std::string& text) const;
 
   fs::path folder_;

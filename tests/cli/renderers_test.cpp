@@ -13,8 +13,9 @@ class Renderers : public SmallFilm, public testing::WithParamInterface<std::stri
  protected:
   void SetUp() override {
     SmallFilm::SetUp();
-    if (!is_installed(GetParam()))
-      GTEST_SKIP() << "no " << GetParam() << " on this machine: its pictures are not tested";
+    if (!can_render(GetParam()))
+      GTEST_SKIP() << "no complete " << GetParam()
+                   << " on this machine: its pictures are not tested";
   }
 
   std::string render(const std::string& out, const std::string& options = "") const {

@@ -7,6 +7,8 @@
 namespace wold::test {
 namespace {
 
+constexpr const char* launcher = WOLD_TEMPLATES_DIR "/blender/wold_render.py";
+
 std::string program() {
   const char* chosen = std::getenv("WOLD_BLENDER");
   return chosen != nullptr && *chosen != '\0' ? chosen : "blender";
@@ -22,14 +24,20 @@ bool succeeds(const std::string& command) {
 
 bool has_blender() { return succeeds(fmt::format("'{}' --version", program())); }
 
+bool shows_volumes() {
+  static const bool lacks_them =
+      succeeds(blender_script(launcher) +
+               R"( -- --probe | grep -q '"version": "[5-9][.].*"volumes": false')");
+  return has_blender() && !lacks_them;
+}
+
 std::string blender_script(const std::filesystem::path& script) {
   const char* options = is_python() ? "-B" : "-b --factory-startup --python-exit-code 1 -P";
   return fmt::format("'{}' {} '{}'", program(), options, script.string());
 }
 
 std::string blender_render(const std::filesystem::path& folder, int frame) {
-  return fmt::format("{} -- '{}' {}", blender_script(WOLD_TEMPLATES_DIR "/blender/wold_render.py"),
-                     folder.string(), frame);
+  return fmt::format("{} -- '{}' {}", blender_script(launcher), folder.string(), frame);
 }
 
 }  // namespace wold::test

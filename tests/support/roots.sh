@@ -4,9 +4,9 @@
 
 cache=${XDG_CACHE_HOME:-$HOME/.cache}/wold/systems
 
-# What the package bpy is linked to and does not bring along.
-bpy_packages=(libegl1 libgl1 libice6 libsm6 libxext6 libxfixes3 libxi6 libxkbcommon0 libxrender1
-  libxxf86vm1)
+# What the package bpy needs: an environment, and libraries that it does not bring along.
+bpy_packages=(python3-venv libegl1 libgl1 libice6 libsm6 libxext6 libxfixes3 libxi6 libxkbcommon0
+  libxrender1 libxxf86vm1)
 declare -A python_of_bpy=([4.5]=3.11 [5.2]=3.13)
 declare -A system_of_python=([3.11]=bookworm [3.13]=trixie)
 
@@ -75,7 +75,7 @@ set_up_bpy() {
 bpy_in() {
   local folder=/opt/bpy-$2
   has_bpy in_root "$1" "$folder/bin/python" || {
-    install_in "$1" python3 python3-venv "${bpy_packages[@]}"
+    install_in "$1" "${bpy_packages[@]}"
     set_up_bpy "$2" python3 "$folder" in_root "$1"
   }
   echo "$folder/bin/python"
@@ -84,10 +84,7 @@ bpy_in() {
 # bpy_here VERSION PYTHON: the same on this machine.
 bpy_here() {
   local folder=$cache/bpy-$1
-  has_bpy "$folder/bin/python" || {
-    install "${bpy_packages[@]}"
-    set_up_bpy "$1" "$2" "$folder"
-  }
+  has_bpy "$folder/bin/python" || set_up_bpy "$1" "$2" "$folder"
   echo "$folder/bin/python"
 }
 
@@ -95,6 +92,7 @@ bpy_here() {
 # a Debian with the Python it needs.
 bpy_program() {
   local needed=${python_of_bpy[$1]} program=$cache/bpy-$1-in-root python system
+  install "${bpy_packages[@]}"
   if python=$(python_here "$needed"); then
     bpy_here "$1" "$python"
     return
