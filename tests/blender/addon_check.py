@@ -3,8 +3,10 @@
 import os
 import sys
 
-import addon_utils
 import bpy
+
+# isort: split
+import addon_utils  # found only when bpy is loaded, where that is a package of Python
 
 archive, folder, picture = sys.argv[sys.argv.index("--") + 1 :]
 
