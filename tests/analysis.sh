@@ -7,10 +7,11 @@
 #     tests/analysis.sh tsan [CTEST OPTION...]        with the thread sanitizer
 #     tests/analysis.sh coverage [CTEST OPTION...]    which lines of gen/ tests run: 90 % at least
 #     tests/analysis.sh cppcheck
+#     tests/analysis.sh python                        ruff and mypy, with pyproject.toml's settings
 #     tests/analysis.sh tidy [FILE PATTERN...]        clang-tidy, with the checks of .clang-tidy
 #
-# All but cppcheck take a folder build-* of their own, and all but cppcheck and asan-units more time
-# than .ci/run has.
+# All but cppcheck take a folder build-* of their own. All but cppcheck, python and asan-units take
+# more time than .ci/run has.
 set -euo pipefail
 source "$(dirname "$0")/../examples/setup.sh"
 
@@ -62,6 +63,18 @@ check_with_cppcheck() {
     --error-exitcode=1 -j "$(nproc)"
 }
 
+# Other versions of ruff format differently, hence the fixed ones. --clear: another Python may be
+# here than the last time.
+check_python() {
+  local programs=build-python/bin
+  install python3 python3-venv
+  python3 -m venv --clear build-python
+  "$programs/pip" install -q --disable-pip-version-check 'ruff==0.17.*' 'mypy==2.*'
+  "$programs/ruff" check templates tests
+  "$programs/ruff" format --check templates tests
+  "$programs/mypy"
+}
+
 # With commands that have no precompiled headers and no options of GCC's own. The settings are read
 # once before: of a file that it cannot read, clang-tidy says so and falls back to its own.
 check_with_tidy() {
@@ -79,6 +92,7 @@ case ${1:-} in
   asan-units) test_units ;;
   coverage) coverage "${@:2}" ;;
   cppcheck) check_with_cppcheck ;;
+  python) check_python ;;
   tidy) check_with_tidy "${@:2}" ;;
   *)
     sed -n '2,/^set/s/^# \?//p' "$0" >&2

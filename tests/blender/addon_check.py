@@ -3,8 +3,10 @@
 import os
 import sys
 
-import addon_utils
 import bpy
+
+# isort: split
+import addon_utils  # found only when bpy is loaded, where that is a package of Python
 
 archive, folder, picture = sys.argv[sys.argv.index("--") + 1 :]
 
@@ -82,6 +84,7 @@ there = counts()
 scene.frame_set(2)
 assert scene.wold.frame == 2 and instances() == SECOND, (scene.wold.frame, instances())
 assert abs(camera.location[1] - at_first[1] + 1.0) < 1e-5, "the camera did not follow"
+at_second = tuple(camera.location), tuple(camera.rotation_euler)
 assert counts() == there, "things pile up"
 terrain = next(thing for thing in marked("objects") if thing.name.startswith("terrain"))
 for number in (3, 250, 2):
@@ -122,8 +125,7 @@ assert own.name in scene.collection.all_objects
 
 # The picture is that of the command line.
 scene.wold.detail = 1
-camera.location = at_first
-camera.location[1] -= 1.0
+camera.location, camera.rotation_euler = at_second
 own.hide_render = True
 scene.render.filepath = picture
 bpy.ops.render.render(write_still=True)

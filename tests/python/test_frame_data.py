@@ -142,7 +142,7 @@ class Numbers(ExportedFolder):
 
 class Moments(ExportedFolder):
     def test_frames_are_in_the_order_of_their_numbers(self):
-        for number in (10, 9, 12345):
+        for number in (10000, 9, 9999):
             self.write_frame(number, {"weathering": 0.25, "time_s": 2 * number})
         self.frame_folder(11).mkdir()  # without a frame.json
         (self.folder / "data" / "frame_x").mkdir()
@@ -151,8 +151,8 @@ class Moments(ExportedFolder):
             [
                 Moment(0.0, 0.0, 1),
                 Moment(0.25, 18.0, 9),
-                Moment(0.25, 20.0, 10),
-                Moment(0.25, 24690.0, 12345),
+                Moment(0.25, 19998.0, 9999),
+                Moment(0.25, 20000.0, 10000),
             ],
         )
 
