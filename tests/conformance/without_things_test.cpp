@@ -7,8 +7,10 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "povray/export.h"
+#include "render/renderer_program.h"
 #include "render/run.h"
 #include "support/cloudy_view.h"
+#include "support/povray_film.h"
 #include "support/synthetic_landscape.h"
 #include "support/temporary_folder.h"
 
@@ -23,7 +25,7 @@ class WithoutThings : public testing::TestWithParam<Renderer> {
  protected:
   void SetUp() override {
     try {
-      render::find_renderer(GetParam());
+      program_ = render::recognise(GetParam(), render::find_renderer(GetParam()), never);
     } catch (const RendererError& error) {
       GTEST_SKIP() << error.what();
     }
@@ -36,18 +38,16 @@ class WithoutThings : public testing::TestWithParam<Renderer> {
     export_to(wanted, folder_.path() / "wanted");
     export_to(drawn, scene_folder);
     SilentProgress progress;
-    render::run({GetParam(),
-                 scene_folder,
-                 1,
-                 {wanted.width_px, wanted.height_px},
-                 4,
-                 0,
-                 0.0,
-                 std::chrono::seconds(300),
-                 folder_.path() / "picture.png",
-                 folder_.path() / "log",
-                 folder_.path() / "wanted" / expected},
-                progress, [] { return false; });
+    render::Job job;
+    job.program = program_;
+    job.scene_folder = scene_folder;
+    job.size_px = {wanted.width_px, wanted.height_px};
+    job.samples = 4;
+    job.timeout = std::chrono::seconds(300);
+    job.picture = folder_.path() / "picture.png";
+    job.log = folder_.path() / "log";
+    job.expected = folder_.path() / "wanted" / expected;
+    render::run(job, progress, never);
   }
 
   /// What the renderer is blamed for; empty when nothing is.
@@ -70,13 +70,15 @@ class WithoutThings : public testing::TestWithParam<Renderer> {
   static void export_to(const Landscape& landscape, const fs::path& folder) {
     if (GetParam() == Renderer::blender) {
       blender::export_frame(landscape, folder);
-      blender::export_scene(folder);
     } else {
       povray::export_frame(landscape, folder);
-      povray::export_scene(folder);
+      povray::export_scene(test::film_of(landscape), folder);
     }
   }
 
+  static bool never() { return false; }
+
+  render::RendererProgram program_;
   const test::TemporaryFolder folder_{"without_things"};
 };
 
