@@ -175,7 +175,7 @@ TEST_F(BlenderExport, WritesOnlyVolumesInUseAndTheSameBytesTwice) {
   export_scene(folder / "again");
   EXPECT_FALSE(fs::exists(folder / "out/data/volumes" / (landscape.volumes[2].name + ".vdb")));
   const auto once = all_files(folder / "out");
-  EXPECT_EQ(once.size(), 25U);
+  EXPECT_EQ(once.size(), 26U);
   EXPECT_TRUE(once == all_files(folder / "again"));
 }
 
