@@ -47,6 +47,10 @@ double srgb_decoded(double encoded) {
   return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
+glm::dvec3 srgb_encoded(const glm::dvec3& linear) {
+  return {srgb_encoded(linear.r), srgb_encoded(linear.g), srgb_encoded(linear.b)};
+}
+
 double luminance(const glm::dvec3& rgb) {
   return glm::dot(rgb, glm::dvec3(0.2126, 0.7152, 0.0722));  // ITU-R BT.709
 }

@@ -18,6 +18,8 @@ glm::dvec3 lab_from_xyz(const glm::dvec3& xyz);
 /// The sRGB transfer function of one channel, [0, 1] to [0, 1], and back.
 double srgb_encoded(double linear);
 double srgb_decoded(double encoded);
+/// Of three channels.
+glm::dvec3 srgb_encoded(const glm::dvec3& linear);
 
 /// Relative luminance Y of a linear sRGB colour; 1 for white.
 double luminance(const glm::dvec3& rgb);

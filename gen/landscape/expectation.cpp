@@ -40,8 +40,8 @@ struct Tiling {
   }
   /// Where a ray goes through the picture, in pixels.
   glm::dvec2 place_px(int tile, int ray) const {
-    const glm::dvec2 in_tile =
-        (glm::dvec2(ray % rays_per_side, ray / rays_per_side) + 0.5) / double(rays_per_side);
+    const glm::dvec2 in_tile = (glm::dvec2(ray % rays_per_side, ray / rays_per_side) + 0.5) /
+                               static_cast<double>(rays_per_side);
     return (glm::dvec2(tile % tiles.x, tile / tiles.x) + in_tile) * tile_px;
   }
 };
@@ -133,14 +133,10 @@ glm::dvec3 exposed(const Landscape& landscape, const glm::dvec3& seen, double th
   return glm::clamp(landscape.exposure_gain * glm::mix(flakes, seen, through), 0.0, 1.0);
 }
 
-glm::vec3 encoded(const glm::vec3& linear) {
-  return {srgb_encoded(linear.r), srgb_encoded(linear.g), srgb_encoded(linear.b)};
-}
-
 /// Tiles that differ by less say nothing: a hundredth of the way from black to white.
 bool differ(const glm::vec3& a, const glm::vec3& b) {
-  constexpr float least = 0.01F;
-  const glm::vec3 difference = glm::abs(encoded(a) - encoded(b));
+  constexpr double least = 0.01;
+  const glm::dvec3 difference = glm::abs(srgb_encoded(glm::dvec3(a)) - srgb_encoded(glm::dvec3(b)));
   return std::max({difference.r, difference.g, difference.b}) >= least;
 }
 

@@ -9,10 +9,6 @@
 namespace wold::render {
 namespace {
 
-glm::dvec3 encoded(const glm::dvec3& linear) {
-  return {srgb_encoded(linear.r), srgb_encoded(linear.g), srgb_encoded(linear.b)};
-}
-
 /// First pixel of a tile along an axis, or of the one after the last.
 int border(int tile, int tiles, int pixels) {
   return static_cast<int>(std::lround(static_cast<double>(tile) * pixels / tiles));
@@ -37,9 +33,9 @@ ShownShare shown_share(const Image& picture, const ExpectedPicture& expected,
   double shown = 0.0;
   double change = 0.0;
   for (const ExpectedTile& tile : things.tiles) {
-    const glm::dvec3 without = encoded(glm::dvec3(tile.without));
-    const glm::dvec3 difference = encoded(glm::dvec3(tile.with)) - without;
-    const glm::dvec3 seen = encoded(mean_of_tile(picture, expected.tiles, tile.tile));
+    const glm::dvec3 without = srgb_encoded(glm::dvec3(tile.without));
+    const glm::dvec3 difference = srgb_encoded(glm::dvec3(tile.with)) - without;
+    const glm::dvec3 seen = srgb_encoded(mean_of_tile(picture, expected.tiles, tile.tile));
     shown += glm::dot(seen - without, difference);
     change += glm::dot(difference, difference);
   }
