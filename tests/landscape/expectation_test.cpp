@@ -136,6 +136,22 @@ TEST(Expectation, OnlyWhereCellsStandIsGrass) {
     EXPECT_GE(tile.tile % expected.tiles.x, half);
 }
 
+// Half of a cell, quarter-turned: its western half lies in the south then. The camera looks
+// straight down on it, north is up.
+TEST(Expectation, PartsOfCellsAreWhereTheyAreTurnedTo) {
+  const test::TemporaryFolder folder("expectation_part");
+  Landscape meadow = level_meadow(folder.path());
+  const glm::dmat4 turned({0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {1.5, 1.0, 0, 1});
+  meadow.cells = {{turned, 0, glm::dmat4(1.0), {{0.0, 0.0}, {0.5, 1.0}}}};
+  meadow.camera = {{1.25, 1.2499, 3.0}, {1.25, 1.25, 0.0}, 9.0};
+  const ExpectedPicture expected = expected_picture(meadow);
+  ASSERT_EQ(expected.things.size(), 1U);
+  EXPECT_EQ(expected.things[0].tiles.size(),
+            static_cast<std::size_t>(expected.tiles.x * ((expected.tiles.y + 1) / 2)));
+  for (const ExpectedTile& tile : expected.things[0].tiles)
+    EXPECT_GE(tile.tile / expected.tiles.x, expected.tiles.y / 2);
+}
+
 // Where the sky begins is not known, as grass rises before it: no tile with sky, none next to it.
 TEST(Expectation, TilesAtTheHorizonSayNothing) {
   const test::TemporaryFolder folder("expectation_horizon");
