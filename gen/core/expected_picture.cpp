@@ -14,10 +14,14 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+/// To four digits after the point.
+double rounded(float value) {
+  const double last_digits = std::round(double{value} * 1e4);
+  return last_digits / 1e4;
+}
+
 Json json_of(const glm::vec3& colour) {
-  Json channels = Json::array();
-  for (int c = 0; c < 3; ++c) channels.push_back(std::round(double{colour[c]} * 1e4) / 1e4);
-  return channels;
+  return {rounded(colour.x), rounded(colour.y), rounded(colour.z)};
 }
 
 glm::vec3 colour_of(const Json& channels) {
