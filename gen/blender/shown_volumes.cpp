@@ -23,8 +23,7 @@ ShownVolumes::ShownVolumes(const landscape::Landscape& landscape) {
   for (const landscape::Cell& cell : landscape.cells) of_cells.push_back(shown(landscape, cell));
   all_ = of_cells;
   std::ranges::sort(all_);
-  const auto repeated = std::ranges::unique(all_);
-  all_.erase(repeated.begin(), repeated.end());
+  all_.erase(std::unique(all_.begin(), all_.end()), all_.end());
   for (const ShownVolume& each : of_cells)
     picks_.push_back(static_cast<int>(std::ranges::lower_bound(all_, each) - all_.begin()));
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <utility>
 
 namespace wold::landscape {
@@ -50,8 +49,8 @@ SeenBox cloud_view(const std::vector<CloudBox>& clouds, const glm::dvec3& eye_m,
                    const glm::dvec3& direction, double end_m) {
   SeenBox seen;
   double weighed_m = 0.0;
-  for (const CloudBox& cloud : std::views::reverse(clouds))  // the lowest is the nearest
-    pass_through(cloud, eye_m, direction, end_m, seen.look, weighed_m);
+  for (auto cloud = clouds.rbegin(); cloud != clouds.rend(); ++cloud)  // the lowest is the nearest
+    pass_through(*cloud, eye_m, direction, end_m, seen.look, weighed_m);
   const double hidden = 1.0 - seen.look.transmittance;
   if (hidden > 0.0) seen.distance_m = weighed_m / hidden;
   return seen;
