@@ -16,9 +16,9 @@ std::string_view command_description(std::string_view command) {
        "that names the log."},
       {"generate",
        "Does what wold render does before it runs the renderers: texels, clouds, snow and "
-       "the scenes in DIR/blender and DIR/povray, which work on their own where only the "
-       "renderer is, by blender -b -P scene.py and povray scene.pov. DIR/manifest.json lists"
-       " every file at the end."},
+       "the scenes in DIR/blender and DIR/povray. They work where only the renderer is: "
+       "povray scene.pov shows the one, the files of wold extension the other. "
+       "DIR/manifest.json lists every file at the end."},
       {"plan",
        "Lists stages and their tasks, how many of them are to do, and estimates of time, "
        "memory and disk. A task is what one machine can do alone as soon as those before it "
