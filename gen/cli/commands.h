@@ -20,7 +20,7 @@ struct RenderOptions {
   std::vector<int> frames;             ///< from 1, rising; empty: all
   std::filesystem::path out;           ///< empty: out/<scene name>
   std::string blender;             ///< program or its path; empty: WOLD_BLENDER's, or the PATH's
-  std::string povray;              ///< likewise
+  std::string povray;              ///< program or its path; empty: WOLD_POVRAY's, or the PATH's
   int threads = 0;                 ///< 0: the scene's render.threads
   std::uint64_t memory_bytes = 0;  ///< 0: the machine's
   bool dry_run = false;
@@ -65,7 +65,7 @@ struct PreviewOptions {
 /// What `doctor` is asked for.
 struct DoctorOptions {
   std::string blender;  ///< program or its path; empty: WOLD_BLENDER's, or the PATH's
-  std::string povray;   ///< likewise
+  std::string povray;   ///< program or its path; empty: WOLD_POVRAY's, or the PATH's
   bool json = false;
 };
 

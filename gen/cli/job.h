@@ -15,7 +15,7 @@ struct Job {
   std::vector<int> frames;    ///< from 1, rising, all within the scene
   std::filesystem::path out;  ///< the output folder
   std::string blender;        ///< program that --blender names; empty: it names none
-  std::string povray;         ///< likewise
+  std::string povray;         ///< program that --povray names; empty: it names none
   int threads = 0;            ///< 0: all processors
   double memory_bytes = 0.0;  ///< that all may take together; 0: the machine's, and no limit is set
 };

@@ -25,7 +25,7 @@ struct Sight {
 /// are, or parts of cells. Throws FileError when a volume cannot be read.
 std::size_t look_at_grass(const Landscape& landscape, std::vector<Sight>& sights);
 
-/// Fills in the blades likewise.
+/// Fills in the blades that stand where sights meet the ground.
 void look_at_blades(const Landscape& landscape, std::vector<Sight>& sights);
 
 }  // namespace wold::landscape

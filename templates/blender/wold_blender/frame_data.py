@@ -44,18 +44,14 @@ def check_size(path: str, expected: int) -> None:
         raise DataError(f"{path} is damaged: it has {found} bytes, {expected} were expected")
 
 
-def frame_folder(folder: str, number: int) -> str:
-    return os.path.join(folder, "data", f"frame_{number:04d}")
-
-
 class Frame:
     """frame.json and the files it names. `folder` is the exported folder, which holds `data`."""
 
     def __init__(self, number: int, folder: str) -> None:
         self.number = number
         self.home = os.path.realpath(os.path.join(folder, "data"))
-        self.folder = frame_folder(self.home + "/..", number)
-        self.json_path = os.path.normpath(os.path.join(self.folder, "frame.json"))
+        self.folder = os.path.join(self.home, f"frame_{number:04d}")
+        self.json_path = os.path.join(self.folder, "frame.json")
         self.data = read_json(self.json_path)
         check_format(self.data, self.json_path)
 
