@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -80,27 +81,34 @@ glm::dvec2 centre_m(const glm::ivec2& cell, double patch_m) {
   return (glm::dvec2(cell) + 0.5) * patch_m;
 }
 
-int choose_key_frame(const scene::Scene& scene, const std::vector<double>& keys,
-                     const glm::ivec2& cell, double wanted) {
+/// What cells are dithered in, each in an order of its own.
+enum class Dither { key_frame, snow, light };
+
+/// A number in [0, 1) of a cell: those that want at least so much of the way between two states
+/// show the second. Each variant has its own part of [0, 1), so that variants pass to the second
+/// state one after the other: few states of a variant are seen at once, and each of them is a
+/// volume in a renderer's memory.
+double threshold(const scene::Scene& scene, const CellChoice& choice, Dither dither) {
+  constexpr std::array<const char*, 3> purposes = {"key frame", "snow", "light"};
+  const auto which = static_cast<int>(dither);
+  const int place = (choice.variant + which) % scene.grass.variants;
+  const double within = cell_uniform(scene, choice.cell, purposes[static_cast<std::size_t>(which)]);
+  return (place + within) / scene.grass.variants;
+}
+
+int choose_key_frame(const std::vector<double>& keys, double wanted, double threshold) {
   const auto above = std::upper_bound(keys.begin(), keys.end(), wanted);
   if (above == keys.begin()) return 0;
   const auto below = static_cast<int>(above - keys.begin()) - 1;
   if (above == keys.end()) return below;
   const double share = (wanted - *(above - 1)) / (*above - *(above - 1));
-  return cell_uniform(scene, cell, "key frame") < share ? below + 1 : below;
+  return threshold < share ? below + 1 : below;
 }
 
-/// The level of snow below or above a share of what blades can carry.
-int choose_snow(const scene::Scene& scene, double canopy_snow, const glm::ivec2& cell) {
-  const double wanted = grass::PatchState::level_of(canopy_snow);
+/// The whole number below or above.
+int choose_between(double wanted, double threshold) {
   const auto below = static_cast<int>(wanted);
-  return cell_uniform(scene, cell, "snow") < wanted - below ? below + 1 : below;
-}
-
-/// The light before or after a place among them.
-int choose_light(const scene::Scene& scene, double wanted, const glm::ivec2& cell) {
-  const auto before = static_cast<int>(wanted);
-  return cell_uniform(scene, cell, "light") < wanted - before ? before + 1 : before;
+  return threshold < wanted - below ? below + 1 : below;
 }
 
 /// Whether a level is fine enough where one metre covers `pixels_per_m`.
@@ -182,7 +190,7 @@ Grown grown_in(const FactorMap& growth, const glm::ivec2& cell, double patch_m) 
 
 /// What cells show of a frame.
 struct Showing {
-  double canopy_snow;
+  double snow;   ///< level of PatchState, not whole
   double light;  ///< light_of_frame()
 };
 
@@ -197,9 +205,10 @@ CellChoice choose_cell(const scene::Scene& scene, const glm::ivec2& cell, const 
   choice.blades = choose_blades(scene, jittered);
   choice.variant = texel.variant;
   choice.turn = choice.blades ? 0 : texel.turn % turns_of_level(scene, choice.level);
-  choice.key_frame = choose_key_frame(scene, key_frames, cell, weathering);
-  choice.snow = choose_snow(scene, showing.canopy_snow, cell);
-  choice.light = choose_light(scene, showing.light, cell);
+  choice.key_frame =
+      choose_key_frame(key_frames, weathering, threshold(scene, choice, Dither::key_frame));
+  choice.snow = choose_between(showing.snow, threshold(scene, choice, Dither::snow));
+  choice.light = choose_between(showing.light, threshold(scene, choice, Dither::light));
   return choice;
 }
 
@@ -258,7 +267,8 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
   const Heightfield& ground = mesh ? *mesh : terrain;
   const Combing combing(scene, frame);
   const std::vector<double> key_frames = scene::key_frames(scene);
-  const Showing showing = {canopy_snow(scene, frame), light_of_frame(scene, frame)};
+  const Showing showing = {grass::PatchState::level_of(canopy_snow(scene, frame)),
+                           light_of_frame(scene, frame)};
   const auto side = static_cast<std::size_t>(window.per_side);
   std::vector<std::vector<CellChoice>> rows(side);
   const auto consider = [&](const glm::ivec2& cell, const Texel& texel,

@@ -269,6 +269,19 @@ TEST(Weathering, DithersAboutTheWantedDegree) {
     EXPECT_GE(after[k].key_frame, before[k].key_frame);  // nothing grows green again
 }
 
+// Each pair of variant and key frame is a volume in memory: one variant at most is between two.
+TEST(Weathering, VariantsPassToTheNextKeyFrameOneAfterTheOther) {
+  scene::Scene scene = from_above();
+  scene.ageing.variation = 0.0;
+  scene.ageing.frames = {0.34, 0.36, 0.375, 0.40};  // key frames at 0.333 and 0.417
+  for (int frame = 1; frame <= 4; ++frame) {
+    std::set<std::pair<int, int>> shown;
+    for (const CellChoice& choice : choices_of(scene, frame))
+      shown.insert({choice.variant, choice.key_frame});
+    EXPECT_LE(shown.size(), static_cast<std::size_t>(scene.grass.variants) + 1);
+  }
+}
+
 TEST(Weathering, VariesSmoothlyAndNotAtTheEnds) {
   scene::Scene scene = small_meadow();
   scene.ageing.frames = {0.0, 0.5, 1.0};
