@@ -12,6 +12,7 @@ import bpy
 from .devices import DeviceError, choose_device
 from .frame_data import DataError, Frame
 from .landscape import add_camera, add_landscape
+from .memory import give_back_freed_blocks
 from .probe import probe
 from .progress import progress_reported
 from .render_settings import set_light_transport, set_picture, set_threads
@@ -43,6 +44,7 @@ def parse_options(arguments: list[str]) -> argparse.Namespace:
 
 def build(options: argparse.Namespace) -> None:
     """The frame in an empty scene, ready to be rendered."""
+    give_back_freed_blocks()
     frame = Frame(options.frame, options.folder)
     bpy.ops.wm.read_factory_settings(use_empty=True)
     scene = bpy.context.scene
