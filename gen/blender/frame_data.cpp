@@ -16,7 +16,7 @@ namespace wold::blender {
 namespace {
 
 /// Of the folder; templates/blender/wold_blender/frame_data.py reads no other.
-constexpr int format = 5;
+constexpr int format = 6;
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;

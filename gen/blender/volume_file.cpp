@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
 
 #include "core/error.h"
 #include "core/vdb_file.h"
@@ -15,8 +18,11 @@ namespace fs = std::filesystem;
 
 constexpr const char* content_key = "wold_content";
 
+/// Of a volume's extinction, what leave_out_tips() may leave out.
+constexpr double share_of_tips = 0.0005;
+
 /// Changes whenever this file writes the same volume differently.
-constexpr int layout = 5;
+constexpr int layout = 6;
 
 std::string content_of(const landscape::Volume& volume) {
   return fmt::format("{} {} {}", layout, volume.content, volume.emission_grid);
@@ -58,6 +64,25 @@ void leave_out_empty_voxels(openvdb::FloatGrid& density) {
   density.pruneGrid();
 }
 
+/// The highest layers, which have `share` of the extinction at most: the tips of a blade or two.
+/// Without them the box of voxels is lower by a sixth. Some renderers keep all of it in memory.
+void leave_out_tips(openvdb::FloatGrid& density, double share) {
+  density.tree().voxelizeActiveTiles();
+  std::map<int, double> layers;
+  double all = 0.0;
+  for (auto at = density.cbeginValueOn(); at; ++at) {
+    layers[at.getCoord().z()] += double{*at};
+    all += double{*at};
+  }
+  double left = share * all;
+  auto lowest_tips = layers.end();
+  while (lowest_tips != layers.begin() && std::prev(lowest_tips)->second <= left)
+    left -= (--lowest_tips)->second;
+  if (lowest_tips == layers.end()) return;
+  for (auto at = density.beginValueOn(); at; ++at)
+    if (at.getCoord().z() >= lowest_tips->first) at.setValue(0.0F);
+}
+
 /// Up to the highest of the voxels that are there: Cycles keeps the whole box in memory. Index 1 is
 /// the first voxel.
 openvdb::CoordBBox without_air_above(const glm::ivec3& voxels, const openvdb::FloatGrid& density) {
@@ -74,17 +99,21 @@ void count_in_units(openvdb::FloatGrid& density) {
     at.setValue(std::min(*at / density_unit_per_m, most));
 }
 
+/// What a ray's radiance gains, a grid for each colour: a vector would take the memory of four
+/// numbers in some renderers, and cannot be had in half precision.
+using Emission = std::array<openvdb::FloatGrid::Ptr, 3>;
+
+constexpr std::array<const char*, 3> emission_names = {"emission red", "emission green",
+                                                       "emission blue"};
+
 /// density * radiance on the voxels of `density`.
-openvdb::Vec3SGrid::Ptr emission_of(const openvdb::FloatGrid& density,
-                                    const openvdb::Vec3SGrid& radiance) {
-  const openvdb::Vec3s dark(0.0F);
-  auto tree = std::make_shared<openvdb::Vec3STree>(density.tree(), dark, openvdb::TopologyCopy());
-  auto emission = openvdb::Vec3SGrid::create(tree);
-  auto rho = density.getConstAccessor();
-  auto source = radiance.getConstAccessor();
-  for (auto at = emission->beginValueOn(); at; ++at) {
-    const openvdb::Coord voxel = at.getCoord();
-    at.setValue(rho.getValue(voxel) * source.getValue(voxel));
+Emission emission_of(const openvdb::FloatGrid& density, const openvdb::Vec3SGrid& radiance) {
+  Emission emission;
+  for (std::size_t colour = 0; colour < emission.size(); ++colour) {
+    emission[colour] = density.deepCopy();
+    auto source = radiance.getConstAccessor();
+    for (auto at = emission[colour]->beginValueOn(); at; ++at)
+      at.setValue(*at * source.getValue(at.getCoord())[static_cast<int>(colour)]);
   }
   return emission;
 }
@@ -93,12 +122,10 @@ openvdb::Vec3SGrid::Ptr emission_of(const openvdb::FloatGrid& density,
 /// the border two neighbouring cells would both be there, twice as dense, where they overlap. With
 /// it each fades over one voxel while the other comes up, and they add to what interpolating across
 /// the joint gives. Two corners are enough, since Cycles fills the box of active voxels.
-template <class Grid>
-void add_border(Grid& grid, const openvdb::CoordBBox& voxels) {
-  const typename Grid::ValueType nothing(0.0F);
+void add_border(openvdb::FloatGrid& grid, const openvdb::CoordBBox& voxels) {
   auto accessor = grid.getAccessor();
-  accessor.setValueOn(voxels.min().offsetBy(-1), nothing);
-  accessor.setValueOn(voxels.max().offsetBy(1), nothing);
+  accessor.setValueOn(voxels.min().offsetBy(-1), 0.0F);
+  accessor.setValueOn(voxels.max().offsetBy(1), 0.0F);
 }
 
 void prepare(openvdb::GridBase& grid, const std::string& name, double voxel_m) {
@@ -108,18 +135,20 @@ void prepare(openvdb::GridBase& grid, const std::string& name, double voxel_m) {
 }
 
 /// Density and what it emits, ready to be written.
-openvdb::GridPtrVec medium_grids(const openvdb::FloatGrid::Ptr& density,
-                                 const openvdb::Vec3SGrid::Ptr& emission,
+openvdb::GridPtrVec medium_grids(const openvdb::FloatGrid::Ptr& density, const Emission& emission,
                                  const openvdb::CoordBBox& voxels, double voxel_m) {
-  const auto ready = [&](auto& grid, const char* name) {
-    add_border(grid, voxels);
-    prepare(grid, name, voxel_m);
-    grid.setGridClass(openvdb::GRID_FOG_VOLUME);
-    grid.setSaveFloatAsHalf(true);
+  openvdb::GridPtrVec grids;
+  const auto add = [&](const openvdb::FloatGrid::Ptr& grid, const char* name) {
+    add_border(*grid, voxels);
+    prepare(*grid, name, voxel_m);
+    grid->setGridClass(openvdb::GRID_FOG_VOLUME);
+    grid->setSaveFloatAsHalf(true);
+    grids.push_back(grid);
   };
-  ready(*density, "density");
-  ready(*emission, "emission");
-  return {density, emission};
+  add(density, "density");
+  for (std::size_t colour = 0; colour < emission.size(); ++colour)
+    add(emission[colour], emission_names[colour]);
+  return grids;
 }
 
 /// Where there is any density, in leaves: constant ones are single values in `density`.
@@ -155,6 +184,7 @@ void write_volume(const fs::path& path, const landscape::Volume& volume) {
   if (is_there(path, content)) return;
   const auto density = read_grid<openvdb::FloatGrid>(volume.vdb, "density");
   const auto radiance = read_grid<openvdb::Vec3SGrid>(volume.vdb, volume.emission_grid);
+  leave_out_tips(*density, share_of_tips);
   leave_out_empty_voxels(*density);
   count_in_units(*density);
   const openvdb::MaskTree leaves = leaves_of(*density);
@@ -174,21 +204,21 @@ void write_volume(const fs::path& path, const landscape::Volume& volume) {
 
 void write_cloud(const fs::path& path, const landscape::CloudBox& cloud) {
   auto density = openvdb::FloatGrid::create(0.0F);
-  auto emission = openvdb::Vec3SGrid::create(openvdb::Vec3s(0.0F));
+  auto radiance = openvdb::Vec3SGrid::create(openvdb::Vec3s(0.0F));
   auto rho = density->getAccessor();
-  auto glow = emission->getAccessor();
+  auto source = radiance->getAccessor();
   std::size_t i = 0;
   for (int z = 1; z <= cloud.voxels.z; ++z)
     for (int y = 1; y <= cloud.voxels.y; ++y)
       for (int x = 1; x <= cloud.voxels.x; ++x, ++i) {
         const float extinction = cloud.extinction_per_m[i];
         if (!(extinction > 0.0F)) continue;
-        const glm::vec3 gain = extinction * cloud.radiance[i];
+        const glm::vec3& light = cloud.radiance[i];
         rho.setValue(openvdb::Coord(x, y, z), extinction);
-        glow.setValue(openvdb::Coord(x, y, z), openvdb::Vec3s(gain.x, gain.y, gain.z));
+        source.setValue(openvdb::Coord(x, y, z), openvdb::Vec3s(light.x, light.y, light.z));
       }
   const openvdb::CoordBBox voxels(openvdb::Coord(1), openvdb::Coord(&cloud.voxels.x));
-  write_vdb(path, medium_grids(density, emission, voxels, cloud.voxel_m));
+  write_vdb(path, medium_grids(density, emission_of(*density, *radiance), voxels, cloud.voxel_m));
 }
 
 }  // namespace wold::blender

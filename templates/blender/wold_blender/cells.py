@@ -16,7 +16,7 @@ from .frame_data import DataError, Frame
 from .grass_material import Kind, grass_material
 from .hull_names import name_of_volume
 from .meshes import add_object, give_attribute, point_mesh, quad_mesh
-from .nodes import Nodes, constant, end_in, medium, new_material
+from .nodes import EMISSION, Nodes, constant, end_in, medium, new_material
 from .volumes import load_volume
 
 SHIFT = "shift_m"  # name of the attribute by which volumes are moved along each of their axes
@@ -33,7 +33,7 @@ def load_volumes(frame: Frame) -> Any:
     materials: dict[Kind, Any] = {}
     for number, entry in enumerate(frame["volumes"]):
         kind = Kind.of(entry)
-        grids = {"density", "emission"} | kind.hull_grids()
+        grids = {"density", *EMISSION} | kind.hull_grids()
         volume = load_volume(frame, entry, name_of_volume(number), grids)
         if kind not in materials:
             materials[kind] = grass_material(frame, kind)

@@ -9,7 +9,7 @@ from mathutils import Vector
 from .differences import volume_shift_voxels
 from .frame_data import Frame
 from .meshes import add_object
-from .nodes import end_in, grid_colour, grid_number, medium, new_material
+from .nodes import EMISSION, end_in, grid_emission, grid_number, medium, new_material
 from .volumes import load_volume
 
 STEP_VOXELS = 2.0
@@ -19,13 +19,13 @@ def cloud_material() -> Any:
     material, nodes = new_material("cloud")
     material.cycles.volume_step_rate = STEP_VOXELS
     density = grid_number(nodes, "density")
-    end_in(nodes, "Volume", medium(nodes, density, grid_colour(nodes, "emission")))
+    end_in(nodes, "Volume", medium(nodes, density, grid_emission(nodes)))
     return material
 
 
 def add_clouds(home: Any, frame: Frame) -> None:
     for number, entry in enumerate(frame["clouds"]):
-        volume = load_volume(frame, entry, f"cloud {number}", {"density", "emission"})
+        volume = load_volume(frame, entry, f"cloud {number}", {"density", *EMISSION})
         volume.materials.append(cloud_material())
         shift_m = volume_shift_voxels() * entry["voxel_m"]
         place = Vector(entry["corner_m"]) + Vector((shift_m, shift_m, shift_m))

@@ -1,9 +1,9 @@
 """The material of grass volumes.
 
-A volume's file holds `density` and `emission` for the whole patch, and a grid of hull voxels for
-each of its quarters. Cycles builds a hull round the active voxels of the grids that a material asks
-for, and shares grids between volumes of one file. So a quarter has a hull of its own, while all
-quarters share the patch in memory.
+A volume's file holds `density` and its emission, a grid for each colour, for the whole patch, and a
+grid of hull voxels for each of its quarters. Cycles builds a hull round the active voxels of the
+grids that a material asks for, and shares grids between volumes of one file. So a quarter has a
+hull of its own, while all quarters share the patch in memory.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from .nodes import (
     Nodes,
     attribute,
     end_in,
-    grid_colour,
+    grid_emission,
     grid_number,
     map_outputs,
     medium,
@@ -46,13 +46,13 @@ class Kind(NamedTuple):
 
 
 def grass_medium(nodes: Nodes, frame: Frame, density: Any) -> Any:
-    """Grid `density` absorbs, grid `emission` adds, both in `density_unit_per_m`; the map
+    """Grid `density` absorbs, the grids of its emission add, all in `density_unit_per_m`; the map
     `standing_light` multiplies them, its alpha the first and its colour the second."""
     unit_per_m = frame["density_unit_per_m"]
     ground = map_outputs(nodes, frame, frame["standing_light"])
     extinction = nodes.math("MULTIPLY", density, unit_per_m)
     standing = nodes.math("MULTIPLY", extinction, ground["Alpha"])
-    lit = nodes.vector_math("MULTIPLY", grid_colour(nodes, "emission"), ground["Color"])
+    lit = nodes.vector_math("MULTIPLY", grid_emission(nodes), ground["Color"])
     return medium(nodes, standing, lit, unit_per_m)
 
 

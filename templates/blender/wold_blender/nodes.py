@@ -80,12 +80,15 @@ def grid_number(nodes: Nodes, name: str) -> Any:
     return number
 
 
-def grid_colour(nodes: Nodes, name: str) -> Any:
-    """An output socket: a grid's three numbers; see grid_number()."""
-    colour = attribute(nodes, name, "Vector")
-    if attributes_are_looked_up_at_random():
-        return nodes.vector_math("MAXIMUM", colour, (0, 0, 0))
-    return colour
+EMISSION = ("emission red", "emission green", "emission blue")  # grids of a volume
+
+
+def grid_emission(nodes: Nodes) -> Any:
+    """An output socket: what a volume emits, as three numbers; see grid_number()."""
+    colour = nodes.add("ShaderNodeCombineXYZ")
+    for grid, socket in zip(EMISSION, colour.inputs):
+        nodes.link(grid_number(nodes, grid), socket)
+    return colour.outputs["Vector"]
 
 
 def map_outputs(
