@@ -95,6 +95,15 @@ void add_programs(CLI::App& app, std::string& blender, std::string& povray) {
   add_program(app, "--povray", povray, "POV-Ray; WOLD_POVRAY's without it");
 }
 
+/// Of a size in bytes: empty, or what is wrong with it. Less than that no task can keep to; what is
+/// below zero arrives as a number that no machine has.
+std::string at_least_64_megabytes(const std::string& text) {
+  constexpr double least = 64.0 * 1024.0 * 1024.0;
+  constexpr double most = 1e18;
+  const double bytes = std::strtod(text.c_str(), nullptr);
+  return bytes >= least && bytes <= most ? "" : "expected a size of 64M or more, such as 8G";
+}
+
 /// Everything that says which files are made.
 void add_job_options(CLI::App& app, RenderArguments& arguments) {
   RenderOptions& options = arguments.options;
@@ -109,7 +118,8 @@ void add_job_options(CLI::App& app, RenderArguments& arguments) {
   app.add_option("--memory", options.memory_bytes,
                  "memory to keep to, renderers included, such as 8G; no limit without it")
       ->type_name("SIZE")
-      ->transform(CLI::AsSizeValue(false));
+      ->transform(CLI::AsSizeValue(false))
+      ->check(at_least_64_megabytes, "");
   add_overrides(app, options.overrides);
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/error.h"
+#include "core/files.h"
 
 namespace wold::compare {
 namespace {
@@ -38,8 +39,7 @@ const char* to_string(FileKind kind) {
 
 FileKind file_kind(const std::filesystem::path& path) {
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored))
-    throw FileError(fmt::format("cannot read {}: there is no such file", path.string()));
+  require_regular_file(path);
   if (path.extension() == ".vdb" || starts_like_vdb(path)) return FileKind::vdb;
   return path.extension() == ".df3" ? FileKind::df3 : FileKind::picture;
 }

@@ -63,12 +63,6 @@ void describe_vdb(const fs::path& path, Json& facts, Problems& problems) {
   }
 }
 
-/// The type a picture is stored in, which reading it hides.
-std::string stored_format(const fs::path& path) {
-  const auto in = OIIO::ImageInput::open(path.string());
-  return in ? in->spec().format.c_str() : "unknown";
-}
-
 template <class Counts>
 std::uint64_t total(const Counts& counts) {
   return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
@@ -82,7 +76,7 @@ void describe_picture(const fs::path& path, Json& facts, Problems& problems) {
   facts["width"] = image.width;
   facts["height"] = image.height;
   facts["channels"] = image.channels;
-  facts["stored_as"] = stored_format(path);
+  facts["stored_as"] = read_image_header(path).stored_as;
   facts["least"] = statistics.min;
   facts["largest"] = statistics.max;
   facts["mean"] = statistics.avg;

@@ -81,11 +81,21 @@ void write_file(const fs::path& path, std::string_view bytes) {
   });
 }
 
-std::string read_file(const fs::path& path) {
+void require_regular_file(const fs::path& path) {
   std::error_code error;
-  if (fs::is_directory(path, error))
-    throw FileError(
-        fmt::format("cannot read {}: it is a folder, a file was expected", path.string()));
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_regular_file(status)) return;
+  const auto refuse = [&](const std::string& why) {
+    throw FileError(fmt::format("cannot read {}: {}", path.string(), why));
+  };
+  if (fs::is_directory(status)) refuse("it is a folder, a file was expected");
+  if (fs::exists(status)) refuse("it is a pipe or a device, a file was expected");
+  refuse(error ? reason(error.value()) : reason(ENOENT));
+}
+
+std::string read_file(const fs::path& path) {
+  require_regular_file(path);
+  std::error_code error;
   std::ifstream in(path, std::ios::binary);
   if (!in) throw FileError(fmt::format("cannot read {}: {}", path.string(), reason(errno)));
   std::string bytes;

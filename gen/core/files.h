@@ -31,7 +31,10 @@ void write_file_by_path(const std::filesystem::path& path,
 /// network file systems, where a replaced file is lost to them. Throws FileError.
 void update_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// The whole file. Throws FileError when it is missing or unreadable.
+/// Throws FileError unless the path leads to a regular file: a pipe or a device may have no end.
+void require_regular_file(const std::filesystem::path& path);
+
+/// The whole file. Throws FileError when it is missing, unreadable or no regular file.
 std::string read_file(const std::filesystem::path& path);
 
 /// 64-bit content hash as 16 hexadecimal digits (xxHash).

@@ -1,7 +1,13 @@
 #include "core/image.h"
 
 #include <OpenImageIO/imageio.h>
+#include <OpenImageIO/strutil.h>
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string_view>
 
 #include "core/error.h"
 #include "core/files.h"
@@ -21,6 +27,64 @@ OIIO::TypeDesc stored_type(PixelFormat format) {
       break;
   }
   return OIIO::TypeDesc::FLOAT;
+}
+
+/// A kind of picture that is read; the name is OpenImageIO's.
+struct Format {
+  const char* name;
+  std::array<std::string_view, 2> extensions;
+};
+
+constexpr std::array<Format, 5> formats = {{{"png", {".png", ""}},
+                                            {"openexr", {".exr", ""}},
+                                            {"jpeg", {".jpg", ".jpeg"}},
+                                            {"tiff", {".tif", ".tiff"}},
+                                            {"hdr", {".hdr", ".rgbe"}}}};
+
+/// That of the extension first.
+std::array<Format, formats.size()> formats_to_try(const std::filesystem::path& path) {
+  auto all = formats;
+  const std::string extension = OIIO::Strutil::lower(path.extension().string());
+  std::stable_partition(all.begin(), all.end(), [&](const Format& format) {
+    return !extension.empty() && std::find(format.extensions.begin(), format.extensions.end(),
+                                           extension) != format.extensions.end();
+  });
+  return all;
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
+  throw FileError(fmt::format("cannot read {}: {}", path.string(), why));
+}
+
+/// Sizes are checked before memory is taken.
+void check_size(const std::filesystem::path& path, const OIIO::ImageSpec& spec) {
+  constexpr OIIO::imagesize_t most_numbers = 1U << 28;
+  if (spec.deep || spec.depth > 1)
+    refuse(path, "found pixels in depth, expected one layer of them");
+  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) refuse(path, "it has no pixels");
+  if (spec.image_pixels() > most_numbers / static_cast<OIIO::imagesize_t>(spec.nchannels))
+    refuse(path, fmt::format("found {} x {} pixels of {} numbers, expected {} numbers at most",
+                             spec.width, spec.height, spec.nchannels, most_numbers));
+}
+
+/// By name of the format: given a name alone, OpenImageIO tries every reader it has, and takes what
+/// follows a question mark for options.
+std::unique_ptr<OIIO::ImageInput> open_picture(const std::filesystem::path& path) {
+  require_regular_file(path);
+  OIIO::ImageSpec as_stored;
+  as_stored.attribute("oiio:UnassociatedAlpha", 1);
+  std::string why;
+  for (const Format& format : formats_to_try(path)) {
+    auto in = OIIO::ImageInput::create(format.name);
+    OIIO::ImageSpec spec;
+    if (in && in->open(path.string(), spec, as_stored)) {
+      check_size(path, in->spec());
+      return in;
+    }
+    const std::string said = in ? in->geterror() : OIIO::geterror();
+    if (why.empty()) why = said;
+  }
+  refuse(path, fmt::format("expected a PNG, JPEG, TIFF, OpenEXR or Radiance HDR picture: {}", why));
 }
 
 }  // namespace
@@ -43,20 +107,17 @@ void write_image(const std::filesystem::path& path, const Image& image, PixelFor
 }
 
 ImageHeader read_image_header(const std::filesystem::path& path) {
-  auto in = OIIO::ImageInput::open(path.string());
-  if (!in) throw FileError(fmt::format("cannot read {}: {}", path.string(), OIIO::geterror()));
-  return {in->spec().width, in->spec().height, in->spec().nchannels};
+  const auto in = open_picture(path);
+  const OIIO::ImageSpec& spec = in->spec();
+  return {spec.width, spec.height, spec.nchannels, spec.format.c_str()};
 }
 
 Image read_image(const std::filesystem::path& path) {
-  OIIO::ImageSpec as_stored;
-  as_stored.attribute("oiio:UnassociatedAlpha", 1);
-  auto in = OIIO::ImageInput::open(path.string(), &as_stored);
-  if (!in) throw FileError(fmt::format("cannot read {}: {}", path.string(), OIIO::geterror()));
+  const auto in = open_picture(path);
   const OIIO::ImageSpec& spec = in->spec();
   Image image(spec.width, spec.height, spec.nchannels);
   if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.values.data()))
-    throw FileError(fmt::format("cannot read {}: {}", path.string(), in->geterror()));
+    refuse(path, in->geterror());
   return image;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace wold {
@@ -42,13 +43,15 @@ struct ImageHeader {
   int width = 0;
   int height = 0;
   int channels = 0;
+  std::string stored_as;  ///< OpenImageIO's name of the type of its numbers: "uint8", "half" ...
 };
 
-/// Throws FileError when the file is missing or no picture.
+/// Throws as read_image() does.
 ImageHeader read_image_header(const std::filesystem::path& path);
 
-/// Reads any picture OpenImageIO knows, values as stored (8 and 16 bit scaled to [0, 1]). Throws
-/// FileError when it is missing or damaged.
+/// Reads a PNG, JPEG, TIFF, OpenEXR or Radiance HDR picture, whatever its name, values as stored (8
+/// and 16 bit scaled to [0, 1]). Throws FileError when the file is missing, damaged, none of these,
+/// deep or of several layers in depth, or has more than 2^28 numbers.
 Image read_image(const std::filesystem::path& path);
 
 }  // namespace wold

@@ -7,10 +7,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
 #include "core/error.h"
+#include "core/image.h"
 
 namespace wold {
 namespace {
@@ -32,13 +34,18 @@ OIIO::ImageBuf shrunk(const OIIO::ImageBuf& picture, int widest_px) {
   return resized(picture, {0, widest_px, 0, height_px});
 }
 
+OIIO::ImageBuf without_alpha(const OIIO::ImageBuf& picture) {
+  if (picture.nchannels() <= 3) return picture;
+  return OIIO::ImageBufAlgo::channels(picture, 3, std::array{0, 1, 2});
+}
+
 }  // namespace
 
 std::string jpeg_of(const std::filesystem::path& picture, const PagePicture& form) {
-  OIIO::ImageBuf read(picture.string());
-  if (!read.read(0, 0, 0, std::min(3, read.nchannels()), true, OIIO::TypeDesc::FLOAT))
-    throw FileError(fmt::format("cannot read {}: {}", picture.string(), read.geterror()));
-  OIIO::ImageBuf small = shrunk(read, form.widest_px);
+  Image image = read_image(picture);
+  const OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::FLOAT);
+  const OIIO::ImageBuf read(spec, image.values.data());
+  OIIO::ImageBuf small = shrunk(without_alpha(read), form.widest_px);
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
   small.set_write_ioproxy(&memory);

@@ -5,6 +5,7 @@
 #include <openvdb/io/GridDescriptor.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <fstream>
 
 #include "core/error.h"
@@ -45,6 +46,7 @@ class Directory : public openvdb::io::Archive {
   void check(const fs::path& path) {
     std::ifstream in(path, std::ios::binary);
     in.exceptions(std::ios::failbit | std::ios::badbit);
+    check_version(in);
     readHeader(in);
     setFormatVersion(in);
     setLibraryVersion(in);
@@ -60,6 +62,18 @@ class Directory : public openvdb::io::Archive {
     const auto expected = in.tellg();
     if (in.seekg(0, std::ios::end).tellg() < expected)
       throw std::runtime_error("it ends too early");
+  }
+
+ private:
+  /// Of a newer format OpenVDB says on the terminal what it thinks, and tries all the same.
+  static void check_version(std::istream& in) {
+    std::uint32_t version = 0;
+    in.seekg(sizeof(std::uint64_t));  // behind the magic number
+    in.read(reinterpret_cast<char*>(&version), sizeof version);
+    if (version > openvdb::OPENVDB_FILE_VERSION)
+      throw std::runtime_error(fmt::format("found version {} of the format, expected {} at most",
+                                           version, std::uint32_t{openvdb::OPENVDB_FILE_VERSION}));
+    in.seekg(0);
   }
 };
 

@@ -196,6 +196,7 @@ std::string bounded_text(const fs::path& path) {
   };
   std::error_code error;
   if (fs::is_directory(path, error)) throw unreadable("it is a folder");
+  if (fs::is_fifo(path, error)) throw unreadable("it is a pipe, a file was expected");
   errno = 0;
   std::ifstream in(path, std::ios::binary);
   if (!in) throw unreadable(errno == 0 ? "unknown reason" : std::strerror(errno));

@@ -1,5 +1,6 @@
 #include "season/number_table.h"
 
+#include <cpl_string.h>
 #include <cpl_vsi.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -46,6 +47,20 @@ std::string trimmed(std::string text) {
   return text;
 }
 
+/// What is no text would reach GDAL as a table without columns.
+void require_text(const std::filesystem::path& file, int number, const std::string& line) {
+  constexpr std::size_t longest = 1 << 20;
+  const auto refuse = [&](const std::string& found) {
+    const SourcePosition where{file.string(), number};
+    throw InputError(
+        {Problem{where, fmt::format("found {}, expected a table as text in UTF-8", found)}});
+  };
+  if (line.size() > longest) refuse(fmt::format("{} characters in a line", line.size()));
+  if (line.find('\0') != std::string::npos ||
+      CPLIsUTF8(line.data(), static_cast<int>(line.size())) == 0)
+    refuse("bytes that are no text");
+}
+
 /// A file's lines but for those that say nothing, where GDAL can read them.
 class LinesWithContent {
  public:
@@ -54,6 +69,7 @@ class LinesWithContent {
     std::istringstream all(read_file(file));
     std::string line;
     for (int number = 1; std::getline(all, line); ++number) {
+      require_text(file, number, line);
       if (line.empty() || line == "\r" || line.front() == '#') continue;
       text_ += line + '\n';
       numbers_.push_back(number);

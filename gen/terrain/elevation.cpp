@@ -1,6 +1,7 @@
 #include "terrain/elevation.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gdal_alg.h>
 #include <gdal_priv.h>
 #include <gdal_utils.h>
@@ -9,11 +10,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/error.h"
+#include "core/files.h"
 #include "core/quiet_gdal.h"
 
 namespace wold::terrain {
@@ -28,13 +32,14 @@ struct HeightScale {
 /// A raster that lies somewhere on the ground.
 class Raster {
  public:
-  explicit Raster(const std::filesystem::path& file)
-      : file_(file.string()),
-        dataset_(GDALDataset::Open(file_.c_str(), GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR)) {
-    if (!dataset_) fail(CPLGetLastErrorMsg());
+  explicit Raster(const std::filesystem::path& file) : file_(file.string()), dataset_(open(file)) {
+    if (!dataset_)
+      fail(fmt::format("expected an elevation model of one of these kinds: {}: {}",
+                       fmt::join(elevation_drivers, ", "), CPLGetLastErrorMsg()));
     if (dataset_->GetRasterCount() == 0) fail("it has no band of numbers");
     if (dataset_->GetGeoTransform(transform_.data()) != CE_None)
       fail("it does not say where on the ground it lies (no geotransform)");
+    require_place();
     require_rows_of_text();
   }
 
@@ -83,6 +88,25 @@ class Raster {
   }
 
  private:
+  /// By the absolute path, which GDAL cannot take for anything but a file's.
+  static GDALDatasetUniquePtr open(const std::filesystem::path& file) {
+    require_regular_file(file);
+    return GDALDatasetUniquePtr(GDALDataset::Open(std::filesystem::absolute(file).c_str(),
+                                                  GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR));
+  }
+
+  void require_place() const {
+    const auto& t = transform_;
+    const bool finite = std::all_of(t.begin(), t.end(), [](double x) { return std::isfinite(x); });
+    if (!finite || t[1] * t[5] - t[2] * t[4] == 0.0)
+      fail(fmt::format("found cells of {} x {} at [{}, {}], expected a place and a size", t[1],
+                       t[5], t[0], t[3]));
+    const HeightScale scale = height_scale();
+    if (!std::isfinite(scale.factor) || scale.factor == 0.0 || !std::isfinite(scale.offset_m))
+      fail(fmt::format("found heights scaled by {} and moved by {} m, expected finite numbers",
+                       scale.factor, scale.offset_m));
+  }
+
   /// Where a grid of text ends too early GDAL would look for each missing row again and again,
   /// through all that are missing before it: for hours, unless they are asked for in order.
   void require_rows_of_text() const {
@@ -147,6 +171,39 @@ GDALDatasetUniquePtr warped(const Raster& raster, const LocalSystem& local, std:
   return result;
 }
 
+/// Places of the raster, in cells from its upper left corner, as places of the local system and
+/// back.
+class Transformer {
+ public:
+  Transformer(const Raster& raster, const LocalSystem& local) {
+    std::string target = "DST_SRS=" + local.definition;
+    std::array<char*, 2> options = {target.data(), nullptr};
+    if (local.definition.empty()) options[0] = nullptr;
+    transformer_.reset(
+        GDALCreateGenImgProjTransformer2(&raster.dataset(), nullptr, options.data()));
+    if (!transformer_) raster.fail(CPLGetLastErrorMsg());
+  }
+
+  void* get() const { return transformer_.get(); }
+
+  /// The raster's cell at a place of the local system, if there is one.
+  std::optional<glm::dvec2> cell_at(glm::dvec2 place) const {
+    double z = 0.0;
+    int success = 0;
+    if (GDALGenImgProjTransform(transformer_.get(), TRUE, 1, &place.x, &place.y, &z, &success) ==
+            0 ||
+        success == 0 || !std::isfinite(place.x) || !std::isfinite(place.y))
+      return std::nullopt;
+    return place;
+  }
+
+ private:
+  struct Destroy {
+    void operator()(void* transformer) const { GDALDestroyGenImgProjTransformer(transformer); }
+  };
+  std::unique_ptr<void, Destroy> transformer_;
+};
+
 /// Side of the raster's cells in the local system.
 double cell_m(const Raster& raster, const LocalSystem& local) {
   std::array<double, 6> transform = {};
@@ -154,18 +211,75 @@ double cell_m(const Raster& raster, const LocalSystem& local) {
     raster.dataset().GetGeoTransform(transform.data());
     return std::hypot(transform[1], transform[4]);
   }
-  std::string target = "DST_SRS=" + local.definition;
-  std::array<char*, 2> options = {target.data(), nullptr};
-  void* transformer = GDALCreateGenImgProjTransformer2(&raster.dataset(), nullptr, options.data());
+  const Transformer transformer(raster, local);
   int columns = 0;
   int rows = 0;
-  const bool known =
-      transformer != nullptr &&
-      GDALSuggestedWarpOutput(&raster.dataset(), GDALGenImgProjTransform, transformer,
-                              transform.data(), &columns, &rows) == CE_None;
-  if (transformer != nullptr) GDALDestroyGenImgProjTransformer(transformer);
-  if (!known) raster.fail(CPLGetLastErrorMsg());
+  if (GDALSuggestedWarpOutput(&raster.dataset(), GDALGenImgProjTransform, transformer.get(),
+                              transform.data(), &columns, &rows) != CE_None)
+    raster.fail(CPLGetLastErrorMsg());
   return transform[1];
+}
+
+/// Cells from `first` on, up to but without `end`.
+struct CellBox {
+  glm::ivec2 first;
+  glm::ivec2 end;
+};
+
+/// Those under the square, and a few around it; none where the square lies beyond the raster.
+CellBox cells_under(const Raster& raster, const LocalSystem& local, double size_m) {
+  constexpr int steps = 20;
+  constexpr double around = 4.0;
+  const Transformer transformer(raster, local);
+  glm::dvec2 low(std::numeric_limits<double>::infinity());
+  glm::dvec2 high = -low;
+  for (int j = 0; j <= steps; ++j)
+    for (int i = 0; i <= steps; ++i) {
+      const glm::dvec2 from_centre_m = (glm::dvec2(i, j) / (1.0 * steps) - 0.5) * size_m;
+      const auto cell = transformer.cell_at(local.centre + from_centre_m);
+      if (!cell) continue;
+      low = glm::min(low, *cell - around);
+      high = glm::max(high, *cell + around);
+    }
+  const glm::dvec2 all(raster.dataset().GetRasterXSize(), raster.dataset().GetRasterYSize());
+  return {glm::ivec2(glm::clamp(low, glm::dvec2(0.0), all)),
+          glm::ivec2(glm::clamp(high, glm::dvec2(0.0), all))};
+}
+
+/// Refuses heights that are none. Those of all planets and moons with a known ground are in range;
+/// what stands for a missing height without being declared as that is not.
+void require_heights(const Raster& raster, const CellBox& box) {
+  constexpr double lowest_m = -12000.0;
+  constexpr double highest_m = 30000.0;
+  constexpr double most_cells = 1 << 30;
+  const glm::ivec2 size = glm::max(box.end - box.first, 0);
+  if (1.0 * size.x * size.y > most_cells)
+    raster.fail(
+        fmt::format("the square (terrain.size) covers {} x {} of its cells, expected {} "
+                    "at most: take a smaller square or a coarser model",
+                    size.x, size.y, most_cells));
+  GDALRasterBand& band = *raster.dataset().GetRasterBand(1);
+  const HeightScale scale = raster.height_scale();
+  std::vector<double> values(static_cast<std::size_t>(size.x));
+  std::vector<std::uint8_t> there(values.size());
+  const auto read_row = [&](GDALRasterBand& from, int row, void* into, GDALDataType type) {
+    if (from.RasterIO(GF_Read, box.first.x, row, size.x, 1, into, size.x, 1, type, 0, 0, nullptr) !=
+        CE_None)
+      raster.fail(CPLGetLastErrorMsg());
+  };
+  for (int row = box.first.y; size.x > 0 && row < box.end.y; ++row) {
+    read_row(band, row, values.data(), GDT_Float64);
+    read_row(*band.GetMaskBand(), row, there.data(), GDT_Byte);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double height_m = scale.height_m(values[i]);
+      if (there[i] != 0 && !(height_m >= lowest_m && height_m <= highest_m))
+        raster.fail(fmt::format(
+            "row {}, column {}: found {}, expected a height from {} to {} m; if it stands for a "
+            "missing height, the file has to say so (gdal_edit.py -a_nodata {})",
+            row + 1, box.first.x + static_cast<int>(i) + 1, values[i], lowest_m, highest_m,
+            values[i]));
+    }
+  }
 }
 
 /// gdalwarp's options for the square, with a sample in the middle of each of its cells.
@@ -213,8 +327,11 @@ std::vector<double> filled_values(const Raster& raster, GDALRasterBand& band,
         100.0 * static_cast<double>(voids) / static_cast<double>(values.size()), size_m, centre.x,
         centre.y, raster.extent()));
   const double farthest = 2.0 * band.GetXSize();
-  if (GDALFillNodata(&band, nullptr, farthest, 0, smoothing_passes, nullptr, nullptr, nullptr) !=
-      CE_None)
+  // Otherwise it works in files of the current folder.
+  std::string in_memory = "TEMP_FILE_DRIVER=MEM";
+  std::array<char*, 2> options = {in_memory.data(), nullptr};
+  if (GDALFillNodata(&band, nullptr, farthest, 0, smoothing_passes, options.data(), nullptr,
+                     nullptr) != CE_None)
     raster.fail(CPLGetLastErrorMsg());
   return values_of(band);
 }
@@ -229,6 +346,7 @@ Elevation read_elevation(const std::filesystem::path& file, const std::vector<do
       centre.empty() ? raster.middle() : glm::dvec2(centre.at(0), centre.at(1));
   const LocalSystem local = local_system(raster, middle);
   Elevation elevation{GroundMap<double>(samples, size_m), cell_m(raster, local)};
+  require_heights(raster, cells_under(raster, local, size_m));
   const bool raster_is_finer = elevation.cell_m < elevation.heights_m.step_m();
   const GDALDatasetUniquePtr square = warped(raster, local, raster_is_finer ? "average" : "cubic",
                                              window_options(local.centre, samples, size_m));

@@ -13,8 +13,8 @@ struct Elevation {
   double cell_m = 0.0;          ///< side of the raster's cells on the ground
 };
 
-/// The square of `size_m` around a place of an elevation model, any raster that GDAL reads, with
-/// `samples` heights per side.
+/// The square of `size_m` around a place of an elevation model, a file of one of
+/// elevation_drivers, with `samples` heights per side.
 ///
 /// `centre` is that place in the raster's own coordinates, east and north: degrees for a geographic
 /// raster, mostly metres for a projected one; empty: the raster's middle. The square lies in an
@@ -24,7 +24,9 @@ struct Elevation {
 /// band's scale, offset and unit (feet) are heeded. Voids are filled from around them, so that no
 /// void is a cliff.
 ///
-/// Throws InputError when the file is no raster that lies somewhere, or half of the square or more
+/// Throws InputError when the file is no raster that lies somewhere, has a height under the square
+/// that is not finite or not between -12 and 30 km (with its row and column), has more than 2^30
+/// cells there, or half of the square or more
 /// lies beyond its heights; the message says where the raster is.
 Elevation read_elevation(const std::filesystem::path& file, const std::vector<double>& centre,
                          int samples, double size_m);

@@ -85,7 +85,9 @@ double steepest(const GroundMap<double>& heights_m) {
 // A slope in UTM zone 11 keeps its rise, but for the zone's scale (0.9996 in its middle) and the
 // angle between its grid and true north, which is 0 there.
 TEST_F(ElevationTest, ASlopeKeepsItsRiseAndItsDirection) {
-  const auto slope = [](double east, double north) { return 0.2 * east - 0.1 * north; };
+  const auto slope = [](double east, double north) {
+    return 0.2 * (east - 5e5) - 0.1 * (north - 3.8e6);
+  };
   const auto file = write({"EPSG:32611", 499000.0, 3800000.0, 20.0, 100, 100, slope});
   const Elevation place = read_elevation(file, {500000.0, 3799000.0}, 101, 500.0);
   EXPECT_NEAR(place.cell_m, 20.0, 0.05);
@@ -107,10 +109,30 @@ TEST_F(ElevationTest, DegreesBecomeMetres) {
 
 // Ten stored units a foot, a foot 0.3048 m.
 TEST_F(ElevationTest, FeetAndScalesBecomeMetres) {
-  const auto slope = [](double east, double) { return 10.0 * east; };
+  const auto slope = [](double east, double) { return 10.0 * (east - 5e5); };
   const auto file = write({"EPSG:32611", 499000.0, 3800000.0, 20.0, 100, 100, slope, 0.1, "ft"});
   const Elevation place = read_elevation(file, {500000.0, 3799000.0}, 101, 500.0);
   EXPECT_NEAR(rise(place).x, 0.3048 * 0.9996, 1e-4);
+}
+
+// The first height under the square that is none, from the north-west; beyond it anything may be.
+TEST_F(ElevationTest, SaysWhichHeightIsNone) {
+  const auto with = [&](double wrong) {
+    return write({nullptr, 0.0, 1000.0, 10.0, 100, 100, [wrong](double east, double north) {
+                    const bool here =
+                        east > 520.0 && east < 530.0 && north > 470.0 && north < 480.0;
+                    return here ? wrong : 300.0;
+                  }});
+  };
+  for (const double wrong : {std::numeric_limits<double>::infinity(), 30001.0, -12001.0, -32768.0})
+    try {
+      read_elevation(with(wrong), {}, 33, 200.0);
+      FAIL() << wrong << " is no height";
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("row 53, column 53: found"), std::string::npos)
+          << error.what();
+    }
+  EXPECT_NO_THROW(read_elevation(with(-32768.0), {800.0, 200.0}, 33, 200.0));
 }
 
 TEST_F(ElevationTest, AVoidIsNoCliff) {

@@ -1,0 +1,43 @@
+#include "core/quiet_gdal.h"
+
+#include <ogr_srs_api.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <mutex>
+#include <string_view>
+
+namespace wold {
+namespace {
+
+bool is_needed(std::string_view driver) {
+  constexpr std::array<std::string_view, 2> others = {"CSV", "MEM"};
+  return std::find(others.begin(), others.end(), driver) != others.end() ||
+         std::find(std::begin(elevation_drivers), std::end(elevation_drivers), driver) !=
+             std::end(elevation_drivers);
+}
+
+/// Removed rather than passed over when a file is opened: GDAL itself opens masks and overviews
+/// that lie beside a raster, by any driver there is.
+void register_drivers() {
+  CPLSetConfigOption("GDAL_PAM_ENABLED", "NO");
+  // By itself it takes a grid of text for whole numbers as long as no number has a point.
+  CPLSetConfigOption("AAIGRID_DATATYPE", "Float64");
+  OSRSetPROJEnableNetwork(0);
+  GDALAllRegister();
+  GDALDriverManager& drivers = *GetGDALDriverManager();
+  for (int number = drivers.GetDriverCount() - 1; number >= 0; --number)
+    if (GDALDriver* const driver = drivers.GetDriver(number); !is_needed(driver->GetDescription()))
+      drivers.DeregisterDriver(driver);
+}
+
+}  // namespace
+
+QuietGdal::QuietGdal() {
+  static std::once_flag once;
+  std::call_once(once, register_drivers);
+  CPLPushErrorHandler(CPLQuietErrorHandler);
+}
+
+}  // namespace wold
