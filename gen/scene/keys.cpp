@@ -29,11 +29,12 @@ std::vector<Key> terrain_keys() {
       bound(word("terrain.shape", {"hillside", "mountain"},
                  "A slope with a crest, or a mountain with ridges and valleys."),
             FIELD(terrain.shape)),
-      bound(plain(Kind::file, "terrain.elevation", "", {0, 0},
-                  "Elevation model of a real place: GeoTIFF, .asc, .hgt or another raster that is a "
-                  "plain file; without it, the ground is terrain.shape. Relative paths start at the "
-                  "scene file."),
-            FIELD(terrain.elevation)),
+      bound(
+          plain(Kind::file, "terrain.elevation", "", {0, 0},
+                "Elevation model of a real place: GeoTIFF, .asc, .hgt or another raster that is a "
+                "plain file; without it, the ground is terrain.shape. Relative paths start at the "
+                "scene file."),
+          FIELD(terrain.elevation)),
       bound(list(Kind::numbers, "terrain.centre", "", {-1e8, 1e8}, {.fewest = 0, .most = 2},
                  "Middle of the square in the elevation model's own coordinates, east and north or "
                  "longitude and latitude; an empty list is the model's middle."),

@@ -4,7 +4,7 @@ tiff FILE COLUMNS ROWS VALUE   a GeoTIFF of doubles in cells of a metre; all of 
                                that all rows share; VALUE may be nan or inf
 png FILE WIDTH HEIGHT          a picture whose header says so; its pixels end after the first row
 fits FILE WIDTH HEIGHT DEPTH   a cube of bytes
-asc FILE VALUE [NODATA]        a grid of 20 x 20 cells of a metre, 7 m high; VALUE at row 10, column 10
+asc FILE VALUE [NODATA]        20 x 20 cells of a metre, 7 m high; VALUE at row 10, column 10
 """
 
 import struct
