@@ -17,6 +17,7 @@
 #include "cli/interrupt.h"
 #include "cli/manual_page.h"
 #include "cli/output.h"
+#include "cli/standard_streams.h"
 #include "cli/version.h"
 #include "scene/nearest.h"
 #include "scene/text.h"
@@ -181,7 +182,9 @@ ExitCode run_and_report(int argc, char** argv) {
 }  // namespace
 
 int run(int argc, char** argv) {
+  open_standard_streams();
   catch_interrupts();
+  ignore_size_limits();
   std::set_terminate(end_of_uncaught);
   return static_cast<int>(run_and_report(argc, argv));
 }

@@ -73,6 +73,7 @@ class LinesWithContent {
       if (line.empty() || line == "\r" || line.front() == '#') continue;
       text_ += line + '\n';
       numbers_.push_back(number);
+      cells_.push_back(cells_in(line));
     }
     VSIFCloseL(VSIFileFromMemBuffer(name_.c_str(), reinterpret_cast<GByte*>(text_.data()),
                                     text_.size(), FALSE));
@@ -87,10 +88,22 @@ class LinesWithContent {
   /// The number in the file of the line at `index`, or of the last one.
   int number(std::size_t index) const { return numbers_[std::min(index, numbers_.size() - 1)]; }
 
+  /// How many cells that line has, up to the last one that is not empty; the header is the first.
+  std::size_t cells(std::size_t index) const { return cells_[std::min(index, cells_.size() - 1)]; }
+
  private:
+  static std::size_t cells_in(const std::string& line) {
+    const CPLStringList cells(
+        CSLTokenizeString2(line.c_str(), ",", CSLT_HONOURSTRINGS | CSLT_ALLOWEMPTYTOKENS));
+    int count = cells.size();
+    while (count > 0 && trimmed(cells[count - 1]).empty()) --count;
+    return static_cast<std::size_t>(count);
+  }
+
   std::string name_;
   std::string text_;
   std::vector<int> numbers_;
+  std::vector<std::size_t> cells_;
 };
 
 /// Reads a table and notes what is wrong with it.
@@ -169,6 +182,11 @@ class TableReader {
     for (const auto& row : layer) {
       line_ = lines.number(table_.lines.size() + 1);
       table_.lines.push_back(line_);
+      const std::size_t columns = column_of_field_.size();
+      if (const std::size_t cells = lines.cells(table_.lines.size()); cells > columns)
+        note(columns, fmt::format("found {} cells, expected {} as in the header; decimals take a "
+                                  "point",
+                                  cells, columns));
       for (std::size_t field = 0; field < column_of_field_.size(); ++field)
         if (column_of_field_[field] < columns_.size())
           read_cell(field, trimmed(row->GetFieldAsString(static_cast<int>(field))));

@@ -8,6 +8,7 @@
 #include "core/file_list.h"
 #include "core/files.h"
 #include "program.h"
+#include "support/sanitized.h"
 
 /// What strangers' files and users' slips may and may not do: the rows of tests/hostile/*.toml.
 namespace wold::test {
@@ -17,6 +18,7 @@ namespace {
 struct Input {
   std::string name;
   std::string setup;
+  std::string before;
   std::string run;
   int code = 2;
   std::vector<std::string> says;
@@ -41,6 +43,7 @@ void append_inputs(const fs::path& file, std::vector<Input>& inputs) {
     Input input;
     input.name = kind + "_" + view["name"].value_or(std::string());
     input.setup = view["setup"].value_or(std::string("true"));
+    input.before = view["before"].value_or(std::string("true"));
     input.run = view["run"].value_or(std::string());
     input.code = view["code"].value_or(2);
     input.says = texts(view["says"]);
@@ -76,7 +79,8 @@ TEST_P(Hostile, IsTakenAsTheTableSays) {
   ASSERT_EQ(setup.code, 0) << setup.err;
   const std::string before = outside();
   const auto begin = std::chrono::steady_clock::now();
-  const std::string run = "ulimit -v 8000000; " + command(input.run);
+  const std::string memory = sanitized ? "" : "ulimit -v 8000000; ";
+  const std::string run = memory + input.before + "\n" + command(input.run);
   const Result result =
       shell("timeout -k 1 " + std::to_string(3 * input.seconds) + " sh -c " + quoted(run));
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
