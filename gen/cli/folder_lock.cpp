@@ -14,6 +14,7 @@
 
 #include "cli/interrupt.h"
 #include "cli/output.h"
+#include "cli/own_folder.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/temporary_name.h"
@@ -51,6 +52,7 @@ void write_holder(int file) {
 FolderLock::FolderLock(const fs::path& folder, Access access)
     : folder_(folder), path_(folder / "tasks" / "lock") {
   make_folder(folder);
+  require_no_way_out(folder);
   for (bool said = false; !try_lock(access); said = true) {
     if (!said)
       print_message(fmt::format("{} is in use by {}; waiting until it is free", folder.string(),
@@ -63,7 +65,7 @@ FolderLock::FolderLock(const fs::path& folder, Access access)
 
 bool FolderLock::try_lock(Access access) {
   make_folder(path_.parent_path());
-  file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
   if (file_ < 0 && errno == ENOENT) return false;  // its last holder has just removed the folder
   if (file_ < 0)
     throw FileError(fmt::format("cannot write {}: {}", path_.string(), std::strerror(errno)));

@@ -15,7 +15,8 @@ enum class Access { shared, alone };
 /// on stderr. Where the file system knows no locks there are none: tasks do not need them.
 class FolderLock {
  public:
-  /// Makes the folder. Throws FileError, and InterruptedError when the user stops the waiting.
+  /// Makes the folder. Throws FileError, also where a link leads out of it (own_folder.h), and
+  /// InterruptedError when the user stops the waiting.
   FolderLock(const std::filesystem::path& folder, Access access);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;

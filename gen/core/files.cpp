@@ -48,7 +48,9 @@ void write_file_by_path(const fs::path& path, const std::function<void(const fs:
   };
   try {
     writer(temporary);
-    fs::rename(temporary, path);
+    std::error_code error;
+    fs::rename(temporary, path, error);
+    if (error) throw FileError(error.message());
   } catch (const InterruptedError&) {
     remove_temporary();
     throw;

@@ -27,9 +27,12 @@ void register_drivers() {
   OSRSetPROJEnableNetwork(0);
   GDALAllRegister();
   GDALDriverManager& drivers = *GetGDALDriverManager();
-  for (int number = drivers.GetDriverCount() - 1; number >= 0; --number)
-    if (GDALDriver* const driver = drivers.GetDriver(number); !is_needed(driver->GetDescription()))
-      drivers.DeregisterDriver(driver);
+  for (int number = drivers.GetDriverCount() - 1; number >= 0; --number) {
+    GDALDriver* const driver = drivers.GetDriver(number);
+    if (is_needed(driver->GetDescription())) continue;
+    drivers.DeregisterDriver(driver);
+    GDALDestroyDriver(driver);
+  }
 }
 
 }  // namespace
