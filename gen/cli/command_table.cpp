@@ -95,13 +95,13 @@ void add_programs(CLI::App& app, std::string& blender, std::string& povray) {
   add_program(app, "--povray", povray, "POV-Ray; WOLD_POVRAY's without it");
 }
 
-/// Of a size in bytes: empty, or what is wrong with it. Less than that no task can keep to; what is
+/// Of a size in bytes: empty, or what is wrong with it. Less is a unit forgotten; what is
 /// below zero arrives as a number that no machine has.
-std::string at_least_64_megabytes(const std::string& text) {
-  constexpr double least = 64.0 * 1024.0 * 1024.0;
+std::string at_least_a_megabyte(const std::string& text) {
+  constexpr double least = 1024.0 * 1024.0;
   constexpr double most = 1e18;
   const double bytes = std::strtod(text.c_str(), nullptr);
-  return bytes >= least && bytes <= most ? "" : "expected a size of 64M or more, such as 8G";
+  return bytes >= least && bytes <= most ? "" : "expected a size of 1M or more, such as 8G";
 }
 
 /// Everything that says which files are made.
@@ -119,7 +119,7 @@ void add_job_options(CLI::App& app, RenderArguments& arguments) {
                  "memory to keep to, renderers included, such as 8G; no limit without it")
       ->type_name("SIZE")
       ->transform(CLI::AsSizeValue(false))
-      ->check(at_least_64_megabytes, "");
+      ->check(at_least_a_megabyte, "");
   add_overrides(app, options.overrides);
 }
 
