@@ -38,7 +38,6 @@ const char* to_string(FileKind kind) {
 }
 
 FileKind file_kind(const std::filesystem::path& path) {
-  std::error_code ignored;
   require_regular_file(path);
   if (path.extension() == ".vdb" || starts_like_vdb(path)) return FileKind::vdb;
   return path.extension() == ".df3" ? FileKind::df3 : FileKind::picture;

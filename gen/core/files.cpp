@@ -83,16 +83,18 @@ void write_file(const fs::path& path, std::string_view bytes) {
   });
 }
 
-void require_regular_file(const fs::path& path) {
+std::string why_no_regular_file(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (fs::is_regular_file(status)) return;
-  const auto refuse = [&](const std::string& why) {
+  if (fs::is_regular_file(status)) return "";
+  if (fs::is_directory(status)) return "it is a folder, a file was expected";
+  if (fs::exists(status)) return "it is a pipe or a device, a file was expected";
+  return reason(error ? error.value() : ENOENT);
+}
+
+void require_regular_file(const fs::path& path) {
+  if (const std::string why = why_no_regular_file(path); !why.empty())
     throw FileError(fmt::format("cannot read {}: {}", path.string(), why));
-  };
-  if (fs::is_directory(status)) refuse("it is a folder, a file was expected");
-  if (fs::exists(status)) refuse("it is a pipe or a device, a file was expected");
-  refuse(error ? reason(error.value()) : reason(ENOENT));
 }
 
 std::string read_file(const fs::path& path) {

@@ -31,6 +31,10 @@ void write_file_by_path(const std::filesystem::path& path,
 /// network file systems, where a replaced file is lost to them. Throws FileError.
 void update_file(const std::filesystem::path& path, std::string_view bytes);
 
+/// Why a path does not lead to a regular file, such as "it is a folder, a file was expected"; empty
+/// when it does.
+std::string why_no_regular_file(const std::filesystem::path& path);
+
 /// Throws FileError unless the path leads to a regular file: a pipe or a device may have no end.
 void require_regular_file(const std::filesystem::path& path);
 

@@ -51,15 +51,17 @@ int turns_of_level(const scene::Scene& scene, int level);
 
 /// Every cell with grass that can be seen, row by row: in the CellWindow, inside the picture, not
 /// behind a hill, not so far that far_share() paints it. `growth` is growth_map()'s; where it is
-/// thin, blades stand on as many cells as it says, while volumes are thinned in space. Variant and
-/// turn by keyed choice, so that neighbours differ; the key frame by keyed dithering between the
-/// two nearest to the local weathering, one variant after the other; the level of snow likewise to
-/// canopy_snow(), the light to light_of_frame(); the coarsest level whose voxels cover at most
-/// grass.pixels_per_voxel, with a keyed tenth of jitter, so that no ring shows where levels change;
-/// in as many parts as ground_tolerance_m asks for. Only `level` (and with it the turns allowed),
-/// `parts` and whether a cell is listed depend on the camera. Cells are drawn as render.grass asks:
-/// with "auto" as blades where even the finest level is too coarse. Frame from 1; throws InputError
-/// when the scene has no such frame.
+/// thin, blades stand on as many cells as it says, while volumes are thinned in space.
+///
+/// Variant and turn come by keyed choice, so that neighbours differ. Key frame, level of snow and
+/// light are those below or above the cell's weathering, canopy_snow() and light_of_frame(), in the
+/// mean as much as these; variants pass from one to the next one after another, so that few pairs
+/// of variant and state are seen at once. The level is the coarsest whose voxels cover at most
+/// grass.pixels_per_voxel, with a keyed tenth of jitter, so that no ring shows where levels change.
+/// A cell has as many parts as ground_tolerance_m asks for. Only `level` (and with it the turns
+/// allowed), `parts` and whether a cell is listed depend on the camera. Cells are drawn as
+/// render.grass asks: with "auto" as blades where even the finest level is too coarse. Frame from
+/// 1; throws InputError when the scene has no such frame.
 std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfield& terrain,
                                      const FactorMap& growth, const Withering& withering,
                                      int frame);

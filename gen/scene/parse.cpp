@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "core/error.h"
+#include "core/files.h"
 #include "scene/consistency.h"
 #include "scene/convert.h"
 #include "scene/document.h"
@@ -194,9 +195,7 @@ std::string bounded_text(const fs::path& path) {
     const SourcePosition where{path.string()};
     return InputError({Problem{where, "cannot read the scene file: " + reason}});
   };
-  std::error_code error;
-  if (fs::is_directory(path, error)) throw unreadable("it is a folder");
-  if (fs::is_fifo(path, error)) throw unreadable("it is a pipe, a file was expected");
+  if (const std::string why = why_no_regular_file(path); !why.empty()) throw unreadable(why);
   errno = 0;
   std::ifstream in(path, std::ios::binary);
   if (!in) throw unreadable(errno == 0 ? "unknown reason" : std::strerror(errno));
