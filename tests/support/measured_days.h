@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,10 +20,8 @@ struct MeasuredDays {
   std::vector<double> measured;  ///< of each day, NaN where there is none
 };
 
-/// A table of shared/data/weather, beside the checkout; no part of it.
 inline std::filesystem::path measured_file(const std::string& place) {
-  return std::filesystem::path(WOLD_TESTS_DIR) / ".." / ".." / "shared" / "data" / "weather" /
-         (place + ".csv");
+  return std::filesystem::path(WOLD_TESTS_DIR) / "data" / "weather" / (place + ".csv");
 }
 
 inline MeasuredDays measured_days(const std::string& place, const std::string& column,
@@ -60,12 +59,24 @@ inline bool in_winter(const season::Day& day) {
   return month >= 11 || month <= 4;
 }
 
-inline std::vector<double> depths_m(const std::vector<season::Day>& days,
-                                    const season::SnowParameters& snow = {}) {
-  std::vector<double> depths;
+/// `number` of the modelled snow of each day.
+inline std::vector<double> modelled_snow(const std::vector<season::Day>& days,
+                                         double season::SnowOnGround::*number,
+                                         const season::SnowParameters& snow = {}) {
+  std::vector<double> numbers;
   for (const season::SnowOnGround& morning : season::snow_on_ground(days, snow))
-    depths.push_back(morning.depth_m);
-  return depths;
+    numbers.push_back(morning.*number);
+  return numbers;
+}
+
+/// The last day of the winter that began in `year` on which 5 cm of snow or more lie.
+inline std::optional<std::chrono::sys_days> last_snow(const std::vector<season::Day>& days,
+                                                      const std::vector<double>& depths_m,
+                                                      int year) {
+  std::optional<std::chrono::sys_days> last;
+  for (std::size_t i = 0; i < days.size(); ++i)
+    if (year_of(days[i], true) == year && depths_m[i] >= 0.05) last = days[i].date;
+  return last;
 }
 
 /// Sum over the chosen days of the squared error, and of the measured values' about their mean.
