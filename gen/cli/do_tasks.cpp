@@ -112,7 +112,8 @@ void do_tasks(const Job& job, Work& work, const std::vector<StageTasks>& stages,
     const std::vector<Task> tasks = needed(work, stage);
     if (makes_pictures(stage.stage)) {
       pictures.insert(pictures.end(), tasks.begin(), tasks.end());
-      bytes_each = std::max(bytes_each, estimate(job, stage, work).memory_bytes);
+      if (stage.indices.size() > 1)
+        bytes_each = std::max(bytes_each, memory_bytes(job, stage, work));
     } else if (stage.stage == Stage::texels) {
       make_texels(job, work, stage, tasks, progress);
     } else {

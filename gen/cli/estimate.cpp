@@ -2,54 +2,82 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <set>
 
+#include "cli/file_sizes.h"
+#include "cli/film.h"
+#include "cli/film_demand.h"
 #include "cli/memory_model.h"
-#include "scene/key_frames.h"
 
 namespace wold::cli {
 namespace {
 
-// For one thread, from what README.md says of examples/mountain.toml on 2 processors: right within
-// a factor of two or three for scenes like that.
-constexpr double texel_seconds = 4e-7;           // per voxel of the finest level's cube
-constexpr double texel_bytes = 1.0;              // likewise, of all levels and turns on disk
-constexpr double scene_seconds = 10.0;           // per frame: light, ground, sky and their files
-constexpr double scene_bytes = 1.2e7;            // per frame and renderer, without shared volumes
-constexpr double renderer_start_seconds = 5.0;   // reading the scene
-constexpr double blender_seconds = 20.0;         // per megapixel and sample
-constexpr double povray_seconds = 70.0;          // per megapixel and root of samples: they adapt
-constexpr double picture_bytes_per_pixel = 2.0;  // of a PNG
+// For one thread, from runs of examples/ on 2 processors: right within a factor of two for scenes
+// like those.
+constexpr double texel_seconds = 4.5e-7;        // per voxel of the finest level and state
+constexpr double scene_seconds = 6.0;           // per frame: cells, light, sky
+constexpr double sample_seconds = 3e-6;         // per sample of the ground's pictures
+constexpr double scene_file_seconds = 2e-8;     // per byte that is written
+constexpr double cloud_seconds = 10.0;          // per layer
+constexpr double renderer_start_seconds = 5.0;  // reading the scene
+constexpr double blender_seconds = 20.0;        // per megapixel and sample
+constexpr double povray_seconds = 70.0;         // per megapixel and root of samples: they adapt
 
-Estimate texels(const Job& job) {
-  const double voxels = voxels_of(job.scene);
-  const auto states =
-      static_cast<double>(std::min(job.frames.size() + 1, scene::key_frames(job.scene).size()));
-  return {states * voxels * texel_seconds, texel_memory_bytes(job), states * voxels * texel_bytes};
+/// A share of what all tasks of a stage take.
+double each(double all, const StageTasks& stage) {
+  return all / static_cast<double>(stage.indices.size());
 }
 
-Estimate picture(const Job& job, Stage stage) {
+Estimate texels(const Job& job, const StageTasks& stage, const FilmDemand& demand) {
+  std::set<BladePatchState> unlit;
+  for (const ShownVolume& volume : demand.volumes())
+    unlit.insert({volume.variant, volume.state.unlit()});
+  const double voxels = voxels_of(job.scene) * static_cast<double>(unlit.size());
+  return {each(voxels * texel_seconds, stage), texel_memory_bytes(job),
+          each(texel_bytes(job.scene, demand), stage)};
+}
+
+Estimate scenes(const Job& job, const StageTasks& stage, const FilmDemand& demand) {
+  double bytes = 0.0;
+  for (const std::string& renderer : wanted_renderers(job.scene))
+    bytes += scene_bytes(job.scene, renderer == "blender" ? Stage::blender : Stage::povray, demand,
+                         stage.indices.size());
+  const double seconds = scene_seconds + sample_seconds * ground_samples(job.scene) +
+                         scene_file_seconds * each(bytes, stage);
+  return {seconds, scene_memory_bytes(job), each(bytes, stage)};
+}
+
+/// Of the frame that takes most.
+double picture_memory_bytes(const Job& job, Stage stage, const FilmDemand& demand) {
+  double most = 0.0;
+  for (const auto& [frame, shown] : demand.frames())
+    most = std::max(most, renderer_memory_bytes(job, stage, shown));
+  return most;
+}
+
+Estimate picture(const Job& job, const StageTasks& stage, const FilmDemand& demand) {
   const scene::Render& render = job.scene.render;
   const double pixels = static_cast<double>(render.size_px[0]) * render.size_px[1];
-  const double work = stage == Stage::blender ? blender_seconds * render.samples
-                                              : povray_seconds * std::sqrt(render.samples);
+  const double work = stage.stage == Stage::blender ? blender_seconds * render.samples
+                                                    : povray_seconds * std::sqrt(render.samples);
   return {renderer_start_seconds + work * pixels / 1e6,
-          renderer_memory_bytes(job, stage, guessed_files(job.scene, stage)),
-          pixels * picture_bytes_per_pixel};
+          picture_memory_bytes(job, stage.stage, demand), picture_bytes(job.scene)};
 }
 
 /// For one thread.
-Estimate modelled(const Job& job, Stage stage) {
-  switch (stage) {
+Estimate modelled(const Job& job, const StageTasks& stage, const FilmDemand& demand) {
+  switch (stage.stage) {
     case Stage::texels:
-      return texels(job);
+      return texels(job, stage, demand);
     case Stage::clouds:
-      return {10.0, scene_memory_bytes(job), 1e7 * static_cast<double>(job.scene.clouds.size())};
+      return {cloud_seconds * static_cast<double>(job.scene.clouds.size()), scene_memory_bytes(job),
+              cloud_picture_bytes(job.scene)};
     case Stage::scenes:
-      return {scene_seconds, scene_memory_bytes(job),
-              scene_bytes * static_cast<double>(wanted_renderers(job.scene).size())};
+      return scenes(job, stage, demand);
     default:
-      return picture(job, stage);
+      return picture(job, stage, demand);
   }
 }
 
@@ -67,47 +95,44 @@ std::vector<TaskRecord> records_of(Stage stage, const std::vector<int>& indices,
   return records;
 }
 
-/// Seconds and disk are means, memory the most. Files that tasks share count for each.
+/// Seconds and disk are means, memory the most. Files that tasks share count once.
 std::optional<Estimate> measured(const StageTasks& stage, const Work& work) {
   const std::vector<TaskRecord> records = records_of(stage.stage, stage.indices, work);
   if (records.empty()) return std::nullopt;
   Estimate result;
+  std::map<std::string, double> files;
   for (const TaskRecord& record : records) {
     result.seconds += record.seconds;
     result.memory_bytes = std::max(result.memory_bytes, record.memory_bytes);
-    for (const auto& output : record.outputs)
-      result.disk_bytes += static_cast<double>(output.second.bytes);
+    for (const auto& [name, state] : record.outputs) files[name] = static_cast<double>(state.bytes);
   }
+  for (const auto& [name, bytes] : files) result.disk_bytes += bytes;
   result.seconds /= static_cast<double>(records.size());
   result.disk_bytes /= static_cast<double>(records.size());
   result.measured = true;
   return result;
 }
 
-/// From the scene files of the frames, as far as they have been made; 0 when there are none.
-double memory_by_files_bytes(const Job& job, const StageTasks& stage, const Work& work) {
-  double most = 0.0;
-  for (const TaskRecord& record : records_of(Stage::scenes, stage.indices, work))
-    most = std::max(
-        most, renderer_memory_bytes(job, stage.stage, files_of(record, name_of(stage.stage))));
-  return most;
-}
-
 }  // namespace
 
-Estimate estimate(const Job& job, const StageTasks& stage, const Work& work) {
-  Estimate result = modelled(job, stage.stage);
+Estimate estimate(const Job& job, const StageTasks& stage, Work& work) {
+  Estimate result = modelled(job, stage, work.demand());
   result.seconds /= threads_of(job);
   if (const auto known = measured(stage, work)) {
     result.seconds = known->seconds;
     result.disk_bytes = known->disk_bytes;
     result.measured = true;
     if (known->memory_bytes > 0.0) result.memory_bytes = known->memory_bytes;
-  } else if (makes_pictures(stage.stage)) {
-    const double by_files = memory_by_files_bytes(job, stage, work);
-    if (by_files > 0.0) result.memory_bytes = by_files;
   }
   return result;
+}
+
+double memory_bytes(const Job& job, const StageTasks& stage, Work& work) {
+  if (stage.stage == Stage::texels) return texel_memory_bytes(job);
+  if (!makes_pictures(stage.stage)) return scene_memory_bytes(job);
+  if (const auto known = measured(stage, work); known && known->memory_bytes > 0.0)
+    return known->memory_bytes;
+  return picture_memory_bytes(job, stage.stage, work.demand());
 }
 
 }  // namespace wold::cli

@@ -13,8 +13,12 @@ struct Estimate {
   bool measured = false;  ///< seconds and disk are the mean of tasks of this folder
 };
 
-/// From the scene's sizes; seconds, disk and renderers' memory from what tasks of the same stage
-/// and scene took, memory else from their scene files if these are there.
-Estimate estimate(const Job& job, const StageTasks& stage, const Work& work);
+/// Of a stage of stages_of(): from what the job's frames show; seconds, disk and renderers' memory
+/// from what tasks of the same stage and scene took, where some have been done. Throws what
+/// FilmDemand does.
+Estimate estimate(const Job& job, const StageTasks& stage, Work& work);
+
+/// Estimate::memory_bytes alone, which for all but pictures asks for no demand.
+double memory_bytes(const Job& job, const StageTasks& stage, Work& work);
 
 }  // namespace wold::cli

@@ -29,8 +29,8 @@ double waiting_bytes(const Job& job, std::size_t pictures_at_once) {
 }
 
 /// What a task of the stage takes, with the process that waits for its renderer.
-double needed_bytes(const Job& job, const StageTasks& stage, const Work& work) {
-  const double task = estimate(job, stage, work).memory_bytes;
+double needed_bytes(const Job& job, const StageTasks& stage, Work& work) {
+  const double task = memory_bytes(job, stage, work);
   return makes_pictures(stage.stage) ? task + waiting_bytes(job, 1) : task;
 }
 
@@ -49,7 +49,7 @@ Problem too_little(const Job& job, Stage stage, double needed_bytes) {
 
 void require_memory(const Job& job, const std::vector<StageTasks>& stages) {
   if (job.memory_bytes <= 0.0) return;
-  const Work work(job);
+  Work work(job);
   std::vector<Problem> problems;
   for (const StageTasks& stage : stages)
     if (const double needed = needed_bytes(job, stage, work); needed > job.memory_bytes)
@@ -57,8 +57,8 @@ void require_memory(const Job& job, const std::vector<StageTasks>& stages) {
   if (!problems.empty()) throw InputError(problems);
 }
 
-std::size_t tasks_within_memory(const Job& job, const StageTasks& stage, const Work& work) {
-  const double each = estimate(job, stage, work).memory_bytes;
+std::size_t tasks_within_memory(const Job& job, const StageTasks& stage, Work& work) {
+  const double each = memory_bytes(job, stage, work);
   return static_cast<std::size_t>(std::max(1.0, memory_of(job) / each));
 }
 

@@ -9,7 +9,7 @@ namespace wold::cli {
 void require_memory(const Job& job, const std::vector<StageTasks>& stages);
 
 /// How many of a stage's tasks fit into the job's memory at the same time; at least 1.
-std::size_t tasks_within_memory(const Job& job, const StageTasks& stage, const Work& work);
+std::size_t tasks_within_memory(const Job& job, const StageTasks& stage, Work& work);
 
 /// What is left for renderers, beside what this process keeps to from here on while it waits for
 /// them with pictures of the job's size.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/file_sizes.h"
 #include "landscape/cell_window.h"
 #include "landscape/ground_grids.h"
 
@@ -22,10 +23,6 @@ double cells_bytes(const scene::Scene& scene) {
   return 0.18 * megabyte * std::pow(std::min(along_a_side, most_along_a_side), 1.54);
 }
 
-double ground_samples(const scene::Scene& scene) {
-  return static_cast<double>(scene.terrain.samples) * scene.terrain.samples;
-}
-
 /// Painting the ground and what else a frame needs; more where the ground's picture is large.
 double painting_bytes(const scene::Scene& scene) {
   constexpr double usual = 100.0 * megabyte, least = 30.0 * megabyte, sample_bytes = 47.0;
@@ -34,12 +31,34 @@ double painting_bytes(const scene::Scene& scene) {
   return std::max(usual, least + sample_bytes * along_a_side * along_a_side);
 }
 
-double blender_bytes(const SceneFiles& files) {
-  return 64.0 * files.volume_bytes + 120.0 * files.cell_bytes;
+/// Blender 3.4 keeps the whole box of a volume, four numbers a voxel, and OpenVDB's trees beside
+/// it; newer ones take less.
+double blender_bytes(const scene::Scene& scene, const FrameDemand& shown) {
+  constexpr double voxel_bytes = 16.0, filled_bytes = 30.0, sample_bytes = 30.0;
+  constexpr double part_bytes = 9000.0, blade_bytes = 5000.0;
+  double bytes = sample_bytes * ground_samples(scene) +
+                 part_bytes * static_cast<double>(shown.parts) +
+                 blade_bytes * scene.grass.blades * static_cast<double>(shown.patches.size());
+  for (const ShownVolume& volume : shown.volumes) {
+    const VolumeSize size = volume_size(scene.grass, volume.level);
+    bytes += voxel_bytes * size.voxels + filled_bytes * size.filled;
+  }
+  return bytes;
 }
 
-double povray_bytes(const SceneFiles& files) {
-  return 0.85 * files.volume_bytes + 6.0 * files.cell_bytes + 30.0 * files.part_bytes;
+/// POV-Ray keeps df3 files as they are.
+double povray_bytes(const scene::Scene& scene, const FrameDemand& shown) {
+  constexpr double sample_bytes = 10.0, height_bytes = 200.0, part_bytes = 2000.0;
+  constexpr double blade_bytes = 5000.0;
+  double bytes = sample_bytes * ground_samples(scene) +
+                 height_bytes * scene.terrain.samples * scene.terrain.samples +
+                 part_bytes * static_cast<double>(shown.parts) +
+                 blade_bytes * scene.grass.blades * static_cast<double>(shown.patches.size());
+  for (const ShownVolume& volume : shown.volumes) {
+    constexpr double grids = 4.0;
+    bytes += grids * scene.render.df3_bits / 8.0 * volume_size(scene.grass, volume.level).voxels;
+  }
+  return bytes;
 }
 
 double scene_memory_bytes(const Job& job, int threads) {
@@ -64,29 +83,11 @@ int scene_threads(const Job& job) {
 
 double scene_memory_bytes(const Job& job) { return scene_memory_bytes(job, scene_threads(job)); }
 
-SceneFiles files_of(const TaskRecord& scenes, std::string_view renderer) {
-  SceneFiles files;
-  for (const auto& [name, state] : scenes.outputs) {
-    if (!name.starts_with(renderer)) continue;
-    const auto bytes = static_cast<double>(state.bytes);
-    if (name.ends_with(".vdb") || name.ends_with(".df3")) files.volume_bytes += bytes;
-    if (name.ends_with(".f32") || name.ends_with(".inc")) files.cell_bytes += bytes;
-    if (name.ends_with("/cells.inc")) files.part_bytes += bytes;
-  }
-  return files;
-}
-
-SceneFiles guessed_files(const scene::Scene& scene, Stage stage) {
-  constexpr double states = 1.25;  // of a variant, that one picture shows
-  const double voxels = states * scene.grass.variants * voxels_of(scene);
-  return stage == Stage::blender ? SceneFiles{0.54 * voxels, 9.0 * ground_samples(scene), 0.0}
-                                 : SceneFiles{3.3 * voxels, 100.0 * ground_samples(scene), 0.0};
-}
-
-double renderer_memory_bytes(const Job& job, Stage stage, const SceneFiles& files) {
+double renderer_memory_bytes(const Job& job, Stage stage, const FrameDemand& shown) {
   const double start = (stage == Stage::blender ? 830.0 : 200.0) * megabyte;
   return start + thread_bytes * threads_of(job) +
-         (stage == Stage::blender ? blender_bytes(files) : povray_bytes(files));
+         (stage == Stage::blender ? blender_bytes(job.scene, shown)
+                                  : povray_bytes(job.scene, shown));
 }
 
 }  // namespace wold::cli

@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "cli/disk_budget.h"
 #include "cli/output.h"
 
 namespace wold::cli {
@@ -152,6 +153,27 @@ std::vector<StagePlan> make_plan(const Job& job) {
   return plan;
 }
 
+namespace {
+
+/// What all that is to be done takes, and what is free.
+std::string total_text(const Job& job, const std::vector<StagePlan>& plan) {
+  double seconds = 0.0, disk_bytes = 0.0, memory_bytes = 0.0;
+  for (const StagePlan& stage : plan) {
+    const auto tasks = static_cast<double>(stage.runs + stage.perhaps);
+    if (tasks == 0.0) continue;
+    seconds += tasks * stage.each.seconds;
+    disk_bytes += tasks * stage.each.disk_bytes;
+    memory_bytes = std::max(memory_bytes, stage.each.memory_bytes);
+  }
+  if (seconds == 0.0) return {};
+  const std::optional<double> free = free_bytes(job.out);
+  return fmt::format("  in all  {}, up to {} of memory, {} of disk{}\n", time_text(seconds),
+                     size_text(memory_bytes), size_text(disk_bytes),
+                     free ? fmt::format(" ({} are free)", size_text(*free)) : "");
+}
+
+}  // namespace
+
 std::string plan_text(const Job& job, const std::vector<StagePlan>& plan, bool why) {
   std::string text = summary(job);
   for (const StagePlan& stage : plan) {
@@ -165,7 +187,7 @@ std::string plan_text(const Job& job, const std::vector<StagePlan>& plan, bool w
     if (why)
       for (const TaskGroup& group : stage.groups) text += group_text(group);
   }
-  return text;
+  return text + total_text(job, plan);
 }
 
 std::string plan_json(const Job& job, const std::vector<StagePlan>& plan) {

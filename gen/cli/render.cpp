@@ -1,4 +1,5 @@
 #include "cli/commands.h"
+#include "cli/disk_budget.h"
 #include "cli/do_tasks.h"
 #include "cli/folder_lock.h"
 #include "cli/memory_budget.h"
@@ -22,6 +23,7 @@ void complete(const Job& job, const std::vector<StageTasks>& stages, Progress& p
   Renderers renderers(job);
   require_renderers(job, stages, renderers);
   require_memory(job, stages);
+  require_disk(job, stages);
   const ThreadLimit limit(job.threads);
   const FolderLock lock(job.out, Access::alone);
   remove_temporaries(job.out);

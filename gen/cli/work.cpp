@@ -148,6 +148,11 @@ Film& Work::film() {
   return *film_;
 }
 
+const FilmDemand& Work::demand() {
+  if (!demand_) demand_.emplace(job_);
+  return *demand_;
+}
+
 void Work::prepare(Stage stage, Progress& progress) {
   if (!makes_pictures(stage)) film();
   if (stage == Stage::texels && !demand_found_) {

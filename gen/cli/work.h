@@ -8,6 +8,7 @@
 
 #include "cli/file_states.h"
 #include "cli/film.h"
+#include "cli/film_demand.h"
 #include "cli/job.h"
 #include "cli/renderers.h"
 #include "cli/scene_facts.h"
@@ -65,6 +66,9 @@ class Work {
 
   const TaskRecords& records() const { return records_; }
 
+  /// Found when it is first asked for. Throws what FilmDemand does.
+  const FilmDemand& demand();
+
   /// Equal for equal scenes, but for what changes no file.
   const std::string& scene_hash() const { return facts_hash_; }
 
@@ -99,6 +103,7 @@ class Work {
   std::map<int, SceneHashes> scene_hashes_;     ///< by frame
   std::map<std::string, std::string> changes_;  ///< since facts of that hash, in words
   std::optional<Film> film_;
+  std::optional<FilmDemand> demand_;
   bool demand_found_ = false;
 };
 

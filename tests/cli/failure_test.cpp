@@ -122,14 +122,28 @@ class Disk {
   bool mounted_ = false;
 };
 
+// Tasks are done without asking first whether the disk has room for the film.
 TEST_F(Failure, FullDiskIsAFileErrorWhereverItHappens) {
   const Disk disk(folder_ / "out");
   if (!disk.is_mounted()) GTEST_SKIP() << "needs the right to mount a small disk";
+  std::string tasks = "true";
+  for (const std::string task : {"texels 1", "texels 2", "scenes 1", "scenes 2"})
+    tasks += " && (" + command("task small.toml " + task + " --out out") + ")";
   // In the scene file, the texels, the volumes of Blender, those of POV-Ray and the second frame.
-  for (const int kilobytes : {4, 500, 3000, 7000, 13000}) {
+  for (const int kilobytes : {4, 500, 3000, 7000, 11000}) {
     disk.resize(kilobytes);
-    expect_failure(wold(generate), 4, "o space left on device");
+    expect_failure(shell(tasks), 4, "o space left on device");
   }
+  disk.resize(100000);
+  expect_generate_goes_on();
+}
+
+TEST_F(Failure, ADiskThatIsTooSmallIsRefusedBeforeAnythingIsWritten) {
+  const Disk disk(folder_ / "out");
+  if (!disk.is_mounted()) GTEST_SKIP() << "needs the right to mount a small disk";
+  disk.resize(3000);
+  expect_failure(wold(generate), 4, "no space left for out: found 4 MB free on its disk, expected");
+  EXPECT_TRUE(files_below(folder_ / "out").empty());
   disk.resize(100000);
   expect_generate_goes_on();
 }

@@ -1,0 +1,134 @@
+#include "cli/file_sizes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include "landscape/cell_window.h"
+#include "landscape/cells.h"
+#include "landscape/ground_grids.h"
+
+namespace wold::cli {
+namespace {
+
+constexpr double volume_header_bytes =
+    20e3;  // names, tree and what else does not grow with its voxels
+
+double squared(double number) { return number * number; }
+
+/// Of a baked texel with its light for so many quarter-turns.
+double baked_bytes(const VolumeSize& size, int turns) {
+  constexpr double density_bytes = 1.6, emission_bytes = 3.6;  // per voxel with grass
+  return volume_header_bytes + size.filled * (density_bytes + turns * emission_bytes);
+}
+
+/// Of the texel itself, which has fibres and colours in place of light.
+double unlit_bytes(const VolumeSize& finest) {
+  constexpr double voxel_bytes = 13.8;
+  return volume_header_bytes + finest.filled * voxel_bytes;
+}
+
+/// Texels of painted grass are of the coarsest level, in all variants.
+void add_painted(const scene::Scene& scene, const FilmDemand& demand,
+                 std::set<std::tuple<int, grass::PatchState, int>>& levels) {
+  const int coarsest = static_cast<int>(scene.grass.levels.size()) - 1;
+  for (const auto& [frame, shown] : demand.frames()) {
+    if (!shown.has_distance) continue;
+    std::set<grass::PatchState> states;
+    for (const ShownVolume& volume : shown.volumes) states.insert(volume.state);
+    for (const grass::PatchState& state : states)
+      for (int variant = 0; variant < scene.grass.variants; ++variant)
+        levels.insert({variant, state, coarsest});
+  }
+}
+
+double blender_volume_bytes(const scene::Scene& scene, int level) {
+  constexpr double voxel_bytes = 8.8;
+  return volume_header_bytes + voxel_bytes * volume_size(scene.grass, level).filled;
+}
+
+double povray_volume_bytes(const scene::Scene& scene, int level) {
+  constexpr double grids = 4.0;  // extinction, red, green, blue
+  return grids * scene.render.df3_bits / 8.0 * volume_size(scene.grass, level).voxels;
+}
+
+/// A blade as a mesh, with its light.
+double patch_bytes(const scene::Scene& scene, Stage renderer) {
+  const double blade_bytes = renderer == Stage::blender ? 1000.0 : 2500.0;
+  return blade_bytes * scene.grass.blades;
+}
+
+/// Light, what multiplies the grass, cells and sky of a frame.
+double frame_bytes(const scene::Scene& scene, Stage renderer, const FrameDemand& demand) {
+  const double samples = squared(scene.terrain.samples);
+  const auto parts = static_cast<double>(demand.parts);
+  if (renderer == Stage::blender) return 4.2e6 + 22.7 * samples + 100.0 * parts;
+  return 0.3e6 + 55.0 * samples + 200.0 * parts;
+}
+
+/// What frames share besides volumes: the shape of the ground.
+double shared_bytes(const scene::Scene& scene, Stage renderer) {
+  return renderer == Stage::blender ? 0.0 : 62.6 * squared(scene.terrain.samples);
+}
+
+}  // namespace
+
+VolumeSize volume_size(const scene::Grass& grass, int level) {
+  const double side = grass.levels[static_cast<std::size_t>(level)];
+  const double voxel_m = grass.patch_m / side;
+  const double height = 0.925 * grass.height_m / voxel_m + 2.0;  // withered blades bend
+  const double voxels = side * side * height;
+  // A blade fills voxels along its length, as many beside each other as it is wide and, at its
+  // borders, a little more. Blades share voxels by chance.
+  const double border = 1.6;
+  const double of_blades =
+      grass.blades * grass.height_m / voxel_m * squared(grass.width_m / voxel_m + border);
+  return {voxels, voxels * (1.0 - std::exp(-of_blades / voxels))};
+}
+
+double ground_samples(const scene::Scene& scene) {
+  if (!landscape::is_large(scene)) return squared(landscape::picture_grid(scene).samples);
+  const std::size_t pictures = 1 + landscape::detail_grids(scene, {}).size();
+  return static_cast<double>(pictures) * squared(landscape::whole_grid(scene).samples);
+}
+
+double texel_bytes(const scene::Scene& scene, const FilmDemand& demand) {
+  std::set<std::tuple<int, grass::PatchState, int>> levels;
+  for (const ShownVolume& volume : demand.volumes())
+    levels.insert({volume.variant, volume.state, volume.level});
+  add_painted(scene, demand, levels);
+  std::set<BladePatchState> unlit;
+  double bytes = 0.0;
+  for (const auto& [variant, state, level] : levels) {
+    unlit.insert({variant, state.unlit()});
+    bytes += baked_bytes(volume_size(scene.grass, level), landscape::turns_of_level(scene, level));
+  }
+  return bytes + static_cast<double>(unlit.size()) * unlit_bytes(volume_size(scene.grass, 0));
+}
+
+double cloud_picture_bytes(const scene::Scene& scene) {
+  return 1e7 * static_cast<double>(scene.clouds.size());
+}
+
+double scene_bytes(const scene::Scene& scene, Stage renderer, const FilmDemand& demand,
+                   std::size_t frames) {
+  double shared = shared_bytes(scene, renderer);
+  for (const ShownVolume& volume : demand.volumes())
+    shared += renderer == Stage::blender ? blender_volume_bytes(scene, volume.level)
+                                         : povray_volume_bytes(scene, volume.level);
+  shared += static_cast<double>(demand.patches().size()) * patch_bytes(scene, renderer);
+  constexpr double ground_pixel_bytes = 6.1;  // three half floats
+  double looked_at = 0.0;
+  for (const auto& [frame, shown] : demand.frames())
+    looked_at += ground_pixel_bytes * ground_samples(scene) + frame_bytes(scene, renderer, shown);
+  return shared +
+         looked_at * static_cast<double>(frames) / static_cast<double>(demand.frames().size());
+}
+
+double picture_bytes(const scene::Scene& scene) {
+  constexpr double pixel_bytes = 2.0;  // of a PNG
+  return pixel_bytes * scene.render.size_px[0] * scene.render.size_px[1];
+}
+
+}  // namespace wold::cli
