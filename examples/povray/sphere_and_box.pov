@@ -19,7 +19,7 @@ Wold_Terrain(Degree)
 
 #declare Ball = sphere {
   <20, 8.2, Wold_height_m(20, 8.2) + 0.4> * Wold_units_per_m, 0.45 * Wold_units_per_m
-  pigment { color rgb <0.75, 0.18, 0.12> }
+  pigment { color srgb <0.72, 0.16, 0.11> }
   finish { Paint }
 }
 
@@ -27,7 +27,7 @@ Wold_Terrain(Degree)
   <-0.4, -0.4, -0.2> * Wold_units_per_m, <0.4, 0.4, 0.75> * Wold_units_per_m
   rotate 30 * z
   translate <21.9, 8.8, Wold_height_m(21.9, 8.8)> * Wold_units_per_m
-  pigment { color rgb <0.7, 0.68, 0.62> }
+  pigment { color srgb <0.66, 0.63, 0.57> }
   finish { Paint }
 }
 

@@ -16,10 +16,10 @@ namespace {
 
 // For one thread, from runs of examples/ on 2 processors: right within a factor of two for scenes
 // like those.
-constexpr double texel_seconds = 4.5e-7;        // per voxel of the finest level and state
-constexpr double scene_seconds = 6.0;           // per frame: cells, light, sky
-constexpr double sample_seconds = 3e-6;         // per sample of the ground's pictures
-constexpr double scene_file_seconds = 2e-8;     // per byte that is written
+constexpr double texel_seconds = 5e-8;          // per voxel of the finest level and state
+constexpr double scene_seconds = 2.0;           // per frame: cells, light, sky
+constexpr double sample_seconds = 1e-6;         // per sample of the ground's pictures
+constexpr double scene_file_seconds = 2e-9;     // per byte that is written
 constexpr double cloud_seconds = 10.0;          // per layer
 constexpr double renderer_start_seconds = 5.0;  // reading the scene
 constexpr double blender_seconds = 20.0;        // per megapixel and sample

@@ -7,7 +7,9 @@
 
 #include "landscape/cell_window.h"
 #include "landscape/cells.h"
+#include "landscape/cloud_boxes.h"
 #include "landscape/ground_grids.h"
+#include "scene/key_frames.h"
 
 namespace wold::cli {
 namespace {
@@ -19,13 +21,13 @@ double squared(double number) { return number * number; }
 
 /// Of a baked texel with its light for so many quarter-turns.
 double baked_bytes(const VolumeSize& size, int turns) {
-  constexpr double density_bytes = 1.6, emission_bytes = 3.6;  // per voxel with grass
+  constexpr double density_bytes = 2.1, emission_bytes = 2.7;  // per voxel with grass
   return volume_header_bytes + size.filled * (density_bytes + turns * emission_bytes);
 }
 
 /// Of the texel itself, which has fibres and colours in place of light.
 double unlit_bytes(const VolumeSize& finest) {
-  constexpr double voxel_bytes = 13.8;
+  constexpr double voxel_bytes = 12.7;
   return volume_header_bytes + finest.filled * voxel_bytes;
 }
 
@@ -43,14 +45,9 @@ void add_painted(const scene::Scene& scene, const FilmDemand& demand,
   }
 }
 
-double blender_volume_bytes(const scene::Scene& scene, int level) {
-  constexpr double voxel_bytes = 8.8;
-  return volume_header_bytes + voxel_bytes * volume_size(scene.grass, level).filled;
-}
-
-double povray_volume_bytes(const scene::Scene& scene, int level) {
-  constexpr double grids = 4.0;  // extinction, red, green, blue
-  return grids * scene.render.df3_bits / 8.0 * volume_size(scene.grass, level).voxels;
+double blender_volume_bytes(const VolumeSize& size) {
+  constexpr double voxel_bytes = 8.0;
+  return volume_header_bytes + voxel_bytes * size.filled;
 }
 
 /// A blade as a mesh, with its light.
@@ -63,8 +60,9 @@ double patch_bytes(const scene::Scene& scene, Stage renderer) {
 double frame_bytes(const scene::Scene& scene, Stage renderer, const FrameDemand& demand) {
   const double samples = squared(scene.terrain.samples);
   const auto parts = static_cast<double>(demand.parts);
-  if (renderer == Stage::blender) return 4.2e6 + 22.7 * samples + 100.0 * parts;
-  return 0.3e6 + 55.0 * samples + 200.0 * parts;
+  const double voxels = cloud_voxels(scene);
+  if (renderer == Stage::blender) return 4.2e6 + 22.7 * samples + 100.0 * parts + 1.1 * voxels;
+  return 0.3e6 + 55.0 * samples + 200.0 * parts + 4.3 * voxels;
 }
 
 /// What frames share besides volumes: the shape of the ground.
@@ -74,17 +72,36 @@ double shared_bytes(const scene::Scene& scene, Stage renderer) {
 
 }  // namespace
 
-VolumeSize volume_size(const scene::Grass& grass, int level) {
+VolumeSize volume_size(const scene::Grass& grass, int level, double weathering, double snow) {
   const double side = grass.levels[static_cast<std::size_t>(level)];
   const double voxel_m = grass.patch_m / side;
-  const double height = 0.925 * grass.height_m / voxel_m + 2.0;  // withered blades bend
-  const double voxels = side * side * height;
+  const double bent_m =
+      grass.height_m * std::max(1.15 - 0.62 * weathering, 0.73) * (1.0 - 0.5 * snow);
+  const double voxels = side * side * (bent_m / voxel_m + 2.0);
   // A blade fills voxels along its length, as many beside each other as it is wide and, at its
-  // borders, a little more. Blades share voxels by chance.
-  const double border = 1.6;
+  // borders, some more.
+  constexpr double border = 2.5;
+  const double length_m = grass.height_m * (1.17 - 0.3 * weathering);
   const double of_blades =
-      grass.blades * grass.height_m / voxel_m * squared(grass.width_m / voxel_m + border);
-  return {voxels, voxels * (1.0 - std::exp(-of_blades / voxels))};
+      grass.blades * length_m / voxel_m * squared(grass.width_m / voxel_m + border);
+  // Blades stand in clumps and share voxels more often than by chance: the share that is empty is
+  // that of a negative binomial distribution, not of Poisson's.
+  constexpr double clumping = 0.3;
+  const double empty = std::pow(1.0 + of_blades / voxels / clumping, -clumping);
+  return {voxels, voxels * (1.0 - empty)};
+}
+
+VolumeSizes::VolumeSizes(const scene::Scene& scene)
+    : grass_(scene.grass), key_frames_(scene::key_frames(scene)) {}
+
+VolumeSize VolumeSizes::of(const grass::PatchState& state, int level) const {
+  return volume_size(grass_, level, key_frames_.at(static_cast<std::size_t>(state.key_frame)),
+                     state.snow_share());
+}
+
+double povray_volume_bytes(const scene::Scene& scene, const VolumeSize& size) {
+  constexpr double grids = 4.0;  // extinction, red, green, blue
+  return grids * scene.render.df3_bits / 8.0 * size.voxels;
 }
 
 double ground_samples(const scene::Scene& scene) {
@@ -93,30 +110,42 @@ double ground_samples(const scene::Scene& scene) {
   return static_cast<double>(pictures) * squared(landscape::whole_grid(scene).samples);
 }
 
+double cloud_voxels(const scene::Scene& scene) {
+  const auto layers = static_cast<double>(
+      std::ranges::count(scene.clouds, std::string("volume"), &scene::CloudLayer::body));
+  const glm::dvec3 voxels(landscape::cloud_box_voxels);
+  return layers * voxels.x * voxels.y * voxels.z;
+}
+
 double texel_bytes(const scene::Scene& scene, const FilmDemand& demand) {
   std::set<std::tuple<int, grass::PatchState, int>> levels;
   for (const ShownVolume& volume : demand.volumes())
     levels.insert({volume.variant, volume.state, volume.level});
   add_painted(scene, demand, levels);
   std::set<BladePatchState> unlit;
+  const VolumeSizes sizes(scene);
   double bytes = 0.0;
   for (const auto& [variant, state, level] : levels) {
     unlit.insert({variant, state.unlit()});
-    bytes += baked_bytes(volume_size(scene.grass, level), landscape::turns_of_level(scene, level));
+    bytes += baked_bytes(sizes.of(state, level), landscape::turns_of_level(scene, level));
   }
-  return bytes + static_cast<double>(unlit.size()) * unlit_bytes(volume_size(scene.grass, 0));
+  for (const auto& [variant, state] : unlit) bytes += unlit_bytes(sizes.of(state, 0));
+  return bytes;
 }
 
 double cloud_picture_bytes(const scene::Scene& scene) {
-  return 1e7 * static_cast<double>(scene.clouds.size());
+  return 2e6 * static_cast<double>(scene.clouds.size());
 }
 
 double scene_bytes(const scene::Scene& scene, Stage renderer, const FilmDemand& demand,
                    std::size_t frames) {
   double shared = shared_bytes(scene, renderer);
-  for (const ShownVolume& volume : demand.volumes())
-    shared += renderer == Stage::blender ? blender_volume_bytes(scene, volume.level)
-                                         : povray_volume_bytes(scene, volume.level);
+  const VolumeSizes sizes(scene);
+  for (const ShownVolume& volume : demand.volumes()) {
+    const VolumeSize size = sizes.of(volume.state, volume.level);
+    shared +=
+        renderer == Stage::blender ? blender_volume_bytes(size) : povray_volume_bytes(scene, size);
+  }
   shared += static_cast<double>(demand.patches().size()) * patch_bytes(scene, renderer);
   constexpr double ground_pixel_bytes = 6.1;  // three half floats
   double looked_at = 0.0;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "cli/film_demand.h"
 #include "cli/tasks.h"
 #include "scene/scene.h"
@@ -8,16 +10,36 @@
 /// for them right within 30 %, see README.md.
 namespace wold::cli {
 
-/// A baked texel of a level, on average over its states.
+/// A baked texel.
 struct VolumeSize {
   double voxels = 0.0;  ///< of the box that is written: as high as the grass
   double filled = 0.0;  ///< of them, those with grass
 };
-VolumeSize volume_size(const scene::Grass& grass, int level);
+
+/// Of a patch at a level, withered to a degree in [0, 1], under a share in [0, 1] of the snow that
+/// it can carry: it gets lower and thinner.
+VolumeSize volume_size(const scene::Grass& grass, int level, double weathering, double snow);
+
+/// Sizes of a scene's volumes, whose weathering degrees are the scene's key frames.
+class VolumeSizes {
+ public:
+  explicit VolumeSizes(const scene::Scene& scene);
+  VolumeSize of(const grass::PatchState& state, int level) const;
+
+ private:
+  const scene::Grass& grass_;
+  std::vector<double> key_frames_;
+};
+
+/// Of a volume's df3 files, and so of the memory that POV-Ray keeps them in.
+double povray_volume_bytes(const scene::Scene& scene, const VolumeSize& size);
 
 /// Of the pictures of the ground that a frame has: the whole, and on large terrains finer ones
 /// about the camera.
 double ground_samples(const scene::Scene& scene);
+
+/// Of the clouds that stand as volumes in a frame.
+double cloud_voxels(const scene::Scene& scene);
 
 /// All of DIR/texels.
 double texel_bytes(const scene::Scene& scene, const FilmDemand& demand);

@@ -34,13 +34,14 @@ double painting_bytes(const scene::Scene& scene) {
 /// Blender 3.4 keeps the whole box of a volume, four numbers a voxel, and OpenVDB's trees beside
 /// it; newer ones take less.
 double blender_bytes(const scene::Scene& scene, const FrameDemand& shown) {
-  constexpr double voxel_bytes = 16.0, filled_bytes = 30.0, sample_bytes = 30.0;
-  constexpr double part_bytes = 9000.0, blade_bytes = 5000.0;
-  double bytes = sample_bytes * ground_samples(scene) +
+  constexpr double voxel_bytes = 16.0, filled_bytes = 110.0, sample_bytes = 30.0;
+  constexpr double part_bytes = 9000.0, blade_bytes = 5000.0, cloud_bytes = 22.0;
+  double bytes = sample_bytes * ground_samples(scene) + cloud_bytes * cloud_voxels(scene) +
                  part_bytes * static_cast<double>(shown.parts) +
                  blade_bytes * scene.grass.blades * static_cast<double>(shown.patches.size());
+  const VolumeSizes sizes(scene);
   for (const ShownVolume& volume : shown.volumes) {
-    const VolumeSize size = volume_size(scene.grass, volume.level);
+    const VolumeSize size = sizes.of(volume.state, volume.level);
     bytes += voxel_bytes * size.voxels + filled_bytes * size.filled;
   }
   return bytes;
@@ -49,21 +50,22 @@ double blender_bytes(const scene::Scene& scene, const FrameDemand& shown) {
 /// POV-Ray keeps df3 files as they are.
 double povray_bytes(const scene::Scene& scene, const FrameDemand& shown) {
   constexpr double sample_bytes = 10.0, height_bytes = 200.0, part_bytes = 2000.0;
-  constexpr double blade_bytes = 5000.0;
-  double bytes = sample_bytes * ground_samples(scene) +
+  constexpr double blade_bytes = 5000.0, cloud_bytes = 4.3;
+  double bytes = sample_bytes * ground_samples(scene) + cloud_bytes * cloud_voxels(scene) +
                  height_bytes * scene.terrain.samples * scene.terrain.samples +
                  part_bytes * static_cast<double>(shown.parts) +
                  blade_bytes * scene.grass.blades * static_cast<double>(shown.patches.size());
-  for (const ShownVolume& volume : shown.volumes) {
-    constexpr double grids = 4.0;
-    bytes += grids * scene.render.df3_bits / 8.0 * volume_size(scene.grass, volume.level).voxels;
-  }
+  const VolumeSizes sizes(scene);
+  for (const ShownVolume& volume : shown.volumes)
+    bytes += povray_volume_bytes(scene, sizes.of(volume.state, volume.level));
   return bytes;
 }
 
 double scene_memory_bytes(const Job& job, int threads) {
+  constexpr double cloud_voxel_bytes = 24.0;
   return idle_bytes(job) + painting_bytes(job.scene) + cells_bytes(job.scene) +
-         (20.0 + 16.0 * threads) * voxels_of(job.scene);
+         (20.0 + 16.0 * threads) * voxels_of(job.scene) +
+         cloud_voxel_bytes * cloud_voxels(job.scene);
 }
 
 }  // namespace
@@ -84,7 +86,7 @@ int scene_threads(const Job& job) {
 double scene_memory_bytes(const Job& job) { return scene_memory_bytes(job, scene_threads(job)); }
 
 double renderer_memory_bytes(const Job& job, Stage stage, const FrameDemand& shown) {
-  const double start = (stage == Stage::blender ? 830.0 : 200.0) * megabyte;
+  const double start = (stage == Stage::blender ? 730.0 : 150.0) * megabyte;
   return start + thread_bytes * threads_of(job) +
          (stage == Stage::blender ? blender_bytes(job.scene, shown)
                                   : povray_bytes(job.scene, shown));

@@ -13,15 +13,12 @@
 namespace wold::landscape {
 namespace {
 
-constexpr int voxels_high = 32;
-constexpr int voxels_wide = 512;
-
-double voxel_m(const cloud::Layer& layer) { return layer.thickness_m / voxels_high; }
+double voxel_m(const cloud::Layer& layer) { return layer.thickness_m / cloud_box_voxels.z; }
 
 CloudWindow window_before(const Camera& camera, double voxel_m) {
   // Most of it lies before the camera, the more the flatter it looks.
   const glm::dvec3 forward = glm::normalize(camera.target_m - camera.eye_m);
-  const double side_m = voxels_wide * voxel_m;
+  const double side_m = cloud_box_voxels.x * voxel_m;
   const glm::dvec2 centre_m = glm::dvec2(camera.eye_m) + glm::dvec2(forward) * (0.4 * side_m);
   return {glm::round((centre_m - 0.5 * side_m) / voxel_m) * voxel_m, side_m};
 }
@@ -44,9 +41,8 @@ void each_filled(const cloud::CloudVolume& volume, const Visit& visit) {
 
 CloudBox cloud_box(const cloud::LayerState& state, double pixel_m, const CloudWindow& window,
                    const light::Daylight& day, const glm::dvec3& eye_m) {
-  cloud::CloudVolume volume =
-      cloud::lifted(state, pixel_m, window.south_west_m, glm::dvec2(window.side_m),
-                    {voxels_wide, voxels_wide, voxels_high});
+  cloud::CloudVolume volume = cloud::lifted(state, pixel_m, window.south_west_m,
+                                            glm::dvec2(window.side_m), cloud_box_voxels);
   std::vector<glm::vec3> source = cloud::source_radiance(volume, cloud::cloud_light(day, eye_m));
   const glm::vec3 colour(state.moment.light);
   each_filled(volume, [&](std::size_t i, const glm::dvec3& centre_m) {

@@ -10,6 +10,9 @@
 
 namespace wold::landscape {
 
+/// Of the volume that a layer's box has, east, north and up.
+inline constexpr glm::ivec3 cloud_box_voxels{512, 512, 32};
+
 /// Where a layer of clouds is a volume: a square before the camera. Beyond it, the layer is a
 /// sheet.
 struct CloudWindow {

@@ -176,6 +176,53 @@ TEST_F(LongPlan, OfTenThousandFramesThatWereMadeIsQuick) {
                   "    1-10000: seed changed\n");
 }
 
+/// Disk that all tasks of a stage are planned to take.
+double planned_bytes(const json& plan, const std::string& stage) {
+  for (const json& entry : plan.at("stages"))
+    if (entry.at("stage") == stage)
+      return entry.at("tasks").get<double>() * entry.at("estimate").at("disk_bytes").get<double>();
+  return 0.0;
+}
+
+double bytes_below(const fs::path& folder) {
+  double bytes = 0.0;
+  for (const fs::path& file : files_below(folder))
+    bytes += static_cast<double>(fs::file_size(folder / file));
+  return bytes;
+}
+
+// README says within 30 % for scenes like the examples; here are other grass, and levels of our
+// own.
+TEST_F(Tasks, DiskIsPlannedBeforeTheFirstRunAsItIsThenTaken) {
+  for (const std::string options :
+       {"", " --set grass.blades=400", " --set 'grass.levels=[126,30]' --set grass.patch=0.3"}) {
+    const std::string line = "small.toml --renderer both --size 480x270 --out out" + options;
+    const json before = json::parse(wold("plan --json " + line).out);
+    ASSERT_EQ(wold("generate --quiet " + line).code, 0);
+    const double texels = bytes_below(folder_ / "out/texels");
+    const double scenes =
+        bytes_below(folder_ / "out/blender") + bytes_below(folder_ / "out/povray");
+    EXPECT_NEAR(planned_bytes(before, "texels") / texels, 1.0, 0.4) << options;
+    EXPECT_NEAR(planned_bytes(before, "scenes") / scenes, 1.0, 0.4) << options;
+    const json after = json::parse(wold("plan --json " + line).out);
+    EXPECT_NEAR(planned_bytes(after, "scenes") / scenes, 1.0, 0.1) << options << "measured";
+    fs::remove_all(folder_ / "out");
+  }
+}
+
+// With memory for what is planned, what is planned is not refused once its scene files are there.
+TEST_F(Tasks, MemoryDecidesTheSameBeforeAndAfterGenerate) {
+  const auto planned = [&] {
+    for (const json& stage : json::parse(wold("plan small.toml --json --out out").out).at("stages"))
+      if (stage.at("stage") == "blender")
+        return stage.at("estimate").at("memory_bytes").get<double>();
+    return 0.0;
+  };
+  const double before = planned();
+  ASSERT_EQ(wold("generate small.toml --quiet --out out").code, 0);
+  EXPECT_EQ(planned(), before);
+}
+
 /// "1-2,4" as 1, 2, 4.
 std::vector<int> numbers(const std::string& ranges) {
   std::vector<int> all;
