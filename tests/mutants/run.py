@@ -1,0 +1,195 @@
+"""Tries the faults of tests/mutants/*.toml in a copy; see tests/mutants.sh, which makes it."""
+
+import argparse
+import dataclasses
+import re
+import subprocess
+import sys
+import time
+import tomllib
+from pathlib import Path
+
+LEAST_CAUGHT = 0.95
+HERE = Path(__file__).resolve().parent
+FAULT_KEYS = {"name", "file", "find", "replace", "breaks"}
+
+
+@dataclasses.dataclass(frozen=True)
+class Mutant:
+    """A fault: `find`, which is once in `file`, is replaced; `tests` is a filter of GoogleTest."""
+
+    room: str
+    name: str
+    file: str
+    find: str
+    replace: str
+    breaks: str
+    tests: str
+
+    @property
+    def full_name(self):
+        return f"{self.room}.{self.name}"
+
+
+def read_room(path):
+    table = tomllib.loads(path.read_text())
+    room_tests = table.get("tests", "*")
+    mutants = []
+    for fault in table["mutant"]:
+        wrong = FAULT_KEYS - fault.keys() or fault.keys() - FAULT_KEYS - {"tests"}
+        if wrong:
+            sys.exit(f"error: {path}: {fault.get('name')}: missing or unknown {sorted(wrong)}")
+        mutants.append(Mutant(room=path.stem, **{"tests": room_tests, **fault}))
+    return mutants
+
+
+def read_mutants():
+    mutants = [mutant for path in sorted(HERE.glob("*.toml")) for mutant in read_room(path)]
+    names = [mutant.full_name for mutant in mutants]
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if twice:
+        sys.exit(f"error: faults with the same name: {', '.join(twice)}")
+    return mutants
+
+
+def chosen(mutants, wanted):
+    """Those of these rooms and names, all without any."""
+    known = {name for mutant in mutants for name in (mutant.room, mutant.full_name)}
+    unknown = [name for name in wanted if name not in known]
+    if unknown:
+        rooms = ", ".join(sorted({mutant.room for mutant in mutants}))
+        sys.exit(
+            f"error: no room or fault is called {', '.join(unknown)}; there are the rooms {rooms}, "
+            "and tests/mutants.sh --list has the faults"
+        )
+    return [m for m in mutants if not wanted or m.room in wanted or m.full_name in wanted]
+
+
+class Copy:
+    """A tree that faults are put into, and its build."""
+
+    def __init__(self, folder, jobs):
+        self.tree = folder / "tree"
+        self.build_folder = folder / "build"
+        self.jobs = jobs
+
+    def build(self, rooms):
+        targets = [f"test_{room}" for room in sorted(rooms)]
+        command = ["ninja", "-C", self.build_folder, f"-j{self.jobs}", *targets]
+        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        return done.returncode == 0, done.stdout
+
+    def test(self, room, tests, most_seconds):
+        """The first test that fails, "" when none does."""
+        command = [
+            self.build_folder / f"test_{room}",
+            f"--gtest_filter={tests}",
+            "--gtest_fail_fast",
+            "--gtest_brief=1",
+        ]
+        try:
+            done = subprocess.run(
+                command,
+                cwd=self.build_folder / "tests",
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT,
+                timeout=most_seconds,
+            )
+        except subprocess.TimeoutExpired:
+            return f"no end after {most_seconds:.0f} s"
+        if done.returncode == 0:
+            return ""
+        failed = re.search(r"\[  FAILED  \] ([^\s,]+)", done.stdout.decode(errors="replace"))
+        return failed.group(1) if failed else f"exit status {done.returncode}"
+
+
+def try_mutant(copy, mutant, usual_seconds):
+    """Puts it in, builds and tests; what became of it, and by what."""
+    path = copy.tree / mutant.file
+    text = path.read_text() if path.exists() else ""
+    count = text.count(mutant.find)
+    if count != 1:
+        return "not found", f"its text is {count} times in {mutant.file}, expected once"
+    path.write_text(text.replace(mutant.find, mutant.replace))
+    try:
+        built, log = copy.build([mutant.room])
+        if not built:
+            errors = [line for line in log.splitlines() if "error" in line]
+            return "did not build", errors[0] if errors else log.splitlines()[-1]
+        by = copy.test(mutant.room, mutant.tests, 30 + 5 * usual_seconds)
+    finally:
+        path.write_text(text)
+    return ("caught", by) if by else ("survived", mutant.breaks)
+
+
+def usual_seconds(copy, mutants):
+    """How long the tests take without any fault; they have to pass."""
+    print("Building without a fault", file=sys.stderr, flush=True)
+    built, log = copy.build({mutant.room for mutant in mutants})
+    if not built:
+        sys.exit(f"error: the copy does not build without a fault:\n{log[-4000:]}")
+    seconds = {}
+    for room, tests in sorted({(mutant.room, mutant.tests) for mutant in mutants}):
+        begin = time.monotonic()
+        failed = copy.test(room, tests, 3600)
+        if failed:
+            sys.exit(f"error: tests of {room} fail without a fault: {failed}")
+        seconds[room, tests] = time.monotonic() - begin
+        print(f"{room} passes in {seconds[room, tests]:.0f} s", file=sys.stderr, flush=True)
+    return seconds
+
+
+def print_row(*cells):
+    print("| " + " | ".join(str(cell) for cell in cells) + " |", flush=True)
+
+
+def print_sums(states):
+    """By room and of all; whether enough were caught and all could be tried."""
+    kinds = ["caught", "survived", "did not build", "not found"]
+    print()
+    print_row("room", *kinds)
+    print_row(*["---"] * (len(kinds) + 1))
+    rooms = sorted({room for room, _ in states})
+    for room in rooms:
+        of_room = [state for its_room, state in states if its_room == room]
+        print_row(room, *[of_room.count(kind) for kind in kinds])
+    all_states = [state for _, state in states]
+    print_row("all", *[all_states.count(kind) for kind in kinds])
+    tried = all_states.count("caught") + all_states.count("survived")
+    share = all_states.count("caught") / tried if tried else 0.0
+    print(f"\n{100 * share:.1f} % of {tried} caught; at least {100 * LEAST_CAUGHT:.0f} % are wanted")
+    return share >= LEAST_CAUGHT and tried == len(states)
+
+
+def try_all(copy, mutants):
+    seconds = usual_seconds(copy, mutants)
+    print_row("fault", "what became of it", "by, or what nobody saw", "seconds")
+    print_row(*["---"] * 4)
+    states = []
+    # Those of a file together: it is compiled once for each, and once more at the end.
+    for mutant in sorted(mutants, key=lambda one: (one.room, one.file)):
+        begin = time.monotonic()
+        state, why = try_mutant(copy, mutant, seconds[mutant.room, mutant.tests])
+        print_row(mutant.full_name, state, why, round(time.monotonic() - begin))
+        states.append((mutant.room, state))
+    return print_sums(states)
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="tests/mutants.sh")
+    parser.add_argument("--copy", type=Path, required=True, help=argparse.SUPPRESS)
+    parser.add_argument("--jobs", type=int, default=2, help=argparse.SUPPRESS)
+    parser.add_argument("--list", action="store_true", help="only say what there is")
+    parser.add_argument("wanted", nargs="*", metavar="ROOM|ROOM.NAME")
+    arguments = parser.parse_args()
+    mutants = chosen(read_mutants(), arguments.wanted)
+    if arguments.list:
+        for mutant in mutants:
+            print(f"{mutant.full_name}: {mutant.breaks}")
+        return 0
+    return 0 if try_all(Copy(arguments.copy, arguments.jobs), mutants) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
