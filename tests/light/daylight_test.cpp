@@ -141,6 +141,22 @@ TEST(Daylight, PictureShowsTheSkyWithoutFireflies) {
   EXPECT_NEAR(90.0 - static_cast<double>(pixel / 720) * 0.5, 38.0, 1.0);
 }
 
+// The plain vanishes in the haze at the horizon: radiance goes on across it, bright below the sun
+// and dark away from it. Haze close by has the light of all directions, whichever way one looks.
+TEST(Daylight, GoesOnAcrossTheHorizon) {
+  const Daylight day({10.0, 90.0}, {3.0});
+  for (const double azimuth_deg : {90.0, 150.0, 270.0}) {
+    const auto at = [&](double elevation_deg) {
+      return day.sky_radiance(direction_of(azimuth_deg * degree, elevation_deg * degree));
+    };
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(at(-1e-3)[c], at(0.0)[c], 1e-3F * at(0.0)[c]);
+  }
+  const auto near_haze = [&](double azimuth_deg) {
+    return day.haze_radiance(direction_of(azimuth_deg * degree, -1.0 * degree), 0.0);
+  };
+  EXPECT_EQ(near_haze(90.0), near_haze(270.0));
+}
+
 TEST(Daylight, RefusesWhatTheModelCannotDo) {
   EXPECT_THROW(Daylight({-2.0, 0.0}, {3.0}), InputError);
   EXPECT_THROW(Daylight({30.0, 0.0}, {1.0}), InputError);

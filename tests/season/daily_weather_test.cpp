@@ -83,6 +83,16 @@ TEST_F(DailyWeather, HasNoGaps) {
   }
 }
 
+TEST_F(DailyWeather, JoinsGapsByLines) {
+  const std::vector<Day> days =
+      read("date,tmin_c,tmax_c,precipitation_mm\n2004-06-01,0,10,0\n2004-06-05,8,30,0\n");
+  ASSERT_EQ(days.size(), 5U);
+  for (std::size_t i = 0; i < days.size(); ++i) {
+    EXPECT_DOUBLE_EQ(days[i].tmin_c, 2.0 * static_cast<double>(i));
+    EXPECT_DOUBLE_EQ(days[i].tmax_c, 10.0 + 5.0 * static_cast<double>(i));
+  }
+}
+
 TEST_F(DailyWeather, FillsRainFromTheSameSeason) {
   std::string text = "date,tmin_c,tmax_c,precipitation_mm\n";
   for (int year = 2001; year < 2004; ++year)

@@ -85,6 +85,16 @@ TEST(FilmSeason, WindTurnsAndCombsAWeekLong) {
   EXPECT_NEAR(week.turned_rad, -std::atan2(north, east), 1e-12);
 }
 
+// From 350 to 10 degrees it is 20 degrees by north, not 340 by south.
+TEST(FilmSeason, WindTurnsTheShorterWay) {
+  scene::Scene scene = keyed_autumn();
+  scene.season_keys = {{.date = {2026, 9, 1}, .weathering = 0.0, .wind_heading_deg = 350.0},
+                       {.date = {2026, 9, 11}, .wind_heading_deg = 10.0}};
+  const FilmSeason season(scene);
+  EXPECT_NEAR(season.days()[2].wind_heading_deg.value(), 354.0, 1e-9);
+  EXPECT_NEAR(season.days()[7].wind_heading_deg.value(), 4.0, 1e-9);
+}
+
 // Atlas 1953: 11.6 km at 1 mm/h, 2.7 km in 10 mm/h; extinctions add.
 TEST(FilmSeason, RainHidesAndSnowDoesNot) {
   EXPECT_NEAR(visual_range_in_rain_m(10.0), 2720.0, 10.0);
