@@ -207,6 +207,16 @@ TEST(Clouds, OfAnyScalesLieOverEachOther) {
   }
 }
 
+TEST(Clouds, FramesAreCountedFromOneAtTheStart) {
+  scene::Scene scene;
+  scene.clouds.resize(1);
+  scene.film.frame_seconds = 4.0;
+  const Clouds clouds(scene, 400.0);
+  const glm::dvec3 up(0.0, 0.0, 1.0);
+  EXPECT_EQ(clouds.at_frame(1, up).time_s, 0.0);
+  EXPECT_EQ(clouds.at_frame(11, up).time_s, 40.0);
+}
+
 TEST(Clouds, AClearSkyComposesToNothing) {
   const Image image = composed(Clouds(scene::Scene{}, pixel_m).at(0.0), window);
   EXPECT_EQ(image.values, std::vector<float>(image.values.size(), 0.0F));

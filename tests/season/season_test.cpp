@@ -53,6 +53,26 @@ TEST(SoilWater, LosesNothing) {
   EXPECT_NEAR(in_mm, water.soil_mm + water.snow_mm + out_mm, 1e-9 * in_mm);
 }
 
+// Where warmth and water allow all, greenness grows by a fifth of what lacks in a day, a dead
+// meadow's by three tenths of that; in the dark it loses 15 % in a day.
+TEST(Greenness, GrowsAndDecaysAtItsRates) {
+  std::vector<Day> days(120);
+  for (std::size_t i = 0; i < days.size(); ++i) {
+    days[i].date = std::chrono::sys_days(2004y / 5 / 1) + std::chrono::days(i);
+    days[i].tmin_c = 15.0;
+    days[i].tmax_c = 25.0;
+    days[i].precipitation_mm = 20.0;
+    days[i].top_sun_mj_m2 = 35.0;
+    days[i].day_length_h = i < 60 ? 14.0 : 8.0;
+  }
+  const std::vector<double> green = greenness(days);
+  for (std::size_t i = 1; i < 20; ++i)
+    EXPECT_NEAR(green[i] - green[i - 1], 0.2 * (0.3 + 0.7 * green[i - 1]) * (1.0 - green[i - 1]),
+                1e-9);
+  EXPECT_GT(green[59], 0.99);
+  for (std::size_t i = 60; i < 120; ++i) EXPECT_NEAR(green[i] / green[i - 1], 0.85, 1e-9);
+}
+
 TEST(SnowLayer, LosesNothing) {
   const SnowParameters snow;
   SnowLayer layer(snow);

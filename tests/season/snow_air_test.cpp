@@ -77,6 +77,22 @@ TEST(DayAir, LightsSlopesByTheAngleOfTheSun) {
   EXPECT_NEAR(sun_mm(step, 0.0, -2.0), step.diffuse_mm, 1e-9);  // turned away
 }
 
+// Under thick clouds, 0.16 of the light, nearly all of it is diffuse: 1 - 0.09 k.
+TEST(DayAir, IsDiffuseUnderClouds) {
+  const Day day = day_of(march, 1.0, 2.0);
+  const SnowSky noon = DayAir(day, day, 46.0).sky(12.0);
+  EXPECT_NEAR(noon.diffuse_w_m2, (1.0 - 0.09 * 0.16) * noon.sun_w_m2, 1e-9);
+}
+
+// A sun 45 degrees high in the east: ground that falls that way by 45 degrees is square to it and
+// gets twice as much per level area, ground that rises so steeply is grazed.
+TEST(SunOnSlopes, ComesFromWhereTheSunIs) {
+  const SnowStep morning{.sun_mm = 1.0, .slant_east_mm = 1.0};
+  EXPECT_DOUBLE_EQ(sun_mm(morning, -1.0, 0.0), 2.0);
+  EXPECT_DOUBLE_EQ(sun_mm(morning, 1.0, 0.0), 0.0);
+  EXPECT_DOUBLE_EQ(sun_mm(morning, 0.0, 1.0), 1.0);
+}
+
 TEST(SnowAir, IsSnowOrRainByTheDaysTemperature) {
   SnowSky sky;
   sky.phase_c = 1.0;

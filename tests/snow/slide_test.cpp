@@ -95,6 +95,23 @@ TEST(SnowSlide, FallsTowardsWhereTheSurfaceDrops) {
       EXPECT_NEAR(packs.depth_m[5 * j + i], packs.depth_m[5 * j + 4 - i], 1e-12);
 }
 
+// A step of 1.7 m above level ground, with 3 m of snow in one place: of its three lower neighbours
+// the one under 2 m of snow lies 2.7 m below the snow's surface, the others 4.7 m, and they get as
+// much.
+TEST(SnowSlide, IsSharedByTheDropsOfTheSurface) {
+  Heightfield steps(5, 4.0);
+  for (int j = 0; j < 5; ++j)
+    for (int i = 0; i < 5; ++i) steps.at(i, j) = static_cast<float>(1.7 * std::max(j - 1, 0));
+  SnowpackField packs(25, {0.0, 0.0, 0.0});
+  packs.depth_m[12] = 3.0, packs.water_mm[12] = 300.0;
+  packs.depth_m[6] = 2.0, packs.water_mm[6] = 200.0;
+  SnowSlide(steps).settle(packs);
+  const double to_the_deep_m = packs.depth_m[6] - 2.0;
+  ASSERT_GT(to_the_deep_m, 0.3);
+  EXPECT_NEAR(packs.depth_m[7] / to_the_deep_m, 4.7 / 2.7, 1e-5);
+  EXPECT_NEAR(packs.depth_m[8] / to_the_deep_m, 4.7 / 2.7, 1e-5);
+}
+
 TEST(SnowSlide, ToleratesATerrainOfOneCell) {
   Heightfield terrain(2, 1.0);
   terrain.at(0, 0) = 1.0F;

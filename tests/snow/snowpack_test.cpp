@@ -66,6 +66,13 @@ TEST(Snowpack, DarkensAsPublishedAndIsWhiterInVisibleLight) {
   EXPECT_NEAR(visible_albedo(1.0), 0.76, 1e-12);
 }
 
+// Ten millimetres of new snow take an old surface 1 - 1/e of the way to a fresh one (Essery 2015).
+TEST(Snowpack, IsRenewedBySnowfall) {
+  const Snowpack old = {50.0, 0.2, 1.0};
+  const WeatherMoment snowing = {.temperature_c = -5.0, .precipitation_mm_h = 10.0};
+  EXPECT_NEAR(advanced(old, pack_step(snowing, 0.0, 1.0, 3.0)).age, std::exp(-1.0), 2e-3);
+}
+
 TEST(Snowpack, IsColderAndDeeperHigherUp) {
   const WeatherMoment sleet{2.5, 1.0};
   EXPECT_EQ(pack_step(sleet, 0.0, 1.0, 3.0).snow_mm, 0.0);

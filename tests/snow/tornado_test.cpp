@@ -61,5 +61,24 @@ TEST(Tornado, FlakesMoveOnHelicesAtTheirVelocities) {
   EXPECT_GT(compared, 480);
 }
 
+/// What rises keeps its share of a radius that grows twelvefold over the height: it goes outwards
+/// by r log(12) / H for each metre. The axis bends, which counts for nothing on the mean.
+TEST(Tornado, FlakesGoOutwardsAsItWidens) {
+  const Tornado whirl = tornado();
+  double out_m_s = 0.0, expected_m_s = 0.0;
+  int count = 0;
+  for (std::uint64_t i = 0; i < whirl.flakes(); ++i) {
+    const Flake flake = whirl.flake(i, 30.0, 0.0);
+    if (flake.centre_m.z < 4.0 || flake.centre_m.z > 9.0) continue;  // nor about the foot
+    const glm::dvec2 from_axis_m = glm::dvec2(flake.centre_m) - whirl.foot_m(30.0);
+    out_m_s += glm::dot(glm::dvec2(flake.velocity_m_s), glm::normalize(from_axis_m));
+    expected_m_s += glm::length(from_axis_m) * std::log(12.0) / 30.0 * flake.velocity_m_s.z;
+    ++count;
+  }
+  ASSERT_GT(count, 300);
+  EXPECT_GT(expected_m_s / count, 0.15);
+  EXPECT_NEAR(out_m_s / count, expected_m_s / count, 0.4 * expected_m_s / count);
+}
+
 }  // namespace
 }  // namespace wold::snow
