@@ -248,7 +248,6 @@ struct SnowCover {
   double drifting = 0.5;         ///< k of 1 + k tanh(Sx / 15 degrees)
   double melt_mm_per_day = 3.0;  ///< degree-day factor, per kelvin above 0 degrees Celsius
   double feature_m = 0.35;       ///< size of the first patches of white
-  double facet_m2 = 800.0;       ///< mean area, of the paper's cover
   double white_after_mm = 8.0;   ///< of water, of the paper's cover: gamma is 1
 
   bool operator==(const SnowCover&) const = default;

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "scene/calendar.h"
 #include "snow/drifting.h"
+#include "snow/paper_white.h"
 
 namespace wold::snow {
 namespace {
@@ -87,7 +88,6 @@ SnowGround::SnowGround(const scene::Scene& scene, const Heightfield& terrain,
     rise_ = GroundRise(terrain_);
   }
   if (cover_.cover == "depth") slide_.emplace(terrain_);
-  if (cover_.cover == "paper") facets_.emplace(terrain_, cover_.facet_m2);
   progress_ = beginning();
 }
 
@@ -144,9 +144,9 @@ const FactorMap& SnowGround::drift_of(const WeatherMoment& weather) const {
 
 FactorMap SnowGround::white(const State& state, int samples) const {
   if (cover_.cover == "none") return {samples, terrain_.size_m(), 0.0F};
-  if (facets_) {
+  if (cover_.cover == "paper") {
     const double gamma = std::min(state.fallen_mm / cover_.white_after_mm, 1.0);
-    return paper_white(*facets_, terrain_.size_m(), gamma, samples, seed_);
+    return paper_white(terrain_.size_m(), gamma, samples, seed_);
   }
   const FactorMap shares =
       map_of(terrain_, [&](std::size_t i) { return cover_share(state.water_mm.values()[i]); });

@@ -7,7 +7,6 @@
 
 #include "core/ground_map.h"
 #include "scene/scene.h"
-#include "snow/facets.h"
 #include "snow/slide.h"
 #include "snow/snowpack_field.h"
 #include "snow/weather.h"
@@ -86,7 +85,6 @@ class SnowGround {
   HeightClasses classes_;
   GroundRise rise_;                 ///< in a season
   std::optional<SnowSlide> slide_;  ///< of cover "depth"
-  std::optional<Facets> facets_;    ///< of cover "paper"
 
   mutable std::mutex mutex_;                     ///< of what is kept between calls
   mutable Progress progress_;                    ///< of the latest call
