@@ -100,13 +100,17 @@ Flake Tornado::flake(std::uint64_t i, double time_s, double ground_m) const {
   const glm::dvec2 at = foot_m(time_s) + glm::dvec2(way, 0.6 * way) + whirl.radius_m * outwards;
   const glm::dvec2 level = whirl.velocity_m_s.x * outwards + whirl.velocity_m_s.y * ahead;
   const std::uint64_t bits = random_bits({key_, key_of("tornado"), i, key_of("look")});
+  // As fast as flakes that fall, FlakeMotion's.
+  const double spin_per_s = 2.5 * draw(i, key_of("spin rate")) - 1.25;
+  const double tilt_per_s = 0.5 + 2.0 * draw(i, key_of("tilt rate"));
   return {{at, ground_m + whirl.height_m},
           {level, whirl.velocity_m_s.z},
           flake_m_ * (0.6 + 0.8 * draw(i, key_of("size"))),
           Crystal::aggregate,
           bits,
           1.0F,
-          static_cast<float>(draw(i, key_of("spin")))};
+          static_cast<float>(off_whole(draw(i, key_of("spin")) + spin_per_s * time_s)),
+          static_cast<float>(off_whole(draw(i, key_of("tilt")) + tilt_per_s * time_s))};
 }
 
 }  // namespace wold::snow

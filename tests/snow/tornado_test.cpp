@@ -80,5 +80,19 @@ TEST(Tornado, FlakesGoOutwardsAsItWidens) {
   EXPECT_NEAR(out_m_s / count, expected_m_s / count, 0.4 * expected_m_s / count);
 }
 
+/// As the paper's flakes do: about the way to the eye and to either side of facing it.
+TEST(Tornado, FlakesTurn) {
+  const Tornado whirl = tornado();
+  const double step_s = 0.01;
+  double spun = 0.0, tilted = 0.0;
+  for (std::uint64_t i = 0; i < 500; ++i) {
+    const Flake before = whirl.flake(i, 10.0, 0.0), after = whirl.flake(i, 10.0 + step_s, 0.0);
+    spun += std::abs(std::remainder(after.spin_turns - before.spin_turns, 1.0F));
+    tilted += std::abs(std::remainder(after.tilt_turns - before.tilt_turns, 1.0F));
+  }
+  EXPECT_NEAR(spun / 500.0 / step_s, 0.625, 0.06);  // evenly spread up to 1.25 turns a second
+  EXPECT_NEAR(tilted / 500.0 / step_s, 1.5, 0.1);   // from 0.5 to 2.5
+}
+
 }  // namespace
 }  // namespace wold::snow
