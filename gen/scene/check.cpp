@@ -72,8 +72,19 @@ bool is_path(const std::string& text) {
          });
 }
 
+/// "EPSG:" and a number.
+bool is_system(std::string_view text) {
+  constexpr std::string_view authority = "EPSG:";
+  constexpr std::size_t most_digits = 6;
+  if (!text.starts_with(authority)) return text.empty();
+  const std::string_view digits = text.substr(authority.size());
+  return !digits.empty() && digits.size() <= most_digits &&
+         std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
+}
+
 bool is_text_of(const Key& key, const std::string& text) {
   if (key.kind == Kind::name) return is_file_name(text);
+  if (key.kind == Kind::system) return is_system(text);
   return key.kind == Kind::file ? is_path(text) : is_word(key, text);
 }
 

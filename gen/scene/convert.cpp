@@ -99,6 +99,7 @@ Outcome converted_to(const Key& key, const Node& node) {
     case Kind::name:
     case Kind::word:
     case Kind::file:
+    case Kind::system:
       return one<std::string>(node);
     case Kind::integers:
       return many<std::int64_t>(node);

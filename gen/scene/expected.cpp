@@ -85,6 +85,8 @@ std::string expected(const Key& key) {
              "or digit";
     case Kind::file:
       return "the path of a file, or \"\"";
+    case Kind::system:
+      return "\"EPSG:\" and a number of up to 6 digits, such as \"EPSG:4326\", or \"\"";
     case Kind::word:
       return words_text(key);
     case Kind::integers:

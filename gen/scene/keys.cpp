@@ -35,6 +35,11 @@ std::vector<Key> terrain_keys() {
                 "plain file; without it, the ground is terrain.shape. Relative paths start at the "
                 "scene file."),
           FIELD(terrain.elevation)),
+      bound(plain(Kind::system, "terrain.system", "", {0, 0},
+                  "Coordinate system of the elevation model, by its EPSG number, where the file "
+                  "does not say it or says another: 4326 is longitude and latitude; without "
+                  "either, its coordinates are metres."),
+            FIELD(terrain.system)),
       bound(list(Kind::numbers, "terrain.centre", "", {-1e8, 1e8}, {.fewest = 0, .most = 2},
                  "Middle of the square in the elevation model's own coordinates, east and north or "
                  "longitude and latitude; an empty list is the model's middle."),

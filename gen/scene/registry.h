@@ -22,6 +22,7 @@ enum class Kind {
   automatic,  ///< std::optional<double>; without a number the word "auto"
   word,       ///< std::string, one of `words`
   file,       ///< std::string, an absolute path, or empty
+  system,     ///< std::string, a coordinate system as "EPSG:4326", or empty
   files,      ///< std::vector<std::string>, absolute paths
   integers,   ///< std::vector<std::int64_t>
   numbers,    ///< std::vector<double>

@@ -27,6 +27,7 @@ struct CurveChoice {
 struct Terrain {
   std::string shape = "hillside";  ///< "hillside" or "mountain"
   std::string elevation;           ///< path of a raster that GDAL reads; empty: procedural
+  std::string system;  ///< the raster's, "EPSG:4326"; empty: as the raster says, else metres
   std::vector<double> centre;  ///< of the square, in the raster's coordinates; empty: its middle
   double size_m = 42.0;        ///< side of the square
   int samples = 337;           ///< heights per side

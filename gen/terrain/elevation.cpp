@@ -32,7 +32,9 @@ struct HeightScale {
 /// A raster that lies somewhere on the ground.
 class Raster {
  public:
-  explicit Raster(const std::filesystem::path& file) : file_(file.string()), dataset_(open(file)) {
+  /// `system`: its coordinate system, "EPSG:4326"; empty: as the file says.
+  Raster(const std::filesystem::path& file, const std::string& system)
+      : file_(file.string()), dataset_(open(file)), given_(system) {
     if (!dataset_)
       fail(fmt::format("expected an elevation model of one of these kinds: {}: {}",
                        fmt::join(elevation_drivers, ", "), CPLGetLastErrorMsg()));
@@ -41,6 +43,7 @@ class Raster {
       fail("it does not say where on the ground it lies (no geotransform)");
     require_place();
     require_rows_of_text();
+    if (!given_.empty()) take_system();
   }
 
   [[noreturn]] void fail(const std::string& reason) const {
@@ -48,7 +51,11 @@ class Raster {
   }
 
   GDALDataset& dataset() const { return *dataset_; }
-  const OGRSpatialReference* system() const { return dataset_->GetSpatialRef(); }
+  const OGRSpatialReference* system() const {
+    return given_.empty() ? dataset_->GetSpatialRef() : &given_system_;
+  }
+  /// What wins over the file's own; empty: nothing.
+  const std::string& given_system() const { return given_; }
   bool is_geographic() const { return system() != nullptr && system()->IsGeographic() != 0; }
 
   /// Where a place of the raster lies, from its upper left corner in cells.
@@ -60,18 +67,26 @@ class Raster {
     return place(dataset_->GetRasterXSize() / 2.0, dataset_->GetRasterYSize() / 2.0);
   }
 
+  /// Whether coordinates that nobody names lie on a globe's, with cells much too fine for metres.
+  bool looks_like_degrees() const {
+    constexpr double coarsest_cell = 0.1;  // 11 km; grids of metres are coarser than a decimetre
+    if (system() != nullptr) return false;
+    const auto [low, high] = corners();
+    const auto& t = transform_;
+    return low.x >= -180.0 && high.x <= 360.0 && low.y >= -90.0 && high.y <= 90.0 &&
+           std::max(std::hypot(t[1], t[4]), std::hypot(t[2], t[5])) < coarsest_cell;
+  }
+
+  /// What to do about that, as the end of a message.
+  std::string degrees_hint() const {
+    if (!looks_like_degrees()) return "";
+    return "; the file does not say its coordinate system and is taken for metres, but looks like "
+           "degrees: set terrain.system = \"EPSG:4326\"";
+  }
+
   /// "from 376313 to 412223 east and from ... north"
   std::string extent() const {
-    const double columns = dataset_->GetRasterXSize();
-    const double rows = dataset_->GetRasterYSize();
-    const std::array corners = {place(0, 0), place(columns, 0), place(0, rows),
-                                place(columns, rows)};
-    glm::dvec2 low = corners[0];
-    glm::dvec2 high = corners[0];
-    for (const glm::dvec2& corner : corners) {
-      low = glm::min(low, corner);
-      high = glm::max(high, corner);
-    }
+    const auto [low, high] = corners();
     const char* unit = is_geographic() ? " degrees" : "";
     return fmt::format("from {:.10g} to {:.10g}{} east and from {:.10g} to {:.10g}{} north", low.x,
                        high.x, unit, low.y, high.y, unit);
@@ -88,6 +103,30 @@ class Raster {
   }
 
  private:
+  struct Corners {
+    glm::dvec2 low, high;
+  };
+  Corners corners() const {
+    const double columns = dataset_->GetRasterXSize();
+    const double rows = dataset_->GetRasterYSize();
+    Corners box{place(0, 0), place(0, 0)};
+    for (const glm::dvec2& corner : {place(columns, 0), place(0, rows), place(columns, rows)})
+      box = {glm::min(box.low, corner), glm::max(box.high, corner)};
+    return box;
+  }
+
+  void take_system() {
+    constexpr std::size_t number = 5;  // after "EPSG:"
+    if (given_system_.importFromEPSG(std::stoi(given_.substr(number))) != OGRERR_NONE)
+      throw InputError(
+          fmt::format("terrain.system: found {}, expected the number of a coordinate system: {}",
+                      given_, CPLGetLastErrorMsg()));
+    if (given_system_.IsGeographic() == 0 && given_system_.IsProjected() == 0)
+      throw InputError(fmt::format(
+          "terrain.system: found {}, {}, expected a system of degrees or of metres on the ground",
+          given_, given_system_.GetName()));
+  }
+
   /// By the absolute path, which GDAL cannot take for anything but a file's.
   static GDALDatasetUniquePtr open(const std::filesystem::path& file) {
     require_regular_file(file);
@@ -121,6 +160,8 @@ class Raster {
 
   std::string file_;
   GDALDatasetUniquePtr dataset_;
+  std::string given_;
+  OGRSpatialReference given_system_;
   std::array<double, 6> transform_ = {};
 };
 
@@ -157,6 +198,7 @@ GDALDatasetUniquePtr warped(const Raster& raster, const LocalSystem& local, std:
                                     "-dstnodata", "nan", "-r",   std::move(resampling),
                                     "-et",        "0",   "-ovr", "NONE"};
   if (!local.definition.empty()) words.insert(words.end(), {"-t_srs", local.definition});
+  if (!raster.given_system().empty()) words.insert(words.end(), {"-s_srs", raster.given_system()});
   words.insert(words.end(), window.begin(), window.end());
   std::vector<char*> arguments(words.size() + 1, nullptr);
   std::transform(words.begin(), words.end(), arguments.begin(),
@@ -177,7 +219,9 @@ class Transformer {
  public:
   Transformer(const Raster& raster, const LocalSystem& local) {
     std::string target = "DST_SRS=" + local.definition;
-    std::array<char*, 2> options = {target.data(), nullptr};
+    std::string source = "SRC_SRS=" + raster.given_system();
+    std::array<char*, 3> options = {target.data(), source.data(), nullptr};
+    if (raster.given_system().empty()) options[1] = nullptr;
     if (local.definition.empty()) options[0] = nullptr;
     transformer_.reset(
         GDALCreateGenImgProjTransformer2(&raster.dataset(), nullptr, options.data()));
@@ -323,9 +367,9 @@ std::vector<double> filled_values(const Raster& raster, GDALRasterBand& band,
   if (2 * voids >= values.size())
     raster.fail(fmt::format(
         "{:.0f} % of the {} m (terrain.size) around [{:.10g}, {:.10g}] (terrain.centre) have no "
-        "height: the model reaches {}",
+        "height: the model reaches {}{}",
         100.0 * static_cast<double>(voids) / static_cast<double>(values.size()), size_m, centre.x,
-        centre.y, raster.extent()));
+        centre.y, raster.extent(), raster.degrees_hint()));
   const double farthest = 2.0 * band.GetXSize();
   // Otherwise it works in files of the current folder.
   std::string in_memory = "TEMP_FILE_DRIVER=MEM";
@@ -336,14 +380,23 @@ std::vector<double> filled_values(const Raster& raster, GDALRasterBand& band,
   return values_of(band);
 }
 
+/// Refuses degrees that were taken for metres: a landscape much higher than wide.
+void require_slopes(const Raster& raster, double rise_m, double size_m) {
+  constexpr double steepest = 10.0;
+  if (rise_m > steepest * size_m && raster.looks_like_degrees())
+    raster.fail(fmt::format("the ground rises by {:.4g} m within {:.4g} m (terrain.size){}", rise_m,
+                            size_m, raster.degrees_hint()));
+}
+
 }  // namespace
 
-Elevation read_elevation(const std::filesystem::path& file, const std::vector<double>& centre,
-                         int samples, double size_m) {
+Elevation read_elevation(const scene::Terrain& terrain) {
   const QuietGdal quiet;
-  const Raster raster(file);
+  const Raster raster(terrain.elevation, terrain.system);
+  const int samples = terrain.samples;
+  const double size_m = terrain.size_m;
   const glm::dvec2 middle =
-      centre.empty() ? raster.middle() : glm::dvec2(centre.at(0), centre.at(1));
+      terrain.centre.empty() ? raster.middle() : glm::dvec2(terrain.centre[0], terrain.centre[1]);
   const LocalSystem local = local_system(raster, middle);
   Elevation elevation{GroundMap<double>(samples, size_m), cell_m(raster, local)};
   require_heights(raster, cells_under(raster, local, size_m));
@@ -352,9 +405,10 @@ Elevation read_elevation(const std::filesystem::path& file, const std::vector<do
                                              window_options(local.centre, samples, size_m));
   const std::vector<double> stored =
       filled_values(raster, *square->GetRasterBand(1), middle, size_m);
-  double lowest_m = std::numeric_limits<double>::infinity();
   const HeightScale scale = raster.height_scale();
-  for (const double value : stored) lowest_m = std::min(lowest_m, scale.height_m(value));
+  const auto [low, high] = std::ranges::minmax_element(stored);
+  const auto [lowest_m, highest_m] = std::minmax({scale.height_m(*low), scale.height_m(*high)});
+  require_slopes(raster, highest_m - lowest_m, size_m);
   auto from = stored.begin();
   for (int j = samples - 1; j >= 0; --j)  // rows run southwards
     for (int i = 0; i < samples; ++i)

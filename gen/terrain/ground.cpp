@@ -14,8 +14,7 @@ namespace wold::terrain {
 namespace {
 
 Heightfield real_place(const scene::Terrain& terrain, std::uint64_t seed) {
-  Elevation place =
-      read_elevation(terrain.elevation, terrain.centre, terrain.samples, terrain.size_m);
+  Elevation place = read_elevation(terrain);
   const double feature_m = std::min(place.cell_m, terrain.relief_feature_m);
   const double share = std::pow(feature_m / terrain.relief_feature_m, terrain.roughness);
   add_fractal_relief(place.heights_m, terrain, seed, terrain.relief_m * share, feature_m);

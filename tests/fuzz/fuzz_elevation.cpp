@@ -12,7 +12,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
   using namespace wold;
   const fuzz::ScratchFile file(bytes, count);
   try {
-    const terrain::Elevation elevation = terrain::read_elevation(file.path(), {}, 9, 60.0);
+    const terrain::Elevation elevation =
+        terrain::read_elevation({.elevation = file.path().string(), .size_m = 60.0, .samples = 9});
     for (const double height_m : elevation.heights_m.values())
       if (!(std::isfinite(height_m) && height_m >= 0.0)) std::abort();
   } catch (const InputError&) {

@@ -56,6 +56,8 @@ Value another_value(const Key& key, const Value& value) {
       return "other";
     case Kind::file:
       return "/other";
+    case Kind::system:
+      return "EPSG:4326";
     case Kind::word:
       return key.words[key.words[0] == std::get<std::string>(value) ? 1 : 0];
     case Kind::integers: {

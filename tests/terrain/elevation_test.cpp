@@ -65,6 +65,15 @@ class ElevationTest : public testing::Test {
   wold::test::TemporaryFolder folder_{"elevation"};
 };
 
+Elevation read_elevation(const std::filesystem::path& file, const std::vector<double>& centre,
+                         int samples, double size_m, const std::string& system = "") {
+  return terrain::read_elevation({.elevation = file.string(),
+                                  .system = system,
+                                  .centre = centre,
+                                  .size_m = size_m,
+                                  .samples = samples});
+}
+
 /// Rise per metre to the east and to the north, between opposite ends of the middle lines.
 glm::dvec2 rise(const Elevation& place) {
   const int last = place.heights_m.samples() - 1;
@@ -186,6 +195,49 @@ TEST_F(ElevationTest, SaysWhereTheModelIsWhenTheSceneLiesBeside) {
   std::fputs("no raster", out);
   std::fclose(out);
   EXPECT_THROW(read_elevation(text, {}, 33, 100.0), InputError);
+}
+
+/// What is said of a model that cannot be read.
+std::string fault_of(const std::function<void()>& reading) {
+  try {
+    reading();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// A common .asc: degrees, and nothing says so.
+TEST_F(ElevationTest, DegreesThatNobodyNamesAreNotTakenForMetres) {
+  const auto file = write({nullptr, 9.9, 60.1, 0.002, 100, 100,
+                           [](double lon, double) { return 5580.0 * (lon - 10.0); }},
+                          "AAIGrid");
+  const char* hint = "looks like degrees: set terrain.system = \"EPSG:4326\"";
+  EXPECT_NE(fault_of([&] { read_elevation(file, {}, 33, 1000.0); }).find(hint), std::string::npos);
+  // A square that the model covers, were it metres, would be a wall.
+  EXPECT_NE(fault_of([&] { read_elevation(file, {}, 33, 0.1); }).find(hint), std::string::npos);
+  const Elevation place = read_elevation(file, {}, 65, 1000.0, "EPSG:4326");
+  EXPECT_NEAR(rise(place).x, 0.1, 2e-4);
+  EXPECT_NEAR(place.cell_m, std::hypot(222.8, 111.6) / std::sqrt(2.0), 1.0);  // as long across
+  const auto metres = write({nullptr, 0.0, 40.0, 1.0, 40, 40, [](double, double) { return 7.0; }});
+  EXPECT_EQ(fault_of([&] {
+              read_elevation(metres, {90.0, 9.0}, 33, 10.0);
+            }).find("degrees"),
+            std::string::npos);
+}
+
+// What the scene says wins: the slope of UTM zone 11, stored as that of another zone.
+TEST_F(ElevationTest, TheSystemThatIsGivenWins) {
+  const auto slope = [](double east, double) { return 0.2 * (east - 5e5); };
+  const auto file = write({"EPSG:4326", 499000.0, 3800000.0, 20.0, 100, 100, slope});
+  const Elevation place = read_elevation(file, {500000.0, 3799000.0}, 101, 500.0, "EPSG:32611");
+  EXPECT_NEAR(rise(place).x, 0.2 * 0.9996, 1e-4);
+  for (const char* unknown : {"EPSG:1", "EPSG:999999", "EPSG:5773"})  // the last one is heights
+    EXPECT_EQ(fault_of([&] {
+                read_elevation(file, {}, 33, 500.0, unknown);
+              }).find("terrain.system: found EPSG:"),
+              0u)
+        << unknown;
 }
 
 }  // namespace
