@@ -11,10 +11,6 @@ constexpr float half_pi = std::numbers::pi_v<float> / 2.0F;
 /// Below this droop a blade is straight to float precision.
 constexpr float straight = 1e-3F;
 
-/// Lean of the most upright elastic blades, rad: a leaf parts from its shoot, it does not stand on
-/// it like a column that waits to buckle (modelling choice, 5 degrees).
-constexpr float least_lean = 5.0F * std::numbers::pi_v<float> / 180.0F;
-
 AxisPoint straight_axis(float lean, float arc_m) {
   const glm::vec2 direction(std::sin(lean), std::cos(lean));
   return {direction * arc_m, direction};
@@ -30,7 +26,8 @@ float arc_at_radius(float droop, float radius_m) {
   return 8.0F / (3.0F * cc) * std::expm1(1.5F * std::log1p(0.25F * cc * radius_m));
 }
 
-std::variant<PaperAxis, ElasticaAxis> axis_of(const Blade& blade, const BladePose& pose) {
+std::variant<PaperAxis, ElasticaAxis, VeinAxis> axis_of(const Blade& blade, const BladePose& pose) {
+  if (pose.vein) return VeinAxis(*pose.vein, blade.length_m * pose.length_scale);
   if (pose.rule == DroopRule::elastica)
     return ElasticaAxis(std::max(blade.lean, least_lean), pose.load,
                         blade.length_m * pose.length_scale);
@@ -76,6 +73,35 @@ AxisPoint ElasticaAxis::at(float arc_m) const {
   const double angle = from.angle + (to.angle - from.angle) * share;
   return {glm::vec2(glm::mix(from.place, to.place, share)) * length_m_,
           {std::sin(angle), std::cos(angle)}};
+}
+
+VeinAxis::VeinAxis(const VeinPlaces& places, float length_m)
+    : places_m_(places), length_m_(length_m) {
+  const auto below = std::find_if(places_m_.begin() + 1, places_m_.end(),
+                                  [](const glm::vec2& place) { return place.y < 0.0F; });
+  if (below == places_m_.end()) return;
+  // The segment that meets the ground stays as long as it is.
+  const float segment_m = length_m / vein_segments;
+  for (auto place = below; place != places_m_.end(); ++place) {
+    const glm::vec2& from = *(place - 1);
+    const float drop_m = std::min(from.y, segment_m);
+    *place = from + glm::vec2(std::sqrt(segment_m * segment_m - drop_m * drop_m), -drop_m);
+  }
+}
+
+AxisPoint VeinAxis::at(float arc_m) const {
+  const float place = std::clamp(arc_m / length_m_, 0.0F, 1.0F) * vein_segments;
+  const auto lower = std::min(static_cast<std::size_t>(place), std::size_t{vein_segments} - 1);
+  const float share = place - static_cast<float>(lower);
+  const auto segment = [&](std::size_t k) { return places_m_[k + 1] - places_m_[k]; };
+  const auto at_joint = [&](std::size_t k) {
+    if (k == 0) return segment(0);
+    if (k == vein_segments) return segment(vein_segments - 1);
+    return segment(k - 1) + segment(k);
+  };
+  const glm::vec2 from = glm::normalize(at_joint(lower)), to = glm::normalize(at_joint(lower + 1));
+  return {glm::mix(places_m_[lower], places_m_[lower + 1], share),
+          glm::normalize(glm::mix(from, to, share))};
 }
 
 BladeAxis::BladeAxis(const Blade& blade, const BladePose& pose) : axis_(axis_of(blade, pose)) {}

@@ -1,12 +1,17 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <numbers>
 #include <variant>
 
 #include "grass/blade.h"
 #include "grass/elastica.h"
 
 namespace wold::grass {
+
+/// Lean of the most upright elastic blades, rad: a leaf parts from its shoot, it does not stand on
+/// it like a column that waits to buckle (modelling choice, 5 degrees).
+inline constexpr float least_lean = 5.0F * std::numbers::pi_v<float> / 180.0F;
 
 /// A point of a blade's axis: place relative to the root and the unit tangent, both within the
 /// vertical plane of the blade: (along heading, up).
@@ -73,7 +78,20 @@ class ElasticaAxis {
   double touch_place_ = 0.0;  ///< that place along the heading, in lengths
 };
 
-/// The axis of a blade in a pose, by the pose's rule: made once, then sampled.
+/// An axis through the points of a vein. From where it would sink below the ground, the rest lies
+/// on it.
+class VeinAxis {
+ public:
+  VeinAxis(const VeinPlaces& places, float length_m);
+  AxisPoint at(float arc_m) const;
+
+ private:
+  VeinPlaces places_m_;
+  float length_m_;
+};
+
+/// The axis of a blade in a pose: its vein's where Algorithm 1 has moved it, else the closed form
+/// of the pose's rule. Made once, then sampled.
 class BladeAxis {
  public:
   BladeAxis(const Blade& blade, const BladePose& pose);
@@ -81,7 +99,7 @@ class BladeAxis {
   AxisPoint at(float arc_m) const;
 
  private:
-  std::variant<PaperAxis, ElasticaAxis> axis_;
+  std::variant<PaperAxis, ElasticaAxis, VeinAxis> axis_;
 };
 
 }  // namespace wold::grass

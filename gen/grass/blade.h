@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <vector>
 
 #include "scene/scene.h"
@@ -44,6 +46,12 @@ Blade mean_blade(const scene::Grass& grass, const scene::Ageing& ageing);
 /// How blades bow: turning about their roots (paper 1), or as elastic blades under their weight.
 enum class DroopRule { paper, elastica };
 
+/// Segments between the points of a blade's vein that Algorithm 1 moves.
+inline constexpr int vein_segments = 32;
+/// Where those points are relative to the root, at equal distances along the blade, within its
+/// vertical plane: (along heading, up), metres.
+using VeinPlaces = std::array<glm::vec2, vein_segments + 1>;
+
 /// How far a blade has withered, and what it bears.
 struct BladePose {
   DroopRule rule = DroopRule::paper;
@@ -53,6 +61,8 @@ struct BladePose {
   float vein_width = 1.0F;       ///< of distances from the axis, vein tissue
   float mesophyll_width = 1.0F;  ///< the same, mesophyll tissue
   float snow = 0.0F;             ///< share of the snow it can carry, 0 to 1
+  /// Its axis as Algorithm 1 has moved it; none: the closed form of the rule.
+  std::shared_ptr<const VeinPlaces> vein = {};
 };
 
 }  // namespace wold::grass

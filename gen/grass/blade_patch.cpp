@@ -4,6 +4,7 @@
 #include <numbers>
 #include <optional>
 
+#include "core/parallel.h"
 #include "grass/samples.h"
 #include "grass/snow_ridge.h"
 
@@ -13,16 +14,25 @@ WitheringPatch::WitheringPatch(const scene::Scene& scene, const AgeingModel& mod
     : model_(model), patch_m_(scene.grass.patch_m), rates_(ageing_rates(scene.grass)) {
   for (int sample = 0; sample < sample_count(scene.grass); ++sample)
     samples_.push_back(scatter_blades(scene.grass, scene.ageing, scene.seed, variant, sample));
+  if (!model.moves_points()) return;
+  for (const std::vector<Blade>& blades : samples_) {
+    auto& histories = histories_.emplace_back(blades.size());
+    parallel_for(blades.size(), [&](std::size_t i) { histories[i] = model.history(blades[i]); });
+  }
 }
 
 BladePatch WitheringPatch::at(double weathering, double snow) const {
   BladePatch patch;
   patch.patch_m = patch_m_;
   for (std::size_t sample = 0; sample < samples_.size(); ++sample)
-    for (const Blade& blade : samples_[sample]) {
+    for (std::size_t i = 0; i < samples_[sample].size(); ++i) {
+      const Blade& blade = samples_[sample][i];
+      const double age = AgeingModel::blade_age(blade, rates_[sample](weathering));
       patch.blades.push_back(blade);
-      patch.ages.push_back(AgeingModel::blade_age(blade, rates_[sample](weathering)));
-      patch.poses.push_back(model_.pose(blade, patch.ages.back(), snow));
+      patch.ages.push_back(age);
+      patch.poses.push_back(histories_.empty()
+                                ? model_.pose(blade, age, snow)
+                                : model_.pose(blade, histories_[sample][i].at(age), age, snow));
     }
   return patch;
 }

@@ -29,6 +29,7 @@ class WitheringPatch {
   double patch_m_;
   std::vector<Curve> rates_;
   std::vector<std::vector<Blade>> samples_;
+  std::vector<std::vector<BladeHistory>> histories_;  ///< where Algorithm 1 moves blades
 };
 
 /// What is seen of a place of a blade.

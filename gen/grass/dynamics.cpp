@@ -5,6 +5,7 @@
 
 #include "core/parallel.h"
 #include "grass/ageing_curves.h"
+#include "grass/merging.h"
 
 namespace wold::grass {
 namespace {
@@ -26,32 +27,6 @@ struct CrossSection {
         across(-blade.heading.y, blade.heading.x, 0.0F) {}
   glm::vec3 along, side, across;
 };
-
-/// Puts what a point stands for into another one of its blade and tissue.
-void merge_into(Points& points, std::uint32_t to, std::uint32_t from) {
-  const float share = points.area_m2[from] / (points.area_m2[to] + points.area_m2[from]);
-  const auto mean = [&](auto& values) { values[to] += (values[from] - values[to]) * share; };
-  mean(points.side_m);
-  mean(points.across_m);
-  mean(points.position_m);
-  mean(points.albedo);
-  mean(points.specular);
-  points.rest_area_m2[to] += points.rest_area_m2[from];
-  points.area_m2[to] += points.area_m2[from];
-  points.rest_area_m2[from] = 0.0F;
-  points.area_m2[from] = 0.0F;
-}
-
-void merge_blade(Points& points, std::uint32_t begin, std::uint32_t end, float distance_m) {
-  for (std::uint32_t i = begin; i < end; ++i) {
-    if (points.area_m2[i] == 0.0F) continue;
-    for (std::uint32_t j = i + 1; j < end && points.arc_m[j] - points.arc_m[i] < distance_m; ++j) {
-      if (points.area_m2[j] == 0.0F || points.vein[i] != points.vein[j]) continue;
-      const glm::vec3 apart = points.position_m[i] - points.position_m[j];
-      if (glm::dot(apart, apart) < distance_m * distance_m) merge_into(points, i, j);
-    }
-  }
-}
 
 }  // namespace
 
@@ -88,7 +63,18 @@ double AgeingModel::local_age(double age, double along) {
 }
 
 BladePose AgeingModel::pose(const Blade& blade, double age, double snow) const {
+  if (moves_points()) return pose(blade, motion(blade).at(age), age, snow);
   return blade_pose(blade, ageing_, 1.0 - water_(age), heaviest_load_(age), snow);
+}
+
+BladePose AgeingModel::pose(const Blade& blade, const VeinState& state, double age,
+                            double snow) const {
+  const double water_lost = 1.0 - water_(age);
+  BladePose pose = blade_pose(blade, ageing_, water_lost, heaviest_load_(age), snow);
+  const double length_m = double{blade.length_m} * double{pose.length_scale};
+  pose.vein = std::make_shared<const VeinPlaces>(
+      vein_places(blade, ageing_, state, water_lost, length_m, snow));
+  return pose;
 }
 
 glm::vec3 AgeingModel::albedo(const Blade& blade, double age, double along) const {
@@ -105,14 +91,22 @@ PointDynamics::PointDynamics(const AgeingModel& model, std::vector<Blade> blades
       blades_(std::move(blades)),
       points_(std::move(points)),
       merge_distance_m_(static_cast<float>(merge_distance_m)),
-      poses_(blades_.size()) {}
+      poses_(blades_.size()) {
+  if (!model_.moves_points()) return;
+  motions_.reserve(blades_.size());
+  for (const Blade& blade : blades_) motions_.push_back(model_.motion(blade));
+  frames_.resize(points_.size());
+  frames_before_.resize(points_.size());
+  parallel_for(blades_.size(), [&](std::size_t blade) { rest_frames(blade); });
+}
 
 void PointDynamics::advance_to(double weathering) {
   weathering_ = weathering;
+  frames_before_.swap(frames_);
   parallel_for(blades_.size(), [&](std::size_t blade) {
     stand(blade, weathering, /*snow=*/0.0);
-    merge_blade(points_, points_.blade_begin[blade], points_.blade_begin[blade + 1],
-                merge_distance_m_);
+    merge_points(points_, blade, merge_distance_m_);
+    if (!motions_.empty()) keep_frames(blade);
   });
 }
 
@@ -124,6 +118,7 @@ void PointDynamics::stand(std::size_t blade, double weathering, double snow) {
   const WitheredBlade now = apply_forces(blade, weathering, snow);
   move(blade, now);
   update_frames(blade);
+  if (!motions_.empty()) follow_frames(blade);
   update_material(blade, now);
 }
 
@@ -131,7 +126,7 @@ PointDynamics::WitheredBlade PointDynamics::apply_forces(std::size_t number, dou
                                                          double snow) {
   const Blade& blade = blades_[number];
   const double age = AgeingModel::blade_age(blade, weathering);
-  poses_[number] = model_.pose(blade, age, snow);
+  poses_[number] = pose(number, age, snow);
   const float length_m = blade.length_m * poses_[number].length_scale;
   const BladeAxis axis(blade, poses_[number]);
   WitheredBlade now;
@@ -143,6 +138,12 @@ PointDynamics::WitheredBlade PointDynamics::apply_forces(std::size_t number, dou
   }
   now.specular = model_.specular(age);
   return now;
+}
+
+BladePose PointDynamics::pose(std::size_t number, double age, double snow) {
+  const Blade& blade = blades_[number];
+  if (motions_.empty()) return model_.pose(blade, age, snow);
+  return model_.pose(blade, motions_[number].at(age), age, snow);
 }
 
 void PointDynamics::move(std::size_t number, const WitheredBlade& now) {
@@ -178,6 +179,30 @@ void PointDynamics::update_frames(std::size_t number) {
     points_.normal[i] =
         (points_.side_m[i] * section.side + points_.across_m[i] * section.across) / distance;
   }
+}
+
+void PointDynamics::rest_frames(std::size_t number) {
+  const Blade& blade = blades_[number];
+  const CrossSection section(blade, {std::sin(blade.lean), std::cos(blade.lean)});
+  for (std::uint32_t i = points_.blade_begin[number]; i < points_.blade_begin[number + 1]; ++i) {
+    const glm::vec3 off_m = points_.side_m[i] * section.side + points_.across_m[i] * section.across;
+    const bool on_vein = points_.vein[i] != 0 || off_m == glm::vec3(0.0F);
+    frames_[i] = {glm::vec3(blade.root_m, 0.0F) + points_.arc_m[i] * section.along + off_m,
+                  section.along, on_vein ? off_m * 0.0F : glm::normalize(off_m)};
+  }
+}
+
+void PointDynamics::follow_frames(std::size_t number) {
+  for (std::uint32_t i = points_.blade_begin[number]; i < points_.blade_begin[number + 1]; ++i) {
+    const PointFrame moved = moved_frame(frames_before_[i], points_.position_m[i]);
+    points_.tangent[i] = moved.tangent;
+    points_.normal[i] = moved.normal;
+  }
+}
+
+void PointDynamics::keep_frames(std::size_t number) {
+  for (std::uint32_t i = points_.blade_begin[number]; i < points_.blade_begin[number + 1]; ++i)
+    frames_[i] = {points_.position_m[i], points_.tangent[i], points_.normal[i]};
 }
 
 void PointDynamics::update_material(std::size_t number, const WitheredBlade& now) {

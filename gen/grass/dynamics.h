@@ -6,6 +6,8 @@
 #include "core/curve.h"
 #include "grass/axis.h"
 #include "grass/blade.h"
+#include "grass/blade_motion.h"
+#include "grass/frames.h"
 #include "grass/leaf_colour.h"
 #include "grass/mechanics.h"
 #include "grass/points.h"
@@ -23,8 +25,15 @@ class AgeingModel {
   /// The blade's own weathering degree when the meadow's is `weathering`: from its head start to 1,
   /// monotone, ahead or behind by its onset in between.
   static double blade_age(const Blade& blade, double weathering);
-  /// `snow`: share of the snow it can carry that lies on it, 0 to 1.
+  /// `snow`: share of the snow it can carry that lies on it, 0 to 1. Where Algorithm 1 moves blades
+  /// it steps there from the first age on: 0.2 ms.
   BladePose pose(const Blade& blade, double age, double snow = 0.0) const;
+  /// The same where Algorithm 1 has moved the blade to that state of this age.
+  BladePose pose(const Blade& blade, const VeinState& state, double age, double snow) const;
+  /// Whether Algorithm 1 moves blades (ageing.motion), not a closed form.
+  bool moves_points() const { return ageing_.motion == "points"; }
+  BladeMotion motion(const Blade& blade) const { return {blade, ageing_, water_}; }
+  BladeHistory history(const Blade& blade) const { return {blade, ageing_, water_}; }
   /// Leaves die from the tip down: age at `along`, 0 at the root to 1 at the tip.
   static double local_age(double age, double along);
   /// Albedo of a blade of that age at `along`.
@@ -50,7 +59,8 @@ class PointDynamics {
 
   /// One step: forces, motion, frame, material, merging. `weathering` in [0, 1], not before the
   /// last one. The state depends on `weathering` alone, not on the steps that led there, but for
-  /// merged points, which stay merged. Blades are free of snow afterwards.
+  /// merged points, which stay merged, and, where Algorithm 1 moves blades, for the points' frames,
+  /// which follow their ways (frames.h). Blades are free of snow afterwards.
   void advance_to(double weathering);
 
   /// The blades as they stand at the last step's weathering under snow: `snow` in [0, 1] is the
@@ -78,7 +88,13 @@ class PointDynamics {
   void stand(std::size_t blade, double weathering, double snow);
   WitheredBlade apply_forces(std::size_t blade, double weathering, double snow);
   void move(std::size_t blade, const WitheredBlade& now);
+  /// Frames from the axis.
   void update_frames(std::size_t blade);
+  /// Frames by figure 6a: from those of the step before, at first those at rest.
+  void rest_frames(std::size_t blade);
+  void follow_frames(std::size_t blade);
+  void keep_frames(std::size_t blade);
+  BladePose pose(std::size_t blade, double age, double snow);
   void update_material(std::size_t blade, const WitheredBlade& now);
 
   const AgeingModel& model_;
@@ -87,6 +103,10 @@ class PointDynamics {
   float merge_distance_m_;
   double weathering_ = 0.0;
   std::vector<BladePose> poses_;
+  // Where Algorithm 1 moves blades, else empty.
+  std::vector<BladeMotion> motions_;
+  std::vector<PointFrame> frames_before_;  ///< of the points at the step before
+  std::vector<PointFrame> frames_;         ///< at this step, without snow
 };
 
 }  // namespace wold::grass

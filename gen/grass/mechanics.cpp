@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "grass/snow_ridge.h"
+#include "grass/vein_forces.h"
 
 namespace wold::grass {
 namespace {
@@ -17,7 +18,6 @@ constexpr double fresh_vein_pa = 0.5e9;
 constexpr double fresh_mesophyll_pa = 5e6;
 constexpr double vein_share = 0.1;
 
-constexpr double gravity_m_s2 = 9.81;
 /// Of the whole fresh leaf, with the air in it (modelling choice).
 constexpr double leaf_kg_m3 = 800.0;
 /// Of a fresh leaf (modelling choice, fresh_load()).
@@ -37,14 +37,22 @@ constexpr double thinnest = 0.1;
 /// Linear scale of a body that lost this share of its volume alike in all directions.
 double linear_scale(double volume_strain) { return std::cbrt(1.0 - volume_strain); }
 
+/// What remains of turgor, 1 to 0.
+double turgor_left(double water_lost) { return std::max(1.0 - water_lost / turgor_loss, 0.0); }
+
+/// Of a blade's second moment of area, cubed thickness.
+double relative_section(const scene::Ageing& ageing, double water_lost) {
+  const double thickness =
+      std::max(1.0 - tissue_state(ageing, water_lost).strain_mesophyll, thinnest);
+  return thickness * thickness * thickness;
+}
+
 /// E I of a blade after `water_lost`, that of the fresh one being 1.
 double relative_stiffness(const scene::Ageing& ageing, double water_lost) {
   const TissueState tissue = tissue_state(ageing, water_lost);
-  const double turgor = std::max(1.0 - water_lost / turgor_loss, 0.0);
   const double modulus = (1.0 - ageing.turgor_support) * tissue.modulus_vein_pa / fresh_vein_pa +
-                         ageing.turgor_support * turgor;
-  const double thickness = std::max(1.0 - tissue.strain_mesophyll, thinnest);
-  return modulus * thickness * thickness * thickness;
+                         ageing.turgor_support * turgor_left(water_lost);
+  return modulus * relative_section(ageing, water_lost);
 }
 
 }  // namespace
@@ -74,9 +82,37 @@ double fresh_load(const Blade& blade) {
          (fresh_vein_pa * depth_m * depth_m);
 }
 
+double fresh_mass_kg_m(const Blade& blade) {
+  return leaf_kg_m3 * leaf_thickness_m * 2.0 * double{blade.radius_m};
+}
+
+double fresh_stiffness_n_m2(const Blade& blade) {
+  const double length_m = double{blade.length_m};
+  return fresh_mass_kg_m(blade) * gravity_m_s2 * length_m * length_m * length_m / fresh_load(blade);
+}
+
+double relative_weight(double water_lost) { return 1.0 - water_mass_share * water_lost; }
+
+double relative_snow_weight() { return snow_per_leaf; }
+
+double wall_stiffness(const scene::Ageing& ageing, double water_lost) {
+  return (1.0 - ageing.turgor_support) * (1.0 + ageing.stiffening * water_lost) *
+         relative_section(ageing, water_lost);
+}
+
+double turgor_stiffness(const scene::Ageing& ageing, double water_lost) {
+  return ageing.turgor_support * turgor_left(water_lost) * relative_section(ageing, water_lost);
+}
+
+double recovered_loss(const scene::Ageing& ageing, double water_lost, double most_lost) {
+  const auto sunk = [&](double lost) {
+    return relieved_loss(std::min(lost, turgor_loss), ageing.stiffening);
+  };
+  return ageing.turgor_support * (sunk(most_lost) - sunk(water_lost));
+}
+
 double relative_load(const scene::Ageing& ageing, double water_lost) {
-  const double weight = 1.0 - water_mass_share * water_lost;
-  return weight / relative_stiffness(ageing, water_lost);
+  return relative_weight(water_lost) / relative_stiffness(ageing, water_lost);
 }
 
 Curve heaviest_load(const scene::Ageing& ageing, const Curve& water) {

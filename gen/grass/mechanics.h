@@ -37,6 +37,25 @@ TissueState tissue_state(const scene::Ageing& ageing, double water_lost);
 /// three to five times t makes it stiffer 10 to 30 times.
 double fresh_load(const Blade& blade);
 
+/// Mass of a fresh blade per length, kg/m, and E I with which it bears fresh_load().
+double fresh_mass_kg_m(const Blade& blade);
+double fresh_stiffness_n_m2(const Blade& blade);
+
+/// Weight of a blade after `water_lost`, that of the fresh one being 1; of the snow that one can
+/// carry.
+double relative_weight(double water_lost);
+double relative_snow_weight();
+
+/// Parts of a blade's E I after `water_lost`, that of the fresh one being 1: its cell walls', and
+/// what turgor adds to it.
+double wall_stiffness(const scene::Ageing& ageing, double water_lost);
+double turgor_stiffness(const scene::Ageing& ageing, double water_lost);
+
+/// What comes back of relieved_loss(most_lost), which moves blades by the paper's rule, when
+/// `water_lost` <= `most_lost` is all that is lacking again: of what sank while turgor went, the
+/// share that turgor bears.
+double recovered_loss(const scene::Ageing& ageing, double water_lost, double most_lost);
+
 /// The load after `water_lost` (0 to 1), that of the fresh blade being 1. Weight goes with the
 /// water; the walls stiffen as they dry, E(x) = E0 (1 + b x), turgor's share of the stiffness is
 /// gone at the turgor loss point, and the blade grows thinner by the volume its soft tissue loses

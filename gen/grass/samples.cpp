@@ -9,9 +9,6 @@
 namespace wold::grass {
 namespace {
 
-/// Points closer than this share of a voxel cannot be told apart in the texel.
-constexpr double merge_voxels = 0.1;
-
 std::uint64_t point_seed(std::uint64_t seed, int variant, int sample) {
   return random_bits({seed, key_of("points"), static_cast<std::uint64_t>(variant),
                       static_cast<std::uint64_t>(sample)});
@@ -35,7 +32,7 @@ Samples::Samples(const scene::Scene& scene, const TexelShape& shape, int variant
     auto points = sample_points(blades, shape, scene.grass.proportion,
                                 point_seed(scene.seed, variant, sample));
     samples_.emplace_back(model, std::move(blades), std::move(points),
-                          merge_voxels * shape.voxel_m);
+                          scene.ageing.merge_distance_voxels * shape.voxel_m);
   }
 }
 

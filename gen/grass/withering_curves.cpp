@@ -11,6 +11,7 @@
 #include "grass/ageing_curves.h"
 #include "grass/axis.h"
 #include "grass/blade.h"
+#include "grass/dynamics.h"
 #include "grass/leaf_colour.h"
 #include "grass/leaf_optics.h"
 #include "grass/pigments.h"
@@ -59,7 +60,7 @@ class Withering {
         blade_(mean_blade(scene.grass, scene.ageing)),
         chlorophyll_(load_curve(CurveKind::chlorophyll, ageing_.chlorophyll)),
         water_(load_curve(CurveKind::water, ageing_.water)),
-        heaviest_load_(heaviest_load(ageing_, water_)),
+        model_(ageing_, scene.grass.specular),
         optics_(load_leaf_spectra()),
         colour_(ageing_) {}
 
@@ -70,8 +71,7 @@ class Withering {
     state.water = water_(weathering);
     state.carotenoid = carotenoid_share(ageing_, state.water);
     state.tissue = tissue_state(ageing_, 1.0 - state.water);
-    state.tip_angle_deg = tip_angle_deg(
-        blade_, blade_pose(blade_, ageing_, 1.0 - state.water, heaviest_load_(weathering)));
+    state.tip_angle_deg = tip_angle_deg(blade_, model_.pose(blade_, weathering));
     state.srgb = encoded(colour_(weathering).reflectance);
     state.reflectance =
         withered_spectrum(ageing_, optics_, state.chlorophyll, state.water).reflectance;
@@ -85,7 +85,7 @@ class Withering {
   Blade blade_;
   Curve chlorophyll_;
   Curve water_;
-  Curve heaviest_load_;
+  AgeingModel model_;
   LeafOptics optics_;
   LeafColour colour_;
 };

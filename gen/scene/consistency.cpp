@@ -152,6 +152,15 @@ Rule hair_droops_by_the_papers_rule(const Ageing& ageing) {
                       ageing.droop_rule, ageing.fur.clumps)};
 }
 
+Rule hair_moves_in_closed_form(const Ageing& ageing) {
+  return {
+      {"ageing.motion", "fur.clumps"},
+      ageing.fur.clumps == 0 || ageing.motion == "closed_form",
+      fmt::format("ageing.motion: found \"{}\", expected \"closed_form\" for fur (fur.clumps is "
+                  "{}): hairs stand up as they dry, Algorithm 1 lets blades fall",
+                  ageing.motion, ageing.fur.clumps)};
+}
+
 Rule patch_fits(const Scene& scene) {
   const double size_m = scene.terrain.size_m;
   const double patch_m = scene.grass.patch_m;
@@ -271,6 +280,7 @@ void report_contradictions(const Scene& scene, const Places& places,
       veins_shrink_less(scene.ageing),
       keel_fits_the_blade(scene),
       hair_droops_by_the_papers_rule(scene.ageing),
+      hair_moves_in_closed_form(scene.ageing),
       inside_terrain("camera.eye", scene.camera.eye_m, scene.terrain.size_m),
       inside_terrain("camera.target", scene.camera.target_m, scene.terrain.size_m),
       date_is_a_day(scene.sun),

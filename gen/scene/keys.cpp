@@ -190,6 +190,14 @@ std::vector<Key> ageing_keys() {
                  "How blades bow: about their roots by the paper's rule, or as elastic blades "
                  "under their own weight."),
             FIELD(ageing.droop_rule)),
+      bound(word("ageing.motion", {"closed_form", "points"},
+                 "How blades get there: by the rule's closed form, or point by point through the "
+                 "weathering degrees (Algorithm 1 of the paper)."),
+            FIELD(ageing.motion)),
+      bound(number("ageing.merge_distance", "voxels", {0, 100},
+                   "Points of a blade that are nearer to each other than this become one; 0 merges "
+                   "none."),
+            FIELD(ageing.merge_distance_voxels)),
       bound(number("ageing.droop", "rad/sqrt(m)", {0, 50},
                    "Bending towards the ground with all water lost, by the paper's rule."),
             FIELD(ageing.droop)),

@@ -104,6 +104,8 @@ struct Ageing {
   double mesophyll_shrinkage = 0.6;            ///< km > kv
   double stiffening = 2.0;                     ///< b: E(w) = E0 (1 + b (1 - w))
   std::string droop_rule = "paper";            ///< "paper" or "elastica"
+  std::string motion = "closed_form";          ///< "closed_form" or "points"
+  double merge_distance_voxels = 0.1;          ///< points nearer than this become one
   double droop = 2.6;                          ///< omega: rad per sqrt(m) and unit of water lost
   double turgor_support = 0.7;                 ///< share of a fresh blade's stiffness, elastica
   double droop_spread = 0.3;                   ///< of omega from blade to blade

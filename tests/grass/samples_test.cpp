@@ -4,6 +4,7 @@
 
 #include "core/vdb_dense.h"
 #include "grass/ageing_curves.h"
+#include "grass/blade_patch.h"
 #include "grass/rasterise.h"
 #include "grass/texel_file.h"
 #include "grass/time_varying_texel.h"
@@ -60,6 +61,51 @@ TEST(Samples, ShareTheBladesOutEvenly) {
   EXPECT_EQ(blades(0), 4U);
   EXPECT_EQ(blades(1), 4U);
   EXPECT_EQ(blades(2), 3U);
+}
+
+// ageing.merge_distance is in voxels: none at 0, most points within a whole one of another.
+TEST(Samples, MergePointsWithinTheScenesDistance) {
+  const auto left = [](double voxels) {
+    scene::Scene scene = mingled({}, 30);
+    scene.ageing.merge_distance_voxels = voxels;
+    Meadow meadow(scene);
+    meadow.samples.advance_to(0.3);
+    std::ptrdiff_t standing = 0;
+    double area_m2 = 0.0;
+    for (float area : meadow.samples.all()[0].points().area_m2) {
+      standing += area > 0.0F ? 1 : 0;
+      area_m2 += double{area};
+    }
+    return std::pair{standing, area_m2};
+  };
+  const auto none = left(0.0), few = left(0.4), many = left(1.0);
+  EXPECT_EQ(static_cast<std::size_t>(none.first), Meadow(mingled({}, 30)).samples.points());
+  EXPECT_LT(few.first, none.first);
+  EXPECT_LT(many.first, few.first);
+  EXPECT_LT(many.first, none.first * 2 / 3);
+  EXPECT_NEAR(many.second / none.second, 1.0, 1e-3);
+}
+
+// The texel's points and the meshes of the blades are one meadow.
+TEST(Samples, StepToWhereTheBladesOfThePatchAre) {
+  for (const char* rule : {"paper", "elastica"}) {
+    scene::Scene scene = mingled({"early", "late"}, 40);
+    scene.ageing.motion = "points";
+    scene.ageing.droop_rule = rule;
+    Meadow meadow(scene);
+    for (double weathering : {0.1, 0.45, 0.8}) {
+      meadow.samples.advance_to(weathering);
+      const BladePatch patch = WitheringPatch(scene, meadow.model, 0).at(weathering);
+      std::size_t i = 0;
+      for (const PointDynamics& sample : meadow.samples.all())
+        for (const BladePose& pose : sample.poses()) {
+          ASSERT_TRUE(pose.vein && patch.poses[i].vein);
+          ASSERT_EQ(*pose.vein, *patch.poses[i].vein);
+          ++i;
+        }
+      EXPECT_EQ(i, patch.poses.size());
+    }
+  }
 }
 
 TEST(Samples, HaveBladesOfTheirOwn) {

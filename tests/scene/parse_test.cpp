@@ -202,6 +202,9 @@ TEST(Parse, ChecksKeysAgainstEachOther) {
   EXPECT_NO_THROW(parse_scene("[grass]\nwidth = 0.002\n", "a.toml"));
   expect_problem("[ageing]\ndroop_rule = \"elastic\"\n",
                  "a.toml:2:14: ageing.droop_rule: found \"elastic\", expected \"paper\"");
+  expect_problem("[fur]\nclumps = 3\n[ageing]\nmotion = \"points\"\n",
+                 "a.toml:4:1: ageing.motion: found \"points\", expected \"closed_form\" for fur");
+  expect_problem("[ageing]\nmerge_distance = -1\n", "a.toml:2:18: ageing.merge_distance: found -1");
   // A size that is wrong by itself is not held against the camera as well.
   expect_problem("[terrain]\nsize = -5\n[camera]\neye = [100, 5]\n",
                  "a.toml:2:8: terrain.size: found -5 m");
