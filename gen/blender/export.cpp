@@ -13,7 +13,6 @@
 #include "blender/frame_data.h"
 #include "blender/shown_volumes.h"
 #include "blender/volume_file.h"
-#include "core/file_list.h"
 #include "core/files.h"
 #include "core/parallel.h"
 #include "landscape/expectation.h"
@@ -97,8 +96,9 @@ std::vector<fs::path> export_frame(const Landscape& landscape, const fs::path& f
   const ShownVolumes shown(landscape);
   const std::vector<VolumeEntry> entries = write_volumes(landscape, shown, volume_folder);
   write_expected_picture(frame_folder / "expected.json", landscape::expected_picture(landscape));
-  write_frame_data(landscape, frame_folder, entries, shown.picks(), folder / "data");
-  std::vector<fs::path> files = files_below(frame_folder);
+  std::vector<fs::path> files =
+      write_frame_data(landscape, frame_folder, entries, shown.picks(), folder / "data");
+  files.push_back(frame_folder / "expected.json");
   for (const fs::path& shared : shared_files(landscape, entries, folder / "data"))
     files.push_back(shared);
   return files;

@@ -286,11 +286,22 @@ Json blades_json(const Landscape& landscape, const fs::path& blades, const fs::p
   return list;
 }
 
+/// What lies in the folder itself of what the frame names.
+void append_named_files(const Json& json, const fs::path& folder, std::vector<fs::path>& files) {
+  for (const Json& value : json) {
+    if (value.is_structured()) append_named_files(value, folder, files);
+    if (!value.is_string()) continue;
+    const fs::path name = value.get<std::string>();
+    if (!name.has_parent_path()) files.push_back(folder / name);
+  }
+}
+
 }  // namespace
 
-void write_frame_data(const Landscape& landscape, const fs::path& folder,
-                      const std::vector<VolumeEntry>& volumes, const std::vector<int>& picks,
-                      const fs::path& shared_folder) {
+std::vector<fs::path> write_frame_data(const Landscape& landscape, const fs::path& folder,
+                                       const std::vector<VolumeEntry>& volumes,
+                                       const std::vector<int>& picks,
+                                       const fs::path& shared_folder) {
   write_image(folder / "sky.exr", landscape.sky, PixelFormat::float32);
   const Json frame = {{"format", format},
                       {"frame", landscape.frame},
@@ -317,6 +328,9 @@ void write_frame_data(const Landscape& landscape, const fs::path& folder,
                       {"flakes", write_flakes(landscape, folder, shared_folder / "flakes")},
                       {"fog", fog_json(landscape.fog)}};
   write_file(folder / "frame.json", frame.dump(2) + "\n");
+  std::vector<fs::path> files = {folder / "frame.json"};
+  append_named_files(frame, folder, files);
+  return files;
 }
 
 }  // namespace wold::blender

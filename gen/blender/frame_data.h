@@ -39,9 +39,12 @@ struct VolumeEntry {
 ///                          fourth channel says how much of them is seen
 ///   sky.exr                as landscape::Landscape::sky
 ///
-/// Arrays are little-endian without a header. Throws FileError.
-void write_frame_data(const landscape::Landscape& landscape, const std::filesystem::path& folder,
-                      const std::vector<VolumeEntry>& volumes, const std::vector<int>& picks,
-                      const std::filesystem::path& shared_folder);
+/// Arrays are little-endian without a header. Returns the files of `folder` that it has written.
+/// Throws FileError.
+std::vector<std::filesystem::path> write_frame_data(const landscape::Landscape& landscape,
+                                                    const std::filesystem::path& folder,
+                                                    const std::vector<VolumeEntry>& volumes,
+                                                    const std::vector<int>& picks,
+                                                    const std::filesystem::path& shared_folder);
 
 }  // namespace wold::blender

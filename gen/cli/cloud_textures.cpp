@@ -23,18 +23,21 @@ void encode(Image& picture) {
 
 }  // namespace
 
-void write_cloud_textures(const cloud::Clouds& clouds, const std::filesystem::path& folder) {
+std::vector<std::filesystem::path> write_cloud_textures(const cloud::Clouds& clouds,
+                                                        const std::filesystem::path& folder) {
   const cloud::CloudState state = clouds.at(0.0);
   make_folder(folder);
+  std::vector<std::filesystem::path> files(state.layers.size());
   parallel_for(state.layers.size(), [&](std::size_t i) {
     cloud::LayerState layer = state.layers[i];
     layer.moment = {};
     layer.next_map = nullptr;
     Image picture = cloud::layer_picture(layer, state.pixel_m);
     encode(picture);
-    write_image(folder / fmt::format("layer_{}.png", layer.layer->number), picture,
-                PixelFormat::uint8);
+    files[i] = folder / fmt::format("layer_{}.png", layer.layer->number);
+    write_image(files[i], picture, PixelFormat::uint8);
   });
+  return files;
 }
 
 }  // namespace wold::cli

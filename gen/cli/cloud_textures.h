@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "cloud/clouds.h"
 
@@ -8,7 +9,9 @@ namespace wold::cli {
 
 /// Writes FOLDER/layer_1.png and on, a picture of each layer of the scene, all of it gathered and
 /// as it was made: what `clouds.textures` takes and people may look at. 8 bits, sRGB and alpha that
-/// is not multiplied in; a whole period, north at the top. Throws FileError.
-void write_cloud_textures(const cloud::Clouds& clouds, const std::filesystem::path& folder);
+/// is not multiplied in; a whole period, north at the top. Returns the files. Throws
+/// FileError.
+std::vector<std::filesystem::path> write_cloud_textures(const cloud::Clouds& clouds,
+                                                        const std::filesystem::path& folder);
 
 }  // namespace wold::cli

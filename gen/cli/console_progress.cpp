@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "cli/interrupt.h"
+#include "cli/output.h"
 #include "core/error.h"
+#include "core/printable.h"
 
 namespace wold::cli {
 namespace {
@@ -39,18 +40,18 @@ ProgressStyle progress_style(bool quiet) {
 }
 
 ConsoleProgress::~ConsoleProgress() {
-  if (bar_open_) std::fputc('\n', stderr);
+  if (bar_open_) print_progress("\n");
 }
 
 void ConsoleProgress::begin(std::string_view stage, std::size_t units) {
   const std::lock_guard lock(mutex_);
-  stage_ = stage;
+  stage_ = printable(stage);
   units_ = units;
   done_ = 0;
   tenths_shown_ = 0;
   start_ = now_();
   shown_ = {};
-  if (style_ == ProgressStyle::lines) fmt::print(stderr, "{}\n", stage_);
+  if (style_ == ProgressStyle::lines) print_progress(stage_ + "\n");
   if (style_ == ProgressStyle::bar) show("");
 }
 
@@ -65,8 +66,9 @@ void ConsoleProgress::end() {
   const std::lock_guard lock(mutex_);
   bar_open_ = false;
   const std::string took = clock_text(Seconds(now_() - start_).count());
-  if (style_ == ProgressStyle::bar) fmt::print(stderr, "\r\x1b[K{}: done in {}\n", stage_, took);
-  if (style_ == ProgressStyle::lines) fmt::print(stderr, "{}: done in {}\n", stage_, took);
+  if (style_ == ProgressStyle::bar)
+    print_progress(fmt::format("\r\x1b[K{}: done in {}\n", stage_, took));
+  if (style_ == ProgressStyle::lines) print_progress(fmt::format("{}: done in {}\n", stage_, took));
 }
 
 double ConsoleProgress::share() const {
@@ -79,20 +81,19 @@ std::string ConsoleProgress::text(std::string_view detail) const {
     const double elapsed_s = Seconds(now_() - start_).count();
     line += fmt::format(", {} left", clock_text(elapsed_s * (1.0 / share() - 1.0)));
   }
-  return detail.empty() ? line : fmt::format("{}  {}", line, detail);
+  return detail.empty() ? line : fmt::format("{}  {}", line, printable(detail));
 }
 
 void ConsoleProgress::show(std::string_view detail) {
   const int tenths = static_cast<int>(10.0 * share());
   if (style_ == ProgressStyle::lines && tenths > tenths_shown_) {
     tenths_shown_ = tenths;
-    fmt::print(stderr, "{}\n", text(detail));
+    print_progress(text(detail) + "\n");
   }
   if (style_ == ProgressStyle::bar && now_() - shown_ >= redraw_interval) {
     shown_ = now_();
     bar_open_ = true;
-    fmt::print(stderr, "\r\x1b[K{} {}", bar_text(share()), text(detail));
-    std::fflush(stderr);
+    print_progress(fmt::format("\r\x1b[K{} {}", bar_text(share()), text(detail)));
   }
 }
 

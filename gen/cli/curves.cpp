@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/curves_figure.h"
 #include "cli/curves_table.h"
+#include "cli/kept_inputs.h"
 #include "cli/output.h"
 #include "cli/season_curves.h"
 #include "core/files.h"
@@ -71,6 +72,9 @@ std::string curves_file(const scene::Scene& scene, const std::filesystem::path& 
 ExitCode run_curves(const CurvesOptions& options) {
   const Form form = form_of(options.out);
   const scene::Scene scene = scene::read_scene(options.scene, options.overrides);
+  std::vector<std::filesystem::path> inputs = input_files(options.scene, scene);
+  inputs.push_back(options.weather);
+  require_no_input(options.out, inputs);
   write_file(options.out, curves_file(scene, options.weather, form));
   print_message(fmt::format("wrote {}", options.out.string()));
   return ExitCode::done;

@@ -9,6 +9,7 @@
 #include "cli/interrupt.h"
 #include "cli/job.h"
 #include "cli/output.h"
+#include "cli/own_folder.h"
 #include "core/image.h"
 #include "render/encode.h"
 
@@ -85,6 +86,7 @@ void write_films(const FilmOptions& options, const FramePictures& pictures,
 
 ExitCode run_film(const FilmOptions& options, Progress& progress) {
   check(options);
+  require_no_way_out(options.out);
   const std::vector<FramePictures> all = frame_pictures(options.out);
   const std::vector<int> frames =
       options.frames.empty() ? expected_frames(options.out, all) : options.frames;

@@ -42,8 +42,8 @@ ExitCode run_extension(const fs::path& out) {
   const fs::path archive = out / fmt::format("{}-{}.zip", package, version);
   const fs::path script = out / launcher;
   make_folder(out);
-  write_file(archive, packed());
-  write_file(script, read_file(shipped_file(fmt::format("templates/blender/{}", launcher))));
+  update_file(archive, packed());
+  update_file(script, read_file(shipped_file(fmt::format("templates/blender/{}", launcher))));
   print_data(fmt::format("{}\n{}\n", archive.string(), script.string()));
   print_message(how_to_use(archive, script));
   return ExitCode::done;

@@ -6,7 +6,6 @@
 
 #include "blender/export.h"
 #include "cli/cloud_textures.h"
-#include "core/file_list.h"
 #include "core/files.h"
 #include "grass/texel_file.h"
 #include "landscape/assemble.h"
@@ -109,8 +108,8 @@ std::vector<fs::path> Film::make_texels(int variant, Progress& progress) const {
 }
 
 std::vector<fs::path> Film::make_cloud_pictures() const {
-  if (site_.clouds) write_cloud_textures(*site_.clouds, job_.out / "clouds");
-  return files_below(job_.out / "clouds");
+  if (!site_.clouds) return {};
+  return write_cloud_textures(*site_.clouds, job_.out / "clouds");
 }
 
 landscape::Volume Film::volume(const landscape::CellChoice& cell) const {

@@ -85,8 +85,8 @@ FolderLock::~FolderLock() {
     fs::remove(path_, ignored);
   ::close(file_);
   // Where nothing was made nothing stays.
-  fs::remove(path_.parent_path(), ignored);
-  fs::remove(folder_, ignored);
+  remove_empty_folder(path_.parent_path());
+  remove_empty_folder(folder_);
 }
 
 }  // namespace wold::cli

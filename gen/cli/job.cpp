@@ -6,6 +6,8 @@
 #include <numeric>
 #include <thread>
 
+#include "cli/kept_inputs.h"
+#include "cli/own_folder.h"
 #include "core/machine.h"
 #include "scene/parse.h"
 #include "season/film_season.h"
@@ -57,6 +59,8 @@ Job plan_job(const RenderOptions& options) {
   check_frames(options.frames, count);
   job.frames = options.frames.empty() ? counted(count) : options.frames;
   job.out = options.out.empty() ? std::filesystem::path("out") / job.scene.name : options.out;
+  require_own_folder(job.out);
+  require_inputs_kept(job.out, input_files(options.scene, job.scene), job.scene);
   job.blender = options.blender;
   job.povray = options.povray;
   job.threads = options.threads > 0 ? options.threads : job.scene.render.threads;

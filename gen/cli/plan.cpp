@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "cli/disk_budget.h"
 #include "cli/output.h"
+#include "core/error.h"
+#include "scene/text.h"
 
 namespace wold::cli {
 namespace {
@@ -84,6 +87,15 @@ Json stage_json(const StagePlan& stage) {
             {"disk_bytes", stage.each.disk_bytes},
             {"from", stage.each.measured ? "records" : "model"}}},
           {"groups", std::move(groups)}};
+}
+
+/// In a template "{{" begins an expression, and nothing else can be meant by it.
+void require_no_expression(std::string_view text) {
+  if (text.find("{{") != std::string_view::npos)
+    throw InputError(fmt::format(
+        "--openjd: found {}, expected no \"{{{{\" in what a job template repeats: there "
+        "it begins an expression",
+        scene::in_quotes(text)));
 }
 
 /// The options of a plan that change what its tasks make.
@@ -204,6 +216,9 @@ std::string plan_json(const Job& job, const std::vector<StagePlan>& plan) {
 std::string plan_openjd(const RenderOptions& options, const Job& job,
                         const std::vector<StagePlan>& plan) {
   const std::vector<std::string> with = task_options(options);
+  for (const std::string& argument : with)
+    if (argument != "{{Param.Out}}") require_no_expression(argument);
+  require_no_expression(job.scene.name);
   Json steps = Json::array();
   std::vector<std::string_view> last;
   for (const StagePlan& stage : plan) {

@@ -6,6 +6,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "cli/commands.h"
+#include "cli/kept_inputs.h"
 #include "cli/output.h"
 #include "cli/preview_film.h"
 #include "cli/scene_warnings.h"
@@ -214,6 +215,7 @@ class Preview {
 ExitCode run_preview(const PreviewOptions& options, Progress& progress) {
   const scene::Scene scene = season::as_film(scene::read_scene(options.scene, options.overrides));
   const fs::path file = file_of(options, scene);
+  require_no_input(file, input_files(options.scene, scene));
   print_warnings(scene);
   if (file.has_parent_path()) make_folder(file.parent_path());
   const ThreadLimit limit(scene.render.threads);

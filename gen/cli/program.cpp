@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <exception>
+#include <functional>
+#include <memory>
 #include <new>
 
 #include "cli/command_facts.h"
@@ -19,6 +21,7 @@
 #include "cli/output.h"
 #include "cli/standard_streams.h"
 #include "cli/version.h"
+#include "core/parallel.h"
 #include "scene/nearest.h"
 #include "scene/text.h"
 
@@ -102,27 +105,22 @@ void refuse_unknown_command(int argc, char** argv) {
 }
 
 /// Help and version are answers, the rest are the user's mistakes.
-ExitCode answer(const CLI::App& app, const CLI::ParseError& result) {
+Action answer(const CLI::App& app, const CLI::ParseError& result) {
   if (result.get_exit_code() != 0) throw InputError(result.what());
   std::ostringstream text, unused;
   app.exit(result, text, unused);
-  print_data(text.str());
-  return ExitCode::done;
+  return [shown = text.str()] {
+    print_data(shown);
+    return ExitCode::done;
+  };
 }
 
 ExitCode execute(int argc, char** argv) {
-  refuse_unknown_command(argc, argv);
-  CommandLine line;
-  declare(line);
-  try {
-    line.app.parse(argc, argv);
-  } catch (const CLI::ParseError& result) {
-    return answer(line.app, result);
-  } catch (const PageAsked& page) {
-    return run_page(line.app, page.command);
-  }
-  if (!line.action) throw InputError("a command was expected; wold --help lists them");
-  return line.action();
+  const auto action = asked_for(argc, argv);
+  const StopScope stop([] {
+    if (interrupted()) throw InterruptedError();
+  });
+  return action();
 }
 
 ExitCode report(const Error& error) {
@@ -180,6 +178,21 @@ ExitCode run_and_report(int argc, char** argv) {
 }
 
 }  // namespace
+
+std::function<ExitCode()> asked_for(int argc, char** argv) {
+  refuse_unknown_command(argc, argv);
+  const auto line = std::make_shared<CommandLine>();
+  declare(*line);
+  try {
+    line->app.parse(argc, argv);
+  } catch (const CLI::ParseError& result) {
+    return answer(line->app, result);
+  } catch (const PageAsked& page) {
+    return [line, command = page.command] { return run_page(line->app, command); };
+  }
+  if (!line->action) throw InputError("a command was expected; wold --help lists them");
+  return [line] { return line->action(); };
+}
 
 int run(int argc, char** argv) {
   open_standard_streams();

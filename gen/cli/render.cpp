@@ -8,6 +8,7 @@
 #include "cli/renderers.h"
 #include "cli/scene_warnings.h"
 #include "core/file_list.h"
+#include "core/files.h"
 #include "core/parallel.h"
 
 namespace wold::cli {
@@ -27,8 +28,7 @@ void complete(const Job& job, const std::vector<StageTasks>& stages, Progress& p
   const ThreadLimit limit(job.threads);
   const FolderLock lock(job.out, Access::alone);
   remove_temporaries(job.out);
-  std::error_code in_use;
-  std::filesystem::remove(job.out / "snow", in_use);  // where scratch folders were
+  remove_empty_folder(job.out / "snow");  // where scratch folders were
   Work work(job, &renderers);
   do_tasks(job, work, stages, progress);
   work.finish();

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "cli/report_facts.h"
@@ -5,10 +7,22 @@
 #include "core/files.h"
 
 namespace wold::cli {
+namespace {
+
+/// What the page is made of must not be replaced by it.
+void check_name(const std::filesystem::path& page) {
+  const std::string extension = page.extension().string();
+  if (extension != ".html" && extension != ".htm")
+    throw InputError(
+        fmt::format("--out: found {}, expected a file name that ends in .html", page.string()));
+}
+
+}  // namespace
 
 ExitCode run_report(const std::filesystem::path& out, const std::filesystem::path& page,
                     Progress& progress) {
   const std::filesystem::path file = page.empty() ? out / "report.html" : page;
+  check_name(file);
   write_file(file, report_page(report_facts(out), progress));
   print_data(file.string() + "\n");
   return ExitCode::done;

@@ -1,5 +1,6 @@
 #include "cli/scratch_folder.h"
 
+#include "core/files.h"
 #include "core/temporary_name.h"
 
 namespace wold::cli {
@@ -10,7 +11,7 @@ ScratchFolder::ScratchFolder(const fs::path& parent) : path_(temporary_name(pare
 ScratchFolder::~ScratchFolder() {
   std::error_code ignored;
   fs::remove_all(path_, ignored);
-  fs::remove(path_.parent_path(), ignored);
+  remove_empty_folder(path_.parent_path());
 }
 
 }  // namespace wold::cli

@@ -9,6 +9,7 @@
 
 #include "cli/interrupt.h"
 #include "cli/manifest.h"
+#include "cli/own_folder.h"
 #include "core/file_list.h"
 #include "core/files.h"
 #include "render/run.h"
@@ -43,6 +44,23 @@ render::Job picture_job(const Job& job, const Task& task, const RendererShare& s
       picture.scene_folder / "data" / fmt::format("frame_{}", number) / "expected.json";
   picture.log = job.out / "logs" / fmt::format("{}_{}.log", name_of(task.stage), number);
   return picture;
+}
+
+/// Whether such a task makes a file of that name: a record that somebody has edited may name
+/// others.
+bool may_make(Stage stage, const fs::path& name) {
+  const std::string folder = name.begin()->string();
+  const std::string extension = name.extension().string();
+  switch (stage) {
+    case Stage::texels:
+      return folder == "texels" && extension == ".vdb";
+    case Stage::clouds:
+      return folder == "clouds" && extension == ".png";
+    case Stage::scenes:
+      return folder == "blender" || folder == "povray" || name == "povray.ini";
+    default:
+      return name == fs::path("frames") / name_of(stage) / name.filename() && extension == ".png";
+  }
 }
 
 /// "camera.eye, camera.target and 3 more"
@@ -159,11 +177,11 @@ void Work::prepare(Stage stage, Progress& progress) {
     film().find_demand(progress);
     demand_found_ = true;
   }
+  records_.write_facts(facts_);  // first: by its records an output folder is known
   update_file(job_.out / "scene.toml", scene::resolved_toml(job_.scene));
   if (stage >= Stage::scenes) write_programs(job_.scene, job_.out);
   // It lists files that will be others; `render` and `generate` write it when all is done.
-  fs::remove(job_.out / "manifest.json");
-  records_.write_facts(facts_);
+  if (is_own_manifest(job_.out / "manifest.json")) fs::remove(job_.out / "manifest.json");
 }
 
 void Work::finish() {
@@ -224,7 +242,8 @@ void Work::remove_damaged(const Task& task) {
   const auto record = records_.read(task);
   if (!record || record->source != source(task)) return;
   for (const auto& [name, state] : record->outputs)
-    if (!states_.is_still(name, state)) fs::remove(job_.out / name);
+    if (may_make(task.stage, fs::path(name).lexically_normal()) && !states_.is_still(name, state))
+      fs::remove(job_.out / name);
 }
 
 }  // namespace wold::cli

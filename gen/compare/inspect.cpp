@@ -12,6 +12,7 @@
 #include "core/df3.h"
 #include "core/error.h"
 #include "core/image.h"
+#include "core/printable.h"
 
 namespace wold::compare {
 namespace fs = std::filesystem;
@@ -128,7 +129,7 @@ Inspection inspect(const fs::path& path) {
     result.problems.emplace_back(error.what());
   }
   facts["problems"] = result.problems;
-  result.text = as_lines(facts, "");
+  result.text = printable(as_lines(facts, ""));
   result.json = facts.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   return result;
 }

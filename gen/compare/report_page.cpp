@@ -105,7 +105,12 @@ std::string title(const std::vector<Comparison>& comparisons) {
                      comparisons.size());
 }
 
+/// Stands in the template, and so in every page.
+constexpr std::string_view mark = R"(<meta name="generator" content="wold compare">)";
+
 }  // namespace
+
+bool is_report_page(std::string_view text) { return text.find(mark) != std::string_view::npos; }
 
 void write_report_page(const fs::path& page, const std::vector<Comparison>& comparisons) {
   std::string sections;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include "compare/comparison.h"
@@ -12,5 +13,8 @@ namespace wold::compare {
 /// folder or below. Comparisons that differ are open, so is a single one. Throws FileError.
 void write_report_page(const std::filesystem::path& page,
                        const std::vector<Comparison>& comparisons);
+
+/// Whether a file with this text was written by write_report_page().
+bool is_report_page(std::string_view text);
 
 }  // namespace wold::compare

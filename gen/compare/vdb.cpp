@@ -1,10 +1,14 @@
 #include "compare/vdb.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 
+#include "core/error.h"
 #include "core/vdb_file.h"
 
 namespace wold::compare {
@@ -93,6 +97,14 @@ Differences value_differences(const Grid& got, const Grid& want,
   return sum.result();
 }
 
+/// A tile of a few bytes stands for millions of voxels, which are compared one by one.
+void require_comparable(const openvdb::GridBase& grid) {
+  constexpr std::uint64_t most_voxels = std::uint64_t{1} << 28;
+  if (const std::uint64_t voxels = grid.activeVoxelCount(); voxels > most_voxels)
+    throw FileError(fmt::format("found {} active voxels in the grid {}, expected {} at most",
+                                voxels, grid.getName(), most_voxels));
+}
+
 /// How many voxels are in the first but not in the second.
 std::uint64_t only_in(openvdb::MaskTree first, const openvdb::MaskTree& second) {
   first.topologyDifference(second);
@@ -107,6 +119,8 @@ double magnitude(const GridFacts& facts) {
 
 template <class Grid>
 void compare_typed(const Grid& got, const Grid& want, double soft, GridMetrics& metrics) {
+  require_comparable(got);
+  require_comparable(want);
   const openvdb::MaskTree got_active = active_voxels(got);
   const openvdb::MaskTree want_active = active_voxels(want);
   openvdb::MaskTree either = got_active;

@@ -45,11 +45,13 @@ std::string hash_of_programs_below(const fs::path& folder) {
 }
 
 void remove_temporaries(const fs::path& folder) {
+  constexpr auto options = fs::directory_options::skip_permission_denied;
   std::vector<fs::path> left;
   std::error_code error;
-  for (fs::recursive_directory_iterator at(folder, error), end; at != end; at.increment(error))
+  for (fs::recursive_directory_iterator at(folder, options, error), end; at != end;
+       at.increment(error))
     if (is_left_behind(at->path())) left.push_back(at->path());
-  for (const fs::path& path : left) fs::remove_all(path);
+  for (const fs::path& path : left) fs::remove_all(path, error);
 }
 
 }  // namespace wold

@@ -18,7 +18,7 @@ std::vector<std::filesystem::path> programs_below(const std::filesystem::path& f
 std::string hash_of_programs_below(const std::filesystem::path& folder);
 
 /// Removes what processes that were killed have left below a folder under temporary names, files
-/// and folders; see is_left_behind(). Throws std::filesystem::filesystem_error.
+/// and folders; see is_left_behind(). What may not be removed, because it is another user's, stays.
 void remove_temporaries(const std::filesystem::path& folder);
 
 }  // namespace wold

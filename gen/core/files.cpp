@@ -1,6 +1,7 @@
 #include "core/files.h"
 
 #include <OpenImageIO/hash.h>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -31,6 +32,13 @@ std::string probe_reason(const fs::path& folder) {
   return {};
 }
 
+/// Makes an empty file where there is none, so that whoever opens it by name opens this one.
+void create_anew(const fs::path& path) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+  if (file < 0) throw FileError(reason(errno));
+  ::close(file);
+}
+
 }  // namespace
 
 void make_folder(const fs::path& folder) {
@@ -47,6 +55,7 @@ void write_file_by_path(const fs::path& path, const std::function<void(const fs:
     fs::remove(temporary, ignored);
   };
   try {
+    create_anew(temporary);
     writer(temporary);
     std::error_code error;
     fs::rename(temporary, path, error);
@@ -111,6 +120,8 @@ std::string read_file(const fs::path& path) {
   if (in.bad()) throw FileError(fmt::format("cannot read {}: {}", path.string(), reason(errno)));
   return bytes;
 }
+
+void remove_empty_folder(const fs::path& folder) { ::rmdir(folder.c_str()); }
 
 void update_file(const fs::path& path, std::string_view bytes) {
   if (!fs::is_regular_file(path) || read_file(path) != bytes) write_file(path, bytes);

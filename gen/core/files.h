@@ -31,6 +31,9 @@ void write_file_by_path(const std::filesystem::path& path,
 /// network file systems, where a replaced file is lost to them. Throws FileError.
 void update_file(const std::filesystem::path& path, std::string_view bytes);
 
+/// Removes an empty folder; a file, a link or a folder in which something is stays.
+void remove_empty_folder(const std::filesystem::path& folder);
+
 /// Why a path does not lead to a regular file, such as "it is a folder, a file was expected"; empty
 /// when it does.
 std::string why_no_regular_file(const std::filesystem::path& path);

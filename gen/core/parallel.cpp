@@ -5,11 +5,29 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <utility>
 
 #include "core/tbb_loop.h"
 
 namespace wold {
 namespace {
+
+/// Of the innermost StopScope of what this thread is doing, which may be a body of another thread's
+/// loop; else none.
+thread_local const std::function<void()>* stop_check = nullptr;
+
+/// Sets a thread's check for as long as it lives.
+class Inherited {
+ public:
+  explicit Inherited(const std::function<void()>* check)
+      : before_(std::exchange(stop_check, check)) {}
+  ~Inherited() { stop_check = before_; }
+  Inherited(const Inherited&) = delete;
+  Inherited& operator=(const Inherited&) = delete;
+
+ private:
+  const std::function<void()>* before_;
+};
 
 /// The first exception of a loop, by the clock.
 ///
@@ -71,7 +89,9 @@ class Loop {
   static void step(void* loop, std::size_t i) { static_cast<Loop*>(loop)->run_body(i); }
   void run_body(std::size_t i) {
     order_.body_begins();
+    const Inherited inherited(check_);
     try {
+      stop_if_asked();
       if (!failure_.happened()) body_(i);
     } catch (...) {
       failure_.keep_current();
@@ -80,6 +100,7 @@ class Loop {
   }
 
   const std::function<void(std::size_t)>& body_;
+  const std::function<void()>* check_ = stop_check;
   Failure failure_;
   Order order_;
 };
@@ -88,6 +109,15 @@ class Loop {
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
   Loop(body).run(count);
+}
+
+StopScope::StopScope(std::function<void()> check)
+    : check_(std::move(check)), outer_(std::exchange(stop_check, &check_)) {}
+
+StopScope::~StopScope() { stop_check = outer_; }
+
+void stop_if_asked() {
+  if (stop_check != nullptr) (*stop_check)();
 }
 
 struct ThreadLimit::Control {

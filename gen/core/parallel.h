@@ -50,6 +50,25 @@ void parallel_for_in_rooms(std::size_t count, const Make& make, const Body& body
   });
 }
 
+/// Long loops hear in time that they should stop. While a StopScope lives, `check` is asked before
+/// every body of parallel_for() that its thread runs, or that loops inside such bodies run on any
+/// thread, and by stop_if_asked(). It throws to stop them, usually InterruptedError, and is called
+/// by many threads at once. The innermost scope counts.
+class StopScope {
+ public:
+  explicit StopScope(std::function<void()> check);
+  ~StopScope();
+  StopScope(const StopScope&) = delete;
+  StopScope& operator=(const StopScope&) = delete;
+
+ private:
+  std::function<void()> check_;
+  const std::function<void()>* outer_;
+};
+
+/// For loops that take seconds on one thread: throws what the StopScope around them throws.
+void stop_if_asked();
+
 /// Limits the threads of everything that runs while it lives; 0 means all processors.
 class ThreadLimit {
  public:

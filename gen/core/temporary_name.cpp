@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <signal.h>
+#include <sys/random.h>
 #include <sys/types.h>
 #include <unistd.h>
 
@@ -9,14 +10,42 @@
 #include <cerrno>
 #include <charconv>
 #include <chrono>
+#include <cstdint>
+#include <cstring>
 #include <optional>
 #include <string_view>
+
+#include "core/error.h"
+#include "core/files.h"
 
 namespace wold {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr std::chrono::hours longest_task{24 * 8};  // render.timeout is a week at most
+
+constexpr std::size_t seal_digits = 8;
+constexpr std::size_t longest_stem = 80;  ///< bytes: the whole name may have 255
+
+std::uint64_t random_number() {
+  std::uint64_t number = 0;
+  if (::getentropy(&number, sizeof number) != 0)
+    throw FileError(fmt::format("the system gives no random numbers: {}", std::strerror(errno)));
+  return number;
+}
+
+/// By which a name of this program is told from any other.
+std::string seal_of(std::string_view text) { return content_hash(text).substr(0, seal_digits); }
+
+/// The name between its first dot and ".tmp" without the seal; nothing when that is another.
+std::optional<std::string_view> sealed_part(std::string_view name) {
+  const std::size_t mark = name.rfind(".tmp");
+  if (!name.starts_with('.') || mark == std::string_view::npos || mark < 1 + seal_digits)
+    return std::nullopt;
+  const std::string_view sealed = name.substr(1, mark - 1 - seal_digits);
+  if (seal_of(sealed) != name.substr(mark - seal_digits, seal_digits)) return std::nullopt;
+  return sealed;
+}
 
 /// An earlier process of the same number has ended, too.
 bool has_ended(pid_t process) {
@@ -38,15 +67,18 @@ std::string host_name() {
 }
 
 fs::path temporary_name(const fs::path& path) {
-  return path.parent_path() / fmt::format(".{}.{}.{}.tmp{}", path.stem().string(), host_name(),
-                                          ::getpid(), path.extension().string());
+  const std::string sealed =
+      fmt::format("{}.{}.{}.{:016x}", path.stem().string().substr(0, longest_stem), host_name(),
+                  ::getpid(), random_number());
+  return path.parent_path() /
+         fmt::format(".{}{}.tmp{}", sealed, seal_of(sealed), path.extension().string());
 }
 
 bool is_left_behind(const fs::path& path) {
   const std::string name = path.filename().string();
-  const std::size_t mark = name.rfind(".tmp");
-  if (!name.starts_with('.') || mark == std::string::npos) return false;
-  const std::string_view before = std::string_view(name).substr(0, mark);
+  const auto sealed = sealed_part(name);
+  if (!sealed) return false;
+  const std::string_view before = sealed->substr(0, sealed->rfind('.'));  // the random number
   const std::size_t dot = before.rfind('.');
   const auto process = whole_number(before.substr(dot + 1));
   if (!process) return false;

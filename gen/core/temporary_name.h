@@ -8,8 +8,10 @@ namespace wold {
 /// The machine's name; "unknown" when it has none.
 std::string host_name();
 
-/// Neighbour of `path` that no other process on any machine uses, with the same extension:
-/// ".0001.<host>.<pid>.tmp.png".
+/// Neighbour of `path` that no other process on any machine uses and that nobody can foresee, with
+/// the same extension: ".0001.<host>.<pid>.<24 hexadecimal digits>.tmp.png". A new one with every
+/// call. The last eight digits follow from what stands before them: no file of a user's has such a
+/// name. Throws FileError when the system gives no random numbers.
 std::filesystem::path temporary_name(const std::filesystem::path& path);
 
 /// Whether a file or folder has such a name and nobody will miss it: its process was this

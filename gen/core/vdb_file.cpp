@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <openvdb/io/File.h>
 #include <openvdb/io/GridDescriptor.h>
+#include <openvdb/io/Stream.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -39,6 +40,41 @@ void overwrite_id(const fs::path& path) {
   if (!file) throw FileError("cannot write the header");
 }
 
+/// Passes over parts of a file whose lengths stand before them, as openvdb::MetaMap and
+/// openvdb::io::GridDescriptor read them: OpenVDB takes the memory for what a damaged length says
+/// before it finds that nothing is there.
+class Passing {
+ public:
+  explicit Passing(std::istream& in) : in_(in), begin_(in.tellg()) {
+    end_ = in.seekg(0, std::ios::end).tellg();
+    in.seekg(begin_);
+  }
+  /// Back to where it began.
+  void end() { in_.seekg(begin_); }
+
+  void text() {
+    const auto bytes = number();
+    if (bytes > end_ - in_.tellg()) throw std::runtime_error("it ends too early");
+    in_.seekg(bytes, std::ios::cur);
+  }
+  void texts(int count) {
+    for (int i = 0; i < count; ++i) text();
+  }
+  /// Name, type and value of each.
+  void metadata() {
+    for (auto left = number(); left > 0; --left) texts(3);
+  }
+  std::streamoff number() {
+    std::uint32_t value = 0;
+    in_.read(reinterpret_cast<char*>(&value), sizeof value);
+    return value;
+  }
+
+ private:
+  std::istream& in_;
+  std::streampos begin_, end_;
+};
+
 /// Reads a file's list of grids from a stream that throws at its end. OpenVDB 10 does not look at
 /// the stream there, so a damaged length or count makes it work for hours on what is not there.
 class Directory : public openvdb::io::Archive {
@@ -50,10 +86,17 @@ class Directory : public openvdb::io::Archive {
     readHeader(in);
     setFormatVersion(in);
     setLibraryVersion(in);
+    check_metadata(in);
     openvdb::MetaMap().readMeta(in);
     for (int grids_left = readGridCount(in); grids_left > 0; --grids_left) {
+      constexpr int names = 3;  // the grid's, its type's, and that of another with the same tree
+      Passing passing(in);
+      passing.texts(names);
+      passing.end();
       openvdb::io::GridDescriptor grid;
       grid.read(in);
+      if (fileVersion() >= openvdb::OPENVDB_FILE_VERSION_NODE_MASK_COMPRESSION)
+        check_metadata(in, /*is_behind_compression=*/true);
       // Where a grid ends is written last: 0 when there was no room for that any more.
       if (grid.getEndPos() <= in.tellg()) throw std::runtime_error("a grid has no end");
       grid.seekToEnd(in);
@@ -65,6 +108,14 @@ class Directory : public openvdb::io::Archive {
   }
 
  private:
+  /// Of the file, or of a grid, where the number of its compression stands before it.
+  static void check_metadata(std::istream& in, bool is_behind_compression = false) {
+    Passing passing(in);
+    if (is_behind_compression) passing.number();
+    passing.metadata();
+    passing.end();
+  }
+
   /// Of a newer format OpenVDB says on the terminal what it thinks, and tries all the same.
   static void check_version(std::istream& in) {
     std::uint32_t version = 0;
@@ -77,21 +128,31 @@ class Directory : public openvdb::io::Archive {
   }
 };
 
+/// What `read` makes of a file whose list of grids is sound.
 template <class Read>
-auto read_opened(const fs::path& path, const Read& read) {
+auto read_checked(const fs::path& path, const Read& read) {
   openvdb::initialize();
   try {
     Directory().check(path);
-    openvdb::io::File file(path.string());
-    file.open(/*delayLoad=*/false);
-    return read(file);
+    return read();
   } catch (const FileError&) {
     throw;
   } catch (const std::bad_alloc&) {
     throw;
+  } catch (const std::ios::failure&) {
+    throw FileError(fmt::format("cannot read {}: it ends too early", path.string()));
   } catch (const std::exception& error) {
     throw FileError(fmt::format("cannot read {}: {}", path.string(), error.what()));
   }
+}
+
+template <class Read>
+auto read_opened(const fs::path& path, const Read& read) {
+  return read_checked(path, [&] {
+    openvdb::io::File file(path.string());
+    file.open(/*delayLoad=*/false);
+    return read(file);
+  });
 }
 
 }  // namespace
@@ -114,7 +175,12 @@ void write_vdb(const fs::path& path, const openvdb::GridPtrVec& grids,
 }
 
 openvdb::GridPtrVecPtr read_vdb(const fs::path& path) {
-  return read_opened(path, [](openvdb::io::File& file) { return file.getGrids(); });
+  // From a stream that throws at its end: see Directory.
+  return read_checked(path, [&] {
+    std::ifstream in(path, std::ios::binary);
+    in.exceptions(std::ios::failbit | std::ios::badbit);
+    return openvdb::io::Stream(in, /*delayLoad=*/false).getGrids();
+  });
 }
 
 openvdb::GridBase::Ptr read_vdb_grid(const fs::path& path, const std::string& name) {

@@ -8,7 +8,6 @@
 #include <ostream>
 #include <string>
 
-#include "core/file_list.h"
 #include "core/files.h"
 #include "landscape/expectation.h"
 #include "povray/blade_files.h"
@@ -151,6 +150,24 @@ void write_cells(std::ostream& out, const landscape::Landscape& scene,
   out << include_end;
 }
 
+/// The frame's own files.
+std::vector<fs::path> frame_files(const landscape::Landscape& scene, const fs::path& frame) {
+  std::vector<std::string> names = {"frame.inc",   "cells.inc",    "volumes.inc",  "clouds.inc",
+                                    "sky.exr",     "ground.exr",   "light_r.df3",  "light_g.df3",
+                                    "light_b.df3", "standing.df3", "expected.json"};
+  if (!scene.blade_meshes.empty())
+    names.insert(names.end(), {"blade_light_r.df3", "blade_light_g.df3", "blade_light_b.df3"});
+  if (scene.backdrop) names.emplace_back("backdrop.exr");
+  if (!scene.flakes.flakes.empty()) names.emplace_back("flakes.inc");
+  for (std::size_t i = 1; i <= scene.ground_details.size(); ++i)
+    names.push_back(fmt::format("ground_detail_{}.exr", i));
+  std::vector<fs::path> files;
+  for (const std::string& name : names) files.push_back(frame / name);
+  for (const landscape::CloudBox& cloud : scene.clouds)
+    for (const fs::path& file : volume_files(cloud.name, frame)) files.push_back(file);
+  return files;
+}
+
 /// What frames share, in `data`, as far as this one needs it.
 std::vector<fs::path> shared_files(const landscape::Landscape& scene,
                                    const std::map<int, int>& used, const fs::path& data) {
@@ -197,7 +214,7 @@ std::vector<fs::path> export_frame(const landscape::Landscape& scene, const fs::
   const fs::path frame_ini = data / fmt::format("frame_{:04}.ini", scene.frame);
   write_file(frame_ini, frame_settings(scene));
   update_file(folder / "povray.ini", settings(scene));
-  std::vector<fs::path> files = files_below(frame);
+  std::vector<fs::path> files = frame_files(scene, frame);
   for (const fs::path& shared : shared_files(scene, used, data)) files.push_back(shared);
   files.insert(files.end(), {data / terrain, frame_ini, folder / "povray.ini"});
   return files;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.h"
 #include "core/files.h"
 
@@ -15,12 +17,20 @@ constexpr std::string_view line_ends = "\r\n";
 
 Log::Log(const std::filesystem::path& path) : path_(path) {
   if (path.has_parent_path()) make_folder(path.parent_path());
+  std::error_code ignored;
+  if (std::filesystem::is_symlink(path, ignored))
+    throw FileError(fmt::format("cannot write the log {}: it is a link", path.string()));
   file_.open(path, std::ios::binary);
   if (!file_) throw FileError(fmt::format("cannot write the log {}", path.string()));
 }
 
 void Log::add(std::string_view line) {
-  file_ << line << std::endl;  // flushed: people watch it
+  const bool was_full = bytes_ > most_bytes;
+  bytes_ += line.size() + 1;
+  if (bytes_ <= most_bytes)
+    file_ << line << std::endl;  // flushed: people watch it
+  else if (!was_full)
+    file_ << "... the rest is left out" << std::endl;
   last_.emplace_back(line);
   if (last_.size() > lines_kept) last_.pop_front();
 }
@@ -31,12 +41,22 @@ std::string Log::last_lines() const {
   return text;
 }
 
+void LineSplitter::add(std::string_view bytes) {
+  rest_.erase(0, begin_);
+  searched_ -= std::min(searched_, begin_);
+  begin_ = 0;
+  rest_ += bytes;
+}
+
 bool LineSplitter::next(std::string& line, bool at_end) {
-  rest_.erase(0, rest_.find_first_not_of(line_ends));
-  const std::size_t end = rest_.find_first_of(line_ends);
-  if (end == std::string::npos && (!at_end || rest_.empty())) return false;
-  line = rest_.substr(0, end);
-  rest_.erase(0, line.size());
+  begin_ = std::min(rest_.find_first_not_of(line_ends, begin_), rest_.size());
+  std::size_t end = rest_.find_first_of(line_ends, std::max(begin_, searched_));
+  if (end == std::string::npos) searched_ = end = rest_.size();
+  const bool is_ended = end < rest_.size() || end - begin_ >= longest_line;
+  if (end == begin_ || (!is_ended && !at_end)) return false;
+  end = std::min(end, begin_ + longest_line);
+  line = rest_.substr(begin_, end - begin_);
+  begin_ = end;
   return true;
 }
 

@@ -59,7 +59,9 @@ class Flooding {
   }
 
   Flood run() {
+    constexpr std::size_t some = 1 << 16;
     while (!pit_.empty() || !shore_.empty()) {
+      if (flood_.order.size() % some == 0) stop_if_asked();
       const int k = next();
       if (!grid_.border(k)) flood_.order.push_back(k);
       // From a border sample steps wrap to the other side's border, which is reached already.
@@ -145,6 +147,7 @@ void cut(GroundMap<double>& heights_m, const Grid& grid, const Flood& flow, doub
   const double least_drop_m = 1e-7 * heights_m.step_m();
   const std::vector<double> samples = drained(flow);
   const double steps_per_side = grid.side() - 1.0;
+  stop_if_asked();
   for (const int at : flow.order) {
     const auto k = static_cast<std::size_t>(at);
     const double share = samples[k] / (steps_per_side * steps_per_side);

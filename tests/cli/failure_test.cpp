@@ -24,6 +24,12 @@ class Failure : public SmallFilm {
     expect_nothing_half_written("out");
   }
 
+  /// What a run leaves that was killed: with it the folder is known as one of this program's.
+  void leave_a_run() const {
+    make_folder(folder_ / "out/tasks");
+    write("out/tasks/lock", "");
+  }
+
   /// The same command goes on and ends with what an undisturbed one makes.
   void expect_generate_goes_on(const std::string& options = "") const {
     const Result result = wold(generate + options);
@@ -77,6 +83,7 @@ TEST_F(Failure, ABlockedFolderIsAFileError) {
   // Files in the way of folders and a folder in the way of a file: they stop even root.
   const std::string blender = blender_played_by("cp $good \"$out\"");
   for (const std::string blocked : {"texels", "blender", "frames/blender", "logs"}) {
+    leave_a_run();
     make_folder((folder_ / "out" / blocked).parent_path());
     write("out/" + blocked, "in the way");
     expect_failure(wold(render, blender), 4, "out/" + blocked);
@@ -84,6 +91,7 @@ TEST_F(Failure, ABlockedFolderIsAFileError) {
     fs::remove(folder_ / "out" / blocked);
   }
   fs::remove_all(folder_ / "out");
+  leave_a_run();
   make_folder(folder_ / "out/blender/data/frame_0002/sky.exr/in the way");
   expect_failure(wold(render, blender), 4, "out/blender/data/frame_0002/sky.exr");
   fs::remove_all(folder_ / "out/blender/data/frame_0002/sky.exr");

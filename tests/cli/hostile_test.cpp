@@ -34,22 +34,72 @@ std::vector<std::string> texts(const toml::node_view<const toml::node>& list) {
   return all;
 }
 
+std::string text_at(const toml::table& row, std::string_view key, std::string otherwise = "true") {
+  return row[key].value_or(std::move(otherwise));
+}
+
+Input input_of(const toml::table& row, const std::string& kind) {
+  const toml::node_view<const toml::node> view(row);
+  Input input;
+  input.name = kind + "_" + text_at(row, "name", "");
+  input.setup = text_at(row, "setup");
+  input.before = text_at(row, "before");
+  input.run = text_at(row, "run", "");
+  input.code = view["code"].value_or(2);
+  input.says = texts(view["says"]);
+  input.seconds = view["seconds"].value_or(20);
+  return input;
+}
+
+std::string replaced(std::string text, const std::string& word, const std::string& by) {
+  for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; at += by.size())
+    text.replace(at, word.size(), by);
+  return text;
+}
+
+/// Calls visit(row) for the rows of a list of a table, if there is one.
+template <class Visit>
+void for_rows(const toml::table& table, const char* list, const Visit& visit) {
+  if (const toml::array* rows = table[list].as_array())
+    for (const toml::node& row : *rows) visit(*row.as_table());
+}
+
+/// A reader given a file with a fault.
+Input faulty_file(const toml::table& reader, const toml::table& fault, const std::string& kind) {
+  const std::string file = text_at(reader, "file");
+  const bool is_file = fault["is_file"].value_or(true);
+  Input input;
+  input.name = kind + "_" + text_at(reader, "name") + "_" + text_at(fault, "name");
+  input.setup = text_at(reader, "setup") + "; " + replaced(text_at(fault, "setup"), "FILE", file);
+  input.run = replaced(text_at(reader, "run"), "FILE", file);
+  input.code = reader[is_file ? "code" : "code_without_file"].value_or(4);
+  for (const std::string& taken : texts(toml::node_view<const toml::node>(reader)["takes"]))
+    if (taken == text_at(fault, "name")) input.code = 0;
+  if (input.code != 0) input.says = {file};
+  return input;
+}
+
+/// An option given each of a list of values.
+void append_options(const toml::table& option, const std::string& kind,
+                    std::vector<Input>& inputs) {
+  int number = 0;
+  for (const std::string& value : texts(toml::node_view<const toml::node>(option)["values"])) {
+    Input input = input_of(option, kind);
+    input.name += "_" + std::to_string(++number);
+    input.run = replaced(input.run, "VALUE", quoted(value));
+    inputs.push_back(input);
+  }
+}
+
 void append_inputs(const fs::path& file, std::vector<Input>& inputs) {
   const toml::table table = toml::parse_file(file.string());
   const std::string kind = file.stem().string();
-  for (const toml::node& node : *table["input"].as_array()) {
-    const toml::table& row = *node.as_table();
-    const toml::node_view<const toml::node> view(row);
-    Input input;
-    input.name = kind + "_" + view["name"].value_or(std::string());
-    input.setup = view["setup"].value_or(std::string("true"));
-    input.before = view["before"].value_or(std::string("true"));
-    input.run = view["run"].value_or(std::string());
-    input.code = view["code"].value_or(2);
-    input.says = texts(view["says"]);
-    input.seconds = view["seconds"].value_or(20);
-    inputs.push_back(input);
-  }
+  for_rows(table, "input", [&](const auto& row) { inputs.push_back(input_of(row, kind)); });
+  for_rows(table, "option", [&](const auto& row) { append_options(row, kind, inputs); });
+  for_rows(table, "reader", [&](const auto& reader) {
+    for_rows(table, "fault",
+             [&](const auto& fault) { inputs.push_back(faulty_file(reader, fault, kind)); });
+  });
 }
 
 std::vector<Input> all_inputs() {
@@ -75,7 +125,8 @@ TEST_P(Hostile, IsTakenAsTheTableSays) {
   write("outside/precious", "mine");
   const std::string make =
       "make() { python3 " + quoted(WOLD_TESTS_DIR "/hostile/make.py") + " \"$@\"; }; ";
-  const Result setup = shell(make + input.setup);
+  const std::string ours = "ours() { mkdir -p out/tasks && : >out/tasks/lock; }; ";
+  const Result setup = shell(make + ours + input.setup);
   ASSERT_EQ(setup.code, 0) << setup.err;
   const std::string before = outside();
   const auto begin = std::chrono::steady_clock::now();

@@ -37,6 +37,30 @@ TEST(ParallelFor, ABodysExceptionReachesTheCallerAndEndsTheLoop) {
   EXPECT_LT(begun, 100000);
 }
 
+TEST(StopScope, EndsLoopsWithinLoopsOnAllThreads) {
+  std::atomic<int> done = 0;
+  const auto loops = [&] {
+    const StopScope scope([&] {
+      if (done >= 100) throw std::runtime_error("stop");
+    });
+    parallel_for(1000, [&](std::size_t) { parallel_for(1000, [&](std::size_t) { ++done; }); });
+  };
+  EXPECT_THROW(loops(), std::runtime_error);
+  EXPECT_LT(done, 10000);
+  EXPECT_GE(done, 100);
+}
+
+TEST(StopScope, TheInnermostCountsAndGoesWithItsObject) {
+  const StopScope outer([] { throw std::runtime_error("outer"); });
+  {
+    const StopScope inner([] {});
+    EXPECT_NO_THROW(stop_if_asked());
+    EXPECT_NO_THROW(parallel_for(10, [](std::size_t) {}));
+  }
+  EXPECT_THROW(stop_if_asked(), std::runtime_error);
+  EXPECT_THROW(parallel_for(10, [](std::size_t) {}), std::runtime_error);
+}
+
 TEST(ParallelFor, RoomsAreNeverSharedAndNoMoreThanThreads) {
   struct Room {
     bool taken = false;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "cli/own_folder.h"
 #include "cli/task_record.h"
 #include "core/files.h"
 #include "temporary_folder.h"
@@ -31,14 +32,16 @@ bool same(const cli::TaskRecord& a, const cli::TaskRecord& b) {
 
 }  // namespace
 
-/// Any bytes are a task's record and a scene's facts, or count as missing; what was read names
-/// files below the output folder alone, and can be written and read again.
+/// Any bytes are a task's record, a list of files and a scene's facts, or count as missing; what
+/// was read names files below the output folder alone, and can be written and read again.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
   static const test::TemporaryFolder folder("fuzz_records");
   const std::string_view text(reinterpret_cast<const char*>(bytes), count);
   make_folder(folder.path() / "tasks");
   write_file(folder.path() / "tasks/texels_0001.json", text);
   write_file(folder.path() / "tasks/scene_found.json", text);
+  write_file(folder.path() / "manifest.json", text);
+  cli::is_own_manifest(folder.path() / "manifest.json");
   const cli::TaskRecords records(folder.path());
   if (const auto record = records.read({cli::Stage::texels, 1})) {
     for (const auto& output : record->outputs)

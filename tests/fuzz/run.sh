@@ -11,7 +11,8 @@ source "$(dirname "$0")/../../examples/setup.sh"
 
 seconds=${1:-300}
 targets=("${@:2}")
-[ ${#targets[@]} -gt 0 ] || targets=(scene df3 weather_table daily_weather elevation records)
+[ ${#targets[@]} -gt 0 ] || targets=(scene df3 weather_table daily_weather elevation
+  records pictures vdb arguments)
 
 install "${build_packages[@]}" clang libgtest-dev libgmock-dev libbenchmark-dev
 folder=$here/build-fuzz
