@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/random.h"
+
 namespace wold {
 namespace {
 
@@ -63,6 +65,19 @@ TEST(Noise, VariogramFollowsTheHurstExponent) {
     const Fbm shape{17, 9, hurst, 0};
     const double slope = std::log10(variogram(shape, 0.125) / variogram(shape, 0.0125));
     EXPECT_NEAR(slope, 2.0 * hurst, 0.15);
+  }
+}
+
+// A distance to the nearest of some points changes by no more than the way that one goes, whatever
+// cell the nearest one is in.
+TEST(CellNoise, IsADistanceAcrossCells) {
+  const double step = 0.01;
+  for (std::uint64_t i = 0; i < 20000; ++i) {
+    const glm::dvec2 at(40.0 * random_uniform({1, i, 0, 0}), 40.0 * random_uniform({1, i, 1, 0}));
+    const double angle = 6.28 * random_uniform({1, i, 2, 0});
+    const glm::dvec2 there = at + step * glm::dvec2(std::cos(angle), std::sin(angle));
+    const double change = cell_noise(there, 5, glm::ivec2(40)) - cell_noise(at, 5, glm::ivec2(40));
+    ASSERT_LE(std::abs(change), step + 1e-9) << at.x << ' ' << at.y;
   }
 }
 

@@ -26,6 +26,16 @@ TEST(ScatterBlades, DrawsTheSceneDistributionsOnePerCell) {
   EXPECT_NEAR(length / grass.height_m, 1.0, 0.02);
 }
 
+// The width is the whole one, of which a blade's radius is half.
+TEST(ScatterBlades, AreAsWideAsAskedFor) {
+  scene::Grass grass;
+  grass.blades = 2500;
+  double width = 0.0;
+  for (const Blade& blade : scatter_blades(grass, {}, 3, 1))
+    width += 2.0 * double{blade.radius_m} / 2500.0;
+  EXPECT_NEAR(width / grass.width_m, 1.0, 0.03);
+}
+
 TEST(ScatterBlades, VariantsDiffer) {
   const scene::Grass grass;
   const auto a = scatter_blades(grass, {}, 3, 0);

@@ -64,6 +64,29 @@ TEST(Levels, EmissionIsTheMeanByArea) {
 }
 
 // Jensen's inequality: averaging makes opaque, fitting takes that back.
+// What is too faint to see leaves its area to the others.
+TEST(Levels, WithoutFaintVoxelsKeepTheArea) {
+  VolumeData volume;
+  volume.shape = {4, 4, 0.01};
+  volume.voxel = {0, 5, 9, 20, 33};
+  volume.density = {30.0F, 0.1F, 12.0F, 0.5F, 8.0F};  // 0.02 over a voxel's side is 2 per metre
+  const VolumeData shown = without_faint(volume);
+  EXPECT_EQ(shown.voxel, (std::vector<std::uint32_t>{0, 9, 33}));
+  EXPECT_NEAR(test::sum(shown.density), test::sum(volume.density), 1e-4);
+  EXPECT_NEAR(shown.density[0] / shown.density[1], 30.0 / 12.0, 1e-5);
+}
+
+// Meadows lean: one azimuth would not speak for the others.
+TEST(Levels, AreFittedFromAzimuthsAtRightAngles) {
+  for (const double elevation_deg : {15.0, 45.0}) {
+    const auto directions = transmittance_directions(elevation_deg);
+    ASSERT_EQ(directions.size(), 2U);
+    EXPECT_NEAR(glm::dot(glm::dvec2(directions[0]), glm::dvec2(directions[1])), 0.0, 1e-12);
+    for (const glm::dvec3& direction : directions)
+      EXPECT_NEAR(direction.z, std::sin(elevation_deg * test::degree), 1e-12);
+  }
+}
+
 TEST(Levels, FittedDensityLetsThroughWhatTheFineOneDoes) {
   const VolumeData fine = random_volume({62, 41, 0.004});
   const Transmittances wanted = seen_through(fine);

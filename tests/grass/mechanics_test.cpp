@@ -97,6 +97,16 @@ TEST(Mechanics, BladesLoseTheirStiffnessThenTheirWeight) {
   EXPECT_TRUE(std::isfinite(relative_load(limp, 1.0)));
 }
 
+// Of walls alone, which do not stiffen: a blade of three quarters of its thickness has 27/64 of its
+// stiffness, and bears what is left of 240 parts of water and 100 of dry mass.
+TEST(Mechanics, StiffnessGoesWithTheCubeOfTheThickness) {
+  scene::Ageing walls;
+  walls.turgor_support = 0.0;
+  walls.stiffening = 0.0;
+  walls.mesophyll_shrinkage = 0.5;
+  EXPECT_NEAR(relative_load(walls, 0.5), (220.0 / 340.0) / (27.0 / 64.0), 1e-9);
+}
+
 TEST(Mechanics, FallenBladesStayDown) {
   const scene::Ageing ageing;
   const Curve drying({{0.0, 1.0}, {1.0, 0.05}});

@@ -50,6 +50,19 @@ TEST(Voxelise, ACone) {
   EXPECT_NEAR(total / area, 1.0, 1e-4);
 }
 
+// The vein is what lies within 0.35 of the radius, an eighth of a section: where voxels are small
+// beside the blade, the area has that share of it.
+TEST(Voxelise, AnEighthOfABladeIsVein) {
+  Blade blade = test::straight_blade();
+  blade.radius_m = 0.01F;
+  double vein_m2 = 0.0, all_m2 = 0.0;
+  for (const BladeVoxel& voxel : voxelise_blade(blade, small_shape(254))) {
+    all_m2 += double{voxel.area_m2};
+    if (voxel.normal == glm::vec3(0.0F)) vein_m2 += double{voxel.area_m2};
+  }
+  EXPECT_NEAR(vein_m2 / all_m2, 0.35 * 0.35, 0.03);
+}
+
 TEST(Voxelise, MeadowKeepsItsProjectedArea) {
   const auto blades = small_blades();
   for (int side : {30, 62})

@@ -57,6 +57,17 @@ TEST(Rasterise, WeighsByTheGaussian) {
   EXPECT_NEAR(least / largest, std::exp(-1.0 / 0.36), 1e-4);
 }
 
+// A point a tenth of a voxel below the upper face is 0.6 voxels from the middle of the slice above
+// and 1.4 from that of the slice below.
+TEST(Rasterise, GivesMoreToTheNearerSlice) {
+  const Texel texel = rasterise_points(loose_points({{0.055F, 0.055F, 0.049F}}), shape);
+  std::vector<float> dense(shape.voxels(), 0.0F);
+  for (std::size_t i = 0; i < texel.size(); ++i) dense[texel.voxel[i]] = texel.density[i];
+  const float above = dense[shape.linear(5, 5, 5)], middle = dense[shape.linear(5, 5, 4)];
+  EXPECT_NEAR(above / middle, std::exp(-(0.36 - 0.16) / 0.72), 1e-3);
+  EXPECT_LT(dense[shape.linear(5, 5, 3)], 0.2F * above);
+}
+
 TEST(Rasterise, ConstantFieldStaysConstant) {
   std::vector<glm::vec3> places;
   for (int i = 0; i < 40; ++i)

@@ -39,6 +39,20 @@ TEST(KajiyaKay, DiffuseIsTheSineWithAMeanOfOne) {
 }
 
 // The mirror cone: light at an angle to the fibre is thrown on at the same angle.
+// What a leaf scatters meets others with the probability p = 0.45 and is scattered again: a / (1 -
+// p a) in all, the sum of a (p a)^n (Knyazikhin and others 1998, Journal of Geophysical Research
+// 103:32257).
+TEST(SourceRadiance, IsThatOfLightScatteredAgainAndAgain) {
+  const Lighting lighting = test::slanting_light();
+  const auto seen = [&](float albedo) {
+    const Fibre fibre{{0.0F, 0.0F, 1.0F}, glm::vec3(albedo), 0.0F};
+    return source_radiance(fibre, TurnedLight(lighting, 0), 1.0F, glm::vec3(0.3F), 24.0F).g;
+  };
+  double again_and_again = 0.0, share = 0.8;
+  for (int times = 0; times < 60; ++times, share *= 0.45 * 0.8) again_and_again += share;
+  EXPECT_NEAR(seen(0.8F) / seen(1e-4F), again_and_again / 1e-4, 1.0);
+}
+
 TEST(KajiyaKay, HighlightPeaksOnTheMirrorCone) {
   EXPECT_NEAR(kajiya_kay_specular(along_x, in_plane(90.0), in_plane(90.0), 24.0F), 1.0F, 1e-5F);
   EXPECT_NEAR(kajiya_kay_specular(along_x, in_plane(30.0), in_plane(150.0), 24.0F), 1.0F, 1e-4F);

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/vdb_file.h"
 #include "grass/voxelise.h"
 #include "small_meadow.h"
 #include "support/temporary_folder.h"
@@ -34,6 +35,26 @@ TEST(TexelFile, ReadsBackWithinHalfPrecision) {
     ASSERT_LT(glm::distance(back.normal[i], texel.normal[i]), 2.0F * half_step);
     ASSERT_LT(glm::distance(back.albedo[i], texel.albedo[i]), half_step);
   }
+}
+
+// In the file's own space a voxel's value is where its middle is: half a voxel from its corner.
+TEST(TexelFile, VoxelsLieWhereTheyAre) {
+  const wold::test::TemporaryFolder folder("texel_place");
+  const auto path = folder.path() / "texel.vdb";
+  Texel texel;
+  texel.shape = {8, 8, 0.25};
+  texel.voxel = {texel.shape.linear(3, 4, 5)};
+  texel.density = {100.0F};
+  texel.tangent = {{0.0F, 0.0F, 1.0F}};
+  texel.normal = texel.albedo = {glm::vec3(0.0F)};
+  texel.specular = {0.0F};
+  write_texel(path, texel, "x");
+  const auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(read_vdb_grid(path, "density"));
+  ASSERT_EQ(grid->activeVoxelCount(), 1U);
+  const openvdb::Vec3d at_m = grid->indexToWorld(grid->cbeginValueOn().getCoord());
+  EXPECT_NEAR(at_m.x(), 3.5 * 0.25, 1e-12);
+  EXPECT_NEAR(at_m.y(), 4.5 * 0.25, 1e-12);
+  EXPECT_NEAR(at_m.z(), 5.5 * 0.25, 1e-12);
 }
 
 TEST(TexelFile, SameTexelSameBytes) {
