@@ -53,28 +53,40 @@ void add_file_shorthand(CLI::App& app, const std::string& option, const std::str
       ->type_name("FILE");
 }
 
-void add_input_files(CLI::App& app, Overrides& overrides) {
-  add_file_shorthand(app, "--terrain", "terrain.elevation", overrides);
-  add_file_shorthand(app, "--weather", "season.table", overrides);
-}
-
-/// The options of `render` and its like; shorthands are kept apart because CLI11 replaces the
-/// list of --set when it is done.
-struct RenderArguments {
-  RenderOptions options;
+/// The scene and what changes its keys; shorthands are kept apart because CLI11 replaces the list
+/// of
+/// --set when it is done. `Options` has `scene` and `overrides`.
+template <class Options>
+struct SceneArguments {
+  Options options;
   Overrides shorthands;
 };
+using RenderArguments = SceneArguments<RenderOptions>;
 
+/// All but --weather, which `curves` has for itself.
 void add_shorthands(CLI::App& app, Overrides& overrides) {
   add_shorthand(app, "--renderer", "blender|povray|both", "render.renderer", overrides);
   add_shorthand(app, "--samples", "N", "render.samples", overrides);
   add_shorthand(app, "--grass", "texels|blades|auto|points", "render.grass", overrides);
-  add_input_files(app, overrides);
+  add_file_shorthand(app, "--terrain", "terrain.elevation", overrides);
   app.add_option_function<std::string>(
          "--size",
          [&overrides](const std::string& size) { overrides.push_back(size_override(size)); },
          "sets render.size")
       ->type_name("WxH");
+}
+
+void add_weather(CLI::App& app, Overrides& overrides) {
+  add_file_shorthand(app, "--weather", "season.table", overrides);
+}
+
+/// What every command that reads a scene takes.
+template <class Options>
+void add_scene_arguments(CLI::App& app, SceneArguments<Options>& arguments) {
+  add_scene(app, arguments.options.scene);
+  add_shorthands(app, arguments.shorthands);
+  add_weather(app, arguments.shorthands);
+  add_overrides(app, arguments.options.overrides);
 }
 
 void add_frames(CLI::App& app, std::vector<int>& frames, const std::string& doc) {
@@ -107,8 +119,7 @@ std::string at_least_a_megabyte(const std::string& text) {
 /// Everything that says which files are made.
 void add_job_options(CLI::App& app, RenderArguments& arguments) {
   RenderOptions& options = arguments.options;
-  add_scene(app, options.scene);
-  add_shorthands(app, arguments.shorthands);
+  add_scene_arguments(app, arguments);
   add_frames(app, options.frames, "frames to make, from 1; all without it");
   app.add_option("--out", options.out, "output folder; out/<scene name> without it")
       ->type_name("DIR");
@@ -120,14 +131,14 @@ void add_job_options(CLI::App& app, RenderArguments& arguments) {
       ->type_name("SIZE")
       ->transform(CLI::AsSizeValue(false))
       ->check(at_least_a_megabyte, "");
-  add_overrides(app, options.overrides);
 }
 
 void add_quiet(CLI::App& app, bool& quiet) { app.add_flag("--quiet", quiet, "no progress"); }
 
 /// The options with the shorthands among the overrides.
-RenderOptions resolved(const RenderArguments& arguments) {
-  RenderOptions options = arguments.options;
+template <class Options>
+Options resolved(const SceneArguments<Options>& arguments) {
+  Options options = arguments.options;
   options.overrides.insert(options.overrides.end(), arguments.shorthands.begin(),
                            arguments.shorthands.end());
   return options;
@@ -196,10 +207,12 @@ Action declare_task(CLI::App& app) {
 }
 
 Action declare_check(CLI::App& app) {
-  auto options = std::make_shared<RenderOptions>();
-  add_scene(app, options->scene);
-  add_overrides(app, options->overrides);
-  return [options] { return run_check(options->scene, options->overrides); };
+  auto arguments = std::make_shared<RenderArguments>();
+  add_scene_arguments(app, *arguments);
+  return [arguments] {
+    const RenderOptions options = resolved(*arguments);
+    return run_check(options.scene, options.overrides);
+  };
 }
 
 Action declare_inspect(CLI::App& app) {
@@ -251,17 +264,19 @@ Action declare_compare(CLI::App& app) {
 }
 
 Action declare_curves(CLI::App& app) {
-  auto options = std::make_shared<CurvesOptions>();
-  add_scene(app, options->scene);
+  auto arguments = std::make_shared<SceneArguments<CurvesOptions>>();
+  CurvesOptions& options = arguments->options;
+  add_scene(app, options.scene);
+  add_shorthands(app, arguments->shorthands);
   // Not ->required(): the command itself says what a missing name should look like.
-  app.add_option("--out", options->out, "the figure or table to write; its ending says which")
+  app.add_option("--out", options.out, "the figure or table to write; its ending says which")
       ->type_name("FILE.svg|FILE.csv");
-  app.add_option("--weather", options->weather,
+  app.add_option("--weather", options.weather,
                  "daily weather (date, tmin_c, tmax_c, precipitation_mm): draws what the season "
                  "makes of it instead: greenness, weathering degree, snow")
       ->type_name("FILE.csv");
-  add_overrides(app, options->overrides);
-  return [options] { return run_curves(*options); };
+  add_overrides(app, options.overrides);
+  return [arguments] { return run_curves(resolved(*arguments)); };
 }
 
 void add_output_folder(CLI::App& app, std::filesystem::path& out) {
@@ -291,19 +306,16 @@ Action declare_film(CLI::App& app) {
 }
 
 Action declare_preview(CLI::App& app) {
-  auto options = std::make_shared<PreviewOptions>();
-  auto shorthands = std::make_shared<Overrides>();
-  add_scene(app, options->scene);
-  app.add_option("--out", options->out, "the picture; out/<scene name>/preview.png without it")
+  auto arguments = std::make_shared<SceneArguments<PreviewOptions>>();
+  add_scene_arguments(app, *arguments);
+  app.add_option("--out", arguments->options.out,
+                 "the picture; out/<scene name>/preview.png without it")
       ->type_name("FILE.png");
-  add_overrides(app, options->overrides);
-  add_input_files(app, *shorthands);
   auto quiet = std::make_shared<bool>(false);
   add_quiet(app, *quiet);
-  return [options, shorthands, quiet] {
+  return [arguments, quiet] {
     ConsoleProgress progress(progress_style(*quiet));
-    options->overrides.insert(options->overrides.end(), shorthands->begin(), shorthands->end());
-    return run_preview(*options, progress);
+    return run_preview(resolved(*arguments), progress);
   };
 }
 

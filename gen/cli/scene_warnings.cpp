@@ -63,14 +63,11 @@ double coldest_c(const scene::Scene& scene) {
   return scene.weather.temperature_c - snow::lapse_k_per_m * top_m;
 }
 
-void warn_of_rain(const scene::Scene& scene, Warnings& warnings) {
-  if (!has_plain_weather(scene) || !scene.terrain.elevation.empty()) return;
-  if (scene.snowfall.strength != "weather" || scene.weather.precipitation_mm_h <= 0.0) return;
-  if (snow::snow_share(coldest_c(scene)) > 0.0) return;
-  warnings.push_back(fmt::format(
-      "weather.precipitation falls as rain at {:.3g} degrees, and rain is not drawn; for snow set "
-      "weather.temperature = -1",
-      scene.weather.temperature_c));
+/// Whether it is known that no snow falls: none does, or all that does is rain.
+bool has_no_snowfall(const scene::Scene& scene) {
+  if (!scene::may_snow(scene)) return true;
+  return has_plain_weather(scene) && scene.terrain.elevation.empty() &&
+         scene.snowfall.strength == "weather" && snow::snow_share(coldest_c(scene)) <= 0.0;
 }
 
 void warn_of_lost_snow(const scene::Scene& scene, Warnings& warnings) {
@@ -108,6 +105,14 @@ void warn_of_streaks(const scene::Scene& scene, Warnings& warnings) {
       speed_m_s * scene.snowfall.shutter_s, usual.shutter_s));
 }
 
+/// A tornado is made of flakes.
+void warn_of_unseen_tornado(const scene::Scene& scene, Warnings& warnings) {
+  if (scene.wind.field != "tornado" || !has_no_snowfall(scene)) return;
+  warnings.emplace_back(
+      "the tornado of wind.field whirls flakes up, and no snow falls: it is not seen; set "
+      "snowfall.strength = \"moderate\"");
+}
+
 void warn_of_late_table(const scene::Scene& scene, Warnings& warnings) {
   constexpr std::chrono::days enough(60);
   if (!scene::is_season(scene) || scene.season.table.empty()) return;
@@ -131,10 +136,12 @@ void warn_of_late_table(const scene::Scene& scene, Warnings& warnings) {
 Warnings scene_warnings(const scene::Scene& film) {
   Warnings warnings = grass_warnings(film);
   warn_of_jumping_clouds(film, warnings);
-  warn_of_rain(film, warnings);
   warn_of_lost_snow(film, warnings);
   warn_of_streaks(film, warnings);
+  warn_of_unseen_tornado(film, warnings);
   warn_of_late_table(film, warnings);
+  for (const auto& more : {season_warnings(film), unused_key_warnings(film)})
+    warnings.insert(warnings.end(), more.begin(), more.end());
   return warnings;
 }
 

@@ -16,6 +16,12 @@ std::vector<std::string> scene_warnings(const scene::Scene& film);
 /// Those that are about grass.
 std::vector<std::string> grass_warnings(const scene::Scene& film);
 
+/// Those that are about its season: [[season_keys]] that do other than it seems.
+std::vector<std::string> season_warnings(const scene::Scene& film);
+
+/// Those that are about keys that were given and change nothing.
+std::vector<std::string> unused_key_warnings(const scene::Scene& film);
+
 /// Says them on stderr.
 void print_warnings(const scene::Scene& film);
 

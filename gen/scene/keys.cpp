@@ -145,9 +145,12 @@ std::vector<Key> grass_keys() {
                       "Levels of detail: voxels along a side of the patch, finest first."),
                  {254, 126, 62, 30}),
             FIELD(grass.levels)),
-      bound(number("grass.proportion", "", {0.1, 1000},
-                   "Points drawn per unit of a voxel's optical depth."),
-            FIELD(grass.proportion)),
+      bound(
+          number(
+              "grass.proportion", "", {0.1, 1000},
+              "Points drawn per unit of a voxel's optical depth: the paper's best is 6; here each "
+              "point spreads over more voxels, and 2.5 do."),
+          FIELD(grass.proportion)),
       bound(
           list(Kind::numbers, "grass.key_frames", "", {0, 1},
                {.fewest = 0, .most = 64, .order = Order::increasing, .spans_range = true},

@@ -99,6 +99,30 @@ TEST_F(Program, ShorthandsSetTheSameKeysAndDryRunWritesNothing) {
   EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
+TEST_F(Program, EveryCommandThatReadsASceneTakesItsShorthands) {
+  write("a.toml", "");
+  write("dem.asc", "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 100\n1 2\n3 4\n");
+  std::string days = "date,tmin_c,tmax_c,precipitation_mm\n";
+  for (int day = 1; day <= 30; ++day) days += fmt::format("2026-06-{:02},4,14,2\n", day);
+  write("days.csv", days);
+  const std::string shorthands =
+      " --renderer povray --samples 3 --grass blades --size 320x200 --terrain dem.asc";
+  const std::string season = " --set 'season.first=[2026,6,2]' --set 'season.last=[2026,6,9]'";
+  const Result check = wold("check a.toml --weather days.csv" + shorthands + season);
+  EXPECT_EQ(check.code, 0) << check.err;
+  for (const char* line : {"\nrenderer = \"povray\"\n", "\nsamples = 3\n", "\ngrass = \"blades\"\n",
+                           "\nsize = [320, 200]\n", "/dem.asc\"\n", "/days.csv\"\n"})
+    expect_contains(check.out, line);
+  for (const std::string command :
+       {"render", "generate", "plan", "task", "check", "preview", "curves"}) {
+    const std::string help = wold(command + " --help").out;
+    for (const char* option :
+         {"--renderer", "--samples", "--grass", "--size", "--terrain", "--weather", "--set"})
+      EXPECT_NE(help.find(option), std::string::npos) << command << " " << option;
+  }
+  EXPECT_EQ(wold("curves a.toml --out a.csv" + shorthands).code, 0);
+}
+
 TEST_F(Program, NewWritesASceneOnceAndNeverReplacesIt) {
   const Result result = wold("new heath");
   EXPECT_EQ(result.code, 0);

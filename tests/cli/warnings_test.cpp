@@ -69,13 +69,6 @@ TEST_F(Warnings, CloudsThatJump) {
 }
 
 TEST_F(Warnings, SnowThatCannotBeSeen) {
-  EXPECT_THAT(about("[weather]\nprecipitation = 2\ntemperature = 8\n"),
-              AllOf(StartsWith("warning: weather.precipitation falls as rain at 8 degrees"),
-                    HasSubstr("set weather.temperature = -1")));
-  EXPECT_THAT(
-      about("[weather]\nprecipitation = 2\ntemperature = 8\n[terrain]\nhill_height = 1500\n"),
-      Not(HasSubstr("rain")))
-      << "snows on the hill";
   EXPECT_THAT(about("[snow_cover]\ninitial = 30\ncover = 'none'\n"),
               HasSubstr("set snow_cover.cover = \"depth\""));
   // 3 mm a day and degree: 30 mm are gone after a day at 10 degrees, but for the hill's height.
@@ -101,6 +94,76 @@ TEST_F(Warnings, ASeasonWhoseTableBeginsWithIt) {
                     HasSubstr("begin on 2026-01-10 or earlier"),
                     HasSubstr("season.first = [2026, 4, 30] or later")));
   EXPECT_THAT(about(season("[2026, 5, 1]")), IsEmpty());
+}
+
+/// A table of the whole year.
+std::string days_of_2026(const std::string& more_columns = "", const std::string& more = "") {
+  std::string table = "date,tmin_c,tmax_c,precipitation_mm" + more_columns + "\n";
+  for (int month = 1; month <= 12; ++month)
+    for (int day = 1; day <= 28; ++day)
+      table += fmt::format("2026-{:02}-{:02},4,14,2{}\n", month, day, more);
+  return table;
+}
+
+constexpr const char* autumn = "[season]\nfirst = [2026, 8, 25]\nlast = [2026, 11, 1]\n";
+
+TEST_F(Warnings, SeasonKeysThatWinOverTheTable) {
+  write("w.csv", days_of_2026());
+  write("clouds.csv", days_of_2026(",cloud_cover", ",0.5"));
+  const std::string keys =
+      std::string(autumn) +
+      "[[season_keys]]\ndate = [2026, 9, 1]\ntemperature = 3\ncloud_cover = 1\n"
+      "[[season_keys]]\ndate = [2026, 9, 20]\ntemperature = 3\nweathering = 0.5\n";
+  EXPECT_THAT(about(keys), IsEmpty());
+  EXPECT_THAT(about(keys, "--weather w.csv"),
+              AllOf(StartsWith("warning: [[season_keys]] win over season.table"),
+                    HasSubstr("weathering (on 1 day), temperature (on 2 days)"),
+                    Not(HasSubstr("cloud_cover")), Not(HasSubstr("precipitation"))));
+  EXPECT_THAT(about(keys, "--weather clouds.csv"), HasSubstr(", cloud_cover (on 1 day);"));
+  EXPECT_THAT(about(autumn, "--weather w.csv"), IsEmpty());
+}
+
+TEST_F(Warnings, SeasonKeysOutsideTheSeason) {
+  const auto key = [](const std::string& date) {
+    return "[[season_keys]]\nweathering = 0.5\ndate = " + date + "\n";
+  };
+  const std::string ends = key("[2026, 8, 25]") + key("[2026, 11, 1]");
+  EXPECT_THAT(about(autumn + ends), IsEmpty());
+  EXPECT_THAT(about(autumn + key("[2026, 8, 24]") + ends + key("[2026, 11, 2]")),
+              AllOf(StartsWith("warning: 2 of the 4 [[season_keys]] lie outside the season, "
+                               "2026-08-25 to 2026-11-01"),
+                    HasSubstr("season_keys[1] (2026-08-24), season_keys[4] (2026-11-02)")));
+}
+
+TEST_F(Warnings, ATornadoThatNobodySees) {
+  const std::string tornado = "[wind]\nfield = 'tornado'\n";
+  EXPECT_THAT(about(tornado), AllOf(StartsWith("warning: the tornado of wind.field"),
+                                    HasSubstr("set snowfall.strength = \"moderate\"")));
+  EXPECT_THAT(about(tornado, "--set snowfall.strength=moderate"), IsEmpty());
+  EXPECT_THAT(about(tornado, "--set weather.precipitation=1.2"), IsEmpty());
+  EXPECT_THAT(about(tornado, "--set weather.precipitation=1.2 --set weather.temperature=8"),
+              HasSubstr("tornado"))
+      << "it rains";
+}
+
+TEST_F(Warnings, KeysThatPaperMotionDoesNotHave) {
+  const std::string clouds =
+      "[[clouds]]\nspeed = 3\ngusts = 1\n[[cloud_events]]\nkind = 'wind'\nspeed = 2\n";
+  EXPECT_THAT(about(clouds), IsEmpty());
+  const std::string paper = clouds + "[[clouds]]\nmotion = 'paper'\n";
+  EXPECT_THAT(about(paper), AllOf(StartsWith("warning: clouds[2].motion = \"paper\""),
+                                  HasSubstr(": cloud_events[1].speed changes nothing")));
+  EXPECT_THAT(
+      about(paper + "heading = 20\nspeed = 3\n"),
+      HasSubstr("clouds[2].speed, clouds[2].heading, cloud_events[1].speed change nothing"));
+}
+
+TEST_F(Warnings, KeysOfAnotherChoice) {
+  EXPECT_EQ(
+      about("[snow_cover]\nwhite_after = 5\n"),
+      "warning: snow_cover.white_after changes nothing without snow_cover.cover = \"paper\"\n");
+  EXPECT_THAT(about("[snow_cover]\nwhite_after = 5\ncover = 'paper'\n"), IsEmpty());
+  EXPECT_THAT(about("[terrain]\nsystem = 'EPSG:4326'\n"), HasSubstr("without terrain.elevation"));
 }
 
 TEST_F(Warnings, StandOnStderrOfWhatUsesTheScene) {
