@@ -5,7 +5,10 @@
 #include <algorithm>
 
 #include "blender/export.h"
+#include "blender/volume_stack.h"
 #include "cli/cloud_textures.h"
+#include "cli/output.h"
+#include "core/error.h"
 #include "core/files.h"
 #include "grass/texel_file.h"
 #include "landscape/assemble.h"
@@ -26,6 +29,20 @@ std::vector<fs::path> export_frame(const std::string& renderer,
                                    const landscape::Landscape& landscape, const fs::path& folder) {
   return renderer == "blender" ? blender::export_frame(landscape, folder)
                                : povray::export_frame(landscape, folder);
+}
+
+/// Blender leaves volumes out where too many lie over each other, without a word: on sharply bent
+/// ground, where a patch is laid in many parts, or behind many clouds.
+void check_overlaps(const landscape::Landscape& landscape) {
+  const int deepest = blender::deepest_volume_stack(landscape);
+  if (deepest < blender::many_volumes) return;
+  const std::string found = fmt::format(
+      "frame {}: {} volumes lie over one place before the camera, and Blender leaves out what is "
+      "beyond {}; set grass.patch to less, render.grass = \"blades\" or render.renderer = "
+      "\"povray\"",
+      landscape.frame, deepest, blender::volumes_on_a_stack - 1);
+  if (deepest >= blender::volumes_on_a_stack) throw InputError(found);
+  print_message("warning: " + found);
 }
 
 /// All that cells may use. Which of them do depends on the frames; a file must not.
@@ -167,6 +184,7 @@ std::vector<fs::path> Film::make_frame(int frame, Progress& progress) {
                           cells_of(frame), lookup);
   progress.advance(1, fmt::format("frame {}", frame));
   std::vector<fs::path> files;
+  if (std::ranges::count(renderers, "blender") > 0) check_overlaps(landscape);
   for (const std::string& renderer : renderers) {
     for (const fs::path& file : export_frame(renderer, landscape, job_.out / renderer))
       files.push_back(file);
