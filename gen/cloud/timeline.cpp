@@ -5,6 +5,7 @@
 
 #include "core/random.h"
 #include "light/sunlight.h"
+#include "scene/calendar.h"
 #include "scene/cloud_consistency.h"
 
 namespace wold::cloud {
@@ -18,7 +19,7 @@ std::vector<CloudEvent> changes(const scene::Scene& scene, std::size_t layer,
   std::vector<CloudEvent> found;
   for (const CloudEvent& event : scene.cloud_events)
     if (scene::happens_to(event, layer) && scene::change_of(event) == change)
-      found.push_back(event);
+      found.push_back(scene::on_clock(scene, event));
   std::ranges::stable_sort(found, {}, &CloudEvent::start_s);
   return found;
 }

@@ -27,4 +27,23 @@ inline double time_s(const Scene& scene, int frame) {
   return (frame - 1) * scene.film.frame_seconds;
 }
 
+/// The clouds' clock in a season, since the first frame, on a day of it: frames are
+/// film.frame_seconds apart for them, however many days pass.
+inline double cloud_time_s(const Scene& scene, const std::vector<std::int64_t>& date) {
+  const auto days_from_first = [&](const std::vector<std::int64_t>& day) {
+    return static_cast<double>(
+        (std::chrono::sys_days(date_of(day)) - std::chrono::sys_days(date_of(scene.season.first)))
+            .count());
+  };
+  const double film_s = (scene.season.frames - 1) * scene.film.frame_seconds;
+  return film_s * days_from_first(date) / days_from_first(scene.season.last);
+}
+
+/// An event with start and duration as its days, if it has any, have them on that clock.
+inline CloudEvent on_clock(const Scene& scene, CloudEvent event) {
+  if (!event.date.empty()) event.start_s = cloud_time_s(scene, event.date);
+  if (!event.until.empty()) event.duration_s = cloud_time_s(scene, event.until) - event.start_s;
+  return event;
+}
+
 }  // namespace wold::scene

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "scene/calendar.h"
 #include "scene/keys.h"
 #include "scene/registry.h"
 #include "scene/text.h"
@@ -86,7 +87,66 @@ void report_half_a_colour(Report& report, std::size_t event) {
                fmt::format("found a list of {}, expected three numbers, or none", items));
 }
 
-std::string span_text(const CloudEvent& event) {
+bool is_day(const std::vector<std::int64_t>& date) {
+  return date.size() == 3 && date_of(date).ok();
+}
+
+/// Whether the season's days are known, and those of an event in it.
+bool has_days(const Scene& scene, const CloudEvent& event) {
+  const Season& season = scene.season;
+  return is_day(season.first) && is_day(season.last) &&
+         date_of(season.first) < date_of(season.last) && is_day(event.date) &&
+         (event.until.empty() || is_day(event.until));
+}
+
+void report_day(Report& report, std::size_t event, const char* leaf,
+                const std::vector<std::int64_t>& date) {
+  if (!is_day(date))
+    report.add(event_name(event), leaf,
+               fmt::format("found {}, expected a year, month and day of the calendar", date));
+}
+
+/// Days, and no seconds beside them.
+void report_days(Report& report, std::size_t event) {
+  static const CloudEvent usual;
+  const CloudEvent& found = report.scene.cloud_events[event];
+  const std::string name = event_name(event);
+  if (found.date.empty()) {
+    if (!found.until.empty())
+      report.add(name, "until", "found a day, expected one with date, the day on which it begins");
+    return;
+  }
+  if (!is_season(report.scene)) {
+    report.add(name, "date",
+               "found a day of a season, but the scene is none; expected start, or season.first");
+    return;
+  }
+  report_day(report, event, "date", found.date);
+  if (!found.until.empty()) report_day(report, event, "until", found.until);
+  if (found.start_s != usual.start_s)
+    report.add(name, "start", "found beside date, expected one of the two");
+  if (!found.until.empty() && found.duration_s != usual.duration_s)
+    report.add(name, "duration", "found beside until, expected one of the two");
+  if (!has_days(report.scene, found)) return;
+  const Season& season = report.scene.season;
+  if (date_of(found.date) < date_of(season.first) || date_of(found.date) > date_of(season.last))
+    report.add(name, "date",
+               fmt::format("found {}, expected a day of the season, from {} to {}", found.date,
+                           season.first, season.last));
+  if (!found.until.empty() && date_of(found.until) <= date_of(found.date))
+    report.add(name, "until",
+               fmt::format("found {}, expected a day after date ({})", found.until, found.date));
+}
+
+/// The key that says when an event begins.
+const char* begins(const CloudEvent& event) { return event.date.empty() ? "start" : "date"; }
+
+std::string span_text(const Scene& scene, const CloudEvent& given) {
+  const CloudEvent event = on_clock(scene, given);
+  if (!given.date.empty())
+    return fmt::format("\"{}\" from {} {}", event.kind, given.date,
+                       given.until.empty() ? fmt::format("on for {} s", event.duration_s)
+                                           : fmt::format("to {}", given.until));
   return fmt::format("\"{}\" from {} to {} s", event.kind, event.start_s,
                      event.start_s + event.duration_s);
 }
@@ -102,11 +162,15 @@ std::vector<std::size_t> changes(const Report& report, std::size_t layer, CloudC
   for (std::size_t event = 0; event < events.size(); ++event) {
     const bool judged =
         !report.failed(event_name(event), "kind") && !report.failed(event_name(event), "layer") &&
-        !report.failed(event_name(event), "start") && !report.failed(event_name(event), "duration");
+        !report.failed(event_name(event), "start") &&
+        !report.failed(event_name(event), "duration") &&
+        !report.failed(event_name(event), "date") && !report.failed(event_name(event), "until") &&
+        (events[event].date.empty() || has_days(report.scene, events[event]));
     if (judged && happens_to(events[event], layer) && change_of(events[event]) == change)
       found.push_back(event);
   }
-  std::ranges::stable_sort(found, {}, [&](std::size_t event) { return events[event].start_s; });
+  std::ranges::stable_sort(
+      found, {}, [&](std::size_t event) { return on_clock(report.scene, events[event]).start_s; });
   return found;
 }
 
@@ -114,18 +178,19 @@ void report_overlaps(Report& report, std::size_t layer, CloudChange change) {
   const auto& events = report.scene.cloud_events;
   const std::vector<std::size_t> in_order = changes(report, layer, change);
   for (std::size_t i = 1; i < in_order.size(); ++i) {
-    const CloudEvent& before = events[in_order[i - 1]];
-    const CloudEvent& next = events[in_order[i]];
+    const CloudEvent before = on_clock(report.scene, events[in_order[i - 1]]);
+    const CloudEvent next = on_clock(report.scene, events[in_order[i]]);
     if (next.start_s >= before.start_s + before.duration_s) continue;
     const std::string other = event_name(in_order[i - 1]);
-    report.add(event_name(in_order[i]), "start",
-               fmt::format("found {} on layer {}, before {} ({}{}) has ended; expected one change "
-                           "of a layer's {} after the other",
-                           span_text(next), layer + 1, span_text(before), other,
-                           line_text(report.place(other, "start")),
-                           change == CloudChange::drift    ? "drift"
-                           : change == CloudChange::amount ? "amount"
-                                                           : "light"));
+    report.add(
+        event_name(in_order[i]), begins(next),
+        fmt::format("found {} on layer {}, before {} ({}{}) has ended; expected one change "
+                    "of a layer's {} after the other",
+                    span_text(report.scene, next), layer + 1, span_text(report.scene, before),
+                    other, line_text(report.place(other, begins(before))),
+                    change == CloudChange::drift    ? "drift"
+                    : change == CloudChange::amount ? "amount"
+                                                    : "light"));
   }
 }
 
@@ -147,6 +212,7 @@ void report_cloud_contradictions(const Scene& scene, const Places& places,
   for (std::size_t event = 0; event < scene.cloud_events.size(); ++event) {
     report_missing_layer(report, event);
     report_half_a_colour(report, event);
+    report_days(report, event);
     report_useless_keys(report, event);
   }
   for (std::size_t layer = 0; layer < scene.clouds.size(); ++layer)

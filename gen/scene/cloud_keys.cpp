@@ -77,6 +77,12 @@ std::vector<Key> cloud_event_keys(std::size_t item) {
             ITEM_FIELD(cloud_events, start_s)),
       bound(number("cloud_events.duration", "s", {0.001, 1e9}, "How long it takes."),
             ITEM_FIELD(cloud_events, duration_s)),
+      bound(list(Kind::integers, "cloud_events.date", "", {1, 2999}, {.fewest = 0, .most = 3},
+                 "In a season: year, month and day on which it begins, instead of start."),
+            ITEM_FIELD(cloud_events, date)),
+      bound(list(Kind::integers, "cloud_events.until", "", {1, 2999}, {.fewest = 0, .most = 3},
+                 "In a season, with date: the day on which it has happened, instead of duration."),
+            ITEM_FIELD(cloud_events, until)),
       bound(number("cloud_events.heading", "deg", {0, 360},
                    "Wind: where the clouds drift to afterwards, clockwise from north; the drift "
                    "turns the shorter way."),

@@ -151,6 +151,24 @@ TEST(Timeline, GathersAndDissipatesMonotonically) {
   }
 }
 
+/// A frame of 4 s every second day of 40: the clouds' clock has 84 s at the end.
+TEST(Timeline, DaysOfASeasonAreOnTheCloudsClock) {
+  scene::Scene scene =
+      one_layer({{.kind = "dissipate", .date = {2026, 9, 11}, .until = {2026, 9, 21}, .by = 0.5},
+                 {.kind = "gather", .duration_s = 8.0, .date = {2026, 10, 1}}});
+  scene.season.first = {2026, 9, 1};
+  scene.season.last = {2026, 10, 11};
+  scene.season.frames = 21;
+  scene.season_keys = {{.date = {2026, 9, 1}, .weathering = 0.0}};
+  scene.film.frame_seconds = 4.2;
+  const Timeline timeline(scene, 0, 1e3);
+  const auto amount_on_day = [&](double day) { return timeline.at(2.1 * day).amount; };
+  EXPECT_EQ(amount_on_day(9.0), 1.0);
+  EXPECT_NEAR(amount_on_day(15.0), 0.75, 1e-12);
+  EXPECT_NEAR(amount_on_day(25.0), 0.5, 1e-12);
+  EXPECT_NEAR(timeline.at(2.1 * 30.0 + 4.0).amount, 0.75, 1e-12);
+}
+
 TEST(Timeline, TurnsFromShapeToShape) {
   const Timeline timeline(
       one_layer({{.kind = "wind", .start_s = 10, .duration_s = 10, .heading_deg = 0},

@@ -99,6 +99,38 @@ TEST(CloudEvents, ThatContradictEachOtherNameBothLines) {
             std::vector<std::string>{});
 }
 
+TEST(CloudEvents, MayHaveDaysOfASeason) {
+  const std::string season =
+      "[season]\nfirst = [2026, 9, 1]\nlast = [2026, 10, 1]\n[[season_keys]]\n"
+      "date = [2026, 9, 1]\nweathering = 0\n[[clouds]]\n[[cloud_events]]\nkind = 'gather'\n";
+  const std::string dated = season + "date = [2026, 9, 10]\n";
+  const Scene scene = parse_scene(dated + "until = [2026, 9, 20]\n", "a.toml");
+  EXPECT_EQ(scene.cloud_events[0].until, (std::vector<std::int64_t>{2026, 9, 20}));
+  EXPECT_EQ(parse_scene(resolved_toml(scene), "a.toml"), scene);
+  EXPECT_EQ(problems_of(dated), std::vector<std::string>{});
+  expect_problem(
+      "[[clouds]]\n[[cloud_events]]\ndate = [2026, 9, 10]\n",
+      "a.toml:3:1: cloud_events[1].date: found a day of a season, but the scene is none");
+  expect_problem(season + "until = [2026, 9, 10]\n",
+                 "a.toml:10:1: cloud_events[1].until: found a day, expected one with date");
+  expect_problem(season + "date = [2026, 9, 31]\n",
+                 "a.toml:10:1: cloud_events[1].date: found [2026, 9, 31], expected a year, month");
+  expect_problem(season + "date = [2026, 10, 2]\n",
+                 "a.toml:10:1: cloud_events[1].date: found [2026, 10, 2], expected a day of the "
+                 "season, from [2026, 9, 1] to [2026, 10, 1]");
+  expect_problem(dated + "until = [2026, 9, 10]\n",
+                 "a.toml:11:1: cloud_events[1].until: found [2026, 9, 10], expected a day after");
+  expect_problem(dated + "start = 3\n",
+                 "a.toml:11:1: cloud_events[1].start: found beside date, expected one of the two");
+  expect_problem(dated + "until = [2026, 9, 20]\nduration = 3\n",
+                 "a.toml:12:1: cloud_events[1].duration: found beside until");
+  expect_problem(dated +
+                     "until = [2026, 9, 20]\n[[cloud_events]]\nkind = 'dissipate'\n"
+                     "date = [2026, 9, 15]\n",
+                 "a.toml:14:1: cloud_events[2].date: found \"dissipate\" from [2026, 9, 15] on for "
+                 "60 s on layer 1, before \"gather\" from [2026, 9, 10] to [2026, 9, 20]");
+}
+
 TEST(CloudEvents, HaveTheKeysOfTheirKindAndALayer) {
   expect_problem("[[clouds]]\n[[cloud_events]]\nkind = 'gather'\nheading = 10\n",
                  "a.toml:4:1: cloud_events[1].heading: found in a \"gather\" event, expected only "
