@@ -159,7 +159,7 @@ class Preview {
     if (snows)
       row.push_back(
           {preview::flakes_picture(landscape.flakes, {flakes_px, flakes_px}),
-           fmt::format("Crystals; {} flakes in the picture", landscape.flakes.flakes.size())});
+           fmt::format("Flakes and drops; {} in the picture", landscape.flakes.flakes.size())});
     return row;
   }
 

@@ -167,7 +167,7 @@ Landscape assemble(const scene::Scene& scene, const Site& site, int frame,
       gain(scene, site.day, ground, light) * dusk(scene, frame) * std::exp2(scene.render.exposure);
   LitGround(scene, site, landscape, choices, lookup.far, illuminate).show(ground, light, landscape);
   sky.show(landscape, overcast_per_m > 0.0);
-  if (overcast_per_m > 0.0) let_it_snow(scene, site, air, landscape);
+  if (overcast_per_m > 0.0) let_it_fall(scene, site, air, landscape);
   return landscape;
 }
 

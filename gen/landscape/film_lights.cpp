@@ -71,7 +71,7 @@ grass::Lighting lighting_at(const scene::Scene& scene, const Site& site, double 
   for (std::size_t i = 0; i < weights.size(); ++i)
     if (weights[i] > 0.0F)
       add(lighting, day,
-          SnowyAir(day, snow_extinction_per_m(scene, site, static_cast<int>(i) + 1),
+          SnowyAir(day, falling_extinction_per_m(scene, site, static_cast<int>(i) + 1),
                    mean_ground_albedo),
           weights[i]);
   normalise(lighting);

@@ -1,5 +1,7 @@
 #include "landscape/snow_in_air.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -7,7 +9,8 @@
 #include "landscape/nearby_frames.h"
 #include "landscape/view.h"
 #include "scene/winter.h"
-#include "snow/size_distribution.h"
+#include "snow/falling_snow.h"
+#include "snow/raindrops.h"
 #include "snow/snow_in_air.h"
 
 namespace wold::landscape {
@@ -37,27 +40,47 @@ Flakes with_used_pictures(const snow::FlakePictures& pictures,
   return result;
 }
 
+/// Flakes and drops, from the farthest to the nearest.
+snow::SeenFlakes together(snow::SeenFlakes flakes, const snow::SeenFlakes& drops,
+                          const glm::dvec3& eye_m) {
+  const auto farther = [&](const snow::SeenFlake& a, const snow::SeenFlake& b) {
+    return glm::distance(glm::dvec3(a.centre_m), eye_m) >
+           glm::distance(glm::dvec3(b.centre_m), eye_m);
+  };
+  std::vector<snow::SeenFlake> all;
+  all.reserve(flakes.flakes.size() + drops.flakes.size());
+  std::ranges::merge(flakes.flakes, drops.flakes, std::back_inserter(all), farther);
+  return {std::move(all), flakes.fog_extinction_per_m + drops.fog_extinction_per_m};
+}
+
 }  // namespace
 
-double snow_extinction_per_m(const scene::Scene& scene, const Site& site, int frame) {
+double falling_extinction_per_m(const scene::Scene& scene, const Site& site, int frame) {
   if (!site.snow) return 0.0;
   const Camera camera = resolved_camera(scene.camera, site.terrain, time_of_frame(scene, frame));
-  const double rate_mm_h =
-      site.snow->weather.falling_snow_mm_h(scene::time_s(scene, frame), camera.eye_m.z);
-  return snow::gunn_marshall(rate_mm_h).extinction_per_m(snow::seen_efficiency);
+  const snow::Weather& weather = site.snow->weather;
+  const double time_s = scene::time_s(scene, frame);
+  const double snow_mm_h = weather.falling_snow_mm_h(time_s, camera.eye_m.z);
+  const double rain_mm_h = weather.falling_rain_mm_h(time_s, camera.eye_m.z);
+  return snow::gunn_marshall(snow_mm_h).extinction_per_m(snow::seen_efficiency) +
+         snow::rain_extinction_per_m(rain_mm_h, snow::seen_efficiency);
 }
 
 double overcast_extinction_per_m(const scene::Scene& scene, const Site& site, int frame) {
   return mean_of_nearby(scene, frame,
-                        [&](int near) { return snow_extinction_per_m(scene, site, near); });
+                        [&](int near) { return falling_extinction_per_m(scene, site, near); });
 }
 
-void let_it_snow(const scene::Scene& scene, const Site& site, const SnowyAir& air,
+void let_it_fall(const scene::Scene& scene, const Site& site, const SnowyAir& air,
                  Landscape& landscape) {
   const Snow& snow = *site.snow;
   const snow::SnowView view = view_of(landscape);
-  snow::SeenFlakes seen = snow::SnowInAir(scene, snow.weather, snow.pictures)
-                              .at(scene::time_s(scene, landscape.frame), view, landscape.terrain);
+  const double time_s = scene::time_s(scene, landscape.frame);
+  snow::SeenFlakes seen = together(
+      snow::SnowInAir(scene, snow.weather, snow.pictures).at(time_s, view, landscape.terrain),
+      snow::FallingSnow(scene, snow.weather, snow.pictures, snow::Falling::rain)
+          .at(time_s, view, landscape.terrain),
+      view.eye_m);
   landscape.flakes = with_used_pictures(
       snow.pictures, without_faint_flakes(std::move(seen.flakes), snow::Frustum(view), scene.seed));
   landscape.flakes.radiance = air.radiance();

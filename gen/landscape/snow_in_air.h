@@ -7,16 +7,17 @@
 
 namespace wold::landscape {
 
-/// Extinction of the snow in a frame's (from 1) air where its camera is, as it is seen; 0 when none
-/// falls or it rains.
-double snow_extinction_per_m(const scene::Scene& scene, const Site& site, int frame);
+/// Extinction of the snow and rain in a frame's (from 1) air where its camera is, as it is seen; 0
+/// when none falls.
+double falling_extinction_per_m(const scene::Scene& scene, const Site& site, int frame);
 
-/// That of the snow that makes a frame's sky grey: the mean_of_nearby() frames.
+/// That of what makes a frame's sky grey: the mean_of_nearby() frames.
 double overcast_extinction_per_m(const scene::Scene& scene, const Site& site, int frame);
 
-/// Sets the flakes before the landscape's camera and the fog that stands for all others, in that
-/// light, and shows its sky through them. Its frame, camera, terrain and size have to be set.
-void let_it_snow(const scene::Scene& scene, const Site& site, const SnowyAir& air,
+/// Sets the flakes and drops before the landscape's camera and the fog that stands for all others,
+/// in that light, and shows its sky through them. Its frame, camera, terrain and size have to be
+/// set.
+void let_it_fall(const scene::Scene& scene, const Site& site, const SnowyAir& air,
                  Landscape& landscape);
 
 }  // namespace wold::landscape

@@ -12,6 +12,7 @@
 #include "landscape/ground_grids.h"
 #include "landscape/view.h"
 #include "scene/winter.h"
+#include "snow/wet_ground.h"
 #include "terrain/lighting.h"
 
 namespace wold::landscape {
@@ -107,6 +108,8 @@ bool is_paper(const scene::Scene& scene) { return scene.snow_cover.cover == "pap
 SnowyGround::SnowyGround(const scene::Scene& scene, const Site& site, int frame)
     : scene_(scene), site_(site), surface_(site.terrain) {
   if (!site.snow) return;
+  wetness_ =
+      snow::ground_wetness(site.snow->weather, scene::time_s(scene, frame), mean(site.terrain));
   if (site.snow->large) {
     lay_about_the_camera(frame);
   } else if (!is_large(scene) || is_paper(scene)) {
@@ -168,16 +171,32 @@ FactorMap SnowyGround::white(const GroundGrid& grid) const {
 }
 
 ColourMap SnowyGround::reflectance() const {
-  if (is_bare()) return site_.ground_reflectance;
-  return reflectance(site_.ground_reflectance, site_.growth, *white_);
+  ColourMap bare = wetted(site_.ground_reflectance);
+  if (is_bare()) return bare;
+  return reflectance(bare, site_.growth, *white_);
 }
 
 GroundPart SnowyGround::covered(GroundPart part) const {
+  part.reflectance = wetted(std::move(part.reflectance));
   if (is_bare()) return part;
   part.reflectance = reflectance(part.reflectance, part.growth,
                                  white({part.reflectance.square(), part.reflectance.samples()}));
   part.growth = above_snow(std::move(part.growth));
   return part;
+}
+
+ColourMap SnowyGround::wetted(ColourMap bare) const {
+  if (wetness_ <= 0.0) return bare;
+  constexpr float pi = std::numbers::pi_v<float>;
+  const auto share = static_cast<float>(wetness_);
+  parallel_for_blocks(bare.values().size(), [&](std::size_t i) {
+    glm::vec3& radiance = bare.values()[i];
+    for (int channel = 0; channel < 3; ++channel) {
+      const auto wet = static_cast<float>(snow::wet_albedo(double{pi * radiance[channel]}));
+      radiance[channel] = std::lerp(radiance[channel], wet / pi, share);
+    }
+  });
+  return bare;
 }
 
 float SnowyGround::grass_above(const glm::dvec2& at_m) const {

@@ -24,7 +24,8 @@ class SnowyGround {
   const terrain::GroundLight& light() const;
 
   /// What the surface makes of the light that falls on it, radiance over irradiance: bare ground as
-  /// Site has it, and snow, darker where grass still stands over it.
+  /// Site has it, darker where rain has wetted it, and snow, darker where grass still stands over
+  /// it.
   ColourMap reflectance() const;
 
   /// Where grass grows, less by what of it is under snow.
@@ -54,6 +55,8 @@ class SnowyGround {
   FactorMap white(const GroundGrid& grid) const;
   ColourMap reflectance(const ColourMap& bare, const FactorMap& growth,
                         const FactorMap& white) const;
+  /// Bare ground after rain.
+  ColourMap wetted(ColourMap bare) const;
 
   const scene::Scene& scene_;
   const Site& site_;
@@ -63,6 +66,7 @@ class SnowyGround {
   FactorMap depth_m_;                          ///< where `lying_` is none
   std::optional<LyingSnow> lying_;             ///< on a large terrain
   float albedo_ = 0.9F;
+  double wetness_ = 0.0;  ///< of the bare ground, in [0, 1)
 };
 
 }  // namespace wold::landscape

@@ -20,6 +20,7 @@ std::vector<Key> film_keys();
 std::vector<Key> weather_keys();
 std::vector<Key> season_keys();
 std::vector<Key> snowfall_keys();
+std::vector<Key> rainfall_keys();
 std::vector<Key> snow_cover_keys();
 std::vector<Key> camera_keys();
 std::vector<Key> render_keys();

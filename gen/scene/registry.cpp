@@ -16,7 +16,7 @@ std::vector<Key> all_keys() {
   for (const auto& keys :
        {top_level_keys(), terrain_keys(), growth_keys(), grass_keys(), ageing_keys(), fur_keys(),
         sun_keys(), sky_keys(), wind_keys(), film_keys(), weather_keys(), season_keys(),
-        snowfall_keys(), snow_cover_keys(), camera_keys(), render_keys()})
+        snowfall_keys(), rainfall_keys(), snow_cover_keys(), camera_keys(), render_keys()})
     all.insert(all.end(), keys.begin(), keys.end());
   return all;
 }

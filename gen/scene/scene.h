@@ -244,6 +244,14 @@ struct Snowfall {
   bool operator==(const Snowfall&) const = default;
 };
 
+/// Drops in the air.
+struct Rainfall {
+  int drops = 0;             ///< drawn in the picture, about; 0: 30000
+  double shutter_s = 0.02;  ///< how long each picture is exposed for them
+
+  bool operator==(const Rainfall&) const = default;
+};
+
 /// Snow on the ground and on the grass.
 struct SnowCover {
   std::string cover = "depth";   ///< "depth", "paper", "none"
@@ -313,6 +321,7 @@ struct Scene {
   Season season;
   std::vector<SeasonKey> season_keys;
   Snowfall snowfall;
+  Rainfall rainfall;
   SnowCover snow_cover;
   std::vector<CloudLayer> clouds;
   std::vector<CloudEvent> cloud_events;

@@ -73,7 +73,7 @@ std::vector<Key> season_key_keys(std::size_t item) {
                       "Where it blows to, clockwise from north; it turns the shorter way."),
             ITEM_FIELD(wind_heading_deg)),
       bound(automatic("season_keys.visual_range", "m", {100, 1e6},
-                      "As sky.visual_range; rain hides more."),
+                      "As sky.visual_range; rain and snow hide more."),
             ITEM_FIELD(visual_range_m)),
   };
 }

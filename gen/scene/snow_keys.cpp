@@ -56,6 +56,19 @@ std::vector<Key> snowfall_keys() {
   };
 }
 
+std::vector<Key> rainfall_keys() {
+  return {
+      bound(integer("rainfall.drops", "", {0, 1000000},
+                    "Drops drawn in the picture, about; 0 is 30000. All others dim and whiten the "
+                    "air."),
+            FIELD(rainfall.drops)),
+      bound(number("rainfall.shutter", "s", {0, 1},
+                   "How long a picture is exposed for drops: the longer, the longer and fainter "
+                   "their streaks."),
+            FIELD(rainfall.shutter_s)),
+  };
+}
+
 std::vector<Key> snow_cover_keys() {
   return {
       bound(

@@ -13,7 +13,6 @@
 #include "scene/text.h"
 #include "season/day_length.h"
 #include "season/greenness.h"
-#include "season/snow_air.h"
 #include "season/withering.h"
 
 namespace wold::season {
@@ -175,14 +174,6 @@ std::vector<std::complex<double>> of_weeks(const std::vector<std::complex<double
 
 WindChange change_of(const std::complex<double>& wind) { return {std::abs(wind), std::arg(wind)}; }
 
-/// Extinctions add, and with them the inverses of visual ranges.
-double unseen_per_m(const Day& day, const Day& next) {
-  const DayAir air(day, next, /*latitude_deg=*/0.0);
-  const double rain_mm_h = air.falling_mm_h() * (1.0 - snow_share(air.sky(/*hour=*/12.0).phase_c));
-  const double in_rain = rain_mm_h > 0.0 ? 1.0 / visual_range_in_rain_m(rain_mm_h) : 0.0;
-  return 1.0 / *day.visual_range_m + in_rain;
-}
-
 /// What is so `day` days after the first of two at least: linear between them, held beyond.
 template <class Value>
 Value at_day(double day, const std::vector<Value>& by_day) {
@@ -203,7 +194,7 @@ FilmSeason::FilmSeason(const scene::Scene& scene)
   weeks_of_wind_ = of_weeks(winds_);
   for (std::size_t i = 0; i < days_.size(); ++i) {
     cloud_cover_.push_back(days_[i].cloud_cover.value_or(1.0));
-    unseen_per_m_.push_back(unseen_per_m(days_[i], days_[std::min(i + 1, days_.size() - 1)]));
+    unseen_per_m_.push_back(1.0 / *days_[i].visual_range_m);
   }
 }
 
@@ -226,8 +217,6 @@ WindChange FilmSeason::week_of_wind(double days_after_first) const {
 double FilmSeason::visual_range_m(double days_after_first) const {
   return 1.0 / at_day(days_after_first - first_day_, unseen_per_m_);
 }
-
-double visual_range_in_rain_m(double rain_mm_h) { return 11.6e3 * std::pow(rain_mm_h, -0.63); }
 
 scene::Scene as_film(scene::Scene scene) {
   if (!scene::is_season(scene)) return scene;

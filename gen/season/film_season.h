@@ -14,10 +14,6 @@ struct WindChange {
   double turned_rad = 0.0;  ///< clockwise, -pi to pi
 };
 
-/// Visual range in rain of so many mm/h > 0 through air that is clear otherwise: 11.6 km at 1 mm/h
-/// (Atlas 1953, Optical extinction by rainfall, Journal of Meteorology 10:486).
-double visual_range_in_rain_m(double rain_mm_h);
-
 /// The days of a scene's season, its weather and what it makes of the grass: season.table's, with
 /// what [[season_keys]] say instead, and what neither says as in [weather] and [wind].
 class FilmSeason {
@@ -47,8 +43,7 @@ class FilmSeason {
   /// The mean wind, as a vector, of the week that ends then: what has combed the grass.
   WindChange week_of_wind(double days_after_first) const;
 
-  /// Visual range at the terrain's zero, likewise, through the day's air and its rain, which falls
-  /// evenly; falling snow is not in it.
+  /// Visual range at the terrain's zero, likewise, through the day's air; what falls is not in it.
   double visual_range_m(double days_after_first) const;
 
  private:

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "core/random.h"
-#include "snow/near_field.h"
 
 namespace wold::snow {
 namespace {
@@ -115,7 +114,8 @@ class Picker {
           const float distance2 = glm::dot(from_eye, from_eye);
           const float far_m = drawn_to_m(motion_.deviate(waiting_.key[i]));
           return static_cast<int>(distance2 > from_m_ * from_m_) &
-                 static_cast<int>(distance2 <= far_m * far_m);
+                 static_cast<int>(distance2 <= far_m * far_m) &
+                 static_cast<int>(motion_.is_there(waiting_.key[i], flying_.diameter[i], moment_));
         },
         seen);
     count_ = 0;
@@ -216,34 +216,50 @@ std::vector<Range> gathered(const std::vector<Range>& parts) {
   return tasks;
 }
 
-std::optional<FlakeMotion> motion_of(const scene::Scene& scene, const Weather& weather) {
+std::optional<FlakeMotion> motion_of(const scene::Scene& scene, const Weather& weather,
+                                     Falling what) {
   const double heaviest = weather.heaviest_mm_h();
   if (heaviest <= 0.0) return std::nullopt;
-  return FlakeMotion(scene, weather, heaviest);
+  return FlakeMotion(scene, weather, heaviest, what);
+}
+
+/// Of what falls; 0: as many as usual.
+int asked_for(const scene::Scene& scene, Falling what) {
+  return what == Falling::rain ? scene.rainfall.drops : scene.snowfall.flakes;
 }
 
 }  // namespace
 
 FallingSnow::FallingSnow(const scene::Scene& scene, const Weather& weather,
-                         const FlakePictures& pictures)
-    : weather_(weather),
+                         const FlakePictures& pictures, Falling what)
+    : what_(what),
+      weather_(weather),
       pictures_(pictures),
-      motion_(motion_of(scene, weather)),
-      key_(random_bits({scene.seed, key_of("snow"), 0, key_of("flakes")})),
-      flakes_(scene.snowfall.flakes > 0 ? scene.snowfall.flakes : usual_flakes),
-      shutter_s_(scene.snowfall.shutter_s) {
-  if (scene.wind.field == "tornado")
+      motion_(motion_of(scene, weather, what)),
+      key_(random_bits(
+          {scene.seed, key_of(what == Falling::rain ? "rain" : "snow"), 0, key_of("flakes")})),
+      flakes_(asked_for(scene, what) > 0 ? asked_for(scene, what) : usual_flakes),
+      shutter_s_(what == Falling::rain ? scene.rainfall.shutter_s : scene.snowfall.shutter_s) {
+  if (scene.wind.field == "tornado" && what == Falling::snow)
     tornado_.emplace(scene, key_, static_cast<std::uint64_t>(flakes_));
 }
 
+NearField FallingSnow::field_of(double rate_mm_h, double solid_angle_sr) const {
+  if (what_ == Falling::rain)
+    return near_rain(rate_mm_h, weather_.heaviest_mm_h(), solid_angle_sr, flakes_);
+  return near_field(rate_mm_h, solid_angle_sr, flakes_);
+}
+
 SeenFlakes FallingSnow::at(double time_s, const SnowView& view, const Heightfield& ground) const {
-  const double rate_mm_h = weather_.falling_snow_mm_h(time_s, view.eye_m.z);
+  const double rate_mm_h = what_ == Falling::rain
+                               ? weather_.falling_rain_mm_h(time_s, view.eye_m.z)
+                               : weather_.falling_snow_mm_h(time_s, view.eye_m.z);
   constexpr double least_rate_mm_h = 1e-3;  // a flake in 2 m3, and none of them seen
   if (!motion_ || rate_mm_h < least_rate_mm_h) return {};
   const Frustum frustum(view);
-  const NearField field = near_field(rate_mm_h, frustum.solid_angle_sr(), flakes_);
+  const NearField field = field_of(rate_mm_h, frustum.solid_angle_sr());
   const FlakeMotion::Moment moment = motion_->moment(time_s, rate_mm_h);
-  const FlakeLook look(pictures_, frustum, shutter_s_);
+  const FlakeLook look(pictures_, frustum, shutter_s_, what_);
   const Lookout lookout(look, frustum, ground);
   const std::vector<Shell> shells = shells_of(frustum, field, motion_->farthest_own_way_m(), key_);
   std::vector<Range> parts;

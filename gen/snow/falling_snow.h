@@ -7,6 +7,7 @@
 #include "scene/scene.h"
 #include "snow/crystal_picture.h"
 #include "snow/flake_motion.h"
+#include "snow/near_field.h"
 #include "snow/seen_flakes.h"
 #include "snow/snow_view.h"
 #include "snow/tornado.h"
@@ -14,7 +15,8 @@
 
 namespace wold::snow {
 
-/// Flakes of physical sizes and speeds, as a view sees them; see FlakeMotion and NearField.
+/// Flakes, or drops of rain, of physical sizes and speeds, as a view sees them; see FlakeMotion and
+/// NearField.
 ///
 /// The air within sqrt(2)^(j-1) to sqrt(2)^j m of the eye shows population j, which repeats itself
 /// in the world after a cube that just holds what can be seen of it. So flakes stay where they are
@@ -22,13 +24,17 @@ namespace wold::snow {
 class FallingSnow {
  public:
   /// `pictures` has to outlive this.
-  FallingSnow(const scene::Scene& scene, const Weather& weather, const FlakePictures& pictures);
+  FallingSnow(const scene::Scene& scene, const Weather& weather, const FlakePictures& pictures,
+              Falling what = Falling::snow);
 
-  /// At `time_s` since the first frame, above the ground. Nothing where no snow falls: the
-  /// weather's precipitation that is snow at the eye's height counts.
+  /// At `time_s` since the first frame, above the ground. Nothing where none falls: the weather's
+  /// precipitation that is snow, or rain, at the eye's height counts.
   SeenFlakes at(double time_s, const SnowView& view, const Heightfield& ground) const;
 
  private:
+  NearField field_of(double rate_mm_h, double solid_angle_sr) const;
+
+  Falling what_;
   Weather weather_;
   const FlakePictures& pictures_;
   std::optional<FlakeMotion> motion_;  ///< none when nothing ever falls

@@ -36,11 +36,13 @@ int level_of(float finest_in_one) {
 
 }  // namespace
 
-FlakeLook::FlakeLook(const FlakePictures& pictures, const Frustum& frustum, double shutter_s)
+FlakeLook::FlakeLook(const FlakePictures& pictures, const Frustum& frustum, double shutter_s,
+                     Falling what)
     : pictures_(pictures),
       frustum_(frustum),
       pixel_angle_(static_cast<float>(frustum.pixel_angle())),
       shutter_s_(static_cast<float>(shutter_s)),
+      what_(what),
       streak_area_(disc_area / pictures.mean_opacity(pictures.streak())),
       disc_side_(std::sqrt(disc_area / pictures.mean_opacity(pictures.disc()))) {
   for (std::size_t kind = 0; kind < crystal_kinds; ++kind)
@@ -138,7 +140,8 @@ SeenFlake* FlakeLook::see(const FlakeLanes& flakes, const Chosen& chosen, SeenFl
     SeenFlake& seen = *to++;
     seen = {drawn.centre.at(i), drawn.right.at(i), drawn.up.at(i), drawn.picture[i],
             drawn.opacity[i]};
-    if (drawn.distance[i] > static_cast<float>(textured_within_m)) continue;
+    if (what_ == Falling::rain || drawn.distance[i] > static_cast<float>(textured_within_m))
+      continue;
     // Crystals span more than discs; what moves by less than that is no streak.
     const float side = crystal_side(flakes.crystal[i], flakes.bits[i], flakes.diameter[i]);
     if (drawn.way_length[i] <= greater(side, drawn.distance[i] * pixel_angle_))

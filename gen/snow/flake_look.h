@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "snow/crystal_picture.h"
+#include "snow/flake_sizes.h"
 #include "snow/lanes.h"
 #include "snow/snow_view.h"
 
@@ -30,7 +31,9 @@ inline constexpr double textured_within_m = 3.5;
 class FlakeLook {
  public:
   /// `shutter_s`: how long a picture is exposed. Pictures and frustum have to outlive this.
-  FlakeLook(const FlakePictures& pictures, const Frustum& frustum, double shutter_s);
+  /// Drops are never crystals.
+  FlakeLook(const FlakePictures& pictures, const Frustum& frustum, double shutter_s,
+            Falling what = Falling::snow);
 
   /// Writes how the chosen flakes look, in their order; returns the end of what it wrote.
   ///
@@ -56,6 +59,7 @@ class FlakeLook {
   const Frustum& frustum_;
   float pixel_angle_;
   float shutter_s_;
+  Falling what_;
   float streak_area_;  ///< cross-section over mean opacity, of a flake of diameter 1
   float disc_side_;    ///< of the square whose picture has such a flake's cross-section
   /// The same of crystals' pictures, by crystal and individual.

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "core/random.h"
-#include "snow/size_distribution.h"
 #include "snow/turns.h"
 
 namespace wold::snow {
@@ -63,20 +62,24 @@ Population::Population(std::uint64_t key, std::uint64_t flakes, int most_bits)
       std::max<std::uint64_t>(1, (columns << 32) / std::max<std::uint64_t>(1, flakes));
 }
 
-FlakeMotion::FlakeMotion(const scene::Scene& scene, const Weather& weather, double rate_mm_h)
-    : wind_(weather, scene.wind.field == "steady" ? 0.0 : scene.wind.turbulence,
+FlakeMotion::FlakeMotion(const scene::Scene& scene, const Weather& weather, double rate_mm_h,
+                         Falling what)
+    : what_(what),
+      wind_(weather, scene.wind.field == "steady" ? 0.0 : scene.wind.turbulence,
             random_bits({scene.seed, key_of("snow"), 0, key_of("wind")})),
-      sizes_(rate_mm_h, scene.snowfall.crystal),
+      sizes_(what == Falling::rain ? FlakeSizes::raindrops(rate_mm_h)
+                                   : FlakeSizes(rate_mm_h, scene.snowfall.crystal)),
       farthest_gust_m_(static_cast<float>(wind_.farthest_own_gust_m())) {}
 
 FlakeMotion::Moment FlakeMotion::moment(double time_s, double rate_mm_h) const {
   return {time_s,
-          sizes_.diameters_m(gunn_marshall(rate_mm_h).lambda_per_mm),
+          sizes_.diameters_m(rate_mm_h),
           wind_.common(time_s),
           wind_.moment(time_s),
           turning(slowest_sway_per_s, sway_range_per_s, time_s),
           turning(-fastest_spin_per_s, 2.0 * fastest_spin_per_s, time_s),
-          turning(slowest_tilt_per_s, tilt_range_per_s, time_s)};
+          turning(slowest_tilt_per_s, tilt_range_per_s, time_s),
+          static_cast<float>(sizes_.thinning_per_m(rate_mm_h))};
 }
 
 FlakeMotion::Air FlakeMotion::air(const Population& population, const PeriodicCube& cube,
@@ -151,7 +154,7 @@ WOLD_LANES_WIDE void FlakeMotion::fly(const Drifting& drifting, const Moment& mo
   }
   flakes.from_eye = drifting.from_eye;
   wind_.add_own_gusts(moment.gusts, gusts, flakes.from_eye, flakes.velocity);
-  add_sway(moment, flakes);
+  if (what_ == Falling::snow) add_sway(moment, flakes);
 }
 
 WOLD_LANES_WIDE void FlakeMotion::add_sway(const Moment& moment, FlakeLanes& flakes) {
@@ -174,7 +177,8 @@ WOLD_LANES_WIDE void FlakeMotion::add_sway(const Moment& moment, FlakeLanes& fla
 }
 
 double FlakeMotion::farthest_own_way_m() const {
-  return static_cast<double>(farthest_gust_m_ + farthest_sway_m(sways_most_m));
+  const float sway_m = what_ == Falling::rain ? 0.0F : farthest_sway_m(sways_most_m);
+  return static_cast<double>(farthest_gust_m_ + sway_m);
 }
 
 }  // namespace wold::snow

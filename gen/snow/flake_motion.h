@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "core/random.h"
 #include "snow/flake_sizes.h"
 #include "snow/lanes.h"
 #include "snow/weather.h"
@@ -52,8 +53,9 @@ class Population {
 /// to a ten-millionth of the cube's side however long it has fallen.
 class FlakeMotion {
  public:
-  /// `rate_mm_h`: see FlakeSizes.
-  FlakeMotion(const scene::Scene& scene, const Weather& weather, double rate_mm_h);
+  /// `rate_mm_h`: see FlakeSizes. Drops do not sway.
+  FlakeMotion(const scene::Scene& scene, const Weather& weather, double rate_mm_h,
+              Falling what = Falling::snow);
 
   /// A turning whose rate is one of 2^bits equally spaced ones, at a moment: rate k has turned by
   /// `slowest` + k `step`, both off whole turns.
@@ -69,6 +71,7 @@ class FlakeMotion {
     Motion common = {};
     WindField::Moment gusts = {};
     Turning sway = {}, spin = {}, tilt = {};
+    float thinning_per_m = 0.0F;  ///< see FlakeSizes
   };
   /// rate_mm_h > 0: what falls there and then.
   Moment moment(double time_s, double rate_mm_h) const;
@@ -102,7 +105,15 @@ class FlakeMotion {
   double farthest_own_way_m() const;
   /// Nor those of a flake of that key.
   float farthest_own_way_m(std::uint64_t key, const Moment& moment) const {
+    if (what_ == Falling::rain) return farthest_gust_m_;
     return farthest_gust_m_ + farthest_sway_m(moment.diameters_m[FlakeSizes::rank(key)]);
+  }
+
+  /// Whether a flake of that key and diameter is in the air at all: all flakes are, see
+  /// FlakeSizes::thinning_per_m().
+  bool is_there(std::uint64_t key, float diameter_m, const Moment& moment) const {
+    return moment.thinning_per_m <= 0.0F ||
+           deviate(mixed(key ^ key_of("is there"))) > moment.thinning_per_m * diameter_m;
   }
 
   /// A number of a flake's own, exponentially distributed with mean 1.
@@ -120,6 +131,7 @@ class FlakeMotion {
   }
   static void add_sway(const Moment& moment, FlakeLanes& flakes);
 
+  Falling what_;
   WindField wind_;
   FlakeSizes sizes_;
   float farthest_gust_m_;

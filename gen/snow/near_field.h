@@ -23,4 +23,8 @@ inline constexpr double least_melted_mm = 0.5;
 /// their number is number_per_m3 times 2 reach^3 per steradian. rate_mm_h > 0.
 NearField near_field(double rate_mm_h, double solid_angle_sr, double flakes);
 
+/// The same of drops larger than least_drop_mm; number_per_m3 is that of the heaviest rain, of
+/// whose drops those that are there are drawn. heaviest_mm_h >= rate_mm_h > 0.
+NearField near_rain(double rate_mm_h, double heaviest_mm_h, double solid_angle_sr, double drops);
+
 }  // namespace wold::snow

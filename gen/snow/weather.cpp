@@ -198,6 +198,11 @@ double Weather::falling_snow_mm_h(double time_s, double height_m) const {
   return now.falling_mm_h * snow_share(now, height_m);
 }
 
+double Weather::falling_rain_mm_h(double time_s, double height_m) const {
+  const WeatherMoment now = at(time_s);
+  return now.falling_mm_h * (1.0 - snow_share(now, height_m));
+}
+
 glm::dvec2 Weather::wind_way_m(double time_s) const {
   const auto [before, after, share, beyond_s] = span_at(time_s);
   const double seconds = share * (after.time_s - before.time_s);

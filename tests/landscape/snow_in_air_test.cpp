@@ -24,8 +24,8 @@ Landscape snowing(const scene::Scene& scene) {
   landscape.width_px = width_px;
   landscape.height_px = height_px;
   landscape.sky = Image(8, 4, 3);
-  const double extinction_per_m = snow_extinction_per_m(scene, site, 1);
-  let_it_snow(scene, site, SnowyAir(site.day, extinction_per_m, 0.2), landscape);
+  const double extinction_per_m = falling_extinction_per_m(scene, site, 1);
+  let_it_fall(scene, site, SnowyAir(site.day, extinction_per_m, 0.2), landscape);
   return landscape;
 }
 
@@ -62,7 +62,7 @@ int flakes_passed(const Landscape& landscape, int column, int row) {
 
 TEST(SnowInAir, HasTheSnowfallsExtinction) {
   scene::Scene scene = snowy("blizzard");
-  const double extinction_per_m = snow_extinction_per_m(scene, make_site(scene), 1);
+  const double extinction_per_m = falling_extinction_per_m(scene, make_site(scene), 1);
   EXPECT_NEAR(extinction_per_m, 2.49e-3 * std::pow(4.0, 1.05), 0.02 * extinction_per_m);
 }
 
@@ -87,7 +87,7 @@ TEST(SnowInAir, OfOneDayGreysTheSkyGently) {
   const Site site = make_site(scene);
   double own = 0.0, greying = 0.0;
   for (int frame = 1; frame <= 10; ++frame) {
-    own += snow_extinction_per_m(scene, site, frame);
+    own += falling_extinction_per_m(scene, site, frame);
     greying += overcast_extinction_per_m(scene, site, frame);
   }
   EXPECT_GT(own, 0.0);

@@ -83,7 +83,7 @@ TEST(CrystalShares, SumToOneAndGrowIntoAggregates) {
 TEST(FlakeSizes, AreExponentialAboveTheLeast) {
   const double lambda = gunn_marshall(1.0).lambda_per_mm;
   const FlakeSizes sizes(1.0, "mixed");
-  const std::vector<float> diameters_m = sizes.diameters_m(lambda);
+  const std::vector<float> diameters_m = sizes.diameters_m(1.0);
   double sum = 0.0;
   int above = 0;
   const int flakes = 200000;
