@@ -49,9 +49,11 @@ configure_copy() {
 }
 
 install "${build_packages[@]}" "${test_packages[@]}" git
+try=(python3 -B "$here/tests/mutants/run.py" --copy "$copy" --jobs "${MUTANT_JOBS:-2}" "$@")
+"${try[@]}" --list >/dev/null # are they known?
 if [ "${1:-}" != --list ]; then
   say "Copying to $copy"
   refresh_copy
   configure_copy
 fi
-exec python3 -B "$here/tests/mutants/run.py" --copy "$copy" --jobs "${MUTANT_JOBS:-2}" "$@"
+exec "${try[@]}"

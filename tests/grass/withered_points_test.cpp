@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grass/ageing_curves.h"
 #include "grass/blade_patch.h"
 #include "grass/mechanics.h"
 #include "grass/point_tubes.h"
