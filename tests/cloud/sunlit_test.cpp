@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 
 namespace wold::cloud {
 namespace {
 
-constexpr double top_m = 400.0;
+constexpr float top_m = 400.0F;
 const Droplets droplets{.extinction_per_m = 0.05, .asymmetry = 0.85};
 
 /// Bohren's two streams, and a fifth of what does not come through from the ground.
@@ -16,25 +17,29 @@ double bright(double optical_depth) {
   return through + 0.2 * (1.0 - through);
 }
 
-/// Clouds 400 m thick in the columns before the one given, none behind.
-LayerMap strip(int side, int cloudy_columns) {
+constexpr std::uint16_t highest = 65535, half_as_high = 32768;
+
+/// Clouds in the columns before the one given, none behind.
+LayerMap strip(int side, int cloudy_columns, std::uint16_t rank = highest) {
   LayerMap ranks(side, side);
   for (int y = 0; y < side; ++y)
-    for (int x = 0; x < cloudy_columns; ++x) ranks.at(x, y) = 65535;
+    for (int x = 0; x < cloudy_columns; ++x) ranks.at(x, y) = rank;
   return ranks;
 }
 
 /// Brightness at a pixel's middle under a sun above.
 double seen(const LayerMap& ranks, double pixel_m, int column) {
   const LayerMap lit =
-      sunlit(ranks, {0.0F, static_cast<float>(top_m)}, droplets, {0.0, 0.0, 1.0}, pixel_m);
+      sunlit(ranks, {0.0F, 0.5F * top_m, top_m}, droplets, {0.0, 0.0, 1.0}, pixel_m);
   return lit.at(column, ranks.height() / 2) / 65535.0;
 }
 
 // Wherever light diffuses over so many pixels that coarser ones do, too.
 TEST(Sunlit, OfAnEvenLayerIsThatOfItsDepth) {
-  for (const double pixel_m : {50.0, 10.0, 2.0})
-    EXPECT_NEAR(seen(strip(64, 64), pixel_m, 20), bright(0.05 * top_m), 1e-3) << pixel_m;
+  for (const double pixel_m : {50.0, 10.0, 2.0}) {
+    EXPECT_NEAR(seen(strip(64, 64), pixel_m, 20), bright(20.0), 1e-3) << pixel_m;
+    EXPECT_NEAR(seen(strip(64, 64, half_as_high), pixel_m, 20), bright(10.0), 1e-3) << pixel_m;
+  }
 }
 
 // Light loses its direction over 1 / (extinction (1 - g)) = 133 m: so wide is the border between
@@ -47,7 +52,7 @@ TEST(Sunlit, DiffusesOverTheTransportPath) {
   const auto column = [&](double inside_m) {
     return 127 - static_cast<int>(std::lround(inside_m / pixel_m - 0.5));
   };
-  const double depth = 0.05 * top_m;
+  const double depth = 0.05 * double{top_m};
   EXPECT_NEAR(seen(ranks, pixel_m, column(half_m + 20.0)), bright(depth), 1e-3);
   EXPECT_NEAR(seen(ranks, pixel_m, column(-half_m - 20.0)), 1.0, 1e-3);
   const double share = 1.0 - 0.5 * std::pow(1.0 - 20.0 / half_m, 2);
