@@ -51,10 +51,12 @@ Input input_of(const toml::table& row, const std::string& kind) {
   return input;
 }
 
-std::string replaced(std::string text, const std::string& word, const std::string& by) {
-  for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; at += by.size())
-    text.replace(at, word.size(), by);
-  return text;
+std::string replaced(const std::string& text, const std::string& word, const std::string& by) {
+  std::string result;
+  std::size_t from = 0;
+  for (std::size_t at; (at = text.find(word, from)) != std::string::npos; from = at + word.size())
+    result.append(text, from, at - from).append(by);
+  return result.append(text, from, std::string::npos);
 }
 
 /// Calls visit(row) for the rows of a list of a table, if there is one.
