@@ -116,6 +116,12 @@ std::string at_least_a_megabyte(const std::string& text) {
   return bytes >= least && bytes <= most ? "" : "expected a size of 1M or more, such as 8G";
 }
 
+/// A unit alone would be taken for one of it.
+std::string has_a_number(const std::string& text) {
+  const bool begins_with_digit = !text.empty() && text[0] >= '0' && text[0] <= '9';
+  return begins_with_digit ? "" : "expected a number and a unit, such as 8G";
+}
+
 /// Everything that says which files are made.
 void add_job_options(CLI::App& app, RenderArguments& arguments) {
   RenderOptions& options = arguments.options;
@@ -129,6 +135,7 @@ void add_job_options(CLI::App& app, RenderArguments& arguments) {
   app.add_option("--memory", options.memory_bytes,
                  "memory to keep to, renderers included, such as 8G; no limit without it")
       ->type_name("SIZE")
+      ->check(has_a_number, "")
       ->transform(CLI::AsSizeValue(false))
       ->check(at_least_a_megabyte, "");
 }

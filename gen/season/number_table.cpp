@@ -127,8 +127,10 @@ class TableReader {
     const GDALDatasetUniquePtr table(GDALDataset::Open(
         ("CSV:" + lines.name()).c_str(), GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR, drivers, options));
     if (!table || table->GetLayerCount() != 1)
-      throw FileError(fmt::format("{}: cannot be read as comma-separated values: {}", file_,
-                                  CPLGetLastErrorMsg()));
+      throw InputError({Problem{header_place(lines),
+                                fmt::format("found no columns, expected comma-separated values "
+                                            "under a header such as {}",
+                                            fmt::join(known_names(), ","))}});
     OGRLayer& layer = *table->GetLayer(0);
     line_ = lines.number(0);
     read_header(*layer.GetLayerDefn());
@@ -138,6 +140,10 @@ class TableReader {
   }
 
  private:
+  SourcePosition header_place(const LinesWithContent& lines) const {
+    return {file_, lines.number(0), 1};
+  }
+
   void note(std::size_t field, std::string message) {
     problems_.push_back({{file_, line_, static_cast<int>(field) + 1}, std::move(message)});
   }

@@ -2,6 +2,7 @@
 #include <toml++/toml.h>
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,8 +35,10 @@ std::vector<std::string> texts(const toml::node_view<const toml::node>& list) {
   return all;
 }
 
-std::string text_at(const toml::table& row, std::string_view key, std::string otherwise = "true") {
-  return row[key].value_or(std::move(otherwise));
+std::string text_at(const toml::table& row, const std::string& key,
+                    const std::string& otherwise = "true") {
+  const std::optional<std::string> text = row[key].value<std::string>();
+  return text ? *text : otherwise;
 }
 
 Input input_of(const toml::table& row, const std::string& kind) {
@@ -45,9 +48,9 @@ Input input_of(const toml::table& row, const std::string& kind) {
   input.setup = text_at(row, "setup");
   input.before = text_at(row, "before");
   input.run = text_at(row, "run", "");
-  input.code = view["code"].value_or(2);
+  input.code = view["code"].value<int>().value_or(2);
   input.says = texts(view["says"]);
-  input.seconds = view["seconds"].value_or(20);
+  input.seconds = view["seconds"].value<int>().value_or(20);
   return input;
 }
 
@@ -69,12 +72,12 @@ void for_rows(const toml::table& table, const char* list, const Visit& visit) {
 /// A reader given a file with a fault.
 Input faulty_file(const toml::table& reader, const toml::table& fault, const std::string& kind) {
   const std::string file = text_at(reader, "file");
-  const bool is_file = fault["is_file"].value_or(true);
+  const bool is_file = fault["is_file"].value<bool>().value_or(true);
   Input input;
   input.name = kind + "_" + text_at(reader, "name") + "_" + text_at(fault, "name");
   input.setup = text_at(reader, "setup") + "; " + replaced(text_at(fault, "setup"), "FILE", file);
   input.run = replaced(text_at(reader, "run"), "FILE", file);
-  input.code = reader[is_file ? "code" : "code_without_file"].value_or(4);
+  input.code = reader[is_file ? "code" : "code_without_file"].value<int>().value_or(4);
   for (const std::string& taken : texts(toml::node_view<const toml::node>(reader)["takes"]))
     if (taken == text_at(fault, "name")) input.code = 0;
   if (input.code != 0) input.says = {file};
@@ -87,7 +90,7 @@ void append_options(const toml::table& option, const std::string& kind,
   int number = 0;
   for (const std::string& value : texts(toml::node_view<const toml::node>(option)["values"])) {
     Input input = input_of(option, kind);
-    input.name += "_" + std::to_string(++number);
+    input.name.append("_").append(std::to_string(++number));
     input.run = replaced(input.run, "VALUE", quoted(value));
     inputs.push_back(input);
   }
