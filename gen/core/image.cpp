@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/png_chunks.h"
 
 namespace wold {
 namespace {
@@ -97,7 +98,8 @@ void write_image(const std::filesystem::path& path, const Image& image, PixelFor
     // Otherwise colours are divided by alpha in some formats.
     spec.attribute("oiio:UnassociatedAlpha", 1);
     if (path.extension() == ".exr") {
-      spec.attribute("compression", "zip");
+      // Others are made by libraries whose versions choose other bytes.
+      spec.attribute("compression", "rle");
       // Without it OpenImageIO stores the time, and the same picture has other bytes every second.
       spec.attribute("DateTime", "1970:01:01 00:00:00");
     }
@@ -105,6 +107,8 @@ void write_image(const std::filesystem::path& path, const Image& image, PixelFor
     if (!out || !out->open(temporary.string(), spec) ||
         !out->write_image(OIIO::TypeDesc::FLOAT, image.values.data()) || !out->close())
       throw FileError(out ? out->geterror() : OIIO::geterror());
+    if (path.extension() == ".png")
+      write_file(temporary, without_ancillary_chunks(read_file(temporary)));
   });
 }
 

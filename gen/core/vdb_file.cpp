@@ -6,7 +6,9 @@
 #include <openvdb/io/Stream.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <cstring>
 #include <fstream>
 
 #include "core/error.h"
@@ -18,8 +20,16 @@ namespace {
 
 // Header of a .vdb file (openvdb/io/Archive.cc): magic (8 bytes), format version (4), library
 // major and minor (4 + 4), "has grid offsets" (1), then the id as 36 characters of text.
-constexpr std::size_t id_offset = 8 + 4 + 4 + 4 + 1;
+constexpr std::size_t versions_offset = 8;
+constexpr std::size_t id_offset = versions_offset + 4 + 4 + 4 + 1;
 constexpr std::size_t id_length = 36;
+
+using Versions = std::array<std::uint32_t, 3>;  ///< of the format; of the library, major and minor
+
+/// The oldest library that writes these bytes, whichever does. Format 225 (OpenVDB 13) differs from
+/// 224 in grids of half floats alone, which are not written here.
+constexpr Versions oldest_writer = {224, 10, 0};
+constexpr std::uint32_t last_like_oldest = 225;
 
 /// An id of the usual 8-4-4-4-12 form from the content's hash.
 std::string content_id(std::string_view bytes) {
@@ -29,14 +39,20 @@ std::string content_id(std::string_view bytes) {
                      b.substr(0, 4), b.substr(4, 12));
 }
 
-/// Replaces the random id by one made from everything else in the file.
-void overwrite_id(const fs::path& path) {
+/// The same header from every version of the library: its own version, and the random id, which is
+/// replaced by one made from everything else in the file.
+void overwrite_header(const fs::path& path) {
   std::string bytes = read_file(path);
   if (bytes.size() < id_offset + id_length) throw FileError("file is too short");
+  Versions versions{};
+  std::memcpy(versions.data(), &bytes[versions_offset], sizeof versions);
+  if (versions[0] >= oldest_writer[0] && versions[0] <= last_like_oldest)
+    std::memcpy(&bytes[versions_offset], oldest_writer.data(), sizeof versions);
   std::fill_n(bytes.begin() + id_offset, id_length, '0');
+  bytes.replace(id_offset, id_length, content_id(bytes));
   std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
-  file.seekp(id_offset);
-  file << content_id(bytes) << std::flush;
+  file.write(bytes.data(), id_offset + id_length);
+  file.flush();
   if (!file) throw FileError("cannot write the header");
 }
 
@@ -170,7 +186,7 @@ void write_vdb(const fs::path& path, const openvdb::GridPtrVec& grids,
       file.write(grids, metadata);
     }
     Directory().check(temporary);  // OpenVDB says nothing of a full disk
-    overwrite_id(temporary);
+    overwrite_header(temporary);
   });
 }
 
