@@ -13,6 +13,7 @@
 #include "blender/frame_data.h"
 #include "blender/shown_volumes.h"
 #include "blender/volume_file.h"
+#include "core/elementary.h"
 #include "core/files.h"
 #include "core/parallel.h"
 #include "landscape/expectation.h"
@@ -43,7 +44,7 @@ std::vector<double> nearest_m(const Landscape& landscape) {
 /// A step may be half as long again as a pixel is wide where the volume is nearest to the camera.
 double step_voxels(const Landscape& landscape, double voxel_m, double distance_m) {
   const double half_view = landscape.camera.field_of_view_deg * std::numbers::pi / 360.0;
-  const double pixel_m = 2.0 * std::tan(half_view) * distance_m / landscape.width_px;
+  const double pixel_m = 2.0 * math::tan(half_view) * distance_m / landscape.width_px;
   return std::clamp(1.5 * pixel_m / voxel_m, shortest_step_voxels, longest_step_voxels);
 }
 

@@ -1,9 +1,10 @@
-#define GLM_ENABLE_EXPERIMENTAL
 #include "blender/placement.h"
 
 #include <Imath/ImathMatrixAlgo.h>
 
-#include <glm/gtx/euler_angles.hpp>
+#include <cmath>
+
+#include "core/elementary.h"
 
 namespace wold::blender {
 namespace {
@@ -26,9 +27,15 @@ glm::dmat3 columns_of(const Rows& rows) {
 
 /// x, y, z with rotation = Rz Ry Rx.
 glm::dvec3 turn_of(const glm::dmat3& rotation) {
-  glm::dvec3 turn_rad;
-  glm::extractEulerAngleZYX(glm::dmat4(rotation), turn_rad.z, turn_rad.y, turn_rad.x);
-  return turn_rad;
+  const double about_z = math::atan2(rotation[0][1], rotation[0][0]);
+  const double about_y = math::atan2(-rotation[0][2], std::sqrt(rotation[1][2] * rotation[1][2] +
+                                                                rotation[2][2] * rotation[2][2]));
+  // Turned back about z, so that it is exact where y is a right angle too.
+  const double sine = math::sin(about_z);
+  const double cosine = math::cos(about_z);
+  const double about_x = math::atan2(sine * rotation[2][0] - cosine * rotation[2][1],
+                                     cosine * rotation[1][1] - sine * rotation[1][0]);
+  return {about_x, about_y, about_z};
 }
 
 }  // namespace

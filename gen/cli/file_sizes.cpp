@@ -5,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "core/elementary.h"
 #include "landscape/cell_window.h"
 #include "landscape/cells.h"
 #include "landscape/cloud_boxes.h"
@@ -87,7 +88,7 @@ VolumeSize volume_size(const scene::Grass& grass, int level, double weathering, 
   // Blades stand in clumps and share voxels more often than by chance: the share that is empty is
   // that of a negative binomial distribution, not of Poisson's.
   constexpr double clumping = 0.3;
-  const double empty = std::pow(1.0 + of_blades / voxels / clumping, -clumping);
+  const double empty = math::pow(1.0 + of_blades / voxels / clumping, -clumping);
   return {voxels, voxels * (1.0 - empty)};
 }
 

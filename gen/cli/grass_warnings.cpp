@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "cli/scene_warnings.h"
+#include "core/elementary.h"
 #include "landscape/view.h"
 #include "scene/registry.h"
 
@@ -46,10 +47,10 @@ double nearest_grass_m(const scene::Scene& scene, const Pose& pose) {
   const double half_height = 0.5 * scene.render.size_px[1] / landscape::pixels_per_radian(scene);
   const double ahead_m = std::max(glm::distance(pose.eye_m, pose.target_m), 1e-6);
   const double down_rad =
-      std::atan2(pose.eye_height_m - pose.target_height_m, ahead_m) + std::atan(half_height);
+      math::atan2(pose.eye_height_m - pose.target_height_m, ahead_m) + math::atan(half_height);
   if (down_rad <= 0.0) return std::numeric_limits<double>::infinity();
   const double above_m = std::max(pose.eye_height_m - 0.5 * scene.grass.height_m, 1e-3);
-  return above_m / std::sin(std::min(down_rad, glm::half_pi<double>()));
+  return above_m / math::sin(std::min(down_rad, glm::half_pi<double>()));
 }
 
 /// "render.grass = ...", and a finer level if one will do.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cli/file_sizes.h"
+#include "core/elementary.h"
 #include "landscape/cell_window.h"
 #include "landscape/ground_grids.h"
 
@@ -20,7 +21,7 @@ double idle_bytes(const Job& job) { return 100.0 * megabyte + thread_bytes * thr
 double cells_bytes(const scene::Scene& scene) {
   const double along_a_side = scene.terrain.size_m / scene.grass.patch_m;
   constexpr double most_along_a_side = 320.0;  // of large terrains only what is near
-  return 0.18 * megabyte * std::pow(std::min(along_a_side, most_along_a_side), 1.54);
+  return 0.18 * megabyte * math::pow(std::min(along_a_side, most_along_a_side), 1.54);
 }
 
 /// Painting the ground and what else a frame needs; more where the ground's picture is large.
@@ -70,7 +71,7 @@ double scene_memory_bytes(const Job& job, int threads) {
 
 }  // namespace
 
-double voxels_of(const scene::Scene& scene) { return std::pow(scene.grass.levels.front(), 3.0); }
+double voxels_of(const scene::Scene& scene) { return math::pow(scene.grass.levels.front(), 3.0); }
 
 double texel_memory_bytes(const Job& job) {
   return idle_bytes(job) + 50.0 * megabyte + 15.0 * voxels_of(job.scene);

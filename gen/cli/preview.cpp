@@ -11,6 +11,7 @@
 #include "cli/preview_film.h"
 #include "cli/scene_warnings.h"
 #include "cli/scratch_folder.h"
+#include "core/elementary.h"
 #include "core/files.h"
 #include "core/parallel.h"
 #include "core/temporary_name.h"
@@ -55,8 +56,8 @@ scene::Camera overview_camera(const scene::Scene& scene) {
   scene::Camera camera;
   camera.target_m = {0.5 * size_m, 0.47 * size_m};
   camera.target_height_m = 0.0;
-  camera.eye_m = {0.5 * size_m, camera.target_m[1] - distance * size_m * std::cos(elevation)};
-  camera.eye_height_m = distance * size_m * std::sin(elevation);
+  camera.eye_m = {0.5 * size_m, camera.target_m[1] - distance * size_m * math::cos(elevation)};
+  camera.eye_height_m = distance * size_m * math::sin(elevation);
   camera.field_of_view_deg = 42.0;
   return camera;
 }
@@ -75,12 +76,12 @@ void mark_camera(const landscape::Camera& camera, const landscape::Landscape& ov
   const glm::vec3 colour(1.0F, 0.45F, 0.1F);
   const landscape::Perspective perspective(overview.camera, {picture.width, picture.height});
   const glm::dvec2 ahead = glm::dvec2(camera.target_m - camera.eye_m);
-  const double azimuth = std::atan2(ahead.x, ahead.y);
+  const double azimuth = math::atan2(ahead.x, ahead.y);
   const double reach_m = 0.22 * overview.terrain.size_m();
   const auto place = [&](double turned_deg, double away_m) {
     const double towards = azimuth + glm::radians(turned_deg);
     const glm::dvec2 at_m =
-        glm::dvec2(camera.eye_m) + away_m * glm::dvec2(std::sin(towards), std::cos(towards));
+        glm::dvec2(camera.eye_m) + away_m * glm::dvec2(math::sin(towards), math::cos(towards));
     const double z = away_m > 0.0 ? overview.terrain.sample(at_m.x, at_m.y) : camera.eye_m.z;
     return glm::dvec2(perspective.seen({at_m, z}));
   };

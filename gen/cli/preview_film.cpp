@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "core/elementary.h"
 #include "core/parallel.h"
 #include "core/progress.h"
 #include "landscape/assemble.h"
@@ -34,7 +35,7 @@ double standing_pixels(const scene::Scene& scene) {
   const double half_angle = 0.5 * scene.camera.field_of_view_deg * std::numbers::pi / 180.0;
   const double blades_per_m2 = scene.grass.blades / (scene.grass.patch_m * scene.grass.patch_m);
   const double radius_m = std::sqrt(most_blades / blades_per_m2 / half_angle);
-  const double pixels_per_radian = 0.5 * scene.render.size_px[0] / std::tan(half_angle);
+  const double pixels_per_radian = 0.5 * scene.render.size_px[0] / math::tan(half_angle);
   return scene.grass.height_m * pixels_per_radian / radius_m;
 }
 

@@ -9,6 +9,7 @@
 #include "cli/output.h"
 #include "cloud/recipe.h"
 #include "cloud/timeline.h"
+#include "core/elementary.h"
 #include "scene/calendar.h"
 #include "scene/winter.h"
 #include "season/daily_weather.h"
@@ -96,7 +97,7 @@ void warn_of_streaks(const scene::Scene& scene, Warnings& warnings) {
   constexpr double least_opacity = 0.05;
   static const scene::Snowfall usual;
   if (!scene::may_snow(scene) || scene.snowfall.motion != "physical") return;
-  const double speed_m_s = std::hypot(fall_m_s, scene.wind.speed_m_s);
+  const double speed_m_s = math::hypot(fall_m_s, scene.wind.speed_m_s);
   const double opacity = flake_m / (flake_m + speed_m_s * scene.snowfall.shutter_s);
   if (opacity >= least_opacity) return;
   warnings.push_back(fmt::format(

@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "cloud/texture_set.h"
+#include "core/elementary.h"
 #include "core/error.h"
 #include "core/random.h"
 #include "light/daylight.h"
@@ -56,7 +57,7 @@ Layer layer_of(std::uint64_t key, const scene::CloudLayer& described, const Reci
       !layer.lit_as_paper && layer.droplets.extinction_per_m * layer.thickness_m > deep;
   if (layer.has_relief || layer.is_volume) layer.heads.emplace(key);
   layer.forward.emplace(forward_through, layer.droplets.asymmetry);
-  layer.seen_depth = -std::log1p(-textures.densest_opacity);
+  layer.seen_depth = -math::log1p(-textures.densest_opacity);
   layer.cover = textures.cover;
   layer.profile = textures.profile;
   layer.rank_per_field = textures.rank_per_field;
@@ -95,7 +96,7 @@ double rank_at(const LayerMap& map, const glm::dvec2& place_px) {
 
 /// Optical depth of a share of a shape, by alpha or by depth.
 double fade(double depth, double share, bool by_alpha) {
-  return by_alpha ? -std::log1p(share * std::expm1(-depth)) : share * depth;
+  return by_alpha ? -math::log1p(share * math::expm1(-depth)) : share * depth;
 }
 
 }  // namespace
@@ -225,7 +226,7 @@ double droplets_per_seen(const Layer& layer) {
 }
 
 double top_m(const Layer& layer, double relative_depth) {
-  return layer.thickness_m * std::pow(relative_depth, 0.7);
+  return layer.thickness_m * math::pow(relative_depth, 0.7);
 }
 
 double rank_rise(const Layer& layer, double rank, double field) {

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "cloud/texture_noise.h"
+#include "core/elementary.h"
 #include "core/random.h"
 
 namespace wold::cloud {
@@ -58,7 +59,7 @@ void Detail::add(const Octaves& octaves, const std::shared_ptr<const PeriodicMap
                  int side_px, double cell_m, const glm::dvec2& period_m, std::uint64_t key) {
   const double highest = double{*std::ranges::max_element(tile->values())};
   for (int i = octaves_in_map(octaves, side_px); i < octaves.count; ++i) {
-    const glm::dvec2 feature_m = cell_m / glm::dvec2(octaves.period) / std::exp2(i);
+    const glm::dvec2 feature_m = cell_m / glm::dvec2(octaves.period) / math::exp2(1.0 * i);
     const glm::dvec2 tiles =
         glm::max(glm::round(period_m / (feature_m * double{tile_features})), glm::dvec2(1.0));
     const auto number = static_cast<std::uint64_t>(i);
@@ -67,7 +68,7 @@ void Detail::add(const Octaves& octaves, const std::shared_ptr<const PeriodicMap
                         {random_uniform({key, key_of("detail x"), number}),
                          random_uniform({key, key_of("detail y"), number})},
                         std::min(feature_m.x, feature_m.y),
-                        octaves.weight * std::pow(octaves.gain, i)});
+                        octaves.weight * math::pow(octaves.gain, i)});
     most_ += octaves_.back().height * std::max(highest, 0.0);
   }
 }

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/complex_plane.h"
+#include "core/elementary.h"
 #include "core/random.h"
 #include "scene/calendar.h"
 #include "season/film_season.h"
@@ -34,8 +36,8 @@ struct Wave {
 };
 
 Wave gust_wave(int wave, int axis, std::uint64_t key) {
-  const double period_s = shortest_gust_s * std::pow(longest_gust_s / shortest_gust_s,
-                                                     static_cast<double>(wave) / (gust_waves - 1));
+  const double period_s = shortest_gust_s * math::pow(longest_gust_s / shortest_gust_s,
+                                                      static_cast<double>(wave) / (gust_waves - 1));
   return {2.0 * pi / period_s,
           2.0 * pi *
               random_uniform({key, key_of("gust"), static_cast<std::uint64_t>(wave),
@@ -106,7 +108,7 @@ glm::dvec2 way_m(const DriftSegment& segment, double seconds) {
   const double turn = (segment.heading_end_rad - segment.heading_rad) / segment.duration_s;
   const double gain = (segment.speed_end_m_s - segment.speed_m_s) / segment.duration_s;
   const double speed = segment.speed_m_s;
-  const Complex ahead = std::polar(1.0, segment.heading_rad);
+  const Complex ahead = from_polar(1.0, segment.heading_rad);
   constexpr double small_turn = 1e-3;  // below it the closed form loses digits, the series none
   if (std::abs(turn * t) < small_turn) {
     const Complex i(0.0, turn);
@@ -114,21 +116,21 @@ glm::dvec2 way_m(const DriftSegment& segment, double seconds) {
                                (gain + speed * i / 2.0) * i * t * t * t / 3.0 +
                                (gain / 2.0 + speed * i / 6.0) * i * i * t * t * t * t / 4.0));
   }
-  const Complex turned = std::polar(1.0, turn * t);
+  const Complex turned = from_polar(1.0, turn * t);
   const Complex i(0.0, 1.0);
-  return east_north(ahead * (((speed + gain * t) * turned - speed) / (i * turn) +
+  return east_north(ahead * (-i * ((speed + gain * t) * turned - speed) / turn +
                              gain * (turned - 1.0) / (turn * turn)));
 }
 
 glm::dvec2 gust_way_m(double deviation_m_s, double time_s, std::uint64_t key) {
   return gusts(deviation_m_s, key, [&](const Wave& wave) {
-    return (std::sin(wave.per_s * time_s + wave.phase) - std::sin(wave.phase)) / wave.per_s;
+    return (math::sin(wave.per_s * time_s + wave.phase) - math::sin(wave.phase)) / wave.per_s;
   });
 }
 
 glm::dvec2 gust_velocity_m_s(double deviation_m_s, double time_s, std::uint64_t key) {
   return gusts(deviation_m_s, key,
-               [&](const Wave& wave) { return std::cos(wave.per_s * time_s + wave.phase); });
+               [&](const Wave& wave) { return math::cos(wave.per_s * time_s + wave.phase); });
 }
 
 std::vector<WindNow> season_winds(const scene::Scene& scene) {
@@ -185,7 +187,7 @@ glm::dvec2 Drift::velocity_m_s(double time_s) const {
   const double share = share_done(*now, time_s - now->start_s);
   const double heading = std::lerp(now->heading_rad, now->heading_end_rad, share);
   return std::lerp(now->speed_m_s, now->speed_end_m_s, share) *
-             glm::dvec2(std::sin(heading), std::cos(heading)) +
+             glm::dvec2(math::sin(heading), math::cos(heading)) +
          gust_velocity_m_s(gusts_m_s_, time_s, key_);
 }
 
@@ -210,7 +212,7 @@ glm::dvec2 PaperDrift::way_cells(double time_s) const {
     const double end_s = i + 1 < rates_.size() ? std::min(time_s, rates_[i + 1].start_s) : time_s;
     x += rates_[i].per_frame * (end_s - rates_[i].start_s) / frame_seconds_;
   }
-  return {x, std::sin(x)};
+  return {x, math::sin(x)};
 }
 
 }  // namespace wold::cloud

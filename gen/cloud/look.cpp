@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
+
 namespace wold::cloud {
 namespace {
 
@@ -11,7 +13,7 @@ float opacity(const LayerState& state, double rank, double share) {
   const double depth =
       optical_depth_of_rank(*state.layer, rank, moment.amount_is_alpha ? 1.0 : moment.amount);
   const double alpha =
-      moment.shapes_by_alpha ? -share * std::expm1(-depth) : -std::expm1(-share * depth);
+      moment.shapes_by_alpha ? -share * math::expm1(-depth) : -math::expm1(-share * depth);
   return static_cast<float>(moment.amount_is_alpha ? moment.amount * alpha : alpha);
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
+
 namespace wold::cloud {
 namespace {
 
@@ -11,14 +13,14 @@ constexpr double pi = std::numbers::pi;
 
 /// What light that is scattered for the `time`th time, from 1, sends out at the angle.
 double forward_order(double asymmetry, int time, double cosine) {
-  const double phase = henyey_greenstein(std::pow(asymmetry, time), cosine);
+  const double phase = henyey_greenstein(math::pow(asymmetry, time), cosine);
   return time == 1 ? phase : std::max(0.0, phase - 0.25 / pi);
 }
 
 /// Sum over times from 1 of poisson(times - 1 + first) forward_order(times).
 double forward_sum(double asymmetry, double depth, double cosine, int first) {
   constexpr int times = 40;  // after these all light of droplets is even
-  double poisson = std::exp(-depth) * (first == 0 ? 1.0 : depth);
+  double poisson = math::exp(-depth) * (first == 0 ? 1.0 : depth);
   double sum = 0.0;
   for (int time = 1; time <= times; ++time) {
     sum += poisson * forward_order(asymmetry, time, cosine);
@@ -42,7 +44,7 @@ double depth_of(int step) {
 
 double cosine_of(int step) {
   const double root = static_cast<double>(step) / (angles - 1);
-  return 1.0 - 2.0 * std::pow(root, 4);
+  return 1.0 - 2.0 * math::pow(root, 4);
 }
 
 }  // namespace
@@ -64,7 +66,7 @@ double radiance_of(const TwoStream& streams, double cosine) {
 }
 
 double in_forward_peak(double asymmetry, double depth) {
-  return std::exp(-(1.0 - asymmetry * asymmetry) * depth);
+  return math::exp(-(1.0 - asymmetry * asymmetry) * depth);
 }
 
 double forward_through(double asymmetry, double depth, double cosine) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
 #include "core/parallel.h"
 
 namespace wold::cloud {
@@ -38,7 +39,7 @@ FactorMap sun_share(const CloudState& state, const Heightfield& terrain,
     for (int i = 0; i < grid.samples; ++i) {
       const glm::dvec2 at_m = share.place_m(i, j);
       const glm::dvec3 place(at_m, static_cast<double>(terrain.sample(at_m.x, at_m.y)));
-      share.at(i, j) = static_cast<float>(std::exp(-depth_to_sun(state, place, sun_direction)));
+      share.at(i, j) = static_cast<float>(math::exp(-depth_to_sun(state, place, sun_direction)));
     }
   });
   return share;

@@ -8,6 +8,7 @@
 #include "cloud/procedural_texture.h"
 #include "cloud/ranks.h"
 #include "core/curve.h"
+#include "core/elementary.h"
 #include "core/parallel.h"
 #include "core/random.h"
 
@@ -60,7 +61,7 @@ TextureSet made_textures(Recipe recipe, int side_px, std::uint64_t key) {
           side_px,          std::move(rank_per_field)};
 }
 
-double optical_depth(double opacity) { return -std::log1p(-std::min(opacity, most_opacity)); }
+double optical_depth(double opacity) { return -math::log1p(-std::min(opacity, most_opacity)); }
 
 /// Quantiles of the pictures' optical depths, over the largest.
 std::vector<float> profile_of(const std::vector<PeriodicMap<float>>& opacities) {
@@ -106,7 +107,7 @@ double mean_upwind(const PeriodicMap<float>& field, const glm::dvec2& place,
   double sum = 0.0, weights = 0.0;
   for (int step = 0; step <= smear_steps; ++step) {
     const double lengths = decay_lengths * step / smear_steps;
-    const double weight = std::exp(-lengths);
+    const double weight = math::exp(-lengths);
     const glm::dvec2 from = place - decay * lengths;
     sum += weight * field.sample(from.x, from.y);
     weights += weight;
@@ -141,7 +142,7 @@ TextureSet textures_of(const scene::CloudLayer& layer, const Recipe& recipe, int
 
 TextureSet sheared(const TextureSet& textures, double heading_rad, double shear) {
   if (shear <= 0.0) return textures;
-  const glm::dvec2 downwind(std::sin(heading_rad), std::cos(heading_rad));
+  const glm::dvec2 downwind(math::sin(heading_rad), math::cos(heading_rad));
   std::vector<PeriodicMap<float>> fields;
   for (const PeriodicMap<float>& map : textures.ranks)
     fields.push_back(drawn_out(map, downwind * (shear * longest_decay)));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/elementary.h"
 #include "core/parallel.h"
 
 namespace wold::compare {
@@ -72,7 +73,7 @@ Weights weights(int radius, const std::function<double(double)>& curve) {
 }
 
 Weights gaussian(double sigma_px, int radius) {
-  return weights(radius, [&](double x) { return std::exp(-x * x / (2.0 * sigma_px * sigma_px)); });
+  return weights(radius, [&](double x) { return math::exp(-x * x / (2.0 * sigma_px * sigma_px)); });
 }
 
 Image filtered(const Image& image, const Weights& across, const Weights& down) {

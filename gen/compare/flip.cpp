@@ -5,13 +5,14 @@
 #include "compare/flip_colours.h"
 #include "compare/flip_features.h"
 #include "compare/pixels.h"
+#include "core/elementary.h"
 
 namespace wold::compare {
 namespace {
 
 /// Section 4.3: differing edges and points amplify differing colours.
 void combine(float* out, const float* colours, const float* features) {
-  out[0] = std::pow(colours[0], 1.0F - features[0]);
+  out[0] = math::pow(colours[0], 1.0F - features[0]);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "compare/filter.h"
 #include "compare/pixels.h"
 #include "core/colour.h"
+#include "core/elementary.h"
 
 namespace wold::compare {
 namespace {
@@ -79,11 +80,11 @@ glm::dvec3 hunt_lab(const glm::dvec3& linear_rgb) {
 /// Abasi, Amani Tehran and Fairchild 2020 (Color Research and Application 45:1): the distance for
 /// large differences.
 double hyab(const glm::dvec3& a, const glm::dvec3& b) {
-  return std::abs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z);
+  return std::abs(a.x - b.x) + math::hypot(a.y - b.y, a.z - b.z);
 }
 
 double perceived(const glm::dvec3& a, const glm::dvec3& b) {
-  return std::pow(hyab(a, b), exponent);
+  return math::pow(hyab(a, b), exponent);
 }
 
 /// The difference as a share from 0 to 1: `knee_share` of the largest takes up nearly all of it.

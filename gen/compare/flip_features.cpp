@@ -6,6 +6,7 @@
 
 #include "compare/filter.h"
 #include "compare/pixels.h"
+#include "core/elementary.h"
 
 namespace wold::compare {
 namespace {
@@ -29,12 +30,12 @@ class FeatureDetector {
 
  private:
   int radius() const { return static_cast<int>(std::ceil(3.0 * sigma_px_)); }
-  double bell(double x) const { return std::exp(-x * x / (2.0 * sigma_px_ * sigma_px_)); }
+  double bell(double x) const { return math::exp(-x * x / (2.0 * sigma_px_ * sigma_px_)); }
 
   /// Length of the derivative across and down.
   Image strength(const Image& brightness, const Weights& derivative) const {
     const auto length = [](float* out, const float* x, const float* y) {
-      *out = std::hypot(*x, *y);
+      *out = math::hypot(*x, *y);
     };
     return pixelwise(1, length, filtered(brightness, derivative, smooth_),
                      filtered(brightness, smooth_, derivative));
@@ -55,7 +56,7 @@ Image brightness_of(const Image& opponent) {
 void difference(float* out, const float* edge, const float* other_edge, const float* point,
                 const float* other_point) {
   const float larger = std::max(std::abs(*edge - *other_edge), std::abs(*point - *other_point));
-  const double share = std::pow(larger / std::numbers::sqrt2, exponent);
+  const double share = math::pow(larger / std::numbers::sqrt2, exponent);
   *out = static_cast<float>(std::min(share, 1.0));
 }
 

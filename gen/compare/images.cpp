@@ -12,6 +12,7 @@
 #include "compare/pixels.h"
 #include "compare/ssim.h"
 #include "core/colour.h"
+#include "core/elementary.h"
 
 namespace wold::compare {
 namespace {
@@ -92,7 +93,7 @@ ImageMetrics compare_images(const Image& got, const Image& want, double soft) {
   ImageMetrics metrics;
   static_cast<Differences&>(metrics) = differences(got, want, soft);
   metrics.worst_px = worst_pixel(difference);
-  metrics.psnr_db = -20.0 * std::log10(metrics.rmse);
+  metrics.psnr_db = -20.0 * math::log10(metrics.rmse);
   metrics.mean_shift = channel_means(difference);
   metrics.mean_abs_blurred8 = mean(magnitude(blurred8(difference)));
   metrics.mean_delta_e = mean_delta_e(got, want);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/elementary.h"
+
 namespace wold::chart {
 namespace {
 
@@ -21,7 +23,7 @@ void check_bounds(double low, double high) {
 /// The smallest of 1, 2, 5 times a power of ten that divides `range` into at most six parts.
 double round_step(double range) {
   constexpr double most_steps = 6.0;
-  const double decade = std::pow(10.0, std::floor(std::log10(range / most_steps)));
+  const double decade = math::pow(10.0, std::floor(math::log10(range / most_steps)));
   for (const double factor : {1.0, 2.0, 5.0})
     if (range <= most_steps * factor * decade * (1.0 + rounding)) return factor * decade;
   return 10.0 * decade;
@@ -30,7 +32,7 @@ double round_step(double range) {
 /// Fewest decimals that write all ticks exactly.
 int decimals(const std::vector<double>& ticks) {
   const auto are_exact = [&](int digits) {
-    const double scale = std::pow(10.0, digits);
+    const double scale = math::pow(10.0, digits);
     return std::all_of(ticks.begin(), ticks.end(), [&](double tick) {
       return std::abs(tick * scale - std::round(tick * scale)) < 1e-6;
     });
@@ -59,12 +61,12 @@ Axis logarithmic_axis(const std::string& title, double low, double high) {
   check_bounds(low, high);
   if (low <= 0.0)
     throw std::invalid_argument(fmt::format("a logarithmic axis needs low > 0, got {}", low));
-  const int first = static_cast<int>(std::floor(std::log10(low) + rounding));
-  const int last = std::max(first + 1, static_cast<int>(std::ceil(std::log10(high) - rounding)));
-  Axis axis{title, std::pow(10.0, first), std::pow(10.0, last), {}, {}, true};
-  for (int k = first; k <= last; ++k) axis.ticks.push_back(std::pow(10.0, k));
+  const int first = static_cast<int>(std::floor(math::log10(low) + rounding));
+  const int last = std::max(first + 1, static_cast<int>(std::ceil(math::log10(high) - rounding)));
+  Axis axis{title, math::pow(10.0, first), math::pow(10.0, last), {}, {}, true};
+  for (int k = first; k <= last; ++k) axis.ticks.push_back(math::pow(10.0, k));
   for (int k = first; k < last; ++k)
-    for (int times = 2; times < 10; ++times) axis.minor_ticks.push_back(times * std::pow(10.0, k));
+    for (int times = 2; times < 10; ++times) axis.minor_ticks.push_back(times * math::pow(10.0, k));
   return axis;
 }
 
@@ -79,7 +81,7 @@ std::vector<std::string> tick_labels(const Axis& axis) {
 
 double axis_position(const Axis& axis, double value) {
   if (!axis.logarithmic) return (value - axis.low) / (axis.high - axis.low);
-  return std::log(value / axis.low) / std::log(axis.high / axis.low);
+  return math::log(value / axis.low) / math::log(axis.high / axis.low);
 }
 
 bool is_on(const Axis& axis, double value) {

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include "core/elementary.h"
+
 namespace wold {
 namespace {
 
@@ -17,7 +19,7 @@ const glm::dmat3 xyz_srgb_matrix = glm::inverse(srgb_xyz_matrix);
 /// The cube root with CIE's linear foot.
 double lab_curve(double t) {
   constexpr double foot = 6.0 / 29.0;
-  return t > foot * foot * foot ? std::cbrt(t) : t / (3.0 * foot * foot) + 4.0 / 29.0;
+  return t > foot * foot * foot ? math::cbrt(t) : t / (3.0 * foot * foot) + 4.0 / 29.0;
 }
 
 /// Share of grey that brings one channel into [0, ceiling].
@@ -40,11 +42,11 @@ glm::dvec3 lab_from_xyz(const glm::dvec3& xyz) {
 }
 
 double srgb_encoded(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * math::pow(linear, 1.0 / 2.4) - 0.055;
 }
 
 double srgb_decoded(double encoded) {
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+  return encoded <= 0.04045 ? encoded / 12.92 : math::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
 glm::dvec3 srgb_encoded(const glm::dvec3& linear) {

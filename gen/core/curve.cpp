@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/elementary.h"
 #include "core/error.h"
 
 namespace wold {
@@ -48,7 +49,7 @@ void limit(double secant, double& left, double& right) {
     left = right = 0.0;
     return;
   }
-  const double length = std::hypot(left, right) / std::abs(secant);
+  const double length = math::hypot(left, right) / std::abs(secant);
   if (length <= 3.0) return;
   left *= 3.0 / length;
   right *= 3.0 / length;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "core/random.h"
 
 namespace wold {
@@ -25,7 +26,7 @@ std::array<glm::dvec2, 256> all_directions() {
   std::array<glm::dvec2, 256> all;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const double angle = 2.0 * std::numbers::pi * (static_cast<double>(k) + 0.5) / all.size();
-    all[k] = {std::cos(angle), std::sin(angle)};
+    all[k] = {math::cos(angle), math::sin(angle)};
   }
   return all;
 }
@@ -83,8 +84,8 @@ double fbm(const glm::dvec2& at, const Fbm& shape) {
   double variance = 0.0;
   for (int octave = 0; octave < shape.octaves; ++octave) {
     const auto index = static_cast<std::uint64_t>(octave);
-    const double scale = std::exp2(octave);
-    const double height = std::exp2(-shape.hurst * octave);
+    const double scale = math::exp2(1.0 * octave);
+    const double height = math::exp2(-shape.hurst * octave);
     const glm::dvec2 shift(random_uniform({shape.key, key_of("octave"), index, key_of("x")}),
                            random_uniform({shape.key, key_of("octave"), index, key_of("y")}));
     const std::uint64_t key = random_bits({shape.key, key_of("octave"), index, key_of("field")});

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <string_view>
 
+#include "core/elementary.h"
+
 namespace wold {
 
 /// Randomness keyed by identity: the same (seed, kind, index, purpose) gives the same number on
@@ -51,7 +53,7 @@ constexpr std::uint32_t random_below(const RandomKey& key, std::uint32_t count) 
 inline double random_normal(const RandomKey& key) {
   const double u = 1.0 - random_uniform(key);
   const double v = random_uniform({key.seed, key.kind, key.index, key.purpose ^ key_of("second")});
-  return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * std::numbers::pi * v);
+  return std::sqrt(-2.0 * math::log(u)) * math::cos(2.0 * std::numbers::pi * v);
 }
 
 }  // namespace wold

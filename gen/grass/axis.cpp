@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
+
 namespace wold::grass {
 namespace {
 
@@ -12,18 +14,18 @@ constexpr float half_pi = std::numbers::pi_v<float> / 2.0F;
 constexpr float straight = 1e-3F;
 
 AxisPoint straight_axis(float lean, float arc_m) {
-  const glm::vec2 direction(std::sin(lean), std::cos(lean));
+  const glm::vec2 direction(math::sin(lean), math::cos(lean));
   return {direction * arc_m, direction};
 }
 
 /// Radius of the polar curve at an arc length, and the reverse (axis.h).
 float radius_at_arc(float droop, float arc_m) {
   const float cc = droop * droop;
-  return 4.0F / cc * std::expm1(2.0F / 3.0F * std::log1p(0.375F * cc * arc_m));
+  return 4.0F / cc * math::expm1(2.0F / 3.0F * math::log1p(0.375F * cc * arc_m));
 }
 float arc_at_radius(float droop, float radius_m) {
   const float cc = droop * droop;
-  return 8.0F / (3.0F * cc) * std::expm1(1.5F * std::log1p(0.25F * cc * radius_m));
+  return 8.0F / (3.0F * cc) * math::expm1(1.5F * math::log1p(0.25F * cc * radius_m));
 }
 
 std::variant<PaperAxis, ElasticaAxis, VeinAxis> axis_of(const Blade& blade, const BladePose& pose) {
@@ -41,9 +43,9 @@ AxisPoint PaperAxis::at(float arc_m) const {
   const float radius = radius_at_arc(droop_, arc_m);
   const float angle = lean_ + droop_ * std::sqrt(radius);
   if (angle < half_pi) {
-    const float tangent = angle + std::atan(0.5F * droop_ * std::sqrt(radius));
-    return {radius * glm::vec2(std::sin(angle), std::cos(angle)),
-            {std::sin(tangent), std::cos(tangent)}};
+    const float tangent = angle + math::atan(0.5F * droop_ * std::sqrt(radius));
+    return {radius * glm::vec2(math::sin(angle), math::cos(angle)),
+            {math::sin(tangent), math::cos(tangent)}};
   }
   const float touch = (half_pi - lean_) / droop_;
   const float touch_radius = touch * touch;
@@ -72,7 +74,7 @@ AxisPoint ElasticaAxis::at(float arc_m) const {
   const ElasticaNode& to = nodes_[lower + 1];
   const double angle = from.angle + (to.angle - from.angle) * share;
   return {glm::vec2(glm::mix(from.place, to.place, share)) * length_m_,
-          {std::sin(angle), std::cos(angle)}};
+          {math::sin(angle), math::cos(angle)}};
 }
 
 VeinAxis::VeinAxis(const VeinPlaces& places, float length_m)

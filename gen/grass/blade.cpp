@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "core/random.h"
 #include "grass/clumps.h"
 
@@ -52,7 +53,7 @@ float positive_spread(double mean, double relative, double normal) {
 /// Age of a single blade in a fresh meadow: most are young (exponential), a few are last year's.
 double head_start(const scene::Ageing& ageing, const BladeRandom& random) {
   if (random.uniform("litter") < ageing.litter) return 0.8 + 0.2 * random.uniform("litter age");
-  return std::min(-ageing.fresh_spread * std::log(1.0 - random.uniform("age")), 0.5);
+  return std::min(-ageing.fresh_spread * math::log(1.0 - random.uniform("age")), 0.5);
 }
 
 /// What grass.blades leave to a sample.
@@ -73,7 +74,7 @@ Blade make_blade(const scene::Grass& grass, const scene::Ageing& ageing, const B
   const double lean_deg = grass.lean_deg + grass.lean_spread_deg * random.normal("lean");
   Blade blade;
   blade.root_m = root_m;
-  blade.heading = {std::cos(heading), std::sin(heading)};
+  blade.heading = {math::cos(heading), math::sin(heading)};
   blade.lean = static_cast<float>(std::clamp(lean_deg, 0.0, 80.0) * std::numbers::pi / 180.0);
   blade.length_m = positive_spread(grass.height_m, grass.height_spread, random.normal("length"));
   blade.radius_m = positive_spread(grass.width_m / 2, grass.width_spread, random.normal("width"));

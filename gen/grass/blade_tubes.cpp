@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "grass/blade_light.h"
 #include "grass/snow_ridge.h"
 
@@ -36,13 +37,13 @@ void append_places(const BladePatch& patch, const AgeingModel& model, std::size_
 /// `first` from the level one.
 void append_ring(const Blade& blade, const BladePlace& at, float height, float first,
                  std::vector<glm::vec3>& vertices_m) {
-  const float reach = at.radius_m * pi / (corners * std::sin(pi / corners));
+  const float reach = at.radius_m * pi / (corners * math::sin(pi / corners));
   const glm::vec3 across(-blade.heading.y, blade.heading.x, 0.0F);
   const glm::vec3 side = glm::cross(across, at.fibre.tangent);
   for (int corner = 0; corner < corners; ++corner) {
     const float angle = first + 2.0F * pi * static_cast<float>(corner) / corners;
     vertices_m.push_back(at.position_m +
-                         reach * (std::cos(angle) * across + std::sin(angle) * height * side));
+                         reach * (math::cos(angle) * across + math::sin(angle) * height * side));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "core/random.h"
 #include "grass/axis.h"
 #include "grass/mechanics.h"
@@ -64,7 +65,7 @@ void clump(std::vector<Blade>& hairs, const scene::Ageing& ageing, double patch_
   const scene::Fur& fur = ageing.fur;
   const std::vector<glm::vec2> roots = clump_roots(fur.clumps, patch_m, seed, variant);
   const double comb = fur.comb_deg * std::numbers::pi / 180.0;
-  const glm::vec2 combed(std::sin(comb), std::cos(comb));
+  const glm::vec2 combed(math::sin(comb), math::cos(comb));
   const auto relieved = static_cast<float>(relieved_loss(1.0, ageing.stiffening));
   for (Blade& hair : hairs) {
     const glm::vec2 way = way_to_clump(hair.root_m, roots, static_cast<float>(patch_m)) +

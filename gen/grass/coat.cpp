@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/elementary.h"
+
 namespace wold::grass {
 namespace {
 
@@ -23,7 +25,7 @@ LeafSpectrum hair_spectrum(const scene::Fur& fur, const LeafSpectra& spectra, do
   for (std::size_t i = 0; i < spectra.eumelanin_mm.size(); ++i) {
     const double depth = mm_per_um * (fur.eumelanin_um * spectra.eumelanin_mm[i] +
                                       fur.pheomelanin_um * spectra.pheomelanin_mm[i]);
-    const double dry = (1.0 - hair_surface) * (1.0 - std::exp(-depth));
+    const double dry = (1.0 - hair_surface) * (1.0 - math::exp(-depth));
     const double albedo = 1.0 - std::lerp(dry, under_water(dry), wet);
     const double surface = hair_surface * (1.0 - wet);
     hair.reflectance.push_back(surface + (albedo - surface) / 2.0);

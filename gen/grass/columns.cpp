@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/elementary.h"
+
 namespace wold::grass {
 namespace {
 
@@ -48,8 +50,8 @@ Columns::Columns(const TexelShape& shape, const glm::dvec3& direction, int strid
 }
 
 glm::dvec3 direction_at(double elevation, double azimuth) {
-  return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
-          std::sin(elevation)};
+  return {math::cos(elevation) * math::cos(azimuth), math::cos(elevation) * math::sin(azimuth),
+          math::sin(elevation)};
 }
 
 template <class Value>
@@ -85,8 +87,8 @@ std::vector<float> voxel_transmittance(const VoxelRows& voxels, const std::vecto
       voxels.each(y, z, [&](int x, std::size_t place) {
         const int left = x < shift_x ? x - shift_x + shape.side : x - shift_x;
         const int right = left + 1 == shape.side ? 0 : left + 1;
-        result[place] = std::exp(-glm::mix(glm::mix(near[left], near[right], on.x),
-                                           glm::mix(far[left], far[right], on.x), on.y));
+        result[place] = math::exp(-glm::mix(glm::mix(near[left], near[right], on.x),
+                                            glm::mix(far[left], far[right], on.x), on.y));
       });
     }
   };
@@ -113,7 +115,7 @@ glm::dvec3 mean_radiance(const VoxelRows& voxels, const std::vector<float>& dens
     columns.each(slab, voxels, [&](std::size_t ray, std::size_t place) {
       if (through[ray] < 1e-3F) return;
       const auto depth = static_cast<float>(double{density[place]} * slab.length_m);
-      const float seen = through[ray] * -std::expm1(-depth);
+      const float seen = through[ray] * -math::expm1(-depth);
       sum += glm::dvec3(seen * emission[place]);
       through[ray] -= seen;
     });

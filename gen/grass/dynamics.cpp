@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
 #include "core/parallel.h"
 #include "grass/ageing_curves.h"
 #include "grass/merging.h"
@@ -169,7 +170,7 @@ void PointDynamics::move(std::size_t number, const WitheredBlade& now) {
 void PointDynamics::update_frames(std::size_t number) {
   const Blade& blade = blades_[number];
   for (std::uint32_t i = points_.blade_begin[number]; i < points_.blade_begin[number + 1]; ++i) {
-    const float distance = std::hypot(points_.side_m[i], points_.across_m[i]);
+    const float distance = math::hypot(points_.side_m[i], points_.across_m[i]);
     if (points_.vein[i] != 0 || distance == 0.0F) {
       points_.normal[i] = glm::vec3(0.0F);
       continue;
@@ -183,7 +184,7 @@ void PointDynamics::update_frames(std::size_t number) {
 
 void PointDynamics::rest_frames(std::size_t number) {
   const Blade& blade = blades_[number];
-  const CrossSection section(blade, {std::sin(blade.lean), std::cos(blade.lean)});
+  const CrossSection section(blade, {math::sin(blade.lean), math::cos(blade.lean)});
   for (std::uint32_t i = points_.blade_begin[number]; i < points_.blade_begin[number + 1]; ++i) {
     const glm::vec3 off_m = points_.side_m[i] * section.side + points_.across_m[i] * section.across;
     const bool on_vein = points_.vein[i] != 0 || off_m == glm::vec3(0.0F);

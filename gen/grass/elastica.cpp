@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
+
 namespace wold::grass {
 namespace {
 
@@ -33,7 +35,7 @@ Chain chain_from_tip(double load, double tip) {
   for (int i = elastica_segments - 1; i >= 0; --i) {
     chain.angle[static_cast<std::size_t>(i)] = angle;
     const double weight_beyond = load * (1.0 - (i + 0.5) * step);
-    if (angle > 0.0) curvature += weight_beyond * std::sin(angle) * step;
+    if (angle > 0.0) curvature += weight_beyond * math::sin(angle) * step;
     angle -= curvature * (i > 0 ? step : 0.5 * step);
   }
   chain.clamp = angle;
@@ -44,8 +46,8 @@ Chain chain_from_tip(double load, double tip) {
 /// Bjoerck (1973, BIT 13:253), in the logarithm of what the tip lacks to hanging straight down:
 /// under great loads that is all that tells one chain from another.
 Chain chain_at_clamp(double load, double lean) {
-  const auto chain = [&](double lack) { return chain_from_tip(load, pi - std::exp(lack)); };
-  double from = std::log(pi - lean), to = std::log(1e-13);
+  const auto chain = [&](double lack) { return chain_from_tip(load, pi - math::exp(lack)); };
+  double from = math::log(pi - lean), to = math::log(1e-13);
   double misfit_from = chain(from).clamp - lean, misfit_to = chain(to).clamp - lean;
   for (int i = 0; i < 100; ++i) {
     const double next = (from * misfit_to - to * misfit_from) / (misfit_to - misfit_from);
@@ -76,7 +78,7 @@ Elastica heavy_elastica(double lean, double load) {
     const double angle = chain.angle[i];
     const double beyond = i + 1 < elastica_segments ? chain.angle[i + 1] : angle;
     nodes[i + 1].angle = 0.5 * (angle + beyond);
-    nodes[i + 1].place = nodes[i].place + step * glm::dvec2(std::sin(angle), std::cos(angle));
+    nodes[i + 1].place = nodes[i].place + step * glm::dvec2(math::sin(angle), math::cos(angle));
   }
   return nodes;
 }

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "core/elementary.h"
+
 namespace wold::grass {
 namespace {
 
@@ -24,7 +26,7 @@ double square(double x) { return x * x; }
 /// Transmittance of a plate's inside for diffuse light, absorption coefficient k (Allen et
 /// al. 1969, Journal of the Optical Society of America 59:1376).
 double plate_transmittance(double k) {
-  return k <= 0.0 ? 1.0 : (1.0 - k) * std::exp(-k) + k * k * exponential_integral(k);
+  return k <= 0.0 ? 1.0 : (1.0 - k) * math::exp(-k) + k * k * exponential_integral(k);
 }
 
 /// A plate between two surfaces: light enters with transmittance `in`, is reflected inside by the
@@ -48,7 +50,7 @@ Layer pile(const Layer& one, double plates) {
   const double root = std::sqrt((1.0 + r + t) * (1.0 + r - t) * (1.0 - r + t) * (1.0 - r - t));
   const double a = (1.0 + r * r - t * t + root) / (2.0 * r);
   const double b = (1.0 - r * r + t * t + root) / (2.0 * t);
-  const double power = std::pow(b, plates);
+  const double power = math::pow(b, plates);
   const double denominator = square(a * power) - 1.0;
   return {a * (square(power) - 1.0) / denominator, power * (a * a - 1.0) / denominator};
 }
@@ -74,19 +76,17 @@ double stern_p(double a, double b, double q) {
   const double p3 = p * p * p;
   const double end = 2.0 * p * b - m2;
   const double start = 2.0 * p * a - m2;
-  return -2.0 * q * (b - a) / (p * p) - 2.0 * q * p * std::log(b / a) / m2 +
+  return -2.0 * q * (b - a) / (p * p) - 2.0 * q * p * math::log(b / a) / m2 +
          q * (1.0 / b - 1.0 / a) / 2.0 +
-         16.0 * q * q * (q * q + 1.0) * std::log(end / start) / (p3 * m2) +
+         16.0 * q * q * (q * q + 1.0) * math::log(end / start) / (p3 * m2) +
          16.0 * q * q * q * (1.0 / end - 1.0 / start) / p3;
 }
 
 }  // namespace
 
-double exponential_integral(double x) { return -std::expint(-x); }
-
 double surface_transmittance(double cone_deg, double n) {
   const double q = n * n;
-  const double s2 = square(std::sin(cone_deg * std::numbers::pi / 180.0));
+  const double s2 = square(math::sin(cone_deg * std::numbers::pi / 180.0));
   const double c = s2 - (q + 1.0) / 2.0;
   // At 90 degrees the root is exactly 0, which rounding would miss.
   const double root =

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "grass/columns.h"
 #include "grass/visible.h"
 
@@ -82,7 +83,7 @@ Response response(const RayDepths& depths, const glm::dvec3& weights) {
     double sum = 0.0;
     glm::dvec3 slope(0.0);
     for (const glm::vec3& depth : rays) {
-      const float through = std::exp(-glm::dot(w, depth));
+      const float through = math::exp(-glm::dot(w, depth));
       sum += double{through};
       slope -= glm::dvec3(through * depth);
     }
@@ -263,7 +264,7 @@ Transmittances transmittances(const VoxelRows& voxels, const std::vector<float>&
     std::size_t count = 0;
     for (const auto& direction : transmittance_directions(Transmittances::elevations_deg[i])) {
       const auto depths = optical_depths(voxels, density, direction, row_stride(voxels.shape()));
-      for (float depth : depths) sum += double{std::exp(-depth)};
+      for (float depth : depths) sum += double{math::exp(-depth)};
       count += depths.size();
     }
     result.value[i] = sum / static_cast<double>(count);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/elementary.h"
 #include "grass/snow_ridge.h"
 #include "grass/vein_forces.h"
 
@@ -35,7 +36,7 @@ constexpr double turgor_loss = 0.2;
 constexpr double thinnest = 0.1;
 
 /// Linear scale of a body that lost this share of its volume alike in all directions.
-double linear_scale(double volume_strain) { return std::cbrt(1.0 - volume_strain); }
+double linear_scale(double volume_strain) { return math::cbrt(1.0 - volume_strain); }
 
 /// What remains of turgor, 1 to 0.
 double turgor_left(double water_lost) { return std::max(1.0 - water_lost / turgor_loss, 0.0); }
@@ -58,7 +59,7 @@ double relative_stiffness(const scene::Ageing& ageing, double water_lost) {
 }  // namespace
 
 double relieved_loss(double water_lost, double stiffening) {
-  return stiffening > 0.0 ? std::log1p(stiffening * water_lost) / stiffening : water_lost;
+  return stiffening > 0.0 ? math::log1p(stiffening * water_lost) / stiffening : water_lost;
 }
 
 TissueState tissue_state(const scene::Ageing& ageing, double water_lost) {
@@ -133,7 +134,7 @@ float snowed_droop(const Blade& blade, float droop, double snow) {
   const double left = lowest_tip - double{blade.lean} - turned;
   if (left <= 0.0 || snow <= 0.0) return droop;
   const double weighed = turned * snow_per_leaf * snow;
-  return droop + static_cast<float>(left * -std::expm1(-weighed / left) / root);
+  return droop + static_cast<float>(left * -math::expm1(-weighed / left) / root);
 }
 
 BladePose blade_pose(const Blade& blade, const scene::Ageing& ageing, double water_lost,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/elementary.h"
 #include "core/parallel.h"
 #include "core/random.h"
 #include "grass/voxelise.h"
@@ -24,8 +25,8 @@ struct RestPoint {
 RestPoint at_rest(const Blade& blade, const glm::vec3& place_m, float area_m2, bool vein) {
   const glm::vec3 from_root = place_m - glm::vec3(blade.root_m, 0.0F);
   const float out = glm::dot(glm::vec2(from_root), blade.heading);
-  const float sine = std::sin(blade.lean);
-  const float cosine = std::cos(blade.lean);
+  const float sine = math::sin(blade.lean);
+  const float cosine = math::cos(blade.lean);
   RestPoint point;
   point.arc_m = std::clamp(sine * out + cosine * from_root.z, 0.0F, blade.length_m);
   point.side_m = cosine * out - sine * from_root.z;
@@ -33,7 +34,7 @@ RestPoint at_rest(const Blade& blade, const glm::vec3& place_m, float area_m2, b
   point.area_m2 = area_m2;
   point.vein = vein;
   const float radius = blade.radius_m * (1.0F - point.arc_m / blade.length_m);
-  const float distance = std::hypot(point.side_m, point.across_m);
+  const float distance = math::hypot(point.side_m, point.across_m);
   if (distance > radius) {
     point.side_m *= radius / distance;
     point.across_m *= radius / distance;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "core/parallel.h"
 #include "grass/columns.h"
 #include "grass/voxel_set.h"
@@ -33,7 +34,7 @@ std::vector<SkyRing> make_rings() {
   std::vector<SkyRing> rings;
   rings.reserve(count);
   for (int i = 0; i < count; ++i)
-    rings.push_back({std::asin((i + 0.5) / count), 2.0 * pi / count / 4.0});
+    rings.push_back({math::asin((i + 0.5) / count), 2.0 * pi / count / 4.0});
   return rings;
 }
 
@@ -89,7 +90,7 @@ float kajiya_kay_specular(const glm::vec3& tangent, const glm::vec3& light, cons
                           float gloss) {
   const float base = sine(tangent, light) * sine(tangent, view) -
                      glm::dot(tangent, light) * glm::dot(tangent, view);
-  return std::pow(std::max(base, 0.0F), gloss);
+  return math::pow(std::max(base, 0.0F), gloss);
 }
 
 std::vector<glm::vec3> skylight(const Texel& texel, const VolumeData& occluder,

@@ -1,5 +1,6 @@
 #include "grass/silhouette.h"
 
+#include "core/elementary.h"
 #include "grass/axis.h"
 #include "grass/snow_ridge.h"
 
@@ -70,8 +71,8 @@ std::vector<Piece> pieces_of(const std::vector<Blade>& blades, const std::vector
 Strip strip_of(const Piece& piece, double patch_m, const glm::vec3& direction) {
   const glm::vec3 across = glm::cross(piece.tangent, direction);
   const glm::vec3 aside = across / std::max(glm::length(across), 1e-3F);
-  const float reach_m = piece.snow ? std::hypot(piece.half_m.x * glm::dot(aside, piece.level),
-                                                piece.half_m.y * glm::dot(aside, piece.upper))
+  const float reach_m = piece.snow ? math::hypot(piece.half_m.x * glm::dot(aside, piece.level),
+                                                 piece.half_m.y * glm::dot(aside, piece.upper))
                                    : piece.half_m.x;
   return {on_ground(piece.a_m, direction, patch_m), on_ground(piece.b_m, direction, patch_m),
           on_ground(aside * reach_m, direction, patch_m)};

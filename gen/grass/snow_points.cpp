@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
 #include "core/parallel.h"
 #include "grass/axis.h"
 #include "grass/snow_ridge.h"
@@ -34,8 +35,8 @@ void add_pair(const Blade& blade, const SnowRidge& ridge, const AxisPoint& at, i
   const glm::vec3 up = from_plane(blade, upper_side(at.tangent));
   const glm::vec3 centre_m = glm::vec3(blade.root_m, 0.0F) + from_plane(blade, ridge.centre_m);
   const float angle = golden_angle * static_cast<float>(step);
-  const glm::vec3 offset_m = middle * (std::cos(angle) * ridge.half_width_m * across +
-                                       std::sin(angle) * ridge.half_height_m * up);
+  const glm::vec3 offset_m = middle * (math::cos(angle) * ridge.half_width_m * across +
+                                       math::sin(angle) * ridge.half_height_m * up);
   for (const float sign : {-1.0F, 1.0F}) {
     glm::vec3 place_m = centre_m + sign * offset_m;
     place_m.z = std::max(place_m.z, 0.0F);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "core/noise.h"
 
 namespace wold::grass {
@@ -33,14 +34,14 @@ constexpr auto thickest_m = static_cast<float>(leaf_snow_kg_m2 / blade_snow_kg_m
 /// not lie like beads on a string.
 double lump_rank(const Blade& blade, float along) {
   const float way = along * blade.length_m / blade.lump_m;
-  const float place = way + blade.lump_phase + 0.3F * std::sin(2.1F * way + 40.0F * blade.lump_m);
+  const float place = way + blade.lump_phase + 0.3F * math::sin(2.1F * way + 40.0F * blade.lump_m);
   return double{std::abs(2.0F * (place - std::floor(place)) - 1.0F)};
 }
 
 /// Uniform over the ground: smooth noise, which is nearly normal, through the normal distribution.
 double tuft_rank(const Blade& blade, const AxisPoint& at) {
   const glm::dvec2 place = glm::dvec2(on_patch_m(blade, at)) / tuft_m;
-  return 0.5 * std::erfc(-fbm(place, {blade.tufts, 2, 0.9}) / std::numbers::sqrt2);
+  return 0.5 * math::erfc(-fbm(place, {blade.tufts, 2, 0.9}) / std::numbers::sqrt2);
 }
 
 /// Distribution of a u + (1 - a) v, u and v uniform in [0, 1], a in [1/2, 1): makes it uniform.

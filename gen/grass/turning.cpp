@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
+
 namespace wold::grass {
 namespace {
 
@@ -10,7 +12,7 @@ using Places = VeinPoints::OfPoints<glm::dvec2>;
 
 /// Turned towards the heading, from the upward axis.
 glm::dvec2 turned(const glm::dvec2& place, double angle) {
-  const double sine = std::sin(angle), cosine = std::cos(angle);
+  const double sine = math::sin(angle), cosine = math::cos(angle);
   return {cosine * place.x + sine * place.y, cosine * place.y - sine * place.x};
 }
 
@@ -40,12 +42,12 @@ void turn_vein(VeinPoints& points, double length_m, double droop, double seconds
   Places places_now = points.position_m;
   for (glm::dvec2& place : places_now) {
     place = turned(place, droop * std::sqrt(glm::length(place)));
-    if (place.y < 0.0) place = {std::hypot(place.x, place.y), 0.0};
+    if (place.y < 0.0) place = {math::hypot(place.x, place.y), 0.0};
   }
   places_now = drawn_together(places_now, segment_m);
   for (std::size_t k = 0; k < points.angle.size(); ++k) {
     const glm::dvec2 way = places_now[k + 1] - places_now[k];
-    points.angle[k] = std::atan2(way.x, way.y);
+    points.angle[k] = math::atan2(way.x, way.y);
   }
   const Places moved = places_m(points.angle, length_m);
   for (std::size_t i = 0; i < moved.size(); ++i) {

@@ -2,10 +2,12 @@
 
 #include <cmath>
 
+#include "core/elementary.h"
+
 namespace wold::grass {
 
-glm::dvec2 along(double angle) { return {std::sin(angle), std::cos(angle)}; }
-glm::dvec2 aside(double angle) { return {std::cos(angle), -std::sin(angle)}; }
+glm::dvec2 along(double angle) { return {math::sin(angle), math::cos(angle)}; }
+glm::dvec2 aside(double angle) { return {math::cos(angle), -math::sin(angle)}; }
 
 VeinPoints::OfPoints<glm::dvec2> places_m(const std::array<double, vein_segments>& angle,
                                           double length_m) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "grass/texel_builder.h"
 
 namespace wold::grass {
@@ -24,7 +25,7 @@ struct Speck {
 /// Orthonormal frame whose z axis is the blade's.
 struct AxisFrame {
   explicit AxisFrame(const Blade& blade)
-      : along(blade.heading * std::sin(blade.lean), std::cos(blade.lean)),
+      : along(blade.heading * math::sin(blade.lean), math::cos(blade.lean)),
         across(-blade.heading.y, blade.heading.x, 0.0F),
         side(glm::cross(across, along)) {}
   glm::vec3 along, across, side;
@@ -42,7 +43,8 @@ void add_slice(const Blade& blade, const AxisFrame& frame, float arc_m, float sl
   for (int k = 0; k < count; ++k) {
     const float share = std::sqrt((static_cast<float>(k) + 0.5F) / static_cast<float>(count));
     const float turn = golden_angle * static_cast<float>(k);
-    const glm::vec3 offset = share * (std::cos(turn) * frame.across + std::sin(turn) * frame.side);
+    const glm::vec3 offset =
+        share * (math::cos(turn) * frame.across + math::sin(turn) * frame.side);
     const glm::vec3 place = (centre + offset * radius) / voxel_m;
     const glm::ivec3 voxel(glm::floor(place));
     specks.push_back(

@@ -7,6 +7,7 @@
 
 #include "core/colour.h"
 #include "core/curve.h"
+#include "core/elementary.h"
 #include "core/parallel.h"
 #include "grass/ageing_curves.h"
 #include "grass/axis.h"
@@ -45,7 +46,7 @@ double carotenoid_share(const scene::Ageing& ageing, double water) {
 /// Seen from the root, as in the paper's turning of the points about it.
 double tip_angle_deg(const Blade& blade, const BladePose& pose) {
   const glm::vec2 tip = BladeAxis(blade, pose).at(blade.length_m * pose.length_scale).position_m;
-  return std::atan2(double{tip.x}, double{tip.y}) * 180.0 / std::numbers::pi;
+  return math::atan2(double{tip.x}, double{tip.y}) * 180.0 / std::numbers::pi;
 }
 
 glm::dvec3 encoded(const glm::vec3& linear) {

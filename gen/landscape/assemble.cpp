@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/elementary.h"
 #include "landscape/blade_parts.h"
 #include "landscape/exposure.h"
 #include "landscape/frame_sky.h"
@@ -164,7 +165,7 @@ Landscape assemble(const scene::Scene& scene, const Site& site, int frame,
   landscape.daylight = open_daylight(site.day, air.sun_share(), illuminate);
   const ColourMap light = illuminate(ground.light());
   landscape.exposure_gain =
-      gain(scene, site.day, ground, light) * dusk(scene, frame) * std::exp2(scene.render.exposure);
+      gain(scene, site.day, ground, light) * dusk(scene, frame) * math::exp2(scene.render.exposure);
   LitGround(scene, site, landscape, choices, lookup.far, illuminate).show(ground, light, landscape);
   sky.show(landscape, overcast_per_m > 0.0);
   if (overcast_per_m > 0.0) let_it_fall(scene, site, air, landscape);

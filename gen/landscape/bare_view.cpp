@@ -5,6 +5,8 @@
 #include <numbers>
 #include <optional>
 
+#include "core/elementary.h"
+
 namespace wold::landscape {
 namespace {
 
@@ -27,8 +29,8 @@ glm::vec3 sampled(const Image& image, double x, double y, bool around) {
 }
 
 glm::vec3 sky_radiance(const Image& sky, const glm::dvec3& direction) {
-  const double azimuth = std::atan2(direction.x, direction.y) / (2.0 * std::numbers::pi);
-  const double elevation = std::asin(std::clamp(direction.z, -1.0, 1.0)) / std::numbers::pi;
+  const double azimuth = math::atan2(direction.x, direction.y) / (2.0 * std::numbers::pi);
+  const double elevation = math::asin(std::clamp(direction.z, -1.0, 1.0)) / std::numbers::pi;
   return sampled(sky, (azimuth - std::floor(azimuth)) * sky.width, (0.5 - elevation) * sky.height,
                  /*around=*/true);
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
+
 namespace wold::landscape {
 namespace {
 
@@ -57,10 +59,10 @@ FarLook BladesLook::trace(const PatchRay& ray) const {
     const double high_m = std::min((i + 1) * slice_m_, ray.top_m);
     if (high_m <= low_m) continue;
     const Slice& slice = slices_[static_cast<std::size_t>(i)];
-    const double seen_m2 = std::hypot(slice.upright_m2 * sideways, slice.level_m2 * down);
+    const double seen_m2 = math::hypot(slice.upright_m2 * sideways, slice.level_m2 * down);
     const double depth =
         ray.thickness * (high_m - low_m) / slice_m_ * seen_m2 / (ground_m2_ * down);
-    const double left = std::exp(-depth);
+    const double left = math::exp(-depth);
     look.radiance += look.transmittance * (1.0 - left) * slice.radiance;
     look.transmittance *= left;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
 #include "grass/snow_ridge.h"
 #include "landscape/site.h"
 #include "scene/winter.h"
@@ -16,13 +17,13 @@ constexpr double step_s = 600.0;
 constexpr double cold_hours = 60.0;
 constexpr double warm_hours = 1.5;
 
-double canopy_cover(double leaf_area_index) { return -std::expm1(-0.5 * leaf_area_index); }
+double canopy_cover(double leaf_area_index) { return -math::expm1(-0.5 * leaf_area_index); }
 
 /// The share after constant weather: it approaches where catching and unloading are in balance.
 double after(double share, double caught_per_h, double unloaded_per_h, double hours) {
   const double rate_per_h = caught_per_h + unloaded_per_h;
   const double balance = caught_per_h / rate_per_h;
-  return balance + (share - balance) * std::exp(-rate_per_h * hours);
+  return balance + (share - balance) * math::exp(-rate_per_h * hours);
 }
 
 }  // namespace
@@ -55,7 +56,7 @@ double canopy_snow(const scene::Scene& scene, int frame) {
   if (scene.snow_cover.cover != "depth" || scene.ageing.fur.clumps > 0) return 0.0;
   const double leaf_area = leaf_area_index(scene.grass);
   const double caught_per_mm = canopy_cover(leaf_area) / canopy_capacity_mm(leaf_area);
-  const double initial = -std::expm1(-caught_per_mm * scene.snow_cover.initial_mm);
+  const double initial = -math::expm1(-caught_per_mm * scene.snow_cover.initial_mm);
   const snow::Weather weather(scene);
   const auto on_canopy = [&](double time_s) {
     return CanopyWeather{weather.at(time_s).temperature_c, weather.snow_mm_h(time_s, 0.0)};

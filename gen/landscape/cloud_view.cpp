@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/elementary.h"
+
 namespace wold::landscape {
 namespace {
 
@@ -36,7 +38,7 @@ void pass_through(const CloudBox& cloud, const glm::dvec3& eye_m, const glm::dve
        at_m += step_m) {
     const std::size_t voxel = voxel_at(cloud, eye_m + at_m * direction);
     const double hidden =
-        look.transmittance * -std::expm1(-double{cloud.extinction_per_m[voxel]} * step_m);
+        look.transmittance * -math::expm1(-double{cloud.extinction_per_m[voxel]} * step_m);
     look.radiance += hidden * glm::dvec3(cloud.radiance[voxel]);
     look.transmittance -= hidden;
     weighed_m += hidden * at_m;

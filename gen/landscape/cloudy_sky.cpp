@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "core/parallel.h"
 #include "landscape/cloud_haze.h"
 
@@ -44,7 +45,7 @@ glm::vec3 CloudySky::irradiance() const {
   for (int r = 0; r < rings; ++r)
     for (int a = 0; a < azimuths; ++a) {
       // Rings of equal sin^2: each direction lights level ground alike.
-      const double elevation = std::asin(std::sqrt((r + 0.5) / rings));
+      const double elevation = math::asin(std::sqrt((r + 0.5) / rings));
       const glm::dvec3 direction = light::direction_of(2.0 * pi * (a + 0.5) / azimuths, elevation);
       const glm::vec3 clear = day_.sky_radiance(direction);
       sum += glm::dvec3(clouded(clear, clear, direction));
@@ -98,7 +99,7 @@ Backdrop sky_backdrop(const CloudySky& sky, const Camera& camera, int width_px, 
   const glm::dvec3 forward = glm::normalize(camera.target_m - camera.eye_m);
   const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 0, 1)));
   const double width_m =
-      2.0 * distance_m * margin * std::tan(camera.field_of_view_deg * pi / 360.0);
+      2.0 * distance_m * margin * math::tan(camera.field_of_view_deg * pi / 360.0);
   Backdrop backdrop;
   backdrop.picture = Image(static_cast<int>(std::ceil(width_px * margin)),
                            static_cast<int>(std::ceil(height_px * margin)), 3);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "core/random.h"
 #include "scene/calendar.h"
 
@@ -21,7 +22,7 @@ constexpr double turning_deg = 18.0;
 /// Unit, where the wind blows to; x is east.
 glm::dvec2 direction(double heading_deg) {
   const double heading = heading_deg * radians_per_degree;
-  return {std::sin(heading), std::cos(heading)};
+  return {math::sin(heading), math::cos(heading)};
 }
 
 Fbm field(std::uint64_t seed, const char* purpose, int octaves) {
@@ -56,7 +57,7 @@ glm::dvec2 Combing::lean(const glm::dvec2& at_m) const {
   const double usual_deg = wind_.lean_deg + wind_.waves_deg * tame(fbm(place, waves_));
   const double lean_deg = std::min(usual_deg * change_.speed_factor, std::max(usual_deg, most_deg));
   const double turned_deg = turning_deg * tame(fbm(place / 2.0, turns_));
-  return std::tan(lean_deg * radians_per_degree) *
+  return math::tan(lean_deg * radians_per_degree) *
          direction(wind_.heading_deg + turned_deg + change_.turned_rad / radians_per_degree);
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "core/colour.h"
+#include "core/elementary.h"
 #include "core/parallel.h"
 #include "landscape/ground_march.h"
 #include "landscape/perspective.h"
@@ -84,7 +85,8 @@ glm::dvec3 over(const FarLook& look, const glm::dvec3& behind) {
 
 glm::dvec3 in_fog(const std::optional<Fog>& fog, const glm::dvec3& radiance, double length_m) {
   if (!fog) return radiance;
-  return glm::mix(glm::dvec3(fog->radiance), radiance, std::exp(-fog->extinction_per_m * length_m));
+  return glm::mix(glm::dvec3(fog->radiance), radiance,
+                  math::exp(-fog->extinction_per_m * length_m));
 }
 
 /// What is seen if all but one kind of things is there.
@@ -123,7 +125,7 @@ std::vector<double> through_flakes(const Landscape& landscape, const Tiling& til
         area_px / (tiling.tile_px.x * tiling.tile_px.y) * double{flake.opacity} *
         opacities[static_cast<std::size_t>(flake.picture)];
   }
-  for (double& tile : depth) tile = std::exp(-tile);
+  for (double& tile : depth) tile = math::exp(-tile);
   return depth;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/colour.h"
+#include "core/elementary.h"
 
 namespace wold::landscape {
 namespace {
@@ -33,8 +34,8 @@ constexpr double brightest_sky = 0.9;
 /// Of a level plane by sun and clear sky, as measured: 0.8 klx + 15.5 klx sin^0.5 and 128 klx
 /// exp(-0.21 / sin) sin. Preetham's sky is too bright by far while the sun is low.
 double clear_illuminance_klx(double sun_elevation_deg) {
-  const double sine = std::sin(glm::radians(sun_elevation_deg));
-  return 0.8 + 15.5 * std::sqrt(sine) + 128.0 * std::exp(-0.21 / sine) * sine;
+  const double sine = math::sin(glm::radians(sun_elevation_deg));
+  return 0.8 + 15.5 * std::sqrt(sine) + 128.0 * math::exp(-0.21 / sine) * sine;
 }
 
 }  // namespace

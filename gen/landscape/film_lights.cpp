@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/elementary.h"
 #include "landscape/snow_in_air.h"
 #include "landscape/view.h"
 #include "scene/sun_path.h"
@@ -88,11 +89,11 @@ double sun_way_deg(const scene::Scene& scene) {
     least_deg = std::min(least_deg, sun.elevation_deg);
     most_deg = std::max(most_deg, sun.elevation_deg);
     turn_deg +=
-        std::abs(sun.azimuth_deg - before.azimuth_deg) * std::cos(glm::radians(sun.elevation_deg));
+        std::abs(sun.azimuth_deg - before.azimuth_deg) * math::cos(glm::radians(sun.elevation_deg));
     before = sun;
   }
   const double climb_deg = most_deg - least_deg;
-  return scene::is_season(scene) ? climb_deg : std::hypot(climb_deg, turn_deg);
+  return scene::is_season(scene) ? climb_deg : math::hypot(climb_deg, turn_deg);
 }
 
 }  // namespace

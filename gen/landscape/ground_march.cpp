@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/elementary.h"
+
 namespace wold::landscape {
 namespace {
 
@@ -16,7 +18,7 @@ double steepest_slope(const Heightfield& terrain) {
                   high = terrain.at(i + 1, j + 1);
       const float east_m = std::max(std::abs(east - low), std::abs(high - north));
       const float north_m = std::max(std::abs(north - low), std::abs(high - east));
-      steepest_m = std::max(steepest_m, double{std::hypot(east_m, north_m)});
+      steepest_m = std::max(steepest_m, double{math::hypot(east_m, north_m)});
     }
   return steepest_m / terrain.step_m();
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include "core/elementary.h"
 #include "core/image.h"
 #include "core/noise.h"
 #include "core/parallel.h"
@@ -80,7 +81,7 @@ class Limits {
 };
 
 /// The value's rank in a standard normal distribution: makes noise uniform in (0, 1).
-double equalised(double value) { return 0.5 * std::erfc(-value / std::numbers::sqrt2); }
+double equalised(double value) { return 0.5 * math::erfc(-value / std::numbers::sqrt2); }
 
 /// 1 where the probability is above the noise; the mean stays the probability within `soft` / 2.
 double grown(double probability, double noise) {

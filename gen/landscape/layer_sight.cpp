@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
+
 namespace wold::landscape {
 namespace {
 
@@ -79,14 +81,14 @@ struct LayerSight::Passed {
   Lit light;
 
   void add(double seen, double of_droplets, const Lit& lit) {
-    const double hides = std::exp(-depth) * -std::expm1(-seen);
+    const double hides = math::exp(-depth) * -math::expm1(-seen);
     depth += seen;
     droplets += of_droplets;
     light.to_sun += hides * lit.to_sun;
     light.sky += hides * lit.sky;
     light.faced += hides * lit.faced;
   }
-  double hidden() const { return -std::expm1(-depth); }
+  double hidden() const { return -math::expm1(-depth); }
 };
 
 LayerSight::LayerSight(const cloud::LayerState& state, double pixel_m, const glm::dvec3& eye_m,
@@ -115,7 +117,7 @@ SeenClouds LayerSight::along(const glm::dvec3& direction) const {
   add_base(passed, ray);
   if (highest_m > 0.0 && passed.depth < opaque) add_sides(passed, ray);
   if (passed.depth <= 0.0) return {};
-  return {static_cast<float>(std::exp(-passed.depth)), colour_ * sent(passed, ray), distance_m};
+  return {static_cast<float>(math::exp(-passed.depth)), colour_ * sent(passed, ray), distance_m};
 }
 
 /// A place of the ray above the base, at a share of the highest top.
@@ -128,7 +130,7 @@ glm::dvec3 LayerSight::place_on(const Ray& ray, double height_share) const {
 /// As many as show the highest clouds in steps that an eye makes out, up to a limit.
 int LayerSight::steps_along(const Ray& ray) const {
   constexpr double most = 48.0;
-  const double across_m = heaps_->highest_m() * std::hypot(ray.direction.x, ray.direction.y);
+  const double across_m = heaps_->highest_m() * math::hypot(ray.direction.x, ray.direction.y);
   return static_cast<int>(
       std::clamp(std::ceil(across_m / (3.0 * finest_rad_ * ray.distance_m)), 1.0, most));
 }
@@ -155,9 +157,9 @@ void LayerSight::add_base(Passed& passed, const Ray& ray) const {
     const double detail = sheet.map->detail * layer_->detail.at(place_m - way_m_, footprint_m);
     const double opacity = opacity_with(detail);
     if (opacity <= 0.0) continue;
-    depth += share * -std::log1p(-std::min(opacity, 0.999999));
+    depth += share * -math::log1p(-std::min(opacity, 0.999999));
     lit.to_sun +=
-        sheet.share * sheet.depth_left * std::exp(shade_per_field * detail) *
+        sheet.share * sheet.depth_left * math::exp(shade_per_field * detail) *
         cloud::depth_of_brightness(layer_->droplets, sample(sheet.map->sunlit, place_px) / 65535.0);
   }
   if (depth <= 0.0) return;
@@ -253,7 +255,7 @@ glm::vec3 LayerSight::sent(const Passed& passed, const Ray& ray) const {
                                0.0) *
                       sun_height / pi;
   const double forward = layer_->forward->at(to_sun, glm::dot(ray.direction, day_.sun_direction()));
-  const double met = std::expm1(-passed.droplets) / std::expm1(-to_sun);
+  const double met = math::expm1(-passed.droplets) / math::expm1(-to_sun);
   return day_.sun_irradiance() *
              static_cast<float>((forward + even) * met + passed.light.faced / pi) +
          day_.sky_irradiance() * static_cast<float>(passed.light.sky / pi);

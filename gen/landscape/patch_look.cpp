@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "core/parallel.h"
 #include "landscape/tiled_volume.h"
 
@@ -41,8 +42,8 @@ PatchLook::PatchLook(std::span<const Volume> volumes, int starts) {
       const double elevation = elevations_deg[e] * pi / 180.0;
       const FarLook look =
           mean_look(volume,
-                    {std::cos(azimuth) * std::cos(elevation),
-                     std::sin(azimuth) * std::cos(elevation), -std::sin(elevation)},
+                    {math::cos(azimuth) * math::cos(elevation),
+                     math::sin(azimuth) * math::cos(elevation), -math::sin(elevation)},
                     starts);
       table_[a][e].radiance += look.radiance * share;
       table_[a][e].transmittance += look.transmittance * share;
@@ -52,14 +53,14 @@ PatchLook::PatchLook(std::span<const Volume> volumes, int starts) {
 
 FarLook PatchLook::along(const glm::dvec3& direction) const {
   const double elevation_deg =
-      std::clamp(std::atan2(-direction.z, glm::length(glm::dvec2(direction))) * 180.0 / pi,
+      std::clamp(math::atan2(-direction.z, glm::length(glm::dvec2(direction))) * 180.0 / pi,
                  elevations_deg.front(), elevations_deg.back());
   const auto above =
       std::upper_bound(elevations_deg.begin() + 1, elevations_deg.end() - 1, elevation_deg);
   const auto e = static_cast<std::size_t>(above - elevations_deg.begin());
   const double up =
       (elevation_deg - elevations_deg[e - 1]) / (elevations_deg[e] - elevations_deg[e - 1]);
-  const double turns = std::atan2(direction.y, direction.x) / (2.0 * pi);
+  const double turns = math::atan2(direction.y, direction.x) / (2.0 * pi);
   const double place = (turns - std::floor(turns)) * azimuths;
   const auto a = static_cast<std::size_t>(place) % azimuths;
   const auto look = [&](std::size_t azimuth) {
@@ -75,7 +76,7 @@ FarLook mixed(const FarLook& a, const FarLook& b, double share) {
 }
 
 FarLook thickened(const FarLook& look, double factor) {
-  const double transmittance = std::pow(look.transmittance, factor);
+  const double transmittance = math::pow(look.transmittance, factor);
   const double cover = 1.0 - look.transmittance;
   return {cover > 0.0 ? look.radiance * ((1.0 - transmittance) / cover) : look.radiance,
           transmittance};

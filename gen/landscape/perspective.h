@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "landscape/landscape.h"
 
 namespace wold::landscape {
@@ -17,7 +18,7 @@ class Perspective {
         forward_(glm::normalize(camera.target_m - camera.eye_m)),
         right_(glm::normalize(glm::cross(forward_, glm::dvec3(0.0, 0.0, 1.0)))),
         up_(glm::cross(right_, forward_)),
-        focal_px_(0.5 * size_px.x / std::tan(camera.field_of_view_deg * std::numbers::pi / 360.0)),
+        focal_px_(0.5 * size_px.x / math::tan(camera.field_of_view_deg * std::numbers::pi / 360.0)),
         middle_px_(0.5 * glm::dvec2(size_px)) {}
 
   const glm::dvec3& eye_m() const { return eye_m_; }

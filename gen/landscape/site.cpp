@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/elementary.h"
 #include "core/files.h"
 #include "landscape/cell_window.h"
 #include "landscape/ground_grids.h"
@@ -181,7 +182,7 @@ double leaf_area_index(const scene::Grass& grass) {
 double canopy_transmittance(const scene::Grass& grass) {
   constexpr double ross = 0.5;
   constexpr double mean_slant_cosine = 0.5;
-  return std::exp(-ross * leaf_area_index(grass) / mean_slant_cosine);
+  return math::exp(-ross * leaf_area_index(grass) / mean_slant_cosine);
 }
 
 }  // namespace wold::landscape

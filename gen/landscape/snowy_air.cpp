@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/colour.h"
+#include "core/elementary.h"
 #include "core/parallel.h"
 
 namespace wold::landscape {
@@ -52,7 +53,7 @@ SnowyAir::SnowyAir(const light::Daylight& day, double extinction_per_m, double g
       zenith_(irradiance_ * static_cast<float>(zenith_per_irradiance)) {}
 
 double SnowyAir::through(double sine) const {
-  return std::exp(-optical_depth_ / std::max(sine, 0.02));
+  return math::exp(-optical_depth_ / std::max(sine, 0.02));
 }
 
 double SnowyAir::sun_share() const { return through(day_.sun_direction().z); }
@@ -103,7 +104,7 @@ void veil_backdrop(const SnowyAir& air, const Fog& fog, const glm::dvec3& eye_m,
       const double distance_m = glm::length(way_m);
       float* pixel = picture.pixel(c, r);
       const glm::vec3 wanted = air.sky_radiance({pixel[0], pixel[1], pixel[2]}, way_m / distance_m);
-      const glm::vec3 stands = behind(wanted, fog, std::exp(-fog.extinction_per_m * distance_m));
+      const glm::vec3 stands = behind(wanted, fog, math::exp(-fog.extinction_per_m * distance_m));
       std::copy_n(&stands.x, 3, pixel);
     }
   });

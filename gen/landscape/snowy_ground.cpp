@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/elementary.h"
 #include "core/noise.h"
 #include "core/parallel.h"
 #include "core/random.h"
@@ -64,7 +65,7 @@ Heightfield snow_surface(const scene::Scene& scene, const Heightfield& terrain,
     const int j = static_cast<int>(row);
     for (int i = 0; i < terrain.samples(); ++i) {
       const glm::dvec2 at_m = glm::dvec2(i, j) * terrain.step_m();
-      const double heap = std::tanh(fbm(at_m / heap_feature_m, heaped));
+      const double heap = math::tanh(fbm(at_m / heap_feature_m, heaped));
       snow_m.at(i, j) = depth_m.sample(at_m.x, at_m.y) * white.sample(at_m.x, at_m.y) *
                         static_cast<float>(1.0 + heap_share * heap);
     }
@@ -88,7 +89,7 @@ class Grain {
       : ripples_{random_bits({seed, key_of("snow cover"), 0, key_of("grain")}), 4, 0.4},
         shown_(shown_share(feature_m, step_m)) {}
   float at(const glm::dvec2& at_m) const {
-    const double ripple = shown_ > 0.0 ? std::tanh(fbm(at_m / feature_m, ripples_)) : 0.0;
+    const double ripple = shown_ > 0.0 ? math::tanh(fbm(at_m / feature_m, ripples_)) : 0.0;
     return static_cast<float>(1.0 - 0.035 * (1.0 + shown_ * ripple));
   }
 
@@ -228,7 +229,7 @@ ColourMap SnowyGround::reflectance(const ColourMap& bare, const FactorMap& growt
       const glm::dvec2 at_m = map.place_m(i, j);
       const double shade = shading_under_grass * grass_above(at_m) * growth.sample(at_m.x, at_m.y);
       const glm::vec3 white =
-          snow * (grain.at(at_m) * static_cast<float>(std::pow(under_grass, shade)));
+          snow * (grain.at(at_m) * static_cast<float>(math::pow(under_grass, shade)));
       map.at(i, j) = glm::mix(bare.sample(at_m.x, at_m.y), white, white_share.at(i, j));
     }
   });

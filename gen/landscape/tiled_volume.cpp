@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
 #include "core/vdb_dense.h"
 
 namespace wold::landscape {
@@ -23,7 +24,7 @@ FarLook TiledVolume::trace(const PatchRay& ray) const {
   for (at += ray.begin * ray.direction; at.z >= floor && look.transmittance > nothing_left;
        at += ray.direction) {
     const std::size_t voxel = index(glm::ivec3(glm::floor(at)));
-    const double left = std::exp(-double{extinction_[voxel]} * step_m);
+    const double left = math::exp(-double{extinction_[voxel]} * step_m);
     look.radiance += look.transmittance * (1.0 - left) * glm::dvec3(radiance_[voxel]);
     look.transmittance *= left;
   }

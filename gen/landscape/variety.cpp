@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
 #include "core/noise.h"
 #include "core/parallel.h"
 #include "core/random.h"
@@ -18,7 +19,7 @@ constexpr double most_richness = 2.5;
 constexpr std::size_t degrees = 33;
 
 scene::Ageing enriched(scene::Ageing ageing, double richness) {
-  const double factor = std::exp(ageing.variety * richness);
+  const double factor = math::exp(ageing.variety * richness);
   ageing.chlorophyll_ug_cm2 *= factor;
   ageing.brown_pigment /= factor;
   return ageing;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
+
 namespace wold::landscape {
 
 namespace {
@@ -43,7 +45,7 @@ glm::dvec3 film_eye_direction(const scene::Scene& scene, const Heightfield& terr
 
 double pixels_per_radian(const scene::Scene& scene) {
   const double half_rad = scene.camera.field_of_view_deg * std::numbers::pi / 360.0;
-  return scene.render.size_px[0] / (2.0 * std::tan(half_rad));
+  return scene.render.size_px[0] / (2.0 * math::tan(half_rad));
 }
 
 double farthest_standing_m(const scene::Scene& scene) {
@@ -55,7 +57,7 @@ View::View(const Camera& camera, int width_px, int height_px) : eye_m_(camera.ey
   const glm::dvec3 forward = glm::normalize(camera.target_m - camera.eye_m);
   const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 0, 1)));
   const glm::dvec3 up = glm::cross(right, forward);
-  const double across = std::tan(camera.field_of_view_deg * std::numbers::pi / 360.0);
+  const double across = math::tan(camera.field_of_view_deg * std::numbers::pi / 360.0);
   const double upwards = across * height_px / width_px;
   inwards_ = {glm::normalize(forward * across + right), glm::normalize(forward * across - right),
               glm::normalize(forward * upwards + up), glm::normalize(forward * upwards - up),

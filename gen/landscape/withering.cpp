@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/elementary.h"
 #include "core/random.h"
 #include "scene/calendar.h"
 #include "snow/weather.h"
@@ -55,7 +56,7 @@ FactorMap hollows(const Heightfield& terrain) {
 /// Noon's sun at the equinox: unit vector.
 glm::dvec3 equinox_sun(double latitude_deg) {
   const double latitude = glm::radians(latitude_deg);
-  return {0.0, -std::sin(latitude), std::cos(latitude)};
+  return {0.0, -math::sin(latitude), math::cos(latitude)};
 }
 
 /// Sunlight on a slope over that on level ground, less 1; at most twice as much counts.

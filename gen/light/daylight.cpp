@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "light/sunlight.h"
@@ -21,15 +22,15 @@ constexpr double radians_per_degree = pi / 180.0;
 /// sun in radians.
 double perez(const std::array<double, 5>& shape, double cos_zenith, double from_sun_rad) {
   const auto& [a, b, c, d, e] = shape;
-  const double cos_from_sun = std::cos(from_sun_rad);
-  return (1.0 + a * std::exp(b / std::max(cos_zenith, 1e-3))) *
-         (1.0 + c * std::exp(d * from_sun_rad) + e * cos_from_sun * cos_from_sun);
+  const double cos_from_sun = math::cos(from_sun_rad);
+  return (1.0 + a * math::exp(b / std::max(cos_zenith, 1e-3))) *
+         (1.0 + c * math::exp(d * from_sun_rad) + e * cos_from_sun * cos_from_sun);
 }
 
 /// Zenith luminance in kcd/m2 (Preetham 1999, appendix A.2).
 double zenith_luminance(double t, double sun_zenith_rad) {
   const double chi = (4.0 / 9.0 - t / 120.0) * (pi - 2.0 * sun_zenith_rad);
-  return (4.0453 * t - 4.9710) * std::tan(chi) - 0.2155 * t + 2.4192;
+  return (4.0453 * t - 4.9710) * math::tan(chi) - 0.2155 * t + 2.4192;
 }
 
 double zenith_x(double t, double s) {
@@ -59,7 +60,7 @@ void check(const scene::SunPosition& sun, const scene::Sky& sky) {
 double glare(double from_sun_rad) {
   const auto bell = [&](double width_deg) {
     const double t = from_sun_rad / (width_deg * radians_per_degree);
-    return std::exp(-0.5 * t * t);
+    return math::exp(-0.5 * t * t);
   };
   return 6.0 * bell(0.5) + 0.4 * bell(2.0);
 }
@@ -74,12 +75,12 @@ constexpr double plain_below_m = 60.0;
 }  // namespace
 
 glm::dvec3 direction_of(double azimuth_rad, double elevation_rad) {
-  return {std::sin(azimuth_rad) * std::cos(elevation_rad),
-          std::cos(azimuth_rad) * std::cos(elevation_rad), std::sin(elevation_rad)};
+  return {math::sin(azimuth_rad) * math::cos(elevation_rad),
+          math::cos(azimuth_rad) * math::cos(elevation_rad), math::sin(elevation_rad)};
 }
 
 double haze_share(double distance_m, double visual_range_m) {
-  return 1.0 - std::exp(-3.912 * distance_m / visual_range_m);
+  return 1.0 - math::exp(-3.912 * distance_m / visual_range_m);
 }
 
 Daylight::Daylight(const scene::Sun& scene_sun, const scene::Sky& sky)
@@ -113,7 +114,7 @@ void Daylight::balance(double sun_elevation_rad, double turbidity) {
     for (int k = 0; k < azimuths; ++k)
       mean +=
           above_horizon(direction_of(2.0 * pi * k / azimuths, elevation_rad)) / (1.0 * azimuths);
-    sky_klx += mean * (pi * std::sin(2.0 * elevation_rad) * radians_per_degree);
+    sky_klx += mean * (pi * math::sin(2.0 * elevation_rad) * radians_per_degree);
   }
   const glm::dvec3 sun_klx =
       glm::max(direct_sunlight_klx(sun_elevation_rad, turbidity), glm::dvec3(0.0));
@@ -128,7 +129,8 @@ glm::dvec3 Daylight::above_horizon(const glm::dvec3& direction) const {
   // The fit of x and y turns pink in the last degrees, which clear skies do not: there they keep
   // the colour they have at about 9 degrees.
   constexpr double lowest_coloured = 0.15;
-  const double from_sun_rad = std::acos(std::clamp(glm::dot(direction, sun_direction_), -1.0, 1.0));
+  const double from_sun_rad =
+      math::acos(std::clamp(glm::dot(direction, sun_direction_), -1.0, 1.0));
   const auto value = [&](std::size_t k, double cos_zenith) {
     return perez_[k].scale * perez(perez_[k].shape, cos_zenith, from_sun_rad);
   };
@@ -163,7 +165,8 @@ glm::vec3 Daylight::mean_sky_radiance(double elevation_rad) const {
 glm::vec3 Daylight::seen_radiance(const glm::dvec3& direction) const {
   const glm::vec3 radiance = sky_radiance(direction);
   if (direction.z < 0.0) return radiance;
-  const double from_sun_rad = std::acos(std::clamp(glm::dot(direction, sun_direction_), -1.0, 1.0));
+  const double from_sun_rad =
+      math::acos(std::clamp(glm::dot(direction, sun_direction_), -1.0, 1.0));
   return radiance + sun_irradiance_ * static_cast<float>(glare(from_sun_rad));
 }
 

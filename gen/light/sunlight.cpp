@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/colour.h"
+#include "core/elementary.h"
 
 namespace wold::light {
 namespace {
@@ -14,7 +15,7 @@ constexpr double sun_temperature_K = 5778.0;
 double lobe(double wavelength_nm, double centre_nm, double left_per_nm, double right_per_nm) {
   const double from_centre_nm = wavelength_nm - centre_nm;
   const double t = from_centre_nm * (from_centre_nm < 0.0 ? left_per_nm : right_per_nm);
-  return std::exp(-0.5 * t * t);
+  return math::exp(-0.5 * t * t);
 }
 
 /// CIE 1931 observer by the multi-lobe fit of Wyman, Sloan and Shirley 2013 (JCGT 2:2, table 1).
@@ -28,20 +29,20 @@ glm::dvec3 observer(double nm) {
 /// Planck's law up to a factor.
 double sun_spectrum(double nm) {
   constexpr double second_radiation_constant_nm_K = 1.438777e7;
-  return std::pow(nm / 500.0, -5.0) /
-         (std::exp(second_radiation_constant_nm_K / (nm * sun_temperature_K)) - 1.0);
+  return math::pow(nm / 500.0, -5.0) /
+         (math::exp(second_radiation_constant_nm_K / (nm * sun_temperature_K)) - 1.0);
 }
 
 /// Optical air mass (Kasten 1966).
 double air_mass(double elevation_rad) {
   const double zenith_deg = 90.0 - elevation_rad * 180.0 / std::numbers::pi;
-  return 1.0 / (std::sin(elevation_rad) + 0.15 * std::pow(93.885 - zenith_deg, -1.253));
+  return 1.0 / (math::sin(elevation_rad) + 0.15 * math::pow(93.885 - zenith_deg, -1.253));
 }
 
 double transmittance(double nm, double mass, double turbidity) {
   const double um = nm / 1000.0;
   const double aerosol = 0.04608 * turbidity - 0.04586;
-  return std::exp(-mass * (0.008735 * std::pow(um, -4.08) + aerosol * std::pow(um, -1.3)));
+  return math::exp(-mass * (0.008735 * math::pow(um, -4.08) + aerosol * math::pow(um, -1.3)));
 }
 
 }  // namespace

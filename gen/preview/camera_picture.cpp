@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/colour.h"
+#include "core/elementary.h"
 #include "core/parallel.h"
 #include "preview/flakes.h"
 #include "preview/ground_and_sky.h"
@@ -64,7 +65,7 @@ Image patch_picture(const Tubes& tubes, double patch_m, double height_m, const g
   const glm::dvec3 middle_m(0.5 * patch_m, 0.5 * patch_m, 0.45 * height_m);
   const landscape::Camera camera{middle_m + far_away * width_m * glm::dvec3(0.25, -0.93, 0.27),
                                  middle_m,
-                                 2.0 * std::atan(0.5 / far_away) * 180.0 / std::numbers::pi};
+                                 2.0 * math::atan(0.5 / far_away) * 180.0 / std::numbers::pi};
   Canvas canvas(finer * size_px.x, finer * size_px.y);
   std::fill(canvas.radiance.values.begin(), canvas.radiance.values.end(), 0.05F);
   const LightAt same = [&](const glm::dvec3&) { return light; };

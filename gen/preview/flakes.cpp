@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
+
 namespace wold::preview {
 namespace {
 
@@ -72,7 +74,7 @@ void paint_fog(const landscape::Fog& fog, const landscape::Perspective& perspect
     for (int x = 0; x < canvas.radiance.width; ++x) {
       const double slant = perspective.depth_along(perspective.direction({x + 0.5, y + 0.5}));
       const auto left = static_cast<float>(
-          std::exp(-fog.extinction_per_m * double{canvas.depth_at(x, y)} / slant));
+          math::exp(-fog.extinction_per_m * double{canvas.depth_at(x, y)} / slant));
       float* pixel = canvas.radiance.pixel(x, y);
       for (int c = 0; c < 3; ++c) pixel[c] = std::lerp(fog.radiance[c], pixel[c], left);
     }

@@ -4,15 +4,17 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
+
 namespace wold::scene {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
 
-double sin_deg(double angle_deg) { return std::sin(angle_deg * degree); }
-double cos_deg(double angle_deg) { return std::cos(angle_deg * degree); }
-double tan_deg(double angle_deg) { return std::tan(angle_deg * degree); }
-double atan2_deg(double y, double x) { return std::atan2(y, x) / degree; }
+double sin_deg(double angle_deg) { return math::sin(angle_deg * degree); }
+double cos_deg(double angle_deg) { return math::cos(angle_deg * degree); }
+double tan_deg(double angle_deg) { return math::tan(angle_deg * degree); }
+double atan2_deg(double y, double x) { return math::atan2(y, x) / degree; }
 
 /// Julian centuries since 2000 January 1, noon.
 double centuries_since_2000(const std::chrono::year_month_day& date, double hours_utc) {
@@ -54,7 +56,7 @@ Apparent apparent_sun(double t) {
   const double tilt_deg = obliquity_deg(t);
   const double right_ascension_deg =
       atan2_deg(cos_deg(tilt_deg) * sin_deg(longitude_deg), cos_deg(longitude_deg));
-  return {std::asin(sin_deg(tilt_deg) * sin_deg(longitude_deg)) / degree,
+  return {math::asin(sin_deg(tilt_deg) * sin_deg(longitude_deg)) / degree,
           mean_longitude_deg(t) - 0.0057183 - right_ascension_deg +
               nutation_deg(t) * cos_deg(tilt_deg)};
 }
@@ -85,7 +87,7 @@ SunPosition seen_from(double latitude_deg, double hour_angle_deg, double declina
   const double east = -cos_deg(declination_deg) * sin_deg(hour_angle_deg);
   const double north = cos_deg(latitude_deg) * to_pole - sin_deg(latitude_deg) * to_equator;
   const double up = sin_deg(latitude_deg) * to_pole + cos_deg(latitude_deg) * to_equator;
-  const double elevation_deg = atan2_deg(up, std::hypot(east, north));
+  const double elevation_deg = atan2_deg(up, math::hypot(east, north));
   return {elevation_deg + refraction_deg(elevation_deg), compass_deg(atan2_deg(east, north))};
 }
 

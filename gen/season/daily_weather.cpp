@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/elementary.h"
 #include "core/error.h"
 #include "scene/registry.h"
 #include "season/day_length.h"
@@ -210,7 +211,7 @@ std::vector<Day> read_daily_weather(const std::filesystem::path& file, double la
 
 double wet_hours(double precipitation_mm) {
   if (!(precipitation_mm > 0.0)) return hours_per_day;
-  return std::min(hours_per_day, std::pow(precipitation_mm, 1.0 - 0.612) / 0.425);
+  return std::min(hours_per_day, math::pow(precipitation_mm, 1.0 - 0.612) / 0.425);
 }
 
 double latitude_deg(std::span<const Day> days) {

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/complex_plane.h"
+#include "core/elementary.h"
 #include "core/error.h"
 #include "scene/calendar.h"
 #include "scene/text.h"
@@ -153,7 +155,7 @@ std::vector<std::complex<double>> wind_changes(const std::vector<Day>& all,
   changes.reserve(all.size());
   for (const Day& day : all)
     changes.push_back(
-        std::polar(usual.speed_m_s > 0.0 ? *day.wind_speed_m_s / usual.speed_m_s : 1.0,
+        from_polar(usual.speed_m_s > 0.0 ? *day.wind_speed_m_s / usual.speed_m_s : 1.0,
                    (*day.wind_heading_deg - usual.heading_deg) * std::numbers::pi / 180.0));
   return changes;
 }
@@ -172,7 +174,7 @@ std::vector<std::complex<double>> of_weeks(const std::vector<std::complex<double
   return means;
 }
 
-WindChange change_of(const std::complex<double>& wind) { return {std::abs(wind), std::arg(wind)}; }
+WindChange change_of(const std::complex<double>& wind) { return {length_of(wind), angle_of(wind)}; }
 
 /// What is so `day` days after the first of two at least: linear between them, held beyond.
 template <class Value>

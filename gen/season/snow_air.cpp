@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "season/day_length.h"
 
 namespace wold::season {
@@ -16,7 +17,7 @@ constexpr double clear_share = 0.75;  ///< of the sun's light that comes through
 
 /// From `from` at share 0 to `to` at 1, level at both.
 double swung(double from, double to, double share) {
-  return from + (to - from) * 0.5 * (1.0 - std::cos(pi * share));
+  return from + (to - from) * 0.5 * (1.0 - math::cos(pi * share));
 }
 
 /// Erbs, Klein and Duffie 1982, by the share of the sun's light that comes through the air.
@@ -30,11 +31,11 @@ double diffuse_share(double k) {
 glm::dvec2 slant(double hour, double latitude_rad, double declination_rad) {
   constexpr double least_height = 0.1;
   const double angle = 2.0 * pi * (hour - noon) / day_h;
-  const double sin_lat = std::sin(latitude_rad), cos_lat = std::cos(latitude_rad);
-  const double sin_dec = std::sin(declination_rad), cos_dec = std::cos(declination_rad);
-  const double height = sin_lat * sin_dec + cos_lat * cos_dec * std::cos(angle);
-  return glm::dvec2(-cos_dec * std::sin(angle),
-                    cos_lat * sin_dec - sin_lat * cos_dec * std::cos(angle)) /
+  const double sin_lat = math::sin(latitude_rad), cos_lat = math::cos(latitude_rad);
+  const double sin_dec = math::sin(declination_rad), cos_dec = math::cos(declination_rad);
+  const double height = sin_lat * sin_dec + cos_lat * cos_dec * math::cos(angle);
+  return glm::dvec2(-cos_dec * math::sin(angle),
+                    cos_lat * sin_dec - sin_lat * cos_dec * math::cos(angle)) /
          std::max(height, least_height);
 }
 
@@ -65,7 +66,7 @@ double DayAir::sun_w_m2(double hour) const {
   const double from_noon = std::min(std::abs(hour - noon), std::abs(hour - noon - day_h));
   if (from_noon >= 0.5 * day_length_h_) return 0.0;
   return mean_sun_w_m2_ * 0.5 * pi * day_h / day_length_h_ *
-         std::cos(pi * from_noon / day_length_h_);
+         math::cos(pi * from_noon / day_length_h_);
 }
 
 SnowSky DayAir::sky(double hour) const {

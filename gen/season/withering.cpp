@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
+
 namespace wold::season {
 namespace {
 
@@ -14,7 +16,7 @@ constexpr double regrowth = 0.05;
 constexpr double hiding = 0.5;
 
 double logistic(double weathering_degree) {
-  return 1.0 / (1.0 + std::exp(steepness * (weathering_degree - half_way)));
+  return 1.0 / (1.0 + math::exp(steepness * (weathering_degree - half_way)));
 }
 
 /// Follows how much of the season's greenness is lost.
@@ -51,7 +53,7 @@ double chlorophyll_of(double weathering_degree) {
 
 double weathering_degree_of(double chlorophyll) {
   const double share = logistic(1.0) + chlorophyll * (logistic(0.0) - logistic(1.0));
-  return std::clamp(half_way + std::log(1.0 / share - 1.0) / steepness, 0.0, 1.0);
+  return std::clamp(half_way + math::log(1.0 / share - 1.0) / steepness, 0.0, 1.0);
 }
 
 std::vector<double> weathering_degrees(std::span<const double> greenness) {

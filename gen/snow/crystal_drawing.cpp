@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/elementary.h"
 #include "core/random.h"
 #include "snow/canvas.h"
 
@@ -36,7 +37,7 @@ class Draws {
   std::uint64_t key_;
 };
 
-glm::dvec2 direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
+glm::dvec2 direction(double angle) { return {math::cos(angle), math::sin(angle)}; }
 
 glm::dmat2 turn(double angle) {
   const glm::dvec2 x = direction(angle);
@@ -204,7 +205,7 @@ void draw_column(Canvas& canvas, const Draws& draws) {
 /// Part of an aggregate, caught in it at any tilt.
 Placing caught(const Draws& draws, double size) {
   // Nearly evenly over radii, so that the middle is the densest.
-  const double away = (0.88 - 0.94 * size) * std::pow(draws.between(0.0, 1.0, "away"), 0.8);
+  const double away = (0.88 - 0.94 * size) * math::pow(draws.between(0.0, 1.0, "away"), 0.8);
   const double tilt = draws.between(0.3, 1.0, "tilt");
   return {turn(draws.between(0.0, pi, "tilted")) * glm::dmat2(size, 0.0, 0.0, size * tilt) *
               turn(draws.between(0.0, pi, "turned")),
@@ -281,7 +282,7 @@ Image drawn_crystal(Crystal crystal, int side_px, std::uint64_t key) {
 }
 
 Image drawn_disc(int side_px) {
-  return smooth(side_px, [](double x, double y) { return soft(std::hypot(x, y) / 0.95); });
+  return smooth(side_px, [](double x, double y) { return soft(math::hypot(x, y) / 0.95); });
 }
 
 Image drawn_streak(int side_px) {

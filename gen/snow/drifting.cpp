@@ -6,6 +6,8 @@
 #include <numeric>
 #include <vector>
 
+#include "core/elementary.h"
+
 namespace wold::snow {
 namespace {
 
@@ -46,7 +48,7 @@ std::vector<Look> looks(const Heightfield& terrain, double heading_deg) {
     const double azimuth = glm::radians(heading_deg + 180.0 + off);
     // Whole directions stay on the grid's lines: a remainder of 1e-16 would look a column further.
     const auto rounded = [](double x) { return std::round(x * 1e9) * 1e-9; };
-    const glm::dvec2 upwind(rounded(std::sin(azimuth)), rounded(std::cos(azimuth)));
+    const glm::dvec2 upwind(rounded(math::sin(azimuth)), rounded(math::cos(azimuth)));
     for (double distance : distances(most))
       result.push_back(look_at(upwind * distance, terrain.step_m()));
   }
@@ -74,7 +76,7 @@ void raise(std::vector<float>& steepest, const Heightfield& terrain, int j, cons
 }
 
 float degrees_of(float tangent) {
-  return std::isfinite(tangent) ? glm::degrees(std::atan(tangent)) : 0.0F;
+  return std::isfinite(tangent) ? glm::degrees(math::atan(tangent)) : 0.0F;
 }
 
 }  // namespace
@@ -94,7 +96,7 @@ FactorMap shelter_deg(const Heightfield& terrain, double heading_deg) {
 
 double drift_weight(double shelter_deg, double drifting) {
   constexpr double scale_deg = 15.0;
-  return 1.0 + drifting * std::tanh(shelter_deg / scale_deg);
+  return 1.0 + drifting * math::tanh(shelter_deg / scale_deg);
 }
 
 FactorMap drift_weights(const Heightfield& terrain, double heading_deg, double drifting) {

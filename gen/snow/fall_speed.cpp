@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/elementary.h"
+
 namespace wold::snow {
 namespace {
 
@@ -36,7 +38,7 @@ std::array<double, crystal_kinds> mixed_shares(double diameter_mm) {
 
 double fall_speed_m_s(Crystal crystal, double diameter_mm) {
   const Law& law = laws[static_cast<std::size_t>(crystal)];
-  return law.a * std::pow(std::clamp(diameter_mm, law.least_mm, law.greatest_mm), law.b);
+  return law.a * math::pow(std::clamp(diameter_mm, law.least_mm, law.greatest_mm), law.b);
 }
 
 std::array<double, crystal_kinds> crystal_shares(const std::string& choice, double diameter_mm) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "core/random.h"
 
 namespace wold::snow {
@@ -27,19 +28,20 @@ struct Ball {
 };
 
 Ball ball_about(const Frustum& frustum, double from_m, double to_m) {
-  const double cosine = std::cos(frustum.half_angle());
-  const double sine = std::sin(frustum.half_angle());
+  const double cosine = math::cos(frustum.half_angle());
+  const double sine = math::sin(frustum.half_angle());
   const double ahead_m = std::min(to_m * cosine, 0.5 * (from_m + to_m) / cosine);
-  const double to_corners_m = std::hypot(to_m * cosine - ahead_m, to_m * sine);
+  const double to_corners_m = math::hypot(to_m * cosine - ahead_m, to_m * sine);
   return {frustum.eye_m() + ahead_m * frustum.ahead(), std::max(to_corners_m, to_m - ahead_m)};
 }
 
-double drawn_share(double distance_m, double reach_m) { return std::exp(-distance_m / reach_m); }
+double drawn_share(double distance_m, double reach_m) { return math::exp(-distance_m / reach_m); }
 
 /// Flakes per steradian that are drawn beyond a distance: n times the integral of r^2 k(r).
 double drawn_beyond(double distance_m, const NearField& field) {
   const double x = distance_m / field.reach_m;
-  return field.number_per_m3 * std::pow(field.reach_m, 3) * (x * x + 2.0 * x + 2.0) * std::exp(-x);
+  return field.number_per_m3 * math::pow(field.reach_m, 3) * (x * x + 2.0 * x + 2.0) *
+         math::exp(-x);
 }
 
 std::vector<Shell> shells_of(const Frustum& frustum, const NearField& field,

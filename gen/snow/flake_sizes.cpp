@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
 #include "snow/near_field.h"
 #include "snow/raindrops.h"
 #include "snow/size_distribution.h"
@@ -26,7 +27,7 @@ double speed_of_water_m_s(const std::string& choice, double lambda_per_mm) {
   double sum = 0.0;
   for (int i = 0; i < steps; ++i) {
     const double x = (i + 0.5) * step;
-    sum += step * x * x * x * std::exp(-x) / 6.0 *
+    sum += step * x * x * x * math::exp(-x) / 6.0 *
            mean_speed_m_s(choice, flake_diameter_mm(x / lambda_per_mm));
   }
   return sum;
@@ -34,7 +35,7 @@ double speed_of_water_m_s(const std::string& choice, double lambda_per_mm) {
 
 /// e of a rank among so many: evenly spread in what lies below.
 double deviate_of(std::size_t rank, std::size_t ranks) {
-  return -std::log1p(-(static_cast<double>(rank) + 0.5) / static_cast<double>(ranks));
+  return -math::log1p(-(static_cast<double>(rank) + 0.5) / static_cast<double>(ranks));
 }
 
 }  // namespace

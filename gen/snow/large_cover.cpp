@@ -8,6 +8,7 @@
 #include <system_error>
 #include <tuple>
 
+#include "core/elementary.h"
 #include "core/error.h"
 #include "scene/calendar.h"
 #include "snow/drifting.h"
@@ -305,7 +306,7 @@ int LargeCover::step_at(double hours) const {
 CoverLevel LargeCover::level_view(int level, double hours, const glm::dvec2& eye_m) {
   constexpr int snap = 8;  // samples that the camera moves before a square does
   const int samples = extent(level).size_px.x;
-  const double scale = std::exp2(level);
+  const double scale = math::exp2(1.0 * level);
   CoverLevel result;
   result.side = std::min(limits_.view_samples, samples);
   result.step_m = step_m_ * scale;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
 #include "snow/raindrops.h"
 
 namespace wold::snow {
@@ -18,7 +19,7 @@ struct Drawable {
 NearField shared(const Drawable& drawable, double solid_angle_sr, double flakes) {
   constexpr double most_optical_depth = 0.05, depth_of_visibility = 3.912;
   const double reach_m =
-      std::min(std::cbrt(flakes / (2.0 * drawable.number_per_m3 * solid_angle_sr)),
+      std::min(math::cbrt(flakes / (2.0 * drawable.number_per_m3 * solid_angle_sr)),
                most_optical_depth / drawable.extinction_per_m);
   const double drawn_depth = drawable.extinction_per_m * reach_m;
   return {drawable.number_per_m3, reach_m,

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/elementary.h"
 #include "core/random.h"
 #include "snow/size_distribution.h"
 #include "snow/turns.h"
@@ -189,8 +190,8 @@ SeenFlakes PaperSnow::at(double time_s, const SnowView& view, const Heightfield&
   // as far as the box goes.
   const double reach_m = reach_of(box_m_);
   const double x = std::min(box_m_.x, box_m_.y) / reach_m;
-  const double seen_m3 = frustum.solid_angle_sr() * std::pow(reach_m, 3) *
-                         (2.0 - (x * x + 2.0 * x + 2.0) * std::exp(-x));
+  const double seen_m3 = frustum.solid_angle_sr() * math::pow(reach_m, 3) *
+                         (2.0 - (x * x + 2.0 * x + 2.0) * math::exp(-x));
   const double in_box = flakes_in_view(rate_mm_h) * box_m_.x * box_m_.y * box_m_.z / seen_m3;
 
   const Lookout lookout(look, frustum, ground);
@@ -224,7 +225,7 @@ SeenFlakes PaperSnow::at(double time_s, const SnowView& view, const Heightfield&
         const std::size_t i = chosen.lane[n];
         const auto distance_m = static_cast<double>(glm::length(from_eye.at(i)));
         const std::uint64_t bits = mixed(drifting.key[i] ^ key_of("look"));
-        if (draw(bits, key_of("drawn")) >= std::exp(-distance_m / reach_m)) continue;
+        if (draw(bits, key_of("drawn")) >= math::exp(-distance_m / reach_m)) continue;
         flakes.set(count++, shown(flake(drifting, i, now, box), bits), frustum.eye_m());
         if (count == lanes) see();
       }

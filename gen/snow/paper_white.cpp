@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/elementary.h"
 #include "core/parallel.h"
 #include "core/random.h"
 
@@ -9,7 +10,7 @@ namespace wold::snow {
 
 FactorMap paper_white(double size_m, double gamma, int samples, std::uint64_t seed) {
   constexpr double most_dots = 4.0;  // in a texel, at gamma = 1
-  const double chance_of_hit = -std::expm1(-most_dots * gamma);
+  const double chance_of_hit = -math::expm1(-most_dots * gamma);
   FactorMap white(samples, size_m);
   parallel_for_blocks(white.values().size(), [&](std::size_t texel) {
     const RandomKey key{seed, key_of("snow cover"), texel, key_of("dot")};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/elementary.h"
 #include "terrain/relief.h"
 
 namespace wold::snow {
@@ -50,7 +51,7 @@ struct LowerNeighbours {
 double most_depth_m(double slope_deg) {
   constexpr double gentle_deg = 10.0;
   if (slope_deg < gentle_deg) return std::numeric_limits<double>::infinity();
-  return 3178.4 * std::pow(slope_deg, -1.998);
+  return 3178.4 * math::pow(slope_deg, -1.998);
 }
 
 FactorMap most_depths_m(const Heightfield& terrain) {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/elementary.h"
+
 namespace wold::snow {
 namespace {
 
@@ -22,18 +24,18 @@ Frustum::Frustum(const SnowView& view)
       ahead_(glm::normalize(view.target_m - view.eye_m)),
       right_(level_across(ahead_)),
       up_(glm::cross(right_, ahead_)),
-      half_width_(std::tan(0.5 * glm::radians(view.field_of_view_deg))),
+      half_width_(math::tan(0.5 * glm::radians(view.field_of_view_deg))),
       half_height_(half_width_ * view.height_px / view.width_px),
-      slant_width_(std::hypot(1.0, half_width_)),
-      slant_height_(std::hypot(1.0, half_height_)),
+      slant_width_(math::hypot(1.0, half_width_)),
+      slant_height_(math::hypot(1.0, half_height_)),
       pixel_angle_(2.0 * half_width_ / view.width_px) {}
 
 double Frustum::solid_angle_sr() const {
-  return 4.0 * std::atan(half_width_ * half_height_ /
-                         std::sqrt(1.0 + half_width_ * half_width_ + half_height_ * half_height_));
+  return 4.0 * math::atan(half_width_ * half_height_ /
+                          std::sqrt(1.0 + half_width_ * half_width_ + half_height_ * half_height_));
 }
 
-double Frustum::half_angle() const { return std::atan(std::hypot(half_width_, half_height_)); }
+double Frustum::half_angle() const { return math::atan(math::hypot(half_width_, half_height_)); }
 
 Facing facing(const glm::vec3& towards_eye) {
   const glm::vec3 right = level_across(-towards_eye);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
+
 namespace wold::snow {
 namespace {
 
@@ -18,19 +20,19 @@ void set_ageing(PackStep& step, double ageing_h, double hours) {
   const double age_per_h = 1.0 / ageing_h;
   const double renewed_per_h = hours > 0.0 ? step.snow_mm / hours / renewing_mm : 0.0;
   step.aged = age_per_h / (age_per_h + renewed_per_h);
-  step.unaged = std::exp(-(age_per_h + renewed_per_h) * hours);
+  step.unaged = math::exp(-(age_per_h + renewed_per_h) * hours);
 }
 
 /// Fresh snow has settled for half the step, which is the mean over what fell in it.
 double fresh_depth_m_per_mm(double fresh_kg_m3, double settled_kg_m3, double hours) {
   return 1.0 /
-         (settled_kg_m3 + (fresh_kg_m3 - settled_kg_m3) * std::exp(-0.5 * hours / settling_h));
+         (settled_kg_m3 + (fresh_kg_m3 - settled_kg_m3) * math::exp(-0.5 * hours / settling_h));
 }
 
 }  // namespace
 
 double fresh_density_kg_m3(double temperature_c) {
-  return std::min(120.0, 67.92 + 51.25 * std::exp(temperature_c / 2.59));
+  return std::min(120.0, 67.92 + 51.25 * math::exp(temperature_c / 2.59));
 }
 
 Snowpack fresh_pack(double water_mm) {
@@ -45,7 +47,7 @@ PackStep pack_step(const WeatherMoment& weather, double height_m, double hours,
   step.snow_mm = weather.precipitation_mm_h * snow_share(temperature_c) * hours;
   step.melt_mm = melt_mm_per_day / hours_per_day * std::max(temperature_c, 0.0) * hours;
   step.settled_kg_m3 = melts ? settled_melting_kg_m3 : settled_cold_kg_m3;
-  step.unsettled = std::exp(-hours / settling_h);
+  step.unsettled = math::exp(-hours / settling_h);
   step.fresh_m_per_mm =
       fresh_depth_m_per_mm(fresh_density_kg_m3(temperature_c), step.settled_kg_m3, hours);
   set_ageing(step, melts ? ageing_melting_h : ageing_cold_h, hours);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "core/random.h"
 #include "snow/turns.h"
 
@@ -19,7 +20,7 @@ constexpr double share_at_foot = 0.2;
 /// v r_c / (v_core r), Burgers and Rott's angular speed, at a radius in units of the funnel's.
 double angular_speed(double radius) {
   const double x = radius / core;
-  return 1.398 / (x * x) * (1.0 - std::exp(-1.256 * x * x));
+  return 1.398 / (x * x) * (1.0 - math::exp(-1.256 * x * x));
 }
 
 }  // namespace
@@ -34,7 +35,7 @@ Tornado::Tornado(const scene::Scene& scene, std::uint64_t key, std::uint64_t fla
       speed_m_s_(std::max(8.0, 4.0 * scene.wind.speed_m_s)) {
   constexpr double optical_depth = 0.6;
   const double silhouette_m2 =
-      2.0 * height_m_ * foot_radius_m_ * (std::exp(widening) - 1.0) / widening;
+      2.0 * height_m_ * foot_radius_m_ * (math::exp(widening) - 1.0) / widening;
   flake_m_ = std::sqrt(
       optical_depth * silhouette_m2 /
       (0.25 * std::numbers::pi * static_cast<double>(std::max<std::uint64_t>(flakes, 1))));
@@ -46,28 +47,28 @@ double Tornado::draw(std::uint64_t i, std::uint64_t purpose) const {
 
 glm::dvec2 Tornado::foot_m(double time_s) const {
   constexpr double east_period_s = 47.0, north_period_s = 61.0;
-  return middle_m_ + wander_m_ * glm::dvec2(std::sin(two_pi * time_s / east_period_s),
-                                            std::sin(two_pi * time_s / north_period_s));
+  return middle_m_ + wander_m_ * glm::dvec2(math::sin(two_pi * time_s / east_period_s),
+                                            math::sin(two_pi * time_s / north_period_s));
 }
 
 Tornado::Whirl Tornado::rising(std::uint64_t i, double time_s) const {
   // Mostly about the radius where they are fastest, few inside, ragged outside.
   const double share = 0.25 + 0.5 * std::sqrt(draw(i, key_of("radius"))) +
-                       0.6 * std::pow(draw(i, key_of("radius too")), 3.0);
+                       0.6 * math::pow(draw(i, key_of("radius too")), 3.0);
   const double up_m_s = updraught * speed_m_s_ * (0.6 + 0.8 * draw(i, key_of("rise")));
   const double cycles = time_s * up_m_s / height_m_ + draw(i, key_of("start"));
   const double cycle = std::floor(cycles);
   const double s = cycles - cycle;
-  const double radius_m = share * foot_radius_m_ * std::exp(widening * s);
+  const double radius_m = share * foot_radius_m_ * math::exp(widening * s);
   // v / r = angular_speed v_core / r_c and ds / dt = w / H.
   const double per_height =
       angular_speed(share) * speed_m_s_ / (core * foot_radius_m_) * height_m_ / up_m_s;
   const double angle =
       two_pi * draw(i ^ mixed(static_cast<std::uint64_t>(static_cast<std::int64_t>(cycle))),
                     key_of("angle")) +
-      per_height * (1.0 - std::exp(-widening * s)) / widening;
+      per_height * (1.0 - math::exp(-widening * s)) / widening;
   const double ahead_m_s = angular_speed(share) * speed_m_s_ /
-                           (core * foot_radius_m_ * std::exp(widening * s)) * radius_m;
+                           (core * foot_radius_m_ * math::exp(widening * s)) * radius_m;
   return {radius_m,
           s * height_m_,
           angle,
@@ -91,12 +92,12 @@ Tornado::Whirl Tornado::about_the_foot(std::uint64_t i, double time_s) const {
 Flake Tornado::flake(std::uint64_t i, double time_s, double ground_m) const {
   const bool at_foot = draw(i, key_of("place")) < share_at_foot;
   const Whirl whirl = at_foot ? about_the_foot(i, time_s) : rising(i, time_s);
-  const glm::dvec2 outwards(std::cos(whirl.angle), std::sin(whirl.angle));
+  const glm::dvec2 outwards(math::cos(whirl.angle), math::sin(whirl.angle));
   const glm::dvec2 ahead(-outwards.y, outwards.x);
   const double s = whirl.height_m / height_m_;
   constexpr double bends = 0.6, sways_per_s = 0.1, bent = 0.08;
   const double way =
-      bent * height_m_ * s * s * std::sin(two_pi * (bends * s - sways_per_s * time_s));
+      bent * height_m_ * s * s * math::sin(two_pi * (bends * s - sways_per_s * time_s));
   const glm::dvec2 at = foot_m(time_s) + glm::dvec2(way, 0.6 * way) + whirl.radius_m * outwards;
   const glm::dvec2 level = whirl.velocity_m_s.x * outwards + whirl.velocity_m_s.y * ahead;
   const std::uint64_t bits = random_bits({key_, key_of("tornado"), i, key_of("look")});

@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "core/elementary.h"
 #include "scene/calendar.h"
 #include "scene/registry.h"
 #include "season/film_season.h"
@@ -23,11 +24,11 @@ season::TableColumn column_like(const char* name, const char* key_name) {
 
 glm::dvec2 wind_of(const WeatherMoment& moment) {
   const double heading = glm::radians(moment.wind_heading_deg);
-  return moment.wind_speed_m_s * glm::dvec2(std::sin(heading), std::cos(heading));
+  return moment.wind_speed_m_s * glm::dvec2(math::sin(heading), math::cos(heading));
 }
 
 double heading_deg(const glm::dvec2& wind) {
-  const double heading = glm::degrees(std::atan2(wind.x, wind.y));
+  const double heading = glm::degrees(math::atan2(wind.x, wind.y));
   return heading < 0.0 ? heading + 360.0 : heading;
 }
 
@@ -74,8 +75,8 @@ double run_of(const glm::dvec2& a, const glm::dvec2& b, double share, double dur
   const double s = glm::dot(a, change) / c;
   const double h = std::abs(a.x * change.y - a.y * change.x) / c;
   const auto integral = [&](double along) {
-    const double speed = std::hypot(along, h);
-    return 0.5 * (along * speed + (h > 0.0 ? h * h * std::asinh(along / h) : 0.0));
+    const double speed = math::hypot(along, h);
+    return 0.5 * (along * speed + (h > 0.0 ? h * h * math::asinh(along / h) : 0.0));
   };
   return (integral(s + c * share) - integral(s)) / c * duration_s;
 }

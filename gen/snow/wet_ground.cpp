@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
+
 namespace wold::snow {
 
 double ground_wetness(const Weather& weather, double time_s, double height_m) {
@@ -12,13 +14,13 @@ double ground_wetness(const Weather& weather, double time_s, double height_m) {
   if (time_s <= since_s) return 0.0;
   const int steps = static_cast<int>(std::ceil((time_s - since_s) / step_s));
   const double length_s = (time_s - since_s) / steps;
-  const double kept = std::exp(-length_s / dries_s);
+  const double kept = math::exp(-length_s / dries_s);
   double water_mm = 0.0;
   for (int step = 0; step < steps; ++step) {
     const double rain_mm_h = weather.falling_rain_mm_h(since_s + (step + 0.5) * length_s, height_m);
     water_mm = water_mm * kept + rain_mm_h * dries_s / seconds_per_hour * (1.0 - kept);
   }
-  return -std::expm1(-water_mm / soaked_mm);
+  return -math::expm1(-water_mm / soaked_mm);
 }
 
 double wet_albedo(double dry) {

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <vector>
 
+#include "core/elementary.h"
 #include "core/noise.h"
 #include "core/random.h"
 
@@ -14,7 +15,7 @@ namespace {
 /// Octaves of the noise, from patches to two steps of the map.
 Fbm patch_noise(double step_m, double feature_m, std::uint64_t seed) {
   constexpr double most_octaves = 6.0;
-  const double octaves = std::floor(std::log2(std::max(feature_m / (2.0 * step_m), 1.0))) + 1.0;
+  const double octaves = std::floor(math::log2(std::max(feature_m / (2.0 * step_m), 1.0))) + 1.0;
   return {.key = random_bits({seed, key_of("snow cover"), 0, key_of("patches")}),
           .octaves = static_cast<int>(std::min(octaves, most_octaves)),
           .hurst = 0.7};
@@ -78,7 +79,7 @@ class Ranks {
 
 double cover_share(double water_mm) {
   constexpr double fresh_kg_m3 = 100.0, scale_m = 2.5 * 0.01;
-  return std::tanh(water_mm / fresh_kg_m3 / scale_m);
+  return math::tanh(water_mm / fresh_kg_m3 / scale_m);
 }
 
 double white(double rank, double threshold, double ramp) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "core/random.h"
 #include "snow/turns.h"
 
@@ -37,7 +38,7 @@ WindField::WindField(const Weather& weather, double turbulence, std::uint64_t ke
     for (std::size_t wave = 0; wave < common_waves; ++wave) {
       const double share = static_cast<double>(wave) / (common_waves - 1);
       common_[axis][wave] = {
-          1.0 / (shortest_common_m * std::pow(longest_common_m / shortest_common_m, share)),
+          1.0 / (shortest_common_m * math::pow(longest_common_m / shortest_common_m, share)),
           random_uniform({key, key_of("gust"), wave, axis})};
     }
 }
@@ -47,7 +48,7 @@ Motion WindField::common(double time_s) const {
   const WeatherMoment now = weather_.at(time_s);
   const double heading = glm::radians(now.wind_heading_deg);
   Motion motion = {{way, 0.0},
-                   now.wind_speed_m_s * glm::dvec3(std::sin(heading), std::cos(heading), 0.0)};
+                   now.wind_speed_m_s * glm::dvec3(math::sin(heading), math::cos(heading), 0.0)};
   const double run_m = weather_.wind_run_m(time_s);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double height =
@@ -56,8 +57,8 @@ Motion WindField::common(double time_s) const {
     for (const Wave& wave : common_[axis]) {
       const double phase = two_pi * off_whole(wave.per_m * run_m + wave.phase);
       const auto i = static_cast<glm::length_t>(axis);
-      motion.way_m[i] += height / (two_pi * wave.per_m) * std::sin(phase);
-      motion.velocity_m_s[i] += height * now.wind_speed_m_s * std::cos(phase);
+      motion.way_m[i] += height / (two_pi * wave.per_m) * math::sin(phase);
+      motion.velocity_m_s[i] += height * now.wind_speed_m_s * math::cos(phase);
     }
   }
   return motion;

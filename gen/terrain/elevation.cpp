@@ -16,6 +16,7 @@
 #include <optional>
 #include <string>
 
+#include "core/elementary.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/quiet_gdal.h"
@@ -74,7 +75,7 @@ class Raster {
     const auto [low, high] = corners();
     const auto& t = transform_;
     return low.x >= -180.0 && high.x <= 360.0 && low.y >= -90.0 && high.y <= 90.0 &&
-           std::max(std::hypot(t[1], t[4]), std::hypot(t[2], t[5])) < coarsest_cell;
+           std::max(math::hypot(t[1], t[4]), math::hypot(t[2], t[5])) < coarsest_cell;
   }
 
   /// What to do about that, as the end of a message.
@@ -253,7 +254,7 @@ double cell_m(const Raster& raster, const LocalSystem& local) {
   std::array<double, 6> transform = {};
   if (local.definition.empty()) {
     raster.dataset().GetGeoTransform(transform.data());
-    return std::hypot(transform[1], transform[4]);
+    return math::hypot(transform[1], transform[4]);
   }
   const Transformer transformer(raster, local);
   int columns = 0;

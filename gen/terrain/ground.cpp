@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/elementary.h"
 #include "terrain/elevation.h"
 #include "terrain/erosion.h"
 #include "terrain/fractal_relief.h"
@@ -16,7 +17,7 @@ namespace {
 Heightfield real_place(const scene::Terrain& terrain, std::uint64_t seed) {
   Elevation place = read_elevation(terrain);
   const double feature_m = std::min(place.cell_m, terrain.relief_feature_m);
-  const double share = std::pow(feature_m / terrain.relief_feature_m, terrain.roughness);
+  const double share = math::pow(feature_m / terrain.relief_feature_m, terrain.roughness);
   add_fractal_relief(place.heights_m, terrain, seed, terrain.relief_m * share, feature_m);
   return crept(std::move(place.heights_m));
 }

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/elementary.h"
 #include "terrain/erosion.h"
 #include "terrain/fractal_relief.h"
 #include "terrain/streams.h"
@@ -16,9 +17,9 @@ constexpr double side_fall_share = 0.25;  // of the hill's height, at the east a
 
 /// The hill without relief: u east and v north across the square, both in [0, 1].
 double hill_m(double u, double v, double height_m) {
-  const double rise = std::sin(0.5 * std::numbers::pi * v / crest_share);
+  const double rise = math::sin(0.5 * std::numbers::pi * v / crest_share);
   const double sideways = 2.0 * u - 1.0;
-  return height_m * rise * rise * (1.0 - side_fall_share * std::pow(sideways, 4));
+  return height_m * rise * rise * (1.0 - side_fall_share * math::pow(sideways, 4));
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/elementary.h"
+
 namespace wold::terrain {
 
 double horizon_rad(const Heightfield& terrain, const glm::dvec2& from_m,
@@ -16,7 +18,7 @@ double horizon_rad(const Heightfield& terrain, const glm::dvec2& from_m,
     if (std::min(at_m.x, at_m.y) < 0.0 || std::max(at_m.x, at_m.y) > terrain.size_m()) break;
     highest = std::max(highest, (terrain.sample(at_m.x, at_m.y) - height_m) / distance_m);
   }
-  return std::atan(highest);
+  return math::atan(highest);
 }
 
 bool is_hidden(const Heightfield& terrain, const glm::dvec3& from_m, const glm::dvec3& to_m) {

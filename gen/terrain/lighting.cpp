@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/elementary.h"
 #include "core/noise.h"
 #include "core/parallel.h"
 #include "core/random.h"
@@ -36,7 +37,7 @@ struct SkyPatches {
       for (int b = 0; b < bands; ++b) {
         const double elevation_rad = (b + 0.5) * band_rad;
         const glm::dvec3 to = light::direction_of(azimuth_rad(a), elevation_rad);
-        const double solid_angle = std::cos(elevation_rad) * band_rad * 2.0 * pi / azimuths;
+        const double solid_angle = math::cos(elevation_rad) * band_rad * 2.0 * pi / azimuths;
         const glm::dvec4 radiance(glm::dvec3(day.sky_radiance(to)), 1.0 + 2.0 * to.z);
         patches.push_back({to, radiance * solid_angle});
       }
@@ -70,8 +71,8 @@ glm::dvec4 sky_light(const Heightfield& terrain, const glm::dvec2& at_m, const g
 double sun_seen(const Heightfield& terrain, const glm::dvec2& at_m, const glm::dvec3& to_sun) {
   constexpr std::array<double, 3> offsets_deg = {-0.7, 0.0, 0.7};
   constexpr double half_width = 1.0 * radians_per_degree;
-  const double azimuth = std::atan2(to_sun.x, to_sun.y);
-  const double elevation = std::asin(to_sun.z);
+  const double azimuth = math::atan2(to_sun.x, to_sun.y);
+  const double elevation = math::asin(to_sun.z);
   double seen = 0.0;
   for (const double offset_deg : offsets_deg) {
     const glm::dvec2 towards(light::direction_of(azimuth + offset_deg * radians_per_degree, 0.0));
@@ -131,7 +132,7 @@ struct GroundColour {
     const auto wet =
         static_cast<float>(wet_shown * std::clamp(fbm(at_m / moisture_m, moisture), -2.0, 2.0));
     const auto straw =
-        static_cast<float>(litter_shown * std::tanh(0.8 * fbm(at_m / litter_m, litter)));
+        static_cast<float>(litter_shown * math::tanh(0.8 * fbm(at_m / litter_m, litter)));
     return soil * (1.0F - 0.12F * wet) * (1.0F + straw * glm::vec3(0.30F, 0.30F, 0.24F));
   }
 
@@ -140,7 +141,7 @@ struct GroundColour {
   glm::vec3 albedo(const glm::dvec3& place_m, const glm::dvec3& up, const glm::dvec3& to_sun,
                    float growth) const {
     const glm::dvec2 at_m(place_m);
-    const double beyond = std::acos(up.z) / radians_per_degree - rock_slope_deg;
+    const double beyond = math::acos(up.z) / radians_per_degree - rock_slope_deg;
     if (beyond < -8.0) return earth(at_m);
     const double ragged = beyond + 2.5 * border_shown * fbm(at_m / border_m, border);
     const double bare = (1.0 - double{growth}) * glm::smoothstep(-2.5, 2.5, ragged);
@@ -206,7 +207,7 @@ ColourMap ground_reflectance(const Heightfield& terrain, const glm::dvec3& sun_d
     for (int i = 0; i < map.samples(); ++i) {
       const glm::dvec2 at_m = map.place_m(i, j);
       const float grown = growth.sample(at_m.x, at_m.y);
-      const double under_grass = std::pow(canopy_transmittance, double{grown});
+      const double under_grass = math::pow(canopy_transmittance, double{grown});
       const glm::dvec3 place_m(at_m, terrain.sample(at_m.x, at_m.y));
       map.at(i, j) = colour.albedo(place_m, normal(terrain, at_m.x, at_m.y), sun_direction, grown) *
                      static_cast<float>(under_grass / pi);

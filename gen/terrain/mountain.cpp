@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/elementary.h"
 #include "core/noise.h"
 #include "core/parallel.h"
 #include "core/random.h"
@@ -38,16 +39,16 @@ double way_down(const glm::dvec2& at) {
   const glm::dvec2 from = at - summit;
   const double across = from.x < 0.0 ? summit.x : 1.0 - summit.x;
   const double along = from.y < 0.0 ? summit.y - meadow_end : 1.0 - summit.y;
-  return std::pow(std::pow(std::abs(from.x) / across, roundness) +
-                      std::pow(std::abs(from.y) / along, roundness),
-                  1.0 / roundness);
+  return math::pow(math::pow(std::abs(from.x) / across, roundness) +
+                       math::pow(std::abs(from.y) / along, roundness),
+                   1.0 / roundness);
 }
 
 /// The body without valleys: 1 at the summit, 0 in the meadow and at the borders. However its plan
 /// is displaced, its foot stays within the rounded square.
 double body(const glm::dvec2& at, std::uint64_t seed) {
   const double above = std::max(0.0, 1.0 - way_down(displaced(at, seed, 0.35, 0.06)));
-  return smooth_step(0.0, 0.35, 1.0 - way_down(at)) * std::pow(above, 1.2);
+  return smooth_step(0.0, 0.35, 1.0 - way_down(at)) * math::pow(above, 1.2);
 }
 
 /// How fast rock rises, in any unit. It is uneven at all sizes, as rock is: on even slopes water
@@ -56,7 +57,7 @@ double rise(const glm::dvec2& at, std::uint64_t seed) {
   constexpr double feature = 0.08;
   constexpr double deviation = 0.3;
   const Fbm uneven{random_bits({seed, key_of("mountain"), 0, key_of("uneven")}), 5, 0.3};
-  return body(at, seed) * std::exp(deviation * fbm(at / feature, uneven));
+  return body(at, seed) * math::exp(deviation * fbm(at / feature, uneven));
 }
 
 template <class Value>

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "core/parallel.h"
 
 namespace wold::terrain {
@@ -57,13 +58,13 @@ Heightfield mesh_heights(const Heightfield& terrain, const GroundGrid& grid) {
 }
 
 double slope_deg(const Heightfield& terrain, double x_m, double y_m) {
-  return std::atan(glm::length(gradient(terrain, x_m, y_m))) * degrees_per_radian;
+  return math::atan(glm::length(gradient(terrain, x_m, y_m))) * degrees_per_radian;
 }
 
 double aspect_deg(const Heightfield& terrain, double x_m, double y_m) {
   const glm::dvec2 down = -gradient(terrain, x_m, y_m);
   if (down.x == 0.0 && down.y == 0.0) return 0.0;
-  const double azimuth_deg = std::atan2(down.x, down.y) * degrees_per_radian;
+  const double azimuth_deg = math::atan2(down.x, down.y) * degrees_per_radian;
   return azimuth_deg < 0.0 ? azimuth_deg + 360.0 : azimuth_deg;
 }
 

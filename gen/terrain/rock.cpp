@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "core/ground_map.h"
 #include "core/random.h"
 
@@ -63,9 +64,9 @@ double light_on(const glm::dvec3& up, const glm::dvec3& to_sun) {
 glm::dmat3 beds(std::uint64_t key) {
   constexpr double dip = 20.0 * std::numbers::pi / 180.0;
   const double heading = 2.0 * std::numbers::pi * random_uniform({key, key_of("dip"), 0, 0});
-  const glm::dvec3 across(std::cos(heading), std::sin(heading), 0.0);
-  const glm::dvec3 up = std::cos(dip) * glm::dvec3(0.0, 0.0, 1.0) +
-                        std::sin(dip) * glm::dvec3(-across.y, across.x, 0.0);
+  const glm::dvec3 across(math::cos(heading), math::sin(heading), 0.0);
+  const glm::dvec3 up = math::cos(dip) * glm::dvec3(0.0, 0.0, 1.0) +
+                        math::sin(dip) * glm::dvec3(-across.y, across.x, 0.0);
   return glm::transpose(glm::dmat3(across, glm::cross(up, across), up));
 }
 
@@ -110,7 +111,7 @@ glm::vec3 Rock::at(const glm::dvec3& place_m, const glm::dvec3& up,
 glm::vec3 Rock::stain_at(const glm::dvec3& place_m) const {
   constexpr double feature_m = 1.2;
   const glm::dvec3 at = place_m / feature_m;
-  const double stain = shown_[0] * std::tanh(fbm({at.x + 0.7 * at.z, at.y - 0.7 * at.z}, stain_));
+  const double stain = shown_[0] * math::tanh(fbm({at.x + 0.7 * at.z, at.y - 0.7 * at.z}, stain_));
   return 1.0F + static_cast<float>(stain) * glm::vec3(0.16F, 0.13F, 0.06F);
 }
 
