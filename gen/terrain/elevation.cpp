@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 #include <gdal_alg.h>
 #include <gdal_priv.h>
-#include <gdal_utils.h>
 #include <ogr_spatialref.h>
 
 #include <algorithm>
@@ -20,6 +19,8 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/quiet_gdal.h"
+#include "terrain/cell_map.h"
+#include "terrain/resampling.h"
 
 namespace wold::terrain {
 namespace {
@@ -190,30 +191,6 @@ LocalSystem local_system(const Raster& raster, const glm::dvec2& centre) {
           glm::dvec2(0.0)};
 }
 
-using WarpOptions = std::unique_ptr<GDALWarpAppOptions, decltype(&GDALWarpAppOptionsFree)>;
-
-/// gdalwarp into memory: doubles, voids as NaN.
-GDALDatasetUniquePtr warped(const Raster& raster, const LocalSystem& local, std::string resampling,
-                            const std::vector<std::string>& window) {
-  std::vector<std::string> words = {"-of",        "MEM", "-ot",  "Float64",
-                                    "-dstnodata", "nan", "-r",   std::move(resampling),
-                                    "-et",        "0",   "-ovr", "NONE"};
-  if (!local.definition.empty()) words.insert(words.end(), {"-t_srs", local.definition});
-  if (!raster.given_system().empty()) words.insert(words.end(), {"-s_srs", raster.given_system()});
-  words.insert(words.end(), window.begin(), window.end());
-  std::vector<char*> arguments(words.size() + 1, nullptr);
-  std::transform(words.begin(), words.end(), arguments.begin(),
-                 [](std::string& word) { return word.data(); });
-  const WarpOptions options(GDALWarpAppOptionsNew(arguments.data(), nullptr),
-                            GDALWarpAppOptionsFree);
-  GDALDatasetH source = &raster.dataset();
-  int misused = 0;
-  GDALDatasetUniquePtr result(
-      GDALDataset::FromHandle(GDALWarp("", nullptr, 1, &source, options.get(), &misused)));
-  if (!result) raster.fail(CPLGetLastErrorMsg());
-  return result;
-}
-
 /// Places of the raster, in cells from its upper left corner, as places of the local system and
 /// back.
 class Transformer {
@@ -262,7 +239,7 @@ double cell_m(const Raster& raster, const LocalSystem& local) {
   if (GDALSuggestedWarpOutput(&raster.dataset(), GDALGenImgProjTransform, transformer.get(),
                               transform.data(), &columns, &rows) != CE_None)
     raster.fail(CPLGetLastErrorMsg());
-  return transform[1];
+  return std::round(transform[1] * 0x1p20) * 0x1p-20;  // the same on every system
 }
 
 /// Cells from `first` on, up to but without `end`.
@@ -327,16 +304,92 @@ void require_heights(const Raster& raster, const CellBox& box) {
   }
 }
 
-/// gdalwarp's options for the square, with a sample in the middle of each of its cells.
-std::vector<std::string> window_options(const glm::dvec2& centre, int samples, double size_m) {
-  const double half_m = size_m / 2.0 * samples / (samples - 1);
-  std::vector<std::string> options = {"-te"};
-  for (const double border :
-       {centre.x - half_m, centre.y - half_m, centre.x + half_m, centre.y + half_m})
-    options.push_back(fmt::format("{:.9f}", border));
-  const std::string count = std::to_string(samples);
-  options.insert(options.end(), {"-ts", count, count});
-  return options;
+/// Of a box of cells, within the raster.
+CellBlock read_cells(const Raster& raster, const CellBox& box) {
+  const glm::ivec2 all(raster.dataset().GetRasterXSize(), raster.dataset().GetRasterYSize());
+  CellBlock block;
+  block.first = glm::clamp(box.first, glm::ivec2(0), all);
+  block.size = glm::clamp(box.end, block.first, all) - block.first;
+  if (block.size.x == 0 || block.size.y == 0) return block;
+  block.values.resize(static_cast<std::size_t>(block.size.x) *
+                      static_cast<std::size_t>(block.size.y));
+  std::vector<std::uint8_t> there(block.values.size());
+  GDALRasterBand& band = *raster.dataset().GetRasterBand(1);
+  const auto read = [&](GDALRasterBand& from, void* into, GDALDataType type) {
+    if (from.RasterIO(GF_Read, block.first.x, block.first.y, block.size.x, block.size.y, into,
+                      block.size.x, block.size.y, type, 0, 0, nullptr) != CE_None)
+      raster.fail(CPLGetLastErrorMsg());
+  };
+  read(band, block.values.data(), GDT_Float64);
+  read(*band.GetMaskBand(), there.data(), GDT_Byte);
+  for (std::size_t i = 0; i < there.size(); ++i)
+    if (there[i] == 0) block.values[i] = std::numeric_limits<double>::quiet_NaN();
+  return block;
+}
+
+/// A part of the square's samples, up to but without `end`.
+struct Part {
+  glm::ivec2 first;
+  glm::ivec2 end;
+};
+
+/// The box of cells between half steps, and what cubic convolution needs around it.
+CellBox cells_of(const CellMap& cells, const Part& part) {
+  constexpr double around = 3.0;
+  glm::dvec2 low(std::numeric_limits<double>::infinity());
+  glm::dvec2 high = -low;
+  for (int j = 2 * part.first.y; j <= 2 * part.end.y; ++j)
+    for (int i = 2 * part.first.x; i <= 2 * part.end.x; ++i) {
+      const glm::dvec2 cell = cells.at(i, j);
+      if (std::isnan(cell.x) || std::isnan(cell.y)) continue;
+      low = glm::min(low, cell);
+      high = glm::max(high, cell);
+    }
+  constexpr double most = 1e9;
+  return {glm::ivec2(glm::floor(glm::clamp(low - around, -most, most))),
+          glm::ivec2(glm::ceil(glm::clamp(high + around, -most, most)))};
+}
+
+/// The stored value of a sample: between the raster's cells, or the mean of those around it up to
+/// half a step, where there are several.
+double resampled(const CellBlock& block, const CellMap& cells, const glm::ivec2& sample,
+                 bool raster_is_finer) {
+  const glm::ivec2 middle = 2 * sample + 1;
+  if (!raster_is_finer) return cubic_value(block, cells.at(middle.x, middle.y));
+  glm::dvec2 low(std::numeric_limits<double>::infinity());
+  glm::dvec2 high = -low;
+  for (const glm::ivec2 corner : {glm::ivec2(-1, -1), {1, -1}, {-1, 1}, {1, 1}}) {
+    const glm::dvec2 cell = cells.at(middle.x + corner.x, middle.y + corner.y);
+    low = glm::min(low, cell);
+    high = glm::max(high, cell);
+  }
+  return mean_value(block, low, high);
+}
+
+/// The stored values under the square, voids as NaN, rows southwards: a raster in memory. Part by
+/// part, so that of a large raster few cells are there at a time.
+GDALDatasetUniquePtr stored_square(const Raster& raster, const CellMap& cells, int samples,
+                                   double cells_per_step) {
+  constexpr double most_cells = 2048.0;  // along a part's side
+  const int side = static_cast<int>(std::clamp(most_cells / cells_per_step, 1.0, 64.0));
+  GDALDatasetUniquePtr square(GetGDALDriverManager()->GetDriverByName("MEM")->Create(
+      "", samples, samples, 1, GDT_Float64, nullptr));
+  if (!square) raster.fail(CPLGetLastErrorMsg());
+  GDALRasterBand& band = *square->GetRasterBand(1);
+  band.SetNoDataValue(std::numeric_limits<double>::quiet_NaN());
+  for (int y = 0; y < samples; y += side)
+    for (int x = 0; x < samples; x += side) {
+      const Part part{{x, y}, glm::min(glm::ivec2(x, y) + side, samples)};
+      const CellBlock block = read_cells(raster, cells_of(cells, part));
+      for (int j = part.first.y; j < part.end.y; ++j)
+        for (int i = part.first.x; i < part.end.x; ++i) {
+          double value = resampled(block, cells, {i, j}, cells_per_step > 1.0);
+          if (band.RasterIO(GF_Write, i, samples - 1 - j, 1, 1, &value, 1, 1, GDT_Float64, 0, 0,
+                            nullptr) != CE_None)
+            raster.fail(CPLGetLastErrorMsg());
+        }
+    }
+  return square;
 }
 
 /// Row by row from the north-west corner.
@@ -401,9 +454,14 @@ Elevation read_elevation(const scene::Terrain& terrain) {
   const LocalSystem local = local_system(raster, middle);
   Elevation elevation{GroundMap<double>(samples, size_m), cell_m(raster, local)};
   require_heights(raster, cells_under(raster, local, size_m));
-  const bool raster_is_finer = elevation.cell_m < elevation.heights_m.step_m();
-  const GDALDatasetUniquePtr square = warped(raster, local, raster_is_finer ? "average" : "cubic",
-                                             window_options(local.centre, samples, size_m));
+  const Transformer transformer(raster, local);
+  const CellMap cells(
+      [&](const glm::dvec2& from_middle_m) {
+        return transformer.cell_at(local.centre + from_middle_m);
+      },
+      samples, size_m);
+  const GDALDatasetUniquePtr square =
+      stored_square(raster, cells, samples, elevation.heights_m.step_m() / elevation.cell_m);
   const std::vector<double> stored =
       filled_values(raster, *square->GetRasterBand(1), middle, size_m);
   const HeightScale scale = raster.height_scale();

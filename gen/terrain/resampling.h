@@ -1,0 +1,27 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace wold::terrain {
+
+/// Cells of a raster from `first` on, row by row southwards; voids are NaN.
+struct CellBlock {
+  glm::ivec2 first{0};
+  glm::ivec2 size{0};
+  std::vector<double> values;
+
+  /// NaN beyond the block.
+  double at(const glm::ivec2& cell) const;
+};
+
+/// A raster's value at a place, in cells from its upper left corner, by cubic convolution: Keys,
+/// "Cubic convolution interpolation for digital image processing" (1981). Beside voids, bilinear
+/// between the cells that are there; NaN in a void.
+double cubic_value(const CellBlock& block, const glm::dvec2& place);
+
+/// Mean of what lies between two corners, upper left and lower right, by the share of each cell;
+/// NaN when all of it is void.
+double mean_value(const CellBlock& block, const glm::dvec2& low, const glm::dvec2& high);
+
+}  // namespace wold::terrain
