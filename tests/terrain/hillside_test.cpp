@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -9,6 +10,28 @@
 
 namespace wold::terrain {
 namespace {
+
+// z = x y / 100 m rises by y / 100 to the east and by x / 100 to the north.
+TEST(Relief, GradientOfASaddleIsThatOfThePlace) {
+  Heightfield saddle(41, 40.0);
+  for (int j = 0; j < 41; ++j)
+    for (int i = 0; i < 41; ++i) saddle.at(i, j) = 0.01F * static_cast<float>(i * j);
+  for (const glm::dvec2 at_m : {glm::dvec2(10.0, 30.0), glm::dvec2(32.0, 5.0)}) {
+    const glm::dvec2 rise = gradient(saddle, at_m.x, at_m.y);
+    EXPECT_NEAR(rise.x, 0.01 * at_m.y, 1e-5);
+    EXPECT_NEAR(rise.y, 0.01 * at_m.x, 1e-5);
+  }
+}
+
+// Cells are two triangles that meet between south-west and north-east: with that corner alone
+// raised, they are as high as the lesser of both coordinates.
+TEST(Relief, MeshIsOfTheTrianglesThatAreDrawn) {
+  Heightfield cell(2, 1.0);
+  cell.at(1, 1) = 1.0F;
+  const Heightfield mesh = mesh_heights(cell, {{.size_m = 1.0}, 5});
+  for (int j = 0; j < 5; ++j)
+    for (int i = 0; i < 5; ++i) EXPECT_NEAR(mesh.at(i, j), 0.25 * std::min(i, j), 1e-6);
+}
 
 TEST(Relief, PlaneOfSlopeOneRisesEastwards) {
   Heightfield plane(41, 10.0);

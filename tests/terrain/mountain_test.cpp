@@ -43,8 +43,8 @@ TEST(Mountain, StandsWhereAndAsHighAsItShould) {
     const auto top = std::ranges::max_element(ground.values());
     const auto place = static_cast<int>(top - ground.values().begin());
     EXPECT_NEAR(*top, shape.hill_height_m, 0.03 * shape.hill_height_m);
-    EXPECT_NEAR(place % shape.samples / (shape.samples - 1.0), 0.52, 0.08) << "seed " << seed;
-    EXPECT_NEAR(place / shape.samples / (shape.samples - 1.0), 0.62, 0.08) << "seed " << seed;
+    EXPECT_NEAR(place % shape.samples / (shape.samples - 1.0), 0.52, 0.02) << "seed " << seed;
+    EXPECT_NEAR(place / shape.samples / (shape.samples - 1.0), 0.62, 0.02) << "seed " << seed;
     EXPECT_LT(highest_border(ground), 0.12 * shape.hill_height_m) << "seed " << seed;
   }
 }
