@@ -247,7 +247,7 @@ struct Snowfall {
 /// Drops in the air.
 struct Rainfall {
   int drops = 0;             ///< drawn in the picture, about; 0: 30000
-  double shutter_s = 0.02;  ///< how long each picture is exposed for them
+  double shutter_s = 0.004;  ///< how long each picture is exposed for them
 
   bool operator==(const Rainfall&) const = default;
 };

@@ -66,6 +66,29 @@ TEST(SnowInAir, HasTheSnowfallsExtinction) {
   EXPECT_NEAR(extinction_per_m, 2.49e-3 * std::pow(4.0, 1.05), 0.02 * extinction_per_m);
 }
 
+/// What falls above two degrees is streaks of rain in a fog, under a sky that greys.
+TEST(SnowInAir, IsRainWhereItIsWarm) {
+  scene::Scene scene = snowy("weather");
+  scene.weather.precipitation_mm_h = 8.0;
+  scene.weather.temperature_c = 12.0;
+  // Marshall and Palmer: pi N0 / (2 Lambda^3), by geometry alone.
+  const double lambda = 4.1 * std::pow(8.0, -0.21);
+  const double extinction_per_m = 1e-6 * 1.5708 * 8000.0 / std::pow(lambda, 3);
+  EXPECT_NEAR(falling_extinction_per_m(scene, make_site(scene), 1), extinction_per_m,
+              1e-3 * extinction_per_m);
+  const Landscape rain = snowing(scene);
+  for (const FlakePicture& picture : rain.flakes.pictures)
+    EXPECT_TRUE(picture.name == "streak" || picture.name == "disc") << picture.name;
+  EXPECT_NEAR(static_cast<double>(rain.flakes.flakes.size()), 30000.0, 6000.0);
+  ASSERT_TRUE(rain.fog);
+  EXPECT_NEAR(rain.fog->extinction_per_m, extinction_per_m, 0.05 * extinction_per_m);
+  // At one degree as much falls as snow as as rain.
+  scene.weather.temperature_c = 1.0 + 1.6 * 0.0065;
+  const Landscape sleet = snowing(scene);
+  EXPECT_GT(sleet.flakes.pictures.size(), rain.flakes.pictures.size());
+  EXPECT_GT(sleet.flakes.flakes.size(), rain.flakes.flakes.size());
+}
+
 /// Ten days of which the sixth, frame 6, has frost and all the precipitation.
 scene::Scene one_snowy_day() {
   scene::Scene scene = snowy("weather");

@@ -39,6 +39,24 @@ TEST(SnowyGround, WithoutSnowIsTheSites) {
   EXPECT_EQ(&ground.light(), &site.light);
 }
 
+// An hour of rain leaves bare ground about half as bright, and no snow.
+TEST(SnowyGround, IsDarkWhereRainHasWettedIt) {
+  scene::Scene rainy = snowed_in(0.0);
+  rainy.weather.temperature_c = 12.0;
+  rainy.weather.precipitation_mm_h = 5.0;
+  rainy.weather.earlier_h = 1.0;
+  const Site site = make_site(rainy);
+  const SnowyGround ground(rainy, site, 1);
+  EXPECT_EQ(ground.white_share(), 0.0);
+  const ColourMap wet = ground.reflectance();
+  for (std::size_t i = 0; i < wet.values().size(); i += 97)
+    for (int channel = 0; channel < 3; ++channel) {
+      const float dry = site.ground_reflectance.values()[i][channel];
+      EXPECT_GT(wet.values()[i][channel], 0.5F * dry);
+      EXPECT_LT(wet.values()[i][channel], 0.7F * dry);
+    }
+}
+
 // As much snow lies over the ground as the weather has left: its volume is the mean depth's.
 TEST(SnowyGround, RisesByTheDepth) {
   const scene::Scene scene = snowed_in(40.0);
