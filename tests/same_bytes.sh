@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Whether the files that `wold generate` writes are, byte by byte, those that every other system
-# writes: those in tests/same_bytes.txt, which hold on Debian 12, 13 and unstable, with GCC and clang.
+# Whether the files that `wold generate` writes are, byte by byte, those that it writes on other
+# systems: those in tests/same_bytes.txt, made on Debian 12 with GCC.
 #
 #     tests/same_bytes.sh [--update] [--keep FOLDER] [PROGRAM]      build/wold without it
 #
