@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "scene/scene.h"
@@ -26,7 +27,9 @@ struct Blade {
   float brightness = 1.0F;      ///< factor on its albedo
   float lump_m = 0.045F;        ///< from lump to lump of the snow along it
   float lump_phase = 0.0F;      ///< where the first one lies, 0 to 1
-  std::uint64_t tufts = 0;      ///< key of where snow gathers, of all the blades of a variant
+  std::optional<glm::vec3> own_albedo =
+      {};                   ///< of its own while fresh: that of the texel it is from
+  std::uint64_t tufts = 0;  ///< key of where snow gathers, of all the blades of a variant
 };
 
 /// Samples that are mingled into a patch (paper 1 section 4.1); 1 without mingling.

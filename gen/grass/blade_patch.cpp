@@ -13,7 +13,7 @@ namespace wold::grass {
 WitheringPatch::WitheringPatch(const scene::Scene& scene, const AgeingModel& model, int variant)
     : model_(model), patch_m_(scene.grass.patch_m), rates_(ageing_rates(scene.grass)) {
   for (int sample = 0; sample < sample_count(scene.grass); ++sample)
-    samples_.push_back(scatter_blades(scene.grass, scene.ageing, scene.seed, variant, sample));
+    samples_.push_back(sample_blades(scene, variant, sample));
   if (!model.moves_points()) return;
   for (const std::vector<Blade>& blades : samples_) {
     auto& histories = histories_.emplace_back(blades.size());

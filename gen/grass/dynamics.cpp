@@ -79,7 +79,11 @@ BladePose AgeingModel::pose(const Blade& blade, const VeinState& state, double a
 }
 
 glm::vec3 AgeingModel::albedo(const Blade& blade, double age, double along) const {
-  return glm::min(colour_(local_age(age, along)).albedo * blade.brightness, 0.99F);
+  const double local = local_age(age, along);
+  const glm::vec3 albedo = glm::min(colour_(local).albedo * blade.brightness, 0.99F);
+  if (!blade.own_albedo) return albedo;
+  const glm::vec3 own = *blade.own_albedo - glm::min(colour_(0.0).albedo, 0.99F);
+  return glm::clamp(albedo + static_cast<float>(1.0 - local) * own, 0.0F, 0.99F);
 }
 
 float AgeingModel::specular(double age) const {

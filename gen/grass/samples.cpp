@@ -2,9 +2,11 @@
 
 #include "core/random.h"
 #include "grass/ageing_curves.h"
+#include "grass/foreign_texel.h"
 #include "grass/mingle.h"
 #include "grass/rasterise.h"
 #include "grass/snow_points.h"
+#include "grass/texel_points.h"
 
 namespace wold::grass {
 namespace {
@@ -14,7 +16,26 @@ std::uint64_t point_seed(std::uint64_t seed, int variant, int sample) {
                       static_cast<std::uint64_t>(sample)});
 }
 
+SampledTexel from_texel(const scene::Scene& scene, int variant, int sample) {
+  const Texel texel = fitted_to_patch(read_any_texel(scene.grass.from_texel, "grass.from_texel"),
+                                      scene.grass.patch_m);
+  return sample_texel(texel, scene.grass, scene.ageing, point_seed(scene.seed, variant, sample));
+}
+
+SampledTexel scattered(const scene::Scene& scene, const TexelShape& shape, int variant,
+                       int sample) {
+  SampledTexel result{sample_blades(scene, variant, sample), {}};
+  result.points = sample_points(result.blades, shape, scene.grass.proportion,
+                                point_seed(scene.seed, variant, sample));
+  return result;
+}
+
 }  // namespace
+
+std::vector<Blade> sample_blades(const scene::Scene& scene, int variant, int sample) {
+  if (!scene.grass.from_texel.empty()) return from_texel(scene, variant, sample).blades;
+  return scatter_blades(scene.grass, scene.ageing, scene.seed, variant, sample);
+}
 
 std::vector<Curve> ageing_rates(const scene::Grass& grass) {
   if (grass.mingle.empty()) return {Curve({{0.0, 0.0}, {1.0, 1.0}})};
@@ -28,10 +49,9 @@ Samples::Samples(const scene::Scene& scene, const TexelShape& shape, int variant
                  const AgeingModel& model)
     : shape_(shape), rates_(ageing_rates(scene.grass)) {
   for (int sample = 0; sample < sample_count(scene.grass); ++sample) {
-    auto blades = scatter_blades(scene.grass, scene.ageing, scene.seed, variant, sample);
-    auto points = sample_points(blades, shape, scene.grass.proportion,
-                                point_seed(scene.seed, variant, sample));
-    samples_.emplace_back(model, std::move(blades), std::move(points),
+    SampledTexel sampled = scene.grass.from_texel.empty() ? scattered(scene, shape, variant, sample)
+                                                          : from_texel(scene, variant, sample);
+    samples_.emplace_back(model, std::move(sampled.blades), std::move(sampled.points),
                           scene.ageing.merge_distance_voxels * shape.voxel_m);
   }
 }

@@ -14,13 +14,17 @@ namespace wold::grass {
 /// or the identity of a single sample. Throws what load_curve() throws.
 std::vector<Curve> ageing_rates(const scene::Grass& grass);
 
+/// The blades of a sample of a variant of the scene's patch: scattered, or those of
+/// grass.from_texel. Throws what read_any_texel() and sample_texel() throw.
+std::vector<Blade> sample_blades(const scene::Scene& scene, int variant, int sample);
+
 /// One variant of the patch as its samples, K systems of blades that are simulated apart and
 /// mingled into one texel. A sample has its own blades (scatter_blades) and points; it is always at
 /// its own weathering degree, Mg_i of the meadow's.
 class Samples {
  public:
   /// Scatters the blades and samples their points; `shape` is that of the texel. `model` has to
-  /// outlive it.
+  /// outlive it. Throws what sample_blades() throws.
   Samples(const scene::Scene& scene, const TexelShape& shape, int variant,
           const AgeingModel& model);
 

@@ -67,8 +67,7 @@ double tallest_m(const scene::Scene& scene) {
   double tallest = 0.0;
   for (int variant = 0; variant < scene.grass.variants; ++variant)
     for (int sample = 0; sample < sample_count(scene.grass); ++sample)
-      for (const Blade& blade :
-           scatter_blades(scene.grass, scene.ageing, scene.seed, variant, sample))
+      for (const Blade& blade : sample_blades(scene, variant, sample))
         tallest = std::max(
             {tallest, height_m(blade, scene.ageing, 0.0), height_m(blade, scene.ageing, 1.0)});
   return tallest;
@@ -109,10 +108,12 @@ std::string described(const scene::Scene& scene, const Lighting& lighting) {
   relevant.ageing.variety = plain.ageing.variety;
   relevant.ageing.variety_feature_m = plain.ageing.variety_feature_m;
   const auto three = [](const auto& v) { return fmt::format(" {},{},{}", v.x, v.y, v.z); };
+  relevant.grass.from_texel = plain.grass.from_texel;
   std::string text = texel_models() + scene::resolved_toml(relevant);
   text += three(lighting.sun_direction) + three(lighting.sun_irradiance) +
           three(lighting.eye_direction);
   for (const glm::vec3& radiance : lighting.sky_radiance) text += three(radiance);
+  if (!scene.grass.from_texel.empty()) text += content_hash(read_file(scene.grass.from_texel));
   return text;
 }
 

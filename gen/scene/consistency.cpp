@@ -161,6 +161,15 @@ Rule hair_moves_in_closed_form(const Ageing& ageing) {
                   ageing.motion, ageing.fur.clumps)};
 }
 
+Rule a_texel_is_one_sample_of_grass(const Scene& scene) {
+  const bool hair = scene.ageing.fur.clumps > 0;
+  return {{"grass.from_texel", "grass.mingle", "fur.clumps"},
+          scene.grass.from_texel.empty() || (scene.grass.mingle.empty() && !hair),
+          hair ? "grass.from_texel: found a volume, expected \"\" for fur (fur.clumps)"
+               : "grass.from_texel: found a volume, expected \"\" with grass.mingle, whose samples "
+                 "are scattered"};
+}
+
 Rule patch_fits(const Scene& scene) {
   const double size_m = scene.terrain.size_m;
   const double patch_m = scene.grass.patch_m;
@@ -270,6 +279,8 @@ void report_contradictions(const Scene& scene, const Places& places,
       texels_fit_in_memory(scene),
       file_exists("terrain.elevation", scene.terrain.elevation),
       file_exists("growth.mask", scene.growth.mask),
+      file_exists("grass.from_texel", scene.grass.from_texel),
+      a_texel_is_one_sample_of_grass(scene),
       file_exists("weather.table", scene.weather.table),
       grows_somewhere(scene.growth),
       has_all_or_none("terrain.centre", scene.terrain.centre.size(), 2, "two"),

@@ -151,6 +151,11 @@ std::vector<Key> grass_keys() {
               "Points drawn per unit of a voxel's optical depth: the paper's best is 6; here each "
               "point spreads over more voxels, and 2.5 do."),
           FIELD(grass.proportion)),
+      bound(plain(Kind::file, "grass.from_texel", "", {0, 0},
+                  "Volume (.vdb) that the points are sampled from instead of scattered blades: a "
+                  "texel of Wold's, or any fog volume \"density\", fitted to the patch. Relative "
+                  "paths start at the scene file."),
+            FIELD(grass.from_texel)),
       bound(
           list(Kind::numbers, "grass.key_frames", "", {0, 1},
                {.fewest = 0, .most = 64, .order = Order::increasing, .spans_range = true},

@@ -78,6 +78,7 @@ struct Grass {
   std::vector<int> levels = {254, 126, 62, 30};  ///< voxels per side, finest first
   double proportion = 2.5;                       ///< points per unit optical depth of a voxel
   std::vector<double> key_frames = {};           ///< weathering degrees; empty: see key_frames.h
+  std::string from_texel = "";    ///< .vdb that points are sampled from; "": blades are scattered
   double pixels_per_voxel = 1.3;  ///< a level is fine enough when its voxel covers at most this
   double far_pixels = 1.2;        ///< grass that looks lower than this is painted on the ground
 
