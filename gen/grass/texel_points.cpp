@@ -7,6 +7,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "core/elementary.h"
 #include "core/error.h"
 #include "core/random.h"
 #include "grass/axis.h"
@@ -45,7 +46,7 @@ std::uint64_t blade_key(const glm::vec3& foot_m, const glm::vec3& tangent, float
     const auto i = static_cast<std::int64_t>(std::floor(at_m / cell_m)) % cells;
     return static_cast<std::uint64_t>(i < 0 ? i + cells : i);
   };
-  const float turn = std::atan2(tangent.y, tangent.x) / (2.0F * std::numbers::pi_v<float>)+0.5F;
+  const float turn = math::atan2(tangent.y, tangent.x) / (2.0F * std::numbers::pi_v<float>)+0.5F;
   const auto sector =
       std::min(static_cast<std::uint64_t>(turn * headings), std::uint64_t{headings - 1});
   return (cell(foot_m.y) * static_cast<std::uint64_t>(cells) + cell(foot_m.x)) * headings + sector;
@@ -146,7 +147,7 @@ Blade blade_of(const Means& means, const scene::Grass& grass, const scene::Agein
   Blade blade;
   blade.root_m = glm::vec2(means.foot_m);
   blade.heading = out > 1e-6F ? level / out : glm::vec2(1.0F, 0.0F);
-  blade.lean = std::atan2(out, means.tangent.z);
+  blade.lean = math::atan2(out, means.tangent.z);
   blade.fresh_droop = 0.0F;
   blade.droop_rate =
       static_cast<float>(ageing.droop * std::max(0.3, 1.0 + ageing.droop_spread * normal("droop")));
@@ -158,8 +159,8 @@ Blade blade_of(const Means& means, const scene::Grass& grass, const scene::Agein
 /// Places of points on their blade; sets how long and wide it is.
 void append_blade(std::vector<Drawn>::const_iterator begin, std::vector<Drawn>::const_iterator end,
                   const Texel& texel, const Means& means, Blade blade, SampledTexel& to) {
-  const glm::vec3 axis = from_plane(blade, {std::sin(blade.lean), std::cos(blade.lean)});
-  const glm::vec3 side = from_plane(blade, {std::cos(blade.lean), -std::sin(blade.lean)});
+  const glm::vec3 axis = from_plane(blade, {math::sin(blade.lean), math::cos(blade.lean)});
+  const glm::vec3 side = from_plane(blade, {math::cos(blade.lean), -math::sin(blade.lean)});
   const glm::vec3 across(-blade.heading.y, blade.heading.x, 0.0F);
   struct Place {
     float arc_m, side_m, across_m;
