@@ -12,8 +12,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
   using namespace wold;
   const fuzz::ScratchFile file(bytes, count);
   try {
-    const terrain::Elevation elevation =
-        terrain::read_elevation({.elevation = file.path().string(), .size_m = 60.0, .samples = 9});
+    const terrain::Elevation elevation = terrain::read_elevation({.elevation = file.path().string(),
+                                                                  .system = {},
+                                                                  .centre = {},
+                                                                  .size_m = 60.0,
+                                                                  .samples = 9});
     for (const double height_m : elevation.heights_m.values())
       if (!(std::isfinite(height_m) && height_m >= 0.0)) std::abort();
   } catch (const InputError&) {
