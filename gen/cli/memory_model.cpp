@@ -50,7 +50,7 @@ double blender_bytes(const scene::Scene& scene, const FrameDemand& shown) {
 
 /// POV-Ray keeps df3 files as they are.
 double povray_bytes(const scene::Scene& scene, const FrameDemand& shown) {
-  constexpr double sample_bytes = 10.0, height_bytes = 200.0, part_bytes = 2000.0;
+  constexpr double sample_bytes = 10.0, height_bytes = 200.0, part_bytes = 8900.0;
   constexpr double blade_bytes = 5000.0, cloud_bytes = 4.3;
   double bytes = sample_bytes * ground_samples(scene) + cloud_bytes * cloud_voxels(scene) +
                  height_bytes * scene.terrain.samples * scene.terrain.samples +

@@ -85,7 +85,7 @@ TEST_F(Names, ADecimalCommaChangesNoByte) {
 
 TEST_F(Names, NeedNotBeText) {
   const std::string out = "\xFF\xFE";
-  make_folder(folder_ / out);
+  ASSERT_EQ(shell(render_line(quoted(out))).code, 0);
   write(out + "/mine \xC3", "a user's own");
   const Result made = shell(render_line(quoted(out)));
   EXPECT_EQ(made.code, 0) << made.err;

@@ -300,7 +300,7 @@ TEST_F(TwoAtOnce, PicturesWhereThereAreThreadsAndMemory) {
   if (sanitized) GTEST_SKIP() << "sanitized: limits of memory are not tested";
   EXPECT_EQ(most_at_work("--threads 8 --memory 8G"), 2);
   EXPECT_EQ(most_at_work("--threads 4 --memory 8G"), 1);
-  EXPECT_EQ(most_at_work("--threads 8 --memory 2G"), 1);
+  EXPECT_EQ(most_at_work("--threads 8 --memory 1600M"), 1);
 }
 
 TEST_F(TwoAtOnce, TheSecondRenderOfAFolderWaitsForTheFirst) {
