@@ -135,8 +135,8 @@ void add_job_options(CLI::App& app, RenderArguments& arguments) {
   app.add_option("--memory", options.memory_bytes,
                  "memory to keep to, renderers included, such as 8G; no limit without it")
       ->type_name("SIZE")
-      ->check(has_a_number, "")
       ->transform(CLI::AsSizeValue(false))
+      ->transform(CLI::Validator([](const std::string& text) { return has_a_number(text); }, ""))
       ->check(at_least_a_megabyte, "");
 }
 
