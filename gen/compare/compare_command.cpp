@@ -48,8 +48,11 @@ bool is_same_place(const fs::path& a, const fs::path& b) {
 
 /// Whether a path is a folder or lies in it, at any depth.
 bool is_in(const fs::path& path, const fs::path& folder) {
-  const fs::path inner = fs::weakly_canonical(path), outer = fs::weakly_canonical(folder);
-  return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
+  std::error_code unknown;
+  const fs::path inner = fs::weakly_canonical(path, unknown);
+  const fs::path outer = fs::weakly_canonical(folder, unknown);
+  return !outer.empty() &&
+         std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
 }
 
 /// Whether a report that was written before lies in the folder.
@@ -69,9 +72,11 @@ fs::path in_the_way(const fs::path& folder) {
 
 /// A report must replace neither what is compared nor what is not a report's.
 void require_free(const fs::path& folder, const fs::path& got, const fs::path& want) {
+  std::error_code missing;
   for (const fs::path& input : {got, want})
     for (const char* name : {"got.png", "want.png", "difference.png", "flip.png"})
-      if (is_same_place(folder / name, input) || (fs::is_directory(input) && is_in(folder, input)))
+      if (is_same_place(folder / name, input) ||
+          (fs::is_directory(input, missing) && is_in(folder, input)))
         throw InputError(fmt::format(
             "--report: found {}, where {} lies, which is compared; expected another folder",
             folder.string(), input.string()));
