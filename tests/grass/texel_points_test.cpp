@@ -93,11 +93,11 @@ TEST_F(TexelPoints, RoundTripKeepsAreaAndProfile) {
   dynamics.advance_to(0.0);
   const Texel again = rasterise_points(dynamics.points(), texel.shape);
   EXPECT_NEAR(again.area_m2() / texel.area_m2(), 1.0, 0.01);
-  // Points spread over the voxels around them: a twentieth of what a layer has, a few thousandths
-  // of all near the tips.
+  // Points spread over the voxels around them, and what stood a little higher stands on a straight
+  // blade: layers differ by less than a hundredth of all.
   const auto before = profile(texel), after = profile(again);
   for (std::size_t i = 0; i < before.size(); ++i)
-    EXPECT_NEAR(after[i], before[i], std::max(0.05 * before[i], 0.003 * texel.area_m2())) << i;
+    EXPECT_NEAR(after[i], before[i], 0.007 * texel.area_m2()) << i;
   // Fibres lie along the blades that they came from.
   double along = 0.0, all = 0.0;
   const std::size_t count = std::min(again.size(), texel.size());
