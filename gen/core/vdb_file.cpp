@@ -61,8 +61,8 @@ void overwrite_header(const fs::path& path) {
 /// before it finds that nothing is there.
 class Passing {
  public:
-  explicit Passing(std::istream& in) : in_(in), begin_(in.tellg()) {
-    end_ = in.seekg(0, std::ios::end).tellg();
+  explicit Passing(std::istream& in)
+      : in_(in), begin_(in.tellg()), end_(in.seekg(0, std::ios::end).tellg()) {
     in.seekg(begin_);
   }
   /// Back to where it began.

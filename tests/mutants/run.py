@@ -6,8 +6,9 @@ import re
 import subprocess
 import sys
 import time
-import tomllib
 from pathlib import Path
+
+import tomllib
 
 LEAST_CAUGHT = 0.95
 HERE = Path(__file__).resolve().parent
@@ -158,7 +159,9 @@ def print_sums(states):
     print_row("all", *[all_states.count(kind) for kind in kinds])
     tried = all_states.count("caught") + all_states.count("survived")
     share = all_states.count("caught") / tried if tried else 0.0
-    print(f"\n{100 * share:.1f} % of {tried} caught; at least {100 * LEAST_CAUGHT:.0f} % are wanted")
+    print(
+        f"\n{100 * share:.1f} % of {tried} caught; at least {100 * LEAST_CAUGHT:.0f} % are wanted"
+    )
     return share >= LEAST_CAUGHT and tried == len(states)
 
 

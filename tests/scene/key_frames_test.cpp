@@ -17,7 +17,7 @@ TEST(KeyFrames, AreTwelveStepsForAFewPictures) {
 TEST(KeyFrames, AreAsNearToEachOtherAsTheFramesOfAFilm) {
   Scene scene;
   scene.ageing.frames = {0.0, 0.05, 0.05, 0.09, 0.13};
-  EXPECT_EQ(key_frames(scene).size(), 26U);  // steps of 0.04
+  EXPECT_EQ(key_frames(scene).size(), 26U);     // steps of 0.04
   scene.ageing.frames = {0.0, 0.05, 0.5, 1.0};  // the least of them, wherever it is
   EXPECT_EQ(key_frames(scene).size(), 21U);
   scene.ageing.frames = {0.5, 0.501};
