@@ -20,12 +20,9 @@ void print_data(std::string_view text) {
     throw FileError(std::string("cannot write to standard output: ") + std::strerror(errno));
 }
 
-void print_message(std::string_view text) {
-  const std::string line = printable(text) + '\n';
-  print_progress(line);
-}
+void print_message(std::string_view text) { print_progress(printable(text) + '\n'); }
 
-void print_progress(std::string_view text) {
+void print_progress(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stderr);
   std::fflush(stderr);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace wold::cli {
@@ -13,6 +14,6 @@ void print_message(std::string_view text);
 
 /// Writes to stderr what may be lost: a bar or a line of progress, as it is. Where stderr takes
 /// nothing any more, as on a full disk, the work goes on.
-void print_progress(std::string_view text);
+void print_progress(const std::string& text);
 
 }  // namespace wold::cli
