@@ -37,7 +37,9 @@ double painting_bytes(const scene::Scene& scene) {
 double blender_bytes(const scene::Scene& scene, const FrameDemand& shown) {
   constexpr double voxel_bytes = 16.0, filled_bytes = 110.0, sample_bytes = 30.0;
   constexpr double part_bytes = 9000.0, blade_bytes = 5000.0, cloud_bytes = 22.0;
+  constexpr double height_bytes = 600.0;
   double bytes = sample_bytes * ground_samples(scene) + cloud_bytes * cloud_voxels(scene) +
+                 height_bytes * scene.terrain.samples * scene.terrain.samples +
                  part_bytes * static_cast<double>(shown.parts) +
                  blade_bytes * scene.grass.blades * static_cast<double>(shown.patches.size());
   const VolumeSizes sizes(scene);
@@ -50,7 +52,7 @@ double blender_bytes(const scene::Scene& scene, const FrameDemand& shown) {
 
 /// POV-Ray keeps df3 files as they are.
 double povray_bytes(const scene::Scene& scene, const FrameDemand& shown) {
-  constexpr double sample_bytes = 10.0, height_bytes = 200.0, part_bytes = 8900.0;
+  constexpr double sample_bytes = 10.0, height_bytes = 480.0, part_bytes = 8900.0;
   constexpr double blade_bytes = 5000.0, cloud_bytes = 4.3;
   double bytes = sample_bytes * ground_samples(scene) + cloud_bytes * cloud_voxels(scene) +
                  height_bytes * scene.terrain.samples * scene.terrain.samples +
@@ -87,7 +89,7 @@ int scene_threads(const Job& job) {
 double scene_memory_bytes(const Job& job) { return scene_memory_bytes(job, scene_threads(job)); }
 
 double renderer_memory_bytes(const Job& job, Stage stage, const FrameDemand& shown) {
-  const double start = (stage == Stage::blender ? 730.0 : 150.0) * megabyte;
+  const double start = (stage == Stage::blender ? 660.0 : 115.0) * megabyte;
   return start + thread_bytes * threads_of(job) +
          (stage == Stage::blender ? blender_bytes(job.scene, shown)
                                   : povray_bytes(job.scene, shown));
