@@ -32,7 +32,7 @@ test_units() {
   say "Building libraries with asan"
   cmake --preset asan >/dev/null
   cmake --build --preset asan --target test_{core,scene,season,light,terrain,cloud,snow} \
-    fuzz_{scene,df3,weather_table,daily_weather,elevation} >&2
+    fuzz_{scene,df3,weather_table,daily_weather,elevation,pictures} >&2
   say "Testing libraries with asan"
   ctest --preset asan --parallel "$(nproc)" \
     --label-regex '^(core|scene|season|light|terrain|cloud|snow)$'
