@@ -14,7 +14,7 @@ struct PointFrame {
 /// The frame of a point that has moved to `position_m` (paper 1, section 2.3, figure 6a). The old
 /// tangent, prolonged down to the ground, meets it at the blade's foot; the new tangent points from
 /// that foot to the point's new place:
-///   tx' = sx' - (sx - sz / tz tx),  ty' likewise,  tz' = sz',  normalised.
+///   tx' = sx' - (sx - sz / tz tx),  ty' = sy' - (sy - sz / tz ty),  tz' = sz',  normalised.
 /// The normal turns with it, by the least rotation that takes the old tangent to the new one.
 ///
 /// A tangent that is level within 1 degree meets the ground nowhere near, and on the ground a point

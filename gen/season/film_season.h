@@ -35,15 +35,16 @@ class FilmSeason {
   /// The same so many days after the first frame's: linear between days, held beyond them.
   double weathering_at(double days_after_first) const;
 
-  /// How much of the clouds has gathered, in [0, 1], likewise; 1 where nothing says so.
+  /// How much of the clouds has gathered, in [0, 1], linear between days; 1 where nothing says so.
   double cloud_cover(double days_after_first) const;
 
-  /// The wind, likewise, as a vector.
+  /// The wind, linear between days as a vector.
   WindChange wind(double days_after_first) const;
   /// The mean wind, as a vector, of the week that ends then: what has combed the grass.
   WindChange week_of_wind(double days_after_first) const;
 
-  /// Visual range at the terrain's zero, likewise, through the day's air; what falls is not in it.
+  /// Visual range at the terrain's zero, m, through the air of a day, linear between days; what
+  /// falls is not in it.
   double visual_range_m(double days_after_first) const;
 
  private:

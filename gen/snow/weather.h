@@ -64,7 +64,7 @@ class Weather {
   /// The same as one sees it fall, in mm of water per hour while it does.
   double falling_snow_mm_h(double time_s, double height_m) const;
 
-  /// The rain, likewise.
+  /// The rain that one sees fall at a time and height, in mm of water per hour while it does.
   double falling_rain_mm_h(double time_s, double height_m) const;
 
   /// The way, east and north in metres, that the mean wind has blown since the weather began: the

@@ -112,13 +112,14 @@ TEST_P(EveryDroopRule, WithoutMergingTheStepsBetweenChangeNothingAtAll) {
 }
 
 TEST_P(EveryDroopRule, NoBladeRisesAgain) {
+  // By points what dries to the end loses weight and springs back, by less than a thousandth.
+  const double slack = model(GetParam()).moves_points() ? 1.001 : 1.0;
   PointDynamics dynamics = small_dynamics(0.0, GetParam());
   dynamics.advance_to(0.0);
   double height = summary(dynamics).height_m;
   for (double weathering : {0.1, 0.2, 0.3, 0.5, 0.7, 0.9, 1.0}) {
     dynamics.advance_to(weathering);
-    // By points what dries to the end loses weight and springs back, by less than a thousandth.
-    EXPECT_LT(summary(dynamics).height_m, 1.001 * height) << weathering;
+    EXPECT_LT(summary(dynamics).height_m, slack * height) << weathering;
     height = summary(dynamics).height_m;
   }
 }
