@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "blender/export.h"
 #include "blender/volume_stack.h"
@@ -69,8 +70,10 @@ std::vector<std::string> wanted_renderers(const scene::Scene& scene) {
 }
 
 void write_programs(const scene::Scene& scene, const fs::path& out) {
-  if (std::ranges::count(wanted_renderers(scene), "povray") > 0)
-    povray::export_scene(moments_of(scene), out / "povray");
+  if (std::ranges::count(wanted_renderers(scene), "povray") == 0) return;
+  const std::array<int, 2>& size_px = scene.render.size_px;
+  povray::export_scene(moments_of(scene), out / "povray");
+  povray::export_settings({size_px[0], size_px[1]}, scene.render.samples, out / "povray");
 }
 
 Film::Film(const Job& job)

@@ -12,6 +12,7 @@
 #include "cli/own_folder.h"
 #include "core/file_list.h"
 #include "core/files.h"
+#include "povray/data_only.h"
 #include "render/run.h"
 #include "scene/write.h"
 
@@ -233,6 +234,7 @@ Work::Made Work::make_picture(const Task& task, const RendererShare& share, Prog
         fmt::format("the task \"{}\" needs the files of \"{}\", which has to be run first: {}",
                     text_of(task), text_of(scene_files), verdict.why));
   const render::Job picture = picture_job(job_, task, share, *renderers_);
+  if (task.stage == Stage::povray) povray::require_data_only(picture.scene_folder, task.index);
   const double memory_bytes = render::run(picture, progress, interrupted);
   return {{picture.picture}, memory_bytes};
 }

@@ -21,9 +21,12 @@ namespace {
 
 std::string reason(int error) { return error == 0 ? "unknown reason" : std::strerror(error); }
 
-/// Why writing near `path` fails, asked of the system by trying, since streams and libraries
-/// lose errno.
-std::string probe_reason(const fs::path& folder) {
+/// Why writing in `folder` failed: what errno says of the disk, and else, since libraries may have
+/// lost it, what the folder looks like now. That alone would not do: another thread that failed as
+/// well may have made room again by removing what it had begun.
+std::string reason_of_disk(int error_number, const fs::path& folder) {
+  for (const int known : {ENOSPC, EDQUOT, EFBIG, EIO, EROFS})
+    if (error_number == known) return reason(known);
   std::error_code error;
   const fs::space_info space = fs::space(folder, error);
   if (error) return error.message();
@@ -56,6 +59,7 @@ void write_file_by_path(const fs::path& path, const std::function<void(const fs:
   };
   try {
     create_anew(temporary);
+    errno = 0;
     writer(temporary);
     std::error_code error;
     fs::rename(temporary, path, error);
@@ -67,7 +71,9 @@ void write_file_by_path(const fs::path& path, const std::function<void(const fs:
     remove_temporary();
     throw;
   } catch (const std::exception& error) {
-    const std::string why = probe_reason(path.has_parent_path() ? path.parent_path() : ".");
+    const int error_number = errno;
+    const std::string why =
+        reason_of_disk(error_number, path.has_parent_path() ? path.parent_path() : ".");
     remove_temporary();
     const auto* known = dynamic_cast<const Error*>(&error);
     if (why.empty() && known != nullptr && known->code() != ExitCode::file) throw;

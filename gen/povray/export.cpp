@@ -212,12 +212,17 @@ std::vector<fs::path> export_frame(const landscape::Landscape& scene, const fs::
                                                backdrop + air_text(scene)));
   write_expected_picture(frame / "expected.json", landscape::expected_picture(scene));
   const fs::path frame_ini = data / fmt::format("frame_{:04}.ini", scene.frame);
-  write_file(frame_ini, frame_settings(scene));
-  update_file(folder / "povray.ini", settings(scene));
+  const glm::ivec2 size_px = {scene.width_px, scene.height_px};
+  write_file(frame_ini, frame_settings(size_px, scene.samples, scene.frame));
+  export_settings(size_px, scene.samples, folder);
   std::vector<fs::path> files = frame_files(scene, frame);
   for (const fs::path& shared : shared_files(scene, used, data)) files.push_back(shared);
   files.insert(files.end(), {data / terrain, frame_ini, folder / "povray.ini"});
   return files;
+}
+
+void export_settings(glm::ivec2 size_px, int samples, const fs::path& folder) {
+  update_file(folder / "povray.ini", settings(size_px, samples));
 }
 
 void export_scene(std::span<const FrameMoment> film, const fs::path& folder) {

@@ -11,7 +11,7 @@ namespace wold::povray {
 
 /// Writes everything POV-Ray needs for one frame below `folder`:
 ///
-///     povray.ini                    size and quality of a bare `povray scene.pov`
+///     povray.ini                    see export_settings()
 ///     data/frame_0001.ini           the same with frame, input and output
 ///     data/frame_0001/frame.inc     camera, exposure, scales of the maps
 ///     data/frame_0001/volumes.inc   the volumes and meshes this frame uses
@@ -31,6 +31,10 @@ namespace wold::povray {
 /// Returns the files that the frame is made of. Throws FileError.
 std::vector<std::filesystem::path> export_frame(const landscape::Landscape& scene,
                                                 const std::filesystem::path& folder);
+
+/// Writes `folder`/povray.ini, which POV-Ray reads where it is started: size and quality of a bare
+/// `povray scene.pov`. Throws FileError.
+void export_settings(glm::ivec2 size_px, int samples, const std::filesystem::path& folder);
 
 /// Copies the scene program (templates/povray/*.pov, *.inc) to `folder` and writes which frames the
 /// film has: data/frames.inc (frame_index.h). Throws FileError.

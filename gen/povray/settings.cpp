@@ -27,7 +27,7 @@ std::string antialiasing(int samples) {
 
 }  // namespace
 
-std::string settings(const landscape::Landscape& scene) {
+std::string settings(glm::ivec2 size_px, int samples) {
   return fmt::format(
       "Width={}\n"
       "Height={}\n"
@@ -36,15 +36,15 @@ std::string settings(const landscape::Landscape& scene) {
       "Output_File_Type=N8 ; PNG, 8 bits per channel\n"
       "Library_Path=.\n"
       "Library_Path=povray\n",
-      scene.width_px, scene.height_px, antialiasing(scene.samples));
+      size_px.x, size_px.y, antialiasing(samples));
 }
 
-std::string frame_settings(const landscape::Landscape& scene) {
-  return settings(scene) + fmt::format(
-                               "Input_File_Name=scene.pov\n"
-                               "Output_File_Name=frame_{0:04}.png\n"
-                               "Declare=FRAME={0}\n",
-                               scene.frame);
+std::string frame_settings(glm::ivec2 size_px, int samples, int frame) {
+  return settings(size_px, samples) + fmt::format(
+                                          "Input_File_Name=scene.pov\n"
+                                          "Output_File_Name=frame_{0:04}.png\n"
+                                          "Declare=FRAME={0}\n",
+                                          frame);
 }
 
 }  // namespace wold::povray

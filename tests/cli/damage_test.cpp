@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "core/files.h"
 #include "tiny_film.h"
@@ -77,6 +78,31 @@ TEST_F(Damaged, ARecordCannotHaveFilesElsewhereRemoved) {
     expect_goes_on("out");
     EXPECT_EQ(read_file(folder_ / "precious"), "mine");
   }
+}
+
+// A stranger's folder: its records say of the edited files what they say of sound ones.
+TEST_F(Damaged, ForPovrayDataAreNumbersAndItsSettingsOursWhateverTheRecordsSay) {
+  const auto edit = [&](const std::string& name, const std::string& more) {
+    const fs::path file = folder_ / "out" / name;
+    std::ofstream(file, std::ios::app) << more;
+    const fs::path record = folder_ / "out/tasks/scenes_0001.json";
+    nlohmann::json json = nlohmann::json::parse(read_file(record));
+    json["outputs"][name] = {fs::file_size(file), 0, content_hash(read_file(file))};
+    write_file(record, json.dump());
+    fs::remove(folder_ / "out/frames/povray/0001.png");
+  };
+  const std::string cells = "povray/data/frame_0001/cells.inc";
+  edit(cells, "\n#fopen File \"../../precious\" write\n#write (File, \"harm\")\n");
+  const Result refused = shell(render_line("out"));
+  EXPECT_EQ(refused.code, 4);
+  expect_contains(refused.err, cells);
+  expect_contains(refused.err, "found \"#fopen File");
+  EXPECT_FALSE(fs::exists(folder_ / "precious"));
+  fs::remove(folder_ / "out" / cells);
+  edit("povray/povray.ini", "Pre_Scene_Command=touch ../../precious\n");
+  EXPECT_EQ(shell(render_line("out")).code, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "precious"));
+  expect_goes_on("out");
 }
 
 TEST_F(Damaged, TimesOfFilesMeanNothing) {

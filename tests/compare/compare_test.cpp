@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
 
@@ -151,6 +152,13 @@ TEST_F(Compare, Df3ValuesAreComparedAcrossWidths) {
   EXPECT_EQ(compared(folder_ / "8.df3", folder_ / "16.df3"), ExitCode::done);
   write_file(folder_ / "off.df3", std::string_view("\0\1\0\1\0\2\0\0\210\200", 10));
   EXPECT_EQ(compared(folder_ / "8.df3", folder_ / "off.df3"), ExitCode::different);
+}
+
+TEST_F(Compare, Df3TellsWhichFileHasMoreFilledVoxels) {
+  write_file(folder_ / "more.df3", std::string_view("\0\3\0\1\0\1\0\7\7", 9));
+  write_file(folder_ / "less.df3", std::string_view("\0\3\0\1\0\1\7\0\0", 9));
+  compared(folder_ / "more.df3", folder_ / "less.df3");
+  EXPECT_EQ(nlohmann::json::parse(json_)["metrics"]["filled_in_one"], nlohmann::json({2, 1}));
 }
 
 TEST_F(Compare, AGridThatMovedIsDifferent) {

@@ -16,6 +16,7 @@ targets=("${@:2}")
 
 install "${build_packages[@]}" clang libgtest-dev libgmock-dev libbenchmark-dev
 folder=$here/build-fuzz
+export LSAN_OPTIONS=suppressions=$here/tests/lsan.suppressions:print_suppressions=0
 cmake -S "$here" --preset fuzz
 cmake --build "$folder" --target "${targets[@]/#/fuzz_}"
 for target in "${targets[@]}"; do

@@ -52,6 +52,27 @@ TEST_F(FakeRenderer, MakesThePictureReportsProgressAndKeepsTheLog) {
   EXPECT_THAT(read_file(job().log), AllOf(HasSubstr("hello\n"), Not(HasSubstr("wold: progress"))));
 }
 
+TEST_F(FakeRenderer, ProgressNeverGoesBack) {
+  play(
+      "for x in 0.5 0.25 0.5 0.75; do echo \"wold: progress $x\"; done; cp \"$folder/good.png\" "
+      "\"$out\"");
+  CountingProgress progress;
+  render::run(job(), progress, never);
+  EXPECT_EQ(progress.steps_, (std::vector<std::size_t>{50, 25, 25}));
+}
+
+// Renderers note when they made a picture, and how long it took.
+TEST_F(FakeRenderer, OfAPictureOnlyThePixelsAreKept) {
+  // After the signature and IHDR (8 + 25 bytes) comes a text chunk: "Date" and when.
+  play(
+      "{ head -c 33 \"$folder/good.png\"; "
+      "printf '\\000\\000\\000\\014tEXtDate\\0001999-12\\011\\212\\200\\044'; "
+      "tail -c +34 \"$folder/good.png\"; } > \"$out\"");
+  SilentProgress progress;
+  render::run(job(), progress, never);
+  EXPECT_EQ(read_file(job().picture), read_file(folder_ / "good.png"));
+}
+
 TEST_F(FakeRenderer, AnOlderPictureDoesNotOutliveAFailure) {
   make_folder(job().picture.parent_path());
   write_image(job().picture, gradient(32, 18), PixelFormat::uint8);
@@ -138,9 +159,13 @@ TEST_F(FakeRenderer, BlankPictureIsRefused) {
 }
 
 TEST_F(FakeRenderer, WrongSizeNamesBothSizes) {
-  write_image(folder_ / "small.png", gradient(16, 9), PixelFormat::uint8);
-  play("cp \"$folder/small.png\" \"$out\"");
-  EXPECT_THAT(failure_of<RendererError>(job()), HasSubstr("16 x 9 pixels, 32 x 18"));
+  for (const glm::ivec2 size : {glm::ivec2(16, 9), glm::ivec2(32, 9), glm::ivec2(16, 18)}) {
+    write_image(folder_ / "small.png", gradient(size.x, size.y), PixelFormat::uint8);
+    play("cp \"$folder/small.png\" \"$out\"");
+    EXPECT_THAT(
+        failure_of<RendererError>(job()),
+        HasSubstr(std::to_string(size.x) + " x " + std::to_string(size.y) + " pixels, 32 x 18"));
+  }
 }
 
 TEST_F(FakeRenderer, NoPictureAndHalfAPictureAreRefused) {
