@@ -46,6 +46,7 @@ class Raster {
     require_place();
     require_rows_of_text();
     if (!given_.empty()) take_system();
+    require_extent();
   }
 
   [[noreturn]] void fail(const std::string& reason) const {
@@ -146,6 +147,20 @@ class Raster {
     if (!std::isfinite(scale.factor) || scale.factor == 0.0 || !std::isfinite(scale.offset_m))
       fail(fmt::format("found heights scaled by {} and moved by {} m, expected finite numbers",
                        scale.factor, scale.offset_m));
+  }
+
+  /// PROJ 9.1 crashes where it is asked about places far outside of the world.
+  void require_extent() const {
+    constexpr glm::dvec2 farthest_degrees = {540.0, 91.0}, farthest_m = {1e8, 1e8};
+    const glm::dvec2 farthest = is_geographic() ? farthest_degrees : farthest_m;
+    const auto [low, high] = corners();
+    const bool is_within = glm::all(glm::greaterThanEqual(low, -farthest)) &&
+                           glm::all(glm::lessThanEqual(high, farthest));
+    if (!is_within)  // which is what places that are no numbers are not, either
+      fail(
+          fmt::format("found a model that reaches {}, expected one within {:.10g} east and {:.10g} "
+                      "north of 0, to all sides",
+                      extent(), farthest.x, farthest.y));
   }
 
   /// Where a grid of text ends too early GDAL would look for each missing row again and again,

@@ -226,6 +226,23 @@ TEST_F(ElevationTest, DegreesThatNobodyNamesAreNotTakenForMetres) {
             std::string::npos);
 }
 
+// PROJ 9.1 would crash. Past the date line and around the globe is near enough.
+TEST_F(ElevationTest, ModelsOutsideOfTheWorldAreRefused) {
+  const auto flat = [](double, double) { return 1.0; };
+  for (const auto& [system, west, north] :
+       {std::tuple("EPSG:32611", 1.1e8, 3.8e6), std::tuple("EPSG:32611", 5e5, -1e30),
+        std::tuple("EPSG:4326", 541.0, 0.0), std::tuple("EPSG:4326", 0.0, 92.0)}) {
+    const auto file = write({system, west, north, 0.002, 40, 40, flat});
+    EXPECT_NE(fault_of([&] {
+                read_elevation(file, {}, 33, 100.0);
+              }).find("found a model that reaches from "),
+              std::string::npos)
+        << west << " " << north;
+  }
+  const auto beyond = write({"EPSG:4326", 359.95, 60.0, 0.002, 40, 40, flat});
+  EXPECT_EQ(fault_of([&] { read_elevation(beyond, {}, 33, 100.0); }), "");
+}
+
 // What the scene says wins: the slope of UTM zone 11, stored as that of another zone.
 TEST_F(ElevationTest, TheSystemThatIsGivenWins) {
   const auto slope = [](double east, double) { return 0.2 * (east - 5e5); };
