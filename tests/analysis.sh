@@ -3,7 +3,9 @@
 #
 #     tests/analysis.sh asan [CTEST OPTION...]        tests with address and undefined-behaviour
 #                                                     sanitizers
-#     tests/analysis.sh asan-units                    those of some libraries, as .ci/run does
+#     tests/analysis.sh asan-units                    those of all libraries that start no renderer,
+#                                                     and threads with the thread sanitizer, as
+#                                                     .ci/run does
 #     tests/analysis.sh tsan [CTEST OPTION...]        with the thread sanitizer
 #     tests/analysis.sh coverage [CTEST OPTION...]    which lines of gen/ tests run: 90 % at least
 #     tests/analysis.sh cppcheck
@@ -26,16 +28,24 @@ test_with() {
   ctest --preset "$preset" --parallel "$(nproc)" "${@:2}"
 }
 
-# What reads users' files, and what of the rest is quick to build.
+# Of the command line only what reads: its tests start the program often, and renderers. Left out are
+# tests that start renderers, too, and those that take longest, with siblings that run the same code.
 test_units() {
+  local left_out='^(BlenderRender|BlenderAddOn|BlenderDifferences|BlenderStranger|Includes|OwnScene'
+  left_out+='|Picture|RealPovray|LargeTerrain|SiteOfFrame|SnowInAir|Growth\.Covers'
+  left_out+='|Assemble\.(Exposes|Dusk))'
+  local libraries=(core scene season light terrain grass cloud snow landscape povray blender preview
+    compare render)
+  local corpora=(scene df3 weather_table daily_weather elevation pictures vdb arguments records)
+  local labels
+  labels=$(IFS='|' && echo "${libraries[*]}")
   install "${build_packages[@]}" "${test_packages[@]}"
   say "Building libraries with asan"
   cmake --preset asan >/dev/null
-  cmake --build --preset asan --target test_{core,scene,season,light,terrain,cloud,snow} \
-    fuzz_{scene,df3,weather_table,daily_weather,elevation,pictures} >&2
+  cmake --build --preset asan --target "${libraries[@]/#/test_}" "${corpora[@]/#/fuzz_}" >&2
   say "Testing libraries with asan"
-  ctest --preset asan --parallel "$(nproc)" \
-    --label-regex '^(core|scene|season|light|terrain|cloud|snow)$'
+  ctest --preset asan --parallel "$(nproc)" --label-regex "^($labels)\$" --exclude-regex "$left_out"
+  ctest --preset asan --parallel "$(nproc)" --tests-regex '^Corpus'
 }
 
 # On one processor TBB has one thread, and nothing would be found.

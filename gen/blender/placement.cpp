@@ -44,17 +44,12 @@ Placement placement_of(const glm::dmat4& world_from_cell) {
   Rows u_rows;
   Rows v_rows;
   Imath::V3d scale;
-  Imath::jacobiSVD(rows_of(world_from_cell), u_rows, scale, v_rows, 1e-15, true);
-  glm::dmat3 u = columns_of(u_rows);
-  glm::dmat3 v = columns_of(v_rows);
-  if (glm::determinant(v) < 0.0) {  // then U mirrors too: turn both round, the product stays
-    u[2] = -u[2];
-    v[2] = -v[2];
-  }
+  constexpr bool without_mirroring = true;
+  Imath::jacobiSVD(rows_of(world_from_cell), u_rows, scale, v_rows, 1e-15, without_mirroring);
   return {glm::dvec3(world_from_cell[3]),
-          turn_of(glm::transpose(v)),
+          turn_of(glm::transpose(columns_of(v_rows))),
           {scale.x, scale.y, scale.z},
-          turn_of(u)};
+          turn_of(columns_of(u_rows))};
 }
 
 }  // namespace wold::blender

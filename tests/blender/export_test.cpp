@@ -88,11 +88,73 @@ TEST_F(BlenderExport, ArraysAndJsonSayWhatTheLandscapeSays) {
       const double high = (middles_m[at] + halves_m[at]) / landscape.patch_m;
       EXPECT_NEAR(std::max(low, 0.0), cell.part.low[axis], 1e-6);
       EXPECT_NEAR(std::min(high, 1.0), cell.part.high[axis], 1e-6);
+      // At its patch's sides a cell goes on, up to a patch farther: its neighbour comes up there.
+      if (cell.part.low[axis] == 0.0) {
+        EXPECT_NEAR(low, -1.0, 1e-6);
+      }
+      if (cell.part.high[axis] == 1.0) {
+        EXPECT_NEAR(high, 2.0, 1e-6);
+      }
     }
     for (int axis = 0; axis < 3; ++axis)  // nudged by at most 0.03 voxels
       EXPECT_NEAR(positions_m[3 * i + static_cast<std::size_t>(axis)],
                   cell.world_from_cell[3][axis], 0.031 * volume.voxel_m);
   }
+}
+
+// Where cells lean away from each other they are wider than their squares.
+TEST_F(BlenderExport, CellsReachToTheirNeighbours) {
+  landscape::Cell& cell = landscape.cells[4];
+  cell.world_from_cell = glm::dmat4(1.0);
+  cell.reach = glm::dmat4(glm::dmat3(1.25));
+  export_frame(landscape, folder / "out");
+  const auto scales = array<float>(frame_json()["cells"]["scales"]);
+  EXPECT_FLOAT_EQ(scales.at(3 * 4), 1.25F);
+  EXPECT_NEAR(scales.at(0) * scales.at(1) * scales.at(2), 1.0F, 1e-5F);  // a shear keeps volumes
+}
+
+// The picture's first row is the northern one.
+TEST_F(BlenderExport, PicturesOfTheGroundHaveNorthAtTheTop) {
+  const glm::vec3 south_west = landscape.ground.at(0, 0) + glm::vec3(0.25F);
+  landscape.ground.at(0, 0) = south_west;
+  export_frame(landscape, folder / "out");
+  const Image ground = read_image(folder / "out/data/frame_0001/ground.exr");
+  ASSERT_EQ(ground.height, landscape.ground.samples());
+  for (int channel = 0; channel < 3; ++channel)
+    EXPECT_NEAR(ground.pixel(0, ground.height - 1)[channel], south_west[channel], 1e-3F);
+}
+
+// Nothing of a finer picture is seen along its edge, all of it in its middle.
+TEST_F(BlenderExport, FinerPicturesOfTheGroundFadeInFromTheirEdges) {
+  landscape::GroundDetail detail;
+  detail.map = ColourMap(41, 0.2, glm::vec3(0.5F));
+  landscape.ground_details = {detail};
+  export_frame(landscape, folder / "out");
+  const Image picture = read_image(folder / "out/data/frame_0001/ground_detail_1.exr");
+  ASSERT_EQ(picture.channels, 4);
+  for (int i = 0; i < 41; ++i) {
+    EXPECT_EQ(picture.pixel(i, 0)[3], 0.0F);
+    EXPECT_EQ(picture.pixel(0, i)[3], 0.0F);
+    if (i > 0) {
+      EXPECT_GE(picture.pixel(std::min(i, 20), 20)[3], picture.pixel(std::min(i, 20) - 1, 20)[3]);
+    }
+  }
+  EXPECT_GT(picture.pixel(20, 20)[3], picture.pixel(1, 20)[3]);
+}
+
+// A step is half as long again as a pixel is wide where the volume is nearest.
+TEST_F(BlenderExport, StepsFollowTheWidthOfPixels) {
+  landscape.volumes.resize(1);
+  landscape.cells.resize(1);
+  landscape.cells[0].volume = 0;
+  landscape.cells[0].world_from_cell = glm::dmat4(1.0);
+  constexpr double step_voxels = 2.0;
+  const double pixel_m = step_voxels / 1.5 * landscape.volumes[0].voxel_m;
+  landscape.width_px = 4000;
+  landscape.camera.field_of_view_deg = 90.0;  // half as wide as it is far away
+  landscape.camera.eye_m = {0.0, -0.5 * landscape.width_px * pixel_m, 0.0};
+  export_frame(landscape, folder / "out");
+  EXPECT_NEAR(frame_json()["volumes"][0]["step_voxels"], step_voxels, 0.02 * step_voxels);
 }
 
 TEST_F(BlenderExport, VolumesHoldDensityAndItsProductWithRadiance) {
@@ -116,6 +178,8 @@ TEST_F(BlenderExport, VolumesHoldDensityAndItsProductWithRadiance) {
                   1e-3F * gain + 2e-4F);
     }
   }
+  // For Cycles voxel i is the box from i to i + 1: the first one, 1, begins where the cell does.
+  EXPECT_LT((got->indexToWorld(openvdb::Coord(1)) - openvdb::Vec3d(0.0)).length(), 1e-9);
   // The box is the volume's and a border of one voxel: what Cycles' seams depend on.
   const openvdb::CoordBBox box = got->evalActiveVoxelBoundingBox();
   EXPECT_EQ(box.min(), openvdb::Coord(0));

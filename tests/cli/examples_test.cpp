@@ -47,6 +47,21 @@ int ground_samples(const std::string& scene) {
   return std::min(std::stoi(from_value(scene, "terrain", "samples")), 129);
 }
 
+/// Scenes with large pictures, as they ship: levels of detail, variants, key frames, merged blades
+/// and flakes can be seen in them. golden_test.cpp has those of hillside.toml.
+const std::set<std::string> large = {"texel",         "texel_structure", "levels",
+                                     "key_frames",    "mingling_b3",     "snow_light",
+                                     "snow_blizzard", "evening",         "mountain"};
+
+/// The others are small: what they ship works and has its colours in its places.
+std::string picture_options(const std::string& name, const std::string& scene) {
+  if (large.contains(name)) return "--size 480x270 --samples 1";
+  return fmt::format(
+      "--size 96x54 --samples 1 --set 'grass.levels=[30]' --set grass.variants=1 "
+      "--set terrain.samples={}",
+      ground_samples(scene));
+}
+
 class Examples : public GoldenPictures, public testing::WithParamInterface<std::string> {};
 
 TEST_P(Examples, AreNamedAfterTheirFileAndLookAsTheyDid) {
@@ -62,10 +77,8 @@ TEST_P(Examples, AreNamedAfterTheirFileAndLookAsTheyDid) {
 
   // Wold itself looks whether a picture has the right size and is not blank.
   const int frame = middle_frame(checked.out);
-  const Result made = wold(fmt::format(
-      "render {} --quiet --out out --renderer both --frames {} --size 96x54 --samples 1 "
-      "--set 'grass.levels=[30]' --set grass.variants=1 --set terrain.samples={}",
-      scene, frame, ground_samples(checked.out)));
+  const Result made = wold(fmt::format("render {} --quiet --out out --renderer both --frames {} {}",
+                                       scene, frame, picture_options(name, checked.out)));
   ASSERT_EQ(made.code, 0) << made.err;
   for (const char* renderer : {"blender", "povray"})
     expect_golden(folder_ / fmt::format("out/frames/{}/{:04}.png", renderer, frame),
@@ -89,8 +102,6 @@ TEST(GoldenPictures, BelongToAnExample) {
 
 /// Scenes that differ have pictures that differ: else one of them shows nothing of what it is for.
 TEST(GoldenPictures, OfScenesThatDifferDiffer) {
-  // The two halves of figure 1 differ by their voxels alone, which small pictures have alike.
-  const std::set<std::string> alike_when_small = {"texel", "texel_structure"};
   for (const char* renderer : {"blender", "povray"}) {
     std::map<std::string, std::string> scene_of;
     for (const std::string& scene : scenes()) {
@@ -98,9 +109,8 @@ TEST(GoldenPictures, OfScenesThatDifferDiffer) {
       const fs::path picture = fs::path(WOLD_TESTS_DIR) / "golden" / "examples" /
                                fmt::format("{}_{}.png", name, renderer);
       const auto [known, is_new] = scene_of.emplace(read_file(picture), name);
-      if (is_new || (alike_when_small.contains(name) && alike_when_small.contains(known->second)))
-        continue;
-      ADD_FAILURE() << name << " and " << known->second << " have the same picture by " << renderer;
+      EXPECT_TRUE(is_new) << name << " and " << known->second << " have the same picture by "
+                          << renderer;
     }
   }
 }

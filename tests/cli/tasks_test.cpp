@@ -115,13 +115,17 @@ TEST_F(Tasks, PlanCountsWhatIsToDoAndSaysWhy) {
   const json fresh = plan("--out out");
   EXPECT_FALSE(fs::exists(folder_ / "out")) << "a plan writes nothing";
   std::map<std::string, int> runs;
-  for (const json& stage : fresh.at("stages")) runs[stage.at("stage")] = stage.at("runs");
+  for (const json& stage : fresh.at("stages")) {
+    runs[stage.at("stage")] = stage.at("runs");
+    EXPECT_EQ(stage.at("groups").at(0).at("runs"), "yes") << stage;
+  }
   EXPECT_EQ(runs, (std::map<std::string, int>{{"texels", 2}, {"scenes", 2}, {"blender", 2}}));
   render("out");
   const json rendered = plan("--out out");
   for (const json& stage : rendered.at("stages")) {
     EXPECT_EQ(stage.at("runs"), 0) << stage;
     EXPECT_EQ(stage.at("perhaps"), 0) << stage;
+    EXPECT_EQ(stage.at("groups").at(0).at("runs"), "no") << stage;
     EXPECT_EQ(stage.at("estimate").at("from"), "records") << stage;
   }
   fs::remove(folder_ / "out/frames/blender/0002.png");

@@ -52,6 +52,18 @@ TEST(CloudBoxes, ColumnsHaveTheLayersOpticalDepthInsideTheWindow) {
   EXPECT_GT(clouded, 100);
 }
 
+// Nearly all of a window lies before the camera, which is above its near end.
+TEST(CloudBoxes, WindowsLieWhereTheCameraLooks) {
+  View view;
+  for (const glm::dvec2 ahead :
+       {glm::dvec2(0.0, 1.0), glm::dvec2(0.0, -1.0), glm::dvec2(1.0, 0.0), glm::dvec2(-0.6, 0.8)}) {
+    view.camera.target_m = view.camera.eye_m + glm::dvec3(15.0 * ahead, 4.0);
+    const CloudWindow window = *cloud_windows(view.clouds, view.camera)[0];
+    const glm::dvec2 middle_m = window.south_west_m + window.side_m / 2.0;
+    EXPECT_GT(glm::dot(middle_m - glm::dvec2(view.camera.eye_m), ahead), 0.3 * window.side_m);
+  }
+}
+
 TEST(CloudBoxes, WindowsStandStillUnderAMovingCamera) {
   View view;
   const CloudWindow before = *view.windows[0];

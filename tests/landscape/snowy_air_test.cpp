@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/colour.h"
+
 namespace wold::landscape {
 namespace {
 
@@ -45,6 +47,19 @@ TEST(SnowyAir, ThickSnowLightsTheGroundAsItsSkyDoes) {
   const glm::dvec3 seen = irradiance(air);
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c] / double{light[c]}, 1.0, 0.02);
   EXPECT_GT(light.b, light.r);
+}
+
+// A camera opens up under snow clouds: level ground is hardly darker than its white, day and dusk.
+TEST(SnowyAir, LeavesALittleOfTheGloom) {
+  for (const double elevation_deg : {50.0, 3.0}) {
+    scene::Sun sun;
+    sun.elevation_deg = elevation_deg;
+    const light::Daylight day(sun, scene::Sky{});
+    const ColourMap none(2, 1.0, glm::vec3(0.0F));
+    const glm::vec3 light = SnowyAir(day, 0.01, 0.3).light(none, FactorMap(2, 1.0, 1.0F)).at(0, 0);
+    EXPECT_GT(luminance(light), 0.9);
+    EXPECT_LT(luminance(light), 1.0);
+  }
 }
 
 TEST(SnowyAir, SunAndClearSkyFadeByBeersLaw) {

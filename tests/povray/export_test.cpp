@@ -9,6 +9,7 @@
 #include "core/df3.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "core/image.h"
 #include "core/vdb_dense.h"
 #include "povray/ground_files.h"
 #include "povray/volume_files.h"
@@ -142,6 +143,37 @@ TEST_F(Export, AnInterruptedVolumeIsWrittenAgain) {
   volume.content = content;
   export_frame(scene, folder / "povray");
   EXPECT_EQ(read_file(blue), bytes);
+}
+
+// Where east, north and up of a cell point to, and its corner, in this order.
+TEST_F(Export, CellsStandWhereTheLandscapeHasThem) {
+  landscape::Cell cell = scene.cells.front();
+  cell.world_from_cell = glm::dmat4({0, 1, 0.25, 0}, {-1, 0, 0.5, 0}, {0, 0, 2, 0}, {3, 4, 5, 1});
+  scene.cells = {cell};
+  export_frame(scene, folder / "povray");
+  EXPECT_THAT(read_file(folder / "povray/data/frame_0001/cells.inc"),
+              testing::HasSubstr("Wold_cell(0, <0, 1, 0.25>, <-1, 0, 0.5>, <0, 0, 2>, <3, 4, 5>)"));
+}
+
+// POV-Ray's v rises from the lower edge of a picture, whose rows begin with the upper one.
+TEST_F(Export, BladesHaveTheirOwnColours) {
+  Tubes tubes{.rings = 1, .corners = 3, .vertices_m = {}, .radiance = {}};
+  for (int tube = 0; tube < 4; ++tube) {
+    for (int corner = 0; corner < 3; ++corner) tubes.vertices_m.emplace_back(tube, corner, 0);
+    tubes.radiance.emplace_back(0.125F * static_cast<float>(tube), 0.5F, 1.0F);
+  }
+  scene.blade_meshes[0].name = "four";
+  scene.blade_meshes[0].tubes = std::make_shared<const Tubes>(tubes);
+  export_frame(scene, folder / "povray");
+  const std::string text = read_file(folder / "povray/data/blades/four.inc");
+  const Image picture = read_image(folder / "povray/data/blades/four.exr");
+  std::size_t at = text.find("uv_vectors");
+  for (int vertex = 0; vertex < 12; ++vertex) {
+    at = text.find(",<", at) + 2;
+    const double v = std::stod(text.substr(text.find(',', at) + 1));
+    const int row = static_cast<int>((1.0 - v) * picture.height);
+    EXPECT_EQ(picture.pixel(0, row)[0], 0.125F * static_cast<float>(vertex / 3));
+  }
 }
 
 // A folder of an older wold has meshes that are written otherwise, under the same names.
