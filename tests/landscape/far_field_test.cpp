@@ -17,15 +17,19 @@ namespace {
 constexpr float extinction = 3.0F;
 const glm::vec3 source(0.02F, 0.04F, 0.01F);
 
-/// A patch of 0.6 m filled 0.4 m high with an even glowing fog.
-Volume even_fog(const std::filesystem::path& folder) {
+/// A patch of 0.6 m filled 0.4 m high with a glowing fog: even, or walls of it to the north and
+/// south, `wall` of every 10 voxels wide.
+Volume fog_of_walls(const std::filesystem::path& folder, int wall) {
   auto density = openvdb::FloatGrid::create(0.0F);
   auto emission = openvdb::Vec3SGrid::create(openvdb::Vec3s(0.0F));
   density->setName("density");
   emission->setName("emission_q0");
-  const openvdb::CoordBBox box(openvdb::Coord(1), openvdb::Coord(30, 30, 20));
-  density->fill(box, extinction);
-  emission->fill(box, openvdb::Vec3s(source.x, source.y, source.z));
+  for (int west = 1; west <= 30; west += 10) {
+    const openvdb::CoordBBox box(openvdb::Coord(west, 1, 1),
+                                 openvdb::Coord(west + wall - 1, 30, 20));
+    density->fill(box, extinction);
+    emission->fill(box, openvdb::Vec3s(source.x, source.y, source.z));
+  }
   Volume volume;
   volume.vdb = folder / "fog.vdb";
   volume.emission_grid = "emission_q0";
@@ -34,6 +38,8 @@ Volume even_fog(const std::filesystem::path& folder) {
   write_vdb(volume.vdb, {density, emission});
   return volume;
 }
+
+Volume even_fog(const std::filesystem::path& folder) { return fog_of_walls(folder, 10); }
 
 /// Beer and Lambert.
 double through(double length_m) { return std::exp(-double{extinction} * length_m); }
@@ -48,6 +54,23 @@ TEST(PatchLook, FollowsBeerAndLambert) {
     const double wanted = through(0.4 / std::sin(elevation));
     EXPECT_NEAR(seen.transmittance, wanted, 0.03 * wanted + 0.001) << elevation_deg;
     EXPECT_NEAR(seen.radiance.g, double{source.g} * (1.0 - wanted), 0.01 * double{source.g});
+  }
+}
+
+// Along walls a fifth of the rays goes through nothing but fog; across them each meets some.
+TEST(PatchLook, IsThatFromItsAzimuth) {
+  const test::TemporaryFolder folder("walls");
+  const Volume walls = fog_of_walls(folder.path(), 2);
+  const PatchLook look(std::span(&walls, 1));
+  const double elevation = 25.0 * 3.14159265358979 / 180.0;
+  const double way_m = 0.4 / std::sin(elevation);
+  for (const double sign : {-1.0, 1.0}) {
+    const double along =
+        look.along({0.0, sign * std::cos(elevation), -std::sin(elevation)}).transmittance;
+    const double across =
+        look.along({sign * std::cos(elevation), 0.0, -std::sin(elevation)}).transmittance;
+    EXPECT_NEAR(along, 0.8 + 0.2 * through(way_m), 0.025);
+    EXPECT_NEAR(across, through(0.2 * way_m), 0.025);
   }
 }
 
@@ -111,6 +134,31 @@ TEST(FarField, ShowsWhatTheVolumeWouldShow) {
   EXPECT_NEAR(ground.sample(200.0, 390.0).g, 0.8 * double{source.g} * (1.0 - left) + 0.005 * left,
               1e-4);
   EXPECT_EQ(ground.sample(200.0, 60.0), bare);
+}
+
+// Seen along its leaning blades, a meadow looks as upright grass does from above, through as much
+// more of it as the way is longer.
+TEST(FarField, LeansAsTheGrassDoes) {
+  const test::TemporaryFolder folder("leaning");
+  const Volume walls = fog_of_walls(folder.path(), 2);
+  scene::Scene scene = plain_scene();
+  scene.wind.heading_deg = 90.0;
+  scene.wind.lean_deg = 20.0;
+  const Heightfield flat(41, 400.0);
+  const glm::dvec3 at_m(200.0, 150.0, 0.0);
+  const glm::dvec2 lean = Combing(scene, 2).lean(glm::dvec2(at_m));
+  ASSERT_GT(std::abs(lean.x), 0.2);
+  const Withering withering(scene, flat);
+  std::map<grass::PatchState, PatchLook> looks;
+  for (const grass::PatchState& state : far_states(scene, withering, 2))
+    looks.emplace(state, std::span(&walls, 1));
+  const auto seen = [&](double sign) {
+    const View view({at_m + 30.0 * glm::dvec3(sign * lean, 1.0), at_m, 55.0}, 960, 540);
+    return Meadow(scene, flat, withering, view, 2, looks).look(at_m).transmittance;
+  };
+  const double from_above = PatchLook(std::span(&walls, 1)).along({0.0, 0.0, -1.0}).transmittance;
+  EXPECT_NEAR(seen(1.0), std::pow(from_above, std::sqrt(1.0 + glm::dot(lean, lean))), 1e-6);
+  EXPECT_LT(seen(-1.0), seen(1.0) - 0.02);
 }
 
 // At a quarter of the visual range haze hides 1 - 0.02^(1/4) and puts its own light there; grass

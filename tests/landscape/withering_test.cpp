@@ -147,11 +147,14 @@ TEST(SiteOfFrame, HasTheLightOfASettingSun) {
   EXPECT_GT(lit(2), lit(3));
 }
 
-// However few frames, every light is one: of unit irradiance, as baked grass has it.
-TEST(FilmLights, OfTwoFramesAreLights) {
+class FilmLights : public testing::TestWithParam<double> {};
+
+// However few frames and however much snow falls, every light is one: of unit irradiance, as baked
+// grass has it.
+TEST_P(FilmLights, OfTwoFramesAreLights) {
   scene::Scene scene = even_season();
   scene.season.frames = 2;
-  scene.weather.precipitation_mm_h = 1.0;
+  scene.weather.precipitation_mm_h = GetParam();
   scene.weather.temperature_c = -5.0;
   scene = season::as_film(scene);
   scene.terrain.size_m = 8.0;
@@ -167,6 +170,8 @@ TEST(FilmLights, OfTwoFramesAreLights) {
     EXPECT_NEAR(sum.g, 1.0F, 1e-4F);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(InHeavyAndLightSnow, FilmLights, testing::Values(1.0, 0.01));
 
 }  // namespace
 }  // namespace wold::landscape

@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
+#include <sstream>
 
 #include "core/df3.h"
 #include "core/error.h"
@@ -153,6 +155,27 @@ TEST_F(Export, CellsStandWhereTheLandscapeHasThem) {
   export_frame(scene, folder / "povray");
   EXPECT_THAT(read_file(folder / "povray/data/frame_0001/cells.inc"),
               testing::HasSubstr("Wold_cell(0, <0, 1, 0.25>, <-1, 0, 0.5>, <0, 0, 2>, <3, 4, 5>)"));
+}
+
+// Cells stand on squares of ground that are cut from south-west to north-east (terrain/relief.h).
+TEST_F(Export, GroundIsCutFromSouthWestToNorthEast) {
+  const int n = 3;
+  const std::string name = write_terrain(Heightfield(n, 2.0, 0.0F), folder);
+  const std::string text = read_file(folder / name);
+  std::istringstream numbers(text.substr(text.find("face_indices")));
+  std::vector<int> indices;
+  for (char c; numbers.get(c);)
+    if (c == '<' || c == ',')
+      if (int index = 0; numbers.peek() != '<' && numbers >> index) indices.push_back(index);
+  ASSERT_EQ(indices.size(), 3U * 2 * (n - 1) * (n - 1));
+  for (int square = 0; square < (n - 1) * (n - 1); ++square) {
+    const int south_west = square / (n - 1) * n + square % (n - 1);
+    for (int half = 0; half < 2; ++half) {
+      const auto first = indices.begin() + 6 * square + 3 * half;
+      EXPECT_EQ(std::count(first, first + 3, south_west), 1);
+      EXPECT_EQ(std::count(first, first + 3, south_west + n + 1), 1);
+    }
+  }
 }
 
 // POV-Ray's v rises from the lower edge of a picture, whose rows begin with the upper one.
