@@ -3,9 +3,8 @@
 #
 #     tests/analysis.sh asan [CTEST OPTION...]        tests with address and undefined-behaviour
 #                                                     sanitizers
-#     tests/analysis.sh asan-units                    those of all libraries that start no renderer,
-#                                                     and threads with the thread sanitizer, as
-#                                                     .ci/run does
+#     tests/analysis.sh asan-units                    those of all libraries that start neither a
+#                                                     renderer nor wold, as .ci/run does
 #     tests/analysis.sh tsan [CTEST OPTION...]        with the thread sanitizer
 #     tests/analysis.sh coverage [CTEST OPTION...]    which lines of gen/ tests run: 90 % at least
 #     tests/analysis.sh cppcheck

@@ -25,7 +25,7 @@ scenes=(
   "points figures/points 2"
 )
 declare -A bpy_of_system=([bookworm]=4.5 [trixie]=5.2)
-picture_tests='^(BlenderRender|BlenderAddOn|OnePicture)\.|/(Renderers|Golden|OneLook)\.|^SameBytes$'
+picture_tests='^(BlenderRender|BlenderAddOn|GoldenHillside|OnePicture)\.|/(Renderers|OneLook)\.|^SameBytes$'
 clone=/root/wold # in each root
 made=/root/made
 
