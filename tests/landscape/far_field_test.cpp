@@ -17,16 +17,17 @@ namespace {
 constexpr float extinction = 3.0F;
 const glm::vec3 source(0.02F, 0.04F, 0.01F);
 
-/// A patch of 0.6 m filled 0.4 m high with a glowing fog: even, or walls of it to the north and
-/// south, `wall` of every 10 voxels wide.
-Volume fog_of_walls(const std::filesystem::path& folder, int wall) {
+/// A patch of 0.6 m filled 0.4 m high with a glowing fog: even, or walls of it across x (0) or y
+/// (1), `wall` of every 10 voxels thick.
+Volume fog_of_walls(const std::filesystem::path& folder, int wall, int across = 0) {
   auto density = openvdb::FloatGrid::create(0.0F);
   auto emission = openvdb::Vec3SGrid::create(openvdb::Vec3s(0.0F));
   density->setName("density");
   emission->setName("emission_q0");
-  for (int west = 1; west <= 30; west += 10) {
-    const openvdb::CoordBBox box(openvdb::Coord(west, 1, 1),
-                                 openvdb::Coord(west + wall - 1, 30, 20));
+  for (int first = 1; first <= 30; first += 10) {
+    openvdb::CoordBBox box(openvdb::Coord(1), openvdb::Coord(30, 30, 20));
+    box.min()[across] = first;
+    box.max()[across] = first + wall - 1;
     density->fill(box, extinction);
     emission->fill(box, openvdb::Vec3s(source.x, source.y, source.z));
   }
@@ -60,17 +61,18 @@ TEST(PatchLook, FollowsBeerAndLambert) {
 // Along walls a fifth of the rays goes through nothing but fog; across them each meets some.
 TEST(PatchLook, IsThatFromItsAzimuth) {
   const test::TemporaryFolder folder("walls");
-  const Volume walls = fog_of_walls(folder.path(), 2);
-  const PatchLook look(std::span(&walls, 1));
   const double elevation = 25.0 * 3.14159265358979 / 180.0;
   const double way_m = 0.4 / std::sin(elevation);
-  for (const double sign : {-1.0, 1.0}) {
-    const double along =
-        look.along({0.0, sign * std::cos(elevation), -std::sin(elevation)}).transmittance;
-    const double across =
-        look.along({sign * std::cos(elevation), 0.0, -std::sin(elevation)}).transmittance;
-    EXPECT_NEAR(along, 0.8 + 0.2 * through(way_m), 0.025);
-    EXPECT_NEAR(across, through(0.2 * way_m), 0.025);
+  for (const int across : {0, 1}) {
+    const Volume walls = fog_of_walls(folder.path(), 2, across);
+    const PatchLook look(std::span(&walls, 1));
+    for (const double sign : {-1.0, 1.0}) {
+      glm::dvec3 direction(0.0, 0.0, -std::sin(elevation));
+      direction[across] = sign * std::cos(elevation);
+      EXPECT_NEAR(look.along(direction).transmittance, through(0.2 * way_m), 0.025);
+      std::swap(direction.x, direction.y);
+      EXPECT_NEAR(look.along(direction).transmittance, 0.8 + 0.2 * through(way_m), 0.025);
+    }
   }
 }
 
