@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <openvdb/io/File.h>
 #include <openvdb/io/GridDescriptor.h>
-#include <openvdb/io/Stream.h>
 
 #include <algorithm>
 #include <array>
@@ -91,11 +90,61 @@ class Passing {
   std::streampos begin_, end_;
 };
 
-/// Reads a file's list of grids from a stream that throws at its end. OpenVDB 10 does not look at
-/// the stream there, so a damaged length or count makes it work for hours on what is not there.
+/// Reads a file from a stream that throws at its end. OpenVDB 10 does not look at the stream, so a
+/// damaged length or count makes it work for hours on what is not there. Its own reader of streams
+/// looks for a grid where it lost the one before: here each begins where the list of grids has it.
 class Directory : public openvdb::io::Archive {
  public:
+  /// Whether all grids are there. Throws what the stream does, and std::runtime_error.
   void check(const fs::path& path) {
+    each_grid(path, [](const Grid&) {});
+  }
+  /// What is said of the file as a whole.
+  openvdb::MetaMap::Ptr metadata(const fs::path& path) {
+    check(path);
+    return metadata_;
+  }
+  /// The first grid of that name, whole. Throws FileError, which names those that are there, when
+  /// there is none.
+  openvdb::GridBase::Ptr read(const fs::path& path, const std::string& name) {
+    openvdb::GridBase::Ptr wanted;
+    std::string there;
+    bool has_anothers_tree = false;
+    each_grid(path, [&](const Grid& found) {
+      there += " " + found.descriptor.gridName();
+      if (wanted || found.descriptor.gridName() != name) return;
+      wanted = found.grid;
+      has_anothers_tree = found.descriptor.isInstance();
+      if (!has_anothers_tree) readGrid(wanted, found.descriptor, found.in);
+    });
+    if (!wanted)
+      throw FileError(fmt::format("{} has no grid \"{}\"; it has:{}", path.string(), name, there));
+    if (!has_anothers_tree) return wanted;
+    const openvdb::GridPtrVecPtr all = read(path);
+    return *std::ranges::find_if(*all, [&](const auto& grid) { return grid->getName() == name; });
+  }
+  /// All grids, whole.
+  openvdb::GridPtrVecPtr read(const fs::path& path) {
+    auto grids = std::make_shared<openvdb::GridPtrVec>();
+    NamedGridMap by_name;
+    each_grid(path, [&](const Grid& found) {
+      readGrid(found.grid, found.descriptor, found.in);
+      by_name.emplace(found.descriptor.uniqueName(), found.grid);
+      connectInstance(found.descriptor, by_name);
+      grids->push_back(found.grid);
+    });
+    return grids;
+  }
+
+ private:
+  struct Grid {
+    const openvdb::io::GridDescriptor& descriptor;
+    openvdb::GridBase::Ptr grid;  ///< empty
+    std::istream& in;             ///< where its contents begin
+  };
+
+  template <class Visit>
+  void each_grid(const fs::path& path, const Visit& visit) {
     std::ifstream in(path, std::ios::binary);
     in.exceptions(std::ios::failbit | std::ios::badbit);
     check_version(in);
@@ -103,19 +152,21 @@ class Directory : public openvdb::io::Archive {
     setFormatVersion(in);
     setLibraryVersion(in);
     check_metadata(in);
-    openvdb::MetaMap().readMeta(in);
+    metadata_ = std::make_shared<openvdb::MetaMap>();
+    metadata_->readMeta(in);
     for (int grids_left = readGridCount(in); grids_left > 0; --grids_left) {
       constexpr int names = 3;  // the grid's, its type's, and that of another with the same tree
       Passing passing(in);
       passing.texts(names);
       passing.end();
-      openvdb::io::GridDescriptor grid;
-      grid.read(in);
+      openvdb::io::GridDescriptor descriptor;
+      const openvdb::GridBase::Ptr grid = descriptor.read(in);
       if (fileVersion() >= openvdb::OPENVDB_FILE_VERSION_NODE_MASK_COMPRESSION)
         check_metadata(in, /*is_behind_compression=*/true);
       // Where a grid ends is written last: 0 when there was no room for that any more.
-      if (grid.getEndPos() <= in.tellg()) throw std::runtime_error("a grid has no end");
-      grid.seekToEnd(in);
+      if (descriptor.getEndPos() <= in.tellg()) throw std::runtime_error("a grid has no end");
+      visit(Grid{descriptor, grid, in});
+      descriptor.seekToEnd(in);
     }
     // Seeking succeeds beyond the end, so the last grid may still be cut off.
     const auto expected = in.tellg();
@@ -123,7 +174,6 @@ class Directory : public openvdb::io::Archive {
       throw std::runtime_error("it ends too early");
   }
 
- private:
   /// Of the file, or of a grid, where the number of its compression stands before it.
   static void check_metadata(std::istream& in, bool is_behind_compression = false) {
     Passing passing(in);
@@ -142,14 +192,15 @@ class Directory : public openvdb::io::Archive {
                                            version, std::uint32_t{openvdb::OPENVDB_FILE_VERSION}));
     in.seekg(0);
   }
+
+  openvdb::MetaMap::Ptr metadata_;
 };
 
-/// What `read` makes of a file whose list of grids is sound.
+/// What `read` makes of a file; whatever is wrong with that is a FileError.
 template <class Read>
 auto read_checked(const fs::path& path, const Read& read) {
   openvdb::initialize();
   try {
-    Directory().check(path);
     return read();
   } catch (const FileError&) {
     throw;
@@ -160,15 +211,6 @@ auto read_checked(const fs::path& path, const Read& read) {
   } catch (const std::exception& error) {
     throw FileError(fmt::format("cannot read {}: {}", path.string(), error.what()));
   }
-}
-
-template <class Read>
-auto read_opened(const fs::path& path, const Read& read) {
-  return read_checked(path, [&] {
-    openvdb::io::File file(path.string());
-    file.open(/*delayLoad=*/false);
-    return read(file);
-  });
 }
 
 }  // namespace
@@ -191,25 +233,15 @@ void write_vdb(const fs::path& path, const openvdb::GridPtrVec& grids,
 }
 
 openvdb::GridPtrVecPtr read_vdb(const fs::path& path) {
-  // From a stream that throws at its end: see Directory.
-  return read_checked(path, [&] {
-    std::ifstream in(path, std::ios::binary);
-    in.exceptions(std::ios::failbit | std::ios::badbit);
-    return openvdb::io::Stream(in, /*delayLoad=*/false).getGrids();
-  });
+  return read_checked(path, [&] { return Directory().read(path); });
 }
 
 openvdb::GridBase::Ptr read_vdb_grid(const fs::path& path, const std::string& name) {
-  return read_opened(path, [&](openvdb::io::File& file) {
-    if (file.hasGrid(name)) return file.readGrid(name);
-    std::string there;
-    for (auto it = file.beginName(); it != file.endName(); ++it) there.append(" ").append(*it);
-    throw FileError(fmt::format("{} has no grid \"{}\"; it has:{}", path.string(), name, there));
-  });
+  return read_checked(path, [&] { return Directory().read(path, name); });
 }
 
 openvdb::MetaMap::Ptr read_vdb_metadata(const fs::path& path) {
-  return read_opened(path, [](openvdb::io::File& file) { return file.getMetadata(); });
+  return read_checked(path, [&] { return Directory().metadata(path); });
 }
 
 }  // namespace wold

@@ -162,6 +162,7 @@ std::vector<fs::path> frame_files(const landscape::Landscape& scene, const fs::p
   for (std::size_t i = 1; i <= scene.ground_details.size(); ++i)
     names.push_back(fmt::format("ground_detail_{}.exr", i));
   std::vector<fs::path> files;
+  files.reserve(names.size());
   for (const std::string& name : names) files.push_back(frame / name);
   for (const landscape::CloudBox& cloud : scene.clouds)
     for (const fs::path& file : volume_files(cloud.name, frame)) files.push_back(file);
