@@ -93,7 +93,7 @@ class Passing {
 /// Reads a file from a stream that throws at its end. OpenVDB 10 does not look at the stream, so a
 /// damaged length or count makes it work for hours on what is not there. Its own reader of streams
 /// looks for a grid where it lost the one before: here each begins where the list of grids has it.
-class Directory : public openvdb::io::Archive {
+class Reader : public openvdb::io::Archive {
  public:
   /// Whether all grids are there. Throws what the stream does, and std::runtime_error.
   void check(const fs::path& path) {
@@ -106,7 +106,7 @@ class Directory : public openvdb::io::Archive {
   }
   /// The first grid of that name, whole. Throws FileError, which names those that are there, when
   /// there is none.
-  openvdb::GridBase::Ptr read(const fs::path& path, const std::string& name) {
+  openvdb::GridBase::Ptr grid(const fs::path& path, const std::string& name) {
     openvdb::GridBase::Ptr wanted;
     std::string there;
     bool has_anothers_tree = false;
@@ -120,27 +120,27 @@ class Directory : public openvdb::io::Archive {
     if (!wanted)
       throw FileError(fmt::format("{} has no grid \"{}\"; it has:{}", path.string(), name, there));
     if (!has_anothers_tree) return wanted;
-    const openvdb::GridPtrVecPtr all = read(path);
-    return *std::ranges::find_if(*all, [&](const auto& grid) { return grid->getName() == name; });
+    const openvdb::GridPtrVecPtr all = grids(path);
+    return *std::ranges::find_if(*all, [&](const auto& one) { return one->getName() == name; });
   }
   /// All grids, whole.
-  openvdb::GridPtrVecPtr read(const fs::path& path) {
-    auto grids = std::make_shared<openvdb::GridPtrVec>();
+  openvdb::GridPtrVecPtr grids(const fs::path& path) {
+    auto all = std::make_shared<openvdb::GridPtrVec>();
     NamedGridMap by_name;
     each_grid(path, [&](const Grid& found) {
       readGrid(found.grid, found.descriptor, found.in);
       by_name.emplace(found.descriptor.uniqueName(), found.grid);
       connectInstance(found.descriptor, by_name);
-      grids->push_back(found.grid);
+      all->push_back(found.grid);
     });
-    return grids;
+    return all;
   }
 
  private:
   struct Grid {
     const openvdb::io::GridDescriptor& descriptor;
-    openvdb::GridBase::Ptr grid;  ///< empty
-    std::istream& in;             ///< where its contents begin
+    openvdb::GridBase::Ptr grid;  ///< without its contents
+    std::istream& in;             ///< where these begin
   };
 
   template <class Visit>
@@ -160,12 +160,12 @@ class Directory : public openvdb::io::Archive {
       passing.texts(names);
       passing.end();
       openvdb::io::GridDescriptor descriptor;
-      const openvdb::GridBase::Ptr grid = descriptor.read(in);
+      const openvdb::GridBase::Ptr empty = descriptor.read(in);
       if (fileVersion() >= openvdb::OPENVDB_FILE_VERSION_NODE_MASK_COMPRESSION)
         check_metadata(in, /*is_behind_compression=*/true);
       // Where a grid ends is written last: 0 when there was no room for that any more.
       if (descriptor.getEndPos() <= in.tellg()) throw std::runtime_error("a grid has no end");
-      visit(Grid{descriptor, grid, in});
+      visit(Grid{descriptor, empty, in});
       descriptor.seekToEnd(in);
     }
     // Seeking succeeds beyond the end, so the last grid may still be cut off.
@@ -227,21 +227,21 @@ void write_vdb(const fs::path& path, const openvdb::GridPtrVec& grids,
       file.setGridStatsMetadataEnabled(false);
       file.write(grids, metadata);
     }
-    Directory().check(temporary);  // OpenVDB says nothing of a full disk
+    Reader().check(temporary);  // OpenVDB says nothing of a full disk
     overwrite_header(temporary);
   });
 }
 
 openvdb::GridPtrVecPtr read_vdb(const fs::path& path) {
-  return read_checked(path, [&] { return Directory().read(path); });
+  return read_checked(path, [&] { return Reader().grids(path); });
 }
 
 openvdb::GridBase::Ptr read_vdb_grid(const fs::path& path, const std::string& name) {
-  return read_checked(path, [&] { return Directory().read(path, name); });
+  return read_checked(path, [&] { return Reader().grid(path, name); });
 }
 
 openvdb::MetaMap::Ptr read_vdb_metadata(const fs::path& path) {
-  return read_checked(path, [&] { return Directory().metadata(path); });
+  return read_checked(path, [&] { return Reader().metadata(path); });
 }
 
 }  // namespace wold

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/error.h"
 #include "core/files.h"
@@ -149,6 +150,22 @@ class Reader {
   std::string_view rest_;
 };
 
+/// Those below `data`, but for the folders of frames with other names than `own`.
+std::vector<fs::path> include_files(const fs::path& data, const std::string& own) {
+  std::vector<fs::path> files;
+  for (auto entry = fs::recursive_directory_iterator(data); entry != end(entry); ++entry) {
+    const fs::path& path = entry->path();
+    const std::string name = path.filename().string();
+    if (entry->is_symlink() && entry->is_directory())
+      throw FileError(
+          fmt::format("{}: found a link to a folder, expected a folder", path.string()));
+    if (entry->is_directory() && name.starts_with("frame_") && name != own)
+      entry.disable_recursion_pending();
+    if (path.extension() == ".inc") files.push_back(path);
+  }
+  return files;
+}
+
 void require_data_only_in(const fs::path& file) {
   const std::string text = read_file(file);
   Reader reader(text);
@@ -164,17 +181,12 @@ void require_data_only_in(const fs::path& file) {
 }  // namespace
 
 void require_data_only(const fs::path& folder, int frame) {
-  const std::string own = fmt::format("frame_{:04}", frame);
-  for (auto entry = fs::recursive_directory_iterator(folder / "data"); entry != end(entry);
-       ++entry) {
-    const fs::path& path = entry->path();
-    const std::string name = path.filename().string();
-    if (entry->is_symlink() && entry->is_directory())
-      throw FileError(
-          fmt::format("{}: found a link to a folder, expected a folder", path.string()));
-    if (entry->is_directory() && name.starts_with("frame_") && name != own)
-      entry.disable_recursion_pending();
-    if (path.extension() == ".inc") require_data_only_in(path);
+  try {
+    for (const fs::path& file : include_files(folder / "data", fmt::format("frame_{:04}", frame)))
+      require_data_only_in(file);
+  } catch (const fs::filesystem_error& error) {
+    throw FileError(
+        fmt::format("cannot read {}: {}", error.path1().string(), error.code().message()));
   }
 }
 
