@@ -33,8 +33,8 @@ test_units() {
   local left_out='^(BlenderRender|BlenderAddOn|BlenderDifferences|BlenderStranger|Includes|OwnScene'
   left_out+='|Picture|RealPovray|LargeTerrain|SiteOfFrame|SnowInAir|Growth\.Covers'
   left_out+='|Assemble\.(Exposes|Dusk))'
-  local libraries=(core scene season light terrain grass cloud snow landscape povray blender preview
-    compare render)
+  local libraries=(core scene weather snowpack phenology light terrain grass cloud snow landscape
+    place sky meadow ground expectation film povray blender preview report compare render)
   local corpora=(scene df3 weather_table daily_weather elevation pictures vdb arguments records)
   local labels
   labels=$(IFS='|' && echo "${libraries[*]}")

@@ -16,7 +16,7 @@
 #include "core/elementary.h"
 #include "core/files.h"
 #include "core/parallel.h"
-#include "landscape/expectation.h"
+#include "expectation/expectation.h"
 
 namespace wold::blender {
 namespace {
@@ -96,7 +96,7 @@ std::vector<fs::path> export_frame(const Landscape& landscape, const fs::path& f
                [&](std::size_t i) { write_blades(landscape.blade_meshes[i], blades_folder); });
   const ShownVolumes shown(landscape);
   const std::vector<VolumeEntry> entries = write_volumes(landscape, shown, volume_folder);
-  write_expected_picture(frame_folder / "expected.json", landscape::expected_picture(landscape));
+  write_expected_picture(frame_folder / "expected.json", expectation::expected_picture(landscape));
   std::vector<fs::path> files =
       write_frame_data(landscape, frame_folder, entries, shown.picks(), folder / "data");
   files.push_back(frame_folder / "expected.json");

@@ -1,15 +1,15 @@
 #include "cli/commands.h"
 #include "cli/output.h"
-#include "cli/scene_warnings.h"
+#include "cli/warnings.h"
+#include "phenology/film_season.h"
 #include "scene/parse.h"
 #include "scene/write.h"
-#include "season/film_season.h"
 
 namespace wold::cli {
 
 ExitCode run_check(const std::filesystem::path& scene, const std::vector<std::string>& overrides) {
   const scene::Scene checked = scene::read_scene(scene, overrides);
-  print_warnings(season::as_film(checked));
+  print_warnings(phenology::as_film(checked));
   print_data(scene::resolved_toml(checked));
   return ExitCode::done;
 }

@@ -24,8 +24,8 @@ std::string value_of(const CLI::Option& option) {
   return type.substr(0, type.find(':'));
 }
 
-OptionFacts facts_of(const CLI::Option& option) {
-  OptionFacts facts;
+pages::OptionFacts facts_of(const CLI::Option& option) {
+  pages::OptionFacts facts;
   facts.name = option.get_positional() ? option.get_name(/*positional=*/true)
                                        : "--" + option.get_lnames().front();
   facts.value = value_of(option);
@@ -37,8 +37,8 @@ OptionFacts facts_of(const CLI::Option& option) {
   return facts;
 }
 
-CommandFacts facts_of(const CLI::App& app) {
-  CommandFacts facts;
+pages::CommandFacts facts_of(const CLI::App& app) {
+  pages::CommandFacts facts;
   facts.name = app.get_name();
   facts.summary = app.get_description();
   for (const CLI::Option* option : app.get_options())
@@ -48,8 +48,8 @@ CommandFacts facts_of(const CLI::App& app) {
 
 }  // namespace
 
-std::vector<CommandFacts> command_facts(const CLI::App& program) {
-  std::vector<CommandFacts> all = {facts_of(program)};
+std::vector<pages::CommandFacts> command_facts(const CLI::App& program) {
+  std::vector<pages::CommandFacts> all = {facts_of(program)};
   for (const Command& command : command_table()) {
     all.push_back(facts_of(*program.get_subcommand(command.name)));
     all.back().example = command.example;

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <string>
 #include <vector>
+
+#include "pages/command_facts.h"
 
 namespace CLI {
 class App;
@@ -9,27 +10,7 @@ class App;
 
 namespace wold::cli {
 
-/// An option, or an argument that stands without a name before it.
-struct OptionFacts {
-  std::string name;                ///< "--size"; of an argument "SCENE"
-  std::string value;               ///< what follows: "WxH"; "" for a flag
-  std::string doc;                 ///< one sentence without its full stop
-  std::string usual;               ///< what it is when it is not given, if it says so
-  std::vector<std::string> words;  ///< all that the value may be, if these are few
-  bool required = false;
-  bool repeats = false;  ///< may be given more than once
-};
-
-/// A command as the command line declares it; also the program as a whole.
-struct CommandFacts {
-  std::string name;
-  std::string summary;
-  std::string example;  ///< of the program: ""
-  std::vector<OptionFacts> options;
-  std::vector<OptionFacts> arguments;
-};
-
 /// The program itself first, then its commands in the order of the help.
-std::vector<CommandFacts> command_facts(const CLI::App& program);
+std::vector<pages::CommandFacts> command_facts(const CLI::App& program);
 
 }  // namespace wold::cli

@@ -61,7 +61,7 @@ struct SceneArguments {
   Options options;
   Overrides shorthands;
 };
-using RenderArguments = SceneArguments<RenderOptions>;
+using RenderArguments = SceneArguments<work::RenderOptions>;
 
 /// All but --weather, which `curves` has for itself.
 void add_shorthands(CLI::App& app, Overrides& overrides) {
@@ -124,7 +124,7 @@ std::string has_a_number(const std::string& text) {
 
 /// Everything that says which files are made.
 void add_job_options(CLI::App& app, RenderArguments& arguments) {
-  RenderOptions& options = arguments.options;
+  work::RenderOptions& options = arguments.options;
   add_scene_arguments(app, arguments);
   add_frames(app, options.frames, "frames to make, from 1; all without it");
   app.add_option("--out", options.out, "output folder; out/<scene name> without it")
@@ -163,7 +163,7 @@ Action generate_like(CLI::App& app, const std::shared_ptr<RenderArguments>& argu
   };
 }
 
-void add_programs(CLI::App& app, RenderOptions& options) {
+void add_programs(CLI::App& app, work::RenderOptions& options) {
   add_programs(app, options.blender, options.povray);
 }
 
@@ -217,7 +217,7 @@ Action declare_check(CLI::App& app) {
   auto arguments = std::make_shared<RenderArguments>();
   add_scene_arguments(app, *arguments);
   return [arguments] {
-    const RenderOptions options = resolved(*arguments);
+    const work::RenderOptions options = resolved(*arguments);
     return run_check(options.scene, options.overrides);
   };
 }

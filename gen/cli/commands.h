@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -8,24 +7,11 @@
 #include "compare/differences.h"
 #include "core/error.h"
 #include "core/progress.h"
+#include "work/job.h"
 
 /// What the program can do: one function per command, free of the command line's syntax. Each
 /// throws wold::Error; only run() in program.h prints errors.
 namespace wold::cli {
-
-/// What `render`, `generate`, `plan` and `task` are asked for.
-struct RenderOptions {
-  std::filesystem::path scene;
-  std::vector<std::string> overrides;  ///< key=value, applied after the scene file
-  std::vector<int> frames;             ///< from 1, rising; empty: all
-  std::filesystem::path out;           ///< empty: out/<scene name>
-  std::string blender;             ///< program or its path; empty: WOLD_BLENDER's, or the PATH's
-  std::string povray;              ///< program or its path; empty: WOLD_POVRAY's, or the PATH's
-  int threads = 0;                 ///< 0: the scene's render.threads
-  std::uint64_t memory_bytes = 0;  ///< 0: the machine's
-  bool dry_run = false;
-  bool quiet = false;
-};
 
 /// How `plan` says what there is to do.
 enum class PlanForm { text, why, json, openjd };
@@ -70,16 +56,16 @@ struct DoctorOptions {
 };
 
 /// Generates everything the renderers need.
-ExitCode run_generate(const RenderOptions& options, Progress& progress);
+ExitCode run_generate(const work::RenderOptions& options, Progress& progress);
 
 /// Generates, then runs the renderers.
-ExitCode run_render(const RenderOptions& options, Progress& progress);
+ExitCode run_render(const work::RenderOptions& options, Progress& progress);
 
 /// Prints what `render` would do, without doing or writing anything.
-ExitCode run_plan(const RenderOptions& options, PlanForm form);
+ExitCode run_plan(const work::RenderOptions& options, PlanForm form);
 
 /// Does one task, unless it has been done.
-ExitCode run_task(const RenderOptions& options, const std::string& stage, int index,
+ExitCode run_task(const work::RenderOptions& options, const std::string& stage, int index,
                   Progress& progress);
 
 /// Prints the scene with every key filled in.

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/interrupt.h"
 #include "cli/output.h"
 #include "core/error.h"
+#include "core/interrupt.h"
 #include "core/printable.h"
 
 namespace wold::cli {
@@ -69,6 +69,13 @@ void ConsoleProgress::end() {
   if (style_ == ProgressStyle::bar)
     print_progress(fmt::format("\r\x1b[K{}: done in {}\n", stage_, took));
   if (style_ == ProgressStyle::lines) print_progress(fmt::format("{}: done in {}\n", stage_, took));
+}
+
+void ConsoleProgress::say(std::string_view message) {
+  const std::lock_guard lock(mutex_);
+  if (bar_open_) print_progress("\n");
+  bar_open_ = false;
+  print_message(message);
 }
 
 double ConsoleProgress::share() const {

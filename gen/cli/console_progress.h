@@ -34,6 +34,7 @@ class ConsoleProgress final : public Progress {
   void begin(std::string_view stage, std::size_t units) override;
   void advance(std::size_t units, std::string_view detail) override;
   void end() override;
+  void say(std::string_view message) override;
 
  private:
   double share() const;

@@ -5,19 +5,19 @@
 #include <span>
 
 #include "cli/commands.h"
-#include "cli/curves_figure.h"
-#include "cli/curves_table.h"
-#include "cli/kept_inputs.h"
 #include "cli/output.h"
-#include "cli/season_curves.h"
 #include "core/files.h"
 #include "core/parallel.h"
-#include "grass/withering_curves.h"
+#include "grass/ageing/withering_curves.h"
+#include "phenology/film_season.h"
+#include "phenology/season.h"
+#include "report/curves_figure.h"
+#include "report/curves_table.h"
+#include "report/season_curves.h"
 #include "scene/calendar.h"
 #include "scene/parse.h"
 #include "scene/text.h"
-#include "season/film_season.h"
-#include "season/season.h"
+#include "work/kept_inputs.h"
 
 namespace wold::cli {
 namespace {
@@ -39,29 +39,30 @@ Form form_of(const std::filesystem::path& out) {
 std::string ageing_file(const scene::Scene& scene, Form form) {
   const ThreadLimit limit(scene.render.threads);
   const grass::WitheringCurves curves = grass::withering_curves(scene);
-  return form == Form::figure ? chart::svg(withering_figure(scene.name, curves))
-                              : csv(withering_table(curves));
+  return form == Form::figure ? report::chart::svg(report::withering_figure(scene.name, curves))
+                              : csv(report::withering_table(curves));
 }
 
 /// What a scene's season makes of its days; its keys may say how the meadow withers.
-std::vector<season::SeasonDay> days_of(const scene::Scene& scene) {
-  const season::FilmSeason film(scene);
-  std::vector<season::SeasonDay> days = season::season_of(film.days(), scene.snow_cover.initial_mm);
+std::vector<phenology::SeasonDay> days_of(const scene::Scene& scene) {
+  const phenology::FilmSeason film(scene);
+  std::vector<phenology::SeasonDay> days =
+      phenology::season_of(film.days(), scene.snow_cover.initial_mm);
   for (std::size_t i = 0; i < days.size(); ++i) days[i].weathering_degree = film.weathering()[i];
   return days;
 }
 
-std::string season_file(const scene::Scene& scene, std::span<const season::SeasonDay> days,
+std::string season_file(const scene::Scene& scene, std::span<const phenology::SeasonDay> days,
                         Form form) {
-  return form == Form::figure ? chart::svg(season_figure(scene.name, days))
-                              : csv(season_table(days));
+  return form == Form::figure ? report::chart::svg(report::season_figure(scene.name, days))
+                              : csv(report::season_table(days));
 }
 
 std::string curves_file(const scene::Scene& scene, const std::filesystem::path& weather,
                         Form form) {
   if (!weather.empty())
     return season_file(
-        scene, season::season_of(season::read_daily_weather(weather, scene.sun.latitude_deg)),
+        scene, phenology::season_of(weather::read_daily_weather(weather, scene.sun.latitude_deg)),
         form);
   return scene::is_season(scene) ? season_file(scene, days_of(scene), form)
                                  : ageing_file(scene, form);
@@ -72,9 +73,9 @@ std::string curves_file(const scene::Scene& scene, const std::filesystem::path& 
 ExitCode run_curves(const CurvesOptions& options) {
   const Form form = form_of(options.out);
   const scene::Scene scene = scene::read_scene(options.scene, options.overrides);
-  std::vector<std::filesystem::path> inputs = input_files(options.scene, scene);
+  std::vector<std::filesystem::path> inputs = work::input_files(options.scene, scene);
   inputs.push_back(options.weather);
-  require_no_input(options.out, inputs);
+  work::require_no_input(options.out, inputs);
   write_file(options.out, curves_file(scene, options.weather, form));
   print_message(fmt::format("wrote {}", options.out.string()));
   return ExitCode::done;

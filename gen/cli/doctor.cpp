@@ -1,16 +1,16 @@
 #include "cli/commands.h"
-#include "cli/doctor_report.h"
 #include "cli/output.h"
+#include "report/doctor_report.h"
 
 namespace wold::cli {
 
 ExitCode run_doctor(const DoctorOptions& options) {
-  DoctorFindings findings;
-  findings.renderers = {diagnose(render::Renderer::blender, options.blender),
-                        diagnose(render::Renderer::povray, options.povray)};
-  findings.other_blenders = other_blenders(findings.renderers.front());
-  findings.ffmpeg = diagnose_ffmpeg();
-  print_data(options.json ? doctor_json(findings) : doctor_text(findings));
+  report::DoctorFindings findings;
+  findings.renderers = {render::diagnose(render::Renderer::blender, options.blender),
+                        render::diagnose(render::Renderer::povray, options.povray)};
+  findings.other_blenders = render::other_blenders(findings.renderers.front());
+  findings.ffmpeg = render::diagnose_ffmpeg();
+  print_data(options.json ? report::doctor_json(findings) : report::doctor_text(findings));
   return is_any_complete(findings) ? ExitCode::done : ExitCode::renderer;
 }
 

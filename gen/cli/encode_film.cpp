@@ -5,13 +5,13 @@
 #include <optional>
 
 #include "cli/commands.h"
-#include "cli/frame_pictures.h"
-#include "cli/interrupt.h"
-#include "cli/job.h"
 #include "cli/output.h"
-#include "cli/own_folder.h"
 #include "core/image.h"
+#include "core/interrupt.h"
 #include "render/encode.h"
+#include "work/frame_pictures.h"
+#include "work/job.h"
+#include "work/own_folder.h"
 
 namespace wold::cli {
 namespace fs = std::filesystem;
@@ -24,30 +24,32 @@ void check(const FilmOptions& options) {
   const std::vector<int>& frames = options.frames;
   if (!frames.empty() && frames.back() - frames.front() + 1 != static_cast<int>(frames.size()))
     throw InputError(fmt::format("--frames: found {}, expected frames without gaps, such as {}-{}",
-                                 ranges_text(frames), frames.front(), frames.back()));
+                                 work::ranges_text(frames), frames.front(), frames.back()));
 }
 
 /// Those of the renderer that was asked for, or all.
-std::vector<FramePictures> wanted_pictures(const FilmOptions& options,
-                                           std::vector<FramePictures> all) {
+std::vector<work::FramePictures> wanted_pictures(const FilmOptions& options,
+                                                 std::vector<work::FramePictures> all) {
   if (!options.renderer.empty())
-    std::erase_if(all, [&](const FramePictures& one) { return one.renderer != options.renderer; });
+    std::erase_if(all,
+                  [&](const work::FramePictures& one) { return one.renderer != options.renderer; });
   if (all.empty())
     throw FileError(fmt::format("no pictures in {}; `wold render` makes them",
                                 (options.out / "frames" / options.renderer).string()));
   return all;
 }
 
-FileError incomplete(const FilmOptions& options, const std::vector<FramePictures>& all,
+FileError incomplete(const FilmOptions& options, const std::vector<work::FramePictures>& all,
                      const std::vector<int>& frames) {
   std::string text = fmt::format("frames are missing in {}:", (options.out / "frames").string());
-  for (const FramePictures& one : all)
-    text += fmt::format(" {}'s {};", display_name(one), ranges_text(missing_frames(one, frames)));
+  for (const work::FramePictures& one : all)
+    text += fmt::format(" {}'s {};", work::display_name(one),
+                        work::ranges_text(work::missing_frames(one, frames)));
   return FileError(text + " `wold render` makes them, --frames 1-9 takes some of them");
 }
 
 /// The size that all pictures have.
-glm::ivec2 common_size(const FramePictures& pictures, const std::vector<int>& frames) {
+glm::ivec2 common_size(const work::FramePictures& pictures, const std::vector<int>& frames) {
   std::optional<glm::ivec2> common;
   for (const int frame : frames) {
     const fs::path& picture = pictures.by_frame.at(frame);
@@ -63,7 +65,7 @@ glm::ivec2 common_size(const FramePictures& pictures, const std::vector<int>& fr
   return common.value();
 }
 
-void write_films(const FilmOptions& options, const FramePictures& pictures,
+void write_films(const FilmOptions& options, const work::FramePictures& pictures,
                  const std::vector<int>& frames, const fs::path& film, Progress& progress) {
   render::Encoding encoding;
   encoding.pictures = pictures.folder;
@@ -86,17 +88,17 @@ void write_films(const FilmOptions& options, const FramePictures& pictures,
 
 ExitCode run_film(const FilmOptions& options, Progress& progress) {
   check(options);
-  require_no_way_out(options.out);
-  const std::vector<FramePictures> all = frame_pictures(options.out);
+  work::require_no_way_out(options.out);
+  const std::vector<work::FramePictures> all = work::frame_pictures(options.out);
   const std::vector<int> frames =
-      options.frames.empty() ? expected_frames(options.out, all) : options.frames;
-  const std::vector<FramePictures> wanted = wanted_pictures(options, all);
-  std::vector<FramePictures> complete = wanted;
-  std::erase_if(complete, [&](const FramePictures& one) {
-    return frames.empty() || !missing_frames(one, frames).empty();
+      options.frames.empty() ? work::expected_frames(options.out, all) : options.frames;
+  const std::vector<work::FramePictures> wanted = wanted_pictures(options, all);
+  std::vector<work::FramePictures> complete = wanted;
+  std::erase_if(complete, [&](const work::FramePictures& one) {
+    return frames.empty() || !work::missing_frames(one, frames).empty();
   });
   if (complete.empty()) throw incomplete(options, wanted, frames);
-  for (const FramePictures& pictures : complete) {
+  for (const work::FramePictures& pictures : complete) {
     const fs::path film = options.film.empty()
                               ? options.out / fmt::format("film_{}.mp4", pictures.renderer)
                               : options.film;

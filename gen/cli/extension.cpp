@@ -2,10 +2,10 @@
 
 #include "cli/commands.h"
 #include "cli/output.h"
-#include "cli/version.h"
-#include "cli/zip_archive.h"
 #include "core/file_list.h"
 #include "core/files.h"
+#include "core/version.h"
+#include "core/zip_archive.h"
 
 namespace wold::cli {
 namespace fs = std::filesystem;

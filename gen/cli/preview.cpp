@@ -6,22 +6,22 @@
 #include <glm/gtc/constants.hpp>
 
 #include "cli/commands.h"
-#include "cli/kept_inputs.h"
 #include "cli/output.h"
-#include "cli/preview_film.h"
-#include "cli/scene_warnings.h"
-#include "cli/scratch_folder.h"
+#include "cli/warnings.h"
 #include "core/elementary.h"
 #include "core/files.h"
 #include "core/parallel.h"
 #include "core/temporary_name.h"
+#include "film/scratch_folder.h"
 #include "landscape/perspective.h"
+#include "phenology/film_season.h"
 #include "preview/camera_picture.h"
 #include "preview/sheet.h"
 #include "preview/sky_picture.h"
 #include "scene/key_frames.h"
 #include "scene/parse.h"
-#include "season/film_season.h"
+#include "sketch/preview_film.h"
+#include "work/kept_inputs.h"
 
 namespace wold::cli {
 namespace fs = std::filesystem;
@@ -31,7 +31,7 @@ using preview::Tile;
 
 /// First, middle and last.
 std::vector<int> shown_frames(const scene::Scene& scene) {
-  std::vector<int> frames = some_of(static_cast<int>(scene.ageing.frames.size()), 3);
+  std::vector<int> frames = sketch::some_of(static_cast<int>(scene.ageing.frames.size()), 3);
   for (int& frame : frames) ++frame;
   return frames;
 }
@@ -98,7 +98,7 @@ class Preview {
           Progress& progress)
       : width_px_(frames.size() == 1 ? 760
                                      : preview::width_of_each(static_cast<int>(frames.size()))),
-        scene_(simplified(scene, width_px_)),
+        scene_(sketch::simplified(scene, width_px_)),
         frames_(frames),
         progress_(begun(progress, frames.size())),
         film_(scene_, frames, scratch),
@@ -191,7 +191,7 @@ class Preview {
   std::vector<Tile> grass_row(const glm::vec3& light) const {
     constexpr int most = 6;
     const std::vector<double> key_frames = scene::key_frames(scene_);
-    const std::vector<int> shown = some_of(static_cast<int>(key_frames.size()), most);
+    const std::vector<int> shown = sketch::some_of(static_cast<int>(key_frames.size()), most);
     const int width_px = preview::width_of_each(most);
     std::vector<Tile> row(shown.size());
     parallel_for(row.size(), [&](std::size_t i) {
@@ -207,20 +207,21 @@ class Preview {
   scene::Scene scene_;
   std::vector<int> frames_;
   Progress& progress_;
-  PreviewFilm film_;
+  sketch::PreviewFilm film_;
   fs::path font_;
 };
 
 }  // namespace
 
 ExitCode run_preview(const PreviewOptions& options, Progress& progress) {
-  const scene::Scene scene = season::as_film(scene::read_scene(options.scene, options.overrides));
+  const scene::Scene scene =
+      phenology::as_film(scene::read_scene(options.scene, options.overrides));
   const fs::path file = file_of(options, scene);
-  require_no_input(file, input_files(options.scene, scene));
+  work::require_no_input(file, work::input_files(options.scene, scene));
   print_warnings(scene);
   if (file.has_parent_path()) make_folder(file.parent_path());
   const ThreadLimit limit(scene.render.threads);
-  const ScratchFolder scratch(temporary_name(file.parent_path() / "preview_work"));
+  const film::ScratchFolder scratch(temporary_name(file.parent_path() / "preview_work"));
   Preview preview(scene, shown_frames(scene), scratch.path(), progress);
   if (preview.font().empty())
     print_message("labels are left out: DejaVu Sans is missing; apt-get install fonts-dejavu-core");

@@ -15,13 +15,13 @@
 #include "cli/command_facts.h"
 #include "cli/command_table.h"
 #include "cli/commands.h"
-#include "cli/completion.h"
-#include "cli/interrupt.h"
-#include "cli/manual_page.h"
 #include "cli/output.h"
 #include "cli/standard_streams.h"
-#include "cli/version.h"
+#include "core/interrupt.h"
 #include "core/parallel.h"
+#include "core/version.h"
+#include "pages/completion.h"
+#include "pages/manual_page.h"
 #include "scene/nearest.h"
 #include "scene/text.h"
 
@@ -36,8 +36,8 @@ struct CommandLine {
   Action action;
 };
 
-ExitCode run_man(const std::vector<CommandFacts>& commands) {
-  print_data(manual_page(commands));
+ExitCode run_man(const std::vector<pages::CommandFacts>& commands) {
+  print_data(pages::manual_page(commands));
   return ExitCode::done;
 }
 
@@ -53,13 +53,14 @@ void add_page(CLI::App& sub) {
 }
 
 ExitCode run_page(const CLI::App& app, const std::string& command) {
-  const std::vector<CommandFacts> all = command_facts(app);
-  print_data(command_page(*std::ranges::find(all, command, &CommandFacts::name)));
+  const std::vector<pages::CommandFacts> all = command_facts(app);
+  print_data(pages::command_page(*std::ranges::find(all, command, &pages::CommandFacts::name)));
   return ExitCode::done;
 }
 
-ExitCode run_completion(const std::vector<CommandFacts>& commands, const std::string& shell) {
-  print_data(completion(commands, shell));
+ExitCode run_completion(const std::vector<pages::CommandFacts>& commands,
+                        const std::string& shell) {
+  print_data(pages::completion(commands, shell));
   return ExitCode::done;
 }
 
@@ -78,7 +79,7 @@ void declare(CommandLine& line) {
            line.action = [&line, shell] { return run_completion(command_facts(line.app), shell); };
          },
          "print a script by which a shell completes commands, options and keys")
-      ->type_name(fmt::format("{}", fmt::join(completion_shells(), "|")));
+      ->type_name(fmt::format("{}", fmt::join(pages::completion_shells(), "|")));
   app.footer("wold COMMAND --help shows a command's options.");
   for (const Command& command : command_table()) {
     CLI::App* sub = app.add_subcommand(command.name, command.summary);

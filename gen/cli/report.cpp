@@ -2,9 +2,9 @@
 
 #include "cli/commands.h"
 #include "cli/output.h"
-#include "cli/report_facts.h"
-#include "cli/report_page.h"
 #include "core/files.h"
+#include "report/report_facts.h"
+#include "report/report_page.h"
 
 namespace wold::cli {
 namespace {
@@ -23,7 +23,7 @@ ExitCode run_report(const std::filesystem::path& out, const std::filesystem::pat
                     Progress& progress) {
   const std::filesystem::path file = page.empty() ? out / "report.html" : page;
   check_name(file);
-  write_file(file, report_page(report_facts(out), progress));
+  write_file(file, report::report_page(report::report_facts(out), progress));
   print_data(file.string() + "\n");
   return ExitCode::done;
 }

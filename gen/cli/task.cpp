@@ -1,24 +1,24 @@
 #include "cli/commands.h"
-#include "cli/do_tasks.h"
-#include "cli/folder_lock.h"
-#include "cli/memory_budget.h"
-#include "cli/renderers.h"
 #include "core/parallel.h"
+#include "work/do_tasks.h"
+#include "work/folder_lock.h"
+#include "work/memory_budget.h"
+#include "work/renderers.h"
 
 namespace wold::cli {
 
-ExitCode run_task(const RenderOptions& options, const std::string& stage, int index,
+ExitCode run_task(const work::RenderOptions& options, const std::string& stage, int index,
                   Progress& progress) {
-  const Job job = plan_job(options);
-  const Task task = find_task(job, stage, index);
-  const std::vector<StageTasks> stages = {{task.stage, {task.index}, {}, {}}};
-  Renderers renderers(job);
-  require_renderers(job, stages, renderers);
-  require_memory(job, stages);
+  const work::Job job = work::plan_job(options);
+  const work::Task task = work::find_task(job, stage, index);
+  const std::vector<work::StageTasks> stages = {{task.stage, {task.index}, {}, {}}};
+  work::Renderers renderers(job, progress);
+  work::require_renderers(job, stages, renderers);
+  work::require_memory(job, stages);
   const ThreadLimit limit(job.threads);
-  const FolderLock lock(job.out, Access::shared);
-  Work work(job, &renderers);
-  do_tasks(job, work, stages, progress);
+  const work::FolderLock lock(job.out, work::Access::shared, progress);
+  work::Work work(job, &renderers);
+  work::do_tasks(job, work, stages, progress);
   return ExitCode::done;
 }
 

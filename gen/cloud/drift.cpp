@@ -9,8 +9,8 @@
 #include "core/complex_plane.h"
 #include "core/elementary.h"
 #include "core/random.h"
+#include "phenology/film_season.h"
 #include "scene/calendar.h"
-#include "season/film_season.h"
 
 namespace wold::cloud {
 namespace {
@@ -135,12 +135,12 @@ glm::dvec2 gust_velocity_m_s(double deviation_m_s, double time_s, std::uint64_t 
 
 std::vector<WindNow> season_winds(const scene::Scene& scene) {
   if (!scene::is_season(scene)) return {};
-  const season::FilmSeason season(scene);
+  const phenology::FilmSeason season(scene);
   const double days = scene::season_days(scene.season, scene.season.frames);
   const double last_s = (scene.season.frames - 1) * scene.film.frame_seconds;
   std::vector<WindNow> winds;
   for (int day = 0; day <= days; ++day) {
-    const season::WindChange wind = season.wind(day);
+    const phenology::WindChange wind = season.wind(day);
     winds.push_back(
         {last_s * day / days, wind.speed_factor,
          winds.empty() ? wind.turned_rad : nearest_turn(winds.back().turned_rad, wind.turned_rad)});

@@ -36,7 +36,7 @@ struct WindNow {
 };
 
 /// The season's wind on the clouds' clock, day by day from 0; none of a scene that is no season.
-/// Throws what season::FilmSeason throws.
+/// Throws what phenology::FilmSeason throws.
 std::vector<WindNow> season_winds(const scene::Scene& scene);
 
 /// How one layer drifts through its wind, faster and slower events, in a season with its wind.

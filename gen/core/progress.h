@@ -5,8 +5,8 @@
 
 namespace wold {
 
-/// Where long work reports how far it is. Implementations are thread-safe. A sink may throw
-/// InterruptedError from advance(), which stops the work.
+/// Where long work reports how far it is and what it noticed. Implementations are thread-safe. A
+/// sink may throw InterruptedError from advance(), which stops the work.
 class Progress {
  public:
   virtual ~Progress() = default;
@@ -16,6 +16,8 @@ class Progress {
   virtual void advance(std::size_t units, std::string_view detail) = 0;
   /// The stage is complete.
   virtual void end() = 0;
+  /// Tells people what they should know and what does not stop the work.
+  virtual void say(std::string_view message) = 0;
 };
 
 /// Reports to nobody.
@@ -24,6 +26,7 @@ class SilentProgress final : public Progress {
   void begin(std::string_view, std::size_t) override {}
   void advance(std::size_t, std::string_view) override {}
   void end() override {}
+  void say(std::string_view) override {}
 };
 
 }  // namespace wold

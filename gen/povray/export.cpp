@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/files.h"
-#include "landscape/expectation.h"
+#include "expectation/expectation.h"
 #include "povray/blade_files.h"
 #include "povray/flake_files.h"
 #include "povray/ground_files.h"
@@ -211,7 +211,7 @@ std::vector<fs::path> export_frame(const landscape::Landscape& scene, const fs::
   write_flakes(scene.flakes, scene.camera.eye_m, frame, data / "flakes");
   write_file(frame / "frame.inc", include_file(frame_text(scene, terrain) + maps + details +
                                                backdrop + air_text(scene)));
-  write_expected_picture(frame / "expected.json", landscape::expected_picture(scene));
+  write_expected_picture(frame / "expected.json", expectation::expected_picture(scene));
   const fs::path frame_ini = data / fmt::format("frame_{:04}.ini", scene.frame);
   const glm::ivec2 size_px = {scene.width_px, scene.height_px};
   write_file(frame_ini, frame_settings(size_px, scene.samples, scene.frame));

@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "core/parallel.h"
-#include "landscape/bare_view.h"
-#include "landscape/ground_march.h"
+#include "expectation/bare_view.h"
+#include "expectation/ground_march.h"
 
 namespace wold::preview {
 namespace {
 
-using landscape::GroundMarch;
+using expectation::GroundMarch;
 using landscape::Landscape;
 
 /// How far the ground is in each pixel of a canvas; infinite where there is none. Every second
@@ -70,8 +70,8 @@ void paint_ground_and_sky(const Landscape& landscape, const landscape::Perspecti
     const int y = static_cast<int>(row);
     for (int x = 0; x < canvas.radiance.width; ++x) {
       const glm::dvec3 direction = perspective.direction({x + 0.5, y + 0.5});
-      const landscape::Hit hit =
-          bare_view(landscape, perspective.eye_m(), direction, distances.at_m(x, y));
+      const expectation::Hit hit =
+          expectation::bare_view(landscape, perspective.eye_m(), direction, distances.at_m(x, y));
       std::copy_n(&hit.radiance.x, 3, canvas.radiance.pixel(x, y));
       canvas.depth_at(x, y) =
           static_cast<float>(hit.distance_m * perspective.depth_along(direction));

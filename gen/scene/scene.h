@@ -211,7 +211,7 @@ struct Season {
   std::vector<std::int64_t> first = {};  ///< year, month, day of the first frame; empty: no season
   std::vector<std::int64_t> last = {};   ///< of the last frame
   int frames = 120;
-  std::string table;            ///< path of the weather day by day, season/daily_weather.h
+  std::string table;            ///< path of the weather day by day, weather/daily_weather.h
   double hollow_frost_k = 4.0;  ///< how much colder the nights of the deepest hollows are
   double spread_days = 5.0;     ///< standard deviation of what place and soil delay withering by
 

@@ -61,13 +61,13 @@ FactorMap map_of(const Heightfield& terrain, const Value& value) {
 
 SnowClock snow_clock(const scene::Scene& scene) {
   if (!scene::is_season(scene)) return {};
-  return {season::snow_day_h, season::snow_step_h};
+  return {snowpack::snow_day_h, snowpack::snow_step_h};
 }
 
 Snowpack first_pack(const scene::Scene& scene) {
   const double water_mm = scene.snow_cover.initial_mm;
   if (!scene::is_season(scene)) return fresh_pack(water_mm);
-  const season::SnowState snow = season::fresh_snow(water_mm);
+  const snowpack::SnowState snow = snowpack::fresh_snow(water_mm);
   return {snow.water_mm, snow.depth_m, snow.age};
 }
 

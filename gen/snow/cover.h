@@ -23,14 +23,14 @@ struct SnowClock {
   int step_h = 1;
 };
 
-/// Every hour; in a season those of season::snow_on_ground().
+/// Every hour; in a season those of snowpack::snow_on_ground().
 SnowClock snow_clock(const scene::Scene& scene);
 
 /// snow_cover.initial, fresh.
 Snowpack first_pack(const scene::Scene& scene);
 
 /// The snow on a scene's ground over time: by degree-days, in a season by the heat that it gets, so
-/// that on the level it is season::snow_on_ground()'s.
+/// that on the level it is snowpack::snow_on_ground()'s.
 class SnowGround {
  public:
   /// What lies at one moment, over the terrain's square.

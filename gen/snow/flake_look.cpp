@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "snow/turns.h"
+#include "core/turns.h"
 
 namespace wold::snow {
 namespace {

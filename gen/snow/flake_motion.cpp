@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/random.h"
-#include "snow/turns.h"
+#include "core/turns.h"
 
 namespace wold::snow {
 namespace {

@@ -54,11 +54,11 @@ class LargeCover {
 
   /// `folder` exists and is this object's alone: it keeps the two hours of the latest view there,
   /// as "hour_<hour since the weather began>_level_<l>.tif" with the channels water in mm, depth
-  /// in m and age, in a season also what season::SnowState holds and lacks in mm; a level has half
-  /// the samples of the one before. First it writes, tile by tile, "ground.tif" with heights and
-  /// most_depths_m(), and later "drift_<heading>.tif" for each wind that comes. Rows of pictures go
-  /// north. The scene's cover is "depth". Throws InputError for heights that are no numbers,
-  /// FileError for the disk.
+  /// in m and age, in a season also what snowpack::SnowState holds and lacks in mm; a level has
+  /// half the samples of the one before. First it writes, tile by tile, "ground.tif" with heights
+  /// and most_depths_m(), and later "drift_<heading>.tif" for each wind that comes. Rows of
+  /// pictures go north. The scene's cover is "depth". Throws InputError for heights that are no
+  /// numbers, FileError for the disk.
   LargeCover(const scene::Scene& scene, const LargeGround& ground, WeatherFunction weather,
              std::filesystem::path folder, Limits limits);
 

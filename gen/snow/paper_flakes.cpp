@@ -10,8 +10,8 @@
 
 #include "core/elementary.h"
 #include "core/random.h"
+#include "core/turns.h"
 #include "snow/size_distribution.h"
-#include "snow/turns.h"
 
 namespace wold::snow {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "season/snow_air.h"
 #include "snow/lanes.h"
+#include "snowpack/snow_air.h"
 #include "terrain/relief.h"
 
 namespace wold::snow {
@@ -85,11 +85,11 @@ void advance_by(const std::vector<PackStep>& steps, SnowpackField& packs,
 }
 
 /// For loops over places.
-inline season::SnowStep step_at(const WeatherMoment& weather, const season::SnowSky& sky,
-                                double hours, double height_m) {
-  const season::SnowAir air = season::snow_air(
+inline snowpack::SnowStep step_at(const WeatherMoment& weather, const snowpack::SnowSky& sky,
+                                  double hours, double height_m) {
+  const snowpack::SnowAir air = snowpack::snow_air(
       weather.temperature_c, weather.precipitation_mm_h * hours, sky, lapse_k_per_m * height_m);
-  return season::snow_step(air, hours);
+  return snowpack::snow_step(air, hours);
 }
 
 /// Places that are advanced at once.
@@ -99,14 +99,14 @@ struct PlaceLanes {
 };
 
 WOLD_LANES_WIDE void advance_lanes(PlaceLanes& at, const WeatherMoment& weather,
-                                   const season::SnowSky& sky, double hours) {
-  constexpr season::SnowParameters parameters;
+                                   const snowpack::SnowSky& sky, double hours) {
+  constexpr snowpack::SnowParameters parameters;
   for (std::size_t i = 0; i < lanes; ++i) {
-    const season::SnowStep step = step_at(weather, sky, hours, at.height_m[i]);
-    const double sun_mm = season::sun_mm(step, at.rise_east[i], at.rise_north[i]);
-    season::SnowState snow = {at.water_mm[i], at.depth_m[i], at.age[i], at.liquid_mm[i],
-                              at.lacking_mm[i]};
-    season::advance(snow, step, at.drift[i], sun_mm, parameters);
+    const snowpack::SnowStep step = step_at(weather, sky, hours, at.height_m[i]);
+    const double sun_mm = snowpack::sun_mm(step, at.rise_east[i], at.rise_north[i]);
+    snowpack::SnowState snow = {at.water_mm[i], at.depth_m[i], at.age[i], at.liquid_mm[i],
+                                at.lacking_mm[i]};
+    snowpack::advance(snow, step, at.drift[i], sun_mm, parameters);
     at.water_mm[i] = snow.water_mm;
     at.depth_m[i] = snow.depth_m;
     at.age[i] = snow.age;
@@ -159,7 +159,7 @@ void advance_by(const SeasonStep& step, SnowpackField& packs, const HeightClasse
 
 }  // namespace
 
-season::SnowStep SeasonStep::at(double height_m) const {
+snowpack::SnowStep SeasonStep::at(double height_m) const {
   return step_at(weather, *weather.sky, hours, height_m);
 }
 

@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "core/ground_map.h"
-#include "season/snow_layer.h"
 #include "snow/snowpack.h"
+#include "snowpack/snow_layer.h"
 
 namespace wold::snow {
 
 /// The packs of many places, one array per value.
 struct SnowpackField {
   std::vector<double> water_mm, depth_m, age;
-  std::vector<double> liquid_mm, lacking_mm;  ///< as season::SnowState; empty but in a season
+  std::vector<double> liquid_mm, lacking_mm;  ///< as snowpack::SnowState; empty but in a season
 
   SnowpackField() = default;
   /// The same pack everywhere.
@@ -28,7 +28,7 @@ struct SeasonStep {
   double hours = 0.0;
 
   /// What it does to all snow at a height above the terrain's zero.
-  season::SnowStep at(double height_m) const;
+  snowpack::SnowStep at(double height_m) const;
 };
 
 /// A step of weather: by degree-days, per height class, or by the heat that a season's sky brings.

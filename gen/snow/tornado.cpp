@@ -6,7 +6,7 @@
 
 #include "core/elementary.h"
 #include "core/random.h"
-#include "snow/turns.h"
+#include "core/turns.h"
 
 namespace wold::snow {
 namespace {

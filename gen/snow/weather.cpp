@@ -7,17 +7,17 @@
 #include <string>
 
 #include "core/elementary.h"
+#include "phenology/film_season.h"
 #include "scene/calendar.h"
 #include "scene/registry.h"
-#include "season/film_season.h"
-#include "season/number_table.h"
+#include "weather/number_table.h"
 
 namespace wold::snow {
 namespace {
 
 constexpr double seconds_per_hour = 3600.0;
 
-season::TableColumn column_like(const char* name, const char* key_name) {
+weather::TableColumn column_like(const char* name, const char* key_name) {
   const scene::Key& key = *scene::find_key(key_name);
   return {.name = name, .lowest = key.lowest, .highest = key.highest, .unit = key.unit};
 }
@@ -41,10 +41,10 @@ WeatherMoment of_keys(const scene::Scene& scene) {
 }
 
 /// A share of the way from one to the other.
-std::optional<season::SnowSky> between(const std::optional<season::SnowSky>& a,
-                                       const std::optional<season::SnowSky>& b, double share) {
+std::optional<snowpack::SnowSky> between(const std::optional<snowpack::SnowSky>& a,
+                                         const std::optional<snowpack::SnowSky>& b, double share) {
   if (!a || !b) return {};
-  return season::SnowSky{
+  return snowpack::SnowSky{
       .phase_c = std::lerp(a->phase_c, b->phase_c, share),
       .clearness = std::lerp(a->clearness, b->clearness, share),
       .sun_w_m2 = std::lerp(a->sun_w_m2, b->sun_w_m2, share),
@@ -61,7 +61,7 @@ WeatherMoment with_strength(WeatherMoment moment, const std::string& strength) {
   if (rate == rates_mm_h.end()) return moment;
   moment.precipitation_mm_h = moment.falling_mm_h = rate->second;
   moment.temperature_c = std::min(moment.temperature_c, 0.0);
-  if (moment.sky) moment.sky->phase_c = std::min(moment.sky->phase_c, season::all_snow_c);
+  if (moment.sky) moment.sky->phase_c = std::min(moment.sky->phase_c, snowpack::all_snow_c);
   return moment;
 }
 
@@ -87,7 +87,7 @@ double snow_share(double temperature_c) { return std::clamp(1.0 - 0.5 * temperat
 
 double snow_share(const WeatherMoment& weather, double height_m) {
   const double cooler_k = lapse_k_per_m * height_m;
-  return weather.sky ? season::snow_share(weather.sky->phase_c - cooler_k)
+  return weather.sky ? snowpack::snow_share(weather.sky->phase_c - cooler_k)
                      : snow_share(weather.temperature_c - cooler_k);
 }
 
@@ -97,12 +97,12 @@ double snow_mm_h(const WeatherMoment& weather, double height_m) {
 
 std::vector<Weather::Row> Weather::rows_of_table(const scene::Scene& scene) {
   const auto table =
-      season::read_table(scene.weather.table,
-                         {{.name = "hours", .unit = "h", .rises = true, .required = true},
-                          column_like("temperature_c", "weather.temperature"),
-                          column_like("precipitation_mm_h", "weather.precipitation"),
-                          column_like("wind_speed_m_s", "wind.speed"),
-                          column_like("wind_heading_deg", "wind.heading")})
+      weather::read_table(scene.weather.table,
+                          {{.name = "hours", .unit = "h", .rises = true, .required = true},
+                           column_like("temperature_c", "weather.temperature"),
+                           column_like("precipitation_mm_h", "weather.precipitation"),
+                           column_like("wind_speed_m_s", "wind.speed"),
+                           column_like("wind_heading_deg", "wind.heading")})
           .columns;
   std::vector<Row> rows(table[0].size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -120,13 +120,13 @@ std::vector<Weather::Row> Weather::rows_of_table(const scene::Scene& scene) {
 
 /// Every hour and a half, so that the middles of the snow's steps are among them.
 std::vector<Weather::Row> Weather::rows_of_season(const scene::Scene& scene) {
-  constexpr double day_h = 24.0, row_h = 0.5 * season::snow_step_h, moment_h = 0.01;
-  const season::FilmSeason season(scene);
-  const std::vector<season::Day>& days = season.days();
+  constexpr double day_h = 24.0, row_h = 0.5 * snowpack::snow_step_h, moment_h = 0.01;
+  const phenology::FilmSeason season(scene);
+  const std::vector<weather::Day>& days = season.days();
   std::vector<Row> rows;
   for (std::size_t i = 0; i < days.size(); ++i) {
-    const season::Day& day = days[i];
-    const season::DayAir air(day, days[std::min(i + 1, days.size() - 1)], scene.sun.latitude_deg);
+    const weather::Day& day = days[i];
+    const snowpack::DayAir air(day, days[std::min(i + 1, days.size() - 1)], scene.sun.latitude_deg);
     const auto add = [&](double hour) {
       rows.push_back(
           {.time_s = (day_h * static_cast<double>(i) + hour) * seconds_per_hour,
@@ -137,8 +137,8 @@ std::vector<Weather::Row> Weather::rows_of_season(const scene::Scene& scene) {
                       .sky = air.sky(hour),
                       .falling_mm_h = air.falling_mm_h()}});
     };
-    for (int row = 0; row * row_h < day_h; ++row) add(season::snow_day_h + row * row_h);
-    add(season::snow_day_h + day_h - moment_h);
+    for (int row = 0; row * row_h < day_h; ++row) add(snowpack::snow_day_h + row * row_h);
+    add(snowpack::snow_day_h + day_h - moment_h);
   }
   return rows;
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "scene/scene.h"
-#include "season/snow_air.h"
+#include "snowpack/snow_air.h"
 
 namespace wold::snow {
 
@@ -14,8 +14,8 @@ struct WeatherMoment {
   double temperature_c = 0.0;
   double precipitation_mm_h = 0.0;  ///< of water, snow or rain
   double wind_speed_m_s = 0.0;
-  double wind_heading_deg = 0.0;            ///< where it blows to, clockwise from north
-  std::optional<season::SnowSky> sky = {};  ///< in a season
+  double wind_heading_deg = 0.0;              ///< where it blows to, clockwise from north
+  std::optional<snowpack::SnowSky> sky = {};  ///< in a season
   double falling_mm_h = 0.0;  ///< precipitation while it falls: in a season, for hours of a day
 };
 
@@ -27,7 +27,7 @@ inline constexpr double lapse_k_per_m = 0.0065;
 double snow_share(double temperature_c);
 
 /// Share of it at a height above the terrain's zero: by its temperature, in a season by the day's,
-/// season::snow_share().
+/// snowpack::snow_share().
 double snow_share(const WeatherMoment& weather, double height_m);
 
 /// Snow that comes to the ground at a height above the terrain's zero, in mm of water per hour.
@@ -35,8 +35,8 @@ double snow_mm_h(const WeatherMoment& weather, double height_m);
 
 /// The scene's weather over time: constant as the keys of [weather], [wind] and [snowfall] say, or
 /// linear between the rows of weather.table; the wind as a vector. In a season it is that of the
-/// days from six to six, season::DayAir's every hour and a half and linear in between,
-/// scene.weather.earlier being season::as_film()'s.
+/// days from six to six, snowpack::DayAir's every hour and a half and linear in between,
+/// scene.weather.earlier being phenology::as_film()'s.
 ///
 /// The table is comma-separated values with a header; columns by name, in any order: hours
 /// (rising, since the weather began), and any of temperature_c, precipitation_mm_h,

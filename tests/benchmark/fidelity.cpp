@@ -11,13 +11,13 @@
 #include "core/colour.h"
 #include "core/colour_difference.h"
 #include "core/parallel.h"
-#include "grass/baking.h"
-#include "grass/blade_picture.h"
-#include "grass/blade_tubes.h"
-#include "grass/columns.h"
-#include "grass/levels.h"
-#include "grass/samples.h"
-#include "grass/time_varying_texel.h"
+#include "grass/geometry/blade_tubes.h"
+#include "grass/optics/blade_picture.h"
+#include "grass/texel/baking.h"
+#include "grass/texel/columns.h"
+#include "grass/texel/levels.h"
+#include "grass/texel/samples.h"
+#include "grass/texel/time_varying_texel.h"
 #include "light/daylight.h"
 
 /// How true what is shipped is to the blades it stands for: what both show of the default meadow,
@@ -55,7 +55,7 @@ struct Seen {
   glm::dvec3 radiance{0.0};
 };
 
-/// Radiance with a white card in the open exposed as in the pictures (landscape/assemble.h).
+/// Radiance with a white card in the open exposed as in the pictures (film/assemble.h).
 glm::dvec3 lab(const glm::dvec3& radiance) {
   constexpr double gain = 1.6 * 3.14159265358979;
   return lab_from_xyz(xyz_from_srgb(glm::clamp(radiance * gain, 0.0, 1.0)));

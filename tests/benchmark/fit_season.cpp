@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/random.h"
-#include "season/greenness.h"
-#include "season/snow_on_ground.h"
+#include "phenology/greenness.h"
+#include "snowpack/snow_on_ground.h"
 #include "support/measured_days.h"
 
 /// Fits the parameters of MeadowParameters and SnowParameters that are fitted, and says how well
@@ -20,8 +20,8 @@
 namespace wold {
 namespace {
 
-using season::MeadowParameters;
-using season::SnowParameters;
+using phenology::MeadowParameters;
+using snowpack::SnowParameters;
 using test::MeasuredDays;
 
 /// A number to fit, and where it may lie.
@@ -111,8 +111,8 @@ void print(const Parameters& parameters, const std::vector<Unknown<Parameters>>&
 }
 
 double efficiency(const MeasuredDays& place, const MeadowParameters& meadow, int year) {
-  return fit_of(place, season::greenness(place.days, meadow),
-                [&](const season::Day& day) { return year == 0 || test::year_of(day) == year; })
+  return fit_of(place, phenology::greenness(place.days, meadow),
+                [&](const weather::Day& day) { return year == 0 || test::year_of(day) == year; })
       .efficiency();
 }
 
@@ -178,15 +178,15 @@ MeasuredDays measured_snow(const char* column) {
 }
 
 double depth_rmse(const MeasuredDays& place, const SnowParameters& snow,
-                  const std::function<bool(const season::Day&)>& chosen) {
-  return fit_of(place, test::modelled_snow(place.days, &season::SnowOnGround::depth_m, snow),
+                  const std::function<bool(const weather::Day&)>& chosen) {
+  return fit_of(place, test::modelled_snow(place.days, &snowpack::SnowOnGround::depth_m, snow),
                 chosen)
       .rmse();
 }
 
 /// Of every second winter: those that began in odd years or in even ones.
 auto winters(int odd) {
-  return [odd](const season::Day& day) {
+  return [odd](const weather::Day& day) {
     return test::in_winter(day) && test::year_of(day, true) % 2 == odd;
   };
 }
@@ -195,11 +195,11 @@ auto winters(int odd) {
 /// snow goes.
 void judge_snow(const MeasuredDays& depth) {
   const MeasuredDays water = measured_snow("swe_pit_mm");
-  const auto modelled_mm = test::modelled_snow(water.days, &season::SnowOnGround::water_mm);
+  const auto modelled_mm = test::modelled_snow(water.days, &snowpack::SnowOnGround::water_mm);
   fmt::print("Water of the snow, winters of odd years: RMSE {:.0f} mm, held out {:.0f} mm\n",
              fit_of(water, modelled_mm, winters(1)).rmse(),
              fit_of(water, modelled_mm, winters(0)).rmse());
-  const auto modelled_m = test::modelled_snow(depth.days, &season::SnowOnGround::depth_m);
+  const auto modelled_m = test::modelled_snow(depth.days, &snowpack::SnowOnGround::depth_m);
   for (int year = 1993; year < 2004; ++year) {
     const auto measured = test::last_snow(depth.days, depth.measured, year);
     const auto modelled = test::last_snow(depth.days, modelled_m, year);
@@ -223,7 +223,7 @@ void fit_snow(int generations) {
     for (int year = 1993; year < 2004; ++year)
       fmt::print("  {}/{:02}{}: {:.3f}\n", year, (year + 1) % 100,
                  year % 2 == odd ? "" : ", held out",
-                 depth_rmse(place, snow, [&](const season::Day& day) {
+                 depth_rmse(place, snow, [&](const weather::Day& day) {
                    return test::in_winter(day) && test::year_of(day, true) == year;
                  }));
   }

@@ -13,10 +13,10 @@
 #include <numeric>
 
 #include "core/parallel.h"
-#include "grass/columns.h"
-#include "grass/dynamics.h"
-#include "grass/rasterise.h"
-#include "grass/texel_file.h"
+#include "grass/mechanics/dynamics.h"
+#include "grass/texel/columns.h"
+#include "grass/texel/rasterise.h"
+#include "grass/texel/texel_file.h"
 #include "scene/key_frames.h"
 
 // From 12 on the header includes another one that Debian's package lacks (13.0.0-3).

@@ -81,8 +81,8 @@ void advance_a_day(benchmark::State& state) {
   const GroundRise rise(terrain);
   const FactorMap drift(1024, 4000.0, 1.1F);
   WeatherMoment weather = snowing(0.0);
-  if (in_season) weather.sky = season::SnowSky{.phase_c = -1.0, .sun_w_m2 = 90.0};
-  const int step_h = in_season ? season::snow_step_h : 1;
+  if (in_season) weather.sky = snowpack::SnowSky{.phase_c = -1.0, .sun_w_m2 = 90.0};
+  const int step_h = in_season ? snowpack::snow_step_h : 1;
   SnowpackField packs(terrain.values().size(), fresh_pack(50.0));
   for (auto _ : state)
     for (int hour = 0; hour < 24; hour += step_h)

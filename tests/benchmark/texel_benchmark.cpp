@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <string>
 
-#include "grass/dynamics.h"
-#include "grass/rasterise.h"
-#include "grass/texel_file.h"
-#include "grass/time_varying_texel.h"
+#include "grass/mechanics/dynamics.h"
+#include "grass/texel/rasterise.h"
+#include "grass/texel/texel_file.h"
+#include "grass/texel/time_varying_texel.h"
 #include "light/daylight.h"
 #include "scene/key_frames.h"
 

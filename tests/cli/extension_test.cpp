@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
-#include "cli/zip_archive.h"
 #include "core/files.h"
+#include "core/zip_archive.h"
 #include "program.h"
 
 /// Blender's package as an archive, read back by Python's reader.
@@ -24,12 +24,12 @@ class Extension : public Program {
 };
 
 TEST_F(Extension, ArchivesAreReadByOthersAndAlwaysTheSame) {
-  const std::vector<cli::ArchivedFile> files = {
-      {"top/empty", ""}, {"top/within/\xC3\xA9.bin", std::string("a\0b", 3)}};
-  const std::string bytes = cli::zip_archive(files);
+  const std::vector<ArchivedFile> files = {{"top/empty", ""},
+                                           {"top/within/\xC3\xA9.bin", std::string("a\0b", 3)}};
+  const std::string bytes = zip_archive(files);
   write("a.zip", bytes);
   EXPECT_EQ(listing("a.zip"), "top/empty 0 1980 1 1\ntop/within/\xC3\xA9.bin 3 1980 1 1\n");
-  EXPECT_EQ(cli::zip_archive(files), bytes);
+  EXPECT_EQ(zip_archive(files), bytes);
 }
 
 TEST_F(Extension, HoldsThePackageInAFolderOfItsName) {

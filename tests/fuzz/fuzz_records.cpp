@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <string_view>
 
-#include "cli/own_folder.h"
-#include "cli/task_record.h"
 #include "core/files.h"
 #include "temporary_folder.h"
+#include "work/own_folder.h"
+#include "work/task_record.h"
 
 namespace {
 
@@ -20,7 +20,7 @@ bool is_below(const std::string& name) {
          name.find('\0') == std::string::npos;
 }
 
-bool same(const cli::TaskRecord& a, const cli::TaskRecord& b) {
+bool same(const work::TaskRecord& a, const work::TaskRecord& b) {
   const auto same_file = [](const auto& x, const auto& y) {
     return x.first == y.first && x.second.bytes == y.second.bytes &&
            x.second.modified_ns == y.second.modified_ns && x.second.hash == y.second.hash;
@@ -41,20 +41,20 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
   write_file(folder.path() / "tasks/texels_0001.json", text);
   write_file(folder.path() / "tasks/scene_found.json", text);
   write_file(folder.path() / "manifest.json", text);
-  cli::is_own_manifest(folder.path() / "manifest.json");
-  const cli::TaskRecords records(folder.path());
-  if (const auto record = records.read({cli::Stage::texels, 1})) {
+  work::is_own_manifest(folder.path() / "manifest.json");
+  const work::TaskRecords records(folder.path());
+  if (const auto record = records.read({work::Stage::texels, 1})) {
     for (const auto& output : record->outputs)
       if (!is_below(output.first)) std::abort();
-    const cli::Task copy{cli::Stage::texels, 2};
+    const work::Task copy{work::Stage::texels, 2};
     records.write(copy, *record);
     const auto again = records.read(copy);
     if (!again || !same(*again, *record)) std::abort();
   }
-  if (const cli::SceneFacts facts = records.read_facts("found"); !facts.empty()) {
+  if (const work::SceneFacts facts = records.read_facts("found"); !facts.empty()) {
     records.write_facts(facts);
-    if (records.read_facts(cli::hash_of(facts)) != facts) std::abort();
-    std::filesystem::remove(folder.path() / ("tasks/scene_" + cli::hash_of(facts) + ".json"));
+    if (records.read_facts(work::hash_of(facts)) != facts) std::abort();
+    std::filesystem::remove(folder.path() / ("tasks/scene_" + work::hash_of(facts) + ".json"));
   }
   return 0;
 }

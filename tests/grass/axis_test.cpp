@@ -1,4 +1,4 @@
-#include "grass/axis.h"
+#include "grass/geometry/axis.h"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,14 @@
-#include "grass/blade_motion.h"
+#include "grass/mechanics/blade_motion.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "grass/axis.h"
-#include "grass/dynamics.h"
-#include "grass/elastica.h"
-#include "grass/mechanics.h"
-#include "grass/texel_file.h"
+#include "grass/geometry/axis.h"
+#include "grass/mechanics/dynamics.h"
+#include "grass/mechanics/elastica.h"
+#include "grass/mechanics/mechanics.h"
+#include "grass/texel/texel_file.h"
 #include "small_meadow.h"
 
 namespace wold::grass {

@@ -1,4 +1,4 @@
-#include "grass/blade.h"
+#include "grass/geometry/blade.h"
 
 #include <gtest/gtest.h>
 

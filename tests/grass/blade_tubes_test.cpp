@@ -1,11 +1,11 @@
-#include "grass/blade_tubes.h"
+#include "grass/geometry/blade_tubes.h"
 
 #include <gtest/gtest.h>
 
-#include "grass/blade_picture.h"
-#include "grass/coverage.h"
-#include "grass/point_tubes.h"
-#include "grass/voxelise.h"
+#include "grass/geometry/point_tubes.h"
+#include "grass/optics/blade_picture.h"
+#include "grass/texel/coverage.h"
+#include "grass/texel/voxelise.h"
 #include "small_meadow.h"
 
 namespace wold::grass {

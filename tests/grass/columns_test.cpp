@@ -1,4 +1,4 @@
-#include "grass/columns.h"
+#include "grass/texel/columns.h"
 
 #include <gtest/gtest.h>
 

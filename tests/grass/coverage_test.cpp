@@ -1,4 +1,4 @@
-#include "grass/coverage.h"
+#include "grass/texel/coverage.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "grass/dynamics.h"
+#include "grass/mechanics/dynamics.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "grass/voxelise.h"
+#include "grass/texel/voxelise.h"
 #include "small_meadow.h"
 
 namespace wold::grass {

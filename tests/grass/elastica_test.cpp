@@ -1,8 +1,8 @@
-#include "grass/elastica.h"
+#include "grass/mechanics/elastica.h"
 
 #include <gtest/gtest.h>
 
-#include "grass/model_table.h"
+#include "grass/ageing/model_table.h"
 #include "small_meadow.h"
 
 namespace wold::grass {

@@ -1,4 +1,4 @@
-#include "grass/frames.h"
+#include "grass/mechanics/frames.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "grass/axis.h"
-#include "grass/clumps.h"
-#include "grass/coat.h"
+#include "grass/geometry/axis.h"
+#include "grass/geometry/clumps.h"
+#include "grass/optics/coat.h"
 #include "small_meadow.h"
 
 namespace wold::grass {

@@ -4,8 +4,8 @@
 #include <map>
 
 #include "core/error.h"
-#include "grass/ageing_curves.h"
-#include "grass/dynamics.h"
+#include "grass/ageing/ageing_curves.h"
+#include "grass/mechanics/dynamics.h"
 #include "scene/registry.h"
 
 namespace wold::grass {

@@ -1,4 +1,4 @@
-#include "grass/leaf_colour.h"
+#include "grass/optics/leaf_colour.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "grass/leaf_optics.h"
+#include "grass/optics/leaf_optics.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstddef>
 
-#include "grass/model_table.h"
-#include "grass/pigments.h"
+#include "grass/ageing/model_table.h"
+#include "grass/optics/pigments.h"
 
 namespace wold::grass {
 namespace {

@@ -6,8 +6,8 @@
 #include <fstream>
 
 #include "core/error.h"
-#include "grass/model_table.h"
-#include "grass/pigments.h"
+#include "grass/ageing/model_table.h"
+#include "grass/optics/pigments.h"
 
 namespace wold::grass {
 namespace {

@@ -1,14 +1,14 @@
-#include "grass/levels.h"
+#include "grass/texel/levels.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "core/random.h"
-#include "grass/baking.h"
-#include "grass/columns.h"
-#include "grass/coverage.h"
-#include "grass/rasterise.h"
+#include "grass/texel/baking.h"
+#include "grass/texel/columns.h"
+#include "grass/texel/coverage.h"
+#include "grass/texel/rasterise.h"
 #include "small_meadow.h"
 
 namespace wold::grass {

@@ -1,4 +1,4 @@
-#include "grass/mechanics.h"
+#include "grass/mechanics/mechanics.h"
 
 #include <gtest/gtest.h>
 

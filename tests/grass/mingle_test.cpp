@@ -1,11 +1,11 @@
-#include "grass/mingle.h"
+#include "grass/texel/mingle.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "grass/rasterise.h"
+#include "grass/texel/rasterise.h"
 #include "small_meadow.h"
 
 namespace wold::grass {

@@ -1,9 +1,9 @@
-#include "grass/points.h"
+#include "grass/texel/points.h"
 
 #include <gtest/gtest.h>
 
-#include "grass/rasterise.h"
-#include "grass/voxelise.h"
+#include "grass/texel/rasterise.h"
+#include "grass/texel/voxelise.h"
 #include "small_meadow.h"
 
 namespace wold::grass {

@@ -1,11 +1,11 @@
-#include "grass/rasterise.h"
+#include "grass/texel/rasterise.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "core/parallel.h"
-#include "grass/texel_builder.h"
+#include "grass/texel/texel_builder.h"
 #include "small_meadow.h"
 
 namespace wold::grass {

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <vector>
 
-#include "grass/texel.h"
+#include "grass/texel/texel.h"
 
 /// Quarter-turns, counter-clockwise seen from above.
 namespace wold::grass::test {

@@ -1,13 +1,13 @@
-#include "grass/samples.h"
+#include "grass/texel/samples.h"
 
 #include <gtest/gtest.h>
 
 #include "core/vdb_dense.h"
-#include "grass/ageing_curves.h"
-#include "grass/blade_patch.h"
-#include "grass/rasterise.h"
-#include "grass/texel_file.h"
-#include "grass/time_varying_texel.h"
+#include "grass/ageing/ageing_curves.h"
+#include "grass/texel/blade_patch.h"
+#include "grass/texel/rasterise.h"
+#include "grass/texel/texel_file.h"
+#include "grass/texel/time_varying_texel.h"
 #include "scene/key_frames.h"
 #include "small_meadow.h"
 #include "support/temporary_folder.h"

@@ -1,11 +1,11 @@
-#include "grass/shading.h"
+#include "grass/optics/shading.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "grass/baking.h"
-#include "grass/rasterise.h"
+#include "grass/texel/baking.h"
+#include "grass/texel/rasterise.h"
 #include "rotated.h"
 #include "small_meadow.h"
 

@@ -4,10 +4,10 @@
 #include <numbers>
 #include <vector>
 
-#include "grass/columns.h"
-#include "grass/dynamics.h"
-#include "grass/points.h"
-#include "grass/shading.h"
+#include "grass/mechanics/dynamics.h"
+#include "grass/optics/shading.h"
+#include "grass/texel/columns.h"
+#include "grass/texel/points.h"
 
 /// A meadow that is made in milliseconds, and shorthands for the tests of gen/grass.
 namespace wold::grass::test {

@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
 
-#include "grass/axis.h"
-#include "grass/blade_picture.h"
-#include "grass/blade_tubes.h"
-#include "grass/patch_state.h"
-#include "grass/samples.h"
-#include "grass/snow_points.h"
-#include "grass/snow_ridge.h"
+#include "grass/ageing/patch_state.h"
+#include "grass/geometry/axis.h"
+#include "grass/geometry/blade_tubes.h"
+#include "grass/geometry/snow_ridge.h"
+#include "grass/optics/blade_picture.h"
+#include "grass/texel/samples.h"
+#include "grass/texel/snow_points.h"
 #include "small_meadow.h"
 
 namespace wold::grass {

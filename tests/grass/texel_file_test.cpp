@@ -1,11 +1,11 @@
-#include "grass/texel_file.h"
+#include "grass/texel/texel_file.h"
 
 #include <gtest/gtest.h>
 
 #include "core/error.h"
 #include "core/files.h"
 #include "core/vdb_file.h"
-#include "grass/voxelise.h"
+#include "grass/texel/voxelise.h"
 #include "small_meadow.h"
 #include "support/temporary_folder.h"
 

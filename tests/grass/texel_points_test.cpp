@@ -1,4 +1,4 @@
-#include "grass/texel_points.h"
+#include "grass/texel/texel_points.h"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,10 @@
 
 #include "core/error.h"
 #include "core/vdb_file.h"
-#include "grass/foreign_texel.h"
-#include "grass/rasterise.h"
-#include "grass/samples.h"
-#include "grass/texel_file.h"
+#include "grass/texel/foreign_texel.h"
+#include "grass/texel/rasterise.h"
+#include "grass/texel/samples.h"
+#include "grass/texel/texel_file.h"
 #include "small_meadow.h"
 #include "support/temporary_folder.h"
 

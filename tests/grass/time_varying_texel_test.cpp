@@ -1,4 +1,4 @@
-#include "grass/time_varying_texel.h"
+#include "grass/texel/time_varying_texel.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "core/files.h"
 #include "core/parallel.h"
 #include "core/vdb_dense.h"
-#include "grass/texel_file.h"
+#include "grass/texel/texel_file.h"
 #include "small_meadow.h"
 #include "support/temporary_folder.h"
 

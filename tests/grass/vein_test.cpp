@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "grass/elastica.h"
-#include "grass/model_table.h"
-#include "grass/vein_step.h"
+#include "grass/ageing/model_table.h"
+#include "grass/mechanics/elastica.h"
+#include "grass/mechanics/vein_step.h"
 #include "small_meadow.h"
 
 namespace wold::grass {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "grass/ageing_curves.h"
-#include "grass/blade_patch.h"
-#include "grass/mechanics.h"
-#include "grass/point_tubes.h"
-#include "grass/samples.h"
+#include "grass/ageing/ageing_curves.h"
+#include "grass/geometry/point_tubes.h"
+#include "grass/mechanics/mechanics.h"
+#include "grass/texel/blade_patch.h"
+#include "grass/texel/samples.h"
 #include "small_meadow.h"
 
 /// What becomes of a blade's points, against plain geometry.

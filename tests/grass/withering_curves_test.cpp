@@ -1,4 +1,4 @@
-#include "grass/withering_curves.h"
+#include "grass/ageing/withering_curves.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "grass/model_table.h"
+#include "grass/ageing/model_table.h"
 
 namespace wold::grass {
 namespace {

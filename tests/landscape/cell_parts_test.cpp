@@ -8,9 +8,9 @@
 
 #include "core/parallel.h"
 #include "core/random.h"
-#include "landscape/blade_parts.h"
-#include "landscape/cells.h"
-#include "landscape/growth.h"
+#include "meadow/blade_parts.h"
+#include "meadow/cells.h"
+#include "place/growth.h"
 #include "scene/parse.h"
 #include "support/grown.h"
 #include "terrain/ground.h"
@@ -133,7 +133,7 @@ TEST(PartsOnGround, TileThePatchBetweenItsVoxels) {
 struct Example {
   scene::Scene scene;
   Heightfield terrain;
-  std::vector<CellChoice> cells;
+  std::vector<meadow::CellChoice> cells;
 };
 
 Example example(const char* name) {
@@ -141,8 +141,8 @@ Example example(const char* name) {
   scene::Scene scene = scene::read_scene(file);
   scene.render.size_px = {960, 540};
   const Heightfield terrain = terrain::make_ground(scene.terrain, scene.seed);
-  std::vector<CellChoice> cells =
-      choose_cells(scene, terrain, growth_map(scene, terrain), Withering(scene, terrain), 2);
+  std::vector<meadow::CellChoice> cells = meadow::choose_cells(
+      scene, terrain, place::growth_map(scene, terrain), place::Withering(scene, terrain), 2);
   return {scene, terrain, cells};
 }
 
@@ -153,7 +153,7 @@ TEST(PartsOnGround, FollowTheGroundOfTheExamples) {
     ASSERT_GT(in.cells.size(), 1000U);
     std::size_t parts = 0;
     double worst_m = 0.0;
-    for (const CellChoice& cell : in.cells)
+    for (const meadow::CellChoice& cell : in.cells)
       for (const PlacedPart& placed : cell.parts)
         for (std::uint64_t i = 25 * parts++, end = i + 25; i < end; ++i) {
           const glm::dvec2 share(uniform(i, "x"), uniform(i, "y"));
@@ -193,9 +193,10 @@ TEST(PartsOnGround, EvenGroundHasNone) {
   Heightfield plain(25, 12.0);
   for (int j = 0; j < 25; ++j)
     for (int i = 0; i < 25; ++i) plain.at(i, j) = static_cast<float>(0.1 * i - 0.05 * j);
-  const auto cells = choose_cells(scene, plain, test::grown(scene), Withering(scene, plain), 1);
+  const auto cells =
+      meadow::choose_cells(scene, plain, test::grown(scene), place::Withering(scene, plain), 1);
   ASSERT_GT(cells.size(), 100U);
-  for (const CellChoice& cell : cells) {
+  for (const meadow::CellChoice& cell : cells) {
     ASSERT_EQ(cell.parts.size(), 1U);
     EXPECT_TRUE(cell.parts.front().part.is_whole());
   }
@@ -222,7 +223,7 @@ TEST(BladeParts, HaveEveryBladeOnceByItsRoot) {
   std::multiset<float> seen;
   std::set<std::string> names;
   for (const Part& quarter : quarters_of_patch(254)) {
-    const BladeMesh part = part_of(mesh, patch_m, quarter);
+    const BladeMesh part = meadow::part_of(mesh, patch_m, quarter);
     names.insert(part.name);
     EXPECT_GT(part.tubes->count(), count / 8);
     for (std::size_t tube = 0; tube < part.tubes->count(); ++tube) {
@@ -241,7 +242,7 @@ TEST(BladeParts, HaveEveryBladeOnceByItsRoot) {
   EXPECT_EQ(names.size(), 4U);
   ASSERT_EQ(seen.size(), count);
   EXPECT_EQ(std::set<float>(seen.begin(), seen.end()).size(), count);
-  EXPECT_EQ(part_of(mesh, patch_m, whole).tubes, mesh.tubes);
+  EXPECT_EQ(meadow::part_of(mesh, patch_m, whole).tubes, mesh.tubes);
 }
 
 }  // namespace

@@ -17,7 +17,10 @@ FAULT_KEYS = {"name", "file", "find", "replace", "breaks"}
 
 @dataclasses.dataclass(frozen=True)
 class Mutant:
-    """A fault: `find`, which is once in `file`, is replaced; `tests` is a filter of GoogleTest."""
+    """A fault: `find`, which is once in `file`, is replaced.
+
+    `programs` are the test programs that may see it, `tests` is a filter of GoogleTest for them.
+    """
 
     room: str
     name: str
@@ -26,6 +29,7 @@ class Mutant:
     replace: str
     breaks: str
     tests: str
+    programs: tuple[str, ...]
 
     @property
     def full_name(self):
@@ -35,12 +39,13 @@ class Mutant:
 def read_room(path):
     table = tomllib.loads(path.read_text())
     room_tests = table.get("tests", "*")
+    programs = tuple(table.get("programs", [path.stem]))
     mutants = []
     for fault in table["mutant"]:
         wrong = FAULT_KEYS - fault.keys() or fault.keys() - FAULT_KEYS - {"tests"}
         if wrong:
             sys.exit(f"error: {path}: {fault.get('name')}: missing or unknown {sorted(wrong)}")
-        mutants.append(Mutant(room=path.stem, **{"tests": room_tests, **fault}))
+        mutants.append(Mutant(room=path.stem, programs=programs, **{"tests": room_tests, **fault}))
     return mutants
 
 
@@ -74,16 +79,20 @@ class Copy:
         self.build_folder = folder / "build"
         self.jobs = jobs
 
-    def build(self, rooms):
-        targets = [f"test_{room}" for room in sorted(rooms)]
+    def build(self, programs):
+        targets = [f"test_{program}" for program in sorted(programs)]
         command = ["ninja", "-C", self.build_folder, f"-j{self.jobs}", *targets]
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         return done.returncode == 0, done.stdout
 
-    def test(self, room, tests, most_seconds):
+    def test(self, programs, tests, most_seconds):
         """The first test that fails, "" when none does."""
+        failed = (self.test_one(program, tests, most_seconds) for program in programs)
+        return next((test for test in failed if test), "")
+
+    def test_one(self, program, tests, most_seconds):
         command = [
-            self.build_folder / f"test_{room}",
+            self.build_folder / f"test_{program}",
             f"--gtest_filter={tests}",
             "--gtest_fail_fast",
             "--gtest_brief=1",
@@ -114,11 +123,11 @@ def try_mutant(copy, mutant, usual_seconds):
         return "not found", f"its text is {count} times in {mutant.file}, expected once"
     path.write_text(text.replace(mutant.find, mutant.replace))
     try:
-        built, log = copy.build([mutant.room])
+        built, log = copy.build(mutant.programs)
         if not built:
             errors = [line for line in log.splitlines() if "error" in line]
             return "did not build", errors[0] if errors else log.splitlines()[-1]
-        by = copy.test(mutant.room, mutant.tests, 30 + 5 * usual_seconds)
+        by = copy.test(mutant.programs, mutant.tests, 30 + 5 * usual_seconds)
     finally:
         path.write_text(text)
     return ("caught", by) if by else ("survived", mutant.breaks)
@@ -127,13 +136,13 @@ def try_mutant(copy, mutant, usual_seconds):
 def usual_seconds(copy, mutants):
     """How long the tests take without any fault; they have to pass."""
     print("Building without a fault", file=sys.stderr, flush=True)
-    built, log = copy.build({mutant.room for mutant in mutants})
+    built, log = copy.build({program for mutant in mutants for program in mutant.programs})
     if not built:
         sys.exit(f"error: the copy does not build without a fault:\n{log[-4000:]}")
     seconds = {}
-    for room, tests in sorted({(mutant.room, mutant.tests) for mutant in mutants}):
+    for room, programs, tests in sorted({(m.room, m.programs, m.tests) for m in mutants}):
         begin = time.monotonic()
-        failed = copy.test(room, tests, 3600)
+        failed = copy.test(programs, tests, 3600)
         if failed:
             sys.exit(f"error: tests of {room} fail without a fault: {failed}")
         seconds[room, tests] = time.monotonic() - begin

@@ -18,6 +18,7 @@ class CountingProgress final : public Progress {
   void begin(std::string_view, std::size_t units) override { units_ = units; }
   void advance(std::size_t units, std::string_view) override { steps_.push_back(units); }
   void end() override { ended_ = true; }
+  void say(std::string_view) override {}
   std::size_t units_ = 0;
   std::vector<std::size_t> steps_;
   bool ended_ = false;
@@ -125,6 +126,7 @@ TEST_F(FakeRenderer, AProgressSinkCanStopTheWork) {
     void begin(std::string_view, std::size_t) override {}
     void advance(std::size_t, std::string_view) override { throw InterruptedError(); }
     void end() override {}
+    void say(std::string_view) override {}
   } progress;
   play("echo 'wold: progress 0.5'; sleep 60");
   EXPECT_THROW(render::run(job(), progress, never), InterruptedError);

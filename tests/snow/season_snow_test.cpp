@@ -7,12 +7,12 @@
 
 #include "core/files.h"
 #include "core/random.h"
+#include "phenology/film_season.h"
 #include "scene/calendar.h"
-#include "season/film_season.h"
-#include "season/snow_on_ground.h"
 #include "snow/cover.h"
 #include "snow/drifting.h"
 #include "snow/large_cover.h"
+#include "snowpack/snow_on_ground.h"
 #include "support/temporary_folder.h"
 
 namespace wold::snow {
@@ -49,7 +49,7 @@ class SeasonSnow : public testing::Test {
     scene.season.frames = frames;
     scene.sun.time_h = 6.0;
     scene.sun.latitude_deg = 46.0;
-    scene = season::as_film(scene);
+    scene = phenology::as_film(scene);
   }
 
   SnowGround ground(const Heightfield& terrain) const {
@@ -79,18 +79,19 @@ double mean(const std::vector<float>& values) {
 // But for rounding, which lets air that is at zero be a little above it.
 TEST_F(SeasonSnow, OnTheLevelIsThatOfTheCurvesAtAnyHeight) {
   for (const double height_m : {0.0, 700.0}) {
-    std::vector<season::Day> days = season::FilmSeason(scene).days();
-    const auto first = static_cast<std::size_t>(-season::FilmSeason(scene).first_day());
-    for (season::Day& day : days) {
+    std::vector<weather::Day> days = phenology::FilmSeason(scene).days();
+    const auto first = static_cast<std::size_t>(-phenology::FilmSeason(scene).first_day());
+    for (weather::Day& day : days) {
       day.tmin_c -= lapse_k_per_m * height_m;
       day.tmax_c -= lapse_k_per_m * height_m;
     }
-    const std::vector<season::SnowOnGround> mornings = season::snow_on_ground(days);
+    const std::vector<snowpack::SnowOnGround> mornings = snowpack::snow_on_ground(days);
     const SnowGround level = ground(Heightfield(3, 20.0, static_cast<float>(height_m)));
     double deepest_m = 0.0;
     int bare = 0;
     for (int frame = 1; frame <= frames; ++frame) {
-      const season::SnowOnGround& expected = mornings[first + static_cast<std::size_t>(frame) - 1];
+      const snowpack::SnowOnGround& expected =
+          mornings[first + static_cast<std::size_t>(frame) - 1];
       const SnowGround::State state = level.at(time_s(frame));
       ASSERT_NEAR(state.water_mm.at(1, 1), expected.water_mm, 1e-5 * expected.water_mm) << frame;
       ASSERT_NEAR(state.depth_m.at(1, 1), expected.depth_m, 1e-5 * expected.depth_m) << frame;
@@ -104,12 +105,12 @@ TEST_F(SeasonSnow, OnTheLevelIsThatOfTheCurvesAtAnyHeight) {
 
 TEST_F(SeasonSnow, BeginsWithWhatLies) {
   scene.snow_cover.initial_mm = 50.0;
-  const season::FilmSeason film(scene);
-  const auto mornings = season::snow_on_ground(film.days(), {}, 50.0);
+  const phenology::FilmSeason film(scene);
+  const auto mornings = snowpack::snow_on_ground(film.days(), {}, 50.0);
   const SnowGround level = ground(Heightfield(2, 20.0, 0.0F));
   for (const int day : {0, 1, 3}) {
     const SnowGround::State state = level.at((film.first_day() + day) * 86400.0);
-    const season::SnowOnGround& expected = mornings[static_cast<std::size_t>(day)];
+    const snowpack::SnowOnGround& expected = mornings[static_cast<std::size_t>(day)];
     EXPECT_GT(expected.depth_m, 0.0);
     EXPECT_NEAR(state.depth_m.at(0, 0), expected.depth_m, 1e-6);
     EXPECT_NEAR(state.water_mm.at(0, 0), expected.water_mm, 1e-4);
@@ -118,7 +119,7 @@ TEST_F(SeasonSnow, BeginsWithWhatLies) {
 
 TEST_F(SeasonSnow, IsTheSameForAFrameAloneAndInSequence) {
   scene.sun.time_h = 14.0;  // amid a step
-  scene = season::as_film(scene);
+  scene = phenology::as_film(scene);
   const SnowGround in_sequence = ground(roof(0.8));
   for (int frame = 1; frame < 90; ++frame) in_sequence.at(time_s(frame));
   const SnowGround::State last = in_sequence.at(time_s(90));
@@ -144,14 +145,14 @@ TEST_F(SeasonSnow, LiesOrHasLeft) {
     const FieldStep field_step = classes.step(now, 3.0, 0.0);
     const FactorMap drift = drift_factor(terrain, 90.0 * (step % 4), 0.5);
     for (std::size_t i = 0; i < places; ++i) {
-      const season::SnowStep here =
+      const snowpack::SnowStep here =
           std::get<SeasonStep>(field_step).at(classes.height_m(classes.of_place()[i]));
-      season::SnowState snow{packs.water_mm[i], packs.depth_m[i], packs.age[i],
-                             step > 0 ? packs.liquid_mm[i] : 0.0,
-                             step > 0 ? packs.lacking_mm[i] : 0.0};
+      snowpack::SnowState snow{packs.water_mm[i], packs.depth_m[i], packs.age[i],
+                               step > 0 ? packs.liquid_mm[i] : 0.0,
+                               step > 0 ? packs.lacking_mm[i] : 0.0};
       in_mm += drift.values()[i] * here.snow_mm + here.rain_mm;
-      out_mm += season::advance(snow, here, drift.values()[i],
-                                season::sun_mm(here, rise.east[i], rise.north[i]), {});
+      out_mm += snowpack::advance(snow, here, drift.values()[i],
+                                  snowpack::sun_mm(here, rise.east[i], rise.north[i]), {});
     }
     advance(packs, classes, field_step, drift.values(), rise);
     const std::vector<double> before_mm = packs.water_mm;
@@ -202,7 +203,7 @@ TEST_F(SeasonSnow, FallsOnTheGroundWhenItFallsInTheAir) {
     ASSERT_NEAR(fallen_mm - before_mm, air_mm, 1e-9 * fallen_mm) << frame;
     const double wet_mm = weather.at(time_s(frame) + 3600.0).precipitation_mm_h * 24.0;
     const double seen_mm_h = weather.falling_snow_mm_h(time_s(frame) + 3600.0 * 7.0, 0.0);
-    EXPECT_NEAR(seen_mm_h * season::wet_hours(wet_mm), air_mm, 1e-9) << frame;
+    EXPECT_NEAR(seen_mm_h * weather::wet_hours(wet_mm), air_mm, 1e-9) << frame;
     snowy += air_mm > 0.0, rainy += wet_mm > 0.0 && air_mm == 0.0;
   }
   EXPECT_GT(snowy, 10);

@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "season/daily_weather.h"
-#include "season/number_table.h"
-#include "season/snow_on_ground.h"
+#include "snowpack/snow_on_ground.h"
+#include "weather/daily_weather.h"
+#include "weather/number_table.h"
 
 namespace wold::test {
 
 /// Daily weather with something that was measured on some of the days.
 struct MeasuredDays {
   std::string place;
-  std::vector<season::Day> days;
+  std::vector<weather::Day> days;
   std::vector<double> measured;  ///< of each day, NaN where there is none
 };
 
@@ -26,12 +26,12 @@ inline std::filesystem::path measured_file(const std::string& place) {
 
 inline MeasuredDays measured_days(const std::string& place, const std::string& column,
                                   double latitude_deg) {
-  MeasuredDays result{place, season::read_daily_weather(measured_file(place), latitude_deg), {}};
+  MeasuredDays result{place, weather::read_daily_weather(measured_file(place), latitude_deg), {}};
   const auto table =
-      season::read_table(measured_file(place),
-                         {{.name = "date", .rises = true, .required = true, .is_date = true},
-                          {.name = column, .unit = "", .required = true, .may_be_empty = true}},
-                         season::OtherColumns::ignored);
+      weather::read_table(measured_file(place),
+                          {{.name = "date", .rises = true, .required = true, .is_date = true},
+                           {.name = column, .unit = "", .required = true, .may_be_empty = true}},
+                          weather::OtherColumns::ignored);
   result.measured.assign(result.days.size(), std::nan(""));
   for (std::size_t row = 0; row < table.lines.size(); ++row)
     result.measured[static_cast<std::size_t>(table.columns[0][row] - table.columns[0][0])] =
@@ -47,30 +47,30 @@ inline const std::vector<std::string>& grasslands() {
 }
 
 /// Calendar year of a day, or with `winter` that in which its winter began.
-inline int year_of(const season::Day& day, bool winter = false) {
+inline int year_of(const weather::Day& day, bool winter = false) {
   const std::chrono::year_month_day date(day.date);
   return static_cast<int>(date.year()) -
          (winter && static_cast<unsigned>(date.month()) < 8 ? 1 : 0);
 }
 
 /// Of November to April, when there may be snow.
-inline bool in_winter(const season::Day& day) {
+inline bool in_winter(const weather::Day& day) {
   const unsigned month(std::chrono::year_month_day(day.date).month());
   return month >= 11 || month <= 4;
 }
 
 /// `number` of the modelled snow of each day.
-inline std::vector<double> modelled_snow(const std::vector<season::Day>& days,
-                                         double season::SnowOnGround::*number,
-                                         const season::SnowParameters& snow = {}) {
+inline std::vector<double> modelled_snow(const std::vector<weather::Day>& days,
+                                         double snowpack::SnowOnGround::*number,
+                                         const snowpack::SnowParameters& snow = {}) {
   std::vector<double> numbers;
-  for (const season::SnowOnGround& morning : season::snow_on_ground(days, snow))
+  for (const snowpack::SnowOnGround& morning : snowpack::snow_on_ground(days, snow))
     numbers.push_back(morning.*number);
   return numbers;
 }
 
 /// The last day of the winter that began in `year` on which 5 cm of snow or more lie.
-inline std::optional<std::chrono::sys_days> last_snow(const std::vector<season::Day>& days,
+inline std::optional<std::chrono::sys_days> last_snow(const std::vector<weather::Day>& days,
                                                       const std::vector<double>& depths_m,
                                                       int year) {
   std::optional<std::chrono::sys_days> last;

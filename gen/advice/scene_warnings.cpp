@@ -1,0 +1,148 @@
+#include "advice/scene_warnings.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cloud/recipe.h"
+#include "cloud/timeline.h"
+#include "core/elementary.h"
+#include "scene/calendar.h"
+#include "scene/winter.h"
+#include "snow/weather.h"
+#include "weather/daily_weather.h"
+
+namespace wold::advice {
+namespace {
+
+using Warnings = std::vector<std::string>;
+
+/// Fewer are pictures for themselves.
+constexpr std::size_t least_film_frames = 8;
+
+/// The longest way that a layer drifts from one frame to the next.
+double longest_step_m(const scene::Scene& scene, std::size_t layer, double cell_m) {
+  const cloud::Timeline timeline(scene, layer, cell_m);
+  double longest_m = 0.0;
+  glm::dvec2 before_m = timeline.at(0.0).way_m;
+  for (std::size_t frame = 1; frame < scene.ageing.frames.size(); ++frame) {
+    const double time_s = static_cast<double>(frame) * scene.film.frame_seconds;
+    const glm::dvec2 way_m = timeline.at(time_s).way_m;
+    longest_m = std::max(longest_m, glm::distance(before_m, way_m));
+    before_m = way_m;
+  }
+  return longest_m;
+}
+
+void warn_of_jumping_clouds(const scene::Scene& scene, Warnings& warnings) {
+  constexpr double smooth = 0.1;  // of a cell
+  if (scene.ageing.frames.size() < least_film_frames) return;
+  for (std::size_t i = 0; i < scene.clouds.size(); ++i) {
+    const scene::CloudLayer& layer = scene.clouds[i];
+    const double cell_m = layer.cell_m.value_or(cloud::recipe_of(layer.kind).cell_m);
+    const double step_m = longest_step_m(scene, i, cell_m);
+    if (step_m <= cell_m) continue;
+    const double slower = smooth * cell_m / step_m;
+    warnings.push_back(fmt::format(
+        "clouds[{0}] jump {1:.3g} m from one frame to the next, more than their cell of {2:.3g} m; "
+        "set film.frame_seconds = {3:.2g}, or clouds[{0}].speed = {4:.2g}",
+        i + 1, step_m, cell_m, slower * scene.film.frame_seconds, slower * layer.speed_m_s));
+  }
+}
+
+/// [weather]'s keys say what it is like, all the time.
+bool has_plain_weather(const scene::Scene& scene) {
+  return !scene::is_season(scene) && scene.weather.table.empty();
+}
+
+/// On the highest ground of a terrain that is known without being made.
+double coldest_c(const scene::Scene& scene) {
+  const double top_m = scene.terrain.hill_height_m + 3.0 * scene.terrain.relief_m;
+  return scene.weather.temperature_c - snow::lapse_k_per_m * top_m;
+}
+
+/// Whether it is known that no snow falls: none does, or all that does is rain.
+bool has_no_snowfall(const scene::Scene& scene) {
+  if (!scene::may_snow(scene)) return true;
+  return has_plain_weather(scene) && scene.terrain.elevation.empty() &&
+         scene.snowfall.strength == "weather" && snow::snow_share(coldest_c(scene)) <= 0.0;
+}
+
+void warn_of_lost_snow(const scene::Scene& scene, Warnings& warnings) {
+  const scene::SnowCover& cover = scene.snow_cover;
+  if (cover.initial_mm <= 0.0) return;
+  if (cover.cover != "depth") {
+    warnings.push_back(
+        fmt::format("the snow of snow_cover.initial is not drawn with snow_cover.cover = \"{}\"; "
+                    "set snow_cover.cover = \"depth\"",
+                    cover.cover));
+    return;
+  }
+  if (!has_plain_weather(scene) || !scene.terrain.elevation.empty()) return;
+  constexpr double hours_per_day = 24.0;
+  const double melted_mm = cover.melt_mm_per_day * std::max(coldest_c(scene), 0.0) *
+                           scene.weather.earlier_h / hours_per_day;
+  if (scene::may_snow(scene) || melted_mm < cover.initial_mm) return;
+  warnings.push_back(fmt::format(
+      "the snow of snow_cover.initial has melted before the first frame; set weather.earlier = 0 "
+      "or weather.temperature = -1"));
+}
+
+/// A flake is as much fainter as its streak is longer than itself.
+void warn_of_streaks(const scene::Scene& scene, Warnings& warnings) {
+  constexpr double flake_m = 0.005, fall_m_s = 1.0;
+  constexpr double least_opacity = 0.05;
+  static const scene::Snowfall usual;
+  if (!scene::may_snow(scene) || scene.snowfall.motion != "physical") return;
+  const double speed_m_s = math::hypot(fall_m_s, scene.wind.speed_m_s);
+  const double opacity = flake_m / (flake_m + speed_m_s * scene.snowfall.shutter_s);
+  if (opacity >= least_opacity) return;
+  warnings.push_back(fmt::format(
+      "flakes streak over {:.2g} m while the picture is exposed, too faint to be seen; set "
+      "snowfall.shutter = {:.3g}",
+      speed_m_s * scene.snowfall.shutter_s, usual.shutter_s));
+}
+
+/// A tornado is made of flakes.
+void warn_of_unseen_tornado(const scene::Scene& scene, Warnings& warnings) {
+  if (scene.wind.field != "tornado" || !has_no_snowfall(scene)) return;
+  warnings.emplace_back(
+      "the tornado of wind.field whirls flakes up, and no snow falls: it is not seen; set "
+      "snowfall.strength = \"moderate\"");
+}
+
+void warn_of_late_table(const scene::Scene& scene, Warnings& warnings) {
+  constexpr std::chrono::days enough(60);
+  if (!scene::is_season(scene) || scene.season.table.empty()) return;
+  const bool keys_wither = std::ranges::any_of(
+      scene.season_keys, [](const scene::SeasonKey& key) { return key.weathering.has_value(); });
+  if (keys_wither) return;
+  const std::chrono::sys_days first = scene::date_of(scene.season.first);
+  const std::chrono::sys_days begins =
+      weather::read_daily_weather(scene.season.table, scene.sun.latitude_deg).front().date;
+  if (first - begins >= enough) return;
+  const std::chrono::year_month_day later(begins + enough);
+  warnings.push_back(fmt::format(
+      "season.table begins {} days before the first frame, and grass follows the weather of "
+      "months; let it begin on {:%Y-%m-%d} or earlier, or set season.first = [{}, {}, {}] or later",
+      (first - begins).count(), first - enough, static_cast<int>(later.year()),
+      static_cast<unsigned>(later.month()), static_cast<unsigned>(later.day())));
+}
+
+}  // namespace
+
+Warnings scene_warnings(const scene::Scene& film) {
+  Warnings warnings = grass_warnings(film);
+  warn_of_jumping_clouds(film, warnings);
+  warn_of_lost_snow(film, warnings);
+  warn_of_streaks(film, warnings);
+  warn_of_unseen_tornado(film, warnings);
+  warn_of_late_table(film, warnings);
+  for (const auto& more : {season_warnings(film), unused_key_warnings(film)})
+    warnings.insert(warnings.end(), more.begin(), more.end());
+  return warnings;
+}
+
+}  // namespace wold::advice

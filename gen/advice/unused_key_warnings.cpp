@@ -1,0 +1,85 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "advice/scene_warnings.h"
+#include "scene/cloud_consistency.h"
+#include "scene/registry.h"
+
+namespace wold::advice {
+namespace {
+
+using Keys = std::vector<std::string>;
+
+/// A key that only counts when another one is so.
+struct Condition {
+  const char* key;
+  bool holds;
+  const char* needs;
+};
+
+bool is_given(const scene::Scene& scene, const char* name) {
+  static const scene::Scene plain;
+  const scene::Key& key = *scene::find_key(name);
+  return key.get(scene) != key.get(plain);
+}
+
+void warn_of_other_choices(const scene::Scene& scene, Keys& warnings) {
+  const bool paper_flakes = scene.snowfall.motion == "paper";
+  const bool paper_cover = scene.snow_cover.cover == "paper";
+  const bool real_place = !scene.terrain.elevation.empty();
+  for (const Condition& condition : {
+           Condition{"snowfall.box", paper_flakes, "snowfall.motion = \"paper\""},
+           Condition{"snow_cover.white_after", paper_cover, "snow_cover.cover = \"paper\""},
+           Condition{"terrain.centre", real_place, "terrain.elevation"},
+           Condition{"terrain.system", real_place, "terrain.elevation"},
+       })
+    if (!condition.holds && is_given(scene, condition.key))
+      warnings.push_back(
+          fmt::format("{} changes nothing without {}", condition.key, condition.needs));
+}
+
+/// Keys of a layer that is moved as the paper has it, and of the events that happen to it.
+Keys unused_by_paper_motion(const scene::Scene& scene, std::size_t layer) {
+  static const scene::CloudLayer usual;
+  static const scene::CloudEvent usual_event;
+  const scene::CloudLayer& clouds = scene.clouds[layer];
+  Keys unused;
+  const auto add = [&](bool given, const char* list, std::size_t item, const char* key) {
+    if (given) unused.push_back(fmt::format("{}[{}].{}", list, item + 1, key));
+  };
+  add(clouds.speed_m_s != usual.speed_m_s, "clouds", layer, "speed");
+  add(clouds.heading_deg != usual.heading_deg, "clouds", layer, "heading");
+  add(clouds.gusts_m_s != usual.gusts_m_s, "clouds", layer, "gusts");
+  for (std::size_t item = 0; item < scene.cloud_events.size(); ++item) {
+    const scene::CloudEvent& event = scene.cloud_events[item];
+    if (!scene::happens_to(event, layer)) continue;
+    add(event.speed_m_s != usual_event.speed_m_s, "cloud_events", item, "speed");
+    add(event.factor != usual_event.factor, "cloud_events", item, "factor");
+  }
+  return unused;
+}
+
+void warn_of_paper_motion(const scene::Scene& scene, Keys& warnings) {
+  for (std::size_t layer = 0; layer < scene.clouds.size(); ++layer) {
+    if (scene.clouds[layer].motion != "paper") continue;
+    const Keys unused = unused_by_paper_motion(scene, layer);
+    if (unused.empty()) continue;
+    warnings.push_back(fmt::format(
+        "clouds[{0}].motion = \"paper\" drifts by 0.0001 cells a frame whatever the speed: {1} "
+        "change{2} nothing; set clouds[{0}].motion = \"physical\"",
+        layer + 1, fmt::join(unused, ", "), unused.size() == 1 ? "s" : ""));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> unused_key_warnings(const scene::Scene& film) {
+  Keys warnings;
+  warn_of_other_choices(film, warnings);
+  warn_of_paper_motion(film, warnings);
+  return warnings;
+}
+
+}  // namespace wold::advice

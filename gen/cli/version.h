@@ -1,8 +1,0 @@
-#pragma once
-
-namespace wold::cli {
-
-/// The project's version; the same as in the top CMakeLists.txt, which the tests check.
-inline constexpr const char* version = "0.1.0";
-
-}  // namespace wold::cli

@@ -1,0 +1,15 @@
+#include "cli/warnings.h"
+
+#include <fmt/format.h>
+
+#include "advice/scene_warnings.h"
+#include "cli/output.h"
+
+namespace wold::cli {
+
+void print_warnings(const scene::Scene& film) {
+  for (const std::string& warning : advice::scene_warnings(film))
+    print_message(fmt::format("warning: {}", warning));
+}
+
+}  // namespace wold::cli

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+#include "expectation/bare_view.h"
+#include "expectation/cloud_view.h"
+#include "landscape/far_look.h"
+#include "landscape/landscape.h"
+
+namespace wold::expectation {
+
+/// A line of sight, and what it meets from the farthest to the nearest.
+struct Sight {
+  glm::dvec3 direction{0.0};  ///< unit vector
+  bool meets_ground = false;
+  Hit bare;                                 ///< the ground, or what is behind everything
+  std::optional<landscape::FarLook> grass;  ///< of volumes, lit, that stand on the ground there
+  std::optional<landscape::FarLook> blades;
+  SeenBox clouds;
+};
+
+/// Fills in the volumes that stand where sights meet the ground. Returns of how many cells they
+/// are, or parts of cells. Throws FileError when a volume cannot be read.
+std::size_t look_at_grass(const landscape::Landscape& landscape, std::vector<Sight>& sights);
+
+/// Fills in the blades that stand where sights meet the ground.
+void look_at_blades(const landscape::Landscape& landscape, std::vector<Sight>& sights);
+
+}  // namespace wold::expectation

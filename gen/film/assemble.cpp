@@ -1,0 +1,180 @@
+#include "film/assemble.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "core/elementary.h"
+#include "ground/lit_ground.h"
+#include "ground/snowy_ground.h"
+#include "meadow/blade_parts.h"
+#include "place/view.h"
+#include "scene/calendar.h"
+#include "scene/sun_path.h"
+#include "scene/winter.h"
+#include "sky/exposure.h"
+#include "sky/frame_sky.h"
+#include "sky/snow_in_air.h"
+#include "sky/snowy_air.h"
+
+namespace wold::film {
+namespace {
+
+/// A part of a cell that is drawn.
+struct Drawn {
+  const meadow::CellChoice* choice;
+  const landscape::PlacedPart* placed;
+};
+
+/// The parts of those cells that are drawn as blades, or of the others.
+std::vector<Drawn> drawn_parts(std::span<const meadow::CellChoice> choices, bool blades) {
+  std::vector<Drawn> parts;
+  for (const meadow::CellChoice& choice : choices)
+    if (choice.blades == blades)
+      for (const landscape::PlacedPart& placed : choice.parts) parts.push_back({&choice, &placed});
+  return parts;
+}
+
+void add(const Drawn& part, int volume, std::vector<landscape::Cell>& cells) {
+  const landscape::PlacedPart& placed = *part.placed;
+  cells.push_back({placed.world_from_cell, volume, part.choice->reach, placed.part});
+}
+
+void add(const Drawn& part, int mesh, std::vector<landscape::BladeCell>& cells) {
+  cells.push_back({part.placed->world_from_cell, mesh, part.placed->part});
+}
+
+/// Each different patch once, in ascending order of `key`, and the cells that refer to them.
+template <class Key, class Lookup, class Patch, class Instance>
+void place(const std::vector<Drawn>& parts, const Key& key, const Lookup& lookup,
+           std::vector<Patch>& patches, std::vector<Instance>& cells) {
+  using Value = std::invoke_result_t<Key, const Drawn&>;
+  std::map<Value, int> numbers;
+  std::map<Value, const Drawn*> examples;
+  for (const Drawn& part : parts) examples.emplace(key(part), &part);
+  for (const auto& [value, example] : examples) {
+    numbers[value] = static_cast<int>(patches.size());
+    patches.push_back(lookup(*example));
+  }
+  for (const Drawn& part : parts) add(part, numbers.at(key(part)), cells);
+}
+
+std::tuple<int, grass::PatchState, int, int> volume_key(const Drawn& part) {
+  const meadow::CellChoice& choice = *part.choice;
+  return {choice.variant, choice.state(), choice.turn, choice.level};
+}
+
+std::tuple<int, grass::PatchState, landscape::Part> blades_key(const Drawn& part) {
+  return {part.choice->variant, part.choice->state(), part.placed->part};
+}
+
+/// Where none of a patch's blades stands on a part, there is nothing to draw.
+void leave_out_empty_meshes(landscape::Landscape& landscape) {
+  std::vector<int> number(landscape.blade_meshes.size(), -1);
+  std::vector<landscape::BladeMesh> meshes;
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    landscape::BladeMesh& mesh = landscape.blade_meshes[i];
+    if (mesh.tubes && mesh.tubes->count() == 0) continue;
+    number[i] = static_cast<int>(meshes.size());
+    meshes.push_back(std::move(mesh));
+  }
+  landscape.blade_meshes = std::move(meshes);
+  for (landscape::BladeCell& cell : landscape.blade_cells)
+    cell.mesh = number[static_cast<std::size_t>(cell.mesh)];
+  std::erase_if(landscape.blade_cells,
+                [](const landscape::BladeCell& cell) { return cell.mesh < 0; });
+}
+
+/// All that stands on the ground.
+void place_grass(std::span<const meadow::CellChoice> choices, const PatchLookup& lookup,
+                 landscape::Landscape& landscape) {
+  const auto volume = [&](const Drawn& part) { return lookup.volume(*part.choice); };
+  const auto blades = [&](const Drawn& part) {
+    return meadow::part_of(lookup.blades(*part.choice), landscape.patch_m, part.placed->part);
+  };
+  place(drawn_parts(choices, /*blades=*/false), volume_key, volume, landscape.volumes,
+        landscape.cells);
+  place(drawn_parts(choices, /*blades=*/true), blades_key, blades, landscape.blade_meshes,
+        landscape.blade_cells);
+  leave_out_empty_meshes(landscape);
+}
+
+sky::Subject bare_subject(const scene::Scene& scene) {
+  return scene.clouds.empty() ? sky::Subject::meadow : sky::Subject::clouds;
+}
+
+/// What the camera leaves of how dark it gets in a film in which the sun moves. A season's frames
+/// are days apart, and each is exposed anew.
+double dusk(const scene::Scene& scene, int frame) {
+  if (!scene::sun_moves(scene) || scene::is_season(scene)) return 1.0;
+  const auto elevation_deg = [&](double time) { return scene::sun_at(scene, time).elevation_deg; };
+  return sky::dusk_gain(elevation_deg(place::time_of_frame(scene, frame)),
+                        std::max(elevation_deg(0.0), elevation_deg(1.0)));
+}
+
+/// A film in which it may snow is exposed for snow all through; a season is so long that the camera
+/// follows the ground as it whitens, and the `light` on it as clouds and snowfall hide the sun.
+double gain(const scene::Scene& scene, const light::Daylight& day,
+            const ground::SnowyGround& ground, const ColourMap& light) {
+  const double for_bare = sky::metered_gain(day, bare_subject(scene));
+  if (scene::is_season(scene))
+    return std::lerp(for_bare, sky::snow_gain(day, light), ground.white_share());
+  const bool for_snow = scene::may_lie(scene) || scene::may_snow(scene);
+  return for_snow ? sky::metered_gain(day, sky::Subject::snow) : for_bare;
+}
+
+/// `illuminate`: what clouds and snow make of the light on the ground under a clear sky.
+template <class Illuminate>
+landscape::Daylight open_daylight(const light::Daylight& day, double sun_share,
+                                  const Illuminate& illuminate) {
+  constexpr int samples = 2;
+  constexpr Square square{.size_m = 1.0};
+  const terrain::GroundLight by_sky{ColourMap(samples, square, glm::vec3(0.0F)),
+                                    ColourMap(samples, square, day.sky_irradiance()),
+                                    FactorMap(samples, square, 1.0F)};
+  return {day.sun_direction(), day.sun_irradiance() * static_cast<float>(sun_share),
+          illuminate(by_sky).at(0, 0)};
+}
+
+}  // namespace
+
+landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site, int frame,
+                              std::span<const meadow::CellChoice> choices,
+                              const PatchLookup& lookup) {
+  landscape::Landscape landscape;
+  landscape.frame = frame;
+  landscape.weathering = scene.ageing.frames.at(static_cast<std::size_t>(frame - 1));
+  landscape.time_s = scene::time_s(scene, frame);
+  landscape.patch_m = scene.grass.patch_m;
+  landscape.camera =
+      place::resolved_camera(scene.camera, site.terrain, place::time_of_frame(scene, frame));
+  landscape.width_px = scene.render.size_px[0];
+  landscape.height_px = scene.render.size_px[1];
+  landscape.samples = scene.render.samples;
+  landscape.df3_bits = scene.render.df3_bits;
+  place_grass(choices, lookup, landscape);
+  const ground::SnowyGround ground(scene, site, frame);
+  landscape.terrain = ground.surface();
+  const sky::FrameSky sky(scene, site, frame, landscape.camera.eye_m);
+  const double overcast_per_m = sky::overcast_extinction_per_m(scene, site, frame);
+  const sky::SnowyAir air(site.day, overcast_per_m, ground.mean_albedo());
+  const auto illuminate = [&](const terrain::GroundLight& clear) {
+    const ColourMap light = sky.light(clear);
+    return overcast_per_m > 0.0 ? air.light(light, clear.overcast) : light;
+  };
+  landscape.daylight = open_daylight(site.day, air.sun_share(), illuminate);
+  const ColourMap light = illuminate(ground.light());
+  landscape.exposure_gain =
+      gain(scene, site.day, ground, light) * dusk(scene, frame) * math::exp2(scene.render.exposure);
+  ground::LitGround(scene, site, landscape, choices, lookup.far, illuminate)
+      .show(ground, light, landscape);
+  sky.show(landscape, overcast_per_m > 0.0);
+  if (overcast_per_m > 0.0) sky::let_it_fall(scene, site, air, landscape);
+  return landscape;
+}
+
+}  // namespace wold::film

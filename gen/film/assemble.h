@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "landscape/landscape.h"
+#include "meadow/cells.h"
+#include "meadow/patch_look.h"
+#include "place/site.h"
+#include "scene/scene.h"
+
+namespace wold::film {
+
+/// What stands on the cells: the baked volume of a choice, of which only variant, state, turn and
+/// level count, or its blades, for which only variant and state do.
+struct PatchLookup {
+  std::function<landscape::Volume(const meadow::CellChoice&)> volume;
+  std::function<landscape::BladeMesh(const meadow::CellChoice&)> blades;
+  /// What a state looks like from afar: the mean of its variants' unturned volumes, as coarse as
+  /// there are. Called for far_states() where shows_distance() (lit_ground.h).
+  std::function<meadow::PatchLook(const grass::PatchState&)> far = {};
+};
+
+/// One frame (from 1) as the exporters want it: `choices` are choose_cells', `lookup` is called
+/// once for each different volume and for each different part of a mesh, in ascending order, and
+/// what it gives, or the part of it, are the landscape's in that order.
+/// `site` is site_of_frame()'s. exposure_gain is metered_gain() (exposure.h), or towards
+/// snow_gain() in a season, times dusk_gain() where the sun moves within a day, times 2^exposure.
+landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site, int frame,
+                              std::span<const meadow::CellChoice> choices,
+                              const PatchLookup& lookup);
+
+}  // namespace wold::film

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "core/progress.h"
+#include "film/request.h"
+#include "film/scratch_folder.h"
+#include "grass/texel/time_varying_texel.h"
+#include "landscape/landscape.h"
+#include "meadow/cells.h"
+#include "meadow/patch_look.h"
+#include "place/site.h"
+
+namespace wold::film {
+
+/// From a checked scene to the scene folders of the renderers, part by part. What is there already
+/// and still right is kept. The bytes of a file depend on the scene alone: not on the request's
+/// frames, which say only which files there are, nor on what else was made, when, or by which
+/// process.
+///
+/// All functions throw FileError and InterruptedError; every file that exists then is whole.
+class Film {
+ public:
+  /// Makes the terrain and its light. `request` has to outlive it.
+  explicit Film(const Request& request);
+
+  /// Which texels the request's frames ask for: looks at all of them. Before make_texels().
+  void find_demand(Progress& progress);
+
+  /// The texels of a variant, from 0: DIR/texels/v<variant>_*. Returns the files. Variants may be
+  /// made at the same time.
+  std::vector<std::filesystem::path> make_texels(int variant, Progress& progress) const;
+
+  /// A picture of each layer of clouds: DIR/clouds/. Returns the files.
+  std::vector<std::filesystem::path> make_cloud_pictures() const;
+
+  /// A frame, from 1, in the folders of the renderers that the scene asks for; its texels have to
+  /// be there. Returns the files that it is made of, shared ones too.
+  std::vector<std::filesystem::path> make_frame(int frame, Progress& progress);
+
+ private:
+  std::vector<meadow::CellChoice> cells_of(int frame) const;
+  void demand_far_field(int frame);
+  void demand(int variant, const grass::PatchState& state, int level);
+  landscape::Volume volume(const meadow::CellChoice& cell) const;
+  landscape::BladeMesh blades(const meadow::CellChoice& cell);
+  meadow::PatchLook far_look(const grass::PatchState& state);
+
+  const Request& request_;
+  ScratchFolder snow_;
+  place::Site site_;
+  grass::TimeVaryingTexel texels_;
+  grass::TexelDemand demand_;
+  std::map<std::pair<int, grass::PatchState>, landscape::BladeMesh> blades_;  ///< by variant
+  std::map<grass::PatchState, meadow::PatchLook> far_looks_;
+};
+
+/// The renderers a scene asks for, by their folder names: "blender", "povray".
+std::vector<std::string> wanted_renderers(const scene::Scene& scene);
+
+/// Writes the renderers' own programs into their folders below `out`, and for POV-Ray which frames
+/// the film has. Throws FileError.
+void write_programs(const scene::Scene& scene, const std::filesystem::path& out);
+
+/// All that a request asks for: texels, pictures of clouds, scene files and the renderers' own
+/// programs. Returns the frames' files, each once. For callers that need no tasks, records or locks
+/// of work/: nobody else may write into the folder meanwhile. Throws what Film does, and InputError
+/// where a frame is not one of the scene's.
+std::vector<std::filesystem::path> make_film(const Request& request, Progress& progress);
+
+}  // namespace wold::film

@@ -1,0 +1,117 @@
+#include "film/film_demand.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <iterator>
+#include <tuple>
+
+#include "meadow/cells.h"
+#include "meadow/far_field.h"
+#include "place/cell_window.h"
+#include "place/ground_grids.h"
+#include "place/growth.h"
+#include "place/view.h"
+#include "place/withering.h"
+#include "terrain/ground.h"
+
+namespace wold::film {
+namespace {
+
+constexpr std::size_t most_looked_at = 8;
+
+/// All of them, or some from the first to the last.
+std::vector<int> spread(const std::vector<int>& frames) {
+  if (frames.size() <= most_looked_at) return frames;
+  std::vector<int> chosen;
+  for (std::size_t i = 0; i < most_looked_at; ++i)
+    chosen.push_back(frames[i * (frames.size() - 1) / (most_looked_at - 1)]);
+  return chosen;
+}
+
+/// The parts of a Site that cells are chosen from.
+class Ground {
+ public:
+  explicit Ground(const scene::Scene& scene)
+      : scene_(scene),
+        terrain_(terrain::make_ground(scene.terrain, scene.seed)),
+        growth_(place::is_large(scene)
+                    ? place::growth_map(scene, terrain_, place::window_grid(scene))
+                    : place::growth_map(scene, terrain_)),
+        withering_(scene, terrain_) {}
+
+  FrameDemand demand(int frame) const {
+    FrameDemand demand;
+    for (const meadow::CellChoice& cell :
+         meadow::choose_cells(scene_, terrain_, growth_, withering_, frame)) {
+      demand.parts += cell.parts.size();
+      if (cell.blades)
+        demand.patches.insert({cell.variant, cell.state()});
+      else
+        demand.volumes.insert({cell.variant, cell.state(), cell.level, cell.turn});
+    }
+    demand.has_distance = has_distance(frame);
+    return demand;
+  }
+
+ private:
+  bool has_distance(int frame) const {
+    const landscape::Camera camera =
+        place::resolved_camera(scene_.camera, terrain_, place::time_of_frame(scene_, frame));
+    return meadow::has_far_field(
+        scene_, terrain_, place::View(camera, scene_.render.size_px[0], scene_.render.size_px[1]));
+  }
+
+  const scene::Scene& scene_;
+  Heightfield terrain_;
+  FactorMap growth_;
+  place::Withering withering_;
+};
+
+/// The states on the straight way from one to another, without the first.
+std::vector<grass::PatchState> states_between(const grass::PatchState& from,
+                                              const grass::PatchState& to) {
+  const int steps = std::max({std::abs(to.key_frame - from.key_frame),
+                              std::abs(to.snow - from.snow), std::abs(to.light - from.light)});
+  const auto at = [&](int a, int b, int step) { return a + (b - a) * step / steps; };
+  std::vector<grass::PatchState> states;
+  for (int step = 1; step <= steps; ++step)
+    states.emplace_back(at(from.key_frame, to.key_frame, step), at(from.snow, to.snow, step),
+                        at(from.light, to.light, step));
+  return states;
+}
+
+}  // namespace
+
+FilmDemand::FilmDemand(const Request& request) {
+  const Ground ground(request.scene);
+  const FrameDemand* last = nullptr;
+  for (const int frame : spread(request.frames)) {
+    const FrameDemand& now = frames_.emplace(frame, ground.demand(frame)).first->second;
+    volumes_.insert(now.volumes.begin(), now.volumes.end());
+    patches_.insert(now.patches.begin(), now.patches.end());
+    if (last && request.frames.size() > most_looked_at) pass(*last, now);
+    last = &now;
+  }
+}
+
+/// Adds what frames between two show: every variant goes from its last state to its next.
+void FilmDemand::pass(const FrameDemand& from, const FrameDemand& to) {
+  std::map<std::tuple<int, int, int>, grass::PatchState> then;
+  for (const ShownVolume& volume : from.volumes)
+    then.insert_or_assign({volume.variant, volume.level, volume.turn}, volume.state);
+  for (const ShownVolume& volume : to.volumes)
+    if (const auto before = then.find({volume.variant, volume.level, volume.turn});
+        before != then.end())
+      for (const grass::PatchState& state : states_between(before->second, volume.state))
+        volumes_.insert({volume.variant, state, volume.level, volume.turn});
+}
+
+const FrameDemand& FilmDemand::at(int frame) const {
+  const auto after = frames_.lower_bound(frame);
+  if (after == frames_.end()) return std::prev(after)->second;
+  if (after == frames_.begin() || after->first == frame) return after->second;
+  const auto before = std::prev(after);
+  return frame - before->first < after->first - frame ? before->second : after->second;
+}
+
+}  // namespace wold::film

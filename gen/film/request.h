@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace wold::film {
+
+/// Which pictures' files are to be made, and where.
+struct Request {
+  scene::Scene scene;         ///< a checked one, after phenology::as_film()
+  std::vector<int> frames;    ///< from 1, rising, all within the scene
+  std::filesystem::path out;  ///< the output folder
+};
+
+}  // namespace wold::film

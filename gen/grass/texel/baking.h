@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "grass/mechanics/dynamics.h"
+#include "grass/optics/shading.h"
+#include "grass/texel/volume_data.h"
+
+namespace wold::grass {
+
+/// Makes a texel ready to render: its extinction fitted to the coverage of the blades of all the
+/// samples it stands for, shaded for the given quarter-turns of the sun, and reduced to coarser
+/// levels, each fitted to the finest. One volume per entry of `sides` (finest first, the texel's
+/// own side).
+std::vector<VolumeData> bake_levels(const Texel& texel, std::span<const PointDynamics> samples,
+                                    const Lighting& lighting, const FibreLook& look,
+                                    std::span<const int> sides, const std::vector<int>& turns);
+
+}  // namespace wold::grass

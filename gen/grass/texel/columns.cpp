@@ -1,0 +1,125 @@
+#include "grass/texel/columns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/elementary.h"
+
+namespace wold::grass {
+namespace {
+
+/// Adds the optical depth of one slab to every ray.
+template <class Value>
+void add_slab(const Columns& columns, const Columns::Slab& slab, const VoxelRows& voxels,
+              const std::vector<Value>& extinction, std::vector<Value>& depth) {
+  const auto length = static_cast<float>(slab.length_m);
+  columns.each(slab, voxels, [&](std::size_t ray, std::size_t place) {
+    depth[ray] += length * extinction[place];
+  });
+}
+
+}  // namespace
+
+VoxelRows::VoxelRows(const TexelShape& shape, std::span<const std::uint32_t> voxel)
+    : shape_(shape), voxel_(voxel) {
+  const auto rows = static_cast<std::uint32_t>(shape.side * shape.height);
+  begin_.reserve(rows + 1);
+  std::uint32_t next = 0;
+  for (std::uint32_t row = 0; row <= rows; ++row) {
+    const std::uint32_t line = row * static_cast<std::uint32_t>(shape.side);
+    while (next < voxel.size() && voxel[next] < line) ++next;
+    begin_.push_back(next);
+  }
+}
+
+Columns::Columns(const TexelShape& shape, const glm::dvec3& direction, int stride)
+    : shape_(shape), stride_(stride) {
+  if (!(direction.z > 0.0)) throw std::invalid_argument("rays through a texel must rise");
+  const glm::dvec2 slope = glm::dvec2(direction) / direction.z;
+  const double steepest = std::max(std::abs(slope.x), std::abs(slope.y));
+  // Even, so that a slice's middle lies between two slabs.
+  const int cuts = 2 * std::max(1, static_cast<int>(std::lround(steepest / 2.0)));
+  for (int z = shape.height - 1; z >= 0; --z)
+    for (int cut = cuts - 1; cut >= 0; --cut) {
+      const double height = z + (cut + 0.5) / cuts;
+      slabs_.push_back({z, 2 * cut >= cuts, shape.voxel_m / (cuts * direction.z),
+                        static_cast<int>(std::lround(slope.x * height)),
+                        static_cast<int>(std::lround(slope.y * height))});
+    }
+}
+
+glm::dvec3 direction_at(double elevation, double azimuth) {
+  return {math::cos(elevation) * math::cos(azimuth), math::cos(elevation) * math::sin(azimuth),
+          math::sin(elevation)};
+}
+
+template <class Value>
+std::vector<Value> optical_depths(const VoxelRows& voxels, const std::vector<Value>& extinction,
+                                  const glm::dvec3& direction, int stride) {
+  const Columns columns(voxels.shape(), direction, stride);
+  std::vector<Value> depth(columns.rays(), Value(0.0F));
+  for (const Columns::Slab& slab : columns.slabs())
+    add_slab(columns, slab, voxels, extinction, depth);
+  return depth;
+}
+template std::vector<float> optical_depths(const VoxelRows&, const std::vector<float>&,
+                                           const glm::dvec3&, int);
+template std::vector<glm::vec3> optical_depths(const VoxelRows&, const std::vector<glm::vec3>&,
+                                               const glm::dvec3&, int);
+
+std::vector<float> voxel_transmittance(const VoxelRows& voxels, const std::vector<float>& density,
+                                       const glm::dvec3& direction, int skip) {
+  const TexelShape& shape = voxels.shape();
+  const Columns columns(shape, direction);
+  const glm::dvec2 slope = glm::dvec2(direction) / direction.z;
+  std::vector<float> depth(columns.rays(), 0.0F);
+  std::vector<float> result(voxels.size());
+  const auto read_slice = [&](int z) {
+    // The middles of the slice's voxels lie between the same four rays, at the same place.
+    const glm::dvec2 middle = slope * (z + 0.5);
+    const glm::ivec2 shift(glm::ceil(middle));
+    const glm::vec2 on(glm::dvec2(shift) - middle);
+    const int shift_x = shape.wrapped(shift.x);
+    for (int y = 0; y < shape.side; ++y) {
+      const float* near = depth.data() + shape.linear(0, shape.wrapped(y - shift.y), 0);
+      const float* far = depth.data() + shape.linear(0, shape.wrapped(y - shift.y + 1), 0);
+      voxels.each(y, z, [&](int x, std::size_t place) {
+        const int left = x < shift_x ? x - shift_x + shape.side : x - shift_x;
+        const int right = left + 1 == shape.side ? 0 : left + 1;
+        result[place] = math::exp(-glm::mix(glm::mix(near[left], near[right], on.x),
+                                            glm::mix(far[left], far[right], on.x), on.y));
+      });
+    }
+  };
+  int next = shape.height - 1;
+  const auto read_down_to = [&](int z) {
+    for (; next >= std::max(z, 0); --next) read_slice(next);
+  };
+  read_down_to(shape.height - skip);
+  for (const Columns::Slab& slab : columns.slabs()) {
+    // Depths now reach down to the middle of the slab's slice.
+    if (!slab.upper_half) read_down_to(slab.z - skip);
+    add_slab(columns, slab, voxels, density, depth);
+  }
+  return result;
+}
+
+glm::dvec3 mean_radiance(const VoxelRows& voxels, const std::vector<float>& density,
+                         const std::vector<glm::vec3>& emission, const glm::dvec3& direction,
+                         int stride) {
+  const Columns columns(voxels.shape(), direction, stride);
+  std::vector<float> through(columns.rays(), 1.0F);
+  glm::dvec3 sum(0.0);
+  for (const Columns::Slab& slab : columns.slabs())
+    columns.each(slab, voxels, [&](std::size_t ray, std::size_t place) {
+      if (through[ray] < 1e-3F) return;
+      const auto depth = static_cast<float>(double{density[place]} * slab.length_m);
+      const float seen = through[ray] * -math::expm1(-depth);
+      sum += glm::dvec3(seen * emission[place]);
+      through[ray] -= seen;
+    });
+  return sum / static_cast<double>(columns.rays());
+}
+
+}  // namespace wold::grass

@@ -1,0 +1,29 @@
+#include "grass/texel/fibres.h"
+
+#include <algorithm>
+#include <array>
+
+#include "grass/geometry/axis.h"
+
+namespace wold::grass {
+
+std::vector<Fibre> representative_fibres(const BladePatch& patch, const AgeingModel& model,
+                                         int count) {
+  // A cone has the share 1 - (1 - u)^2 of its area below u: these are the middles of thirds.
+  constexpr std::array<float, 3> places = {0.087F, 0.293F, 0.592F};
+  const std::size_t step = std::max(
+      std::size_t{1}, patch.blades.size() * places.size() / static_cast<std::size_t>(count));
+  std::vector<Fibre> fibres;
+  for (std::size_t i = 0; i < patch.blades.size(); i += step) {
+    const BladeAxis axis(patch.blades[i], patch.poses[i]);
+    const float length_m = patch.blades[i].length_m * patch.poses[i].length_scale;
+    for (const float along : places) {
+      const AxisPoint at = axis.at(along * length_m);
+      const SeenPlace seen = seen_place(patch, model, i, double{along}, at);
+      fibres.push_back({from_plane(patch.blades[i], at.tangent), seen.albedo, seen.specular});
+    }
+  }
+  return fibres;
+}
+
+}  // namespace wold::grass

@@ -1,0 +1,87 @@
+#include "grass/texel/samples.h"
+
+#include "core/random.h"
+#include "grass/ageing/ageing_curves.h"
+#include "grass/texel/foreign_texel.h"
+#include "grass/texel/mingle.h"
+#include "grass/texel/rasterise.h"
+#include "grass/texel/snow_points.h"
+#include "grass/texel/texel_points.h"
+
+namespace wold::grass {
+namespace {
+
+std::uint64_t point_seed(std::uint64_t seed, int variant, int sample) {
+  return random_bits({seed, key_of("points"), static_cast<std::uint64_t>(variant),
+                      static_cast<std::uint64_t>(sample)});
+}
+
+SampledTexel from_texel(const scene::Scene& scene, int variant, int sample) {
+  const Texel texel = fitted_to_patch(read_any_texel(scene.grass.from_texel, "grass.from_texel"),
+                                      scene.grass.patch_m);
+  return sample_texel(texel, scene.grass, scene.ageing, point_seed(scene.seed, variant, sample));
+}
+
+SampledTexel scattered(const scene::Scene& scene, const TexelShape& shape, int variant,
+                       int sample) {
+  SampledTexel result{sample_blades(scene, variant, sample), {}};
+  result.points = sample_points(result.blades, shape, scene.grass.proportion,
+                                point_seed(scene.seed, variant, sample));
+  return result;
+}
+
+}  // namespace
+
+std::vector<Blade> sample_blades(const scene::Scene& scene, int variant, int sample) {
+  if (!scene.grass.from_texel.empty()) return from_texel(scene, variant, sample).blades;
+  return scatter_blades(scene.grass, scene.ageing, scene.seed, variant, sample);
+}
+
+std::vector<Curve> ageing_rates(const scene::Grass& grass) {
+  if (grass.mingle.empty()) return {Curve({{0.0, 0.0}, {1.0, 1.0}})};
+  std::vector<Curve> rates;
+  for (const scene::CurveChoice& choice : grass.mingle)
+    rates.push_back(load_curve(CurveKind::rate, choice));
+  return rates;
+}
+
+Samples::Samples(const scene::Scene& scene, const TexelShape& shape, int variant,
+                 const AgeingModel& model)
+    : shape_(shape), rates_(ageing_rates(scene.grass)) {
+  for (int sample = 0; sample < sample_count(scene.grass); ++sample) {
+    SampledTexel sampled = scene.grass.from_texel.empty() ? scattered(scene, shape, variant, sample)
+                                                          : from_texel(scene, variant, sample);
+    samples_.emplace_back(model, std::move(sampled.blades), std::move(sampled.points),
+                          scene.ageing.merge_distance_voxels * shape.voxel_m);
+  }
+}
+
+void Samples::advance_to(double weathering) {
+  snow_ = 0.0;
+  for (std::size_t i = 0; i < samples_.size(); ++i) samples_[i].advance_to(rates_[i](weathering));
+}
+
+void Samples::bear(double snow) {
+  snow_ = snow;
+  for (PointDynamics& sample : samples_) sample.bear(snow);
+}
+
+Texel Samples::texel() const {
+  std::vector<Texel> texels;
+  for (const PointDynamics& sample : samples_) {
+    texels.push_back(rasterise_points(sample.points(), shape_));
+    if (snow_ == 0.0) continue;
+    const Points snow = snow_points(sample.blades(), sample.poses(), shape_.voxel_m);
+    if (snow.size() > 0) texels.push_back(rasterise_points(snow, shape_));
+  }
+  // A single sample is its own sum; adding it up anew would only round it.
+  return texels.size() == 1 ? std::move(texels.front()) : mingle(texels);
+}
+
+std::size_t Samples::points() const {
+  std::size_t sum = 0;
+  for (const PointDynamics& sample : samples_) sum += sample.points().size();
+  return sum;
+}
+
+}  // namespace wold::grass

@@ -1,0 +1,286 @@
+#include "grass/texel/time_varying_texel.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/elementary.h"
+#include "core/files.h"
+#include "core/parallel.h"
+#include "core/random.h"
+#include "grass/geometry/axis.h"
+#include "grass/geometry/blade_tubes.h"
+#include "grass/geometry/point_tubes.h"
+#include "grass/texel/baking.h"
+#include "grass/texel/levels.h"
+#include "grass/texel/samples.h"
+#include "grass/texel/texel_file.h"
+#include "scene/key_frames.h"
+#include "scene/write.h"
+
+namespace wold::grass {
+namespace {
+
+/// Adds the time since it was made to a sum when it goes.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
+  ~Stopwatch() {
+    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  double& seconds_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+void add(StageTimes& to, const StageTimes& from) {
+  to.sampling += from.sampling;
+  to.dynamics += from.dynamics;
+  to.conversion += from.conversion;
+  to.baking += from.baking;
+  to.storing += from.storing;
+  to.steps += from.steps;
+  to.points += from.points;
+}
+
+double height_m(const Blade& blade, const scene::Ageing& ageing, double water_lost) {
+  // Blades that move by steps bow from the straight one; how far, only the steps tell.
+  if (ageing.motion == "points") return double{blade.length_m * math::cos(blade.lean)};
+  const BladePose pose = blade_pose(blade, ageing, water_lost, 1.0);
+  const BladeAxis axis(blade, pose);
+  double highest = 0.0;
+  for (int i = 1; i <= 16; ++i) {
+    const float arc_m = blade.length_m * pose.length_scale * static_cast<float>(i) / 16.0F;
+    highest = std::max(highest, double{axis.at(arc_m).position_m.y});
+  }
+  return highest;
+}
+
+/// Highest point of any blade at any time: withering only lowers grass, drying only raises hair.
+double tallest_m(const scene::Scene& scene) {
+  double tallest = 0.0;
+  for (int variant = 0; variant < scene.grass.variants; ++variant)
+    for (int sample = 0; sample < sample_count(scene.grass); ++sample)
+      for (const Blade& blade : sample_blades(scene, variant, sample))
+        tallest = std::max(
+            {tallest, height_m(blade, scene.ageing, 0.0), height_m(blade, scene.ageing, 1.0)});
+  return tallest;
+}
+
+TexelShape finest_shape(const scene::Scene& scene) {
+  const int side = scene.grass.levels.front();
+  const double voxel_m = scene.grass.patch_m / side;
+  // Two voxels more: one for the point's footprint, one for the cone's width.
+  return {side, static_cast<int>(std::ceil(tallest_m(scene) / voxel_m)) + 2, voxel_m};
+}
+
+FibreLook fibre_look(const scene::Grass& grass) {
+  return {static_cast<float>(grass.gloss), grass.width_m};
+}
+
+/// Every turn that any level wants, ascending.
+std::vector<int> all_turns(const LevelTurns& levels) {
+  std::set<int> turns;
+  for (const auto& level : levels) turns.insert(level.second.begin(), level.second.end());
+  return {turns.begin(), turns.end()};
+}
+
+/// Everything a texel depends on, as text: the scene without what changes no texel, the light and
+/// the models.
+std::string described(const scene::Scene& scene, const Lighting& lighting) {
+  const scene::Scene plain;
+  scene::Scene relevant;
+  relevant.seed = scene.seed;
+  relevant.grass = scene.grass;
+  relevant.grass.key_frames = scene::key_frames(scene);
+  relevant.grass.pixels_per_voxel = plain.grass.pixels_per_voxel;
+  relevant.grass.far_pixels = plain.grass.far_pixels;
+  relevant.ageing = scene.ageing;
+  relevant.ageing.frames = plain.ageing.frames;
+  relevant.ageing.variation = plain.ageing.variation;
+  relevant.ageing.variation_feature_m = plain.ageing.variation_feature_m;
+  relevant.ageing.variety = plain.ageing.variety;
+  relevant.ageing.variety_feature_m = plain.ageing.variety_feature_m;
+  const auto three = [](const auto& v) { return fmt::format(" {},{},{}", v.x, v.y, v.z); };
+  relevant.grass.from_texel = plain.grass.from_texel;
+  std::string text = texel_models() + scene::resolved_toml(relevant);
+  text += three(lighting.sun_direction) + three(lighting.sun_irradiance) +
+          three(lighting.eye_direction);
+  for (const glm::vec3& radiance : lighting.sky_radiance) text += three(radiance);
+  if (!scene.grass.from_texel.empty()) text += content_hash(read_file(scene.grass.from_texel));
+  return text;
+}
+
+}  // namespace
+
+std::string texel_models() {
+  constexpr int version = 5;  // raise when the same scene and models give other texels
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(shipped_file("models")))
+    if (entry.is_regular_file() && entry.path().parent_path().filename() != "cloud")
+      files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::string text = fmt::format("{}", version);
+  for (const auto& file : files)
+    text += fmt::format(" {} {}", file.filename().string(), content_hash(read_file(file)));
+  return content_hash(text);
+}
+
+TimeVaryingTexel::TimeVaryingTexel(const scene::Scene& scene, std::vector<Lighting> lights,
+                                   std::filesystem::path folder)
+    : scene_(scene),
+      key_frames_(scene::key_frames(scene)),
+      lights_(std::move(lights)),
+      folder_(std::move(folder)),
+      shape_(finest_shape(scene)),
+      model_(scene.ageing, scene.grass.specular) {
+  for (const Lighting& lighting : lights_) bases_.push_back(described(scene_, lighting));
+}
+
+const Lighting& TimeVaryingTexel::lighting(const PatchState& state) const {
+  return lights_.at(static_cast<std::size_t>(state.light));
+}
+
+TexelShape TimeVaryingTexel::level_shape(int level) const {
+  TexelShape shape = shape_;
+  for (int coarser = 1; coarser <= level; ++coarser)
+    shape = coarse_shape(shape, scene_.grass.levels[static_cast<std::size_t>(coarser)]);
+  return shape;
+}
+
+std::filesystem::path TimeVaryingTexel::texel_path(int variant, const PatchState& state) const {
+  return folder_ / fmt::format("v{}_{}.vdb", variant, state.unlit().name());
+}
+
+std::filesystem::path TimeVaryingTexel::volume_path(int variant, const PatchState& state,
+                                                    int level) const {
+  const int side = scene_.grass.levels[static_cast<std::size_t>(level)];
+  return folder_ / fmt::format("v{}_{}_{:03}.vdb", variant, state.name(), side);
+}
+
+std::string TimeVaryingTexel::content(int variant, const PatchState& state) const {
+  std::string snow;
+  if (state.snow > 0) snow = fmt::format(" snow {} of {}", state.snow, snow_levels);
+  return content_hash(fmt::format("{} {} {}{}", variant, state.key_frame,
+                                  bases_.at(static_cast<std::size_t>(state.light)), snow));
+}
+
+std::string TimeVaryingTexel::volume_content(int variant, const PatchState& state, int level,
+                                             const std::set<int>& turns) const {
+  return content_hash(
+      fmt::format("{} {} {}", content(variant, state), level, fmt::join(turns, ",")));
+}
+
+BladePatch TimeVaryingTexel::patch(int variant, const PatchState& state) const {
+  return WitheringPatch(scene_, model_, variant)
+      .at(key_frames_[static_cast<std::size_t>(state.key_frame)], state.snow_share());
+}
+
+Tubes TimeVaryingTexel::blades(int variant, const PatchState& state, double shadow_pixel_m) const {
+  return blade_tubes(patch(variant, state), model_, lighting(state), fibre_look(scene_.grass),
+                     shadow_pixel_m);
+}
+
+Tubes TimeVaryingTexel::points(int variant, const PatchState& state) const {
+  const auto now = static_cast<std::size_t>(state.key_frame);
+  Samples samples(scene_, shape_, variant, model_);
+  for (std::size_t step = 0; step <= now; ++step) samples.advance_to(key_frames_[step]);
+  if (state.snow > 0) samples.bear(state.snow_share());
+  return point_tubes(patch(variant, state), samples.all(), lighting(state),
+                     fibre_look(scene_.grass), shape_.voxel_m);
+}
+
+bool TimeVaryingTexel::is_current(int variant, const PatchState& state,
+                                  const LevelTurns& levels) const {
+  if (file_content(texel_path(variant, state)) != content(variant, state.unlit())) return false;
+  return std::all_of(levels.begin(), levels.end(), [&](const auto& level) {
+    return file_content(volume_path(variant, state, level.first)) ==
+           volume_content(variant, state, level.first, level.second);
+  });
+}
+
+StageTimes TimeVaryingTexel::generate(const TexelDemand& demand, Progress& progress) const {
+  make_folder(folder_);
+  std::vector<std::pair<int, std::map<PatchState, LevelTurns>>> missing;
+  std::size_t count = 0;
+  for (const auto& [variant, states] : demand) {
+    missing.emplace_back(variant, std::map<PatchState, LevelTurns>{});
+    for (const auto& [state, levels] : states)
+      if (!is_current(variant, state, levels)) missing.back().second[state] = levels;
+    count += missing.back().second.size();
+  }
+  progress.begin("texels", count);
+  std::vector<StageTimes> times(missing.size());
+  parallel_for(missing.size(), [&](std::size_t i) {
+    if (!missing[i].second.empty())
+      times[i] = generate_variant(missing[i].first, missing[i].second, progress);
+  });
+  progress.end();
+  StageTimes total;
+  for (const StageTimes& one : times) add(total, one);
+  return total;
+}
+
+StageTimes TimeVaryingTexel::generate_variant(int variant,
+                                              const std::map<PatchState, LevelTurns>& states,
+                                              Progress& progress) const {
+  StageTimes times;
+  Samples samples = [&] {
+    const Stopwatch watch(times.sampling);
+    return Samples(scene_, shape_, variant, model_);
+  }();
+  auto wanted = states.begin();
+  for (int key_frame = 0; wanted != states.end(); ++key_frame) {
+    {
+      const Stopwatch watch(times.dynamics);
+      samples.advance_to(key_frames_[static_cast<std::size_t>(key_frame)]);
+    }
+    ++times.steps;
+    times.points += static_cast<long>(samples.points());
+    for (; wanted != states.end() && wanted->first.key_frame == key_frame; ++wanted) {
+      if (wanted->first.snow > 0) {
+        const Stopwatch watch(times.dynamics);
+        samples.bear(wanted->first.snow_share());
+      }
+      make_texel(variant, wanted->first, samples, wanted->second, times);
+      progress.advance(1, texel_path(variant, wanted->first).stem().string());
+    }
+  }
+  return times;
+}
+
+void TimeVaryingTexel::make_texel(int variant, const PatchState& state, const Samples& samples,
+                                  const LevelTurns& levels, StageTimes& times) const {
+  const scene::Grass& grass = scene_.grass;
+  Texel texel;
+  {
+    const Stopwatch watch(times.conversion);
+    texel = samples.texel();
+  }
+  std::vector<VolumeData> baked;
+  {
+    const Stopwatch watch(times.baking);
+    baked = bake_levels(texel, samples.all(), lighting(state), fibre_look(grass), grass.levels,
+                        all_turns(levels));
+  }
+  const Stopwatch watch(times.storing);
+  store(variant, state, texel, baked, levels);
+}
+
+void TimeVaryingTexel::store(int variant, const PatchState& state, const Texel& texel,
+                             const std::vector<VolumeData>& baked, const LevelTurns& levels) const {
+  for (const auto& [level, turns] : levels)
+    write_volume(volume_path(variant, state, level), baked[static_cast<std::size_t>(level)], turns,
+                 volume_content(variant, state, level, turns));
+  const std::filesystem::path path = texel_path(variant, state);
+  const std::string made_from = content(variant, state.unlit());
+  if (file_content(path) != made_from) write_texel(path, texel, made_from);
+}
+
+}  // namespace wold::grass

@@ -1,0 +1,151 @@
+#include "ground/lit_ground.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "core/parallel.h"
+#include "grass/texel/fibres.h"
+#include "meadow/canopy_snow.h"
+#include "meadow/film_lights.h"
+#include "meadow/tint.h"
+#include "place/cell_window.h"
+#include "place/ground_grids.h"
+
+namespace wold::ground {
+namespace {
+
+/// Mean colour of the meadow's grass by weathering degree, under `snow` and what the cells show.
+meadow::GrassColour grass_colour(const grass::WitheringPatch& patch,
+                                 const grass::AgeingModel& model, double snow,
+                                 std::span<const meadow::CellChoice> choices) {
+  constexpr int steps = 64;
+  std::map<double, std::vector<glm::vec3>> colours = {{snow, {}}};
+  for (const meadow::CellChoice& choice : choices) colours[choice.state().snow_share()];
+  for (auto& entry : colours) {
+    std::vector<glm::vec3>& by_weathering = entry.second;
+    by_weathering.resize(steps + 1);
+    parallel_for(by_weathering.size(), [&](std::size_t i) {
+      by_weathering[i] =
+          grass::mean_albedo(patch.at(static_cast<double>(i) / steps, entry.first), model);
+    });
+  }
+  return [colours](double weathering, double share) {
+    const std::vector<glm::vec3>& by_weathering = colours.at(share);
+    const double place = std::clamp(weathering, 0.0, 1.0) * steps;
+    const auto i = std::min(static_cast<std::size_t>(place), std::size_t{steps - 1});
+    return glm::mix(by_weathering[i], by_weathering[i + 1],
+                    static_cast<float>(place - static_cast<double>(i)));
+  };
+}
+
+/// What combing does to the light of the frame's grass.
+meadow::CombedLight combed_light(const scene::Scene& scene, const place::Site& site, int frame,
+                                 const grass::BladePatch& patch, const grass::AgeingModel& model) {
+  constexpr int fibres = 150;
+  return {grass::representative_fibres(patch, model, fibres),
+          meadow::frame_lighting(scene, site, frame), static_cast<float>(scene.grass.gloss)};
+}
+
+/// The grid of what combing does, on a part of the ground of a large terrain or a sketch: it costs
+/// much.
+GroundGrid combed_grid(const GroundGrid& grid, const std::optional<place::Sketch>& sketch) {
+  constexpr int usual = 513;
+  return {grid.square, std::min(grid.samples, sketch ? sketch->combed_samples : usual)};
+}
+
+std::map<grass::PatchState, meadow::PatchLook> far_looks(
+    const scene::Scene& scene, const place::Site& site, int frame,
+    const std::function<meadow::PatchLook(const grass::PatchState&)>& far) {
+  std::map<grass::PatchState, meadow::PatchLook> looks;
+  for (const grass::PatchState& state : meadow::far_states(scene, *site.withering, frame))
+    looks.emplace(state, far(state));
+  return looks;
+}
+
+}  // namespace
+
+LitGround::LitGround(const scene::Scene& scene, const place::Site& site,
+                     const landscape::Landscape& landscape,
+                     std::span<const meadow::CellChoice> choices,
+                     const std::function<meadow::PatchLook(const grass::PatchState&)>& far,
+                     Illuminate illuminate)
+    : scene_(scene),
+      site_(site),
+      choices_(choices),
+      illuminate_(std::move(illuminate)),
+      frame_(landscape.frame),
+      view_(landscape.camera, landscape.width_px, landscape.height_px),
+      haze_(site.day, landscape.camera.eye_m),
+      combing_(scene, landscape.frame),
+      snow_(meadow::canopy_snow(scene, frame_)),
+      model_(scene.ageing, scene.grass.specular),
+      patch_(scene, model_, /*variant=*/0),
+      combed_(combed_light(scene, site, frame_, patch_.at(landscape.weathering, snow_), model_)) {
+  if (scene.ageing.variety > 0.0)
+    variety_.emplace(scene, patch_, snow_, meadow::frame_lighting(scene, site, frame_));
+  if (shows_distance(scene, site, frame_))
+    meadow_.emplace(scene, site.terrain, *site.withering, view_, frame_,
+                    far_looks(scene, site, frame_, far));
+}
+
+ColourMap LitGround::on_grass(const ColourMap& light, const GroundGrid& grid) const {
+  const FactorMap combed = place::is_large(scene_) || site_.sketch
+                               ? meadow::combed_light_map(combed_, combing_, site_.terrain, view_,
+                                                          combed_grid(grid, site_.sketch))
+                               : meadow::combed_light_map(combed_, combing_, site_.terrain, view_);
+  const ColourMap on_combed = product(light, combed);
+  if (!variety_) return on_combed;
+  return product(on_combed, meadow::variety_map(*variety_, *site_.withering, frame_, site_.terrain,
+                                                view_, {light.square(), light.samples()}));
+}
+
+ColourMap LitGround::painted(ColourMap ground, const FactorMap& growth,
+                             const ColourMap& grass_light) const {
+  if (!meadow_) return ground;
+  meadow::paint_far_grass(ground, scene_, site_.terrain, growth, grass_light, view_, *meadow_);
+  veil_ground(ground, site_.terrain, view_, haze_);
+  return ground;
+}
+
+landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const GroundGrid& grid) const {
+  const place::GroundPart part = ground.covered(place::ground_part(scene_, site_, grid));
+  const ColourMap light = illuminate_(part.light);
+  return {painted(product(part.reflectance, light), part.growth, on_grass(light, grid))
+              .at_corner(glm::dvec2(0.0)),
+          grid.square.corner_m};
+}
+
+ColourMap LitGround::light_in_window() const {
+  const GroundGrid window = place::window_grid(scene_);
+  const GroundGrid grid = place::light_grid(site_.terrain, window, site_.sketch);
+  return on_grass(illuminate_(terrain::ground_light(site_.terrain, site_.day, grid)), window);
+}
+
+void LitGround::show(const SnowyGround& ground, const ColourMap& light,
+                     landscape::Landscape& landscape) const {
+  ColourMap grass_light = on_grass(light, place::whole_grid(scene_));
+  landscape.ground = painted(product(ground.reflectance(), light), ground.growth(), grass_light);
+  for (const GroundGrid& grid : place::detail_grids(scene_, landscape.camera))
+    landscape.ground_details.push_back(detail(ground, grid));
+
+  if (place::is_large(scene_)) grass_light = light_in_window();
+  landscape.light = product(
+      grass_light, meadow::weathering_tint(scene_, *site_.withering, frame_, choices_, snow_,
+                                           grass_colour(patch_, model_, snow_, choices_)));
+  landscape.standing = ground.standing(
+      meadow::standing_grass(scene_, site_.terrain, place::growth_of_cells(site_), view_));
+  if (meadow_)
+    landscape.light =
+        product(landscape.light, veil_of_grass(grass_light, site_.terrain, view_, *meadow_, haze_));
+}
+
+bool shows_distance(const scene::Scene& scene, const place::Site& site, int frame) {
+  const landscape::Camera camera =
+      place::resolved_camera(scene.camera, site.terrain, place::time_of_frame(scene, frame));
+  const place::View view(camera, scene.render.size_px[0], scene.render.size_px[1]);
+  return meadow::has_far_field(scene, site.terrain, view) ||
+         shows_haze(site.terrain, camera.eye_m, place::visual_range_m(scene, site, frame));
+}
+
+}  // namespace wold::ground

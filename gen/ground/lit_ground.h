@@ -1,0 +1,72 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/ground_map.h"
+#include "grass/ageing/patch_state.h"
+#include "grass/texel/blade_patch.h"
+#include "ground/haze.h"
+#include "ground/snowy_ground.h"
+#include "landscape/landscape.h"
+#include "meadow/cells.h"
+#include "meadow/combed_light.h"
+#include "meadow/combing.h"
+#include "meadow/far_field.h"
+#include "meadow/variety.h"
+#include "place/site.h"
+#include "place/view.h"
+#include "scene/scene.h"
+
+namespace wold::ground {
+
+/// Whether what a frame (from 1) sees is so far that grass is painted on the ground, or haze shows.
+bool shows_distance(const scene::Scene& scene, const place::Site& site, int frame);
+
+/// The frame's light on ground that has some light under a clear sky.
+using Illuminate = std::function<ColourMap(const terrain::GroundLight& clear)>;
+
+/// The ground of one frame with what is painted on it, and the light on the grass that stands.
+class LitGround {
+ public:
+  /// Frame, weathering, camera and size of the picture are `landscape`'s. `far` is called as
+  /// PatchLookup's. Scene, site and choices have to outlive it.
+  LitGround(const scene::Scene& scene, const place::Site& site,
+            const landscape::Landscape& landscape, std::span<const meadow::CellChoice> choices,
+            const std::function<meadow::PatchLook(const grass::PatchState&)>& far,
+            Illuminate illuminate);
+  LitGround(const LitGround&) = delete;
+  LitGround& operator=(const LitGround&) = delete;
+
+  /// Sets the landscape's pictures of the ground, its light on the grass, and how much of that
+  /// stands. `light`: the frame's on all of the ground.
+  void show(const SnowyGround& ground, const ColourMap& light,
+            landscape::Landscape& landscape) const;
+
+ private:
+  ColourMap on_grass(const ColourMap& light, const GroundGrid& grid) const;
+  /// Far grass and haze over the ground's own radiance.
+  ColourMap painted(ColourMap ground, const FactorMap& growth, const ColourMap& grass_light) const;
+  landscape::GroundDetail detail(const SnowyGround& ground, const GroundGrid& grid) const;
+  /// On the grass of a large terrain's window of cells.
+  ColourMap light_in_window() const;
+
+  const scene::Scene& scene_;
+  const place::Site& site_;
+  std::span<const meadow::CellChoice> choices_;
+  Illuminate illuminate_;
+  int frame_;
+  place::View view_;
+  Haze haze_;
+  meadow::Combing combing_;
+  double snow_;  ///< canopy_snow()
+  grass::AgeingModel model_;
+  grass::WitheringPatch patch_;
+  meadow::CombedLight combed_;
+  std::optional<meadow::Variety> variety_;  ///< of colour, if any
+  std::optional<meadow::Meadow> meadow_;    ///< as it looks from afar, where it is seen so
+};
+
+}  // namespace wold::ground

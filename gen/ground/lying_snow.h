@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "core/ground_map.h"
+#include "snow/large_cover.h"
+
+namespace wold::ground {
+
+/// The snow of a large terrain about a camera, by place: fine near it, coarse far away.
+class LyingSnow {
+ public:
+  /// `levels`: LargeCover::view()'s.
+  explicit LyingSnow(std::vector<snow::CoverLevel> levels);
+
+  float depth_m(const glm::dvec2& at_m) const { return sample(at_m, &Level::depth_m); }
+  /// Share of the ground that is white.
+  float share(const glm::dvec2& at_m) const { return sample(at_m, &Level::share); }
+
+  bool is_none() const { return none_; }
+  /// Mean albedo of the snow, weighted by its share.
+  float albedo() const { return albedo_; }
+
+ private:
+  struct Level {
+    FactorMap depth_m;
+    FactorMap share;
+  };
+  float sample(const glm::dvec2& at_m, FactorMap Level::*map) const;
+
+  std::vector<Level> levels_;
+  bool none_ = true;
+  float albedo_ = 0.9F;
+};
+
+}  // namespace wold::ground

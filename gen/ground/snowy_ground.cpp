@@ -1,0 +1,250 @@
+#include "ground/snowy_ground.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "core/elementary.h"
+#include "core/noise.h"
+#include "core/parallel.h"
+#include "core/random.h"
+#include "place/cell_window.h"
+#include "place/ground_grids.h"
+#include "place/view.h"
+#include "scene/winter.h"
+#include "snow/wet_ground.h"
+#include "terrain/lighting.h"
+
+namespace wold::ground {
+namespace {
+
+/// Of a meadow's grass, seen from above: what is reported of the ground's surroundings.
+constexpr double grass_albedo = 0.2;
+
+/// A map of the ground every 2 cm, 4097 a side at most: white spots have sharp edges.
+int white_samples(double size_m) { return map_samples(size_m, 0.02); }
+
+/// Snow heaps where tufts hold it: a share of its depth.
+Fbm heaps(std::uint64_t seed) {
+  return {random_bits({seed, key_of("snow cover"), 0, key_of("heaps")}), 3, 0.7};
+}
+constexpr double heap_feature_m = 0.55;
+constexpr double heap_share = 0.16;
+
+/// Snow as deep as a step of the map hides a bump of that size: so many passes of smoothing.
+int smoothing_passes(double depth_m, double step_m) {
+  constexpr double most = 24.0;
+  const double radius_steps = 1.2 * depth_m / step_m;
+  return static_cast<int>(std::ceil(std::min(most, 2.0 * radius_steps * radius_steps)));
+}
+
+/// Share of a canopy that stands out of snow; blades lean, so that most of one is in its lower two
+/// thirds.
+float share_above(const scene::Grass& grass, float depth_m) {
+  const auto canopy_m = static_cast<float>(0.67 * grass.height_m);
+  return std::clamp(1.0F - depth_m / canopy_m, 0.0F, 1.0F);
+}
+
+/// Exponent of the canopy's transmittance for snow below: white ground lights the blades from
+/// below, laden as they are, and they send most of what they held back down again.
+constexpr double shading_under_grass = 0.25;
+
+double mean(const FactorMap& map) {
+  double sum = 0.0;
+  for (const float value : map.values()) sum += double{value};
+  return sum / static_cast<double>(map.values().size());
+}
+
+/// The ground raised by snow: at most smooth, at least a third of the depth above the bare ground.
+Heightfield snow_surface(const scene::Scene& scene, const Heightfield& terrain,
+                         const FactorMap& depth_m, const FactorMap& white) {
+  const Fbm heaped = heaps(scene.seed);
+  FactorMap snow_m(terrain.samples(), terrain.size_m());
+  parallel_for(static_cast<std::size_t>(terrain.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < terrain.samples(); ++i) {
+      const glm::dvec2 at_m = glm::dvec2(i, j) * terrain.step_m();
+      const double heap = math::tanh(fbm(at_m / heap_feature_m, heaped));
+      snow_m.at(i, j) = depth_m.sample(at_m.x, at_m.y) * white.sample(at_m.x, at_m.y) *
+                        static_cast<float>(1.0 + heap_share * heap);
+    }
+  });
+  Heightfield surface = terrain;
+  for (std::size_t k = 0; k < surface.values().size(); ++k)
+    surface.values()[k] += snow_m.values()[k];
+  for (int pass = smoothing_passes(mean(snow_m), terrain.step_m()); pass > 0; --pass)
+    smooth(surface);
+  for (std::size_t k = 0; k < surface.values().size(); ++k)
+    surface.values()[k] =
+        std::max(surface.values()[k], terrain.values()[k] + snow_m.values()[k] / 3.0F);
+  return surface;
+}
+
+/// How coarse snow is where it lies: grains, ripples and what has fallen off blades, as factors on
+/// its albedo.
+class Grain {
+ public:
+  Grain(std::uint64_t seed, double step_m)
+      : ripples_{random_bits({seed, key_of("snow cover"), 0, key_of("grain")}), 4, 0.4},
+        shown_(shown_share(feature_m, step_m)) {}
+  float at(const glm::dvec2& at_m) const {
+    const double ripple = shown_ > 0.0 ? math::tanh(fbm(at_m / feature_m, ripples_)) : 0.0;
+    return static_cast<float>(1.0 - 0.035 * (1.0 + shown_ * ripple));
+  }
+
+ private:
+  static constexpr double feature_m = 0.25;
+  Fbm ripples_;
+  double shown_;
+};
+
+/// Old snow loses its red first; shadows and depth make it blue (Wiscombe and Warren 1980).
+glm::vec3 snow_albedo(float albedo) { return albedo * glm::vec3(0.985F, 1.0F, 1.015F); }
+
+bool is_paper(const scene::Scene& scene) { return scene.snow_cover.cover == "paper"; }
+
+}  // namespace
+
+SnowyGround::SnowyGround(const scene::Scene& scene, const place::Site& site, int frame)
+    : scene_(scene), site_(site), surface_(site.terrain) {
+  if (!site.snow) return;
+  wetness_ =
+      snow::ground_wetness(site.snow->weather, scene::time_s(scene, frame), mean(site.terrain));
+  if (site.snow->large) {
+    lay_about_the_camera(frame);
+  } else if (!place::is_large(scene) || is_paper(scene)) {
+    lay_everywhere(frame);
+  }
+}
+
+void SnowyGround::lay_about_the_camera(int frame) {
+  const landscape::Camera camera =
+      place::resolved_camera(scene_.camera, site_.terrain, place::time_of_frame(scene_, frame));
+  LyingSnow lying(site_.snow->large->view(scene::time_s(scene_, frame), glm::dvec2(camera.eye_m)));
+  if (lying.is_none()) return;
+  lying_ = std::move(lying);
+  albedo_ = lying_->albedo();
+  white_ = white(place::whole_grid(scene_));
+  parallel_for(static_cast<std::size_t>(surface_.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < surface_.samples(); ++i)
+      surface_.at(i, j) += lying_->depth_m(surface_.place_m(i, j));
+  });
+}
+
+void SnowyGround::lay_everywhere(int frame) {
+  const snow::SnowGround& snow = site_.snow->ground;
+  const snow::SnowGround::State state = snow.at(scene::time_s(scene_, frame));
+  if (!(state.fallen_mm > 0.0)) return;
+  depth_m_ = state.depth_m;
+  albedo_ = static_cast<float>(mean(state.albedo));
+  const std::optional<place::Sketch>& sketch = site_.sketch;
+  white_ = snow.white(state, sketch ? sketch->ground_samples : white_samples(surface_.size_m()));
+  if (is_paper(scene_)) return;  // the ground's shape stays
+  surface_ = snow_surface(scene_, site_.terrain, depth_m_, *white_);
+  light_ = sketch ? terrain::ground_light(surface_, site_.day,
+                                          {surface_.square(), sketch->light_samples})
+                  : terrain::ground_light(surface_, site_.day);
+}
+
+const terrain::GroundLight& SnowyGround::light() const { return light_ ? *light_ : site_.light; }
+
+float SnowyGround::depth_m(const glm::dvec2& at_m) const {
+  return lying_ ? lying_->depth_m(at_m) : depth_m_.sample(at_m.x, at_m.y);
+}
+
+/// The share of a part of a large terrain that is white, patch by patch where its grid is fine.
+FactorMap SnowyGround::white(const GroundGrid& grid) const {
+  FactorMap shares(grid.samples, grid.square);
+  parallel_for(static_cast<std::size_t>(grid.samples), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < grid.samples; ++i) {
+      const glm::dvec2 at_m = shares.place_m(i, j);
+      shares.at(i, j) = lying_ ? lying_->share(at_m) : white_->sample(at_m.x, at_m.y);
+    }
+  });
+  if (!lying_) return shares;
+  // Snow lies in patches of all sizes, ledges and gullies as well as hollows between tufts: the
+  // first ones that the grid shows.
+  constexpr double patch_steps = 6.0;
+  const double feature_m = std::max(scene_.snow_cover.feature_m, patch_steps * grid.step_m());
+  return snow::WhitePatches(site_.terrain, grid, feature_m, scene_.seed).white_map(shares);
+}
+
+ColourMap SnowyGround::reflectance() const {
+  ColourMap bare = wetted(site_.ground_reflectance);
+  if (is_bare()) return bare;
+  return reflectance(bare, site_.growth, *white_);
+}
+
+place::GroundPart SnowyGround::covered(place::GroundPart part) const {
+  part.reflectance = wetted(std::move(part.reflectance));
+  if (is_bare()) return part;
+  part.reflectance = reflectance(part.reflectance, part.growth,
+                                 white({part.reflectance.square(), part.reflectance.samples()}));
+  part.growth = above_snow(std::move(part.growth));
+  return part;
+}
+
+ColourMap SnowyGround::wetted(ColourMap bare) const {
+  if (wetness_ <= 0.0) return bare;
+  constexpr float pi = std::numbers::pi_v<float>;
+  const auto share = static_cast<float>(wetness_);
+  parallel_for_blocks(bare.values().size(), [&](std::size_t i) {
+    glm::vec3& radiance = bare.values()[i];
+    for (int channel = 0; channel < 3; ++channel) {
+      const auto wet = static_cast<float>(snow::wet_albedo(double{pi * radiance[channel]}));
+      radiance[channel] = std::lerp(radiance[channel], wet / pi, share);
+    }
+  });
+  return bare;
+}
+
+float SnowyGround::grass_above(const glm::dvec2& at_m) const {
+  if (is_paper(scene_)) return 1.0F - white_->sample(at_m.x, at_m.y);
+  return share_above(scene_.grass, depth_m(at_m));
+}
+
+FactorMap SnowyGround::above_snow(FactorMap growth) const {
+  parallel_for(static_cast<std::size_t>(growth.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < growth.samples(); ++i) growth.at(i, j) *= grass_above(growth.place_m(i, j));
+  });
+  return growth;
+}
+
+FactorMap SnowyGround::standing(FactorMap standing) const {
+  return is_paper(scene_) && !is_bare() ? above_snow(std::move(standing)) : standing;
+}
+
+ColourMap SnowyGround::reflectance(const ColourMap& bare, const FactorMap& growth,
+                                   const FactorMap& white_share) const {
+  ColourMap map(white_share.samples(), white_share.square());
+  const Grain grain(scene_.seed, map.step_m());
+  const double under_grass = place::canopy_transmittance(scene_.grass);
+  const glm::vec3 snow = snow_albedo(albedo_) / std::numbers::pi_v<float>;
+  parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < map.samples(); ++i) {
+      const glm::dvec2 at_m = map.place_m(i, j);
+      const double shade = shading_under_grass * grass_above(at_m) * growth.sample(at_m.x, at_m.y);
+      const glm::vec3 white =
+          snow * (grain.at(at_m) * static_cast<float>(math::pow(under_grass, shade)));
+      map.at(i, j) = glm::mix(bare.sample(at_m.x, at_m.y), white, white_share.at(i, j));
+    }
+  });
+  return map;
+}
+
+FactorMap SnowyGround::growth() const {
+  return is_bare() ? site_.growth : above_snow(site_.growth);
+}
+
+double SnowyGround::white_share() const { return is_bare() ? 0.0 : mean(*white_); }
+
+double SnowyGround::mean_albedo() const {
+  return std::lerp(grass_albedo, double{albedo_}, white_share());
+}
+
+}  // namespace wold::ground

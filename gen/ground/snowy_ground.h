@@ -1,0 +1,72 @@
+#pragma once
+
+#include <optional>
+
+#include "core/ground_map.h"
+#include "ground/lying_snow.h"
+#include "place/site.h"
+#include "scene/scene.h"
+
+namespace wold::ground {
+
+/// The ground of one frame with the snow that lies on it.
+class SnowyGround {
+ public:
+  /// Frame from 1. `scene` and `site` have to outlive it. On a large terrain snow is known finely
+  /// about the frame's camera.
+  SnowyGround(const scene::Scene& scene, const place::Site& site, int frame);
+
+  /// Ground and snow, as high as they are: snow lies smooth over what is smaller than it is deep,
+  /// heaped a little where tufts stand.
+  const Heightfield& surface() const { return surface_; }
+
+  /// Sun and sky on that surface.
+  const terrain::GroundLight& light() const;
+
+  /// What the surface makes of the light that falls on it, radiance over irradiance: bare ground as
+  /// Site has it, darker where rain has wetted it, and snow, darker where grass still stands over
+  /// it.
+  ColourMap reflectance() const;
+
+  /// Where grass grows, less by what of it is under snow.
+  FactorMap growth() const;
+
+  /// The share of grass that stands, under the snow: snow that has a depth buries it from below,
+  /// while the paper's, which has none, takes its place where it is white.
+  FactorMap standing(FactorMap standing) const;
+
+  /// A part of a large terrain's ground as ground_part() has it, under the snow: less growth, and
+  /// reflectance likewise. Its light stays: snow changes no slope as long as the terrain's steps.
+  place::GroundPart covered(place::GroundPart part) const;
+
+  /// Mean share of the ground that is white.
+  double white_share() const;
+
+  /// Mean albedo of ground and snow, of which a share of what stands is white.
+  double mean_albedo() const;
+
+ private:
+  bool is_bare() const { return !white_; }
+  void lay_everywhere(int frame);
+  void lay_about_the_camera(int frame);
+  float depth_m(const glm::dvec2& at_m) const;
+  float grass_above(const glm::dvec2& at_m) const;
+  FactorMap above_snow(FactorMap growth) const;
+  FactorMap white(const GroundGrid& grid) const;
+  ColourMap reflectance(const ColourMap& bare, const FactorMap& growth,
+                        const FactorMap& white) const;
+  /// Bare ground after rain.
+  ColourMap wetted(ColourMap bare) const;
+
+  const scene::Scene& scene_;
+  const place::Site& site_;
+  Heightfield surface_;
+  std::optional<terrain::GroundLight> light_;  ///< where it is not the site's
+  std::optional<FactorMap> white_;             ///< share of the ground that is white
+  FactorMap depth_m_;                          ///< where `lying_` is none
+  std::optional<LyingSnow> lying_;             ///< on a large terrain
+  float albedo_ = 0.9F;
+  double wetness_ = 0.0;  ///< of the bare ground, in [0, 1)
+};
+
+}  // namespace wold::ground

@@ -1,0 +1,303 @@
+#include "meadow/cells.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/error.h"
+#include "core/noise.h"
+#include "core/parallel.h"
+#include "core/random.h"
+#include "meadow/canopy_snow.h"
+#include "meadow/combing.h"
+#include "meadow/far_field.h"
+#include "meadow/film_lights.h"
+#include "place/ground_grids.h"
+#include "place/view.h"
+#include "scene/key_frames.h"
+#include "terrain/horizon.h"
+#include "terrain/relief.h"
+
+namespace wold::meadow {
+namespace {
+
+/// A number in [0, 1) of a cell, for a purpose.
+double cell_uniform(const scene::Scene& scene, const glm::ivec2& cell, const char* purpose) {
+  const auto index =
+      (static_cast<std::uint64_t>(cell.y) << 32) | static_cast<std::uint32_t>(cell.x);
+  return random_uniform({scene.seed, key_of("cell"), index, key_of(purpose)});
+}
+
+struct Texel {
+  int variant = 0;
+  int turn = 0;
+};
+
+/// How much two neighbours look alike: the same variant shows even when it is turned, and levels
+/// that use but two turns undo a half-turn.
+int likeness(const Texel& a, const Texel& b) {
+  if (a.variant != b.variant) return 0;
+  if (a.turn == b.turn) return 3;
+  return a.turn % 2 == b.turn % 2 ? 2 : 1;
+}
+
+/// One of the texels that look least like the neighbours; `uniform` in [0, 1) chooses.
+Texel unlike(const std::vector<Texel>& neighbours, int variants, double uniform) {
+  std::vector<Texel> best;
+  int least = 1000;
+  for (int k = 0; k < variants * 4; ++k) {
+    const Texel candidate{k / 4, k % 4};
+    int sum = 0;
+    for (const Texel& neighbour : neighbours) sum += likeness(candidate, neighbour);
+    if (sum < least) best.clear();
+    least = std::min(least, sum);
+    if (sum == least) best.push_back(candidate);
+  }
+  return best[static_cast<std::size_t>(uniform * static_cast<double>(best.size()))];
+}
+
+/// Variant and turn of every cell, row by row from the south-west corner: each looks at its left
+/// and lower neighbours.
+std::vector<Texel> choose_texels(const scene::Scene& scene, const place::CellWindow& window) {
+  const int per_side = window.per_side;
+  std::vector<Texel> texels;
+  for (int j = 0; j < per_side; ++j)
+    for (int i = 0; i < per_side; ++i) {
+      std::vector<Texel> neighbours;
+      if (i > 0) neighbours.push_back(texels.back());
+      if (j > 0) neighbours.push_back(texels[texels.size() - static_cast<std::size_t>(per_side)]);
+      const glm::ivec2 cell = window.first + glm::ivec2(i, j);
+      texels.push_back(
+          unlike(neighbours, scene.grass.variants, cell_uniform(scene, cell, "texel")));
+    }
+  return texels;
+}
+
+glm::dvec2 centre_m(const glm::ivec2& cell, double patch_m) {
+  return (glm::dvec2(cell) + 0.5) * patch_m;
+}
+
+/// What cells are dithered in, each in an order of its own.
+enum class Dither { key_frame, snow, light };
+
+/// A number in [0, 1) of a cell: those that want at least so much of the way between two states
+/// show the second. Each variant has its own part of [0, 1), so that variants pass to the second
+/// state one after the other: few states of a variant are seen at once, and each of them is a
+/// volume in a renderer's memory.
+double threshold(const scene::Scene& scene, const CellChoice& choice, Dither dither) {
+  constexpr std::array<const char*, 3> purposes = {"key frame", "snow", "light"};
+  const auto which = static_cast<int>(dither);
+  const int place = (choice.variant + which) % scene.grass.variants;
+  const double within = cell_uniform(scene, choice.cell, purposes[static_cast<std::size_t>(which)]);
+  return (place + within) / scene.grass.variants;
+}
+
+int choose_key_frame(const std::vector<double>& keys, double wanted, double threshold) {
+  const auto above = std::upper_bound(keys.begin(), keys.end(), wanted);
+  if (above == keys.begin()) return 0;
+  const auto below = static_cast<int>(above - keys.begin()) - 1;
+  if (above == keys.end()) return below;
+  const double share = (wanted - *(above - 1)) / (*above - *(above - 1));
+  return threshold < share ? below + 1 : below;
+}
+
+/// The whole number below or above.
+int choose_between(double wanted, double threshold) {
+  const auto below = static_cast<int>(wanted);
+  return threshold < wanted - below ? below + 1 : below;
+}
+
+/// Whether a level is fine enough where one metre covers `pixels_per_m`.
+bool is_fine_enough(const scene::Grass& grass, int level, double pixels_per_m) {
+  const double voxel_m = grass.patch_m / grass.levels[static_cast<std::size_t>(level)];
+  return voxel_m * pixels_per_m <= grass.pixels_per_voxel;
+}
+
+/// The coarsest level that is fine enough, else the finest.
+int choose_level(const scene::Grass& grass, double pixels_per_m) {
+  for (int level = static_cast<int>(grass.levels.size()) - 1; level > 0; --level)
+    if (is_fine_enough(grass, level, pixels_per_m)) return level;
+  return 0;
+}
+
+bool choose_blades(const scene::Scene& scene, double pixels_per_m) {
+  if (scene.render.grass == "auto") return !is_fine_enough(scene.grass, 0, pixels_per_m);
+  return scene.render.grass != "texels";
+}
+
+/// Middle of the grass on a cell.
+glm::dvec3 middle_of(const scene::Grass& grass, const Heightfield& terrain,
+                     const glm::ivec2& cell) {
+  return place::above_ground(terrain, centre_m(cell, grass.patch_m), grass.height_m / 2.0);
+}
+
+/// What the camera sees of the cells.
+class Sight {
+ public:
+  Sight(const scene::Scene& scene, const Heightfield& terrain, const landscape::Camera& camera)
+      : grass_(scene.grass),
+        window_(scene),
+        terrain_(terrain),
+        eye_m_(camera.eye_m),
+        view_(camera, scene.render.size_px[0], scene.render.size_px[1]),
+        margin_m_(1.75 * scene.grass.patch_m +  // half a cell and one more
+                  scene.grass.height_m * std::max(1.5, 0.5 + 2.2 * scene.grass.height_spread)) {}
+
+  bool may_see(const glm::dvec3& middle_m) const {
+    return view_.may_see(middle_m, margin_m_) &&
+           far_share(grass_, window_, view_, middle_m) < 1.0 && !is_behind_a_hill(middle_m);
+  }
+
+  /// Pixels that a metre covers there.
+  double pixels(const glm::dvec3& middle_m) const { return view_.pixels(1.0, middle_m); }
+
+ private:
+  /// Whether the ground hides all that can stand on the cell.
+  bool is_behind_a_hill(const glm::dvec3& middle_m) const {
+    return terrain::is_hidden(terrain_, eye_m_, middle_m + glm::dvec3(0.0, 0.0, margin_m_));
+  }
+
+  const scene::Grass& grass_;
+  place::CellWindow window_;
+  const Heightfield& terrain_;
+  glm::dvec3 eye_m_;
+  place::View view_;
+  double margin_m_;
+};
+
+/// How much grass grows on a cell.
+struct Grown {
+  float most = 0.0F;
+  float mean = 0.0F;
+};
+
+Grown grown_in(const FactorMap& growth, const glm::ivec2& cell, double patch_m) {
+  constexpr int steps = 6;
+  Grown grown;
+  for (int j = 0; j <= steps; ++j)
+    for (int i = 0; i <= steps; ++i) {
+      const glm::dvec2 at_m = (glm::dvec2(cell) + glm::dvec2(i, j) / (1.0 * steps)) * patch_m;
+      const float here = growth.sample(at_m.x, at_m.y);
+      grown.most = std::max(grown.most, here);
+      grown.mean += here / ((steps + 1) * (steps + 1));
+    }
+  return grown;
+}
+
+/// What cells show of a frame.
+struct Showing {
+  double snow;   ///< level of PatchState, not whole
+  double light;  ///< light_of_frame()
+};
+
+/// All of the choice but where the cell stands.
+CellChoice choose_cell(const scene::Scene& scene, const glm::ivec2& cell, const Texel& texel,
+                       const std::vector<double>& key_frames, double weathering,
+                       const Showing& showing, double pixels_per_m) {
+  CellChoice choice;
+  choice.cell = cell;
+  const double jittered = pixels_per_m * (0.9 + 0.2 * cell_uniform(scene, cell, "level"));
+  choice.level = choose_level(scene.grass, jittered);
+  choice.blades = choose_blades(scene, jittered);
+  choice.variant = texel.variant;
+  choice.turn = choice.blades ? 0 : texel.turn % turns_of_level(scene, choice.level);
+  choice.key_frame =
+      choose_key_frame(key_frames, weathering, threshold(scene, choice, Dither::key_frame));
+  choice.snow = choose_between(showing.snow, threshold(scene, choice, Dither::snow));
+  choice.light = choose_between(showing.light, threshold(scene, choice, Dither::light));
+  return choice;
+}
+
+int voxels_of(const scene::Scene& scene, const CellChoice& choice) {
+  return scene.grass.levels[static_cast<std::size_t>(choice.level)];
+}
+
+void check_frame(const scene::Scene& scene, int frame) {
+  const std::size_t frames = scene.ageing.frames.size();
+  if (frame < 1 || static_cast<std::size_t>(frame) > frames)
+    throw InputError(fmt::format("frame {} does not exist: the scene has {}", frame, frames));
+}
+
+}  // namespace
+
+glm::dmat4 reach_to_neighbours(const Combing& combing, double patch_m,
+                               const landscape::Stance& stance, double height_m) {
+  const glm::dvec2 here_m = centre_m(stance.cell, patch_m);
+  const glm::dvec2& own = stance.lean;
+  glm::dvec2 low_m, high_m;  // beyond the square's sides
+  for (int axis = 0; axis < 2; ++axis) {
+    glm::dvec2 step_m(0.0);
+    step_m[axis] = patch_m;
+    const double low = combing.lean(here_m - step_m)[axis];
+    const double high = combing.lean(here_m + step_m)[axis];
+    low_m[axis] = 0.5 * height_m * std::max(0.0, own[axis] - low);
+    high_m[axis] = 0.5 * height_m * std::max(0.0, high - own[axis]);
+  }
+  const glm::dvec2 stretch = 1.0 + (low_m + high_m) / patch_m;
+  const glm::dvec2 shift_m = 0.5 * (high_m - low_m);
+  const glm::dvec2 east = landscape::east_of(stance.turn);
+  const glm::dvec2 north = landscape::left_of(east);
+  const glm::dvec2 in_cell = stance.turn % 2 == 0 ? stretch : glm::dvec2(stretch.y, stretch.x);
+  const glm::dvec2 origin_m = glm::dvec2(glm::dot(shift_m, east), glm::dot(shift_m, north)) +
+                              0.5 * patch_m * (1.0 - in_cell);
+  return {{in_cell.x, 0, 0, 0}, {0, in_cell.y, 0, 0}, {0, 0, 1, 0}, {origin_m, 0, 1}};
+}
+
+int turns_of_level(int voxels_per_side) { return voxels_per_side >= 200 ? 1 : 2; }
+
+int turns_of_level(const scene::Scene& scene, int level) {
+  if (scene.ageing.fur.clumps > 0) return 1;
+  return turns_of_level(scene.grass.levels[static_cast<std::size_t>(level)]);
+}
+
+std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfield& terrain,
+                                     const FactorMap& growth, const place::Withering& withering,
+                                     int frame) {
+  check_frame(scene, frame);
+  const place::CellWindow window(scene);
+  const std::vector<Texel> texels = choose_texels(scene, window);
+  const landscape::Camera camera =
+      place::resolved_camera(scene.camera, terrain, place::time_of_frame(scene, frame));
+  const Sight sight(scene, terrain, camera);
+  std::optional<Heightfield> mesh;
+  if (place::is_large(scene)) mesh = terrain::mesh_heights(terrain, place::window_grid(scene));
+  const Heightfield& ground = mesh ? *mesh : terrain;
+  const Combing combing(scene, frame);
+  const std::vector<double> key_frames = scene::key_frames(scene);
+  const Showing showing = {grass::PatchState::level_of(canopy_snow(scene, frame)),
+                           light_of_frame(scene, frame)};
+  const auto side = static_cast<std::size_t>(window.per_side);
+  std::vector<std::vector<CellChoice>> rows(side);
+  const auto consider = [&](const glm::ivec2& cell, const Texel& texel,
+                            std::vector<CellChoice>& row) {
+    const glm::dvec3 middle_m = middle_of(scene.grass, terrain, cell);
+    const Grown grown = grown_in(growth, cell, scene.grass.patch_m);
+    if (grown.most <= 0.0F || !sight.may_see(middle_m)) return;
+    CellChoice choice =
+        choose_cell(scene, cell, texel, key_frames, withering.at(glm::dvec2(middle_m), frame),
+                    showing, sight.pixels(middle_m));
+    if (choice.blades && cell_uniform(scene, cell, "grown") >= double{grown.mean}) return;
+    const double patch_m = scene.grass.patch_m;
+    const landscape::Stance stance = {cell, choice.turn, combing.lean(centre_m(cell, patch_m))};
+    choice.parts = landscape::parts_on_ground(ground, patch_m, stance, voxels_of(scene, choice),
+                                              ground_tolerance_m);
+    // Half-way up, so that they show as much too little above as too much below: along a line of
+    // sight between them either would be a seam.
+    choice.reach = reach_to_neighbours(combing, patch_m, stance, 0.5 * scene.grass.height_m);
+    row.push_back(std::move(choice));
+  };
+  parallel_for(side, [&](std::size_t j) {
+    for (std::size_t i = 0; i < side; ++i)
+      consider(window.first + glm::ivec2(i, j), texels[j * side + i], rows[j]);
+  });
+  std::vector<CellChoice> choices;
+  for (const std::vector<CellChoice>& row : rows)
+    choices.insert(choices.end(), row.begin(), row.end());
+  return choices;
+}
+
+}  // namespace wold::meadow

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "core/ground_map.h"
+#include "grass/ageing/patch_state.h"
+#include "landscape/cell_parts.h"
+#include "meadow/combing.h"
+#include "place/cell_window.h"
+#include "place/withering.h"
+#include "scene/scene.h"
+
+namespace wold::meadow {
+
+/// Which texel stands on a cell of the terrain, and how. `key_frame` and `level` are indices into
+/// the scene's grass.key_frames and grass.levels; `snow` and `light` are those of PatchState;
+/// `turn` counts quarter-turns counter-clockwise, seen from above.
+struct CellChoice {
+  std::vector<landscape::PlacedPart> parts;  ///< of the patch, as the ground needs
+  glm::dmat4 reach{1.0};                     ///< see Cell in landscape.h
+  glm::ivec2 cell{0};                        ///< column (east) and row (north), from 0
+  int variant = 0;
+  int key_frame = 0;
+  int snow = 0;
+  int light = 0;
+  int turn = 0;
+  int level = 0;
+  bool blades = false;  ///< drawn as a mesh of blades or points, not as the volume of `level`
+
+  grass::PatchState state() const { return {key_frame, snow, light}; }
+};
+
+/// How far what is drawn of a cell may leave the ground under it.
+constexpr double ground_tolerance_m = 0.01;
+
+/// Cell::reach of a cell that meets its neighbours `height_m` above the ground: where they lean
+/// away from each other both reach half as far beyond their squares as the gap between them is wide
+/// there.
+glm::dmat4 reach_to_neighbours(const Combing& combing, double patch_m,
+                               const landscape::Stance& stance, double height_m);
+
+/// How many of the four quarter-turns a level uses. A turn needs its own baked light and its own
+/// place in a renderer's memory, 200 MB for a volume of 254^3: 1 from 200 voxels per side on, 2
+/// from 50 on, else 4.
+int turns_of_level(int voxels_per_side);
+
+/// How many of them cells of a scene use of a level: a coat has one nap.
+int turns_of_level(const scene::Scene& scene, int level);
+
+/// Every cell with grass that can be seen, row by row: in the CellWindow, inside the picture, not
+/// behind a hill, not so far that far_share() paints it. `growth` is growth_map()'s; where it is
+/// thin, blades stand on as many cells as it says, while volumes are thinned in space.
+///
+/// Variant and turn come by keyed choice, so that neighbours differ. Key frame, level of snow and
+/// light are those below or above the cell's weathering, canopy_snow() and light_of_frame(), in the
+/// mean as much as these; variants pass from one to the next one after another, so that few pairs
+/// of variant and state are seen at once. The level is the coarsest whose voxels cover at most
+/// grass.pixels_per_voxel, with a keyed tenth of jitter, so that no ring shows where levels change.
+/// A cell has as many parts as ground_tolerance_m asks for. Only `level` (and with it the turns
+/// allowed), `parts` and whether a cell is listed depend on the camera. Cells are drawn as
+/// render.grass asks: with "auto" as blades where even the finest level is too coarse. Frame from
+/// 1; throws InputError when the scene has no such frame.
+std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfield& terrain,
+                                     const FactorMap& growth, const place::Withering& withering,
+                                     int frame);
+
+}  // namespace wold::meadow

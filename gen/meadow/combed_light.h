@@ -1,0 +1,47 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "core/ground_map.h"
+#include "grass/optics/shading.h"
+#include "meadow/combing.h"
+#include "place/view.h"
+#include "scene/scene.h"
+
+namespace wold::meadow {
+
+/// What the grass's lean does to its light: patches are lit for blades as they grow and for one
+/// eye.
+class CombedLight {
+ public:
+  /// `fibres` stand for the meadow; `lighting` is what its patches were baked for.
+  CombedLight(std::vector<grass::Fibre> fibres, grass::Lighting lighting, float gloss);
+
+  /// Luminance that leaning fibres send to an eye, over that of upright ones to the baked eye. Both
+  /// in half the sun and half the sky. `lean` is Combing's, `to_eye` unit.
+  float factor(const glm::dvec2& lean, const glm::dvec3& to_eye) const;
+
+  /// Radiance of the upright ones, all together, to the baked eye.
+  const glm::vec3& upright() const { return upright_; }
+
+ private:
+  glm::vec3 radiance(const glm::dvec2& lean, const glm::dvec3& to_eye) const;
+
+  std::vector<grass::Fibre> fibres_;
+  grass::Lighting lighting_;
+  glm::vec3 skylight_;
+  float gloss_;
+  glm::vec3 upright_;
+};
+
+/// The factor everywhere on the terrain: it makes the waves visible, silvery where blades lie so
+/// that they mirror the sun.
+FactorMap combed_light_map(const CombedLight& light, const Combing& combing,
+                           const Heightfield& terrain, const place::View& view);
+/// The same on another grid.
+FactorMap combed_light_map(const CombedLight& light, const Combing& combing,
+                           const Heightfield& terrain, const place::View& view,
+                           const GroundGrid& grid);
+
+}  // namespace wold::meadow

@@ -1,0 +1,124 @@
+#include "meadow/film_lights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/elementary.h"
+#include "place/view.h"
+#include "scene/sun_path.h"
+#include "scene/winter.h"
+#include "sky/snow_in_air.h"
+
+namespace wold::meadow {
+namespace {
+
+/// Mean albedo of a snowy meadow's ground: what the lighting of single frames is near to.
+constexpr double mean_ground_albedo = 0.5;
+
+/// Of level ground.
+glm::vec3 irradiance(const grass::Lighting& lighting) {
+  glm::vec3 sum = lighting.sun_irradiance * static_cast<float>(lighting.sun_direction.z);
+  for (const grass::SkyDirection& sky : grass::sky_directions(lighting))
+    sum += sky.irradiance * static_cast<float>(sky.direction.z);
+  return sum;
+}
+
+/// Makes it the unit, as it is of the day: how bright the light is, the light of the ground says.
+void normalise(grass::Lighting& lighting) {
+  const glm::vec3 unit = irradiance(lighting);
+  lighting.sun_irradiance /= unit;
+  for (glm::vec3& radiance : lighting.sky_radiance) radiance /= unit;
+}
+
+/// Adds `share` of the lighting under falling snow.
+void add(grass::Lighting& sum, const light::Daylight& day, const sky::SnowyAir& air, float share) {
+  sum.sun_irradiance += day.sun_irradiance() * static_cast<float>(air.sun_share()) * share;
+  const auto& rings = grass::sky_rings();
+  for (std::size_t ring = 0; ring < rings.size(); ++ring) {
+    const double elevation = rings[ring].elevation;
+    sum.sky_radiance[ring] +=
+        air.sky_radiance(day.mean_sky_radiance(elevation), light::direction_of(0.0, elevation)) *
+        share;
+  }
+}
+
+/// How much each frame, from 1, counts for the light at a place among `lights`; sums to 1. Those
+/// within one light's distance count, or within one frame's where frames are farther apart.
+std::vector<float> frame_weights(const scene::Scene& scene, int lights, double light) {
+  const auto frames = static_cast<int>(scene.ageing.frames.size());
+  const double reach = std::max(1.0, (lights - 1.0) / std::max(1, frames - 1));
+  std::vector<float> weights;
+  for (int frame = 1; frame <= frames; ++frame) {
+    const double distance = std::abs(place::time_of_frame(scene, frame) * (lights - 1) - light);
+    weights.push_back(static_cast<float>(std::max(0.0, 1.0 - distance / reach)));
+  }
+  const float sum = std::accumulate(weights.begin(), weights.end(), 0.0F);
+  for (float& weight : weights) weight /= sum;
+  return weights;
+}
+
+/// The light at a place among light_count().
+grass::Lighting lighting_at(const scene::Scene& scene, const place::Site& site, double light) {
+  const int lights = light_count(scene);
+  const light::Daylight day =
+      lights > 1 ? light::Daylight(scene::sun_at(scene, light / (lights - 1)), scene.sky)
+                 : site.day;
+  grass::Lighting lighting =
+      grass::make_lighting(day, place::film_eye_direction(scene, site.terrain));
+  if (!scene::may_snow(scene)) return lighting;
+  lighting.sun_irradiance = glm::vec3(0.0F);
+  lighting.sky_radiance.assign(grass::sky_rings().size(), glm::vec3(0.0F));
+  const std::vector<float> weights = frame_weights(scene, lights, light);
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (weights[i] > 0.0F)
+      add(lighting, day,
+          sky::SnowyAir(day, sky::falling_extinction_per_m(scene, site, static_cast<int>(i) + 1),
+                        mean_ground_albedo),
+          weights[i]);
+  normalise(lighting);
+  return lighting;
+}
+
+/// How far the sun gets: by height in a season, whose hour of the day hardly changes.
+double sun_way_deg(const scene::Scene& scene) {
+  constexpr int places = 32;
+  double least_deg = 90.0, most_deg = 0.0, turn_deg = 0.0;
+  scene::Sun before = scene::sun_at(scene, 0.0);
+  for (int place = 0; place <= places; ++place) {
+    const scene::Sun sun = scene::sun_at(scene, static_cast<double>(place) / places);
+    least_deg = std::min(least_deg, sun.elevation_deg);
+    most_deg = std::max(most_deg, sun.elevation_deg);
+    turn_deg +=
+        std::abs(sun.azimuth_deg - before.azimuth_deg) * math::cos(glm::radians(sun.elevation_deg));
+    before = sun;
+  }
+  const double climb_deg = most_deg - least_deg;
+  return scene::is_season(scene) ? climb_deg : math::hypot(climb_deg, turn_deg);
+}
+
+}  // namespace
+
+int light_count(const scene::Scene& scene) {
+  if (!scene::sun_moves(scene)) return 1;
+  constexpr double most_step_deg = 10.0;
+  return 1 + static_cast<int>(std::ceil(sun_way_deg(scene) / most_step_deg));
+}
+
+double light_of_frame(const scene::Scene& scene, int frame) {
+  return place::time_of_frame(scene, frame) * (light_count(scene) - 1);
+}
+
+std::vector<grass::Lighting> film_lights(const scene::Scene& scene, const place::Site& site) {
+  const int count = light_count(scene);
+  std::vector<grass::Lighting> lights;
+  lights.reserve(static_cast<std::size_t>(count));
+  for (int light = 0; light < count; ++light) lights.push_back(lighting_at(scene, site, light));
+  return lights;
+}
+
+grass::Lighting frame_lighting(const scene::Scene& scene, const place::Site& site, int frame) {
+  return lighting_at(scene, site, light_of_frame(scene, frame));
+}
+
+}  // namespace wold::meadow

@@ -1,0 +1,188 @@
+#include "place/site.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "core/elementary.h"
+#include "core/files.h"
+#include "place/cell_window.h"
+#include "place/ground_grids.h"
+#include "place/growth.h"
+#include "place/view.h"
+#include "scene/calendar.h"
+#include "scene/sun_path.h"
+#include "scene/winter.h"
+#include "terrain/ground.h"
+#include "terrain/lighting.h"
+
+namespace wold::place {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An empty folder for tiled pictures: those of another time say nothing of this scene.
+void clear_pictures(const fs::path& folder) {
+  make_folder(folder);
+  std::vector<fs::path> old;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".tif") old.push_back(entry.path());
+  for (const fs::path& picture : old) fs::remove(picture);
+}
+
+std::unique_ptr<snow::LargeCover> large_cover(const scene::Scene& scene, const Heightfield& terrain,
+                                              const snow::WeatherFunction& weather,
+                                              const fs::path& folder) {
+  if (!is_large(scene) || scene.snow_cover.cover != "depth" || !scene::may_lie(scene))
+    return nullptr;
+  if (folder.empty()) throw std::invalid_argument("the snow of a large terrain needs a folder");
+  clear_pictures(folder);
+  return std::make_unique<snow::LargeCover>(
+      scene, snow::large_ground(terrain), weather, folder,
+      snow::LargeCover::Limits{.view_samples = cover_samples(scene)});
+}
+
+/// A part of the ground on which that grows, in the light of a day.
+GroundPart lit_part(const scene::Scene& scene, const Heightfield& terrain,
+                    const light::Daylight& day, const GroundGrid& grid,
+                    const std::optional<Sketch>& sketch, FactorMap growth) {
+  terrain::GroundLight light =
+      terrain::ground_light(terrain, day, light_grid(terrain, grid, sketch));
+  ColourMap reflectance =
+      terrain::ground_reflectance(terrain, day.sun_direction(), scene.terrain, scene.seed, growth,
+                                  canopy_transmittance(scene.grass), grid);
+  return {std::move(growth), std::move(light), std::move(reflectance)};
+}
+
+/// Where maps of the whole ground have their values: as the pictures of a large terrain need them,
+/// as many as a sketch has, or nowhere else than usual.
+std::optional<GroundGrid> grid_of_ground(const scene::Scene& scene, const Heightfield& terrain,
+                                         const std::optional<Sketch>& sketch) {
+  if (is_large(scene)) return whole_grid(scene);
+  if (sketch) return GroundGrid{terrain.square(), sketch->ground_samples};
+  return std::nullopt;
+}
+
+/// The whole ground in the light of a day, on a grid or with the usual steps.
+GroundPart whole_ground(const scene::Scene& scene, const Heightfield& terrain,
+                        const light::Daylight& day, const std::optional<GroundGrid>& grid,
+                        const std::optional<Sketch>& sketch, FactorMap growth) {
+  if (grid) return lit_part(scene, terrain, day, *grid, sketch, std::move(growth));
+  terrain::GroundLight light = terrain::ground_light(terrain, day);
+  ColourMap reflectance =
+      terrain::ground_reflectance(terrain, day.sun_direction(), scene.terrain, scene.seed, growth,
+                                  canopy_transmittance(scene.grass), picture_grid(scene));
+  return {std::move(growth), std::move(light), std::move(reflectance)};
+}
+
+/// Sets the light of its day on a site's ground, and what the ground makes of it.
+void light_ground(const scene::Scene& scene, Site& site) {
+  GroundPart ground =
+      whole_ground(scene, site.terrain, site.day, grid_of_ground(scene, site.terrain, site.sketch),
+                   site.sketch, std::move(site.growth));
+  site.growth = std::move(ground.growth);
+  site.light = std::move(ground.light);
+  site.ground_reflectance = std::move(ground.reflectance);
+}
+
+/// The scene with its sun where it stands then.
+scene::Scene at_time(scene::Scene scene, double time) {
+  scene.sun = scene::sun_at(scene, time);
+  return scene;
+}
+
+}  // namespace
+
+Snow::Snow(const scene::Scene& scene, const Heightfield& terrain, const fs::path& folder,
+           int most_samples)
+    : weather(scene),
+      pictures(scene.seed),
+      ground(
+          scene, terrain, [made = weather](double time_s) { return made.at(time_s); },
+          most_samples),
+      large(large_cover(
+          scene, terrain, [made = weather](double time_s) { return made.at(time_s); }, folder)) {}
+
+GroundGrid light_grid(const Heightfield& terrain, const GroundGrid& grid,
+                      const std::optional<Sketch>& sketch) {
+  constexpr double least_samples = 17.0;
+  const double step_m = std::max(grid.step_m(), terrain.step_m());
+  double samples = std::ceil(grid.square.size_m / step_m - 1e-9) + 1.0;
+  if (sketch) samples = std::min(samples, 1.0 * sketch->light_samples);
+  return {grid.square, static_cast<int>(std::max(samples, least_samples))};
+}
+
+GroundPart ground_part(const scene::Scene& scene, const Site& site, const GroundGrid& grid) {
+  return lit_part(scene, site.terrain, site.day, grid, site.sketch,
+                  growth_map(scene, site.terrain, grid));
+}
+
+const FactorMap& growth_of_cells(const Site& site) {
+  return site.growth_of_window ? *site.growth_of_window : site.growth;
+}
+
+Site make_site(const scene::Scene& scene, const fs::path& snow_folder,
+               const std::optional<Sketch>& sketch) {
+  Heightfield terrain = terrain::make_ground(scene.terrain, scene.seed);
+  const scene::Scene half_way = at_time(scene, 0.5);
+  const light::Daylight day(half_way.sun, scene.sky);
+  const bool large = is_large(scene);
+  const auto grid = grid_of_ground(scene, terrain, sketch);
+  FactorMap growth = grid ? growth_map(scene, terrain, *grid) : growth_map(scene, terrain);
+  std::optional<FactorMap> growth_of_window;
+  if (large) growth_of_window = growth_map(scene, terrain, window_grid(scene));
+  std::optional<cloud::Clouds> clouds;
+  if (!scene.clouds.empty()) clouds.emplace(half_way, cloud::Clouds::usual_pixel_m(scene));
+  std::shared_ptr<const Snow> snow;
+  if (scene::may_snow(scene) || scene::may_lie(scene))
+    snow = std::make_shared<const Snow>(
+        scene, terrain, snow_folder,
+        sketch ? sketch->snow_samples : snow::SnowGround::usual_most_samples);
+  std::shared_ptr<const phenology::FilmSeason> season;
+  if (scene::is_season(scene)) season = std::make_shared<const phenology::FilmSeason>(scene);
+  auto withering = std::make_shared<const Withering>(scene, terrain);
+  Site site{std::move(terrain),
+            std::move(growth),
+            std::move(growth_of_window),
+            day,
+            {},
+            {},
+            std::move(clouds),
+            std::move(season),
+            std::move(withering),
+            std::move(snow),
+            sketch};
+  if (!scene::sun_moves(scene)) light_ground(scene, site);
+  return site;
+}
+
+double visual_range_m(const scene::Scene& scene, const Site& site, int frame) {
+  if (!site.season) return scene.sky.visual_range_m;
+  return site.season->visual_range_m(scene::season_days(scene.season, frame));
+}
+
+Site site_of_frame(const scene::Scene& scene, const Site& site, int frame) {
+  if (!scene::sun_moves(scene)) return site;
+  Site now = site;
+  scene::Sky sky = scene.sky;
+  sky.visual_range_m = visual_range_m(scene, site, frame);
+  now.day = light::Daylight(scene::sun_at(scene, time_of_frame(scene, frame)), sky);
+  light_ground(scene, now);
+  return now;
+}
+
+double leaf_area_index(const scene::Grass& grass) {
+  const double blade_m2 = 0.5 * grass.height_m * grass.width_m;
+  return grass.blades * blade_m2 / (grass.patch_m * grass.patch_m);
+}
+
+double canopy_transmittance(const scene::Grass& grass) {
+  constexpr double ross = 0.5;
+  constexpr double mean_slant_cosine = 0.5;
+  return math::exp(-ross * leaf_area_index(grass) / mean_slant_cosine);
+}
+
+}  // namespace wold::place

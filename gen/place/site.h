@@ -1,0 +1,100 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "cloud/clouds.h"
+#include "core/ground_map.h"
+#include "light/daylight.h"
+#include "phenology/film_season.h"
+#include "place/withering.h"
+#include "scene/scene.h"
+#include "snow/cover.h"
+#include "snow/crystal_picture.h"
+#include "snow/large_cover.h"
+#include "snow/weather.h"
+#include "terrain/lighting.h"
+
+namespace wold::place {
+
+/// The snow of a film.
+struct Snow {
+  /// `folder`: see make_site(). Where it is not large, the ground has at most so many samples of
+  /// snow along a side.
+  Snow(const scene::Scene& scene, const Heightfield& terrain, const std::filesystem::path& folder,
+       int most_samples);
+
+  snow::Weather weather;
+  snow::FlakePictures pictures;
+  snow::SnowGround ground;
+  std::unique_ptr<snow::LargeCover> large;  ///< in its place on large terrains
+};
+
+/// What a part of the ground is like, without snow.
+struct GroundPart {
+  FactorMap growth;            ///< growth_map()'s
+  terrain::GroundLight light;  ///< under a clear sky
+  ColourMap reflectance;       ///< of the bare ground, radiance over irradiance
+};
+
+/// How fine maps of a site are at most that need not be as fine as renderers' pictures: values
+/// along a side.
+struct Sketch {
+  int ground_samples;       ///< of the ground that is not large, and of what is white on it
+  int light_samples;        ///< of light on the ground
+  int combed_samples;       ///< of what combing does to light
+  int snow_samples;         ///< of the snow on ground that is not large
+  int sky_width_px = 1024;  ///< of the whole sky, where a backdrop stands before it
+};
+
+/// What stays the same from frame to frame: the place and the light of its day. Where the sun moves
+/// the day is the one half-way, and only site_of_frame() has light and ground_reflectance.
+struct Site {
+  Heightfield terrain;
+  FactorMap growth;                           ///< growth_map()'s
+  std::optional<FactorMap> growth_of_window;  ///< the same in the CellWindow of a large terrain
+  light::Daylight day;
+  terrain::GroundLight light;    ///< under a clear sky
+  ColourMap ground_reflectance;  ///< of the bare ground, radiance over irradiance
+  std::optional<cloud::Clouds> clouds;
+  std::shared_ptr<const phenology::FilmSeason> season;  ///< if it is one
+  std::shared_ptr<const Withering> withering;
+  std::shared_ptr<const Snow> snow;   ///< none where none can fall or lie
+  std::optional<Sketch> sketch = {};  ///< none: as fine as pictures need
+};
+
+/// Maps of a large terrain have as many samples as its pictures need; its snow is kept in tiled
+/// pictures in `snow_folder`, which is made where it is needed and is the site's alone. Those of
+/// any other have the usual steps, or those of a sketch. Throws what terrain::make_ground(),
+/// growth_map(), cloud::Clouds and Snow's parts throw.
+Site make_site(const scene::Scene& scene, const std::filesystem::path& snow_folder = {},
+               const std::optional<Sketch>& sketch = {});
+
+/// How far one sees in a frame (from 1): sky.visual_range, in a season through that day's air.
+double visual_range_m(const scene::Scene& scene, const Site& site, int frame);
+
+/// The site at a frame (from 1): itself, but where the sun moves with the light of that moment, and
+/// in a season with that day's air. Shares clouds and snow with it.
+Site site_of_frame(const scene::Scene& scene, const Site& site, int frame);
+
+/// Growth where cells are laid.
+const FactorMap& growth_of_cells(const Site& site);
+
+/// A part of a site's ground; its light is on the light_grid().
+GroundPart ground_part(const scene::Scene& scene, const Site& site, const GroundGrid& grid);
+
+/// The grid of the light on a part of the ground: as fine as `grid` or, where that is finer, as the
+/// terrain; of a sketch no finer than it says.
+GroundGrid light_grid(const Heightfield& terrain, const GroundGrid& grid,
+                      const std::optional<Sketch>& sketch);
+
+/// Leaf area, one side, of the scene's tapering blades per area of ground.
+double leaf_area_index(const scene::Grass& grass);
+
+/// Share of the daylight that reaches the ground between the blades, (0, 1]: Beer and Lambert with
+/// the leaf area of the scene's tapering blades and Ross' G = 0.5, along a path 60 degrees off the
+/// vertical, the mean of a cosine-weighted hemisphere's secants (2).
+double canopy_transmittance(const scene::Grass& grass);
+
+}  // namespace wold::place

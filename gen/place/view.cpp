@@ -1,0 +1,83 @@
+#include "place/view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/elementary.h"
+
+namespace wold::place {
+
+namespace {
+
+/// A place on the straight way from `from_m` to `end` (east, north, height above the ground).
+glm::dvec3 on_the_way(const Heightfield& terrain, const glm::dvec3& from_m,
+                      const std::vector<double>& end, double time) {
+  if (end.empty()) return from_m;
+  return glm::mix(from_m, above_ground(terrain, {end[0], end[1]}, end[2]), time);
+}
+
+}  // namespace
+
+glm::dvec3 above_ground(const Heightfield& terrain, const glm::dvec2& at_m, double height_m) {
+  return {at_m, terrain.sample(at_m.x, at_m.y) + height_m};
+}
+
+landscape::Camera resolved_camera(const scene::Camera& camera, const Heightfield& terrain,
+                                  double time) {
+  const auto placed = [&](const std::array<double, 2>& at_m, double height_m,
+                          const std::vector<double>& end) {
+    return on_the_way(terrain, above_ground(terrain, {at_m[0], at_m[1]}, height_m), end, time);
+  };
+  return {placed(camera.eye_m, camera.eye_height_m, camera.eye_end),
+          placed(camera.target_m, camera.target_height_m, camera.target_end),
+          camera.field_of_view_deg};
+}
+
+double time_of_frame(const scene::Scene& scene, int frame) {
+  const auto frames = static_cast<double>(scene.ageing.frames.size());
+  return frames < 2.0 ? 0.0 : (frame - 1.0) / (frames - 1.0);
+}
+
+glm::dvec3 film_eye_direction(const scene::Scene& scene, const Heightfield& terrain) {
+  const landscape::Camera camera = resolved_camera(scene.camera, terrain, /*time=*/0.5);
+  return glm::normalize(camera.eye_m - camera.target_m);
+}
+
+double pixels_per_radian(const scene::Scene& scene) {
+  const double half_rad = scene.camera.field_of_view_deg * std::numbers::pi / 360.0;
+  return scene.render.size_px[0] / (2.0 * math::tan(half_rad));
+}
+
+double farthest_standing_m(const scene::Scene& scene) {
+  return pixels_per_radian(scene) * scene.grass.height_m /
+         (least_standing * scene.grass.far_pixels);
+}
+
+View::View(const landscape::Camera& camera, int width_px, int height_px) : eye_m_(camera.eye_m) {
+  const glm::dvec3 forward = glm::normalize(camera.target_m - camera.eye_m);
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 0, 1)));
+  const glm::dvec3 up = glm::cross(right, forward);
+  const double across = math::tan(camera.field_of_view_deg * std::numbers::pi / 360.0);
+  const double upwards = across * height_px / width_px;
+  inwards_ = {glm::normalize(forward * across + right), glm::normalize(forward * across - right),
+              glm::normalize(forward * upwards + up), glm::normalize(forward * upwards - up),
+              forward};
+  pixels_per_radian_ = width_px / (2.0 * across);
+}
+
+bool View::may_see(const glm::dvec3& centre_m, double radius_m) const {
+  return std::all_of(inwards_.begin(), inwards_.end(), [&](const glm::dvec3& inwards) {
+    return glm::dot(inwards, centre_m - eye_m_) >= -radius_m;
+  });
+}
+
+double View::pixels(double length_m, const glm::dvec3& at_m) const {
+  return pixels_per_radian_ * length_m / std::max(glm::length(at_m - eye_m_), 1e-6);
+}
+
+glm::dvec3 View::line_of_sight(const glm::dvec3& at_m) const {
+  return glm::normalize(at_m - eye_m_);
+}
+
+}  // namespace wold::place

@@ -1,0 +1,142 @@
+#include "place/withering.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/elementary.h"
+#include "core/random.h"
+#include "scene/calendar.h"
+#include "snow/weather.h"
+#include "terrain/relief.h"
+
+namespace wold::place {
+namespace {
+
+/// Hopkins 1920: four days for 400 feet.
+constexpr double days_per_m = 4.0 / 121.92;
+/// Nights are half of the day.
+constexpr double days_per_night_k = 0.5 * days_per_m / snow::lapse_k_per_m;
+constexpr double days_of_twice_the_sun = 10.0;
+/// The field is cut at so many standard deviations.
+constexpr double most_deviations = 2.5;
+
+double mean(const Heightfield& terrain) {
+  const auto& values = terrain.values();
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// The terrain with few enough samples that its surroundings are soon found.
+Heightfield coarse(const Heightfield& terrain) {
+  constexpr int most_samples = 129;
+  Heightfield coarse(std::min(terrain.samples(), most_samples), terrain.square());
+  for (int j = 0; j < coarse.samples(); ++j)
+    for (int i = 0; i < coarse.samples(); ++i) {
+      const glm::dvec2 at_m = coarse.place_m(i, j);
+      coarse.at(i, j) = terrain.sample(at_m.x, at_m.y);
+    }
+  return coarse;
+}
+
+/// How deep places lie below the mean of their surroundings, an eighth of the terrain wide; the
+/// deepest is 1.
+FactorMap hollows(const Heightfield& terrain) {
+  Heightfield around = terrain;
+  const int radius = terrain.samples() / 16;
+  for (int pass = 0; pass < 2 * radius * radius; ++pass) smooth(around);
+  FactorMap depth(terrain.samples(), terrain.square());
+  for (std::size_t k = 0; k < depth.values().size(); ++k)
+    depth.values()[k] = std::max(0.0F, around.values()[k] - terrain.values()[k]);
+  const float deepest = *std::max_element(depth.values().begin(), depth.values().end());
+  if (deepest > 0.0F)
+    for (float& value : depth.values()) value /= deepest;
+  return depth;
+}
+
+/// Noon's sun at the equinox: unit vector.
+glm::dvec3 equinox_sun(double latitude_deg) {
+  const double latitude = glm::radians(latitude_deg);
+  return {0.0, -math::sin(latitude), math::cos(latitude)};
+}
+
+/// Sunlight on a slope over that on level ground, less 1; at most twice as much counts.
+double more_sun(const glm::dvec2& gradient, const glm::dvec3& sun) {
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(-gradient, 1.0));
+  constexpr double least_level = 0.2;  // near the poles even slopes are not dry
+  return std::clamp(glm::dot(normal, sun) / std::max(sun.z, least_level) - 1.0, -1.0, 1.0);
+}
+
+/// By how many days a place withers later than the mean one.
+FactorMap delays_days(const scene::Scene& scene, const Heightfield& terrain) {
+  const FactorMap hollow = hollows(terrain);
+  const double mean_m = mean(terrain);
+  const glm::dvec3 sun = equinox_sun(scene.sun.latitude_deg);
+  FactorMap delays(terrain.samples(), terrain.square());
+  for (int j = 0; j < delays.samples(); ++j)
+    for (int i = 0; i < delays.samples(); ++i) {
+      const glm::dvec2 at_m = delays.place_m(i, j);
+      const double early =
+          days_per_m * (double{terrain.at(i, j)} - mean_m) +
+          days_per_night_k * scene.season.hollow_frost_k * hollow.at(i, j) +
+          days_of_twice_the_sun * more_sun(terrain::gradient(terrain, at_m.x, at_m.y), sun);
+      delays.at(i, j) = static_cast<float>(-early);
+    }
+  return delays;
+}
+
+/// How far the weathering degree may differ from place to place without a season.
+double amplitude(const scene::Ageing& ageing, double degree) {
+  return ageing.variation * 4.0 * degree * (1.0 - degree);
+}
+
+}  // namespace
+
+Withering::Withering(const scene::Scene& scene, const Heightfield& terrain)
+    : ageing_(scene.ageing),
+      field_{random_bits({scene.seed, key_of("weathering"), 0, key_of("field")}), 2, 1.0} {
+  if (!scene::is_season(scene)) return;
+  season_.emplace(scene);
+  for (int frame = 1; frame <= scene.season.frames; ++frame)
+    frame_days_.push_back(scene::season_days(scene.season, frame));
+  spread_days_ = scene.season.spread_days;
+  delay_days_ = delays_days(scene, coarse(terrain));
+  const auto [least, most] =
+      std::minmax_element(delay_days_.values().begin(), delay_days_.values().end());
+  const double soil_days = most_deviations * spread_days_;
+  delays_days_ = {*least - soil_days, *most + soil_days};
+}
+
+double Withering::noise(const glm::dvec2& at_m) const {
+  return fbm(at_m / ageing_.variation_feature_m, field_);
+}
+
+double Withering::at(const glm::dvec2& at_m, int frame) const {
+  const auto index = static_cast<std::size_t>(frame - 1);
+  if (season_) {
+    const double soil = std::clamp(noise(at_m), -most_deviations, most_deviations);
+    return season_->weathering_at(frame_days_.at(index) - spread_days_ * soil -
+                                  double{delay_days_.sample(at_m.x, at_m.y)});
+  }
+  const double degree = ageing_.frames.at(index);
+  const double field = std::clamp(0.6 * noise(at_m), -1.0, 1.0);
+  return std::clamp(degree + amplitude(ageing_, degree) * field, 0.0, 1.0);
+}
+
+std::pair<double, double> Withering::range(int frame) const {
+  const auto index = static_cast<std::size_t>(frame - 1);
+  if (season_) {
+    const double from = frame_days_.at(index) - delays_days_.second;
+    const double to = frame_days_.at(index) - delays_days_.first;
+    auto [least, most] = std::minmax({season_->weathering_at(from), season_->weathering_at(to)});
+    for (int day = static_cast<int>(std::ceil(from)); day < to; ++day) {
+      least = std::min(least, season_->weathering_at(day));
+      most = std::max(most, season_->weathering_at(day));
+    }
+    return {least, most};
+  }
+  const double degree = ageing_.frames.at(index);
+  const double most = amplitude(ageing_, degree);
+  return {std::max(0.0, degree - most), std::min(1.0, degree + most)};
+}
+
+}  // namespace wold::place

@@ -1,0 +1,195 @@
+#include "sketch/preview_film.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "core/elementary.h"
+#include "core/parallel.h"
+#include "core/progress.h"
+#include "film/assemble.h"
+#include "meadow/canopy_snow.h"
+#include "meadow/cells.h"
+#include "meadow/far_field.h"
+#include "meadow/film_lights.h"
+#include "place/cell_window.h"
+#include "scene/key_frames.h"
+
+namespace wold::sketch {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr int most_samples = 289;  ///< of terrain and ground, along a side
+constexpr int hidden_sky_px = 64;
+constexpr double most_blades = 40000.0;  ///< that stand before the camera
+constexpr int widest_of_large_px = 176;
+constexpr int voxels = 30;  ///< of the texel that far grass is looked up in
+
+/// How low grass looks where so few blades stand nearer to the camera that they can be drawn: a
+/// sector of the circle around it.
+double standing_pixels(const scene::Scene& scene) {
+  const double half_angle = 0.5 * scene.camera.field_of_view_deg * std::numbers::pi / 180.0;
+  const double blades_per_m2 = scene.grass.blades / (scene.grass.patch_m * scene.grass.patch_m);
+  const double radius_m = std::sqrt(most_blades / blades_per_m2 / half_angle);
+  const double pixels_per_radian = 0.5 * scene.render.size_px[0] / math::tan(half_angle);
+  return scene.grass.height_m * pixels_per_radian / radius_m;
+}
+
+/// Some of the key frames: between two of them looks are mixed.
+std::vector<double> few_key_frames(const scene::Scene& scene) {
+  constexpr int most = 9;
+  const std::vector<double> all = scene::key_frames(scene);
+  std::vector<double> few;
+  for (const int key : some_of(static_cast<int>(all.size()), most))
+    few.push_back(all[static_cast<std::size_t>(key)]);
+  return few;
+}
+
+/// Light is smooth where grass scatters it, but mountains cast sharper shadows; snow lies smoothly.
+place::Sketch sketch_of(const scene::Scene& scene) {
+  constexpr int smooth_samples = 97;
+  return {.ground_samples = most_samples,
+          .light_samples = place::is_large(scene) ? most_samples : smooth_samples,
+          .combed_samples = 97,
+          .snow_samples = 129};
+}
+
+}  // namespace
+
+std::vector<int> some_of(int count, int most) {
+  const int steps = most - 1, number = std::min(count, most);
+  std::vector<int> some;
+  some.reserve(static_cast<std::size_t>(number));
+  for (int i = 0; i < number; ++i)  // to the nearest, halves down
+    some.push_back(count <= most ? i : (2 * i * (count - 1) + steps - 1) / (2 * steps));
+  return some;
+}
+
+scene::Scene simplified(scene::Scene scene, int width_px) {
+  // The pictures of a large terrain's ground are as fine as the camera's picture.
+  if (place::is_large(scene)) width_px = std::min(width_px, widest_of_large_px);
+  const double aspect = static_cast<double>(scene.render.size_px[1]) / scene.render.size_px[0];
+  scene.render.size_px = {width_px, std::max(1, static_cast<int>(std::lround(aspect * width_px)))};
+  scene.render.grass = "blades";
+  scene.terrain.samples = std::min(scene.terrain.samples, most_samples);
+  scene.grass.levels = {voxels};
+  scene.grass.key_frames = few_key_frames(scene);
+  scene.grass.variants = std::min(scene.grass.variants, 2);
+  scene.grass.far_pixels = std::max(scene.grass.far_pixels, standing_pixels(scene));
+  for (scene::CloudLayer& layer : scene.clouds) layer.body = "sheet";
+  return scene;
+}
+
+PreviewFilm::PreviewFilm(const scene::Scene& scene, const std::vector<int>& frames,
+                         const fs::path& scratch)
+    : scene_(scene),
+      site_(place::make_site(scene, scratch / "snow", sketch_of(scene))),
+      texels_(scene, meadow::film_lights(scene, site_), scratch / "texels") {
+  for (const int frame : frames) {
+    const double snow = grass::PatchState::level_of(meadow::canopy_snow(scene, frame));
+    const double light = meadow::light_of_frame(scene, frame);
+    moments_.emplace(frame, Moment{site_, static_cast<int>(std::lround(snow)),
+                                   static_cast<int>(std::lround(light))});
+  }
+  // Making texels leaves threads idle.
+  parallel_for(1 + frames.size(), [&](std::size_t i) {
+    if (i == 0) {
+      make_looks(frames);
+    } else {
+      make_site(frames[i - 1], /*with_sky=*/i == 1);
+    }
+  });
+}
+
+void PreviewFilm::make_site(int frame, bool with_sky) {
+  place::Site& site = moments_.at(frame).site;
+  site = place::site_of_frame(scene_, site_, frame);
+  if (!with_sky) site.sketch->sky_width_px = hidden_sky_px;
+}
+
+void PreviewFilm::make_looks(const std::vector<int>& frames) {
+  grass::TexelDemand demand;
+  for (const int frame : frames)
+    for (const grass::PatchState& state : meadow::far_states(scene_, *site_.withering, frame))
+      demand[0][moments_.at(frame).at(state.key_frame)][0] = {0};
+  SilentProgress silent;
+  texels_.generate(demand, silent);
+  for (const auto& [state, levels] : demand[0]) looks_.emplace(state, far_look(state));
+}
+
+meadow::PatchLook PreviewFilm::far_look(const grass::PatchState& state) const {
+  landscape::Volume volume;
+  volume.vdb = texels_.volume_path(0, state, 0);
+  volume.emission_grid = "emission_q0";
+  volume.voxels = {voxels, voxels, texels_.level_shape(0).height};
+  volume.voxel_m = scene_.grass.patch_m / voxels;
+  constexpr int starts = 8;
+  return meadow::PatchLook(std::span(&volume, 1), starts);
+}
+
+Tubes PreviewFilm::blades(int variant, const grass::PatchState& state) const {
+  constexpr double pixels_of_shadows = 96.0;  // along a patch
+  return texels_.blades(variant, state, scene_.grass.patch_m / pixels_of_shadows);
+}
+
+/// Those of the cells that are not there yet.
+void PreviewFilm::make_meshes(std::span<const meadow::CellChoice> cells) {
+  std::set<std::pair<int, grass::PatchState>> missing;
+  for (const meadow::CellChoice& cell : cells)
+    if (!meshes_.contains({cell.variant, cell.state()}))
+      missing.insert({cell.variant, cell.state()});
+  std::vector<landscape::BladeMesh*> meshes;
+  meshes.reserve(missing.size());
+  for (const auto& key : missing) meshes.push_back(&meshes_[key]);
+  const std::vector<std::pair<int, grass::PatchState>> keys(missing.begin(), missing.end());
+  parallel_for(keys.size(), [&](std::size_t i) {
+    const auto& [variant, state] = keys[i];
+    *meshes[i] = {fmt::format("v{}_{}", variant, state.name()),
+                  std::make_shared<const Tubes>(blades(variant, state))};
+  });
+}
+
+landscape::Landscape PreviewFilm::assembled(const scene::Scene& scene, const place::Site& site,
+                                            int frame) {
+  const Moment& moment = moments_.at(frame);
+  auto cells = meadow::choose_cells(scene, site.terrain, place::growth_of_cells(site),
+                                    *site.withering, frame);
+  for (meadow::CellChoice& cell : cells) {
+    cell.snow = moment.snow;
+    cell.light = moment.light;
+  }
+  make_meshes(cells);
+  return film::assemble(
+      scene, site, frame, cells,
+      {{},
+       [&](const meadow::CellChoice& cell) {
+         return meshes_.at({cell.variant, cell.state()});
+       },
+       [&](const grass::PatchState& state) { return looks_.at(moment.at(state.key_frame)); }});
+}
+
+landscape::Landscape PreviewFilm::landscape(int frame) {
+  return assembled(scene_, moments_.at(frame).site, frame);
+}
+
+landscape::Landscape PreviewFilm::overview(int frame, const scene::Camera& camera,
+                                           const glm::ivec2& size_px) {
+  scene::Scene scene = scene_;
+  scene.camera = camera;
+  scene.render.size_px = {size_px.x, size_px.y};
+  scene.sky.visual_range_m = 1e6;
+  scene.grass.far_pixels = 1e9;
+  place::Site site = moments_.at(frame).site;
+  site.sketch->sky_width_px = hidden_sky_px;
+  landscape::Landscape landscape = assembled(scene, site, frame);
+  landscape.fog.reset();
+  landscape.flakes.flakes.clear();
+  landscape.backdrop.reset();
+  return landscape;
+}
+
+}  // namespace wold::sketch

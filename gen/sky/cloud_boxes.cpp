@@ -1,0 +1,97 @@
+#include "sky/cloud_boxes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "cloud/volume.h"
+#include "core/parallel.h"
+#include "sky/cloud_haze.h"
+
+namespace wold::sky {
+namespace {
+
+double voxel_m(const cloud::Layer& layer) { return layer.thickness_m / cloud_box_voxels.z; }
+
+CloudWindow window_before(const landscape::Camera& camera, double voxel_m) {
+  // Most of it lies before the camera, the more the flatter it looks.
+  const glm::dvec3 forward = glm::normalize(camera.target_m - camera.eye_m);
+  const double side_m = cloud_box_voxels.x * voxel_m;
+  const glm::dvec2 centre_m = glm::dvec2(camera.eye_m) + glm::dvec2(forward) * (0.4 * side_m);
+  return {glm::round((centre_m - 0.5 * side_m) / voxel_m) * voxel_m, side_m};
+}
+
+/// Every voxel with cloud: visit(index, centre in metres).
+template <class Visit>
+void each_filled(const cloud::CloudVolume& volume, const Visit& visit) {
+  const cloud::VoxelBox& box = volume.box;
+  const auto width = static_cast<std::size_t>(box.voxels.x);
+  const auto depth = static_cast<std::size_t>(box.voxels.y);
+  parallel_for(depth * static_cast<std::size_t>(box.voxels.z), [&](std::size_t row) {
+    for (std::size_t x = 0; x < width; ++x) {
+      const std::size_t i = row * width + x;
+      if (volume.extinction_per_m[i] <= 0.0F) continue;
+      const glm::dvec3 at(x, row % depth, row / depth);
+      visit(i, box.corner_m + (at + 0.5) * box.voxel_m);
+    }
+  });
+}
+
+landscape::CloudBox cloud_box(const cloud::LayerState& state, double pixel_m,
+                              const CloudWindow& window, const light::Daylight& day,
+                              const glm::dvec3& eye_m) {
+  cloud::CloudVolume volume = cloud::lifted(state, pixel_m, window.south_west_m,
+                                            glm::dvec2(window.side_m), cloud_box_voxels);
+  std::vector<glm::vec3> source = cloud::source_radiance(volume, cloud::cloud_light(day, eye_m));
+  const glm::vec3 colour(state.moment.light);
+  each_filled(volume, [&](std::size_t i, const glm::dvec3& centre_m) {
+    const glm::dvec3 way_m = centre_m - eye_m;
+    const double distance_m = glm::length(way_m);
+    const double clear = clear_share(distance_m, std::max(way_m.z, 1.0), day.visual_range_m());
+    source[i] = glm::mix(day.sky_radiance(way_m / distance_m), source[i] * colour,
+                         static_cast<float>(clear));
+    volume.extinction_per_m[i] *= static_cast<float>(window.share(glm::dvec2(centre_m)));
+  });
+  return {{},
+          volume.box.voxels,
+          volume.box.voxel_m.z,
+          volume.box.corner_m,
+          std::move(volume.extinction_per_m),
+          std::move(source)};
+}
+
+}  // namespace
+
+double CloudWindow::share(const glm::dvec2& place_m) const {
+  constexpr double strip = 0.12;  // of the side
+  const glm::dvec2 at = (place_m - south_west_m) / side_m;
+  const glm::dvec2 inside = glm::min(at, 1.0 - at);
+  return glm::smoothstep(0.0, strip, std::min(inside.x, inside.y));
+}
+
+std::vector<std::optional<CloudWindow>> cloud_windows(const cloud::CloudState& clouds,
+                                                      const landscape::Camera& camera) {
+  std::vector<std::optional<CloudWindow>> windows;
+  for (const cloud::LayerState& state : clouds.layers) {
+    const bool stands = state.layer->is_volume && state.layer->base_m > camera.eye_m.z;
+    windows.push_back(stands ? std::optional(window_before(camera, voxel_m(*state.layer)))
+                             : std::nullopt);
+  }
+  return windows;
+}
+
+std::vector<landscape::CloudBox> cloud_boxes(const cloud::CloudState& clouds,
+                                             const std::vector<std::optional<CloudWindow>>& windows,
+                                             const light::Daylight& day, const glm::dvec3& eye_m) {
+  std::vector<landscape::CloudBox> boxes;
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    if (!windows[i]) continue;
+    boxes.push_back(cloud_box(clouds.layers[i], clouds.pixel_m, *windows[i], day, eye_m));
+    boxes.back().name = fmt::format("cloud_{}", boxes.size());
+  }
+  return boxes;
+}
+
+}  // namespace wold::sky

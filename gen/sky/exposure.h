@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/ground_map.h"
+#include "light/daylight.h"
+
+namespace wold::sky {
+
+/// What a camera has before it that it must not burn out.
+enum class Subject { meadow, clouds, snow };
+
+/// Factor on every radiance as a camera's meter sets it: pi times how a white card in the open is
+/// exposed, 1.6 for grass, 1.2 with clouds, 0.95 with snow; less with a low sun, so that the sky at
+/// 20 degrees of elevation comes out as 0.9 at most.
+double metered_gain(const light::Daylight& day, Subject subject);
+
+/// The same for snow on slopes that are lit so: less where one in twenty would burn out, as slopes
+/// towards a low sun do.
+double snow_gain(const light::Daylight& day, const ColourMap& light);
+
+/// Factor on that of a meter in a film in which the sun moves and stands at `highest_deg` at most:
+/// a camera opens as the sun sinks, but only half-way, as eyes adapt, so that dusk is darker than
+/// day. From the illuminance under a clear sky (Gillette, Pierpoint and Treado 1984). Both above 0.
+double dusk_gain(double sun_elevation_deg, double highest_deg);
+
+}  // namespace wold::sky

@@ -1,0 +1,98 @@
+#include "sky/frame_sky.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "cloud/shadow.h"
+#include "place/nearby_frames.h"
+#include "scene/calendar.h"
+#include "sky/cloud_boxes.h"
+
+namespace wold::sky {
+namespace {
+
+constexpr int usual_sky_width_px = 1024;
+
+/// Their own events have gathered them; in a season they are as many of these as its days have.
+/// Those that have drifted there after so many frames more may be asked for.
+std::optional<cloud::CloudState> clouds_of(const scene::Scene& scene, const place::Site& site,
+                                           int frame, int drifted_frames = 0) {
+  if (!site.clouds) return std::nullopt;
+  cloud::CloudState clouds =
+      site.clouds->at_frame(frame + drifted_frames, site.day.sun_direction());
+  if (site.season) {
+    const double cover = place::mean_of_nearby(scene, frame, [&](int near) {
+      return site.season->cloud_cover(scene::season_days(scene.season, near));
+    });
+    for (cloud::LayerState& layer : clouds.layers) layer.moment.amount *= cover;
+  }
+  return clouds;
+}
+
+/// A distance from the camera that no ground and no cloud reaches.
+double beyond_everything_m(const landscape::Landscape& landscape) {
+  double size_m = landscape.terrain.size_m() + 2.0 * std::abs(landscape.camera.eye_m.z) + 100.0;
+  for (const landscape::CloudBox& box : landscape.clouds)
+    size_m = std::max(size_m, box.voxels.x * box.voxel_m + box.corner_m.z);
+  return 2.0 * size_m;
+}
+
+}  // namespace
+
+FrameSky::FrameSky(const scene::Scene& scene, const place::Site& site, int frame,
+                   const glm::dvec3& eye_m)
+    : scene_(scene),
+      site_(site),
+      frame_(frame),
+      clouds_(clouds_of(scene, site, frame)),
+      sheets_(site.day, clouds_.value_or(cloud::CloudState{}), eye_m,
+              std::numbers::pi / usual_sky_width_px) {}
+
+/// Share of the sunlight that passes the clouds. The frames of a season are days apart, and shadows
+/// that drift by from frame to frame would make it flicker: there it is the mean over what drifts
+/// by in as many frames as an eye sees in a second.
+FactorMap FrameSky::sun_share(const GroundGrid& grid) const {
+  const auto at = [&](const cloud::CloudState& clouds) {
+    return cloud::sun_share(clouds, site_.terrain, site_.day.sun_direction(), grid);
+  };
+  if (!site_.season) return at(*clouds_);
+  constexpr int moments = 12, frames_apart = 2;
+  FactorMap mean(grid.samples, grid.square, 0.0F);
+  for (int moment = 0; moment < moments; ++moment) {
+    const FactorMap share = at(*clouds_of(scene_, site_, frame_, moment * frames_apart));
+    for (std::size_t i = 0; i < mean.values().size(); ++i)
+      mean.values()[i] += share.values()[i] / moments;
+  }
+  return mean;
+}
+
+ColourMap FrameSky::light(const terrain::GroundLight& clear) const {
+  if (!clouds_) return clear.together();
+  ColourMap light =
+      product(clear.sun, sun_share(GroundGrid{clear.sun.square(), clear.sun.samples()}));
+  const glm::vec3 sky_factor = sheets_.irradiance() / site_.day.sky_irradiance();
+  for (std::size_t i = 0; i < light.values().size(); ++i)
+    light.values()[i] += clear.sky.values()[i] * sky_factor;
+  return light;
+}
+
+void FrameSky::show(landscape::Landscape& landscape, bool with_backdrop) const {
+  if (!clouds_ && !with_backdrop) {
+    landscape.sky = site_.day.sky_image(usual_sky_width_px);
+    return;
+  }
+  landscape.sky =
+      sky_picture(sheets_, site_.sketch ? site_.sketch->sky_width_px : usual_sky_width_px);
+  const cloud::CloudState clouds = clouds_.value_or(cloud::CloudState{});
+  const landscape::Camera& camera = landscape.camera;
+  const auto windows = cloud_windows(clouds, camera);
+  landscape.clouds = cloud_boxes(clouds, windows, site_.day, camera.eye_m);
+  const double half_pixel_rad =
+      0.5 * glm::radians(camera.field_of_view_deg) / static_cast<double>(landscape.width_px);
+  const CloudySky behind(site_.day, clouds, camera.eye_m, half_pixel_rad, windows);
+  landscape.backdrop = sky_backdrop(behind, camera, landscape.width_px, landscape.height_px,
+                                    beyond_everything_m(landscape));
+}
+
+}  // namespace wold::sky

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "work/work.h"
+
+/// Whether the disk has room for what is to be made.
+namespace wold::work {
+
+/// Bytes of the files of the stages' tasks that were never done.
+double missing_bytes(const Job& job, const std::vector<StageTasks>& stages, Work& work);
+
+/// What this process may still write where a folder is or would be made; nothing when the system
+/// does not say.
+std::optional<double> free_bytes(const std::filesystem::path& folder);
+
+/// Throws FileError when the disk of the output folder is sure to be full before all is done:
+/// estimates are right within 30 %, so two thirds of missing_bytes() have to be free.
+void require_disk(const Job& job, const std::vector<StageTasks>& stages);
+
+}  // namespace wold::work

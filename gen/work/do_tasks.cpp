@@ -1,0 +1,127 @@
+#include "work/do_tasks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/at_once.h"
+#include "core/machine.h"
+#include "core/parallel.h"
+#include "work/estimate.h"
+#include "work/memory_budget.h"
+#include "work/memory_model.h"
+#include "work/task_progress.h"
+
+namespace wold::work {
+namespace {
+
+std::vector<Task> needed(Work& work, const StageTasks& stage) {
+  std::vector<Task> tasks;
+  for (const int index : stage.indices)
+    if (const Task task{stage.stage, index}; work.verdict(task).need != Need::no)
+      tasks.push_back(task);
+  return tasks;
+}
+
+/// Runs tasks under one heading; `in_order(count, body)` calls the body for each.
+template <class InOrder>
+void run_all(Work& work, const std::vector<Task>& tasks, const std::string& heading,
+             const RendererShare& share, Progress& progress, const InOrder& in_order) {
+  if (tasks.empty()) return;
+  work.prepare(tasks.front().stage, progress);
+  progress.begin(heading, tasks.size() * TaskProgress::units);
+  in_order(tasks.size(), [&](std::size_t i) {
+    TaskProgress part(progress, text_of(tasks[i]));
+    work.run(tasks[i], share, part);
+    part.finish();
+  });
+  progress.end();
+}
+
+void one_by_one(std::size_t count, const std::function<void(std::size_t)>& body) {
+  run_at_once(count, 1, body);
+}
+
+/// Texels are made with all threads together; those of several variants at once fill them better.
+void make_texels(const Job& job, Work& work, const StageTasks& stage,
+                 const std::vector<Task>& tasks, Progress& progress) {
+  const std::size_t at_once = tasks_within_memory(job, stage, work);
+  run_all(work, tasks, "texels", {}, progress,
+          [&](std::size_t count, const std::function<void(std::size_t)>& body) {
+            for (std::size_t first = 0; first < count; first += at_once)
+              parallel_for(std::min(at_once, count - first),
+                           [&](std::size_t i) { body(first + i); });
+          });
+}
+
+std::size_t pictures_at_once(const Job& job, double bytes_each) {
+  // Reading the scene takes a renderer one thread, and small pictures do not fill many.
+  constexpr int threads_each = 4;
+  const int by_threads = threads_of(job) / threads_each;
+  const double by_memory = memory_for_renderers(job, 1) / bytes_each;
+  return static_cast<std::size_t>(std::max(1.0, std::min<double>(by_threads, by_memory)));
+}
+
+/// What each of so many renderers may take; what is left is this process's.
+RendererShare renderer_share(const Job& job, std::size_t at_once) {
+  RendererShare share;
+  share.threads = at_once > 1 ? threads_of(job) / static_cast<int>(at_once) : job.threads;
+  if (job.memory_bytes <= 0.0) return share;
+  const double renderers = memory_for_renderers(job, at_once);
+  share.memory_bytes = renderers / static_cast<double>(at_once);
+  limit_own_memory(job.memory_bytes - renderers);
+  return share;
+}
+
+void make_pictures(const Job& job, Work& work, std::vector<Task> tasks, double bytes_each,
+                   Progress& progress) {
+  std::stable_sort(tasks.begin(), tasks.end(),
+                   [](const Task& a, const Task& b) { return a.index < b.index; });
+  if (tasks.empty()) return;
+  work.forget_film();
+  const std::size_t at_once = std::min(tasks.size(), pictures_at_once(job, bytes_each));
+  run_all(work, tasks, "pictures", renderer_share(job, at_once), progress,
+          [&](std::size_t count, const std::function<void(std::size_t)>& body) {
+            run_at_once(count, at_once, body);
+          });
+}
+
+bool has_pictures_to_make(Work& work, const StageTasks& stage) {
+  return makes_pictures(stage.stage) && std::ranges::any_of(stage.indices, [&](int index) {
+           return work.verdict({stage.stage, index}).need != Need::no;
+         });
+}
+
+}  // namespace
+
+void require_renderers(const Job& job, const std::vector<StageTasks>& stages,
+                       Renderers& renderers) {
+  Work work(job);
+  std::vector<render::Renderer> wanted;
+  for (const StageTasks& stage : stages)
+    if (has_pictures_to_make(work, stage)) wanted.push_back(renderer_of(stage.stage));
+  renderers.require(wanted);
+}
+
+void do_tasks(const Job& job, Work& work, const std::vector<StageTasks>& stages,
+              Progress& progress) {
+  if (job.memory_bytes > 0.0) limit_own_memory(job.memory_bytes);
+  std::vector<Task> pictures;
+  double bytes_each = 1.0;
+  for (const StageTasks& stage : stages) {
+    const std::vector<Task> tasks = needed(work, stage);
+    if (makes_pictures(stage.stage)) {
+      pictures.insert(pictures.end(), tasks.begin(), tasks.end());
+      if (stage.indices.size() > 1)
+        bytes_each = std::max(bytes_each, memory_bytes(job, stage, work));
+    } else if (stage.stage == Stage::texels) {
+      make_texels(job, work, stage, tasks, progress);
+    } else {
+      const ThreadLimit limit(scene_threads(job));
+      run_all(work, tasks, std::string(name_of(stage.stage)), {}, progress, one_by_one);
+    }
+  }
+  make_pictures(job, work, pictures, bytes_each, progress);
+}
+
+}  // namespace wold::work

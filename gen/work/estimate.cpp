@@ -1,0 +1,138 @@
+#include "work/estimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "film/film.h"
+#include "film/film_demand.h"
+#include "work/file_sizes.h"
+#include "work/memory_model.h"
+
+namespace wold::work {
+namespace {
+
+// For one thread, from runs of examples/ on 2 processors: right within a factor of two for scenes
+// like those.
+constexpr double texel_seconds = 5e-8;          // per voxel of the finest level and state
+constexpr double scene_seconds = 2.0;           // per frame: cells, light, sky
+constexpr double sample_seconds = 1e-6;         // per sample of the ground's pictures
+constexpr double scene_file_seconds = 2e-9;     // per byte that is written
+constexpr double cloud_seconds = 10.0;          // per layer
+constexpr double renderer_start_seconds = 5.0;  // reading the scene
+constexpr double blender_seconds = 20.0;        // per megapixel and sample
+constexpr double povray_seconds = 70.0;         // per megapixel and root of samples: they adapt
+
+/// A share of what all tasks of a stage take.
+double each(double all, const StageTasks& stage) {
+  return all / static_cast<double>(stage.indices.size());
+}
+
+Estimate texels(const Job& job, const StageTasks& stage, const film::FilmDemand& demand) {
+  std::set<film::BladePatchState> unlit;
+  for (const film::ShownVolume& volume : demand.volumes())
+    unlit.insert({volume.variant, volume.state.unlit()});
+  const double voxels = voxels_of(job.scene) * static_cast<double>(unlit.size());
+  return {each(voxels * texel_seconds, stage), texel_memory_bytes(job),
+          each(texel_bytes(job.scene, demand), stage)};
+}
+
+Estimate scenes(const Job& job, const StageTasks& stage, const film::FilmDemand& demand) {
+  double bytes = 0.0;
+  for (const std::string& renderer : film::wanted_renderers(job.scene))
+    bytes += scene_bytes(job.scene, renderer == "blender" ? Stage::blender : Stage::povray, demand,
+                         stage.indices.size());
+  const double seconds = scene_seconds + sample_seconds * ground_samples(job.scene) +
+                         scene_file_seconds * each(bytes, stage);
+  return {seconds, scene_memory_bytes(job), each(bytes, stage)};
+}
+
+/// Of the frame that takes most.
+double picture_memory_bytes(const Job& job, Stage stage, const film::FilmDemand& demand) {
+  double most = 0.0;
+  for (const auto& [frame, shown] : demand.frames())
+    most = std::max(most, renderer_memory_bytes(job, stage, shown));
+  return most;
+}
+
+Estimate picture(const Job& job, const StageTasks& stage, const film::FilmDemand& demand) {
+  const scene::Render& render = job.scene.render;
+  const double pixels = static_cast<double>(render.size_px[0]) * render.size_px[1];
+  const double work = stage.stage == Stage::blender ? blender_seconds * render.samples
+                                                    : povray_seconds * std::sqrt(render.samples);
+  return {renderer_start_seconds + work * pixels / 1e6,
+          picture_memory_bytes(job, stage.stage, demand), picture_bytes(job.scene)};
+}
+
+/// For one thread.
+Estimate modelled(const Job& job, const StageTasks& stage, const film::FilmDemand& demand) {
+  switch (stage.stage) {
+    case Stage::texels:
+      return texels(job, stage, demand);
+    case Stage::clouds:
+      return {cloud_seconds * static_cast<double>(job.scene.clouds.size()), scene_memory_bytes(job),
+              cloud_picture_bytes(job.scene)};
+    case Stage::scenes:
+      return scenes(job, stage, demand);
+    default:
+      return picture(job, stage, demand);
+  }
+}
+
+/// The records of the first tasks that have been done.
+std::vector<TaskRecord> records_of(Stage stage, const std::vector<int>& indices, const Work& work) {
+  constexpr std::size_t enough = 16;
+  constexpr std::size_t most_looked_at = 1000;
+  std::vector<TaskRecord> records;
+  for (std::size_t i = 0; i < std::min(indices.size(), most_looked_at); ++i)
+    if (auto record = work.records().read({stage, indices[i]});
+        record && record->facts == work.scene_hash()) {
+      records.push_back(std::move(*record));
+      if (records.size() == enough) break;
+    }
+  return records;
+}
+
+/// Seconds and disk are means, memory the most. Files that tasks share count once.
+std::optional<Estimate> measured(const StageTasks& stage, const Work& work) {
+  const std::vector<TaskRecord> records = records_of(stage.stage, stage.indices, work);
+  if (records.empty()) return std::nullopt;
+  Estimate result;
+  std::map<std::string, double> files;
+  for (const TaskRecord& record : records) {
+    result.seconds += record.seconds;
+    result.memory_bytes = std::max(result.memory_bytes, record.memory_bytes);
+    for (const auto& [name, state] : record.outputs) files[name] = static_cast<double>(state.bytes);
+  }
+  for (const auto& [name, bytes] : files) result.disk_bytes += bytes;
+  result.seconds /= static_cast<double>(records.size());
+  result.disk_bytes /= static_cast<double>(records.size());
+  result.measured = true;
+  return result;
+}
+
+}  // namespace
+
+Estimate estimate(const Job& job, const StageTasks& stage, Work& work) {
+  Estimate result = modelled(job, stage, work.demand());
+  result.seconds /= threads_of(job);
+  if (const auto known = measured(stage, work)) {
+    result.seconds = known->seconds;
+    result.disk_bytes = known->disk_bytes;
+    result.measured = true;
+    if (known->memory_bytes > 0.0) result.memory_bytes = known->memory_bytes;
+  }
+  return result;
+}
+
+double memory_bytes(const Job& job, const StageTasks& stage, Work& work) {
+  if (stage.stage == Stage::texels) return texel_memory_bytes(job);
+  if (!makes_pictures(stage.stage)) return scene_memory_bytes(job);
+  if (const auto known = measured(stage, work); known && known->memory_bytes > 0.0)
+    return known->memory_bytes;
+  return picture_memory_bytes(job, stage.stage, work.demand());
+}
+
+}  // namespace wold::work

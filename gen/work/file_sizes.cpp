@@ -1,0 +1,164 @@
+#include "work/file_sizes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include "core/elementary.h"
+#include "meadow/cells.h"
+#include "place/cell_window.h"
+#include "place/ground_grids.h"
+#include "scene/key_frames.h"
+#include "sky/cloud_boxes.h"
+
+namespace wold::work {
+namespace {
+
+constexpr double volume_header_bytes =
+    20e3;  // names, tree and what else does not grow with its voxels
+
+double squared(double number) { return number * number; }
+
+/// Of a baked texel with its light for so many quarter-turns.
+double baked_bytes(const VolumeSize& size, int turns) {
+  constexpr double density_bytes = 2.1, emission_bytes = 2.7;  // per voxel with grass
+  return volume_header_bytes + size.filled * (density_bytes + turns * emission_bytes);
+}
+
+/// Of the texel itself, which has fibres and colours in place of light.
+double unlit_bytes(const VolumeSize& finest) {
+  constexpr double voxel_bytes = 12.7;
+  return volume_header_bytes + finest.filled * voxel_bytes;
+}
+
+/// Texels of painted grass are of the coarsest level, in all variants.
+void add_painted(const scene::Scene& scene, const film::FilmDemand& demand,
+                 std::set<std::tuple<int, grass::PatchState, int>>& levels) {
+  const int coarsest = static_cast<int>(scene.grass.levels.size()) - 1;
+  for (const auto& [frame, shown] : demand.frames()) {
+    if (!shown.has_distance) continue;
+    std::set<grass::PatchState> states;
+    for (const film::ShownVolume& volume : shown.volumes) states.insert(volume.state);
+    for (const grass::PatchState& state : states)
+      for (int variant = 0; variant < scene.grass.variants; ++variant)
+        levels.insert({variant, state, coarsest});
+  }
+}
+
+double blender_volume_bytes(const VolumeSize& size) {
+  constexpr double voxel_bytes = 8.0;
+  return volume_header_bytes + voxel_bytes * size.filled;
+}
+
+/// A blade as a mesh, with its light.
+double patch_bytes(const scene::Scene& scene, Stage renderer) {
+  const double blade_bytes = renderer == Stage::blender ? 1000.0 : 2500.0;
+  return blade_bytes * scene.grass.blades;
+}
+
+/// Light, what multiplies the grass, cells and sky of a frame.
+double frame_bytes(const scene::Scene& scene, Stage renderer, const film::FrameDemand& demand) {
+  const double samples = squared(scene.terrain.samples);
+  const auto parts = static_cast<double>(demand.parts);
+  const double voxels = cloud_voxels(scene);
+  if (renderer == Stage::blender) return 4.2e6 + 22.7 * samples + 100.0 * parts + 1.1 * voxels;
+  return 0.3e6 + 55.0 * samples + 200.0 * parts + 4.3 * voxels;
+}
+
+/// What frames share besides volumes: the shape of the ground.
+double shared_bytes(const scene::Scene& scene, Stage renderer) {
+  return renderer == Stage::blender ? 0.0 : 62.6 * squared(scene.terrain.samples);
+}
+
+}  // namespace
+
+VolumeSize volume_size(const scene::Grass& grass, int level, double weathering, double snow) {
+  const double side = grass.levels[static_cast<std::size_t>(level)];
+  const double voxel_m = grass.patch_m / side;
+  const double bent_m =
+      grass.height_m * std::max(1.15 - 0.62 * weathering, 0.73) * (1.0 - 0.5 * snow);
+  const double voxels = side * side * (bent_m / voxel_m + 2.0);
+  // A blade fills voxels along its length, as many beside each other as it is wide and, at its
+  // borders, some more.
+  constexpr double border = 2.5;
+  const double length_m = grass.height_m * (1.17 - 0.3 * weathering);
+  const double of_blades =
+      grass.blades * length_m / voxel_m * squared(grass.width_m / voxel_m + border);
+  // Blades stand in clumps and share voxels more often than by chance: the share that is empty is
+  // that of a negative binomial distribution, not of Poisson's.
+  constexpr double clumping = 0.3;
+  const double empty = math::pow(1.0 + of_blades / voxels / clumping, -clumping);
+  return {voxels, voxels * (1.0 - empty)};
+}
+
+VolumeSizes::VolumeSizes(const scene::Scene& scene)
+    : grass_(scene.grass), key_frames_(scene::key_frames(scene)) {}
+
+VolumeSize VolumeSizes::of(const grass::PatchState& state, int level) const {
+  return volume_size(grass_, level, key_frames_.at(static_cast<std::size_t>(state.key_frame)),
+                     state.snow_share());
+}
+
+double povray_volume_bytes(const scene::Scene& scene, const VolumeSize& size) {
+  constexpr double grids = 4.0;  // extinction, red, green, blue
+  return grids * scene.render.df3_bits / 8.0 * size.voxels;
+}
+
+double ground_samples(const scene::Scene& scene) {
+  if (!place::is_large(scene)) return squared(place::picture_grid(scene).samples);
+  const std::size_t pictures = 1 + place::detail_grids(scene, {}).size();
+  return static_cast<double>(pictures) * squared(place::whole_grid(scene).samples);
+}
+
+double cloud_voxels(const scene::Scene& scene) {
+  const auto layers = static_cast<double>(
+      std::ranges::count(scene.clouds, std::string("volume"), &scene::CloudLayer::body));
+  const glm::dvec3 voxels(sky::cloud_box_voxels);
+  return layers * voxels.x * voxels.y * voxels.z;
+}
+
+double texel_bytes(const scene::Scene& scene, const film::FilmDemand& demand) {
+  std::set<std::tuple<int, grass::PatchState, int>> levels;
+  for (const film::ShownVolume& volume : demand.volumes())
+    levels.insert({volume.variant, volume.state, volume.level});
+  add_painted(scene, demand, levels);
+  std::set<film::BladePatchState> unlit;
+  const VolumeSizes sizes(scene);
+  double bytes = 0.0;
+  for (const auto& [variant, state, level] : levels) {
+    unlit.insert({variant, state.unlit()});
+    bytes += baked_bytes(sizes.of(state, level), meadow::turns_of_level(scene, level));
+  }
+  for (const auto& [variant, state] : unlit) bytes += unlit_bytes(sizes.of(state, 0));
+  return bytes;
+}
+
+double cloud_picture_bytes(const scene::Scene& scene) {
+  return 2e6 * static_cast<double>(scene.clouds.size());
+}
+
+double scene_bytes(const scene::Scene& scene, Stage renderer, const film::FilmDemand& demand,
+                   std::size_t frames) {
+  double shared = shared_bytes(scene, renderer);
+  const VolumeSizes sizes(scene);
+  for (const film::ShownVolume& volume : demand.volumes()) {
+    const VolumeSize size = sizes.of(volume.state, volume.level);
+    shared +=
+        renderer == Stage::blender ? blender_volume_bytes(size) : povray_volume_bytes(scene, size);
+  }
+  shared += static_cast<double>(demand.patches().size()) * patch_bytes(scene, renderer);
+  constexpr double ground_pixel_bytes = 6.1;  // three half floats
+  double looked_at = 0.0;
+  for (const auto& [frame, shown] : demand.frames())
+    looked_at += ground_pixel_bytes * ground_samples(scene) + frame_bytes(scene, renderer, shown);
+  return shared +
+         looked_at * static_cast<double>(frames) / static_cast<double>(demand.frames().size());
+}
+
+double picture_bytes(const scene::Scene& scene) {
+  constexpr double pixel_bytes = 2.0;  // of a PNG
+  return pixel_bytes * scene.render.size_px[0] * scene.render.size_px[1];
+}
+
+}  // namespace wold::work

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <vector>
+
+#include "film/film_demand.h"
+#include "scene/scene.h"
+#include "work/tasks.h"
+
+/// How many bytes a film's files take, before any of them is there. Fitted to what examples/ write:
+/// for them right within 30 %, see README.md.
+namespace wold::work {
+
+/// A baked texel.
+struct VolumeSize {
+  double voxels = 0.0;  ///< of the box that is written: as high as the grass
+  double filled = 0.0;  ///< of them, those with grass
+};
+
+/// Of a patch at a level, withered to a degree in [0, 1], under a share in [0, 1] of the snow that
+/// it can carry: it gets lower and thinner.
+VolumeSize volume_size(const scene::Grass& grass, int level, double weathering, double snow);
+
+/// Sizes of a scene's volumes, whose weathering degrees are the scene's key frames.
+class VolumeSizes {
+ public:
+  explicit VolumeSizes(const scene::Scene& scene);
+  VolumeSize of(const grass::PatchState& state, int level) const;
+
+ private:
+  const scene::Grass& grass_;
+  std::vector<double> key_frames_;
+};
+
+/// Of a volume's df3 files, and so of the memory that POV-Ray keeps them in.
+double povray_volume_bytes(const scene::Scene& scene, const VolumeSize& size);
+
+/// Of the pictures of the ground that a frame has: the whole, and on large terrains finer ones
+/// about the camera.
+double ground_samples(const scene::Scene& scene);
+
+/// Of the clouds that stand as volumes in a frame.
+double cloud_voxels(const scene::Scene& scene);
+
+/// All of DIR/texels.
+double texel_bytes(const scene::Scene& scene, const film::FilmDemand& demand);
+
+/// All of DIR/clouds.
+double cloud_picture_bytes(const scene::Scene& scene);
+
+/// The folder of a renderer, "blender" or "povray", with `frames` frames.
+double scene_bytes(const scene::Scene& scene, Stage renderer, const film::FilmDemand& demand,
+                   std::size_t frames);
+
+/// One picture.
+double picture_bytes(const scene::Scene& scene);
+
+}  // namespace wold::work

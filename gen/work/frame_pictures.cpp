@@ -1,0 +1,70 @@
+#include "work/frame_pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string_view>
+
+#include "core/error.h"
+#include "scene/parse.h"
+#include "work/job.h"
+#include "work/tasks.h"
+
+namespace wold::work {
+namespace fs = std::filesystem;
+namespace {
+
+/// The frame that a picture is of, by its name.
+std::optional<int> frame_of(const fs::path& picture) {
+  const std::string stem = picture.stem().string();
+  int frame = 0;
+  const auto [end, error] = std::from_chars(stem.data(), stem.data() + stem.size(), frame);
+  const bool is_number = error == std::errc{} && end == stem.data() + stem.size() && frame > 0;
+  if (picture.extension() != ".png" || !is_number || fmt::format("{:04}", frame) != stem)
+    return std::nullopt;
+  return frame;
+}
+
+}  // namespace
+
+std::vector<FramePictures> frame_pictures(const fs::path& out) {
+  if (!fs::is_directory(out))
+    throw FileError(
+        fmt::format("found {}, expected a folder that `wold render` has made", out.string()));
+  std::vector<FramePictures> all;
+  for (const Stage stage : {Stage::blender, Stage::povray}) {
+    FramePictures pictures{std::string(name_of(stage)), out / "frames" / name_of(stage), {}};
+    std::error_code none;
+    for (const fs::directory_entry& entry : fs::directory_iterator(pictures.folder, none))
+      if (const auto frame = frame_of(entry.path())) pictures.by_frame[*frame] = entry.path();
+    if (!pictures.by_frame.empty()) all.push_back(std::move(pictures));
+  }
+  return all;
+}
+
+std::string display_name(const FramePictures& pictures) {
+  const Stage stage = pictures.renderer == name_of(Stage::blender) ? Stage::blender : Stage::povray;
+  return std::string(render::display_name(renderer_of(stage)));
+}
+
+std::vector<int> missing_frames(const FramePictures& pictures, const std::vector<int>& frames) {
+  std::vector<int> missing;
+  for (const int frame : frames)
+    if (!pictures.by_frame.contains(frame)) missing.push_back(frame);
+  return missing;
+}
+
+std::vector<int> expected_frames(const fs::path& out, const std::vector<FramePictures>& pictures) {
+  int last = 0;
+  for (const FramePictures& one : pictures) last = std::max(last, one.by_frame.rbegin()->first);
+  try {
+    last = static_cast<int>(scene::read_scene(out / "scene.toml").ageing.frames.size());
+  } catch (const InputError&) {
+    // Pictures alone make a film, too.
+  }
+  return counted(last);
+}
+
+}  // namespace wold::work

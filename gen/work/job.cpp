@@ -1,0 +1,80 @@
+#include "work/job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <thread>
+
+#include "core/error.h"
+#include "core/machine.h"
+#include "phenology/film_season.h"
+#include "scene/parse.h"
+#include "work/kept_inputs.h"
+#include "work/own_folder.h"
+
+namespace wold::work {
+namespace {
+
+void check_frames(const std::vector<int>& frames, int count) {
+  for (const int frame : frames)
+    if (frame > count)
+      throw InputError(
+          fmt::format("--frames: found {}, expected frames from 1 to {}: the scene has {}", frame,
+                      count, count));
+}
+
+}  // namespace
+
+std::string ranges_text(const std::vector<int>& rising) {
+  std::string text;
+  for (std::size_t first = 0; first < rising.size();) {
+    std::size_t last = first;
+    while (last + 1 < rising.size() && rising[last + 1] == rising[last] + 1) ++last;
+    text += fmt::format("{}{}", text.empty() ? "" : ",", rising[first]);
+    if (last > first) text += fmt::format("-{}", rising[last]);
+    first = last + 1;
+  }
+  return text;
+}
+
+int threads_of(const Job& job) {
+  const auto all = static_cast<int>(std::thread::hardware_concurrency());
+  return std::max(1, job.threads > 0 ? job.threads : all);
+}
+
+double memory_of(const Job& job) {
+  return job.memory_bytes > 0.0 ? job.memory_bytes : machine_memory_bytes();
+}
+
+std::vector<int> counted(int count) {
+  std::vector<int> numbers(static_cast<std::size_t>(count));
+  std::iota(numbers.begin(), numbers.end(), 1);
+  return numbers;
+}
+
+Job plan_job(const RenderOptions& options) {
+  Job job;
+  job.scene = phenology::as_film(scene::read_scene(options.scene, options.overrides));
+  const int count = static_cast<int>(job.scene.ageing.frames.size());
+  check_frames(options.frames, count);
+  job.frames = options.frames.empty() ? counted(count) : options.frames;
+  job.out = options.out.empty() ? std::filesystem::path("out") / job.scene.name : options.out;
+  require_own_folder(job.out);
+  require_inputs_kept(job.out, input_files(options.scene, job.scene), job.scene);
+  job.blender = options.blender;
+  job.povray = options.povray;
+  job.threads = options.threads > 0 ? options.threads : job.scene.render.threads;
+  job.memory_bytes = static_cast<double>(options.memory_bytes);
+  return job;
+}
+
+std::string summary(const Job& job) {
+  const scene::Render& render = job.scene.render;
+  return fmt::format("{}: frames {} of {}, {} x {} px, {} samples, renderer {}, into {}\n",
+                     job.scene.name, ranges_text(job.frames), job.scene.ageing.frames.size(),
+                     render.size_px[0], render.size_px[1], render.samples, render.renderer,
+                     job.out.string());
+}
+
+}  // namespace wold::work

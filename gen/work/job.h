@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "film/request.h"
+
+namespace wold::work {
+
+/// What `render`, `generate`, `plan` and `task` are asked for.
+struct RenderOptions {
+  std::filesystem::path scene;
+  std::vector<std::string> overrides;  ///< key=value, applied after the scene file
+  std::vector<int> frames;             ///< from 1, rising; empty: all
+  std::filesystem::path out;           ///< empty: out/<scene name>
+  std::string blender;             ///< program or its path; empty: WOLD_BLENDER's, or the PATH's
+  std::string povray;              ///< program or its path; empty: WOLD_POVRAY's, or the PATH's
+  int threads = 0;                 ///< 0: the scene's render.threads
+  std::uint64_t memory_bytes = 0;  ///< 0: the machine's
+  bool dry_run = false;
+  bool quiet = false;
+};
+
+/// What `render` and `generate` agree on before they work: what to make, and with what.
+struct Job : film::Request {
+  std::string blender;        ///< program that --blender names; empty: it names none
+  std::string povray;         ///< program that --povray names; empty: it names none
+  int threads = 0;            ///< 0: all processors
+  double memory_bytes = 0.0;  ///< that all may take together; 0: the machine's, and no limit is set
+};
+
+/// Threads that the job may use: all processors' where it does not say.
+int threads_of(const Job& job);
+
+/// Memory that the job may use: the machine's where it does not say.
+double memory_of(const Job& job);
+
+/// 1 to `count`.
+std::vector<int> counted(int count);
+
+/// "1-3,7": the form in which frames are given.
+std::string ranges_text(const std::vector<int>& rising);
+
+/// Reads the scene and resolves the options against it. Throws InputError, also for frames that
+/// the scene does not have.
+Job plan_job(const RenderOptions& options);
+
+/// One line about the job, above what there is to do.
+std::string summary(const Job& job);
+
+}  // namespace wold::work

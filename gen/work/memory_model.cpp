@@ -1,0 +1,98 @@
+#include "work/memory_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/elementary.h"
+#include "place/cell_window.h"
+#include "place/ground_grids.h"
+#include "work/file_sizes.h"
+
+namespace wold::work {
+namespace {
+
+constexpr double megabyte = 1e6;
+constexpr double thread_bytes = 9.0 * megabyte;  // its stack, mostly
+
+/// The program itself, before it makes anything.
+double idle_bytes(const Job& job) { return 100.0 * megabyte + thread_bytes * threads_of(job); }
+
+/// Choosing cells and what is known of each; README.md has the table that this follows.
+double cells_bytes(const scene::Scene& scene) {
+  const double along_a_side = scene.terrain.size_m / scene.grass.patch_m;
+  constexpr double most_along_a_side = 320.0;  // of large terrains only what is near
+  return 0.18 * megabyte * math::pow(std::min(along_a_side, most_along_a_side), 1.54);
+}
+
+/// Painting the ground and what else a frame needs; more where the ground's picture is large.
+double painting_bytes(const scene::Scene& scene) {
+  constexpr double usual = 100.0 * megabyte, least = 30.0 * megabyte, sample_bytes = 47.0;
+  if (place::is_large(scene)) return usual;
+  const double along_a_side = place::picture_grid(scene).samples;
+  return std::max(usual, least + sample_bytes * along_a_side * along_a_side);
+}
+
+/// Blender 3.4 keeps the whole box of a volume, four numbers a voxel, and OpenVDB's trees beside
+/// it; newer ones take less.
+double blender_bytes(const scene::Scene& scene, const film::FrameDemand& shown) {
+  constexpr double voxel_bytes = 16.0, filled_bytes = 110.0, sample_bytes = 30.0;
+  constexpr double part_bytes = 9000.0, blade_bytes = 5000.0, cloud_bytes = 22.0;
+  constexpr double height_bytes = 600.0;
+  double bytes = sample_bytes * ground_samples(scene) + cloud_bytes * cloud_voxels(scene) +
+                 height_bytes * scene.terrain.samples * scene.terrain.samples +
+                 part_bytes * static_cast<double>(shown.parts) +
+                 blade_bytes * scene.grass.blades * static_cast<double>(shown.patches.size());
+  const VolumeSizes sizes(scene);
+  for (const film::ShownVolume& volume : shown.volumes) {
+    const VolumeSize size = sizes.of(volume.state, volume.level);
+    bytes += voxel_bytes * size.voxels + filled_bytes * size.filled;
+  }
+  return bytes;
+}
+
+/// POV-Ray keeps df3 files as they are.
+double povray_bytes(const scene::Scene& scene, const film::FrameDemand& shown) {
+  constexpr double sample_bytes = 10.0, height_bytes = 480.0, part_bytes = 8900.0;
+  constexpr double blade_bytes = 5000.0, cloud_bytes = 4.3;
+  double bytes = sample_bytes * ground_samples(scene) + cloud_bytes * cloud_voxels(scene) +
+                 height_bytes * scene.terrain.samples * scene.terrain.samples +
+                 part_bytes * static_cast<double>(shown.parts) +
+                 blade_bytes * scene.grass.blades * static_cast<double>(shown.patches.size());
+  const VolumeSizes sizes(scene);
+  for (const film::ShownVolume& volume : shown.volumes)
+    bytes += povray_volume_bytes(scene, sizes.of(volume.state, volume.level));
+  return bytes;
+}
+
+double scene_memory_bytes(const Job& job, int threads) {
+  constexpr double cloud_voxel_bytes = 24.0;
+  return idle_bytes(job) + painting_bytes(job.scene) + cells_bytes(job.scene) +
+         (20.0 + 16.0 * threads) * voxels_of(job.scene) +
+         cloud_voxel_bytes * cloud_voxels(job.scene);
+}
+
+}  // namespace
+
+double voxels_of(const scene::Scene& scene) { return math::pow(scene.grass.levels.front(), 3.0); }
+
+double texel_memory_bytes(const Job& job) {
+  return idle_bytes(job) + 50.0 * megabyte + 15.0 * voxels_of(job.scene);
+}
+
+int scene_threads(const Job& job) {
+  int threads = threads_of(job);
+  if (job.memory_bytes > 0.0)
+    while (threads > 1 && scene_memory_bytes(job, threads) > job.memory_bytes) --threads;
+  return threads;
+}
+
+double scene_memory_bytes(const Job& job) { return scene_memory_bytes(job, scene_threads(job)); }
+
+double renderer_memory_bytes(const Job& job, Stage stage, const film::FrameDemand& shown) {
+  const double start = (stage == Stage::blender ? 660.0 : 115.0) * megabyte;
+  return start + thread_bytes * threads_of(job) +
+         (stage == Stage::blender ? blender_bytes(job.scene, shown)
+                                  : povray_bytes(job.scene, shown));
+}
+
+}  // namespace wold::work

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "film/film_demand.h"
+#include "work/job.h"
+#include "work/tasks.h"
+
+/// How much memory tasks take, in bytes that a process has of its own (memory_of_process_bytes()).
+/// Fitted to runs of examples/ on 2 processors, see README.md.
+namespace wold::work {
+
+/// Voxels of the finest level's cube.
+double voxels_of(const scene::Scene& scene);
+
+/// Making the texels of one variant.
+double texel_memory_bytes(const Job& job);
+
+/// Threads that make scene files: the job's, or as many as its memory is enough for.
+int scene_threads(const Job& job);
+
+/// Making the scene files of one frame with these.
+double scene_memory_bytes(const Job& job);
+
+/// One renderer with one picture.
+double renderer_memory_bytes(const Job& job, Stage stage, const film::FrameDemand& shown);
+
+}  // namespace wold::work

@@ -1,0 +1,50 @@
+#include "work/tasks.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "film/film.h"
+#include "scene/text.h"
+
+namespace wold::work {
+std::string_view name_of(Stage stage) {
+  constexpr std::string_view names[] = {"texels", "clouds", "scenes", "blender", "povray"};
+  return names[static_cast<std::size_t>(stage)];
+}
+
+render::Renderer renderer_of(Stage stage) {
+  return stage == Stage::blender ? render::Renderer::blender : render::Renderer::povray;
+}
+
+std::string text_of(const Task& task) {
+  return fmt::format("{} {}", name_of(task.stage), task.index);
+}
+
+std::vector<StageTasks> stages_of(const Job& job) {
+  std::vector<StageTasks> stages = {{Stage::texels, counted(job.scene.grass.variants), {}, {}}};
+  if (!job.scene.clouds.empty()) stages.push_back({Stage::clouds, {1}, {}, {}});
+  stages.push_back({Stage::scenes, job.frames, Stage::texels, {}});
+  for (const std::string& renderer : film::wanted_renderers(job.scene))
+    stages.push_back(
+        {renderer == "blender" ? Stage::blender : Stage::povray, job.frames, {}, Stage::scenes});
+  return stages;
+}
+
+Task find_task(const Job& job, const std::string& stage, int index) {
+  std::vector<std::string_view> names;
+  for (const StageTasks& tasks : stages_of(job)) {
+    names.push_back(name_of(tasks.stage));
+    if (names.back() != stage) continue;
+    if (std::binary_search(tasks.indices.begin(), tasks.indices.end(), index))
+      return {tasks.stage, index};
+    throw InputError(fmt::format("found task {} {}, expected one of {}: {}", stage, index, stage,
+                                 ranges_text(tasks.indices)));
+  }
+  throw InputError(fmt::format("found stage {}, expected one of this scene's: {}",
+                               scene::in_quotes(stage), fmt::join(names, ", ")));
+}
+
+}  // namespace wold::work

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "render/renderer.h"
+#include "work/job.h"
+
+namespace wold::work {
+
+/// The steps of a film, in the order they are done. The last two make pictures.
+enum class Stage { texels, clouds, scenes, blender, povray };
+
+/// "texels", ...: as on the command line and in DIR/tasks.
+std::string_view name_of(Stage stage);
+
+inline bool makes_pictures(Stage stage) { return stage >= Stage::blender; }
+
+/// Who makes the pictures of a stage that makes some.
+render::Renderer renderer_of(Stage stage);
+
+/// One unit of work: it makes whole files, the same bytes on any machine and in any order.
+struct Task {
+  Stage stage = Stage::texels;
+  int index = 1;  ///< of texels the variant, from 1; of clouds 1; else the frame
+};
+
+/// "scenes 7"
+std::string text_of(const Task& task);
+
+/// The tasks of a stage and what has to be done before them.
+struct StageTasks {
+  Stage stage = Stage::texels;
+  std::vector<int> indices;         ///< rising
+  std::optional<Stage> after_all;   ///< every task of that stage
+  std::optional<Stage> after_same;  ///< the task of the same index of that stage
+};
+
+/// The whole work of a job, in an order in which it can be done.
+std::vector<StageTasks> stages_of(const Job& job);
+
+/// A task of the job by its stage's name and index. Throws InputError that lists what there is.
+Task find_task(const Job& job, const std::string& stage, int index);
+
+}  // namespace wold::work

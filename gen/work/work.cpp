@@ -1,0 +1,252 @@
+#include "work/work.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/file_list.h"
+#include "core/files.h"
+#include "core/interrupt.h"
+#include "povray/data_only.h"
+#include "render/run.h"
+#include "scene/write.h"
+#include "work/manifest.h"
+#include "work/own_folder.h"
+
+namespace wold::work {
+namespace fs = std::filesystem;
+namespace {
+
+std::string hash_of_build() {
+  return content_hash(content_hash(read_file("/proc/self/exe")) +
+                      hash_of_programs_below(shipped_file("models")) +
+                      hash_of_programs_below(shipped_file("templates")));
+}
+
+render::Job picture_job(const Job& job, const Task& task, const RendererShare& share,
+                        Renderers& renderers) {
+  const scene::Render& settings = job.scene.render;
+  const std::string number = fmt::format("{:04}", task.index);
+  render::Job picture;
+  picture.program = renderers.program(renderer_of(task.stage));
+  picture.scene_folder = job.out / name_of(task.stage);
+  picture.frame = task.index;
+  picture.size_px = {settings.size_px[0], settings.size_px[1]};
+  picture.samples = settings.samples;
+  picture.device = settings.device;
+  picture.threads = share.threads;
+  picture.memory_bytes = share.memory_bytes;
+  picture.timeout = std::chrono::seconds(std::lround(settings.timeout_minutes * 60.0));
+  picture.picture = picture_path(job, task);
+  picture.expected =
+      picture.scene_folder / "data" / fmt::format("frame_{}", number) / "expected.json";
+  picture.log = job.out / "logs" / fmt::format("{}_{}.log", name_of(task.stage), number);
+  return picture;
+}
+
+/// Whether such a task makes a file of that name: a record that somebody has edited may name
+/// others.
+bool may_make(Stage stage, const fs::path& name) {
+  const std::string folder = name.begin()->string();
+  const std::string extension = name.extension().string();
+  switch (stage) {
+    case Stage::texels:
+      return folder == "texels" && extension == ".vdb";
+    case Stage::clouds:
+      return folder == "clouds" && extension == ".png";
+    case Stage::scenes:
+      return folder == "blender" || folder == "povray" || name == "povray.ini";
+    default:
+      return name == fs::path("frames") / name_of(stage) / name.filename() && extension == ".png";
+  }
+}
+
+/// "camera.eye, camera.target and 3 more"
+std::string listed(const std::vector<std::string>& keys) {
+  constexpr std::size_t most = 4;
+  const std::size_t shown = std::min(keys.size(), most);
+  const std::string text =
+      fmt::format("{}", fmt::join(keys.begin(), keys.begin() + static_cast<long>(shown), ", "));
+  return shown == keys.size() ? text : fmt::format("{} and {} more", text, keys.size() - shown);
+}
+
+}  // namespace
+
+fs::path picture_path(const Job& job, const Task& task) {
+  return job.out / "frames" / name_of(task.stage) / fmt::format("{:04}.png", task.index);
+}
+
+Work::Work(const Job& job, Renderers* renderers)
+    : job_(job),
+      renderers_(renderers),
+      facts_(facts_of(job.scene)),
+      facts_hash_(hash_of(facts_)),
+      build_(hash_of_build()),
+      programs_({{Stage::blender, hash_of_programs_below(shipped_file("templates/blender"))},
+                 {Stage::povray, hash_of_programs_below(shipped_file("templates/povray"))}}),
+      states_(job.out),
+      records_(job.out) {}
+
+Verdict Work::verdict(const Task& task) {
+  const std::lock_guard lock(mutex_);
+  if (task.stage == Stage::scenes)
+    if (const auto known = scenes_.find(task.index); known != scenes_.end()) return known->second;
+  const auto judge = [&]() -> Verdict {
+    const auto record = records_.read(task);
+    if (!record) return {Need::yes, "never made"};
+    for (const auto& [name, state] : record->outputs)
+      if (!fs::exists(job_.out / name)) return {Need::yes, fmt::format("{} is missing", name)};
+    if (makes_pictures(task.stage) && verdict({Stage::scenes, task.index}).need != Need::no)
+      return {Need::perhaps, "its scene files will be made anew; runs if they change"};
+    if (record->source != source(task)) return outdated(task, *record);
+    for (const auto& [name, state] : record->outputs)
+      if (!states_.is_still(name, state))
+        return {Need::yes, fmt::format("{} is not what was written", name)};
+    return {};
+  };
+  Verdict verdict = judge();
+  if (task.stage == Stage::scenes) scenes_[task.index] = verdict;
+  return verdict;
+}
+
+Verdict Work::outdated(const Task& task, const TaskRecord& record) {
+  if (makes_pictures(task.stage))
+    return {Need::yes, "made from other scene files or with other settings"};
+  const auto [known, is_new] = changes_.try_emplace(record.facts);
+  std::string& why = known->second;
+  if (is_new) {
+    const SceneFacts then = records_.read_facts(record.facts);
+    why = record.facts == facts_hash_ || then.empty()
+              ? "made for other frames or renderers, or by another build of wold"
+              : fmt::format("{} changed", listed(changed_keys(facts_, then)));
+  }
+  if (task.stage != Stage::texels) return {Need::yes, why};
+  return {Need::perhaps, why + "; texels that are right stay"};
+}
+
+std::string Work::source(const Task& task) {
+  if (makes_pictures(task.stage)) return picture_source(task);
+  std::string text = fmt::format("{} {} {} ", text_of(task), facts_hash_, build_);
+  if (task.stage == Stage::texels) text += ranges_text(job_.frames);
+  if (task.stage == Stage::scenes)
+    text += fmt::format("{}", fmt::join(film::wanted_renderers(job_.scene), " "));
+  return content_hash(text);
+}
+
+std::string Work::picture_source(const Task& task) {
+  const scene::Render& settings = job_.scene.render;
+  std::string text =
+      fmt::format("{} {}x{} {} {}", text_of(task), settings.size_px[0], settings.size_px[1],
+                  settings.samples, scene_hashes(task.index).at(task.stage));
+  // Another device adds up in another order: the last bits differ.
+  if (task.stage == Stage::blender) text += " " + settings.device;
+  return content_hash(text);
+}
+
+const Work::SceneHashes& Work::scene_hashes(int frame) {
+  const std::lock_guard lock(mutex_);
+  SceneHashes& hashes = scene_hashes_[frame];
+  if (!hashes.empty()) return hashes;
+  const auto record = records_.read({Stage::scenes, frame});
+  for (const auto& [stage, program] : programs_) {
+    const std::string folder = fmt::format("{}/", name_of(stage));
+    std::string text = program;
+    if (record)
+      for (const auto& [name, state] : record->outputs)
+        if (name.starts_with(folder)) text += fmt::format("{} {}\n", name, state.hash);
+    hashes[stage] = content_hash(text);
+  }
+  return hashes;
+}
+
+film::Film& Work::film() {
+  if (!film_) film_.emplace(job_);
+  return *film_;
+}
+
+const film::FilmDemand& Work::demand() {
+  if (!demand_) demand_.emplace(job_);
+  return *demand_;
+}
+
+void Work::prepare(Stage stage, Progress& progress) {
+  if (!makes_pictures(stage)) film();
+  if (stage == Stage::texels && !demand_found_) {
+    film().find_demand(progress);
+    demand_found_ = true;
+  }
+  records_.write_facts(facts_);  // first: by its records an output folder is known
+  update_file(job_.out / "scene.toml", scene::resolved_toml(job_.scene));
+  if (stage >= Stage::scenes) film::write_programs(job_.scene, job_.out);
+  // It lists files that will be others; `render` and `generate` write it when all is done.
+  if (is_own_manifest(job_.out / "manifest.json")) fs::remove(job_.out / "manifest.json");
+}
+
+void Work::finish() {
+  forget_film();  // and its scratch files
+  update_file(job_.out / "scene.toml", scene::resolved_toml(job_.scene));
+  film::write_programs(job_.scene, job_.out);
+  write_manifest(job_.out, records_, states_);
+}
+
+void Work::forget_film() {
+  film_.reset();
+  demand_found_ = false;
+}
+
+void Work::run(const Task& task, const RendererShare& share, Progress& progress) {
+  remove_damaged(task);
+  const auto start = std::chrono::steady_clock::now();
+  const Made made = make(task, share, progress);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  TaskRecord record{source(task), facts_hash_, {}, took.count(), made.renderer_memory_bytes};
+  for (const fs::path& file : made.files) {
+    const std::string name = file.lexically_relative(job_.out).generic_string();
+    record.outputs[name] = states_.of(name);
+  }
+  records_.write(task, record);
+  if (task.stage != Stage::scenes) return;
+  const std::lock_guard lock(mutex_);
+  scenes_.erase(task.index);
+  scene_hashes_.erase(task.index);
+}
+
+Work::Made Work::make(const Task& task, const RendererShare& share, Progress& progress) {
+  switch (task.stage) {
+    case Stage::texels:
+      return {film().make_texels(task.index - 1, progress)};
+    case Stage::clouds:
+      return {film().make_cloud_pictures()};
+    case Stage::scenes:
+      return {film().make_frame(task.index, progress)};
+    default:
+      return make_picture(task, share, progress);
+  }
+}
+
+Work::Made Work::make_picture(const Task& task, const RendererShare& share, Progress& progress) {
+  const Task scene_files = {Stage::scenes, task.index};
+  if (const Verdict verdict = this->verdict(scene_files); verdict.need != Need::no)
+    throw FileError(
+        fmt::format("the task \"{}\" needs the files of \"{}\", which has to be run first: {}",
+                    text_of(task), text_of(scene_files), verdict.why));
+  const render::Job picture = picture_job(job_, task, share, *renderers_);
+  if (task.stage == Stage::povray) povray::require_data_only(picture.scene_folder, task.index);
+  const double memory_bytes = render::run(picture, progress, interrupted);
+  return {{picture.picture}, memory_bytes};
+}
+
+/// What was made from the same, but is not what was written: nobody else would notice.
+void Work::remove_damaged(const Task& task) {
+  const auto record = records_.read(task);
+  if (!record || record->source != source(task)) return;
+  for (const auto& [name, state] : record->outputs)
+    if (may_make(task.stage, fs::path(name).lexically_normal()) && !states_.is_still(name, state))
+      fs::remove(job_.out / name);
+}
+
+}  // namespace wold::work

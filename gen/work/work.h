@@ -1,0 +1,110 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "core/progress.h"
+#include "film/film.h"
+#include "film/film_demand.h"
+#include "work/file_states.h"
+#include "work/job.h"
+#include "work/renderers.h"
+#include "work/scene_facts.h"
+#include "work/task_record.h"
+#include "work/tasks.h"
+
+namespace wold::work {
+
+/// Whether a task has to be done. `perhaps`: it has to look, and may find that all is there, or its
+/// scene files will be made anew and may turn out to be the same.
+enum class Need { no, perhaps, yes };
+
+struct Verdict {
+  Need need = Need::no;
+  std::string why;  ///< empty when it need not be done
+};
+
+/// What one renderer may take of the machine.
+struct RendererShare {
+  int threads = 0;            ///< 0: all
+  double memory_bytes = 0.0;  ///< 0: no limit
+};
+
+/// DIR/frames/<renderer>/0001.png of a task that makes one.
+std::filesystem::path picture_path(const Job& job, const Task& task);
+
+/// Does the tasks of a job and knows which have been done. A task is done when its record says that
+/// it was made from what it would be made from now, and its files are as they were then. Pictures
+/// are made from their scene files' bytes: a change of the scene that leaves those as they are
+/// renders nothing again.
+class Work {
+ public:
+  /// `job` has to outlive it, and so have `renderers`: without them run() makes no pictures. Throws
+  /// FileError when a file that the scene names cannot be read.
+  explicit Work(const Job& job, Renderers* renderers = nullptr);
+
+  /// Without doing or writing anything.
+  Verdict verdict(const Task& task);
+
+  /// Has to be called before run(): what tasks share is made here. Throws what Film does.
+  void prepare(Stage stage, Progress& progress);
+
+  /// Gives back the memory of what run() needs for all but pictures; prepare() makes it anew.
+  void forget_film();
+
+  /// Does a task, needed or not, and writes its record. `share` is what the renderer may take.
+  /// Tasks of texels may run at the same time, and pictures. Throws FileError, also when what the
+  /// task depends on has not been done, RendererError and InterruptedError.
+  void run(const Task& task, const RendererShare& share, Progress& progress);
+
+  /// When all is done: says in DIR/scene.toml and DIR/manifest.json what is there. For a process
+  /// that has the folder to itself. Throws FileError.
+  void finish();
+
+  const TaskRecords& records() const { return records_; }
+
+  /// Found when it is first asked for. Throws what FilmDemand does.
+  const film::FilmDemand& demand();
+
+  /// Equal for equal scenes, but for what changes no file.
+  const std::string& scene_hash() const { return facts_hash_; }
+
+ private:
+  /// Hashes of a frame's scene files and the renderer's program, by renderer.
+  using SceneHashes = std::map<Stage, std::string>;
+
+  struct Made {
+    std::vector<std::filesystem::path> files;
+    double renderer_memory_bytes = 0.0;
+  };
+
+  std::string source(const Task& task);
+  std::string picture_source(const Task& task);
+  const SceneHashes& scene_hashes(int frame);
+  Verdict outdated(const Task& task, const TaskRecord& record);
+  Made make(const Task& task, const RendererShare& share, Progress& progress);
+  Made make_picture(const Task& task, const RendererShare& share, Progress& progress);
+  void remove_damaged(const Task& task);
+  film::Film& film();
+
+  const Job& job_;
+  Renderers* renderers_;
+  SceneFacts facts_;
+  std::string facts_hash_;
+  std::string build_;                      ///< hash of the program, its models and templates
+  std::map<Stage, std::string> programs_;  ///< hash, by renderer
+  FileStates states_;
+  TaskRecords records_;
+  std::recursive_mutex mutex_;                  ///< of the three that follow
+  std::map<int, Verdict> scenes_;               ///< verdicts, by frame
+  std::map<int, SceneHashes> scene_hashes_;     ///< by frame
+  std::map<std::string, std::string> changes_;  ///< since facts of that hash, in words
+  std::optional<film::Film> film_;
+  std::optional<film::FilmDemand> demand_;
+  bool demand_found_ = false;
+};
+
+}  // namespace wold::work

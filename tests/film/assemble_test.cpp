@@ -1,0 +1,231 @@
+#include "film/assemble.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "meadow/tint.h"
+#include "phenology/film_season.h"
+#include "scene/key_frames.h"
+#include "sky/exposure.h"
+#include "support/grown.h"
+#include "terrain/hillside.h"
+
+namespace wold::film {
+namespace {
+
+using test::grown;
+
+scene::Scene small_meadow() {
+  scene::Scene scene;
+  scene.terrain.size_m = 8.0;
+  scene.grass.patch_m = 0.5;
+  scene.terrain.samples = 65;
+  scene.terrain.hill_height_m = 1.0;
+  scene.camera.eye_m = {4.0, 0.5};
+  scene.camera.target_m = {4.0, 6.0};
+  return scene;
+}
+
+/// A tube in the middle of each of the smallest parts of a patch of half a metre.
+landscape::BladeMesh tube_in_each_part(const std::string& name) {
+  Tubes tubes{1, 1, {}, {}};
+  for (int k = 0; k < 64; ++k) {
+    const glm::vec2 eighths = glm::vec2(k % 8, k / 8) + 0.5F;
+    tubes.vertices_m.emplace_back(eighths / 16.0F, 0.0F);
+    tubes.radiance.emplace_back(1.0F);
+  }
+  return {name, std::make_shared<const Tubes>(std::move(tubes))};
+}
+
+TEST(Assemble, CellsReferToTheirVolumes) {
+  const scene::Scene scene = small_meadow();
+  const place::Site site = place::make_site(scene);
+  const Heightfield& terrain = site.terrain;
+  const std::vector<meadow::CellChoice> choices =
+      meadow::choose_cells(scene, terrain, site.growth, place::Withering(scene, terrain), 2);
+  const auto name = [](const meadow::CellChoice& c) {
+    return std::to_string(c.variant) + "/" + std::to_string(c.key_frame) + "/" +
+           std::to_string(c.turn) + "/" + std::to_string(c.level);
+  };
+  const landscape::Landscape landscape =
+      assemble(scene, site, 2, choices,
+               {[&](const meadow::CellChoice& choice) {
+                  landscape::Volume volume;
+                  volume.name = name(choice);
+                  volume.voxels = glm::ivec3(30);  // not fine
+                  return volume;
+                },
+                [](const meadow::CellChoice&) { return landscape::BladeMesh{}; }});
+  std::set<std::string> names;
+  for (const landscape::Volume& volume : landscape.volumes)
+    EXPECT_TRUE(names.insert(volume.name).second);
+  auto cell = landscape.cells.begin();
+  for (const meadow::CellChoice& choice : choices)
+    for (const landscape::PlacedPart& placed : choice.parts) {
+      ASSERT_NE(cell, landscape.cells.end());
+      EXPECT_EQ(landscape.volumes[static_cast<std::size_t>(cell->volume)].name, name(choice));
+      EXPECT_EQ(cell->part, placed.part);
+      EXPECT_EQ(cell++->world_from_cell, placed.world_from_cell);
+    }
+  EXPECT_EQ(cell, landscape.cells.end());
+  EXPECT_GT(landscape.cells.size(), choices.size());
+  EXPECT_EQ(landscape.weathering, 0.30);
+  EXPECT_EQ(landscape.exposure_gain, 1.6 * std::numbers::pi);
+  EXPECT_NEAR(landscape.camera.eye_m.z, terrain.sample(4.0, 0.5) + 1.6, 1e-6);
+  EXPECT_NEAR(landscape.camera.target_m.z, terrain.sample(4.0, 6.0) + 0.5, 1e-6);
+}
+
+// The camera of a season opens when clouds hide the winter sun, so that snow stays white.
+TEST(Assemble, ExposesSnowUnderCloudsAsInTheSun) {
+  scene::Scene scene = small_meadow();
+  scene.season.first = {2026, 12, 1};
+  scene.season.last = {2026, 12, 3};
+  scene.season.frames = 3;
+  scene.season_keys = {{.date = {2026, 12, 1}, .weathering = 1.0, .temperature_c = -8.0}};
+  scene.sun.latitude_deg = 46.5;
+  scene.sun.time_h = 12.0;
+  scene.snow_cover.initial_mm = 60.0;
+  const auto shown = [](const scene::Scene& described) {
+    const scene::Scene film = phenology::as_film(described);
+    const place::Site site = place::make_site(film);
+    return assemble(film, place::site_of_frame(film, site, 2), 2, {}, {});
+  };
+  const auto mean_shown = [](const landscape::Landscape& landscape) {
+    double sum = 0.0;
+    for (const glm::vec3& radiance : landscape.ground.values()) sum += double{radiance.g};
+    return landscape.exposure_gain * sum / static_cast<double>(landscape.ground.values().size());
+  };
+  const landscape::Landscape clear = shown(scene);
+  scene.clouds.resize(1);
+  scene.clouds[0].kind = "stratus";
+  scene.clouds[0].cover = 1.0;
+  const landscape::Landscape clouded = shown(scene);
+  const double of_card = 0.95 * std::numbers::pi;  // white, on level ground in the open
+  EXPECT_LT(clear.exposure_gain, 0.8 * of_card);   // slopes face the low sun
+  EXPECT_NEAR(clouded.exposure_gain, of_card, 1e-6);
+  EXPECT_LT(mean_shown(clouded), mean_shown(clear));  // it is dim nevertheless
+  EXPECT_GT(mean_shown(clouded), 0.5 * mean_shown(clear));
+}
+
+// As the sun sinks pictures get darker, by half the stops that the light loses: on a clear day the
+// ground has about a tenth of the light at 3 degrees that it has at 20 (a tenth to a fifteenth is
+// measured: 20 to 30 klx and 2 to 3 klx).
+TEST(Assemble, DuskIsDarkerThanDay) {
+  scene::Scene scene = small_meadow();
+  scene.ageing.frames = {0.0, 0.0};
+  scene.sun.elevation_deg = 20.0;
+  scene.sun.end = {3.0, scene.sun.azimuth_deg};
+  const place::Site site = place::make_site(scene);
+  const auto relative_gain = [&](int frame) {
+    const place::Site now = place::site_of_frame(scene, site, frame);
+    return assemble(scene, now, frame, {}, {}).exposure_gain /
+           sky::metered_gain(now.day, sky::Subject::meadow);
+  };
+  EXPECT_NEAR(relative_gain(1), 1.0, 1e-9);
+  EXPECT_GT(relative_gain(2), std::sqrt(1.0 / 20.0));
+  EXPECT_LT(relative_gain(2), std::sqrt(1.0 / 6.0));
+}
+
+// With a low sun the sky is exposed, not the ground.
+TEST(Assemble, DoesNotBurnOutTheSkyOfAnEvening) {
+  scene::Scene scene = small_meadow();
+  scene.sun.elevation_deg = 4.0;
+  const place::Site site = place::make_site(scene);
+  const landscape::Landscape landscape = assemble(scene, site, 2, {}, {});
+  const glm::vec3 sky = site.day.mean_sky_radiance(20.0 * std::numbers::pi / 180.0);
+  const double luminance = 0.2126 * double{sky.r} + 0.7152 * double{sky.g} + 0.0722 * double{sky.b};
+  EXPECT_NEAR(landscape.exposure_gain * luminance, 0.9, 1e-4);
+}
+
+// Every cell is drawn once, as a volume or as blades; meshes are shared by turns and levels.
+TEST(Assemble, CellsOfBladesReferToTheirMeshes) {
+  scene::Scene scene = small_meadow();
+  scene.render.grass = "auto";
+  scene.grass.pixels_per_voxel = 0.4;
+  const place::Site site = place::make_site(scene);
+  const std::vector<meadow::CellChoice> choices =
+      meadow::choose_cells(scene, site.terrain, site.growth, *site.withering, 2);
+  const landscape::Landscape landscape =
+      assemble(scene, site, 2, choices,
+               {[](const meadow::CellChoice&) { return landscape::Volume{}; },
+                [](const meadow::CellChoice& choice) {
+                  return tube_in_each_part(std::to_string(choice.variant * 100 + choice.key_frame));
+                }});
+  std::size_t parts = 0;
+  for (const meadow::CellChoice& choice : choices) parts += choice.parts.size();
+  EXPECT_EQ(landscape.cells.size() + landscape.blade_cells.size(), parts);
+  ASSERT_FALSE(landscape.cells.empty());
+  ASSERT_FALSE(landscape.blade_cells.empty());
+  std::set<std::string> names;
+  for (const landscape::BladeMesh& mesh : landscape.blade_meshes)
+    EXPECT_TRUE(names.insert(mesh.name).second) << mesh.name;
+  auto cell = landscape.blade_cells.begin();
+  for (const meadow::CellChoice& choice : choices) {
+    if (!choice.blades) continue;
+    for (const landscape::PlacedPart& placed : choice.parts) {
+      EXPECT_EQ(landscape.blade_meshes[static_cast<std::size_t>(cell->mesh)].name,
+                std::to_string(choice.variant * 100 + choice.key_frame) +
+                    landscape::suffix_of(placed.part));
+      EXPECT_EQ(cell++->world_from_cell, placed.world_from_cell);
+    }
+  }
+}
+
+// Nothing stands on three quarters of a patch with one blade.
+TEST(Assemble, PartsWithoutBladesAreNotDrawn) {
+  scene::Scene scene = small_meadow();
+  scene.render.grass = "blades";
+  const place::Site site = place::make_site(scene);
+  const std::vector<meadow::CellChoice> choices =
+      meadow::choose_cells(scene, site.terrain, site.growth, *site.withering, 2);
+  auto tubes = std::make_shared<Tubes>(Tubes{1, 1, {glm::vec3(0.01F)}, {glm::vec3(1.0F)}});
+  const landscape::Landscape landscape =
+      assemble(scene, site, 2, choices,
+               {{}, [&](const meadow::CellChoice& choice) {
+                  return landscape::BladeMesh{
+                      std::to_string(choice.variant * 100 + choice.key_frame), tubes};
+                }});
+  EXPECT_EQ(landscape.blade_cells.size(), choices.size());
+  std::vector<bool> used(landscape.blade_meshes.size(), false);
+  for (const landscape::BladeCell& cell : landscape.blade_cells)
+    used.at(static_cast<std::size_t>(cell.mesh)) = true;
+  EXPECT_EQ(std::ranges::count(used, false), 0);
+}
+
+TEST(WeatheringTint, RestoresTheWantedColour) {
+  const scene::Scene scene = small_meadow();
+  const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
+  const place::Withering withering(scene, terrain);
+  const std::vector<meadow::CellChoice> choices =
+      meadow::choose_cells(scene, terrain, grown(scene), withering, 2);
+  const meadow::GrassColour colour = [](double degree, double) {
+    return glm::vec3(0.2, 0.3, 0.1) * static_cast<float>(1.0 + degree);
+  };
+  const ColourMap tint =
+      meadow::weathering_tint(scene, withering, 2, choices, /*snow=*/0.0, colour);
+  for (const meadow::CellChoice& choice : choices) {
+    const glm::dvec2 centre_m = (glm::dvec2(choice.cell) + 0.5) * scene.grass.patch_m;
+    const double shown = scene::key_frames(scene)[static_cast<std::size_t>(choice.key_frame)];
+    const glm::vec3 got = tint.sample(centre_m.x, centre_m.y) * colour(shown, 0.0);
+    EXPECT_NEAR(got.g, colour(withering.at(centre_m, 2), 0.0).g, 1e-5);
+  }
+  const ColourMap light = product(ColourMap(5, 8.0, glm::vec3(2.0F)), tint);
+  EXPECT_EQ(light.samples(), tint.samples());
+  EXPECT_EQ(light.at(40, 40), tint.at(40, 40) * 2.0F);
+}
+
+TEST(CanopyTransmittance, IsBeersLaw) {
+  scene::Grass grass;  // 900 blades of 1 m x 0.01 m halved, on 1.5 m2: leaf area index 3
+  grass.patch_m = std::sqrt(1.5);
+  grass.blades = 900;
+  grass.height_m = 1.0;
+  grass.width_m = 0.01;
+  EXPECT_NEAR(place::canopy_transmittance(grass), 0.22313 * 0.22313,
+              1e-5);  // exp(-G LAI) along twice
+}
+
+}  // namespace
+}  // namespace wold::film

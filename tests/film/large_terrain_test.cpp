@@ -1,0 +1,209 @@
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/colour.h"
+#include "film/assemble.h"
+#include "meadow/far_field.h"
+#include "place/ground_grids.h"
+#include "support/sanitized.h"
+#include "support/temporary_folder.h"
+
+/// Terrains with more cells than can be laid: a window of cells, finer pictures of the ground about
+/// the camera, snow in tiled pictures.
+namespace wold::film {
+namespace {
+
+/// Level ground, seen by an eye that has nothing before it: no grass is painted, no haze shows.
+scene::Scene plain(double size_m) {
+  scene::Scene scene;
+  scene.terrain.size_m = size_m;
+  scene.terrain.samples = 129;
+  scene.terrain.hill_height_m = 0.0;
+  scene.terrain.relief_m = 0.0;
+  scene.camera.eye_m = {size_m / 2.0, size_m / 2.0};
+  scene.camera.target_m = {size_m / 2.0, size_m / 2.0 + 20.0};
+  scene.render.size_px = {64, 36};
+  scene.growth.share = 0.0;
+  scene.grass.far_pixels = 0.0;
+  scene.sky.visual_range_m = 1e6;
+  return scene;
+}
+
+TEST(CellWindow, IsTheWholeTerrainWhereThatFits) {
+  scene::Scene scene;
+  for (const double size_m : {42.0, 100.1, 1200.0}) {
+    scene.terrain.size_m = size_m;
+    const place::CellWindow window(scene);
+    EXPECT_FALSE(place::is_large(scene));
+    EXPECT_EQ(window.first, glm::ivec2(0));
+    EXPECT_EQ(window.per_side, place::cells_per_side(scene));
+    EXPECT_EQ(window.square.corner_m, glm::dvec2(0.0));
+    EXPECT_EQ(window.square.size_m, size_m);
+    EXPECT_EQ(window.outside_share({0.0, size_m}), 0.0);
+    EXPECT_TRUE(place::detail_grids(scene, {{1, 1, 1}, {1, 2, 1}, 60.0}).empty());
+  }
+}
+
+TEST(CellWindow, HoldsAllGrassThatStandsAboutTheCamera) {
+  scene::Scene scene = plain(50e3);
+  scene.growth.share = 1.0;
+  scene.grass.far_pixels = 1.2;
+  scene.camera.eye_m = {20e3, 10.0};  // at the southern border
+  scene.camera.eye_end = {20030.0, 10.0, 1.6};
+  const place::CellWindow window(scene);
+  EXPECT_LE(window.per_side, 2000);
+  EXPECT_EQ(window.first.y, 0);
+  const double reach_m = place::farthest_standing_m(scene);
+  for (const glm::dvec2 at_m : {glm::dvec2(20e3, 0.0), glm::dvec2(20e3 - reach_m, 10.0),
+                                glm::dvec2(20030.0 + reach_m, 10.0)})
+    EXPECT_EQ(window.outside_share(at_m), 0.0) << at_m.x;
+  EXPECT_EQ(window.outside_share({20e3, window.square.size_m + 0.1}), 1.0);
+  EXPECT_EQ(window.outside_share({window.square.corner_m.x - 0.1, 1.0}), 1.0);
+}
+
+// A camera that would see farther than there are cells: grass thins out towards their border.
+TEST(CellWindow, GrassIsPaintedBeyondIt) {
+  scene::Scene scene = plain(4000.0);  // far_pixels 0: all grass stands
+  const Heightfield flat(17, 4000.0);
+  const place::View view(place::resolved_camera(scene.camera, flat, 0.0), 64, 36);
+  const place::CellWindow window(scene);
+  ASSERT_EQ(window.per_side, 2000);
+  double before = 0.0;
+  for (double y_m = 2000.0; y_m < 4000.0; y_m += 5.0) {
+    const double share = meadow::far_share(scene.grass, window, view, {2000.0, y_m, 0.0});
+    EXPECT_GE(share, before);
+    EXPECT_LT(share - before, 0.2);
+    before = share;
+  }
+  EXPECT_EQ(meadow::far_share(scene.grass, window, view, {2000.0, 2500.0, 0.0}), 0.0);
+  EXPECT_EQ(before, 1.0);
+}
+
+TEST(GroundDetails, AreNestedAndMoveByWholeSteps) {
+  const scene::Scene scene = plain(100e3);
+  landscape::Camera camera{{50e3, 50e3, 2.0}, {50.3e3, 51e3, 2.0}, 60.0};
+  const auto grids = place::detail_grids(scene, camera);
+  ASSERT_GE(grids.size(), 4U);
+  EXPECT_LE(grids.back().step_m(), 0.03);
+  GroundGrid before = place::whole_grid(scene);
+  for (const GroundGrid& grid : grids) {
+    EXPECT_TRUE(before.square.contains(grid.square.corner_m));
+    EXPECT_TRUE(before.square.contains(grid.square.corner_m + grid.square.size_m));
+    EXPECT_TRUE(grid.square.contains(glm::dvec2(camera.eye_m)));
+    before = grid;
+  }
+  camera.eye_m.x += 123.4;
+  camera.target_m.x += 123.4;
+  const auto moved = place::detail_grids(scene, camera);
+  for (std::size_t k = 0; k < grids.size(); ++k) {
+    const glm::dvec2 steps =
+        (moved[k].square.corner_m - grids[k].square.corner_m) / grids[k].step_m();
+    EXPECT_NEAR(steps.x, std::round(steps.x), 1e-3);
+    EXPECT_NEAR(steps.y, std::round(steps.y), 1e-3);
+  }
+}
+
+/// The looks of what does not grow.
+PatchLookup no_grass() {
+  return {.volume = [](const meadow::CellChoice&) { return landscape::Volume{}; },
+          .blades = [](const meadow::CellChoice&) { return landscape::BladeMesh{}; },
+          .far = [](const grass::PatchState&) { return meadow::PatchLook({}); }};
+}
+
+/// Mean over a square of a picture, at many places.
+glm::dvec3 mean_over(const ColourMap& map, const Square& square) {
+  constexpr int places = 400;
+  glm::dvec3 sum(0.0);
+  for (int j = 0; j < places; ++j)
+    for (int i = 0; i < places; ++i) {
+      const glm::dvec2 at_m = square.corner_m + (glm::dvec2(i, j) + 0.5) * (square.size_m / places);
+      sum += glm::dvec3(map.sample(at_m.x, at_m.y)) / (1.0 * places * places);
+    }
+  return sum;
+}
+
+/// The plain with so much snow, mm of water.
+landscape::Landscape snowed_on(double water_mm, const std::filesystem::path& folder) {
+  scene::Scene scene = plain(2000.0);
+  scene.snow_cover.initial_mm = water_mm;
+  scene.weather.temperature_c = -1.0;
+  return assemble(scene, place::make_site(scene, folder), 1, {}, no_grass());
+}
+
+// Both pictures are of the same ground, bare or white: the coarse one shows the mean of what the
+// fine one has.
+TEST(GroundDetails, AgreeWithTheWholeMap) {
+  const test::TemporaryFolder folder("ground_details");
+  for (const double water_mm : {0.0, 30.0}) {
+    const landscape::Landscape landscape = snowed_on(water_mm, folder.path());
+    ASSERT_GE(landscape.ground_details.size(), 4U);
+    for (std::size_t k = 0; k < 2; ++k) {  // larger than many features
+      const landscape::GroundDetail& detail = landscape.ground_details[k];
+      const glm::dvec3 fine = mean_over(detail.map, detail.map.square());
+      const glm::dvec3 coarse = mean_over(landscape.ground, {detail.corner_m, detail.map.size_m()});
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(fine[c], coarse[c], 0.01 * coarse[c]) << k;
+    }
+  }
+}
+
+// Where little snow lies all pictures have patches of it, each as small as it can show.
+TEST(GroundDetails, ShowPatchesOfSnow) {
+  const test::TemporaryFolder folder("snow_patches");
+  const landscape::Landscape landscape = snowed_on(1.5, folder.path());
+  for (const landscape::GroundDetail& detail : landscape.ground_details) {
+    const auto [least, most] = std::ranges::minmax(detail.map.values(), {},
+                                                   [](const glm::vec3& value) { return value.g; });
+    EXPECT_GT(most.g, 3.0F * least.g);
+  }
+}
+
+double peak_memory_mb() {
+  rusage usage = {};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+// Nothing is paid for the area: 100 km take what 2 km do.
+TEST(LargeTerrain, OfAHundredKilometresTakesBoundedMemory) {
+  const test::TemporaryFolder folder("large_terrain");
+  scene::Scene scene = plain(100e3);
+  scene.terrain.shape = "mountain";
+  scene.terrain.samples = 257;
+  scene.terrain.hill_height_m = 3000.0;
+  scene.terrain.relief_m = 30.0;
+  scene.terrain.relief_feature_m = 5000.0;
+  scene.camera.eye_m = {50e3, 2e3};
+  scene.camera.target_m = {50e3, 10e3};
+  scene.snow_cover.initial_mm = 40.0;
+  scene.weather.temperature_c = 7.0;
+  scene.weather.earlier_h = 120.0;  // all has melted below 670 m
+  scene.grass.far_pixels = 0.0;     // as many cells as there can be
+  const double before_mb = peak_memory_mb();
+  const place::Site site = place::make_site(scene, folder.path());
+  const std::vector<meadow::CellChoice> cells =
+      meadow::choose_cells(scene, site.terrain, place::growth_of_cells(site), *site.withering, 1);
+  const landscape::Landscape landscape = assemble(scene, site, 1, cells, no_grass());
+  const double most_mb = test::sanitized ? 1400.0 : 700.0;  // with their notes on what is allocated
+  EXPECT_LT(peak_memory_mb() - before_mb, most_mb);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "ground.tif"));
+
+  // Below the snow line the ground is bare, high up it is white.
+  double low = 0.0, high = 0.0;
+  int lows = 0, highs = 0;
+  for (int j = 0; j < landscape.ground.samples(); ++j)
+    for (int i = 0; i < landscape.ground.samples(); ++i) {
+      const glm::dvec2 at_m = landscape.ground.place_m(i, j);
+      const double height_m = site.terrain.sample(at_m.x, at_m.y);
+      if (height_m < 200.0) low += luminance(landscape.ground.at(i, j)), ++lows;
+      if (height_m > 1200.0) high += luminance(landscape.ground.at(i, j)), ++highs;
+    }
+  ASSERT_GT(lows, 100);
+  ASSERT_GT(highs, 100);
+  EXPECT_GT(high / highs, 3.0 * low / lows);
+}
+
+}  // namespace
+}  // namespace wold::film

@@ -1,0 +1,117 @@
+#include "ground/snowy_ground.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace wold::ground {
+namespace {
+
+scene::Scene snowed_in(double water_mm) {
+  scene::Scene scene;
+  scene.terrain.size_m = 8.0;
+  scene.terrain.samples = 65;
+  scene.terrain.hill_height_m = 1.0;
+  scene.weather.temperature_c = -5.0;
+  scene.snow_cover.initial_mm = water_mm;
+  scene.snow_cover.drifting = 0.0;
+  scene.camera.eye_m = {4.0, 0.5};
+  scene.camera.target_m = {4.0, 6.0};
+  return scene;
+}
+
+double mean(const FactorMap& map) {
+  double sum = 0.0;
+  for (const float value : map.values()) sum += double{value};
+  return sum / static_cast<double>(map.values().size());
+}
+
+TEST(SnowyGround, WithoutSnowIsTheSites) {
+  const scene::Scene scene = snowed_in(0.0);
+  const place::Site site = place::make_site(scene);
+  EXPECT_EQ(site.snow, nullptr);
+  const SnowyGround ground(scene, site, 1);
+  EXPECT_EQ(ground.surface().values(), site.terrain.values());
+  EXPECT_EQ(ground.reflectance().values(), site.ground_reflectance.values());
+  EXPECT_EQ(ground.growth().values(), site.growth.values());
+  EXPECT_EQ(&ground.light(), &site.light);
+}
+
+// An hour of rain leaves bare ground about half as bright, and no snow.
+TEST(SnowyGround, IsDarkWhereRainHasWettedIt) {
+  scene::Scene rainy = snowed_in(0.0);
+  rainy.weather.temperature_c = 12.0;
+  rainy.weather.precipitation_mm_h = 5.0;
+  rainy.weather.earlier_h = 1.0;
+  const place::Site site = place::make_site(rainy);
+  const SnowyGround ground(rainy, site, 1);
+  EXPECT_EQ(ground.white_share(), 0.0);
+  const ColourMap wet = ground.reflectance();
+  for (std::size_t i = 0; i < wet.values().size(); i += 97)
+    for (int channel = 0; channel < 3; ++channel) {
+      const float dry = site.ground_reflectance.values()[i][channel];
+      EXPECT_GT(wet.values()[i][channel], 0.5F * dry);
+      EXPECT_LT(wet.values()[i][channel], 0.7F * dry);
+    }
+}
+
+// As much snow lies over the ground as the weather has left: its volume is the mean depth's.
+TEST(SnowyGround, RisesByTheDepth) {
+  const scene::Scene scene = snowed_in(40.0);
+  const place::Site site = place::make_site(scene);
+  const SnowyGround ground(scene, site, 1);
+  const double depth_m = mean(site.snow->ground.at(0.0).depth_m);
+  EXPECT_GT(depth_m, 0.2);
+  EXPECT_NEAR(mean(ground.surface()) - mean(site.terrain), depth_m, 0.03 * depth_m);
+  for (std::size_t i = 0; i < site.terrain.values().size(); ++i)
+    EXPECT_GE(ground.surface().values()[i], site.terrain.values()[i]);
+}
+
+// Snow smooths what is smaller than it is deep: the surface bends less than the ground.
+TEST(SnowyGround, LiesSmooth) {
+  const scene::Scene scene = snowed_in(60.0);
+  const place::Site site = place::make_site(scene);
+  const SnowyGround ground(scene, site, 1);
+  const auto bends = [](const Heightfield& map) {
+    double sum = 0.0;
+    for (int j = 1; j + 1 < map.samples(); ++j)
+      for (int i = 1; i + 1 < map.samples(); ++i) {
+        const double bend = map.at(i - 1, j) + map.at(i + 1, j) - 2.0 * map.at(i, j);
+        sum += bend * bend;
+      }
+    return sum;
+  };
+  EXPECT_LT(bends(ground.surface()), 0.7 * bends(site.terrain));
+}
+
+// Deeper than the grass it is as white as fresh snow, and no grass grows out of it.
+TEST(SnowyGround, DeepSnowIsAllThatIsSeen) {
+  const scene::Scene scene = snowed_in(60.0);
+  const place::Site site = place::make_site(scene);
+  const SnowyGround ground(scene, site, 1);
+  const ColourMap map = ground.reflectance();
+  for (const glm::vec3& reflectance : map.values()) {
+    EXPECT_GT(reflectance.g * std::numbers::pi_v<float>, 0.8F);
+    EXPECT_LT(reflectance.g * std::numbers::pi_v<float>, 0.97F);
+  }
+  const FactorMap growth = ground.growth();
+  EXPECT_LT(*std::max_element(growth.values().begin(), growth.values().end()), 1e-6F);
+  EXPECT_NEAR(ground.mean_albedo(), 0.95, 0.02);
+}
+
+TEST(SnowyGround, ThePapersWhiteningLeavesTheShapeAndHidesTheGrass) {
+  scene::Scene scene = snowed_in(6.0);
+  scene.snow_cover.cover = "paper";
+  const place::Site site = place::make_site(scene);
+  const SnowyGround ground(scene, site, 1);
+  EXPECT_EQ(ground.surface().values(), site.terrain.values());
+  // 6 of white_after's 8 mm: three dots a texel, so that 1 - exp(-3) of it is white.
+  EXPECT_NEAR(mean(ground.growth()), std::exp(-3.0), 0.02);
+  EXPECT_NEAR(mean(ground.standing(site.growth)), std::exp(-3.0), 0.02);
+  EXPECT_NEAR((ground.mean_albedo() - 0.2) / (0.95 - 0.2), 1.0 - std::exp(-3.0), 0.02);
+}
+
+}  // namespace
+}  // namespace wold::ground

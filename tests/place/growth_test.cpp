@@ -1,0 +1,110 @@
+#include "place/growth.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/image.h"
+#include "meadow/cells.h"
+#include "support/temporary_folder.h"
+
+namespace wold::place {
+namespace {
+
+scene::Scene flat_square(double size_m) {
+  scene::Scene scene;
+  scene.terrain.size_m = size_m;
+  return scene;
+}
+
+Heightfield plane(double size_m, double rise) {
+  Heightfield terrain(101, size_m);
+  for (int j = 0; j < terrain.samples(); ++j)
+    for (int i = 0; i < terrain.samples(); ++i)
+      terrain.at(i, j) = static_cast<float>(rise * j * terrain.step_m());
+  return terrain;
+}
+
+double mean(const FactorMap& map) {
+  return std::accumulate(map.values().begin(), map.values().end(), 0.0) /
+         static_cast<double>(map.values().size());
+}
+
+// The noise is equalised: the area that is grown over is the share that was asked for.
+TEST(Growth, CoversTheShareOfTheGround) {
+  scene::Scene scene = flat_square(100.0);
+  scene.growth.feature_m = 0.8;
+  const Heightfield ground = plane(100.0, 0.0);
+  for (const double share : {0.0, 0.2, 0.5, 0.8, 1.0}) {
+    scene.growth.share = share;
+    EXPECT_NEAR(mean(growth_map(scene, ground)), share, 0.015) << share;
+  }
+}
+
+TEST(Growth, StopsAtSlopesAndHeights) {
+  scene::Scene scene = flat_square(20.0);
+  scene.growth.steepest_deg = 30.0;
+  EXPECT_EQ(mean(growth_map(scene, plane(20.0, std::tan(0.70)))), 0.0);  // 40 degrees
+  EXPECT_EQ(mean(growth_map(scene, plane(20.0, std::tan(0.35)))), 1.0);  // 20 degrees
+  scene.growth.lowest_m = 2.0;
+  scene.growth.highest_m = 4.0;
+  scene.growth.feature_m = 0.2;
+  const FactorMap band = growth_map(scene, plane(20.0, 0.3));  // 0 to 6 m
+  EXPECT_EQ(band.sample(10.0, 1.8 / 0.3), 0.0F);
+  EXPECT_EQ(band.sample(10.0, 3.0 / 0.3), 1.0F);
+  EXPECT_EQ(band.sample(10.0, 4.2 / 0.3), 0.0F);
+}
+
+// White in the north-east quarter of a picture whose first row is the north.
+TEST(Growth, FollowsTheMask) {
+  const test::TemporaryFolder folder("growth");
+  Image mask(2, 2, 3);
+  std::fill_n(mask.pixel(1, 0), 3, 1.0F);
+  write_image(folder.path() / "mask.png", mask, PixelFormat::uint8);
+  scene::Scene scene = flat_square(20.0);
+  scene.growth.mask = (folder.path() / "mask.png").string();
+  const FactorMap growth = growth_map(scene, plane(20.0, 0.0));
+  EXPECT_EQ(growth.sample(19.0, 19.0), 1.0F);
+  EXPECT_EQ(growth.sample(1.0, 19.0), 0.0F);
+  EXPECT_EQ(growth.sample(19.0, 1.0), 0.0F);
+}
+
+// A mask may hold what is no number.
+TEST(Growth, DamagedMasksAreBlackThere) {
+  const test::TemporaryFolder folder("growth");
+  Image mask(2, 2, 3);
+  std::fill(mask.values.begin(), mask.values.end(), std::numeric_limits<float>::quiet_NaN());
+  write_image(folder.path() / "mask.exr", mask, PixelFormat::float32);
+  scene::Scene scene = flat_square(5.0);
+  scene.growth.mask = (folder.path() / "mask.exr").string();
+  EXPECT_EQ(mean(growth_map(scene, plane(5.0, 0.0))), 0.0);
+}
+
+// Cells stand where something grows; blades on as many as the ground is grown over.
+TEST(Growth, DecidesWhichCellsStand) {
+  scene::Scene scene = flat_square(30.0);
+  scene.grass.patch_m = 0.5;
+  scene.grass.far_pixels = 0.0;
+  scene.camera.eye_m = {15.0, 0.0};
+  scene.camera.eye_height_m = 60.0;
+  scene.camera.target_m = {15.0, 15.0};
+  const Heightfield ground = plane(30.0, 0.0);
+  FactorMap growth(61, 30.0);
+  for (int j = 0; j < growth.samples(); ++j)
+    for (int i = 0; i < growth.samples(); ++i) growth.at(i, j) = i < 30 ? 0.0F : 0.3F;
+  for (const meadow::CellChoice& choice :
+       meadow::choose_cells(scene, ground, growth, Withering(scene, ground), 1))
+    EXPECT_GE(choice.cell.x, 29);
+  const double texels = static_cast<double>(
+      meadow::choose_cells(scene, ground, growth, Withering(scene, ground), 1).size());
+  scene.render.grass = "blades";
+  const double blades = static_cast<double>(
+      meadow::choose_cells(scene, ground, growth, Withering(scene, ground), 1).size());
+  EXPECT_NEAR(blades / texels, 0.3, 0.03);
+}
+
+}  // namespace
+}  // namespace wold::place
