@@ -10,20 +10,20 @@ trap 'rm -rf "$folder"' EXIT
 
 cat >"$folder/scene.toml" <<'SCENE'
 [terrain]
-size_m = 12.0
-hill_height_m = 1.0
-relief_m = 0.1
+size = 12.0
+hill_height = 1.0
+relief = 0.1
 [grass]
-levels = [16]
+levels = [30]
 variants = 1
 [camera]
-eye_m = [6.0, 1.0]
-target_m = [6.0, 8.0]
+eye = [6.0, 1.0]
+target = [6.0, 8.0]
 [render]
 renderer = "both"
-size_px = [96, 54]
+size = [96, 54]
 [ageing]
-frames = [0.0, 40.0]
+frames = [0.0, 0.4]
 SCENE
 cd "$folder"
 "$one_frame" scene.toml 2 by_engine >files
