@@ -20,6 +20,9 @@ A scene is a TOML file. Every key has a default, so a scene states only what it 
 `wold check SCENE` prints a scene with all of its keys; `wold new NAME` writes a starter scene.
 `--set KEY=VALUE` reaches every key from the command line.
 
+"The paper" is [TVT] in grass and ageing, [Wang2010] in clouds and their events, and [He2007] in
+snowfall and snow cover; see [REFERENCES.md](REFERENCES.md).
+
 This page is made by `tests/keys_page.sh` from the registry (`gen/scene/registry.h`).
 
 MARKDOWN
