@@ -9,10 +9,11 @@
 #     tests/analysis.sh coverage [CTEST OPTION...]    which lines of gen/ tests run: 90 % at least
 #     tests/analysis.sh cppcheck
 #     tests/analysis.sh python                        ruff and mypy, with pyproject.toml's settings
+#     tests/analysis.sh spelling                      codespell, with pyproject.toml's settings
 #     tests/analysis.sh tidy [FILE PATTERN...]        clang-tidy, with the checks of .clang-tidy
 #
-# All but cppcheck take a folder build-* of their own. All but cppcheck, python and asan-units take
-# more time than .ci/run has.
+# All but cppcheck take a folder build-* of their own. All but cppcheck, python, spelling and
+# asan-units take more time than .ci/run has.
 set -euo pipefail
 source "$(dirname "$0")/../examples/setup.sh"
 
@@ -84,6 +85,14 @@ check_python() {
   "$programs/mypy"
 }
 
+# Other versions know other words, hence the fixed one.
+check_spelling() {
+  install python3 python3-venv
+  python3 -m venv --clear build-spelling
+  build-spelling/bin/pip install -q --disable-pip-version-check 'codespell==2.4.*' 'tomli==2.*'
+  git ls-files -z | xargs -0 build-spelling/bin/codespell
+}
+
 # With commands that have no precompiled headers and no options of GCC's own. The settings are read
 # once before: of a file that it cannot read, clang-tidy says so and falls back to its own.
 check_with_tidy() {
@@ -102,6 +111,7 @@ case ${1:-} in
   coverage) coverage "${@:2}" ;;
   cppcheck) check_with_cppcheck ;;
   python) check_python ;;
+  spelling) check_spelling ;;
   tidy) check_with_tidy "${@:2}" ;;
   *)
     sed -n '2,/^set/s/^# \?//p' "$0" >&2

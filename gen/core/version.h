@@ -2,7 +2,7 @@
 
 namespace wold {
 
-/// The project's version; the same as in the top CMakeLists.txt, which the tests check.
-inline constexpr const char* version = "0.1.0";
+/// The project's version, such as "0.1.0": that of the top CMakeLists.txt.
+extern const char* const version;
 
 }  // namespace wold

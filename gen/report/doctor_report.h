@@ -21,7 +21,7 @@ bool is_any_complete(const DoctorFindings& findings);
 /// For people: what was found, what each line means and what to do.
 std::string doctor_text(const DoctorFindings& findings);
 
-/// The stable form, see README.md.
+/// The stable form, see docs/renderers.md.
 std::string doctor_json(const DoctorFindings& findings);
 
 }  // namespace wold::report

@@ -7,7 +7,7 @@
 #include "work/tasks.h"
 
 /// How many bytes a film's files take, before any of them is there. Fitted to what examples/ write:
-/// for them right within 30 %, see README.md.
+/// for them right within 30 %, see docs/measurements.md.
 namespace wold::work {
 
 /// A baked texel.

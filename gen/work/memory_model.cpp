@@ -17,7 +17,7 @@ constexpr double thread_bytes = 9.0 * megabyte;  // its stack, mostly
 /// The program itself, before it makes anything.
 double idle_bytes(const Job& job) { return 100.0 * megabyte + thread_bytes * threads_of(job); }
 
-/// Choosing cells and what is known of each; README.md has the table that this follows.
+/// Choosing cells and what is known of each; docs/measurements.md has the table that this follows.
 double cells_bytes(const scene::Scene& scene) {
   const double along_a_side = scene.terrain.size_m / scene.grass.patch_m;
   constexpr double most_along_a_side = 320.0;  // of large terrains only what is near

@@ -5,7 +5,7 @@
 #include "work/tasks.h"
 
 /// How much memory tasks take, in bytes that a process has of its own (memory_of_process_bytes()).
-/// Fitted to runs of examples/ on 2 processors, see README.md.
+/// Fitted to runs of examples/ on 2 processors, see docs/measurements.md.
 namespace wold::work {
 
 /// Voxels of the finest level's cube.

@@ -29,7 +29,7 @@ std::vector<StagePlan> make_plan(const Job& job);
 /// For people: a line per stage; with `why` one more for each reason.
 std::string plan_text(const Job& job, const std::vector<StagePlan>& plan, bool why);
 
-/// The stable form, see README.md.
+/// The stable form, see docs/tasks.md.
 std::string plan_json(const Job& job, const std::vector<StagePlan>& plan);
 
 /// A job template of Open Job Description (2023-09), whose tasks call `wold task` for the scene

@@ -195,8 +195,8 @@ double bytes_below(const fs::path& folder) {
   return bytes;
 }
 
-// README says within 30 % for scenes like the examples; here are other grass, and levels of our
-// own.
+// docs/measurements.md says within 30 % for scenes like the examples; here are other grass, and
+// levels of our own.
 TEST_F(Tasks, DiskIsPlannedBeforeTheFirstRunAsItIsThenTaken) {
   for (const std::string options :
        {"", " --set grass.blades=400", " --set 'grass.levels=[126,30]' --set grass.patch=0.3"}) {

@@ -46,7 +46,7 @@ TEST(Measured, GreennessOfGrasslandsThatWasHeldOut) {
   EXPECT_GT(sum / static_cast<double>(test::grasslands().size()), 0.83);
 }
 
-// The goal is 0.10 m: README says by how much it is missed.
+// The goal is 0.10 m: docs/measurements.md says by how much it is missed.
 TEST_F(MeasuredSnow, DepthInWintersThatWereHeldOut) {
   const test::MeasuredDays place = measured("snow_depth_m");
   const auto depths_m = test::modelled_snow(place.days, &snowpack::SnowOnGround::depth_m);
