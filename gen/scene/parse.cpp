@@ -166,18 +166,40 @@ bool is_read_or_reported_with_its_table(const Entry& entry, const Reading& readi
   return !is_table(entry.table) && reading.places.given.count(entry.table) == 0;
 }
 
-void apply_entries(const Document& document, const fs::path& folder, Reading& reading) {
-  for (const Entry& entry : document.entries) {
-    if (!is_read_or_reported_with_its_table(entry, reading)) apply(entry, folder, reading);
-  }
+bool is_of_item(const Entry& entry, const Reading& reading) {
+  return reading.item_keys.contains(entry.name);
 }
 
-void apply_override(const std::string& text, Reading& reading) {
-  try {
-    apply(read_override(text), fs::path(), reading);
-  } catch (const InputError& error) {
-    reading.problems.insert(reading.problems.end(), error.problems().begin(),
-                            error.problems().end());
+/// What the command line assigns, after what the text does.
+std::vector<Entry> read_overrides(std::span<const std::string> texts, Reading& reading) {
+  std::vector<Entry> entries;
+  for (const std::string& text : texts) {
+    try {
+      entries.push_back(read_override(text));
+    } catch (const InputError& error) {
+      reading.problems.insert(reading.problems.end(), error.problems().begin(),
+                              error.problems().end());
+    }
+  }
+  return entries;
+}
+
+/// The keys of single tables, or those of items of arrays.
+void apply_entries(const Document& document, std::span<const Entry> overrides,
+                   const fs::path& folder, bool of_items, Reading& reading) {
+  for (const Entry& entry : document.entries)
+    if (!is_read_or_reported_with_its_table(entry, reading) &&
+        is_of_item(entry, reading) == of_items)
+      apply(entry, folder, reading);
+  for (const Entry& entry : overrides)
+    if (is_of_item(entry, reading) == of_items) apply(entry, fs::path(), reading);
+}
+
+/// Gives all items what single tables say for them.
+void take_common(Scene& scene) {
+  for (const TableArray& array : table_arrays()) {
+    if (!array.take_common) continue;
+    for (std::size_t item = 0; item < array.count(scene); ++item) array.take_common(scene, item);
   }
 }
 
@@ -214,8 +236,11 @@ Scene parse_scene(std::string_view text, const std::string& file_name,
   Reading reading;
   report_unknown_tables(document, reading);
   append_items(document, reading);
-  apply_entries(document, fs::path(file_name).parent_path(), reading);
-  for (const std::string& override_text : overrides) apply_override(override_text, reading);
+  const std::vector<Entry> assigned = read_overrides(overrides, reading);
+  const fs::path folder = fs::path(file_name).parent_path();
+  apply_entries(document, assigned, folder, /*of_items=*/false, reading);
+  take_common(reading.scene);
+  apply_entries(document, assigned, folder, /*of_items=*/true, reading);
   report_contradictions(reading.scene, reading.places, reading.problems);
   sort_by_line(reading.problems);
   if (!reading.problems.empty()) throw InputError(std::move(reading.problems));
