@@ -10,6 +10,7 @@
 #include "core/elementary.h"
 #include "place/view.h"
 #include "scene/registry.h"
+#include "scene/species.h"
 
 namespace wold::advice {
 namespace {
@@ -49,7 +50,8 @@ double nearest_grass_m(const scene::Scene& scene, const Pose& pose) {
   const double down_rad =
       math::atan2(pose.eye_height_m - pose.target_height_m, ahead_m) + math::atan(half_height);
   if (down_rad <= 0.0) return std::numeric_limits<double>::infinity();
-  const double above_m = std::max(pose.eye_height_m - 0.5 * scene.grass.height_m, 1e-3);
+  const double above_m =
+      std::max(pose.eye_height_m - 0.5 * scene::mean_grass(scene).height_m, 1e-3);
   return above_m / math::sin(std::min(down_rad, glm::half_pi<double>()));
 }
 
@@ -105,8 +107,8 @@ void warn_of_far_cells(const scene::Scene& scene, std::vector<std::string>& warn
     if (pose.eye_m != pose.target_m)
       farthest_m = std::max(farthest_m, farthest_ground_m(scene, pose));
   farthest_m = std::min(farthest_m, place::farthest_standing_m(scene));
-  const double pixels =
-      place::pixels_per_radian(scene) * scene.grass.height_m / std::max(farthest_m, 1e-6);
+  const double pixels = place::pixels_per_radian(scene) * scene::mean_grass(scene).height_m /
+                        std::max(farthest_m, 1e-6);
   if (pixels >= place::least_standing) return;
   warnings.push_back(fmt::format(
       "grass {:.3g} m away is {:.2g} pixels high and still stands there as cells, which flicker "

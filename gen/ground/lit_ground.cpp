@@ -17,7 +17,7 @@ namespace {
 
 /// Mean colour of the meadow's grass by weathering degree, under `snow` and what the cells show.
 meadow::GrassColour grass_colour(const grass::WitheringPatch& patch,
-                                 const grass::AgeingModel& model, double snow,
+                                 const grass::MeadowModel& model, double snow,
                                  std::span<const meadow::CellChoice> choices) {
   constexpr int steps = 64;
   std::map<double, std::vector<glm::vec3>> colours = {{snow, {}}};
@@ -41,7 +41,7 @@ meadow::GrassColour grass_colour(const grass::WitheringPatch& patch,
 
 /// What combing does to the light of the frame's grass.
 meadow::CombedLight combed_light(const scene::Scene& scene, const place::Site& site, int frame,
-                                 const grass::BladePatch& patch, const grass::AgeingModel& model) {
+                                 const grass::BladePatch& patch, const grass::MeadowModel& model) {
   constexpr int fibres = 150;
   return {grass::representative_fibres(patch, model, fibres),
           meadow::frame_lighting(scene, site, frame), static_cast<float>(scene.grass.gloss)};
@@ -79,7 +79,7 @@ LitGround::LitGround(const scene::Scene& scene, const place::Site& site,
       haze_(site.day, landscape.camera.eye_m),
       combing_(scene, landscape.frame),
       snow_(meadow::canopy_snow(scene, frame_)),
-      model_(scene.ageing, scene.grass.specular),
+      model_(scene),
       patch_(scene, model_, /*variant=*/0),
       combed_(combed_light(scene, site, frame_, patch_.at(landscape.weathering, snow_), model_)) {
   if (scene.ageing.variety > 0.0)

@@ -62,7 +62,7 @@ class LitGround {
   Haze haze_;
   meadow::Combing combing_;
   double snow_;  ///< canopy_snow()
-  grass::AgeingModel model_;
+  grass::MeadowModel model_;
   grass::WitheringPatch patch_;
   meadow::CombedLight combed_;
   std::optional<meadow::Variety> variety_;  ///< of colour, if any

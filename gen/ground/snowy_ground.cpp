@@ -12,6 +12,7 @@
 #include "place/cell_window.h"
 #include "place/ground_grids.h"
 #include "place/view.h"
+#include "scene/species.h"
 #include "scene/winter.h"
 #include "snow/wet_ground.h"
 #include "terrain/lighting.h"
@@ -107,7 +108,7 @@ bool is_paper(const scene::Scene& scene) { return scene.snow_cover.cover == "pap
 }  // namespace
 
 SnowyGround::SnowyGround(const scene::Scene& scene, const place::Site& site, int frame)
-    : scene_(scene), site_(site), surface_(site.terrain) {
+    : scene_(scene), site_(site), grass_(scene::mean_grass(scene)), surface_(site.terrain) {
   if (!site.snow) return;
   wetness_ =
       snow::ground_wetness(site.snow->weather, scene::time_s(scene, frame), mean(site.terrain));
@@ -203,7 +204,7 @@ ColourMap SnowyGround::wetted(ColourMap bare) const {
 
 float SnowyGround::grass_above(const glm::dvec2& at_m) const {
   if (is_paper(scene_)) return 1.0F - white_->sample(at_m.x, at_m.y);
-  return share_above(scene_.grass, depth_m(at_m));
+  return share_above(grass_, depth_m(at_m));
 }
 
 FactorMap SnowyGround::above_snow(FactorMap growth) const {
@@ -222,7 +223,7 @@ ColourMap SnowyGround::reflectance(const ColourMap& bare, const FactorMap& growt
                                    const FactorMap& white_share) const {
   ColourMap map(white_share.samples(), white_share.square());
   const Grain grain(scene_.seed, map.step_m());
-  const double under_grass = place::canopy_transmittance(scene_.grass);
+  const double under_grass = place::canopy_transmittance(scene_);
   const glm::vec3 snow = snow_albedo(albedo_) / std::numbers::pi_v<float>;
   parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);

@@ -60,6 +60,7 @@ class SnowyGround {
 
   const scene::Scene& scene_;
   const place::Site& site_;
+  scene::Grass grass_;  ///< scene::mean_grass()
   Heightfield surface_;
   std::optional<terrain::GroundLight> light_;  ///< where it is not the site's
   std::optional<FactorMap> white_;             ///< share of the ground that is white

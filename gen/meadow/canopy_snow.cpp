@@ -6,6 +6,7 @@
 #include "core/elementary.h"
 #include "grass/geometry/snow_ridge.h"
 #include "place/site.h"
+#include "scene/species.h"
 #include "scene/winter.h"
 #include "snow/weather.h"
 
@@ -53,8 +54,8 @@ double intercepted_share(double leaf_area_index, double share,
 }
 
 double canopy_snow(const scene::Scene& scene, int frame) {
-  if (scene.snow_cover.cover != "depth" || scene.ageing.fur.clumps > 0) return 0.0;
-  const double leaf_area = place::leaf_area_index(scene.grass);
+  if (scene.snow_cover.cover != "depth" || scene::has_hair(scene)) return 0.0;
+  const double leaf_area = place::leaf_area_index(scene);
   const double caught_per_mm = canopy_cover(leaf_area) / canopy_capacity_mm(leaf_area);
   const double initial = -math::expm1(-caught_per_mm * scene.snow_cover.initial_mm);
   const snow::Weather weather(scene);

@@ -19,6 +19,7 @@
 #include "place/ground_grids.h"
 #include "place/view.h"
 #include "scene/key_frames.h"
+#include "scene/species.h"
 #include "terrain/horizon.h"
 #include "terrain/relief.h"
 
@@ -135,17 +136,29 @@ glm::dvec3 middle_of(const scene::Grass& grass, const Heightfield& terrain,
   return place::above_ground(terrain, centre_m(cell, grass.patch_m), grass.height_m / 2.0);
 }
 
+/// How far above the middle of the grass on a cell the longest blades may reach.
+double above_middle_m(const scene::Scene& scene) {
+  const double mean_m = scene::mean_grass(scene).height_m;
+  double most_m = 0.0;
+  for (const scene::Species& species : scene::species_of(scene)) {
+    const scene::Plant& plant = species.plant;
+    const double longer_m = 0.5 * (plant.height_m - mean_m);
+    most_m = std::max(most_m,
+                      plant.height_m * std::max(1.5, 0.5 + 2.2 * plant.height_spread) + longer_m);
+  }
+  return most_m;
+}
+
 /// What the camera sees of the cells.
 class Sight {
  public:
   Sight(const scene::Scene& scene, const Heightfield& terrain, const landscape::Camera& camera)
-      : grass_(scene.grass),
+      : grass_(scene::mean_grass(scene)),
         window_(scene),
         terrain_(terrain),
         eye_m_(camera.eye_m),
         view_(camera, scene.render.size_px[0], scene.render.size_px[1]),
-        margin_m_(1.75 * scene.grass.patch_m +  // half a cell and one more
-                  scene.grass.height_m * std::max(1.5, 0.5 + 2.2 * scene.grass.height_spread)) {}
+        margin_m_(1.75 * scene.grass.patch_m + above_middle_m(scene)) {}  // half a cell, one more
 
   bool may_see(const glm::dvec3& middle_m) const {
     return view_.may_see(middle_m, margin_m_) &&
@@ -161,7 +174,7 @@ class Sight {
     return terrain::is_hidden(terrain_, eye_m_, middle_m + glm::dvec3(0.0, 0.0, margin_m_));
   }
 
-  const scene::Grass& grass_;
+  scene::Grass grass_;
   place::CellWindow window_;
   const Heightfield& terrain_;
   glm::dvec3 eye_m_;
@@ -250,7 +263,7 @@ glm::dmat4 reach_to_neighbours(const Combing& combing, double patch_m,
 int turns_of_level(int voxels_per_side) { return voxels_per_side >= 200 ? 1 : 2; }
 
 int turns_of_level(const scene::Scene& scene, int level) {
-  if (scene.ageing.fur.clumps > 0) return 1;
+  if (scene::has_hair(scene)) return 1;
   return turns_of_level(scene.grass.levels[static_cast<std::size_t>(level)]);
 }
 
@@ -268,13 +281,14 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
   const Heightfield& ground = mesh ? *mesh : terrain;
   const Combing combing(scene, frame);
   const std::vector<double> key_frames = scene::key_frames(scene);
+  const scene::Grass grass = scene::mean_grass(scene);
   const Showing showing = {grass::PatchState::level_of(canopy_snow(scene, frame)),
                            light_of_frame(scene, frame)};
   const auto side = static_cast<std::size_t>(window.per_side);
   std::vector<std::vector<CellChoice>> rows(side);
   const auto consider = [&](const glm::ivec2& cell, const Texel& texel,
                             std::vector<CellChoice>& row) {
-    const glm::dvec3 middle_m = middle_of(scene.grass, terrain, cell);
+    const glm::dvec3 middle_m = middle_of(grass, terrain, cell);
     const Grown grown = grown_in(growth, cell, scene.grass.patch_m);
     if (grown.most <= 0.0F || !sight.may_see(middle_m)) return;
     CellChoice choice =
@@ -287,7 +301,7 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
                                               ground_tolerance_m);
     // Half-way up, so that they show as much too little above as too much below: along a line of
     // sight between them either would be a seam.
-    choice.reach = reach_to_neighbours(combing, patch_m, stance, 0.5 * scene.grass.height_m);
+    choice.reach = reach_to_neighbours(combing, patch_m, stance, 0.5 * grass.height_m);
     row.push_back(std::move(choice));
   };
   parallel_for(side, [&](std::size_t j) {

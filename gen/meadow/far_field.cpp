@@ -8,6 +8,7 @@
 #include "meadow/film_lights.h"
 #include "place/each_in_view.h"
 #include "scene/key_frames.h"
+#include "scene/species.h"
 #include "terrain/relief.h"
 
 namespace wold::meadow {
@@ -94,12 +95,13 @@ double far_share(const scene::Grass& grass, const place::CellWindow& window,
 bool has_far_field(const scene::Scene& scene, const Heightfield& terrain, const place::View& view) {
   constexpr int places = 64;
   const place::CellWindow window(scene);
+  const scene::Grass grass = scene::mean_grass(scene);
   for (int j = 0; j <= places; ++j)
     for (int i = 0; i <= places; ++i) {
       const glm::dvec2 at_m = glm::dvec2(i, j) * (terrain.size_m() / places);
       const glm::dvec3 place_m = place::above_ground(terrain, at_m, 0.0);
       if (view.may_see(place_m, terrain.size_m() / places) &&
-          far_share(scene.grass, window, view, place_m) > 0.0)
+          far_share(grass, window, view, place_m) > 0.0)
         return true;
     }
   return false;
@@ -125,8 +127,9 @@ void paint_far_grass(ColourMap& ground, const scene::Scene& scene, const Heightf
                      const FactorMap& growth, const ColourMap& light, const place::View& view,
                      const Meadow& meadow) {
   const place::CellWindow window(scene);
+  const scene::Grass meadow_grass = scene::mean_grass(scene);
   place::each_in_view(ground, terrain, view, [&](int i, int j, const glm::dvec3& at_m) {
-    const double share = far_share(scene.grass, window, view, at_m);
+    const double share = far_share(meadow_grass, window, view, at_m);
     const double grown = growth.sample(at_m.x, at_m.y);
     if (share <= 0.0 || (share >= 1.0 && grown <= 0.0)) return;
     const landscape::FarLook look = thickened(meadow.look(at_m), grown);
@@ -139,10 +142,11 @@ void paint_far_grass(ColourMap& ground, const scene::Scene& scene, const Heightf
 FactorMap standing_grass(const scene::Scene& scene, const Heightfield& terrain,
                          const FactorMap& growth, const place::View& view) {
   const place::CellWindow window(scene);
+  const scene::Grass grass = scene::mean_grass(scene);
   FactorMap factor(growth.samples(), growth.square());
   place::each_in_view(factor, terrain, view, [&](int i, int j, const glm::dvec3& at_m) {
     const glm::dvec2 gradient = terrain::gradient(terrain, at_m.x, at_m.y);
-    const double standing = 1.0 - far_share(scene.grass, window, view, at_m);
+    const double standing = 1.0 - far_share(grass, window, view, at_m);
     factor.at(i, j) = growth.at(i, j) * static_cast<float>(standing * slope_factor(gradient));
   });
   return factor;

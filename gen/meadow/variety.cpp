@@ -7,10 +7,11 @@
 #include "core/noise.h"
 #include "core/parallel.h"
 #include "core/random.h"
-#include "grass/mechanics/dynamics.h"
+#include "grass/mechanics/meadow_model.h"
 #include "grass/texel/fibres.h"
 #include "meadow/combed_light.h"
 #include "place/each_in_view.h"
+#include "scene/species.h"
 
 namespace wold::meadow {
 namespace {
@@ -18,11 +19,15 @@ namespace {
 constexpr double most_richness = 2.5;
 constexpr std::size_t degrees = 33;
 
-scene::Ageing enriched(scene::Ageing ageing, double richness) {
-  const double factor = math::exp(ageing.variety * richness);
-  ageing.chlorophyll_ug_cm2 *= factor;
-  ageing.brown_pigment /= factor;
-  return ageing;
+/// The meadow's species where the ground has that richness.
+std::vector<scene::Species> enriched(const scene::Scene& scene, double richness) {
+  const double factor = math::exp(scene.ageing.variety * richness);
+  std::vector<scene::Species> species = scene::species_of(scene);
+  for (scene::Species& one : species) {
+    one.physiology.chlorophyll_ug_cm2 *= factor;
+    one.physiology.brown_pigment /= factor;
+  }
+  return species;
 }
 
 /// Where a value in [0, 1] lies in a table of so many: the place before it, and how far beyond.
@@ -44,17 +49,15 @@ Variety::Variety(const scene::Scene& scene, const grass::WitheringPatch& patch, 
     : feature_m_(scene.ageing.variety_feature_m),
       key_(random_bits({scene.seed, key_of("variety"), 0, key_of("field")})),
       factors_(degrees) {
-  std::vector<grass::AgeingModel> models;
+  std::vector<grass::MeadowModel> models;
   const std::size_t count = ByRichness{}.size();
   for (std::size_t k = 0; k < count; ++k)
     models.emplace_back(
-        enriched(scene.ageing,
-                 most_richness * (2.0 * static_cast<double>(k) / (count - 1.0) - 1.0)),
-        scene.grass.specular);
+        enriched(scene, most_richness * (2.0 * static_cast<double>(k) / (count - 1.0) - 1.0)));
   parallel_for(degrees, [&](std::size_t degree) {
     const grass::BladePatch withered = patch.at(static_cast<double>(degree) / (degrees - 1), snow);
     ByRichness& factors = factors_[degree];
-    std::ranges::transform(models, factors.begin(), [&](const grass::AgeingModel& model) {
+    std::ranges::transform(models, factors.begin(), [&](const grass::MeadowModel& model) {
       constexpr int fibres = 150;
       const CombedLight light(grass::representative_fibres(withered, model, fibres), lighting,
                               static_cast<float>(scene.grass.gloss));

@@ -22,7 +22,7 @@ namespace wold::meadow {
 class Variety {
  public:
   /// `patch` is the scene's, `snow` in [0, 1] the share of what its blades can carry that lies on
-  /// them, `lighting` what it was baked for. Throws what AgeingModel's constructor throws.
+  /// them, `lighting` what it was baked for. Throws what MeadowModel's constructor throws.
   Variety(const scene::Scene& scene, const grass::WitheringPatch& patch, double snow,
           const grass::Lighting& lighting);
 

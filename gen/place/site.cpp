@@ -13,6 +13,7 @@
 #include "place/growth.h"
 #include "place/view.h"
 #include "scene/calendar.h"
+#include "scene/species.h"
 #include "scene/sun_path.h"
 #include "scene/winter.h"
 #include "terrain/ground.h"
@@ -53,7 +54,7 @@ GroundPart lit_part(const scene::Scene& scene, const Heightfield& terrain,
       terrain::ground_light(terrain, day, light_grid(terrain, grid, sketch));
   ColourMap reflectance =
       terrain::ground_reflectance(terrain, day.sun_direction(), scene.terrain, scene.seed, growth,
-                                  canopy_transmittance(scene.grass), grid);
+                                  canopy_transmittance(scene), grid);
   return {std::move(growth), std::move(light), std::move(reflectance)};
 }
 
@@ -74,7 +75,7 @@ GroundPart whole_ground(const scene::Scene& scene, const Heightfield& terrain,
   terrain::GroundLight light = terrain::ground_light(terrain, day);
   ColourMap reflectance =
       terrain::ground_reflectance(terrain, day.sun_direction(), scene.terrain, scene.seed, growth,
-                                  canopy_transmittance(scene.grass), picture_grid(scene));
+                                  canopy_transmittance(scene), picture_grid(scene));
   return {std::move(growth), std::move(light), std::move(reflectance)};
 }
 
@@ -174,15 +175,15 @@ Site site_of_frame(const scene::Scene& scene, const Site& site, int frame) {
   return now;
 }
 
-double leaf_area_index(const scene::Grass& grass) {
-  const double blade_m2 = 0.5 * grass.height_m * grass.width_m;
-  return grass.blades * blade_m2 / (grass.patch_m * grass.patch_m);
+double leaf_area_index(const scene::Scene& scene) {
+  const double patch_m = scene.grass.patch_m;
+  return scene::blade_area_m2(scene) / (patch_m * patch_m);
 }
 
-double canopy_transmittance(const scene::Grass& grass) {
+double canopy_transmittance(const scene::Scene& scene) {
   constexpr double ross = 0.5;
   constexpr double mean_slant_cosine = 0.5;
-  return math::exp(-ross * leaf_area_index(grass) / mean_slant_cosine);
+  return math::exp(-ross * leaf_area_index(scene) / mean_slant_cosine);
 }
 
 }  // namespace wold::place

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/elementary.h"
+#include "scene/species.h"
 
 namespace wold::place {
 
@@ -50,7 +51,7 @@ double pixels_per_radian(const scene::Scene& scene) {
 }
 
 double farthest_standing_m(const scene::Scene& scene) {
-  return pixels_per_radian(scene) * scene.grass.height_m /
+  return pixels_per_radian(scene) * scene::mean_grass(scene).height_m /
          (least_standing * scene.grass.far_pixels);
 }
 

@@ -12,28 +12,19 @@
 #include "scene/calendar.h"
 #include "scene/cloud_consistency.h"
 #include "scene/season_consistency.h"
+#include "scene/species.h"
+#include "scene/species_consistency.h"
 #include "scene/sun_position.h"
 #include "scene/text.h"
 
 namespace wold::scene {
 namespace {
 
-/// A rule about several keys: the keys, those to blame first, whether it holds, and what to say.
-struct Rule {
-  std::vector<std::string> keys;
-  bool holds;
-  std::string message;
-};
-
 /// Soil creep reaches about a metre in steps of a sample: its work grows as samples^4 / size^2, to
 /// about 10^10 operations at this limit.
 constexpr double most_samples_per_root_m = 376.0;
-/// Texels are cubes of voxels in memory; taller ones than this many patches exhaust it.
-constexpr double most_patches_high = 4.0;
 /// Square metres of leaf per square metre of ground; dense turf has 10.
 constexpr double most_leaf_area = 50.0;
-/// Standard deviations at which lengths and widths of blades are cut.
-constexpr double most_deviations = 2.2;
 /// What making a texel takes at its peak, measured: bytes for each point drawn and for each voxel
 /// that is kept, and how many of these a point makes where blades are few.
 constexpr double bytes_per_point = 120.0;
@@ -55,14 +46,6 @@ Rule looks_somewhere(const Camera& camera) {
           camera.eye_m != camera.target_m,
           fmt::format("camera.target: found [{}, {}] m, expected another place than camera.eye",
                       camera.target_m[0], camera.target_m[1])};
-}
-
-Rule veins_shrink_less(const Ageing& ageing) {
-  return {{"ageing.vein_shrinkage", "ageing.mesophyll_shrinkage"},
-          ageing.vein_shrinkage < ageing.mesophyll_shrinkage,
-          fmt::format("ageing.vein_shrinkage: found {}, expected less than {} "
-                      "(ageing.mesophyll_shrinkage): veins shrink less than the tissue around",
-                      ageing.vein_shrinkage, ageing.mesophyll_shrinkage)};
 }
 
 Rule file_exists(const std::string& key, const std::string& path) {
@@ -135,34 +118,13 @@ Rule ends_inside(const std::string& key, const std::vector<double>& end, double 
                                key, end[0], end[1], end[2], size_m)};
 }
 
-Rule keel_fits_the_blade(const Scene& scene) {
-  const Grass& grass = scene.grass;
-  return {{"grass.keel_depth", "grass.width", "ageing.droop_rule"},
-          scene.ageing.droop_rule != "elastica" || grass.keel_depth_m <= 0.5 * grass.width_m,
-          fmt::format("grass.keel_depth: found {} m, expected at most {} m, half of grass.width: a "
-                      "blade folded flat is no deeper",
-                      grass.keel_depth_m, 0.5 * grass.width_m)};
-}
-
-Rule hair_droops_by_the_papers_rule(const Ageing& ageing) {
-  return {{"ageing.droop_rule", "fur.clumps"},
-          ageing.fur.clumps == 0 || ageing.droop_rule == "paper",
-          fmt::format("ageing.droop_rule: found \"{}\", expected \"paper\" for fur (fur.clumps is "
-                      "{}): wet hairs are drawn together, not bowed by their weight",
-                      ageing.droop_rule, ageing.fur.clumps)};
-}
-
-Rule hair_moves_in_closed_form(const Ageing& ageing) {
-  return {
-      {"ageing.motion", "fur.clumps"},
-      ageing.fur.clumps == 0 || ageing.motion == "closed_form",
-      fmt::format("ageing.motion: found \"{}\", expected \"closed_form\" for fur (fur.clumps is "
-                  "{}): hairs stand up as they dry, Algorithm 1 lets blades fall",
-                  ageing.motion, ageing.fur.clumps)};
-}
-
 Rule a_texel_is_one_sample_of_grass(const Scene& scene) {
-  const bool hair = scene.ageing.fur.clumps > 0;
+  const bool hair = has_hair(scene);
+  if (!scene.species.empty())
+    return {
+        {"grass.from_texel", "species[1]"},
+        scene.grass.from_texel.empty(),
+        "grass.from_texel: found a volume, expected \"\" with [[species]], which are scattered"};
   return {{"grass.from_texel", "grass.mingle", "fur.clumps"},
           scene.grass.from_texel.empty() || (scene.grass.mingle.empty() && !hair),
           hair ? "grass.from_texel: found a volume, expected \"\" for fur (fur.clumps)"
@@ -189,21 +151,9 @@ Rule heights_are_coarse_enough(const Terrain& terrain) {
                   terrain.samples, most, terrain.size_m)};
 }
 
-double tallest_m(const Grass& grass) {
-  return grass.height_m * (1.0 + most_deviations * grass.height_spread);
-}
-
-Rule blades_fit_the_patch(const Grass& grass) {
-  return {{"grass.height", "grass.patch", "grass.height_spread"},
-          tallest_m(grass) <= most_patches_high * grass.patch_m,
-          fmt::format("grass.height: found {} m, with grass.height_spread up to {} m, expected at "
-                      "most {} times grass.patch ({} m)",
-                      grass.height_m, tallest_m(grass), most_patches_high, grass.patch_m)};
-}
-
-Rule blades_leave_room(const Grass& grass) {
-  const double leaf_area =
-      0.5 * grass.blades * grass.height_m * grass.width_m / (grass.patch_m * grass.patch_m);
+Rule blades_leave_room(const Scene& scene) {
+  const Grass& grass = scene.grass;
+  const double leaf_area = blade_area_m2(scene) / (grass.patch_m * grass.patch_m);
   return {{"grass.blades", "grass.patch", "grass.width", "grass.height"},
           leaf_area <= most_leaf_area,
           fmt::format("grass.blades: found {} blades, {:.0f} m2 of leaf on each m2 of ground, "
@@ -211,28 +161,11 @@ Rule blades_leave_room(const Grass& grass) {
                       grass.blades, leaf_area, most_leaf_area)};
 }
 
-Rule blades_are_narrower_than_the_patch(const Grass& grass) {
-  const double widest_m = grass.width_m * (1.0 + most_deviations * grass.width_spread);
-  return {
-      {"grass.width", "grass.patch", "grass.width_spread"},
-      widest_m < grass.patch_m,
-      fmt::format("grass.width: found {} m, with grass.width_spread up to {:.3g} m, expected less "
-                  "than grass.patch ({} m)",
-                  grass.width_m, widest_m, grass.patch_m)};
-}
-
-Rule every_sample_has_a_blade(const Grass& grass) {
-  return {{"grass.mingle", "grass.blades"},
-          grass.mingle.size() <= static_cast<std::size_t>(grass.blades),
-          fmt::format("grass.mingle: found {} samples, expected at most one for each of the {} "
-                      "blades of a patch (grass.blades)",
-                      grass.mingle.size(), grass.blades)};
-}
-
 /// Points drawn of a patch: grass.proportion of them per voxel's face of leaf, of which a cone
 /// shows pi / 8 of height times width on average.
-double points_of_patch(const Grass& grass) {
-  const double leaf_m2 = grass.blades * std::numbers::pi / 8.0 * grass.height_m * grass.width_m;
+double points_of_patch(const Scene& scene) {
+  const Grass& grass = scene.grass;
+  const double leaf_m2 = std::numbers::pi / 4.0 * blade_area_m2(scene);
   const double voxel_m = grass.patch_m / grass.levels.front();
   return grass.proportion * leaf_m2 / (voxel_m * voxel_m);
 }
@@ -240,8 +173,11 @@ double points_of_patch(const Grass& grass) {
 Rule texels_fit_in_memory(const Scene& scene) {
   const Grass& grass = scene.grass;
   const double side = grass.levels.front();
-  const double height_voxels = std::ceil(tallest_m(grass) / grass.patch_m * side);
-  const double points = points_of_patch(grass);
+  double longest_m = 0.0;
+  for (const Species& species : species_of(scene))
+    longest_m = std::max(longest_m, longest_blade_m(species.plant));
+  const double height_voxels = std::ceil(longest_m / grass.patch_m * side);
+  const double points = points_of_patch(scene);
   const double voxels = std::min(voxels_per_point * points, side * side * height_voxels);
   const int threads = scene.render.threads > 0
                           ? scene.render.threads
@@ -269,13 +205,10 @@ SourcePosition blamed_place(const Rule& rule, const Places& places) {
 
 void report_contradictions(const Scene& scene, const Places& places,
                            std::vector<Problem>& problems) {
-  const std::vector<Rule> rules = {
+  std::vector<Rule> rules = {
       patch_fits(scene),
       heights_are_coarse_enough(scene.terrain),
-      blades_fit_the_patch(scene.grass),
-      blades_leave_room(scene.grass),
-      blades_are_narrower_than_the_patch(scene.grass),
-      every_sample_has_a_blade(scene.grass),
+      blades_leave_room(scene),
       texels_fit_in_memory(scene),
       file_exists("terrain.elevation", scene.terrain.elevation),
       file_exists("growth.mask", scene.growth.mask),
@@ -288,10 +221,6 @@ void report_contradictions(const Scene& scene, const Places& places,
       has_all_or_none("camera.target_end", scene.camera.target_end.size(), 3, "three"),
       has_all_or_none("sun.date", scene.sun.date.size(), 3, "three"),
       has_all_or_none("sun.end", scene.sun.end.size(), 2, "two"),
-      veins_shrink_less(scene.ageing),
-      keel_fits_the_blade(scene),
-      hair_droops_by_the_papers_rule(scene.ageing),
-      hair_moves_in_closed_form(scene.ageing),
       inside_terrain("camera.eye", scene.camera.eye_m, scene.terrain.size_m),
       inside_terrain("camera.target", scene.camera.target_m, scene.terrain.size_m),
       date_is_a_day(scene.sun),
@@ -301,6 +230,7 @@ void report_contradictions(const Scene& scene, const Places& places,
       ends_inside("camera.eye_end", scene.camera.eye_end, scene.terrain.size_m),
       ends_inside("camera.target_end", scene.camera.target_end, scene.terrain.size_m),
   };
+  for (Rule& rule : species_rules(scene)) rules.push_back(std::move(rule));
   for (const Rule& rule : rules) {
     const bool judged = std::none_of(rule.keys.begin(), rule.keys.end(),
                                      [&](const auto& key) { return places.failed.count(key) > 0; });

@@ -15,8 +15,8 @@ struct Range {
   double highest;
 };
 
-inline Key plain(Kind kind, const char* name, const char* unit, Range range, const char* doc) {
-  return {.name = name,
+inline Key plain(Kind kind, std::string name, const char* unit, Range range, const char* doc) {
+  return {.name = std::move(name),
           .unit = unit,
           .doc = doc,
           .kind = kind,
@@ -30,39 +30,39 @@ inline Key plain(Kind kind, const char* name, const char* unit, Range range, con
           .set = {}};
 }
 
-inline Key number(const char* name, const char* unit, Range range, const char* doc) {
-  return plain(Kind::number, name, unit, range, doc);
+inline Key number(std::string name, const char* unit, Range range, const char* doc) {
+  return plain(Kind::number, std::move(name), unit, range, doc);
 }
 
-inline Key integer(const char* name, const char* unit, Range range, const char* doc) {
-  return plain(Kind::integer, name, unit, range, doc);
+inline Key integer(std::string name, const char* unit, Range range, const char* doc) {
+  return plain(Kind::integer, std::move(name), unit, range, doc);
 }
 
-inline Key word(const char* name, std::vector<std::string> words, const char* doc) {
-  Key key = plain(Kind::word, name, "", {0, 0}, doc);
+inline Key word(std::string name, std::vector<std::string> words, const char* doc) {
+  Key key = plain(Kind::word, std::move(name), "", {0, 0}, doc);
   key.words = std::move(words);
   return key;
 }
 
-inline Key curve(const char* name, std::vector<std::string> words, const char* doc) {
-  Key key = plain(Kind::curve, name, "", {0, 1}, doc);
+inline Key curve(std::string name, std::vector<std::string> words, const char* doc) {
+  Key key = plain(Kind::curve, std::move(name), "", {0, 1}, doc);
   key.words = std::move(words);
   key.points = {.fewest = 2, .most = 1000};
   return key;
 }
 
-inline Key rates(const char* name, std::vector<std::string> words, std::size_t most,
+inline Key rates(std::string name, std::vector<std::string> words, std::size_t most,
                  const char* doc) {
-  Key key = curve(name, std::move(words), doc);
+  Key key = curve(std::move(name), std::move(words), doc);
   key.kind = Kind::curves;
   key.list = {.fewest = 0, .most = most};
   key.points.order = Order::not_falling;
   return key;
 }
 
-inline Key list(Kind kind, const char* name, const char* unit, Range range, ListRule rule,
+inline Key list(Kind kind, std::string name, const char* unit, Range range, ListRule rule,
                 const char* doc) {
-  Key key = plain(kind, name, unit, range, doc);
+  Key key = plain(kind, std::move(name), unit, range, doc);
   key.list = rule;
   return key;
 }
@@ -73,8 +73,8 @@ inline Key only(Key key, std::vector<std::int64_t> members) {
 }
 
 /// A number, or "auto".
-inline Key automatic(const char* name, const char* unit, Range range, const char* doc) {
-  return plain(Kind::automatic, name, unit, range, doc);
+inline Key automatic(std::string name, const char* unit, Range range, const char* doc) {
+  return plain(Kind::automatic, std::move(name), unit, range, doc);
 }
 
 }  // namespace wold::scene

@@ -166,18 +166,55 @@ bool is_read_or_reported_with_its_table(const Entry& entry, const Reading& readi
   return !is_table(entry.table) && reading.places.given.count(entry.table) == 0;
 }
 
-void apply_entries(const Document& document, const fs::path& folder, Reading& reading) {
-  for (const Entry& entry : document.entries) {
-    if (!is_read_or_reported_with_its_table(entry, reading)) apply(entry, folder, reading);
-  }
+bool is_of_item(const Entry& entry, const Reading& reading) {
+  return reading.item_keys.contains(entry.name);
 }
 
-void apply_override(const std::string& text, Reading& reading) {
-  try {
-    apply(read_override(text), fs::path(), reading);
-  } catch (const InputError& error) {
-    reading.problems.insert(reading.problems.end(), error.problems().begin(),
-                            error.problems().end());
+/// An assignment of the command line, and what was wrong with it: said in the order that they stand
+/// in there, whichever is applied first.
+struct Override {
+  std::optional<Entry> entry;
+  std::vector<Problem> problems;
+};
+
+std::vector<Override> read_overrides(std::span<const std::string> texts) {
+  std::vector<Override> overrides;
+  for (const std::string& text : texts) {
+    Override& override = overrides.emplace_back();
+    try {
+      override.entry = read_override(text);
+    } catch (const InputError& error) {
+      override.problems = error.problems();
+    }
+  }
+  return overrides;
+}
+
+void apply(Override& override, Reading& reading) {
+  const auto before = static_cast<std::ptrdiff_t>(reading.problems.size());
+  apply(*override.entry, fs::path(), reading);
+  const auto found = reading.problems.begin() + before;
+  override.problems.assign(found, reading.problems.end());
+  reading.problems.erase(found, reading.problems.end());
+}
+
+/// The keys of single tables, or those of items of arrays: the text's, then the command line's.
+void apply_entries(const Document& document, std::span<Override> overrides, const fs::path& folder,
+                   bool of_items, Reading& reading) {
+  for (const Entry& entry : document.entries)
+    if (!is_read_or_reported_with_its_table(entry, reading) &&
+        is_of_item(entry, reading) == of_items)
+      apply(entry, folder, reading);
+  for (Override& override : overrides)
+    if (override.entry && is_of_item(*override.entry, reading) == of_items)
+      apply(override, reading);
+}
+
+/// Gives all items what single tables say for them.
+void take_common(Scene& scene) {
+  for (const TableArray& array : table_arrays()) {
+    if (!array.take_common) continue;
+    for (std::size_t item = 0; item < array.count(scene); ++item) array.take_common(scene, item);
   }
 }
 
@@ -214,8 +251,14 @@ Scene parse_scene(std::string_view text, const std::string& file_name,
   Reading reading;
   report_unknown_tables(document, reading);
   append_items(document, reading);
-  apply_entries(document, fs::path(file_name).parent_path(), reading);
-  for (const std::string& override_text : overrides) apply_override(override_text, reading);
+  std::vector<Override> assigned = read_overrides(overrides);
+  const fs::path folder = fs::path(file_name).parent_path();
+  apply_entries(document, assigned, folder, /*of_items=*/false, reading);
+  take_common(reading.scene);
+  apply_entries(document, assigned, folder, /*of_items=*/true, reading);
+  for (const Override& override : assigned)
+    reading.problems.insert(reading.problems.end(), override.problems.begin(),
+                            override.problems.end());
   report_contradictions(reading.scene, reading.places, reading.problems);
   sort_by_line(reading.problems);
   if (!reading.problems.empty()) throw InputError(std::move(reading.problems));

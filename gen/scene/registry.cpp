@@ -21,8 +21,17 @@ std::vector<Key> all_keys() {
   return all;
 }
 
+/// A species is what [grass], [ageing] and [fur] say, as far as its own keys do not.
+void take_common(Scene& scene, std::size_t item) {
+  scene.species[item].plant = scene.grass;
+  scene.species[item].physiology = scene.ageing;
+}
+
 std::vector<TableArray> all_arrays() {
-  return {{"clouds", "layer of clouds", most_cloud_layers,
+  return {{"species", "kind of plant", most_species,
+           [](const Scene& scene) { return scene.species.size(); },
+           [](Scene& scene) { scene.species.emplace_back(); }, species_keys, take_common},
+          {"clouds", "layer of clouds", most_cloud_layers,
            [](const Scene& scene) { return scene.clouds.size(); },
            [](Scene& scene) { scene.clouds.emplace_back(); }, cloud_keys},
           {"cloud_events", "event on the clouds' time line", most_cloud_events,

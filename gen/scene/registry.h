@@ -75,6 +75,9 @@ struct TableArray {
   std::function<void(Scene&)> append;  ///< one more item, of defaults
   /// The keys of the item with that index, from 0: "clouds.kind", ...
   std::function<std::vector<Key>(std::size_t item)> keys;
+  /// Gives the item with that index what single tables say for all items; none: nothing does. To be
+  /// called when these have been read and before the item's own keys are.
+  std::function<void(Scene&, std::size_t item)> take_common = {};
 };
 
 /// All keys of tables that stand once, table by table, in the order they are written.

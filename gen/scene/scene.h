@@ -58,9 +58,8 @@ struct Growth {
   bool operator==(const Growth&) const = default;
 };
 
-struct Grass {
-  double patch_m = 0.6;  ///< side of the tile
-  int blades = 400;      ///< per patch, of all samples together
+/// The blades of a species while they are fresh, and in which order they age.
+struct Plant {
   /// Ageing rates wd_i = Mg_i(wd) of the samples that are mingled; none: one sample that ages as
   /// the meadow does.
   std::vector<CurveChoice> mingle;
@@ -73,7 +72,16 @@ struct Grass {
   double bend = 1.0;             ///< droop of fresh blades, rad per sqrt(m); the paper's rule
   double keel_depth_m = 0.0011;  ///< of a mean blade's fold, edges to keel; the elastica's
   double specular = 0.12;        ///< Kajiya-Kay specular coefficient ms
-  double gloss = 24.0;           ///< Kajiya-Kay exponent p
+
+  bool operator==(const Plant&) const = default;
+};
+
+/// The meadow's patch and what it is drawn with. Its plant is that of the only species, or what
+/// [[species]] have in common.
+struct Grass : Plant {
+  double patch_m = 0.6;  ///< side of the tile
+  int blades = 400;      ///< per patch, of all species and samples together
+  double gloss = 24.0;   ///< Kajiya-Kay exponent p
   int variants = 4;
   std::vector<int> levels = {254, 126, 62, 30};  ///< voxels per side, finest first
   double proportion = 2.5;                       ///< points per unit optical depth of a voxel
@@ -96,8 +104,8 @@ struct Fur {
   bool operator==(const Fur&) const = default;
 };
 
-/// The physical-biological model of withering.
-struct Ageing {
+/// The physical-biological model of withering: what becomes of the blades of a species.
+struct Physiology {
   CurveChoice water = {"standard", {}};        ///< relative water content over weathering degree
   CurveChoice chlorophyll = {"standard", {}};  ///< relative chlorophyll content
   std::string colour = "prospect";             ///< "prospect", "paper" or "melanin"
@@ -115,8 +123,15 @@ struct Ageing {
   double litter = 0.12;        ///< share of dead blades of the year before in a fresh meadow
   double chlorophyll_ug_cm2 = 31.5;
   double carotenoid_ug_cm2 = 3.5;
-  double brown_pigment = 0.6;        ///< of a dead leaf, PROSPECT's arbitrary unit
-  Fur fur;                           ///< how it is combed and coloured when it is hair
+  double brown_pigment = 0.6;  ///< of a dead leaf, PROSPECT's arbitrary unit
+  Fur fur;                     ///< how it is combed and coloured when it is hair
+
+  bool operator==(const Physiology&) const = default;
+};
+
+/// How the meadow withers, place by place and frame by frame. Its physiology is that of the only
+/// species, or what [[species]] have in common.
+struct Ageing : Physiology {
   double variation = 0.10;           ///< amplitude of the weathering field on the ground
   double variation_feature_m = 7.0;  ///< its feature size
   double variety = 0.3;              ///< of pigments on the ground, standard deviation of their log
@@ -124,6 +139,16 @@ struct Ageing {
   std::vector<double> frames = {0.0, 0.30, 0.917};  ///< weathering degree of each frame
 
   bool operator==(const Ageing&) const = default;
+};
+
+/// One kind of plant of a meadow.
+struct Species {
+  std::string name = "grass";
+  double share = 1.0;  ///< of the patch's blades, relative to the other species' shares
+  Plant plant;
+  Physiology physiology;
+
+  bool operator==(const Species&) const = default;
 };
 
 struct Sun {
@@ -314,6 +339,7 @@ struct Scene {
   Growth growth;
   Grass grass;
   Ageing ageing;
+  std::vector<Species> species;  ///< empty: the one of grass and ageing; see species.h
   Sun sun;
   Sky sky;
   Wind wind;

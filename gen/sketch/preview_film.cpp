@@ -18,6 +18,7 @@
 #include "meadow/film_lights.h"
 #include "place/cell_window.h"
 #include "scene/key_frames.h"
+#include "scene/species.h"
 
 namespace wold::sketch {
 namespace fs = std::filesystem;
@@ -36,7 +37,7 @@ double standing_pixels(const scene::Scene& scene) {
   const double blades_per_m2 = scene.grass.blades / (scene.grass.patch_m * scene.grass.patch_m);
   const double radius_m = std::sqrt(most_blades / blades_per_m2 / half_angle);
   const double pixels_per_radian = 0.5 * scene.render.size_px[0] / math::tan(half_angle);
-  return scene.grass.height_m * pixels_per_radian / radius_m;
+  return scene::mean_grass(scene).height_m * pixels_per_radian / radius_m;
 }
 
 /// Some of the key frames: between two of them looks are mixed.

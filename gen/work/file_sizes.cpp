@@ -10,6 +10,7 @@
 #include "place/cell_window.h"
 #include "place/ground_grids.h"
 #include "scene/key_frames.h"
+#include "scene/species.h"
 #include "sky/cloud_boxes.h"
 
 namespace wold::work {
@@ -93,7 +94,7 @@ VolumeSize volume_size(const scene::Grass& grass, int level, double weathering, 
 }
 
 VolumeSizes::VolumeSizes(const scene::Scene& scene)
-    : grass_(scene.grass), key_frames_(scene::key_frames(scene)) {}
+    : grass_(scene::mean_grass(scene)), key_frames_(scene::key_frames(scene)) {}
 
 VolumeSize VolumeSizes::of(const grass::PatchState& state, int level) const {
   return volume_size(grass_, level, key_frames_.at(static_cast<std::size_t>(state.key_frame)),

@@ -27,7 +27,7 @@ class VolumeSizes {
   VolumeSize of(const grass::PatchState& state, int level) const;
 
  private:
-  const scene::Grass& grass_;
+  scene::Grass grass_;
   std::vector<double> key_frames_;
 };
 

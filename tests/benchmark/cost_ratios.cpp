@@ -93,7 +93,8 @@ struct Patch {
   Patch()
       : model(scene.ageing, scene.grass.specular),
         shape{254, 254, scene.grass.patch_m / 254},
-        blades(grass::scatter_blades(scene.grass, scene.ageing, scene.seed, 0)),
+        blades(grass::scatter_blades(scene.grass, scene.ageing,
+                                     {scene.grass.patch_m, scene.grass.blades, scene.seed, 0})),
         dynamics(model, blades, grass::sample_points(blades, shape, scene.grass.proportion, 1),
                  0.1 * shape.voxel_m) {
     dynamics.advance_to(0.0);

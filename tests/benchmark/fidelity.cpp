@@ -133,7 +133,7 @@ struct Worst {
 class Meadow {
  public:
   Meadow()
-      : model_(scene_.ageing, scene_.grass.specular),
+      : model_(scene_),
         lighting_(make_lighting(light::Daylight(scene_.sun, scene_.sky), {0.0, -1.0, 0.0})),
         look_{static_cast<float>(scene_.grass.gloss), scene_.grass.width_m},
         shape_(
@@ -210,7 +210,7 @@ class Meadow {
   }
 
   scene::Scene scene_;
-  AgeingModel model_;
+  MeadowModel model_;
   Lighting lighting_;
   FibreLook look_;
   TexelShape shape_;

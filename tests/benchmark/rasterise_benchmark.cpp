@@ -36,7 +36,8 @@ struct Patch {
   explicit Patch(int blade_count = 400) {
     scene.grass.blades = blade_count;
     scene.grass.patch_m *= std::sqrt(blade_count / 400.0);
-    blades = scatter_blades(scene.grass, scene.ageing, scene.seed, 0);
+    blades = scatter_blades(scene.grass, scene.ageing,
+                            {scene.grass.patch_m, scene.grass.blades, scene.seed, 0});
     // 254 voxels along the default patch: the same voxel for any number of blades.
     const double voxel_m = scene::Scene().grass.patch_m / 254;
     shape = {static_cast<int>(std::lround(scene.grass.patch_m / voxel_m)), 254, voxel_m};

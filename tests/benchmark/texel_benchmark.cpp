@@ -59,7 +59,8 @@ double peak_memory_gb() {
 struct Sample {
   Sample() {
     scene.grass.blades = 100;
-    blades = scatter_blades(scene.grass, scene.ageing, scene.seed, 0);
+    blades = scatter_blades(scene.grass, scene.ageing,
+                            {scene.grass.patch_m, scene.grass.blades, scene.seed, 0});
     shape = {254, 254, scene.grass.patch_m / 254};
     points = sample_points(blades, shape, scene.grass.proportion, 1);
   }

@@ -218,12 +218,12 @@ TEST(WeatheringTint, RestoresTheWantedColour) {
 }
 
 TEST(CanopyTransmittance, IsBeersLaw) {
-  scene::Grass grass;  // 900 blades of 1 m x 0.01 m halved, on 1.5 m2: leaf area index 3
-  grass.patch_m = std::sqrt(1.5);
-  grass.blades = 900;
-  grass.height_m = 1.0;
-  grass.width_m = 0.01;
-  EXPECT_NEAR(place::canopy_transmittance(grass), 0.22313 * 0.22313,
+  scene::Scene scene;  // 900 blades of 1 m x 0.01 m halved, on 1.5 m2: leaf area index 3
+  scene.grass.patch_m = std::sqrt(1.5);
+  scene.grass.blades = 900;
+  scene.grass.height_m = 1.0;
+  scene.grass.width_m = 0.01;
+  EXPECT_NEAR(place::canopy_transmittance(scene), 0.22313 * 0.22313,
               1e-5);  // exp(-G LAI) along twice
 }
 

@@ -12,7 +12,7 @@ namespace {
 TEST(ScatterBlades, DrawsTheSceneDistributionsOnePerCell) {
   scene::Grass grass;
   grass.blades = 2500;  // 50 x 50 cells
-  const auto blades = scatter_blades(grass, {}, 3, 1);
+  const auto blades = scatter_blades(grass, {}, {grass.patch_m, grass.blades, 3, 1});
   ASSERT_EQ(blades.size(), 2500U);
   std::vector<int> taken(2500, 0);
   double length = 0.0;
@@ -31,15 +31,15 @@ TEST(ScatterBlades, AreAsWideAsAskedFor) {
   scene::Grass grass;
   grass.blades = 2500;
   double width = 0.0;
-  for (const Blade& blade : scatter_blades(grass, {}, 3, 1))
+  for (const Blade& blade : scatter_blades(grass, {}, {grass.patch_m, grass.blades, 3, 1}))
     width += 2.0 * double{blade.radius_m} / 2500.0;
   EXPECT_NEAR(width / grass.width_m, 1.0, 0.03);
 }
 
 TEST(ScatterBlades, VariantsDiffer) {
   const scene::Grass grass;
-  const auto a = scatter_blades(grass, {}, 3, 0);
-  const auto b = scatter_blades(grass, {}, 3, 1);
+  const auto a = scatter_blades(grass, {}, {grass.patch_m, grass.blades, 3, 0});
+  const auto b = scatter_blades(grass, {}, {grass.patch_m, grass.blades, 3, 1});
   int same = 0;
   for (std::size_t i = 0; i < a.size(); ++i) same += a[i].length_m == b[i].length_m ? 1 : 0;
   EXPECT_LE(same, 40);  // both ends of the length's range are cut

@@ -11,10 +11,12 @@
 namespace wold::grass {
 namespace {
 
-const AgeingModel& model() {
-  static const AgeingModel shared(test::small_scene().ageing, 0.1);
+const MeadowModel& meadow() {
+  static const MeadowModel shared(test::small_scene());
   return shared;
 }
+
+const AgeingModel& model() { return meadow().of_species(0); }
 
 BladePatch patch_of(std::vector<Blade> blades, double weathering = 0.0) {
   BladePatch patch{test::small_scene().grass.patch_m, std::move(blades), {}, {}};
@@ -42,7 +44,7 @@ TEST(BladeTubes, ShowAsMuchAsTheCones) {
   const BladePatch patch = patch_of(test::small_blades());
   double cones = 0.0;
   for (const Blade& blade : patch.blades) cones += cone_area_m2(blade);
-  const Tubes tubes = blade_tubes(patch, model(), test::slanting_light(), {24.0F, 0.006});
+  const Tubes tubes = blade_tubes(patch, meadow(), test::slanting_light(), {24.0F, 0.006});
   EXPECT_EQ(tubes.count(), patch.blades.size());
   EXPECT_NEAR(surface_m2(tubes) / 4.0 / cones, 1.0, 0.01);
 }
@@ -51,7 +53,7 @@ TEST(BladeTubes, ShowAsMuchAsTheCones) {
 TEST(BladeTubes, ABladeAloneIsInFullLight) {
   const BladePatch patch = patch_of({test::straight_blade()});
   const Lighting lighting = test::slanting_light();
-  const Tubes tubes = blade_tubes(patch, model(), lighting, {24.0F, 0.006});
+  const Tubes tubes = blade_tubes(patch, meadow(), lighting, {24.0F, 0.006});
   const glm::vec3 tangent(patch.blades[0].heading * std::sin(patch.blades[0].lean),
                           std::cos(patch.blades[0].lean));
   glm::vec3 sky(0.0F);
@@ -76,7 +78,7 @@ TEST(BladeTubes, TheFrontOneShadowsTheOneBehind) {
   Lighting lighting = test::slanting_light();
   lighting.sun_direction = direction_at(45.0 * test::degree, 0.0);
   for (glm::vec3& radiance : lighting.sky_radiance) radiance = glm::vec3(0.0F);
-  const Tubes tubes = blade_tubes(patch_of({front, behind}), model(), lighting, {24.0F, 0.006});
+  const Tubes tubes = blade_tubes(patch_of({front, behind}), meadow(), lighting, {24.0F, 0.006});
   // The sun comes down at 45 degrees from 5 cm away: the front's tip at 18 cm shades up to 13 cm,
   // less where the tip is narrow.
   for (int ring = 0; ring < tubes.rings; ++ring) {

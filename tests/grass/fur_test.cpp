@@ -46,7 +46,8 @@ struct Coat {
   explicit Coat(double weathering) {
     const scene::Scene scene = small_fur();
     const AgeingModel model(scene.ageing, 0.1);
-    for (const Blade& hair : scatter_blades(scene.grass, scene.ageing, 7, 0)) {
+    for (const Blade& hair : scatter_blades(scene.grass, scene.ageing,
+                                            {scene.grass.patch_m, scene.grass.blades, 7, 0})) {
       tips.push_back(tip(model, hair, weathering));
       height_m += double{tips.back().z} / scene.grass.blades;
       combed_m += double{glm::dot(glm::vec2(tips.back()) - hair.root_m, glm::vec2(1.0F, 0.0F))} /

@@ -60,7 +60,8 @@ TEST(AgeingCurves, LeavesYellowFastAndTheMeadowSlowly) {
     const double weathering = step / 20.0;
     double sum = 0.0;
     int blades = 0;
-    for (const Blade& blade : scatter_blades(scene.grass, scene.ageing, scene.seed, 0)) {
+    for (const Blade& blade : scatter_blades(
+             scene.grass, scene.ageing, {scene.grass.patch_m, scene.grass.blades, scene.seed, 0})) {
       if (blade.head_start >= 0.8F) continue;
       ++blades;
       for (const double along : {0.1, 0.3, 0.5, 0.7, 0.9})

@@ -15,7 +15,8 @@ namespace {
 Texel patch(std::uint64_t seed, double weathering) {
   const scene::Scene scene = test::small_scene();
   const AgeingModel model(scene.ageing, scene.grass.specular);
-  const auto blades = scatter_blades(scene.grass, scene.ageing, seed, 0);
+  const auto blades =
+      scatter_blades(scene.grass, scene.ageing, {scene.grass.patch_m, scene.grass.blades, seed, 0});
   PointDynamics dynamics(model, blades, sample_points(blades, test::small_shape(), 6.0, seed), 0.0);
   dynamics.advance_to(weathering);
   return rasterise_points(dynamics.points(), test::small_shape());

@@ -25,8 +25,8 @@ scene::Scene mingled(const std::vector<std::string>& rates, int blades) {
 /// The samples of a scene on the small texel, and what drives them.
 struct Meadow {
   explicit Meadow(const scene::Scene& scene)
-      : model(scene.ageing, scene.grass.specular), samples(scene, test::small_shape(), 0, model) {}
-  AgeingModel model;
+      : model(scene), samples(scene, test::small_shape(), 0, model) {}
+  MeadowModel model;
   Samples samples;
 };
 
@@ -110,16 +110,16 @@ TEST(Samples, StepToWhereTheBladesOfThePatchAre) {
 
 TEST(Samples, HaveBladesOfTheirOwn) {
   scene::Scene scene = mingled({"steady", "steady"}, 200);
-  const auto first = scatter_blades(scene.grass, scene.ageing, scene.seed, 0, 0);
-  const auto second = scatter_blades(scene.grass, scene.ageing, scene.seed, 0, 1);
-  const auto variant = scatter_blades(scene.grass, scene.ageing, scene.seed, 1, 0);
+  const auto first = sample_blades(scene, 0, 0);
+  const auto second = sample_blades(scene, 0, 1);
+  const auto variant = sample_blades(scene, 1, 0);
   for (std::size_t i = 0; i < first.size(); ++i) {
     EXPECT_NE(first[i].root_m, second[i].root_m);
     EXPECT_NE(second[i].root_m, variant[i].root_m);
   }
   // The first sample's are those of a patch that has as many and is not mingled.
   scene = mingled({}, 100);
-  const auto alone = scatter_blades(scene.grass, scene.ageing, scene.seed, 0);
+  const auto alone = sample_blades(scene, 0, 0);
   ASSERT_EQ(alone.size(), first.size());
   for (std::size_t i = 0; i < first.size(); ++i) {
     EXPECT_EQ(alone[i].root_m, first[i].root_m);

@@ -35,7 +35,7 @@ inline TexelShape small_shape(int side = 62) {
 
 inline std::vector<Blade> small_blades() {
   const scene::Scene scene = small_scene();
-  return scatter_blades(scene.grass, scene.ageing, 7, 0);
+  return scatter_blades(scene.grass, scene.ageing, {scene.grass.patch_m, scene.grass.blades, 7, 0});
 }
 
 inline Blade straight_blade() {

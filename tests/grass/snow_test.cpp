@@ -21,13 +21,11 @@ scene::Scene scene_with(const std::string& droop_rule) {
 /// A meadow's samples at one weathering degree, under snow.
 struct Meadow {
   explicit Meadow(const scene::Scene& of, double weathering = 0.2)
-      : scene(of),
-        model(scene.ageing, scene.grass.specular),
-        samples(scene, test::small_shape(104), 0, model) {
+      : scene(of), model(scene), samples(scene, test::small_shape(104), 0, model) {
     samples.advance_to(weathering);
   }
   scene::Scene scene;
-  AgeingModel model;
+  MeadowModel model;
   Samples samples;
 };
 
@@ -61,7 +59,7 @@ glm::dvec3 seen_albedo(const Texel& texel, const glm::dvec3& direction) {
 }
 
 /// The same of opaque blades, z > 0.
-glm::dvec3 seen_albedo(const BladePatch& patch, const AgeingModel& model,
+glm::dvec3 seen_albedo(const BladePatch& patch, const MeadowModel& model,
                        const glm::dvec3& direction) {
   const BladePicture picture(patch, direction, 512);
   glm::dvec3 sum(0.0);
@@ -69,8 +67,9 @@ glm::dvec3 seen_albedo(const BladePatch& patch, const AgeingModel& model,
   for (const BladePicture::Pixel& pixel : picture.pixels()) {
     if (pixel.blade == BladePicture::nothing) continue;
     sum += glm::dvec3(pixel.snow ? snow_albedo
-                                 : model.albedo(patch.blades[pixel.blade], patch.ages[pixel.blade],
-                                                double{pixel.along}));
+                                 : model.of_species(0).albedo(patch.blades[pixel.blade],
+                                                              patch.ages[pixel.blade],
+                                                              double{pixel.along}));
     covered += 1.0;
   }
   return sum / covered;
@@ -227,7 +226,7 @@ TEST(Snow, PointsAreWhiteDullAndWhereTheRidgesAre) {
 // Snow adds tubes of its own, whiter than any leaf, after those of the blades.
 TEST(Snow, LiesOnBladesInTubesOfItsOwn) {
   const scene::Scene scene = test::small_scene();
-  const AgeingModel model(scene.ageing, 0.1);
+  const MeadowModel model(scene);
   const WitheringPatch patch(scene, model, 0);
   const auto tubes = [&](double snow) {
     return blade_tubes(patch.at(0.2, snow), model, test::slanting_light(), {24.0F, 0.006});

@@ -222,7 +222,7 @@ TEST_F(TexelPoints, DrivesThePatchesOfAScene) {
   const Texel texel = meadow_texel();
   write_texel(path, texel, "test");
   scene.grass.from_texel = path.string();
-  const AgeingModel withering(scene.ageing, scene.grass.specular);
+  const MeadowModel withering(scene);
   Samples samples(scene, test::small_shape(), 0, withering);
   samples.advance_to(0.0);
   EXPECT_NEAR(samples.texel().area_m2() / texel.area_m2(), 1.0, 0.01);

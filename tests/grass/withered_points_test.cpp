@@ -79,13 +79,13 @@ int near_pairs(const Points& points, double distance_m) {
 TEST(Samples, MergeWhatTheTexelCannotTellApart) {
   scene::Scene scene = test::small_scene();
   scene.grass.proportion = 12.0;
-  const AgeingModel model = model_of(scene.ageing);
+  const MeadowModel model(scene);
   const double near_m = 0.1 * test::small_shape().voxel_m;
   Samples samples(scene, test::small_shape(), 0, model);
   for (const double weathering : {0.0, 0.5, 1.0}) samples.advance_to(weathering);
   const PointDynamics& merged = samples.all().front();
 
-  PointDynamics apart(model, merged.blades(),
+  PointDynamics apart(model.of_species(0), merged.blades(),
                       sample_points(merged.blades(), test::small_shape(), 12.0, 5), 0.0);
   apart.advance_to(1.0);
   const int before = near_pairs(apart.points(), near_m);
@@ -133,7 +133,7 @@ TEST(PointTubes, OfOneSampleShadeAnothers) {
 // A blade is a cone in the texel: the share of its area beyond `along` falls as 1 - along.
 TEST(BladePatch, HasTheMeanAlbedoOfItsArea) {
   scene::Scene scene = test::small_scene();
-  const AgeingModel model = model_of(scene.ageing);
+  const MeadowModel model(scene);
   const BladePatch patch = WitheringPatch(scene, model, 0).at(0.5);
   glm::dvec3 sum(0.0);
   double weights = 0.0;
@@ -141,7 +141,8 @@ TEST(BladePatch, HasTheMeanAlbedoOfItsArea) {
     for (double along = 0.005; along < 1.0; along += 0.01) {
       const double weight =
           (1.0 - along) * double{patch.blades[i].radius_m * patch.blades[i].length_m};
-      sum += weight * glm::dvec3(model.albedo(patch.blades[i], patch.ages[i], along));
+      sum += weight *
+             glm::dvec3(model.of(patch.blades[i]).albedo(patch.blades[i], patch.ages[i], along));
       weights += weight;
     }
   const glm::dvec3 apart = glm::dvec3(mean_albedo(patch, model)) / (sum / weights) - 1.0;

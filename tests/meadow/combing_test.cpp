@@ -123,7 +123,7 @@ TEST(CombedLight, GlintsWhereItMirrorsTheSun) {
 
 TEST(RepresentativeFibres, StandForTheWholePatch) {
   const scene::Scene scene;
-  const grass::AgeingModel model(scene.ageing, scene.grass.specular);
+  const grass::MeadowModel model(scene);
   const grass::BladePatch patch = grass::WitheringPatch(scene, model, 0).at(0.4);
   const auto mean = [](const std::vector<grass::Fibre>& fibres) {
     glm::vec3 sum(0.0F);

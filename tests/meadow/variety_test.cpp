@@ -29,11 +29,11 @@ grass::Lighting half_the_sky() {
 
 struct Sward {
   explicit Sward(const scene::Scene& scene)
-      : model(scene.ageing, scene.grass.specular),
+      : model(scene),
         patch(scene, model, /*variant=*/0),
         variety(scene, patch, /*snow=*/0.0, half_the_sky()) {}
 
-  grass::AgeingModel model;
+  grass::MeadowModel model;
   grass::WitheringPatch patch;
   Variety variety;
 };

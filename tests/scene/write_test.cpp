@@ -45,6 +45,7 @@ TEST(ResolvedToml, IsAFixedPointOfParsing) {
 
 TEST(ResolvedToml, HasEveryKeyWithItsMeaning) {
   Scene scene;
+  scene.species.resize(1);
   scene.clouds.resize(1);
   scene.cloud_events.resize(1);
   scene.season_keys.resize(1);

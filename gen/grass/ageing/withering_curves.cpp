@@ -36,9 +36,9 @@ std::vector<ShippedCurve> shipped_curves(CurveKind kind, const scene::CurveChoic
 }
 
 /// Share of the fresh leaf's carotenoids; the paper's model keeps them all (section 3.2).
-double carotenoid_share(const scene::Ageing& ageing, double water) {
+double carotenoid_share(const scene::Physiology& ageing, double water) {
   if (ageing.colour == "paper") return 1.0;
-  scene::Ageing unit = ageing;
+  scene::Physiology unit = ageing;
   unit.carotenoid_ug_cm2 = 1.0;
   return withered_leaf(unit, 0.0, water).carotenoid_ug_cm2;
 }
@@ -82,7 +82,7 @@ class Withering {
   const std::vector<double>& wavelength_nm() const { return optics_.spectra().wavelength_nm; }
 
  private:
-  const scene::Ageing& ageing_;
+  const scene::Physiology& ageing_;
   Blade blade_;
   Curve chlorophyll_;
   Curve water_;

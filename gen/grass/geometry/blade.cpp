@@ -7,6 +7,7 @@
 #include "core/elementary.h"
 #include "core/random.h"
 #include "grass/geometry/clumps.h"
+#include "scene/species.h"
 
 namespace wold::grass {
 namespace {
@@ -51,39 +52,34 @@ float positive_spread(double mean, double relative, double normal) {
 }
 
 /// Age of a single blade in a fresh meadow: most are young (exponential), a few are last year's.
-double head_start(const scene::Ageing& ageing, const BladeRandom& random) {
-  if (random.uniform("litter") < ageing.litter) return 0.8 + 0.2 * random.uniform("litter age");
-  return std::min(-ageing.fresh_spread * math::log(1.0 - random.uniform("age")), 0.5);
-}
-
-/// What grass.blades leave to a sample.
-int sample_blades(const scene::Grass& grass, int sample) {
-  const int samples = sample_count(grass);
-  return grass.blades / samples + (sample < grass.blades % samples ? 1 : 0);
+double head_start(const scene::Physiology& physiology, const BladeRandom& random) {
+  if (random.uniform("litter") < physiology.litter) return 0.8 + 0.2 * random.uniform("litter age");
+  return std::min(-physiology.fresh_spread * math::log(1.0 - random.uniform("age")), 0.5);
 }
 
 /// Blades are alike in shape, a longer one has the deeper keel; `load` is how much more it bends
 /// than they do, as the inverse square of the depth (fresh_load).
-float keel_depth_m(const scene::Grass& grass, const Blade& blade, float load) {
-  return static_cast<float>(grass.keel_depth_m / grass.height_m) * blade.length_m / std::sqrt(load);
+float keel_depth_m(const scene::Plant& plant, const Blade& blade, float load) {
+  return static_cast<float>(plant.keel_depth_m / plant.height_m) * blade.length_m / std::sqrt(load);
 }
 
-Blade make_blade(const scene::Grass& grass, const scene::Ageing& ageing, const BladeRandom& random,
-                 const glm::vec2& root_m, std::uint64_t tufts) {
+Blade make_blade(const scene::Plant& plant, const scene::Physiology& physiology,
+                 const BladeRandom& random, const glm::vec2& root_m, std::uint64_t tufts) {
   const double heading = 2.0 * std::numbers::pi * random.uniform("heading");
-  const double lean_deg = grass.lean_deg + grass.lean_spread_deg * random.normal("lean");
+  const double lean_deg = plant.lean_deg + plant.lean_spread_deg * random.normal("lean");
   Blade blade;
   blade.root_m = root_m;
   blade.heading = {math::cos(heading), math::sin(heading)};
   blade.lean = static_cast<float>(std::clamp(lean_deg, 0.0, 80.0) * std::numbers::pi / 180.0);
-  blade.length_m = positive_spread(grass.height_m, grass.height_spread, random.normal("length"));
-  blade.radius_m = positive_spread(grass.width_m / 2, grass.width_spread, random.normal("width"));
-  blade.keel_depth_m =
-      keel_depth_m(grass, blade, positive_spread(1.0, ageing.droop_spread, random.normal("bend")));
-  blade.fresh_droop = positive_spread(grass.bend, ageing.droop_spread, random.normal("bend"));
-  blade.droop_rate = positive_spread(ageing.droop, ageing.droop_spread, random.normal("droop"));
-  blade.head_start = static_cast<float>(head_start(ageing, random));
-  blade.onset = static_cast<float>(ageing.onset_spread * random.normal("onset"));
+  blade.length_m = positive_spread(plant.height_m, plant.height_spread, random.normal("length"));
+  blade.radius_m = positive_spread(plant.width_m / 2, plant.width_spread, random.normal("width"));
+  blade.keel_depth_m = keel_depth_m(
+      plant, blade, positive_spread(1.0, physiology.droop_spread, random.normal("bend")));
+  blade.fresh_droop = positive_spread(plant.bend, physiology.droop_spread, random.normal("bend"));
+  blade.droop_rate =
+      positive_spread(physiology.droop, physiology.droop_spread, random.normal("droop"));
+  blade.head_start = static_cast<float>(head_start(physiology, random));
+  blade.onset = static_cast<float>(physiology.onset_spread * random.normal("onset"));
   blade.brightness = positive_spread(1.0, 0.12, random.normal("brightness"));
   blade.lump_m = static_cast<float>(0.03 + 0.04 * random.uniform("lump"));
   blade.lump_phase = static_cast<float>(random.uniform("lump phase"));
@@ -93,36 +89,32 @@ Blade make_blade(const scene::Grass& grass, const scene::Ageing& ageing, const B
 
 }  // namespace
 
-int sample_count(const scene::Grass& grass) {
-  return std::max(1, static_cast<int>(grass.mingle.size()));
-}
-
-std::vector<Blade> scatter_blades(const scene::Grass& grass, const scene::Ageing& ageing,
-                                  std::uint64_t seed, int variant, int sample) {
-  const int count = sample_blades(grass, sample);
+std::vector<Blade> scatter_blades(const scene::Plant& plant, const scene::Physiology& physiology,
+                                  const Scattering& scattering) {
+  const auto& [patch_m, count, seed, variant, sample] = scattering;
   const auto tufts =
       random_bits({seed, key_of("tufts"), static_cast<std::uint64_t>(variant), key_of("snow")});
   std::vector<Blade> blades;
   blades.reserve(static_cast<std::size_t>(count));
   for (int number = 0; number < count; ++number) {
     const BladeRandom random(seed, variant, sample, number);
-    blades.push_back(make_blade(grass, ageing, random,
-                                stratified_root(random, number, count, grass.patch_m), tufts));
+    blades.push_back(make_blade(plant, physiology, random,
+                                stratified_root(random, number, count, patch_m), tufts));
   }
-  if (ageing.fur.clumps > 0) clump(blades, ageing, grass.patch_m, seed, variant);
+  if (scene::is_hair(physiology)) clump(blades, physiology, patch_m, seed, variant);
   return blades;
 }
 
-Blade mean_blade(const scene::Grass& grass, const scene::Ageing& ageing) {
+Blade mean_blade(const scene::Plant& plant, const scene::Physiology& physiology) {
   Blade blade;
   blade.root_m = {0.0F, 0.0F};
   blade.heading = {1.0F, 0.0F};
-  blade.lean = static_cast<float>(grass.lean_deg * std::numbers::pi / 180.0);
-  blade.length_m = static_cast<float>(grass.height_m);
-  blade.radius_m = static_cast<float>(grass.width_m / 2.0);
-  blade.keel_depth_m = keel_depth_m(grass, blade, 1.0F);
-  blade.fresh_droop = static_cast<float>(grass.bend);
-  blade.droop_rate = static_cast<float>(ageing.droop);
+  blade.lean = static_cast<float>(plant.lean_deg * std::numbers::pi / 180.0);
+  blade.length_m = static_cast<float>(plant.height_m);
+  blade.radius_m = static_cast<float>(plant.width_m / 2.0);
+  blade.keel_depth_m = keel_depth_m(plant, blade, 1.0F);
+  blade.fresh_droop = static_cast<float>(plant.bend);
+  blade.droop_rate = static_cast<float>(physiology.droop);
   return blade;
 }
 

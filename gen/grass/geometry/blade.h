@@ -30,21 +30,28 @@ struct Blade {
   std::optional<glm::vec3> own_albedo =
       {};                   ///< of its own while fresh: that of the texel it is from
   std::uint64_t tufts = 0;  ///< key of where snow gathers, of all the blades of a variant
+  int species = 0;          ///< its place in scene::species_of()
 };
 
-/// Samples that are mingled into a patch (paper 1 section 4.1); 1 without mingling.
-int sample_count(const scene::Grass& grass);
+/// Which blades to scatter: so many on a patch, keyed by a seed, the patch's variant and the
+/// sample, all from 0.
+struct Scattering {
+  double patch_m = 0.0;
+  int blades = 0;
+  std::uint64_t seed = 0;
+  int variant = 0;
+  int sample = 0;
+};
 
-/// The blades of one sample of one variant of the patch. grass.blades are shared out as evenly as
-/// possible, the first samples get one more. Roots are stratified within the sample, one per cell
-/// of a grid, so that no bald spot repeats over the hillside; everything is keyed by (seed, sample,
-/// variant, blade number).
-std::vector<Blade> scatter_blades(const scene::Grass& grass, const scene::Ageing& ageing,
-                                  std::uint64_t seed, int variant, int sample = 0);
+/// Blades of a plant. Roots are stratified within the sample, one per cell of a grid, so that no
+/// bald spot repeats over the hillside; everything is keyed by (seed, sample, variant, blade
+/// number).
+std::vector<Blade> scatter_blades(const scene::Plant& plant, const scene::Physiology& physiology,
+                                  const Scattering& scattering);
 
 /// The blade that has the mean of everything: no spread, no head start. It grows at the corner and
 /// leans to the east.
-Blade mean_blade(const scene::Grass& grass, const scene::Ageing& ageing);
+Blade mean_blade(const scene::Plant& plant, const scene::Physiology& physiology);
 
 /// How blades bow: turning about their roots (paper 1), or as elastic blades under their weight.
 enum class DroopRule { paper, elastica };

@@ -15,10 +15,11 @@ constexpr int segments = 16;
 constexpr int corners = 3;
 constexpr float pi = std::numbers::pi_v<float>;
 
-void append_places(const BladePatch& patch, const AgeingModel& model, std::size_t i,
+void append_places(const BladePatch& patch, const MeadowModel& meadow, std::size_t i,
                    std::vector<BladePlace>& places) {
   const Blade& blade = patch.blades[i];
   const BladePose& pose = patch.poses[i];
+  const AgeingModel& model = meadow.of(blade);
   const float length_m = blade.length_m * pose.length_scale;
   const float specular = model.specular(patch.ages[i]);
   const BladeAxis axis(blade, pose);
@@ -82,7 +83,7 @@ void append_snow(const BladePatch& patch, std::size_t i, std::vector<BladePlace>
 
 }  // namespace
 
-Tubes blade_tubes(const BladePatch& patch, const AgeingModel& model, const Lighting& lighting,
+Tubes blade_tubes(const BladePatch& patch, const MeadowModel& model, const Lighting& lighting,
                   const FibreLook& look, double shadow_pixel_m) {
   std::vector<BladePlace> places;
   for (std::size_t i = 0; i < patch.blades.size(); ++i) append_places(patch, model, i, places);

@@ -15,7 +15,7 @@ namespace wold::grass {
 /// its outline over pi on average, so both cover the same. Snow lies on them in tubes of its own
 /// (snow_ridge.h), two to a blade that bears some, roof-shaped. Positions are those of the patch,
 /// metres, not wrapped; the patch stands unturned. `shadow_pixel_m` is place_radiance()'s.
-Tubes blade_tubes(const BladePatch& patch, const AgeingModel& model, const Lighting& lighting,
+Tubes blade_tubes(const BladePatch& patch, const MeadowModel& model, const Lighting& lighting,
                   const FibreLook& look, double shadow_pixel_m = fine_shadow_pixel_m);
 
 }  // namespace wold::grass

@@ -60,13 +60,13 @@ float droop_to_reach(const Blade& hair, float wanted_m) {
 
 }  // namespace
 
-void clump(std::vector<Blade>& hairs, const scene::Ageing& ageing, double patch_m,
+void clump(std::vector<Blade>& hairs, const scene::Physiology& physiology, double patch_m,
            std::uint64_t seed, int variant) {
-  const scene::Fur& fur = ageing.fur;
+  const scene::Fur& fur = physiology.fur;
   const std::vector<glm::vec2> roots = clump_roots(fur.clumps, patch_m, seed, variant);
   const double comb = fur.comb_deg * std::numbers::pi / 180.0;
   const glm::vec2 combed(math::sin(comb), math::cos(comb));
-  const auto relieved = static_cast<float>(relieved_loss(1.0, ageing.stiffening));
+  const auto relieved = static_cast<float>(relieved_loss(1.0, physiology.stiffening));
   for (Blade& hair : hairs) {
     const glm::vec2 way = way_to_clump(hair.root_m, roots, static_cast<float>(patch_m)) +
                           combed * (static_cast<float>(fur.lying) * hair.length_m);

@@ -14,7 +14,7 @@ namespace wold::grass {
 /// Nothing but what a blade is made of changes: a hair heads for its clump's tip and droops, by the
 /// paper's rule, as far as it takes to reach it; the loss of water takes that droop away. The
 /// clumps belong to the variant: all its samples share them. Clumps wrap with the patch.
-void clump(std::vector<Blade>& hairs, const scene::Ageing& ageing, double patch_m,
+void clump(std::vector<Blade>& hairs, const scene::Physiology& physiology, double patch_m,
            std::uint64_t seed, int variant);
 
 }  // namespace wold::grass

@@ -16,25 +16,25 @@ constexpr double step_s = 10.0;
 /// Steps in which the paper's law lets a straight blade droop at once.
 constexpr int turning_steps = 32;
 
-bool by_forces(const scene::Ageing& ageing) { return ageing.droop_rule == "elastica"; }
+bool by_forces(const scene::Physiology& ageing) { return ageing.droop_rule == "elastica"; }
 
-double clamp_angle(const Blade& blade, const scene::Ageing& ageing) {
+double clamp_angle(const Blade& blade, const scene::Physiology& ageing) {
   return double{by_forces(ageing) ? std::max(blade.lean, least_lean) : blade.lean};
 }
 
-double length_m(const Blade& blade, const scene::Ageing& ageing, double water_lost) {
+double length_m(const Blade& blade, const scene::Physiology& ageing, double water_lost) {
   return double{blade.length_m} * double{blade_pose(blade, ageing, water_lost, 1.0).length_scale};
 }
 
 /// Droop by the paper's rule of a blade that lacks `water_lost` and has lacked `most_lost`.
-double paper_droop(const Blade& blade, const scene::Ageing& ageing, double water_lost,
+double paper_droop(const Blade& blade, const scene::Physiology& ageing, double water_lost,
                    double most_lost) {
   return double{blade.fresh_droop} +
          double{blade.droop_rate} * (relieved_loss(most_lost, ageing.stiffening) -
                                      recovered_loss(ageing, water_lost, most_lost));
 }
 
-VeinLoad load_of(const Blade& blade, const scene::Ageing& ageing, const Wall& wall,
+VeinLoad load_of(const Blade& blade, const scene::Physiology& ageing, const Wall& wall,
                  double water_lost, double length_now_m) {
   const double fresh = fresh_stiffness_n_m2(blade);
   VeinLoad load;
@@ -68,7 +68,7 @@ VeinState mixed(const VeinState& a, const VeinState& b, double share) {
 
 }  // namespace
 
-BladeMotion::BladeMotion(const Blade& blade, const scene::Ageing& ageing, const Curve& water,
+BladeMotion::BladeMotion(const Blade& blade, const scene::Physiology& ageing, const Curve& water,
                          int steps)
     : blade_(blade), ageing_(&ageing), water_(&water), steps_(steps) {
   const double lost = 1.0 - water(0.0);
@@ -109,7 +109,8 @@ const VeinState& BladeMotion::at(double age) {
   return now_;
 }
 
-BladeHistory::BladeHistory(const Blade& blade, const scene::Ageing& ageing, const Curve& water) {
+BladeHistory::BladeHistory(const Blade& blade, const scene::Physiology& ageing,
+                           const Curve& water) {
   BladeMotion motion(blade, ageing, water);
   for (int i = 0; i <= BladeMotion::usual_steps; ++i)
     states_.push_back(motion.at(static_cast<double>(i) / BladeMotion::usual_steps));
@@ -122,7 +123,7 @@ VeinState BladeHistory::at(double age) const {
   return mixed(states_[upper - 1], states_[upper], place - static_cast<double>(upper - 1));
 }
 
-VeinPlaces vein_places(const Blade& blade, const scene::Ageing& ageing, const VeinState& state,
+VeinPlaces vein_places(const Blade& blade, const scene::Physiology& ageing, const VeinState& state,
                        double water_lost, double length, double snow) {
   VeinPoints points;
   points.angle = state.angle;

@@ -27,7 +27,7 @@ class BladeMotion {
   static constexpr int usual_steps = 64;
 
   /// At age 0. `ageing` and `water` have to outlive it.
-  BladeMotion(const Blade& blade, const scene::Ageing& ageing, const Curve& water,
+  BladeMotion(const Blade& blade, const scene::Physiology& ageing, const Curve& water,
               int steps = usual_steps);
 
   /// The state at an age in [0, 1], not before the last one.
@@ -39,7 +39,7 @@ class BladeMotion {
   void step();
 
   Blade blade_;
-  const scene::Ageing* ageing_;
+  const scene::Physiology* ageing_;
   const Curve* water_;
   int steps_;
   int done_ = 0;
@@ -51,7 +51,7 @@ class BladeMotion {
 class BladeHistory {
  public:
   BladeHistory() = default;
-  BladeHistory(const Blade& blade, const scene::Ageing& ageing, const Curve& water);
+  BladeHistory(const Blade& blade, const scene::Physiology& ageing, const Curve& water);
   VeinState at(double age) const;
 
  private:
@@ -60,7 +60,7 @@ class BladeHistory {
 
 /// Places of the vein of a blade in a state, `water_lost` now, under the share `snow` of the snow
 /// it can carry (0 to 1), which leaves no trace.
-VeinPlaces vein_places(const Blade& blade, const scene::Ageing& ageing, const VeinState& state,
+VeinPlaces vein_places(const Blade& blade, const scene::Physiology& ageing, const VeinState& state,
                        double water_lost, double length_m, double snow);
 
 }  // namespace wold::grass

@@ -46,7 +46,7 @@ struct PointDynamics::Between {
   float above;
 };
 
-AgeingModel::AgeingModel(const scene::Ageing& ageing, double fresh_specular)
+AgeingModel::AgeingModel(const scene::Physiology& ageing, double fresh_specular)
     : ageing_(ageing),
       fresh_specular_(fresh_specular),
       water_(load_curve(CurveKind::water, ageing.water)),

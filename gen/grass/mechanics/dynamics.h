@@ -20,7 +20,7 @@ namespace wold::grass {
 class AgeingModel {
  public:
   /// Loads the curves and pigments the scene names. Throws FileError or InputError.
-  AgeingModel(const scene::Ageing& ageing, double fresh_specular);
+  AgeingModel(const scene::Physiology& ageing, double fresh_specular);
 
   /// The blade's own weathering degree when the meadow's is `weathering`: from its head start to 1,
   /// monotone, ahead or behind by its onset in between.
@@ -42,7 +42,7 @@ class AgeingModel {
   float specular(double age) const;
 
  private:
-  scene::Ageing ageing_;
+  scene::Physiology ageing_;
   double fresh_specular_;
   Curve water_;
   Curve heaviest_load_;  ///< over the blade's age

@@ -42,14 +42,14 @@ double linear_scale(double volume_strain) { return math::cbrt(1.0 - volume_strai
 double turgor_left(double water_lost) { return std::max(1.0 - water_lost / turgor_loss, 0.0); }
 
 /// Of a blade's second moment of area, cubed thickness.
-double relative_section(const scene::Ageing& ageing, double water_lost) {
+double relative_section(const scene::Physiology& ageing, double water_lost) {
   const double thickness =
       std::max(1.0 - tissue_state(ageing, water_lost).strain_mesophyll, thinnest);
   return thickness * thickness * thickness;
 }
 
 /// E I of a blade after `water_lost`, that of the fresh one being 1.
-double relative_stiffness(const scene::Ageing& ageing, double water_lost) {
+double relative_stiffness(const scene::Physiology& ageing, double water_lost) {
   const TissueState tissue = tissue_state(ageing, water_lost);
   const double modulus = (1.0 - ageing.turgor_support) * tissue.modulus_vein_pa / fresh_vein_pa +
                          ageing.turgor_support * turgor_left(water_lost);
@@ -62,7 +62,7 @@ double relieved_loss(double water_lost, double stiffening) {
   return stiffening > 0.0 ? math::log1p(stiffening * water_lost) / stiffening : water_lost;
 }
 
-TissueState tissue_state(const scene::Ageing& ageing, double water_lost) {
+TissueState tissue_state(const scene::Physiology& ageing, double water_lost) {
   const double growth = 1.0 + ageing.stiffening * water_lost;
   const double relieved = relieved_loss(water_lost, ageing.stiffening);
   TissueState tissue;
@@ -96,27 +96,27 @@ double relative_weight(double water_lost) { return 1.0 - water_mass_share * wate
 
 double relative_snow_weight() { return snow_per_leaf; }
 
-double wall_stiffness(const scene::Ageing& ageing, double water_lost) {
+double wall_stiffness(const scene::Physiology& ageing, double water_lost) {
   return (1.0 - ageing.turgor_support) * (1.0 + ageing.stiffening * water_lost) *
          relative_section(ageing, water_lost);
 }
 
-double turgor_stiffness(const scene::Ageing& ageing, double water_lost) {
+double turgor_stiffness(const scene::Physiology& ageing, double water_lost) {
   return ageing.turgor_support * turgor_left(water_lost) * relative_section(ageing, water_lost);
 }
 
-double recovered_loss(const scene::Ageing& ageing, double water_lost, double most_lost) {
+double recovered_loss(const scene::Physiology& ageing, double water_lost, double most_lost) {
   const auto sunk = [&](double lost) {
     return relieved_loss(std::min(lost, turgor_loss), ageing.stiffening);
   };
   return ageing.turgor_support * (sunk(most_lost) - sunk(water_lost));
 }
 
-double relative_load(const scene::Ageing& ageing, double water_lost) {
+double relative_load(const scene::Physiology& ageing, double water_lost) {
   return relative_weight(water_lost) / relative_stiffness(ageing, water_lost);
 }
 
-Curve heaviest_load(const scene::Ageing& ageing, const Curve& water) {
+Curve heaviest_load(const scene::Physiology& ageing, const Curve& water) {
   constexpr int steps = 128;
   std::vector<glm::dvec2> points;
   double heaviest = 1.0;
@@ -137,7 +137,7 @@ float snowed_droop(const Blade& blade, float droop, double snow) {
   return droop + static_cast<float>(left * -math::expm1(-weighed / left) / root);
 }
 
-BladePose blade_pose(const Blade& blade, const scene::Ageing& ageing, double water_lost,
+BladePose blade_pose(const Blade& blade, const scene::Physiology& ageing, double water_lost,
                      double heaviest, double snow) {
   const TissueState tissue = tissue_state(ageing, water_lost);
   const double vein = vein_share * tissue.modulus_vein_pa;

@@ -27,7 +27,7 @@ double relieved_loss(double water_lost, double stiffening);
 /// by relieved_loss; sigma = E eps. The paper prints Ev < Em but argues that veins resist more;
 /// here Ev > Em: 0.5 GPa along the fibres, 5 MPa in the mesophyll (Vincent 1982: fibres carry
 /// 90-95 % of the longitudinal stiffness).
-TissueState tissue_state(const scene::Ageing& ageing, double water_lost);
+TissueState tissue_state(const scene::Physiology& ageing, double water_lost);
 
 /// B = q L^3 / (E I) of a fresh blade that bends under its own weight. Of a thin blade of width w,
 /// thickness t and density rho, folded to the depth d, q = rho g w t and I = w t d^2 / 12 (a strip
@@ -48,24 +48,24 @@ double relative_snow_weight();
 
 /// Parts of a blade's E I after `water_lost`, that of the fresh one being 1: its cell walls', and
 /// what turgor adds to it.
-double wall_stiffness(const scene::Ageing& ageing, double water_lost);
-double turgor_stiffness(const scene::Ageing& ageing, double water_lost);
+double wall_stiffness(const scene::Physiology& ageing, double water_lost);
+double turgor_stiffness(const scene::Physiology& ageing, double water_lost);
 
 /// What comes back of relieved_loss(most_lost), which moves blades by the paper's rule, when
 /// `water_lost` <= `most_lost` is all that is lacking again: of what sank while turgor went, the
 /// share that turgor bears.
-double recovered_loss(const scene::Ageing& ageing, double water_lost, double most_lost);
+double recovered_loss(const scene::Physiology& ageing, double water_lost, double most_lost);
 
 /// The load after `water_lost` (0 to 1), that of the fresh blade being 1. Weight goes with the
 /// water; the walls stiffen as they dry, E(x) = E0 (1 + b x), turgor's share of the stiffness is
 /// gone at the turgor loss point, and the blade grows thinner by the volume its soft tissue loses
 /// (Gardner and Ehlig 1965, Plant Physiology 40:705: leaves shrink in thickness, hardly in area).
 /// It rises while the blade wilts and falls as it dries.
-double relative_load(const scene::Ageing& ageing, double water_lost);
+double relative_load(const scene::Physiology& ageing, double water_lost);
 
 /// The largest relative_load a blade has borne, from its growth on (1) up to an age. What sank
 /// while limp sets as it dries: a fallen blade does not stand up again.
-Curve heaviest_load(const scene::Ageing& ageing, const Curve& water);
+Curve heaviest_load(const scene::Physiology& ageing, const Curve& water);
 
 /// The paper's droop c of a blade on which the share `snow` of the snow it can carry lies (0 to 1).
 ///
@@ -80,7 +80,7 @@ float snowed_droop(const Blade& blade, float droop, double snow);
 /// them, by their stiffness; widths follow each tissue's own strain; the paper's droop grows as
 /// support is lost, the elastica's load is `heaviest` times the fresh one. The share `snow` of the
 /// snow that it can carry (0 to 1) bends it further for as long as it lies.
-BladePose blade_pose(const Blade& blade, const scene::Ageing& ageing, double water_lost,
+BladePose blade_pose(const Blade& blade, const scene::Physiology& ageing, double water_lost,
                      double heaviest, double snow = 0.0);
 
 }  // namespace wold::grass

@@ -56,7 +56,7 @@ LeafShade paper_shade(const Observer& observer, const LeafSpectrum& leaf) {
 
 }  // namespace
 
-LeafContent withered_leaf(const scene::Ageing& ageing, double chlorophyll, double water) {
+LeafContent withered_leaf(const scene::Physiology& ageing, double chlorophyll, double water) {
   const double dead = dead_share(water);
   LeafContent leaf;
   leaf.structure = std::lerp(living_structure, straw_structure, dead);
@@ -68,7 +68,7 @@ LeafContent withered_leaf(const scene::Ageing& ageing, double chlorophyll, doubl
   return leaf;
 }
 
-LeafSpectrum withered_spectrum(const scene::Ageing& ageing, const LeafOptics& optics,
+LeafSpectrum withered_spectrum(const scene::Physiology& ageing, const LeafOptics& optics,
                                double chlorophyll, double water) {
   if (ageing.colour == "prospect") return optics(withered_leaf(ageing, chlorophyll, water));
   if (ageing.colour == "paper") {
@@ -81,7 +81,7 @@ LeafSpectrum withered_spectrum(const scene::Ageing& ageing, const LeafOptics& op
                    "\"; there are melanin, paper, prospect");
 }
 
-LeafColour::LeafColour(const scene::Ageing& ageing) : table_(table_size) {
+LeafColour::LeafColour(const scene::Physiology& ageing) : table_(table_size) {
   const Curve water = load_curve(CurveKind::water, ageing.water);
   const Curve chlorophyll = load_curve(CurveKind::chlorophyll, ageing.chlorophyll);
   const LeafOptics optics(load_leaf_spectra());

@@ -10,14 +10,15 @@
 
 namespace wold::grass {
 
-WitheringPatch::WitheringPatch(const scene::Scene& scene, const AgeingModel& model, int variant)
-    : model_(model), patch_m_(scene.grass.patch_m), rates_(ageing_rates(scene.grass)) {
-  for (int sample = 0; sample < sample_count(scene.grass); ++sample)
-    samples_.push_back(sample_blades(scene, variant, sample));
-  if (!model.moves_points()) return;
-  for (const std::vector<Blade>& blades : samples_) {
-    auto& histories = histories_.emplace_back(blades.size());
-    parallel_for(blades.size(), [&](std::size_t i) { histories[i] = model.history(blades[i]); });
+WitheringPatch::WitheringPatch(const scene::Scene& scene, const MeadowModel& model, int variant)
+    : model_(model), patch_m_(scene.grass.patch_m), rates_(ageing_rates(scene)) {
+  for (int sample = 0; sample < static_cast<int>(rates_.size()); ++sample) {
+    const std::vector<Blade>& blades = samples_.emplace_back(sample_blades(scene, variant, sample));
+    std::vector<BladeHistory>& histories = histories_.emplace_back();
+    if (blades.empty() || !model.of(blades.front()).moves_points()) continue;
+    histories.resize(blades.size());
+    parallel_for(blades.size(),
+                 [&](std::size_t i) { histories[i] = model.of(blades[i]).history(blades[i]); });
   }
 }
 
@@ -27,19 +28,21 @@ BladePatch WitheringPatch::at(double weathering, double snow) const {
   for (std::size_t sample = 0; sample < samples_.size(); ++sample)
     for (std::size_t i = 0; i < samples_[sample].size(); ++i) {
       const Blade& blade = samples_[sample][i];
+      const AgeingModel& model = model_.of(blade);
       const double age = AgeingModel::blade_age(blade, rates_[sample](weathering));
+      const std::vector<BladeHistory>& histories = histories_[sample];
       patch.blades.push_back(blade);
       patch.ages.push_back(age);
-      patch.poses.push_back(histories_.empty()
-                                ? model_.pose(blade, age, snow)
-                                : model_.pose(blade, histories_[sample][i].at(age), age, snow));
+      patch.poses.push_back(histories.empty() ? model.pose(blade, age, snow)
+                                              : model.pose(blade, histories[i].at(age), age, snow));
     }
   return patch;
 }
 
-SeenPlace seen_place(const BladePatch& patch, const AgeingModel& model, std::size_t i, double along,
-                     const AxisPoint& at) {
+SeenPlace seen_place(const BladePatch& patch, const MeadowModel& meadow, std::size_t i,
+                     double along, const AxisPoint& at) {
   const Blade& blade = patch.blades[i];
+  const AgeingModel& model = meadow.of(blade);
   const BladePose& pose = patch.poses[i];
   const SeenPlace leaf{model.albedo(blade, patch.ages[i], along), model.specular(patch.ages[i])};
   const SnowRidge ridge = snow_ridge(blade, pose, static_cast<float>(along), at);
@@ -51,7 +54,7 @@ SeenPlace seen_place(const BladePatch& patch, const AgeingModel& model, std::siz
   return {glm::mix(leaf.albedo, snow_albedo, snow), leaf.specular * (1.0F - snow)};
 }
 
-glm::vec3 mean_albedo(const BladePatch& patch, const AgeingModel& model) {
+glm::vec3 mean_albedo(const BladePatch& patch, const MeadowModel& model) {
   glm::dvec3 sum(0.0);
   double weights = 0.0;
   for (std::size_t i = 0; i < patch.blades.size(); ++i) {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "grass/mechanics/dynamics.h"
+#include "grass/mechanics/meadow_model.h"
 
 namespace wold::grass {
 
@@ -18,18 +18,19 @@ struct BladePatch {
 /// `model` has to outlive it. Throws what ageing_rates() throws.
 class WitheringPatch {
  public:
-  WitheringPatch(const scene::Scene& scene, const AgeingModel& model, int variant);
+  WitheringPatch(const scene::Scene& scene, const MeadowModel& model, int variant);
 
   /// The patch at a weathering degree of the meadow, in [0, 1], under the share `snow` in [0, 1] of
   /// what its blades can carry.
   BladePatch at(double weathering, double snow = 0.0) const;
 
  private:
-  const AgeingModel& model_;
+  const MeadowModel& model_;
   double patch_m_;
   std::vector<Curve> rates_;
   std::vector<std::vector<Blade>> samples_;
-  std::vector<std::vector<BladeHistory>> histories_;  ///< where Algorithm 1 moves blades
+  std::vector<std::vector<BladeHistory>>
+      histories_;  ///< of each sample; empty: a closed form moves its blades
 };
 
 /// What is seen of a place of a blade.
@@ -40,10 +41,10 @@ struct SeenPlace {
 
 /// Leaf and the snow on it at `along` (0 root to 1 tip), where the axis is `at`: a mean by area. A
 /// ridge hides half of the blade that it covers.
-SeenPlace seen_place(const BladePatch& patch, const AgeingModel& model, std::size_t blade,
+SeenPlace seen_place(const BladePatch& patch, const MeadowModel& model, std::size_t blade,
                      double along, const AxisPoint& at);
 
 /// Mean albedo of all blades and the snow on them, by the blades' area.
-glm::vec3 mean_albedo(const BladePatch& patch, const AgeingModel& model);
+glm::vec3 mean_albedo(const BladePatch& patch, const MeadowModel& model);
 
 }  // namespace wold::grass

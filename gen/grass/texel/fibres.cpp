@@ -7,7 +7,7 @@
 
 namespace wold::grass {
 
-std::vector<Fibre> representative_fibres(const BladePatch& patch, const AgeingModel& model,
+std::vector<Fibre> representative_fibres(const BladePatch& patch, const MeadowModel& model,
                                          int count) {
   // A cone has the share 1 - (1 - u)^2 of its area below u: these are the middles of thirds.
   constexpr std::array<float, 3> places = {0.087F, 0.293F, 0.592F};

@@ -9,7 +9,7 @@ namespace wold::grass {
 
 /// About `count` > 0 fibres that stand for a patch by area: of every so many blades the three in
 /// the middles of the thirds of its area, with the snow on them. Albedo is linear sRGB.
-std::vector<Fibre> representative_fibres(const BladePatch& patch, const AgeingModel& model,
+std::vector<Fibre> representative_fibres(const BladePatch& patch, const MeadowModel& model,
                                          int count);
 
 }  // namespace wold::grass

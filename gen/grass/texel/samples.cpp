@@ -2,11 +2,13 @@
 
 #include "core/random.h"
 #include "grass/ageing/ageing_curves.h"
+#include "grass/geometry/meadow_samples.h"
 #include "grass/texel/foreign_texel.h"
 #include "grass/texel/mingle.h"
 #include "grass/texel/rasterise.h"
 #include "grass/texel/snow_points.h"
 #include "grass/texel/texel_points.h"
+#include "scene/species.h"
 
 namespace wold::grass {
 namespace {
@@ -34,25 +36,36 @@ SampledTexel scattered(const scene::Scene& scene, const TexelShape& shape, int v
 
 std::vector<Blade> sample_blades(const scene::Scene& scene, int variant, int sample) {
   if (!scene.grass.from_texel.empty()) return from_texel(scene, variant, sample).blades;
-  return scatter_blades(scene.grass, scene.ageing, scene.seed, variant, sample);
+  const MeadowSample of = samples_of(scene).at(static_cast<std::size_t>(sample));
+  const scene::Species species = scene::species_of(scene).at(static_cast<std::size_t>(of.species));
+  std::vector<Blade> blades =
+      scatter_blades(species.plant, species.physiology,
+                     {scene.grass.patch_m, of.blades, scene.seed, variant, sample});
+  for (Blade& blade : blades) blade.species = of.species;
+  return blades;
 }
 
-std::vector<Curve> ageing_rates(const scene::Grass& grass) {
-  if (grass.mingle.empty()) return {Curve({{0.0, 0.0}, {1.0, 1.0}})};
+std::vector<Curve> ageing_rates(const scene::Scene& scene) {
   std::vector<Curve> rates;
-  for (const scene::CurveChoice& choice : grass.mingle)
-    rates.push_back(load_curve(CurveKind::rate, choice));
+  for (const MeadowSample& sample : samples_of(scene))
+    rates.push_back(sample.rate ? load_curve(CurveKind::rate, *sample.rate)
+                                : Curve({{0.0, 0.0}, {1.0, 1.0}}));
   return rates;
 }
 
 Samples::Samples(const scene::Scene& scene, const TexelShape& shape, int variant,
-                 const AgeingModel& model)
-    : shape_(shape), rates_(ageing_rates(scene.grass)) {
-  for (int sample = 0; sample < sample_count(scene.grass); ++sample) {
+                 const MeadowModel& model)
+    : shape_(shape), rates_(ageing_rates(scene)) {
+  const std::vector<scene::Species> species = scene::species_of(scene);
+  int sample = 0;
+  for (const MeadowSample& of : samples_of(scene)) {
     SampledTexel sampled = scene.grass.from_texel.empty() ? scattered(scene, shape, variant, sample)
                                                           : from_texel(scene, variant, sample);
-    samples_.emplace_back(model, std::move(sampled.blades), std::move(sampled.points),
-                          scene.ageing.merge_distance_voxels * shape.voxel_m);
+    const scene::Physiology& physiology = species[static_cast<std::size_t>(of.species)].physiology;
+    samples_.emplace_back(model.of_species(of.species), std::move(sampled.blades),
+                          std::move(sampled.points),
+                          physiology.merge_distance_voxels * shape.voxel_m);
+    ++sample;
   }
 }
 

@@ -137,7 +137,7 @@ Means means_of(std::vector<Drawn>::const_iterator begin, std::vector<Drawn>::con
   return means;
 }
 
-Blade blade_of(const Means& means, const scene::Grass& grass, const scene::Ageing& ageing,
+Blade blade_of(const Means& means, const scene::Grass& grass, const scene::Physiology& ageing,
                const RandomKey& key) {
   const auto normal = [&](const char* purpose) {
     return std::clamp(random_normal({key.seed, key.kind, key.index, key_of(purpose)}), -2.2, 2.2);
@@ -195,7 +195,7 @@ void append_blade(std::vector<Drawn>::const_iterator begin, std::vector<Drawn>::
 }  // namespace
 
 SampledTexel sample_texel(const Texel& texel, const scene::Grass& grass,
-                          const scene::Ageing& ageing, std::uint64_t seed) {
+                          const scene::Physiology& ageing, std::uint64_t seed) {
   refuse_too_many(texel, grass.proportion);
   std::vector<Drawn> drawn = draw_points(texel, grass.proportion, seed);
   if (drawn.empty())

@@ -27,6 +27,6 @@ struct SampledTexel {
 ///
 /// Throws InputError when there would be more than twenty million points.
 SampledTexel sample_texel(const Texel& texel, const scene::Grass& grass,
-                          const scene::Ageing& ageing, std::uint64_t seed);
+                          const scene::Physiology& ageing, std::uint64_t seed);
 
 }  // namespace wold::grass

@@ -13,12 +13,14 @@
 #include "core/random.h"
 #include "grass/geometry/axis.h"
 #include "grass/geometry/blade_tubes.h"
+#include "grass/geometry/meadow_samples.h"
 #include "grass/geometry/point_tubes.h"
 #include "grass/texel/baking.h"
 #include "grass/texel/levels.h"
 #include "grass/texel/samples.h"
 #include "grass/texel/texel_file.h"
 #include "scene/key_frames.h"
+#include "scene/species.h"
 #include "scene/write.h"
 
 namespace wold::grass {
@@ -49,10 +51,10 @@ void add(StageTimes& to, const StageTimes& from) {
   to.points += from.points;
 }
 
-double height_m(const Blade& blade, const scene::Ageing& ageing, double water_lost) {
+double height_m(const Blade& blade, const scene::Physiology& physiology, double water_lost) {
   // Blades that move by steps bow from the straight one; how far, only the steps tell.
-  if (ageing.motion == "points") return double{blade.length_m * math::cos(blade.lean)};
-  const BladePose pose = blade_pose(blade, ageing, water_lost, 1.0);
+  if (physiology.motion == "points") return double{blade.length_m * math::cos(blade.lean)};
+  const BladePose pose = blade_pose(blade, physiology, water_lost, 1.0);
   const BladeAxis axis(blade, pose);
   double highest = 0.0;
   for (int i = 1; i <= 16; ++i) {
@@ -64,12 +66,17 @@ double height_m(const Blade& blade, const scene::Ageing& ageing, double water_lo
 
 /// Highest point of any blade at any time: withering only lowers grass, drying only raises hair.
 double tallest_m(const scene::Scene& scene) {
+  const std::vector<scene::Species> species = scene::species_of(scene);
+  const int samples = static_cast<int>(samples_of(scene).size());
   double tallest = 0.0;
   for (int variant = 0; variant < scene.grass.variants; ++variant)
-    for (int sample = 0; sample < sample_count(scene.grass); ++sample)
-      for (const Blade& blade : sample_blades(scene, variant, sample))
-        tallest = std::max(
-            {tallest, height_m(blade, scene.ageing, 0.0), height_m(blade, scene.ageing, 1.0)});
+    for (int sample = 0; sample < samples; ++sample)
+      for (const Blade& blade : sample_blades(scene, variant, sample)) {
+        const scene::Physiology& physiology =
+            species[static_cast<std::size_t>(blade.species)].physiology;
+        tallest =
+            std::max({tallest, height_m(blade, physiology, 0.0), height_m(blade, physiology, 1.0)});
+      }
   return tallest;
 }
 
@@ -80,8 +87,8 @@ TexelShape finest_shape(const scene::Scene& scene) {
   return {side, static_cast<int>(std::ceil(tallest_m(scene) / voxel_m)) + 2, voxel_m};
 }
 
-FibreLook fibre_look(const scene::Grass& grass) {
-  return {static_cast<float>(grass.gloss), grass.width_m};
+FibreLook fibre_look(const scene::Scene& scene) {
+  return {static_cast<float>(scene.grass.gloss), scene::mean_grass(scene).width_m};
 }
 
 /// Every turn that any level wants, ascending.
@@ -102,6 +109,7 @@ std::string described(const scene::Scene& scene, const Lighting& lighting) {
   relevant.grass.pixels_per_voxel = plain.grass.pixels_per_voxel;
   relevant.grass.far_pixels = plain.grass.far_pixels;
   relevant.ageing = scene.ageing;
+  relevant.species = scene.species;
   relevant.ageing.frames = plain.ageing.frames;
   relevant.ageing.variation = plain.ageing.variation;
   relevant.ageing.variation_feature_m = plain.ageing.variation_feature_m;
@@ -139,7 +147,7 @@ TimeVaryingTexel::TimeVaryingTexel(const scene::Scene& scene, std::vector<Lighti
       lights_(std::move(lights)),
       folder_(std::move(folder)),
       shape_(finest_shape(scene)),
-      model_(scene.ageing, scene.grass.specular) {
+      model_(scene) {
   for (const Lighting& lighting : lights_) bases_.push_back(described(scene_, lighting));
 }
 
@@ -183,7 +191,7 @@ BladePatch TimeVaryingTexel::patch(int variant, const PatchState& state) const {
 }
 
 Tubes TimeVaryingTexel::blades(int variant, const PatchState& state, double shadow_pixel_m) const {
-  return blade_tubes(patch(variant, state), model_, lighting(state), fibre_look(scene_.grass),
+  return blade_tubes(patch(variant, state), model_, lighting(state), fibre_look(scene_),
                      shadow_pixel_m);
 }
 
@@ -192,8 +200,8 @@ Tubes TimeVaryingTexel::points(int variant, const PatchState& state) const {
   Samples samples(scene_, shape_, variant, model_);
   for (std::size_t step = 0; step <= now; ++step) samples.advance_to(key_frames_[step]);
   if (state.snow > 0) samples.bear(state.snow_share());
-  return point_tubes(patch(variant, state), samples.all(), lighting(state),
-                     fibre_look(scene_.grass), shape_.voxel_m);
+  return point_tubes(patch(variant, state), samples.all(), lighting(state), fibre_look(scene_),
+                     shape_.voxel_m);
 }
 
 bool TimeVaryingTexel::is_current(int variant, const PatchState& state,
@@ -266,7 +274,7 @@ void TimeVaryingTexel::make_texel(int variant, const PatchState& state, const Sa
   std::vector<VolumeData> baked;
   {
     const Stopwatch watch(times.baking);
-    baked = bake_levels(texel, samples.all(), lighting(state), fibre_look(grass), grass.levels,
+    baked = bake_levels(texel, samples.all(), lighting(state), fibre_look(scene_), grass.levels,
                         all_turns(levels));
   }
   const Stopwatch watch(times.storing);

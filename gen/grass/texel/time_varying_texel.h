@@ -9,7 +9,7 @@
 #include "core/progress.h"
 #include "core/tubes.h"
 #include "grass/ageing/patch_state.h"
-#include "grass/mechanics/dynamics.h"
+#include "grass/mechanics/meadow_model.h"
 #include "grass/optics/blade_light.h"
 #include "grass/optics/shading.h"
 #include "grass/texel/blade_patch.h"
@@ -47,7 +47,7 @@ std::string texel_models();
 class TimeVaryingTexel {
  public:
   /// `lights` are what the levels are baked for, by PatchState::light; one at least. Throws what
-  /// AgeingModel's constructor throws.
+  /// MeadowModel's constructor throws.
   TimeVaryingTexel(const scene::Scene& scene, std::vector<Lighting> lights,
                    std::filesystem::path folder);
 
@@ -94,7 +94,7 @@ class TimeVaryingTexel {
   std::vector<Lighting> lights_;
   std::filesystem::path folder_;
   TexelShape shape_;
-  AgeingModel model_;
+  MeadowModel model_;
   std::vector<std::string> bases_;  ///< everything the texels depend on, by light
 };
 

@@ -1,0 +1,14 @@
+#include "grass/mechanics/meadow_model.h"
+
+#include "scene/species.h"
+
+namespace wold::grass {
+
+MeadowModel::MeadowModel(const scene::Scene& scene) : MeadowModel(scene::species_of(scene)) {}
+
+MeadowModel::MeadowModel(std::span<const scene::Species> species) {
+  for (const scene::Species& one : species)
+    models_.emplace_back(one.physiology, one.plant.specular);
+}
+
+}  // namespace wold::grass

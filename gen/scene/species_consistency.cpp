@@ -1,0 +1,138 @@
+#include "scene/species_consistency.h"
+
+#include <fmt/format.h>
+
+#include "scene/species.h"
+#include "scene/text.h"
+
+namespace wold::scene {
+namespace {
+
+/// Texels are cubes of voxels in memory; taller ones than this many patches exhaust it.
+constexpr double most_patches_high = 4.0;
+/// Standard deviations at which widths of blades are cut.
+constexpr double most_deviations = 2.2;
+
+/// The tables in which a species' keys stand.
+struct Tables {
+  std::string plant = "grass";
+  std::string physiology = "ageing";
+  std::string fur = "fur";
+};
+
+/// What is judged: a species, its keys' tables, its blades in a patch, and the patch.
+struct Judged {
+  Species species;
+  Tables in;
+  int blades = 0;
+  double patch_m = 0.0;
+};
+
+Rule veins_shrink_less(const Judged& judged) {
+  const Physiology& ageing = judged.species.physiology;
+  const std::string& table = judged.in.physiology;
+  return {{table + ".vein_shrinkage", table + ".mesophyll_shrinkage"},
+          ageing.vein_shrinkage < ageing.mesophyll_shrinkage,
+          fmt::format("{0}.vein_shrinkage: found {1}, expected less than {2} "
+                      "({0}.mesophyll_shrinkage): veins shrink less than the tissue around",
+                      table, ageing.vein_shrinkage, ageing.mesophyll_shrinkage)};
+}
+
+Rule keel_fits_the_blade(const Judged& judged) {
+  const Plant& plant = judged.species.plant;
+  const std::string& table = judged.in.plant;
+  return {{table + ".keel_depth", table + ".width", judged.in.physiology + ".droop_rule"},
+          judged.species.physiology.droop_rule != "elastica" ||
+              plant.keel_depth_m <= 0.5 * plant.width_m,
+          fmt::format("{0}.keel_depth: found {1} m, expected at most {2} m, half of {0}.width: a "
+                      "blade folded flat is no deeper",
+                      table, plant.keel_depth_m, 0.5 * plant.width_m)};
+}
+
+Rule hair_droops_by_the_papers_rule(const Judged& judged) {
+  const Physiology& ageing = judged.species.physiology;
+  return {{judged.in.physiology + ".droop_rule", judged.in.fur + ".clumps"},
+          !is_hair(ageing) || ageing.droop_rule == "paper",
+          fmt::format("{}.droop_rule: found \"{}\", expected \"paper\" for fur ({}.clumps is "
+                      "{}): wet hairs are drawn together, not bowed by their weight",
+                      judged.in.physiology, ageing.droop_rule, judged.in.fur, ageing.fur.clumps)};
+}
+
+Rule hair_moves_in_closed_form(const Judged& judged) {
+  const Physiology& ageing = judged.species.physiology;
+  return {{judged.in.physiology + ".motion", judged.in.fur + ".clumps"},
+          !is_hair(ageing) || ageing.motion == "closed_form",
+          fmt::format("{}.motion: found \"{}\", expected \"closed_form\" for fur ({}.clumps is "
+                      "{}): hairs stand up as they dry, Algorithm 1 lets blades fall",
+                      judged.in.physiology, ageing.motion, judged.in.fur, ageing.fur.clumps)};
+}
+
+Rule blades_fit_the_patch(const Judged& judged) {
+  const Plant& plant = judged.species.plant;
+  const std::string& table = judged.in.plant;
+  return {{table + ".height", "grass.patch", table + ".height_spread"},
+          longest_blade_m(plant) <= most_patches_high * judged.patch_m,
+          fmt::format("{0}.height: found {1} m, with {0}.height_spread up to {2} m, expected at "
+                      "most {3} times grass.patch ({4} m)",
+                      table, plant.height_m, longest_blade_m(plant), most_patches_high,
+                      judged.patch_m)};
+}
+
+Rule blades_are_narrower_than_the_patch(const Judged& judged) {
+  const Plant& plant = judged.species.plant;
+  const std::string& table = judged.in.plant;
+  const double widest_m = plant.width_m * (1.0 + most_deviations * plant.width_spread);
+  return {{table + ".width", "grass.patch", table + ".width_spread"},
+          widest_m < judged.patch_m,
+          fmt::format("{0}.width: found {1} m, with {0}.width_spread up to {2:.3g} m, expected "
+                      "less than grass.patch ({3} m)",
+                      table, plant.width_m, widest_m, judged.patch_m)};
+}
+
+Rule every_sample_has_a_blade(const Judged& judged) {
+  const std::string& table = judged.in.plant;
+  return {{table + ".mingle", "grass.blades"},
+          judged.species.plant.mingle.size() <= static_cast<std::size_t>(judged.blades),
+          fmt::format("{}.mingle: found {} samples, expected at most one for each of the {} "
+                      "blades of a patch (grass.blades)",
+                      table, judged.species.plant.mingle.size(), judged.blades)};
+}
+
+Rule has_a_blade(const Judged& judged) {
+  return {{judged.in.plant + ".share", "grass.blades"},
+          judged.blades > 0,
+          fmt::format("{}.share: found {}, which leaves this species none of the blades of a patch "
+                      "(grass.blades), expected one at least",
+                      judged.in.plant, judged.species.share)};
+}
+
+std::vector<Judged> judged_species(const Scene& scene) {
+  const std::vector<int> blades = blades_of(scene);
+  std::vector<Judged> all;
+  for (const Species& species : species_of(scene)) {
+    const std::size_t item = all.size();
+    Judged judged{species, {}, blades[item], scene.grass.patch_m};
+    if (!scene.species.empty()) {
+      const std::string table = item_name("species", item);
+      judged.in = {table, table, table};
+    }
+    all.push_back(std::move(judged));
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<Rule> species_rules(const Scene& scene) {
+  std::vector<Rule> rules;
+  for (const Judged& judged : judged_species(scene))
+    for (Rule& rule :
+         std::vector{blades_fit_the_patch(judged), blades_are_narrower_than_the_patch(judged),
+                     has_a_blade(judged), every_sample_has_a_blade(judged),
+                     veins_shrink_less(judged), keel_fits_the_blade(judged),
+                     hair_droops_by_the_papers_rule(judged), hair_moves_in_closed_form(judged)})
+      rules.push_back(std::move(rule));
+  return rules;
+}
+
+}  // namespace wold::scene
