@@ -130,8 +130,12 @@ ExitCode report(const Error& error) {
 }
 
 ExitCode report(const InputError& error) {
-  for (const Problem& problem : error.problems())
-    print_message(fmt::format("error: {}", to_string(problem)));
+  constexpr std::size_t most = 100;  // more says nothing new, and a file may have a million
+  const std::vector<Problem>& problems = error.problems();
+  for (std::size_t i = 0; i < std::min(most, problems.size()); ++i)
+    print_message(fmt::format("error: {}", to_string(problems[i])));
+  if (problems.size() > most)
+    print_message(fmt::format("error: and {} more like these", problems.size() - most));
   return error.code();
 }
 

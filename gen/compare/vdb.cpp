@@ -15,7 +15,7 @@ namespace wold::compare {
 namespace {
 
 using Comparable = openvdb::TypeList<openvdb::FloatGrid, openvdb::DoubleGrid, openvdb::Int32Grid,
-                                     openvdb::Vec3SGrid>;
+                                     openvdb::BoolGrid, openvdb::Vec3SGrid>;
 using GridsByName = std::map<std::string, openvdb::GridBase::Ptr>;
 
 /// A value as a list of components.

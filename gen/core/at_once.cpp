@@ -5,14 +5,21 @@
 #include <future>
 #include <vector>
 
+#include "core/parallel.h"
+
 namespace wold {
 
 void run_at_once(std::size_t count, std::size_t at_once,
                  const std::function<void(std::size_t)>& body) {
   std::atomic<std::size_t> next = 0;
+  const InheritedStop::Check check = InheritedStop::of_this_thread();
   const auto work = [&] {
+    const InheritedStop inherited(check);
     try {
-      for (std::size_t i; (i = next++) < count;) body(i);
+      for (std::size_t i; (i = next++) < count;) {
+        stop_if_asked();
+        body(i);
+      }
     } catch (...) {
       next = count;
       throw;

@@ -16,19 +16,6 @@ namespace {
 /// loop; else none.
 thread_local const std::function<void()>* stop_check = nullptr;
 
-/// Sets a thread's check for as long as it lives.
-class Inherited {
- public:
-  explicit Inherited(const std::function<void()>* check)
-      : before_(std::exchange(stop_check, check)) {}
-  ~Inherited() { stop_check = before_; }
-  Inherited(const Inherited&) = delete;
-  Inherited& operator=(const Inherited&) = delete;
-
- private:
-  const std::function<void()>* before_;
-};
-
 /// The first exception of a loop, by the clock.
 ///
 /// It must not leave the body: TBB would cancel everything under the loop, also the loops that
@@ -89,7 +76,7 @@ class Loop {
   static void step(void* loop, std::size_t i) { static_cast<Loop*>(loop)->run_body(i); }
   void run_body(std::size_t i) {
     order_.body_begins();
-    const Inherited inherited(check_);
+    const InheritedStop inherited(check_);
     try {
       stop_if_asked();
       if (!failure_.happened()) body_(i);
@@ -100,7 +87,7 @@ class Loop {
   }
 
   const std::function<void(std::size_t)>& body_;
-  const std::function<void()>* check_ = stop_check;
+  InheritedStop::Check check_ = InheritedStop::of_this_thread();
   Failure failure_;
   Order order_;
 };
@@ -115,6 +102,12 @@ StopScope::StopScope(std::function<void()> check)
     : check_(std::move(check)), outer_(std::exchange(stop_check, &check_)) {}
 
 StopScope::~StopScope() { stop_check = outer_; }
+
+InheritedStop::Check InheritedStop::of_this_thread() { return stop_check; }
+
+InheritedStop::InheritedStop(Check check) : before_(std::exchange(stop_check, check)) {}
+
+InheritedStop::~InheritedStop() { stop_check = before_; }
 
 void stop_if_asked() {
   if (stop_check != nullptr) (*stop_check)();

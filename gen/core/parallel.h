@@ -66,6 +66,24 @@ class StopScope {
   const std::function<void()>* outer_;
 };
 
+/// A thread that works for another one stops when that one should: while this lives in it, the
+/// StopScope that counted where `check` was asked for counts here.
+class InheritedStop {
+ public:
+  using Check = const std::function<void()>*;
+
+  /// That of the calling thread, for the threads it starts; it has to outlive them.
+  static Check of_this_thread();
+
+  explicit InheritedStop(Check check);
+  ~InheritedStop();
+  InheritedStop(const InheritedStop&) = delete;
+  InheritedStop& operator=(const InheritedStop&) = delete;
+
+ private:
+  Check before_;
+};
+
 /// For loops that take seconds on one thread: throws what the StopScope around them throws.
 void stop_if_asked();
 

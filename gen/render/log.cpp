@@ -20,6 +20,8 @@ Log::Log(const std::filesystem::path& path) : path_(path) {
   std::error_code ignored;
   if (std::filesystem::is_symlink(path, ignored))
     throw FileError(fmt::format("cannot write the log {}: it is a link", path.string()));
+  // A new file: what has the name may be another name of a file elsewhere.
+  std::filesystem::remove(path, ignored);
   file_.open(path, std::ios::binary);
   if (!file_) throw FileError(fmt::format("cannot write the log {}", path.string()));
 }

@@ -30,6 +30,7 @@ CellBox cells_under(const Raster& raster, const LocalSystem& local, double size_
 void require_heights(const Raster& raster, const CellBox& box) {
   constexpr double lowest_m = -12000.0;
   constexpr double highest_m = 30000.0;
+  constexpr double usual_void = -9999.0;  // it would pass for a depth of the sea
   constexpr double most_cells = 1 << 30;
   const glm::ivec2 size = glm::max(box.end - box.first, 0);
   if (1.0 * size.x * size.y > most_cells)
@@ -51,7 +52,9 @@ void require_heights(const Raster& raster, const CellBox& box) {
     read_row(*band.GetMaskBand(), row, there.data(), GDT_Byte);
     for (std::size_t i = 0; i < values.size(); ++i) {
       const double height_m = scale.height_m(values[i]);
-      if (there[i] != 0 && !(height_m >= lowest_m && height_m <= highest_m))
+      const bool is_height =
+          height_m >= lowest_m && height_m <= highest_m && values[i] != usual_void;
+      if (there[i] != 0 && !is_height)
         raster.fail(fmt::format(
             "row {}, column {}: found {}, expected a height from {} to {} m; if it stands for a "
             "missing height, the file has to say so (gdal_edit.py -a_nodata {})",

@@ -32,6 +32,12 @@ bool is_name_of(const fs::path& path, int file) {
          named.st_dev == open.st_dev && named.st_ino == open.st_ino;
 }
 
+/// Whether the file has another name, too: it may be a file of somebody's elsewhere.
+bool has_other_names(int file) {
+  struct stat open {};
+  return ::fstat(file, &open) == 0 && open.st_nlink > 1;
+}
+
 /// What the holder has written: "process 12 on host"; tasks write nothing.
 std::string holder(const fs::path& path) {
   std::ifstream file(path);
@@ -68,6 +74,14 @@ bool FolderLock::try_lock(Access access) {
   if (file_ < 0 && errno == ENOENT) return false;  // its last holder has just removed the folder
   if (file_ < 0)
     throw FileError(fmt::format("cannot write {}: {}", path_.string(), std::strerror(errno)));
+  if (has_other_names(file_)) {
+    ::close(file_);
+    file_ = -1;
+    throw FileError(
+        fmt::format("cannot write {}: it is a hard link, another name of a file that may "
+                    "lie elsewhere; remove it",
+                    path_.string()));
+  }
   const bool locked = ::flock(file_, (access == Access::alone ? LOCK_EX : LOCK_SH) | LOCK_NB) == 0;
   const bool unknown = !locked && errno != EWOULDBLOCK;
   if ((locked && is_name_of(path_, file_)) || unknown) return true;

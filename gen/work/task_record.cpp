@@ -13,6 +13,8 @@ namespace fs = std::filesystem;
 namespace {
 
 using Json = nlohmann::ordered_json;
+/// For reading: it finds keys without looking at all of them, however many a file has.
+using ReadJson = nlohmann::json;
 
 std::string file_name(const Task& task) {
   return fmt::format("{}_{:04}.json", name_of(task.stage), task.index);
@@ -42,12 +44,12 @@ void require_below(const std::string& name) {
 }
 
 template <class Whole>
-Whole whole_number(const Json& json) {
+Whole whole_number(const ReadJson& json) {
   if (!json.is_number_integer()) throw FileError("expected a whole number");
   return json.get<Whole>();
 }
 
-TaskRecord record_of(const Json& json) {
+TaskRecord record_of(const ReadJson& json) {
   TaskRecord record{json.at("source").get<std::string>(),
                     json.at("scene").get<std::string>(),
                     {},
@@ -66,12 +68,12 @@ TaskRecord record_of(const Json& json) {
 /// is done again.
 template <class Reader>
 auto read_json(const fs::path& path, const Reader& reader)
-    -> std::optional<decltype(reader(Json()))> {
+    -> std::optional<decltype(reader(ReadJson()))> {
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) return std::nullopt;
   try {
-    return reader(Json::parse(read_file(path)));
-  } catch (const Json::exception&) {
+    return reader(ReadJson::parse(read_file(path)));
+  } catch (const ReadJson::exception&) {
     return std::nullopt;
   } catch (const FileError&) {
     return std::nullopt;
@@ -90,7 +92,7 @@ void TaskRecords::write(const Task& task, const TaskRecord& record) const {
 
 SceneFacts TaskRecords::read_facts(const std::string& hash) const {
   return read_json(folder_ / fmt::format("scene_{}.json", hash),
-                   [](const Json& json) { return json.get<SceneFacts>(); })
+                   [](const ReadJson& json) { return json.get<SceneFacts>(); })
       .value_or(SceneFacts{});
 }
 

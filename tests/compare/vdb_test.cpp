@@ -1,6 +1,7 @@
 #include "compare/vdb.h"
 
 #include <gtest/gtest.h>
+#include <openvdb/openvdb.h>
 
 #include <cmath>
 
@@ -27,6 +28,27 @@ TEST(CompareVdb, EqualFiles) {
     EXPECT_EQ(grid.max_error, 0.0);
     EXPECT_EQ(grid.want.active_voxels, 512U);
   }
+}
+
+// Blender's hulls are grids of truth values.
+TEST(CompareVdb, GridsOfTruthValues) {
+  const test::ScratchFolder folder;
+  const auto write = [&](const char* name, bool second) {
+    const openvdb::BoolGrid::Ptr grid = openvdb::BoolGrid::create(false);
+    grid->setName("quarter 0");
+    grid->tree().setValueOn({0, 0, 0}, true);
+    grid->tree().setValueOn({1, 0, 0}, second);
+    openvdb::io::File((folder / name).string()).write({grid});
+  };
+  openvdb::initialize();
+  write("got.vdb", true);
+  write("same.vdb", true);
+  write("want.vdb", false);
+  const GridMetrics same = compare_vdb(folder / "got.vdb", folder / "same.vdb", 0.02).grids.front();
+  EXPECT_TRUE(same.is_compared);
+  EXPECT_EQ(same.max_error, 0.0);
+  EXPECT_EQ(compare_vdb(folder / "got.vdb", folder / "want.vdb", 0.02).grids.front().max_error,
+            1.0);
 }
 
 TEST(CompareVdb, OneVoxelOffIsRelativeToTheLargestValue) {

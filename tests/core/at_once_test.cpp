@@ -7,6 +7,8 @@
 #include <thread>
 #include <vector>
 
+#include "core/parallel.h"
+
 namespace wold {
 namespace {
 
@@ -33,6 +35,25 @@ TEST(RunAtOnce, NeverMoreThanAllowedAndAll) {
   });
   EXPECT_EQ(most, 3);
   EXPECT_EQ(done, 12);
+}
+
+// A signal that comes while tasks run at once has to reach them.
+TEST(RunAtOnce, BodiesHearTheCallersStop) {
+  std::atomic<bool> stop = false;
+  std::atomic<int> begun = 0, ended = 0;
+  const StopScope scope([&] {
+    if (stop) throw std::runtime_error("stop");
+  });
+  EXPECT_THROW(run_at_once(20, 2,
+                           [&](std::size_t) {
+                             ++begun;
+                             stop = true;
+                             parallel_for(4, [](std::size_t) {});
+                             ++ended;
+                           }),
+               std::runtime_error);
+  EXPECT_LE(begun, 2);
+  EXPECT_EQ(ended, 0);
 }
 
 }  // namespace

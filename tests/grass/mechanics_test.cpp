@@ -123,5 +123,20 @@ TEST(Mechanics, FallenBladesStayDown) {
   }
 }
 
+// A blade that has wilted and drinks again gets back what turgor held, and no more.
+TEST(BladePose, DroopsStillWhenItIsWettedAgain) {
+  const scene::Ageing ageing;
+  Blade blade = test::straight_blade();
+  blade.droop_rate = 2.0F;
+  const float fresh = blade_pose(blade, ageing, 0.0, 1.0).droop;
+  const float dry = blade_pose(blade, ageing, 0.8, 1.0).droop;
+  const float wet = blade_pose(blade, ageing, {0.0, 0.8}, 1.0).droop;
+  EXPECT_GT(wet, fresh + 0.05F * (dry - fresh));
+  EXPECT_LT(wet, dry);
+  scene::Ageing no_turgor = ageing;
+  no_turgor.turgor_support = 0.0;
+  EXPECT_FLOAT_EQ(blade_pose(blade, no_turgor, {0.0, 0.8}, 1.0).droop, dry);
+}
+
 }  // namespace
 }  // namespace wold::grass

@@ -63,9 +63,19 @@ double AgeingModel::local_age(double age, double along) {
   return std::clamp(age + tip_lead * midway(age) * (2.0 * along - 1.0), 0.0, 1.0);
 }
 
+WaterLoss AgeingModel::water_loss(double age) const {
+  const double now = 1.0 - water_(age);
+  double most = now;
+  // Between its points the curve is monotone.
+  for (const glm::dvec2& point : water_.points())
+    if (point.x < age) most = std::max(most, 1.0 - point.y);
+  constexpr double rounding = 1e-9;
+  return most - now > rounding ? WaterLoss(now, most) : WaterLoss(now);
+}
+
 BladePose AgeingModel::pose(const Blade& blade, double age, double snow) const {
   if (moves_points()) return pose(blade, motion(blade).at(age), age, snow);
-  return blade_pose(blade, ageing_, 1.0 - water_(age), heaviest_load_(age), snow);
+  return blade_pose(blade, ageing_, water_loss(age), heaviest_load_(age), snow);
 }
 
 BladePose AgeingModel::pose(const Blade& blade, const VeinState& state, double age,

@@ -34,6 +34,8 @@ class AgeingModel {
   bool moves_points() const { return ageing_.motion == "points"; }
   BladeMotion motion(const Blade& blade) const { return {blade, ageing_, water_}; }
   BladeHistory history(const Blade& blade) const { return {blade, ageing_, water_}; }
+  /// What a blade of that age lacks of its water, and the most that it has lacked until then.
+  WaterLoss water_loss(double age) const;
   /// Leaves die from the tip down: age at `along`, 0 at the root to 1 at the tip.
   static double local_age(double age, double along);
   /// Albedo of a blade of that age at `along`.

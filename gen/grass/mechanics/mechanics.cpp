@@ -137,8 +137,9 @@ float snowed_droop(const Blade& blade, float droop, double snow) {
   return droop + static_cast<float>(left * -math::expm1(-weighed / left) / root);
 }
 
-BladePose blade_pose(const Blade& blade, const scene::Physiology& ageing, double water_lost,
+BladePose blade_pose(const Blade& blade, const scene::Physiology& ageing, const WaterLoss& lost,
                      double heaviest, double snow) {
+  const double water_lost = lost.now;
   const TissueState tissue = tissue_state(ageing, water_lost);
   const double vein = vein_share * tissue.modulus_vein_pa;
   const double mesophyll = (1.0 - vein_share) * tissue.modulus_mesophyll_pa;
@@ -150,7 +151,8 @@ BladePose blade_pose(const Blade& blade, const scene::Physiology& ageing, double
       fresh_load(blade) *
       (heaviest + snow_per_leaf * snow / relative_stiffness(ageing, water_lost)));
   pose.droop = blade.fresh_droop +
-               blade.droop_rate * static_cast<float>(relieved_loss(water_lost, ageing.stiffening));
+               blade.droop_rate * static_cast<float>(relieved_loss(lost.most, ageing.stiffening) -
+                                                     recovered_loss(ageing, lost.now, lost.most));
   pose.droop = snowed_droop(blade, pose.droop, snow);
   pose.snow = static_cast<float>(snow);
   pose.length_scale = static_cast<float>(linear_scale(axial));

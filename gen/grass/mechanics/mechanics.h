@@ -76,11 +76,21 @@ Curve heaviest_load(const scene::Physiology& ageing, const Curve& water);
 /// it is `droop` again.
 float snowed_droop(const Blade& blade, float droop, double snow);
 
-/// Shape of a blade after `water_lost`: lengths follow the stiff veins and the mesophyll bonded to
-/// them, by their stiffness; widths follow each tissue's own strain; the paper's droop grows as
-/// support is lost, the elastica's load is `heaviest` times the fresh one. The share `snow` of the
+/// How much of its water a blade lacks, and the most that it has lacked: 0 to 1.
+struct WaterLoss {
+  /// Of a blade that lacks the most it ever did.
+  WaterLoss(double lost) : now(lost), most(lost) {}
+  WaterLoss(double lost, double most_lost) : now(lost), most(most_lost) {}
+  double now;
+  double most;
+};
+
+/// Shape of a blade after a loss of water: lengths follow the stiff veins and the mesophyll bonded
+/// to them, by their stiffness; widths follow each tissue's own strain; the paper's droop grows as
+/// support is lost, and of it only what turgor held comes back with water (recovered_loss()); the
+/// elastica's load is `heaviest` times the fresh one. The share `snow` of the
 /// snow that it can carry (0 to 1) bends it further for as long as it lies.
-BladePose blade_pose(const Blade& blade, const scene::Physiology& ageing, double water_lost,
+BladePose blade_pose(const Blade& blade, const scene::Physiology& ageing, const WaterLoss& lost,
                      double heaviest, double snow = 0.0);
 
 }  // namespace wold::grass
