@@ -7,12 +7,14 @@
 #                                                     renderer nor wold, as .ci/run does
 #     tests/analysis.sh tsan [CTEST OPTION...]        with the thread sanitizer
 #     tests/analysis.sh coverage [CTEST OPTION...]    which lines of gen/ tests run: 90 % at least
+#     tests/analysis.sh layers                        the libraries as shared ones, each linked to
+#                                                     what CMake says alone
 #     tests/analysis.sh cppcheck
 #     tests/analysis.sh python                        ruff and mypy, with pyproject.toml's settings
 #     tests/analysis.sh tidy [FILE PATTERN...]        clang-tidy, with the checks of .clang-tidy
 #
-# All but cppcheck take a folder build-* of their own. All but cppcheck, python and asan-units take
-# more time than .ci/run has.
+# All but layers and cppcheck take a folder build-* of their own. All but layers, cppcheck, python and
+# asan-units take more time than .ci/run has.
 set -euo pipefail
 source "$(dirname "$0")/../examples/setup.sh"
 
@@ -84,6 +86,13 @@ check_python() {
   "$programs/mypy"
 }
 
+# The objects are those of the build that tests/run.sh makes.
+check_layers() {
+  install "${build_packages[@]}" "${test_packages[@]}"
+  cmake --preset release >/dev/null
+  cmake --build --preset release --target shared_layers >&2
+}
+
 # With commands that have no precompiled headers and no options of GCC's own. The settings are read
 # once before: of a file that it cannot read, clang-tidy says so and falls back to its own.
 check_with_tidy() {
@@ -100,6 +109,7 @@ case ${1:-} in
   tsan) check_threads "${@:2}" ;;
   asan-units) test_units ;;
   coverage) coverage "${@:2}" ;;
+  layers) check_layers ;;
   cppcheck) check_with_cppcheck ;;
   python) check_python ;;
   tidy) check_with_tidy "${@:2}" ;;
