@@ -7,13 +7,15 @@
 #                                                     renderer nor wold, as .ci/run does
 #     tests/analysis.sh tsan [CTEST OPTION...]        with the thread sanitizer
 #     tests/analysis.sh coverage [CTEST OPTION...]    which lines of gen/ tests run: 90 % at least
+#     tests/analysis.sh layers                        the libraries as shared ones, each linked to
+#                                                     what CMake says alone
 #     tests/analysis.sh cppcheck
 #     tests/analysis.sh python                        ruff and mypy, with pyproject.toml's settings
 #     tests/analysis.sh spelling                      codespell, with pyproject.toml's settings
 #     tests/analysis.sh tidy [FILE PATTERN...]        clang-tidy, with the checks of .clang-tidy
 #
-# All but cppcheck take a folder build-* of their own. All but cppcheck, python, spelling and
-# asan-units take more time than .ci/run has.
+# All but layers and cppcheck take a folder build-* of their own. All but layers, cppcheck, python,
+# spelling and asan-units take more time than .ci/run has.
 set -euo pipefail
 source "$(dirname "$0")/../examples/setup.sh"
 
@@ -35,7 +37,8 @@ test_units() {
   left_out+='|Picture|RealPovray|LargeTerrain|SiteOfFrame|SnowInAir|Growth\.Covers'
   left_out+='|Assemble\.(Exposes|Dusk))'
   local libraries=(core scene weather snowpack phenology light terrain grass cloud snow landscape
-    place sky meadow ground expectation film povray blender preview report compare render)
+    place sky meadow ground expectation film povray blender preview report compare render
+    console)
   local corpora=(scene df3 weather_table daily_weather elevation pictures vdb arguments records)
   local labels
   labels=$(IFS='|' && echo "${libraries[*]}")
@@ -93,6 +96,13 @@ check_spelling() {
   git ls-files -z | xargs -0 build-spelling/bin/codespell
 }
 
+# The objects are those of the build that tests/run.sh makes.
+check_layers() {
+  install "${build_packages[@]}" "${test_packages[@]}"
+  cmake --preset release >/dev/null
+  cmake --build --preset release --target shared_layers >&2
+}
+
 # With commands that have no precompiled headers and no options of GCC's own. The settings are read
 # once before: of a file that it cannot read, clang-tidy says so and falls back to its own.
 check_with_tidy() {
@@ -109,6 +119,7 @@ case ${1:-} in
   tsan) check_threads "${@:2}" ;;
   asan-units) test_units ;;
   coverage) coverage "${@:2}" ;;
+  layers) check_layers ;;
   cppcheck) check_with_cppcheck ;;
   python) check_python ;;
   spelling) check_spelling ;;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <set>
 #include <vector>
 
@@ -13,9 +12,9 @@
 #include "blender/frame_data.h"
 #include "blender/shown_volumes.h"
 #include "blender/volume_file.h"
-#include "core/elementary.h"
 #include "core/files.h"
 #include "core/parallel.h"
+#include "core/pinhole.h"
 #include "expectation/expectation.h"
 
 namespace wold::blender {
@@ -43,8 +42,8 @@ std::vector<double> nearest_m(const Landscape& landscape) {
 
 /// A step may be half as long again as a pixel is wide where the volume is nearest to the camera.
 double step_voxels(const Landscape& landscape, double voxel_m, double distance_m) {
-  const double half_view = landscape.camera.field_of_view_deg * std::numbers::pi / 360.0;
-  const double pixel_m = 2.0 * math::tan(half_view) * distance_m / landscape.width_px;
+  const double half_m = half_width(landscape.camera.field_of_view_deg) * distance_m;
+  const double pixel_m = 2.0 * half_m / landscape.width_px;
   return std::clamp(1.5 * pixel_m / voxel_m, shortest_step_voxels, longest_step_voxels);
 }
 

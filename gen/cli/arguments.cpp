@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <optional>
 #include <set>
 #include <string_view>
 #include <utility>
 
 #include "core/error.h"
+#include "core/number_text.h"
 #include "scene/text.h"
 
 namespace wold::cli {
@@ -16,13 +16,6 @@ namespace {
 
 /// A scene has at most as many frames (scene/keys.cpp).
 constexpr int most_frames = 10000;
-
-std::optional<int> whole_number(std::string_view text) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 /// The text before and after the first separator; nothing when there is none.
 std::optional<std::pair<std::string_view, std::string_view>> split(std::string_view text,
@@ -39,8 +32,8 @@ struct FrameRange {
 
 std::optional<FrameRange> frame_range(std::string_view text) {
   const auto [first_text, last_text] = split(text, '-').value_or(std::pair{text, text});
-  const auto first = whole_number(first_text);
-  const auto last = whole_number(last_text);
+  const auto first = number_in<int>(first_text);
+  const auto last = number_in<int>(last_text);
   if (!first || !last || *first < 1 || *last < *first || *last > most_frames) return std::nullopt;
   return FrameRange{*first, *last};
 }
@@ -67,8 +60,8 @@ std::vector<int> parse_frames(const std::string& text) {
 
 std::string size_override(const std::string& text) {
   const auto parts = split(text, 'x');
-  const auto width = parts ? whole_number(parts->first) : std::nullopt;
-  const auto height = parts ? whole_number(parts->second) : std::nullopt;
+  const auto width = parts ? number_in<int>(parts->first) : std::nullopt;
+  const auto height = parts ? number_in<int>(parts->second) : std::nullopt;
   if (!width || !height)
     throw InputError(fmt::format("--size: found {}, expected WIDTHxHEIGHT in px like 960x540",
                                  scene::in_quotes(text)));

@@ -1,6 +1,6 @@
 #include "cli/commands.h"
-#include "cli/output.h"
 #include "cli/warnings.h"
+#include "console/output.h"
 #include "phenology/film_season.h"
 #include "scene/parse.h"
 #include "scene/write.h"
@@ -10,12 +10,12 @@ namespace wold::cli {
 ExitCode run_check(const std::filesystem::path& scene, const std::vector<std::string>& overrides) {
   const scene::Scene checked = scene::read_scene(scene, overrides);
   print_warnings(phenology::as_film(checked));
-  print_data(scene::resolved_toml(checked));
+  console::print_data(scene::resolved_toml(checked));
   return ExitCode::done;
 }
 
 ExitCode run_help_keys() {
-  print_data(scene::keys_markdown());
+  console::print_data(scene::keys_markdown());
   return ExitCode::done;
 }
 

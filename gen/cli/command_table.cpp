@@ -4,14 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <memory>
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
-#include "cli/console_progress.h"
+#include "console/console_progress.h"
+#include "core/number_text.h"
 #include "scene/registry.h"
 #include "scene/starter.h"
 
@@ -158,7 +158,7 @@ Action generate_like(CLI::App& app, const std::shared_ptr<RenderArguments>& argu
                "check the scene, say what is to do and what it takes, stop");
   add_quiet(app, arguments->options.quiet);
   return [arguments, run] {
-    ConsoleProgress progress(progress_style(arguments->options.quiet));
+    console::ConsoleProgress progress(console::progress_style(arguments->options.quiet));
     return run(resolved(*arguments), progress);
   };
 }
@@ -208,7 +208,7 @@ Action declare_task(CLI::App& app) {
   app.add_option("INDEX", options->index, "one that `wold plan` lists for it")->required();
   add_quiet(app, options->arguments.options.quiet);
   return [options] {
-    ConsoleProgress progress(progress_style(options->arguments.options.quiet));
+    console::ConsoleProgress progress(console::progress_style(options->arguments.options.quiet));
     return run_task(resolved(options->arguments), options->stage, options->index, progress);
   };
 }
@@ -235,11 +235,8 @@ Action declare_inspect(CLI::App& app) {
 
 /// "" when the text is a number from `least` to `most`; CLI11's own check lets NaN pass.
 std::string number_fault(const std::string& text, double least, double most) {
-  double number = 0.0;
-  const char* end = text.data() + text.size();
-  const auto parsed = std::from_chars(text.data(), end, number);
-  const bool is_number = parsed.ec == std::errc{} && parsed.ptr == end && std::isfinite(number);
-  if (is_number && number >= least && number <= most) return "";
+  const auto number = number_in<double>(text);
+  if (number && std::isfinite(*number) && *number >= least && *number <= most) return "";
   return std::isfinite(most)
              ? fmt::format("found {}, expected a number from {} to {}", text, least, most)
              : fmt::format("found {}, expected a number from {}", text, least);
@@ -291,7 +288,7 @@ void add_output_folder(CLI::App& app, std::filesystem::path& out) {
 }
 
 Action declare_film(CLI::App& app) {
-  auto options = std::make_shared<FilmOptions>();
+  auto options = std::make_shared<work::EncodingOptions>();
   auto quiet = std::make_shared<bool>(false);
   add_output_folder(app, options->out);
   app.add_option("--out", options->film,
@@ -307,7 +304,7 @@ Action declare_film(CLI::App& app) {
       ->capture_default_str();
   add_quiet(app, *quiet);
   return [options, quiet] {
-    ConsoleProgress progress(progress_style(*quiet));
+    console::ConsoleProgress progress(console::progress_style(*quiet));
     return run_film(*options, progress);
   };
 }
@@ -321,7 +318,7 @@ Action declare_preview(CLI::App& app) {
   auto quiet = std::make_shared<bool>(false);
   add_quiet(app, *quiet);
   return [arguments, quiet] {
-    ConsoleProgress progress(progress_style(*quiet));
+    console::ConsoleProgress progress(console::progress_style(*quiet));
     return run_preview(resolved(*arguments), progress);
   };
 }
@@ -338,7 +335,7 @@ Action declare_report(CLI::App& app) {
       ->type_name("FILE.html");
   add_quiet(app, options->quiet);
   return [options] {
-    ConsoleProgress progress(progress_style(options->quiet));
+    console::ConsoleProgress progress(console::progress_style(options->quiet));
     return run_report(options->out, options->page, progress);
   };
 }

@@ -7,6 +7,7 @@
 #include "compare/differences.h"
 #include "core/error.h"
 #include "core/progress.h"
+#include "work/encode_films.h"
 #include "work/job.h"
 
 /// What the program can do: one function per command, free of the command line's syntax. Each
@@ -30,15 +31,6 @@ struct CurvesOptions {
   std::vector<std::string> overrides;  ///< key=value, applied after the scene file
   std::filesystem::path out;           ///< ends in .svg or .csv
   std::filesystem::path weather;       ///< daily weather, for the season's curves; may be empty
-};
-
-/// What `film` is asked for.
-struct FilmOptions {
-  std::filesystem::path out;        ///< the output folder with the frames
-  std::filesystem::path film;       ///< .mp4; empty: out/film_<renderer>.mp4 for each renderer
-  std::string renderer;             ///< "blender" or "povray"; empty: those that have all frames
-  std::vector<int> frames;          ///< from 1, rising, without gaps; empty: all of the scene
-  double frames_per_second = 24.0;  ///< more than 0
 };
 
 /// What `preview` is asked for.
@@ -86,7 +78,7 @@ ExitCode run_preview(const PreviewOptions& options, Progress& progress);
 
 /// Encodes a folder's frames as films, .mp4 and a .webp that loops beside it, and prints their
 /// names. With a name of its own there is one film: Blender's where both renderers have all frames.
-ExitCode run_film(const FilmOptions& options, Progress& progress);
+ExitCode run_film(const work::EncodingOptions& options, Progress& progress);
 
 /// Writes a page about an output folder, `out`/report.html unless `page` names another, and prints
 /// its name.

@@ -1,5 +1,5 @@
 #include "cli/commands.h"
-#include "cli/output.h"
+#include "console/output.h"
 #include "report/doctor_report.h"
 
 namespace wold::cli {
@@ -10,7 +10,7 @@ ExitCode run_doctor(const DoctorOptions& options) {
                         render::diagnose(render::Renderer::povray, options.povray)};
   findings.other_blenders = render::other_blenders(findings.renderers.front());
   findings.ffmpeg = render::diagnose_ffmpeg();
-  print_data(options.json ? report::doctor_json(findings) : report::doctor_text(findings));
+  console::print_data(options.json ? report::doctor_json(findings) : report::doctor_text(findings));
   return is_any_complete(findings) ? ExitCode::done : ExitCode::renderer;
 }
 

@@ -1,23 +1,13 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
-#include <optional>
 
 #include "cli/commands.h"
-#include "cli/output.h"
-#include "core/image.h"
-#include "core/interrupt.h"
-#include "render/encode.h"
-#include "work/frame_pictures.h"
+#include "console/output.h"
 #include "work/job.h"
-#include "work/own_folder.h"
 
 namespace wold::cli {
-namespace fs = std::filesystem;
 namespace {
 
-void check(const FilmOptions& options) {
+void check(const work::EncodingOptions& options) {
   if (!options.film.empty() && options.film.extension() != ".mp4")
     throw InputError(fmt::format("--out: found {}, expected a file name that ends in .mp4",
                                  options.film.string()));
@@ -27,84 +17,14 @@ void check(const FilmOptions& options) {
                                  work::ranges_text(frames), frames.front(), frames.back()));
 }
 
-/// Those of the renderer that was asked for, or all.
-std::vector<work::FramePictures> wanted_pictures(const FilmOptions& options,
-                                                 std::vector<work::FramePictures> all) {
-  if (!options.renderer.empty())
-    std::erase_if(all,
-                  [&](const work::FramePictures& one) { return one.renderer != options.renderer; });
-  if (all.empty())
-    throw FileError(fmt::format("no pictures in {}; `wold render` makes them",
-                                (options.out / "frames" / options.renderer).string()));
-  return all;
-}
-
-FileError incomplete(const FilmOptions& options, const std::vector<work::FramePictures>& all,
-                     const std::vector<int>& frames) {
-  std::string text = fmt::format("frames are missing in {}:", (options.out / "frames").string());
-  for (const work::FramePictures& one : all)
-    text += fmt::format(" {}'s {};", work::display_name(one),
-                        work::ranges_text(work::missing_frames(one, frames)));
-  return FileError(text + " `wold render` makes them, --frames 1-9 takes some of them");
-}
-
-/// The size that all pictures have.
-glm::ivec2 common_size(const work::FramePictures& pictures, const std::vector<int>& frames) {
-  std::optional<glm::ivec2> common;
-  for (const int frame : frames) {
-    const fs::path& picture = pictures.by_frame.at(frame);
-    const ImageHeader header = read_image_header(picture);
-    const glm::ivec2 size(header.width, header.height);
-    if (common && size != *common)
-      throw FileError(
-          fmt::format("{} has {} x {} pixels, expected {} x {} as in frame {}; `wold "
-                      "render` makes all frames of one size",
-                      picture.string(), size.x, size.y, common->x, common->y, frames.front()));
-    common = size;
-  }
-  return common.value();
-}
-
-void write_films(const FilmOptions& options, const work::FramePictures& pictures,
-                 const std::vector<int>& frames, const fs::path& film, Progress& progress) {
-  render::Encoding encoding;
-  encoding.pictures = pictures.folder;
-  encoding.first = frames.front();
-  encoding.count = static_cast<int>(frames.size());
-  encoding.size_px = common_size(pictures, frames);
-  encoding.frames_per_second = options.frames_per_second;
-  // Far more than any machine needs; it is there for an FFmpeg that hangs.
-  encoding.timeout = std::chrono::seconds(60 + 20 * encoding.count);
-  for (const char* extension : {".mp4", ".webp"}) {
-    encoding.film = fs::path(film).replace_extension(extension);
-    encoding.log =
-        options.out / "logs" / fmt::format("film_{}_{}.log", pictures.renderer, extension + 1);
-    render::encode(encoding, progress, interrupted);
-    print_data(encoding.film.string() + "\n");
-  }
-}
-
 }  // namespace
 
-ExitCode run_film(const FilmOptions& options, Progress& progress) {
+ExitCode run_film(const work::EncodingOptions& options, Progress& progress) {
   check(options);
-  work::require_no_way_out(options.out);
-  const std::vector<work::FramePictures> all = work::frame_pictures(options.out);
-  const std::vector<int> frames =
-      options.frames.empty() ? work::expected_frames(options.out, all) : options.frames;
-  const std::vector<work::FramePictures> wanted = wanted_pictures(options, all);
-  std::vector<work::FramePictures> complete = wanted;
-  std::erase_if(complete, [&](const work::FramePictures& one) {
-    return frames.empty() || !work::missing_frames(one, frames).empty();
-  });
-  if (complete.empty()) throw incomplete(options, wanted, frames);
-  for (const work::FramePictures& pictures : complete) {
-    const fs::path film = options.film.empty()
-                              ? options.out / fmt::format("film_{}.mp4", pictures.renderer)
-                              : options.film;
-    write_films(options, pictures, frames, film, progress);
-    if (!options.film.empty()) break;
-  }
+  const auto print = [](const std::filesystem::path& film) {
+    console::print_data(film.string() + "\n");
+  };
+  work::encode_films(options, print, progress);
   return ExitCode::done;
 }
 

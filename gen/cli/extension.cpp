@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
-#include "cli/output.h"
+#include "console/output.h"
 #include "core/file_list.h"
 #include "core/files.h"
 #include "core/version.h"
@@ -44,8 +44,8 @@ ExitCode run_extension(const fs::path& out) {
   make_folder(out);
   update_file(archive, packed());
   update_file(script, read_file(shipped_file(fmt::format("templates/blender/{}", launcher))));
-  print_data(fmt::format("{}\n{}\n", archive.string(), script.string()));
-  print_message(how_to_use(archive, script));
+  console::print_data(fmt::format("{}\n{}\n", archive.string(), script.string()));
+  console::print_message(how_to_use(archive, script));
   return ExitCode::done;
 }
 

@@ -1,7 +1,7 @@
 #include "compare/inspect.h"
 
 #include "cli/commands.h"
-#include "cli/output.h"
+#include "console/output.h"
 
 namespace wold::cli {
 
@@ -14,7 +14,7 @@ ExitCode run_inspect(const std::vector<std::filesystem::path>& files, bool json)
     const char* separator = text.empty() ? "" : json ? ",\n" : "\n";
     text += separator + (json ? inspection.json : inspection.text);
   }
-  print_data(json ? "[\n" + text + "]\n" : text);
+  console::print_data(json ? "[\n" + text + "]\n" : text);
   return sound ? ExitCode::done : ExitCode::file;
 }
 

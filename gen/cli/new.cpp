@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
-#include "cli/output.h"
+#include "console/output.h"
 #include "core/files.h"
 #include "scene/starter.h"
 
@@ -16,7 +16,7 @@ ExitCode run_new(const std::string& name, const std::string& kind) {
   if (std::filesystem::exists(file))
     throw InputError(fmt::format("{} exists already; choose another name", file.string()));
   write_file(file, text);
-  print_message(fmt::format(
+  console::print_message(fmt::format(
       "wrote {0}; look at it with wold preview {0}, make it with wold render {0}", file.string()));
   return ExitCode::done;
 }

@@ -15,8 +15,8 @@
 #include "cli/command_facts.h"
 #include "cli/command_table.h"
 #include "cli/commands.h"
-#include "cli/output.h"
-#include "cli/standard_streams.h"
+#include "console/output.h"
+#include "console/standard_streams.h"
 #include "core/interrupt.h"
 #include "core/parallel.h"
 #include "core/version.h"
@@ -37,7 +37,7 @@ struct CommandLine {
 };
 
 ExitCode run_man(const std::vector<pages::CommandFacts>& commands) {
-  print_data(pages::manual_page(commands));
+  console::print_data(pages::manual_page(commands));
   return ExitCode::done;
 }
 
@@ -54,13 +54,14 @@ void add_page(CLI::App& sub) {
 
 ExitCode run_page(const CLI::App& app, const std::string& command) {
   const std::vector<pages::CommandFacts> all = command_facts(app);
-  print_data(pages::command_page(*std::ranges::find(all, command, &pages::CommandFacts::name)));
+  console::print_data(
+      pages::command_page(*std::ranges::find(all, command, &pages::CommandFacts::name)));
   return ExitCode::done;
 }
 
 ExitCode run_completion(const std::vector<pages::CommandFacts>& commands,
                         const std::string& shell) {
-  print_data(pages::completion(commands, shell));
+  console::print_data(pages::completion(commands, shell));
   return ExitCode::done;
 }
 
@@ -111,7 +112,7 @@ Action answer(const CLI::App& app, const CLI::ParseError& result) {
   std::ostringstream text, unused;
   app.exit(result, text, unused);
   return [shown = text.str()] {
-    print_data(shown);
+    console::print_data(shown);
     return ExitCode::done;
   };
 }
@@ -125,7 +126,7 @@ ExitCode execute(int argc, char** argv) {
 }
 
 ExitCode report(const Error& error) {
-  print_message(fmt::format("error: {}", error.what()));
+  console::print_message(fmt::format("error: {}", error.what()));
   return error.code();
 }
 
@@ -133,9 +134,9 @@ ExitCode report(const InputError& error) {
   constexpr std::size_t most = 100;  // more says nothing new, and a file may have a million
   const std::vector<Problem>& problems = error.problems();
   for (std::size_t i = 0; i < std::min(most, problems.size()); ++i)
-    print_message(fmt::format("error: {}", to_string(problems[i])));
+    console::print_message(fmt::format("error: {}", to_string(problems[i])));
   if (problems.size() > most)
-    print_message(fmt::format("error: and {} more like these", problems.size() - most));
+    console::print_message(fmt::format("error: and {} more like these", problems.size() - most));
   return error.code();
 }
 
@@ -160,7 +161,7 @@ void report_exhaustion() {
     report_exhaustion();
     std::_Exit(static_cast<int>(ExitCode::file));
   } catch (const std::exception& error) {
-    print_message(fmt::format("error: uncaught: {}", error.what()));
+    console::print_message(fmt::format("error: uncaught: {}", error.what()));
   }
   std::abort();
 }
@@ -171,7 +172,7 @@ ExitCode run_and_report(int argc, char** argv) {
   } catch (const InputError& error) {
     return report(error);
   } catch (const InterruptedError& error) {
-    print_message("interrupted; the same command goes on where it stopped");
+    console::print_message("interrupted; the same command goes on where it stopped");
     return error.code();
   } catch (const Error& error) {
     return report(error);
@@ -200,7 +201,7 @@ std::function<ExitCode()> asked_for(int argc, char** argv) {
 }
 
 int run(int argc, char** argv) {
-  open_standard_streams();
+  console::open_standard_streams();
   catch_interrupts();
   ignore_size_limits();
   std::set_terminate(end_of_uncaught);

@@ -1,6 +1,6 @@
 #include "cli/commands.h"
-#include "cli/output.h"
 #include "cli/warnings.h"
+#include "console/output.h"
 #include "core/file_list.h"
 #include "core/files.h"
 #include "core/parallel.h"
@@ -41,7 +41,7 @@ void print_plan(const work::Job& job, bool with_pictures) {
   if (!with_pictures)
     std::erase_if(plan,
                   [](const work::StagePlan& stage) { return makes_pictures(stage.tasks.stage); });
-  print_data(work::plan_text(job, plan, /*why=*/false));
+  console::print_data(work::plan_text(job, plan, /*why=*/false));
 }
 
 }  // namespace
@@ -70,7 +70,7 @@ ExitCode run_render(const work::RenderOptions& options, Progress& progress) {
     for (const work::StageTasks& stage : stages)
       if (work::makes_pictures(stage.stage))
         pictures += work::picture_path(job, {stage.stage, frame}).string() + "\n";
-  print_data(pictures);
+  console::print_data(pictures);
   return ExitCode::done;
 }
 

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
-#include "cli/output.h"
+#include "console/output.h"
 #include "core/files.h"
 #include "report/report_facts.h"
 #include "report/report_page.h"
@@ -24,7 +24,7 @@ ExitCode run_report(const std::filesystem::path& out, const std::filesystem::pat
   const std::filesystem::path file = page.empty() ? out / "report.html" : page;
   check_name(file);
   write_file(file, report::report_page(report::report_facts(out), progress));
-  print_data(file.string() + "\n");
+  console::print_data(file.string() + "\n");
   return ExitCode::done;
 }
 

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include "advice/scene_warnings.h"
-#include "cli/output.h"
+#include "console/output.h"
 
 namespace wold::cli {
 
 void print_warnings(const scene::Scene& film) {
   for (const std::string& warning : advice::scene_warnings(film))
-    print_message(fmt::format("warning: {}", warning));
+    console::print_message(fmt::format("warning: {}", warning));
 }
 
 }  // namespace wold::cli

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "cloud/texture_noise.h"
 #include "core/elementary.h"
 #include "core/random.h"
+#include "core/statistics.h"
 
 namespace wold::cloud {
 namespace {
@@ -24,9 +24,8 @@ std::shared_ptr<const PeriodicMap<float>> tile_of(std::uint64_t key, const Noise
       tile->at(x, y) = static_cast<float>(noise(
           glm::dvec2(x + 0.5, y + 0.5) * (static_cast<double>(tile_features) / tile_px), key));
   std::vector<float>& values = tile->values();
-  const double mean =
-      std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-  for (float& value : values) value -= static_cast<float>(mean);
+  const double average = mean(values);
+  for (float& value : values) value -= static_cast<float>(average);
   return tile;
 }
 

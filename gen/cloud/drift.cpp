@@ -15,7 +15,7 @@
 namespace wold::cloud {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int gust_waves = 8;
 constexpr double shortest_gust_s = 20.0, longest_gust_s = 900.0;
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/interpolation.h"
+
 namespace wold::cloud {
 
 /// Where an index falls in a row of `period` > 0 places that repeats: in [0, period).
@@ -57,8 +59,7 @@ class PeriodicMap {
     const T* high = row(j + 1 == height_ ? 0 : j + 1);
     const int left = i < 0 ? width_ - 1 : i;
     const int right = i + 1 == width_ ? 0 : i + 1;
-    return (1.0 - v) * ((1.0 - u) * low[left] + u * low[right]) +
-           v * ((1.0 - u) * high[left] + u * high[right]);
+    return bilinear<double>(low[left], low[right], high[left], high[right], u, v);
   }
 
  private:

@@ -1,10 +1,10 @@
 #include "cloud/recipe.h"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/model_file.h"
 
 namespace wold::cloud {
 namespace {
@@ -13,14 +13,8 @@ namespace {
 class RecipeFile {
  public:
   explicit RecipeFile(const std::string& kind)
-      : file_(shipped_file(fmt::format("models/cloud/{}.toml", kind)).string()) {
-    try {
-      root_ = toml::parse(read_file(file_), file_);
-    } catch (const toml::parse_error& error) {
-      throw FileError(
-          fmt::format("{}:{}: {}", file_, error.source().begin.line, error.description()));
-    }
-  }
+      : file_(shipped_file(fmt::format("models/cloud/{}.toml", kind)).string()),
+        root_(read_model_file(file_)) {}
 
   double number(const char* path) const {
     const auto value = root_.at_path(path).value<double>();

@@ -9,7 +9,7 @@
 namespace wold::cloud {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// What light that is scattered for the `time`th time, from 1, sends out at the angle.
 double forward_order(double asymmetry, int time, double cosine) {

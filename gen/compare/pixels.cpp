@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "core/statistics.h"
 
 namespace wold::compare {
 
-double mean(const Image& image) {
-  const double sum = std::accumulate(image.values.begin(), image.values.end(), 0.0);
-  return sum / static_cast<double>(std::max<std::size_t>(image.values.size(), 1));
-}
+double mean(const Image& image) { return wold::mean(image.values); }
 
 Image shown_rgb(const Image& image) {
   const bool is_grey = image.channels < 3;

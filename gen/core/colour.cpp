@@ -29,6 +29,12 @@ double grey_needed(double channel, double grey, double ceiling) {
   return 0.0;
 }
 
+double lobe(double wavelength_nm, double centre_nm, double left_per_nm, double right_per_nm) {
+  const double from_centre_nm = wavelength_nm - centre_nm;
+  const double t = from_centre_nm * (from_centre_nm < 0.0 ? left_per_nm : right_per_nm);
+  return math::exp(-0.5 * t * t);
+}
+
 }  // namespace
 
 glm::dvec3 srgb_from_xyz(const glm::dvec3& xyz) { return srgb_xyz_matrix * xyz; }
@@ -62,6 +68,13 @@ glm::dvec3 in_gamut(const glm::dvec3& rgb, double ceiling) {
   double share = 0.0;
   for (int i = 0; i < 3; ++i) share = std::max(share, grey_needed(rgb[i], grey, ceiling));
   return glm::clamp(glm::mix(rgb, glm::dvec3(grey), share), 0.0, ceiling);
+}
+
+glm::dvec3 observer_fit(double nm) {
+  return {0.362 * lobe(nm, 442.0, 0.0624, 0.0374) + 1.056 * lobe(nm, 599.8, 0.0264, 0.0323) -
+              0.065 * lobe(nm, 501.1, 0.0490, 0.0382),
+          0.821 * lobe(nm, 568.8, 0.0213, 0.0247) + 0.286 * lobe(nm, 530.9, 0.0613, 0.0322),
+          1.217 * lobe(nm, 437.0, 0.0845, 0.0278) + 0.681 * lobe(nm, 459.0, 0.0385, 0.0725)};
 }
 
 Observer::Observer(std::span<const glm::dvec3> matching, std::span<const double> illuminant) {

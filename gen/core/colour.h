@@ -28,6 +28,11 @@ double luminance(const glm::dvec3& rgb);
 /// just as much as needed, which keeps hue and luminance; a luminance beyond the range is clamped.
 glm::dvec3 in_gamut(const glm::dvec3& rgb, double ceiling = 1.0);
 
+/// The CIE 1931 observer at one wavelength: XYZ up to a common factor, by the multi-lobe fit of
+/// Wyman, Sloan and Shirley 2013 (JCGT 2:2, table 1). It serves spectra that are functions, as
+/// sunlight's is; those that are tables have an Observer with CIE's own numbers (models/colour).
+glm::dvec3 observer_fit(double wavelength_nm);
+
 /// One illuminant and one observer, sampled at a spectrum's wavelengths.
 class Observer {
  public:

@@ -3,14 +3,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 
 namespace wold {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-double degrees(double deg) { return deg * pi / 180.0; }
+using std::numbers::pi;
 
 /// sqrt(C^7 / (C^7 + 25^7)): near 1 for saturated colours, 0 for greys.
 double saturation(double chroma) {
@@ -43,14 +42,14 @@ double mean_hue(const Polar& one, const Polar& other) {
 }
 
 double hue_weight(double hue) {
-  return 1.0 - 0.17 * math::cos(hue - degrees(30.0)) + 0.24 * math::cos(2.0 * hue) +
-         0.32 * math::cos(3.0 * hue + degrees(6.0)) - 0.20 * math::cos(4.0 * hue - degrees(63.0));
+  return 1.0 - 0.17 * math::cos(hue - radians(30.0)) + 0.24 * math::cos(2.0 * hue) +
+         0.32 * math::cos(3.0 * hue + radians(6.0)) - 0.20 * math::cos(4.0 * hue - radians(63.0));
 }
 
 /// How much differences in chroma and hue turn into each other, around blue.
 double rotation(double chroma, double hue) {
-  const double distance = (hue * 180.0 / pi - 275.0) / 25.0;
-  return -2.0 * saturation(chroma) * math::sin(degrees(60.0) * math::exp(-distance * distance));
+  const double distance = (degrees(hue) - 275.0) / 25.0;
+  return -2.0 * saturation(chroma) * math::sin(radians(60.0) * math::exp(-distance * distance));
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include "core/files.h"
 
-#include <OpenImageIO/hash.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
+#include <xxhash.h>
 
 #include <array>
 #include <cerrno>
@@ -134,7 +134,7 @@ void update_file(const fs::path& path, std::string_view bytes) {
 }
 
 std::string content_hash(std::string_view bytes) {
-  return fmt::format("{:016x}", OIIO::xxhash::XXH64(bytes.data(), bytes.size(), 0));
+  return fmt::format("{:016x}", XXH64(bytes.data(), bytes.size(), 0));
 }
 
 fs::path shipped_file(std::string_view relative) {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/interpolation.h"
 #include "core/parallel.h"
 
 namespace wold {
@@ -70,8 +71,7 @@ class GroundMap {
     const int j = std::min(static_cast<int>(fy), samples_ - 2);
     const auto u = static_cast<float>(fx - i);
     const auto v = static_cast<float>(fy - j);
-    return (at(i, j) * (1.0F - u) + at(i + 1, j) * u) * (1.0F - v) +
-           (at(i, j + 1) * (1.0F - u) + at(i + 1, j + 1) * u) * v;
+    return bilinear(at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1), u, v);
   }
 
  private:

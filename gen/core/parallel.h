@@ -26,27 +26,28 @@ void parallel_for_blocks(std::size_t count, const Body& body) {
   });
 }
 
-/// parallel_for() for bodies that need room to work in: body(i, room), where make() gives a room.
-/// There are no more rooms than threads; bodies use them in turn and have to leave them as they
-/// were.
+/// Runs body(i, scratch) for every i in [0, count) as parallel_for() does, for bodies that need
+/// memory to work in. make() gives a scratch, of which there are at most as many as threads. Bodies
+/// use them in turn and have to leave them as they were. tbb::enumerable_thread_specific would not
+/// do: a thread that waits for a loop inside a body may begin another body, with the same scratch.
 template <class Make, class Body>
-void parallel_for_in_rooms(std::size_t count, const Make& make, const Body& body) {
-  using Room = std::invoke_result_t<Make>;
+void parallel_for_with_scratch(std::size_t count, const Make& make, const Body& body) {
+  using Scratch = std::invoke_result_t<Make>;
   std::mutex mutex;
-  std::vector<std::unique_ptr<Room>> free;
-  const auto enter = [&]() -> std::unique_ptr<Room> {
+  std::vector<std::unique_ptr<Scratch>> free;
+  const auto taken = [&]() -> std::unique_ptr<Scratch> {
     const std::lock_guard lock(mutex);
     if (free.empty()) return nullptr;
-    auto room = std::move(free.back());
+    auto scratch = std::move(free.back());
     free.pop_back();
-    return room;
+    return scratch;
   };
   parallel_for(count, [&](std::size_t i) {
-    auto room = enter();
-    if (!room) room = std::make_unique<Room>(make());
-    body(i, *room);
+    auto scratch = taken();
+    if (!scratch) scratch = std::make_unique<Scratch>(make());
+    body(i, *scratch);
     const std::lock_guard lock(mutex);
-    free.push_back(std::move(room));
+    free.push_back(std::move(scratch));
   });
 }
 

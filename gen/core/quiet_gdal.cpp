@@ -1,5 +1,7 @@
 #include "core/quiet_gdal.h"
 
+#include <cpl_conv.h>
+#include <gdal_priv.h>
 #include <ogr_srs_api.h>
 
 #include <algorithm>
@@ -42,5 +44,7 @@ QuietGdal::QuietGdal() {
   std::call_once(once, register_drivers);
   CPLPushErrorHandler(CPLQuietErrorHandler);
 }
+
+QuietGdal::~QuietGdal() { CPLPopErrorHandler(); }
 
 }  // namespace wold

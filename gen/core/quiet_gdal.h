@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cpl_conv.h>
-#include <gdal_priv.h>
-
 namespace wold {
 
 /// Readers of elevation models that are plain files: what lies in the file, or in one beside it of
@@ -19,7 +16,7 @@ inline constexpr const char* elevation_drivers[] = {
 class QuietGdal {
  public:
   QuietGdal();
-  ~QuietGdal() { CPLPopErrorHandler(); }
+  ~QuietGdal();
   QuietGdal(const QuietGdal&) = delete;
   QuietGdal& operator=(const QuietGdal&) = delete;
 };

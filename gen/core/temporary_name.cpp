@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
 #include <cstdint>
 #include <cstring>
@@ -17,6 +16,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/number_text.h"
 
 namespace wold {
 namespace fs = std::filesystem;
@@ -52,13 +52,6 @@ bool has_ended(pid_t process) {
   return process == ::getpid() || (::kill(process, 0) != 0 && errno == ESRCH);
 }
 
-std::optional<pid_t> whole_number(std::string_view text) {
-  pid_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || value < 1) return std::nullopt;
-  return value;
-}
-
 }  // namespace
 
 std::string host_name() {
@@ -80,8 +73,8 @@ bool is_left_behind(const fs::path& path) {
   if (!sealed) return false;
   const std::string_view before = sealed->substr(0, sealed->rfind('.'));  // the random number
   const std::size_t dot = before.rfind('.');
-  const auto process = whole_number(before.substr(dot + 1));
-  if (!process) return false;
+  const auto process = number_in<pid_t>(before.substr(dot + 1));
+  if (!process || *process < 1) return false;
   if (before.substr(0, dot).ends_with(fmt::format(".{}", host_name()))) return has_ended(*process);
   std::error_code gone;
   const auto touched = fs::last_write_time(path, gone);

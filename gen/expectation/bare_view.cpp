@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/elementary.h"
+#include "core/interpolation.h"
 
 namespace wold::expectation {
 namespace {
@@ -24,8 +25,7 @@ glm::vec3 sampled(const Image& image, double x, double y, bool around) {
     const float* pixel = image.pixel(inside, std::min(row, image.height - 1));
     return glm::vec3(pixel[0], pixel[1], pixel[2]);
   };
-  return glm::mix(glm::mix(at(i, j), at(i + 1, j), u), glm::mix(at(i, j + 1), at(i + 1, j + 1), u),
-                  v);
+  return bilinear(at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1), u, v);
 }
 
 glm::vec3 sky_radiance(const Image& sky, const glm::dvec3& direction) {

@@ -9,6 +9,7 @@
 #include "core/noise.h"
 #include "core/parallel.h"
 #include "core/random.h"
+#include "core/statistics.h"
 #include "place/cell_window.h"
 #include "place/ground_grids.h"
 #include "place/view.h"
@@ -51,12 +52,6 @@ float share_above(const scene::Grass& grass, float depth_m) {
 /// below, laden as they are, and they send most of what they held back down again.
 constexpr double shading_under_grass = 0.25;
 
-double mean(const FactorMap& map) {
-  double sum = 0.0;
-  for (const float value : map.values()) sum += double{value};
-  return sum / static_cast<double>(map.values().size());
-}
-
 /// The ground raised by snow: at most smooth, at least a third of the depth above the bare ground.
 Heightfield snow_surface(const scene::Scene& scene, const Heightfield& terrain,
                          const FactorMap& depth_m, const FactorMap& white) {
@@ -74,7 +69,7 @@ Heightfield snow_surface(const scene::Scene& scene, const Heightfield& terrain,
   Heightfield surface = terrain;
   for (std::size_t k = 0; k < surface.values().size(); ++k)
     surface.values()[k] += snow_m.values()[k];
-  for (int pass = smoothing_passes(mean(snow_m), terrain.step_m()); pass > 0; --pass)
+  for (int pass = smoothing_passes(mean(snow_m.values()), terrain.step_m()); pass > 0; --pass)
     smooth(surface);
   for (std::size_t k = 0; k < surface.values().size(); ++k)
     surface.values()[k] =
@@ -110,8 +105,8 @@ bool is_paper(const scene::Scene& scene) { return scene.snow_cover.cover == "pap
 SnowyGround::SnowyGround(const scene::Scene& scene, const place::Site& site, int frame)
     : scene_(scene), site_(site), grass_(scene::mean_grass(scene)), surface_(site.terrain) {
   if (!site.snow) return;
-  wetness_ =
-      snow::ground_wetness(site.snow->weather, scene::time_s(scene, frame), mean(site.terrain));
+  wetness_ = snow::ground_wetness(site.snow->weather, scene::time_s(scene, frame),
+                                  mean(site.terrain.values()));
   if (site.snow->large) {
     lay_about_the_camera(frame);
   } else if (!place::is_large(scene) || is_paper(scene)) {
@@ -139,7 +134,7 @@ void SnowyGround::lay_everywhere(int frame) {
   const snow::SnowGround::State state = snow.at(scene::time_s(scene_, frame));
   if (!(state.fallen_mm > 0.0)) return;
   depth_m_ = state.depth_m;
-  albedo_ = static_cast<float>(mean(state.albedo));
+  albedo_ = static_cast<float>(mean(state.albedo.values()));
   const std::optional<place::Sketch>& sketch = site_.sketch;
   white_ = snow.white(state, sketch ? sketch->ground_samples : white_samples(surface_.size_m()));
   if (is_paper(scene_)) return;  // the ground's shape stays
@@ -242,7 +237,7 @@ FactorMap SnowyGround::growth() const {
   return is_bare() ? site_.growth : above_snow(site_.growth);
 }
 
-double SnowyGround::white_share() const { return is_bare() ? 0.0 : mean(*white_); }
+double SnowyGround::white_share() const { return is_bare() ? 0.0 : mean(white_->values()); }
 
 double SnowyGround::mean_albedo() const {
   return std::lerp(grass_albedo, double{albedo_}, white_share());

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 #include "core/error.h"
 #include "core/parallel.h"
@@ -15,8 +16,7 @@
 namespace wold::light {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double radians_per_degree = pi / 180.0;
+using std::numbers::pi;
 
 /// Perez' distribution (Perez, Seals and Michalsky 1993): zenith angle by its cosine, angle to the
 /// sun in radians.

@@ -1,8 +1,8 @@
 #include "light/sunlight.h"
 
 #include <cmath>
-#include <numbers>
 
+#include "core/angle.h"
 #include "core/colour.h"
 #include "core/elementary.h"
 
@@ -11,20 +11,6 @@ namespace {
 
 constexpr double extraterrestrial_klx = 130.0;  // between the 127.5 and 133.1 of the literature
 constexpr double sun_temperature_K = 5778.0;
-
-double lobe(double wavelength_nm, double centre_nm, double left_per_nm, double right_per_nm) {
-  const double from_centre_nm = wavelength_nm - centre_nm;
-  const double t = from_centre_nm * (from_centre_nm < 0.0 ? left_per_nm : right_per_nm);
-  return math::exp(-0.5 * t * t);
-}
-
-/// CIE 1931 observer by the multi-lobe fit of Wyman, Sloan and Shirley 2013 (JCGT 2:2, table 1).
-glm::dvec3 observer(double nm) {
-  return {0.362 * lobe(nm, 442.0, 0.0624, 0.0374) + 1.056 * lobe(nm, 599.8, 0.0264, 0.0323) -
-              0.065 * lobe(nm, 501.1, 0.0490, 0.0382),
-          0.821 * lobe(nm, 568.8, 0.0213, 0.0247) + 0.286 * lobe(nm, 530.9, 0.0613, 0.0322),
-          1.217 * lobe(nm, 437.0, 0.0845, 0.0278) + 0.681 * lobe(nm, 459.0, 0.0385, 0.0725)};
-}
 
 /// Planck's law up to a factor.
 double sun_spectrum(double nm) {
@@ -35,7 +21,7 @@ double sun_spectrum(double nm) {
 
 /// Optical air mass (Kasten 1966).
 double air_mass(double elevation_rad) {
-  const double zenith_deg = 90.0 - elevation_rad * 180.0 / std::numbers::pi;
+  const double zenith_deg = 90.0 - degrees(elevation_rad);
   return 1.0 / (math::sin(elevation_rad) + 0.15 * math::pow(93.885 - zenith_deg, -1.253));
 }
 
@@ -52,7 +38,7 @@ glm::dvec3 direct_sunlight_klx(double elevation_rad, double turbidity) {
   glm::dvec3 xyz(0.0);
   double above = 0.0;
   for (int nm = 380; nm <= 780; nm += 5) {
-    const glm::dvec3 seen = sun_spectrum(nm) * observer(nm);
+    const glm::dvec3 seen = sun_spectrum(nm) * observer_fit(nm);
     xyz += seen * transmittance(nm, mass, turbidity);
     above += seen.y;
   }

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 #include "core/random.h"
 #include "scene/calendar.h"
 
 namespace wold::meadow {
 namespace {
-
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 /// Crests are longer than the way from one to the next.
 constexpr double crest_length = 2.2;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 #include "core/parallel.h"
 #include "landscape/tiled_volume.h"
@@ -11,7 +12,7 @@
 namespace wold::meadow {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The mean over starts x starts rays that begin evenly over the patch, each at another share of a
 /// step.
@@ -40,7 +41,7 @@ PatchLook::PatchLook(std::span<const landscape::Volume> volumes, int starts) {
       const std::size_t a = k / elevations_deg.size();
       const std::size_t e = k % elevations_deg.size();
       const double azimuth = 2.0 * pi * static_cast<double>(a) / azimuths;
-      const double elevation = elevations_deg[e] * pi / 180.0;
+      const double elevation = radians(elevations_deg[e]);
       const landscape::FarLook look =
           mean_look(volume,
                     {math::cos(azimuth) * math::cos(elevation),
@@ -54,7 +55,7 @@ PatchLook::PatchLook(std::span<const landscape::Volume> volumes, int starts) {
 
 landscape::FarLook PatchLook::along(const glm::dvec3& direction) const {
   const double elevation_deg =
-      std::clamp(math::atan2(-direction.z, glm::length(glm::dvec2(direction))) * 180.0 / pi,
+      std::clamp(degrees(math::atan2(-direction.z, glm::length(glm::dvec2(direction)))),
                  elevations_deg.front(), elevations_deg.back());
   const auto above =
       std::upper_bound(elevations_deg.begin() + 1, elevations_deg.end() - 1, elevation_deg);

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
+#include "core/angle.h"
 #include "core/complex_plane.h"
 #include "core/elementary.h"
 #include "core/error.h"
@@ -158,7 +158,7 @@ std::vector<std::complex<double>> wind_changes(const std::vector<weather::Day>& 
   for (const weather::Day& day : all)
     changes.push_back(
         from_polar(usual.speed_m_s > 0.0 ? *day.wind_speed_m_s / usual.speed_m_s : 1.0,
-                   (*day.wind_heading_deg - usual.heading_deg) * std::numbers::pi / 180.0));
+                   radians(*day.wind_heading_deg - usual.heading_deg)));
   return changes;
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/elementary.h"
 #include "core/image.h"
+#include "core/interpolation.h"
 #include "core/noise.h"
 #include "core/parallel.h"
 #include "core/random.h"
@@ -29,9 +30,9 @@ class Mask {
     const auto value = [&](int right, int below) {
       return level(static_cast<int>(left) + right, static_cast<int>(top) + below);
     };
-    const double upper = std::lerp(value(0, 0), value(1, 0), x - left);
-    const double lower = std::lerp(value(0, 1), value(1, 1), x - left);
-    return std::clamp(std::lerp(upper, lower, y - top), 0.0, 1.0);
+    const double mean =
+        bilinear(value(0, 0), value(1, 0), value(0, 1), value(1, 1), x - left, y - top);
+    return std::clamp(mean, 0.0, 1.0);
   }
 
  private:

@@ -1,10 +1,8 @@
 #include "place/view.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
-#include "core/elementary.h"
+#include "core/pinhole.h"
 #include "scene/species.h"
 
 namespace wold::place {
@@ -46,8 +44,7 @@ glm::dvec3 film_eye_direction(const scene::Scene& scene, const Heightfield& terr
 }
 
 double pixels_per_radian(const scene::Scene& scene) {
-  const double half_rad = scene.camera.field_of_view_deg * std::numbers::pi / 360.0;
-  return scene.render.size_px[0] / (2.0 * math::tan(half_rad));
+  return wold::pixels_per_radian(scene.camera.field_of_view_deg, scene.render.size_px[0]);
 }
 
 double farthest_standing_m(const scene::Scene& scene) {
@@ -56,15 +53,14 @@ double farthest_standing_m(const scene::Scene& scene) {
 }
 
 View::View(const landscape::Camera& camera, int width_px, int height_px) : eye_m_(camera.eye_m) {
-  const glm::dvec3 forward = glm::normalize(camera.target_m - camera.eye_m);
-  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 0, 1)));
-  const glm::dvec3 up = glm::cross(right, forward);
-  const double across = math::tan(camera.field_of_view_deg * std::numbers::pi / 360.0);
+  const CameraAxes axes(camera.eye_m, camera.target_m);
+  const auto& [forward, right, up] = axes;
+  const double across = half_width(camera.field_of_view_deg);
   const double upwards = across * height_px / width_px;
   inwards_ = {glm::normalize(forward * across + right), glm::normalize(forward * across - right),
               glm::normalize(forward * upwards + up), glm::normalize(forward * upwards - up),
               forward};
-  pixels_per_radian_ = width_px / (2.0 * across);
+  pixels_per_radian_ = wold::pixels_per_radian(camera.field_of_view_deg, width_px);
 }
 
 bool View::may_see(const glm::dvec3& centre_m, double radius_m) const {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/elementary.h"
 #include "core/random.h"
+#include "core/statistics.h"
 #include "scene/calendar.h"
 #include "snow/weather.h"
 #include "terrain/relief.h"
@@ -20,11 +20,6 @@ constexpr double days_per_night_k = 0.5 * days_per_m / snow::lapse_k_per_m;
 constexpr double days_of_twice_the_sun = 10.0;
 /// The field is cut at so many standard deviations.
 constexpr double most_deviations = 2.5;
-
-double mean(const Heightfield& terrain) {
-  const auto& values = terrain.values();
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
 
 /// The terrain with few enough samples that its surroundings are soon found.
 Heightfield coarse(const Heightfield& terrain) {
@@ -69,7 +64,7 @@ double more_sun(const glm::dvec2& gradient, const glm::dvec3& sun) {
 /// By how many days a place withers later than the mean one.
 FactorMap delays_days(const scene::Scene& scene, const Heightfield& terrain) {
   const FactorMap hollow = hollows(terrain);
-  const double mean_m = mean(terrain);
+  const double mean_m = mean(terrain.values());
   const glm::dvec3 sun = equinox_sun(scene.sun.latitude_deg);
   FactorMap delays(terrain.samples(), terrain.square());
   for (int j = 0; j < delays.samples(); ++j)

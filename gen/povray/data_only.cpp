@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/number_text.h"
 
 namespace wold::povray {
 namespace fs = std::filesystem;
@@ -137,10 +137,8 @@ class Reader {
     return rest_.substr(end).starts_with('"') && skip(end + 1);
   }
   bool skip_number() {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
-    const auto length = static_cast<std::size_t>(end - rest_.data());
-    return error == std::errc() && length_of_word(length) == 0 && skip(length);
+    const auto number = leading_number<double>(rest_);
+    return number && length_of_word(number->length) == 0 && skip(number->length);
   }
   std::size_t length_of_word(std::size_t begin) const {
     const std::string_view text = rest_.substr(begin);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "core/angle.h"
 #include "core/colour.h"
 #include "core/elementary.h"
 #include "core/parallel.h"
@@ -64,8 +64,7 @@ Image patch_picture(const Tubes& tubes, double patch_m, double height_m, const g
   const double width_m = std::max(1.45 * patch_m, 1.15 * height_m * size_px.x / size_px.y);
   const glm::dvec3 middle_m(0.5 * patch_m, 0.5 * patch_m, 0.45 * height_m);
   const landscape::Camera camera{middle_m + far_away * width_m * glm::dvec3(0.25, -0.93, 0.27),
-                                 middle_m,
-                                 2.0 * math::atan(0.5 / far_away) * 180.0 / std::numbers::pi};
+                                 middle_m, degrees(2.0 * math::atan(0.5 / far_away))};
   Canvas canvas(finer * size_px.x, finer * size_px.y);
   std::fill(canvas.radiance.values.begin(), canvas.radiance.values.end(), 0.05F);
   const LightAt same = [&](const glm::dvec3&) { return light; };

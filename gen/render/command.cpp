@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
+#include "core/number_text.h"
 #include "render/blender_module.h"
 #include "render/short_run.h"
 
@@ -56,18 +56,17 @@ Arguments povray_arguments(const Job& job, const fs::path& output) {
   return arguments;
 }
 
-std::optional<double> leading_number(std::string_view text) {
-  double value = 0.0;
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (result.ec != std::errc() || !std::isfinite(value)) return std::nullopt;
-  return value;
+std::optional<double> leading_finite(std::string_view text) {
+  const auto number = leading_number<double>(text);
+  if (!number || !std::isfinite(number->value)) return std::nullopt;
+  return number->value;
 }
 
 /// "wold: progress 0.25"
 std::optional<double> blender_fraction(std::string_view line) {
   constexpr std::string_view mark = "wold: progress ";
   if (!line.starts_with(mark)) return std::nullopt;
-  return leading_number(line.substr(mark.size()));
+  return leading_finite(line.substr(mark.size()));
 }
 
 /// "Rendered 1024 of 921600 pixels (0%)"; the pixels are finer than the percent
@@ -76,8 +75,8 @@ std::optional<double> povray_fraction(std::string_view line) {
   constexpr std::string_view middle = " of ";
   const std::size_t of = line.find(middle);
   if (!line.starts_with(mark) || of == std::string_view::npos) return std::nullopt;
-  const auto done = leading_number(line.substr(mark.size()));
-  const auto total = leading_number(line.substr(of + middle.size()));
+  const auto done = leading_finite(line.substr(mark.size()));
+  const auto total = leading_finite(line.substr(of + middle.size()));
   if (!done || !total || *total <= 0.0) return std::nullopt;
   return *done / *total;
 }

@@ -4,12 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <string>
 #include <vector>
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/number_text.h"
 #include "render/log.h"
 #include "render/process.h"
 #include "render/program.h"
@@ -93,11 +93,10 @@ class Listener {
   }
   void reach(std::string_view number) {
     number.remove_prefix(std::min(number.find_first_not_of(' '), number.size()));
-    int frames = 0;
-    std::from_chars(number.data(), number.data() + number.size(), frames);
-    if (frames <= frames_) return;
-    progress_.advance(static_cast<std::size_t>(frames - frames_), {});
-    frames_ = frames;
+    const auto frames = leading_number<int>(number);
+    if (!frames || frames->value <= frames_) return;
+    progress_.advance(static_cast<std::size_t>(frames->value - frames_), {});
+    frames_ = frames->value;
   }
 
   Progress& progress_;

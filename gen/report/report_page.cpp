@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/duration_text.h"
 #include "core/files.h"
 #include "core/markup.h"
 #include "core/page_picture.h"
@@ -28,13 +29,6 @@ std::string list_of_warnings(const std::vector<std::string>& warnings) {
   return fmt::format("<ul class=\"warnings\" aria-label=\"Warnings\">\n{}</ul>\n", items);
 }
 
-std::string duration(double seconds) {
-  if (seconds < 60.0) return fmt::format("{:.1f} s", seconds);
-  const long whole = std::lround(seconds);
-  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
-  return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
-}
-
 /// "8 frames, 960 × 540 pixels, by Blender and POV-Ray"
 std::string summary(const ReportFacts& facts, const EmbeddedFilm& film) {
   if (film.renderers.empty()) return fmt::format("{} frames", facts.frames.size());
@@ -52,8 +46,8 @@ std::string times(const ReportFacts& facts) {
       rows += fmt::format(
           "<tr><td>{}</td><td class=\"number\">{} of {}</td><td class=\"number\">{}</td>"
           "<td class=\"number\">{}</td></tr>\n",
-          stage.stage, stage.done, stage.tasks, duration(stage.seconds / stage.done),
-          duration(stage.seconds));
+          stage.stage, stage.done, stage.tasks, duration_text(stage.seconds / stage.done),
+          duration_text(stage.seconds));
   if (rows.empty()) return {};
   return "<h2>Time taken</h2>\n<section class=\"card charts\">\n"
          "<div class=\"bars\" id=\"bars\"></div>\n<div class=\"scroll\"><table>\n"

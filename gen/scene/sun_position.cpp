@@ -2,19 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 
 namespace wold::scene {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
-
-double sin_deg(double angle_deg) { return math::sin(angle_deg * degree); }
-double cos_deg(double angle_deg) { return math::cos(angle_deg * degree); }
-double tan_deg(double angle_deg) { return math::tan(angle_deg * degree); }
-double atan2_deg(double y, double x) { return math::atan2(y, x) / degree; }
+double sin_deg(double angle_deg) { return math::sin(angle_deg * radians_per_degree); }
+double cos_deg(double angle_deg) { return math::cos(angle_deg * radians_per_degree); }
+double tan_deg(double angle_deg) { return math::tan(angle_deg * radians_per_degree); }
+double atan2_deg(double y, double x) { return math::atan2(y, x) / radians_per_degree; }
 
 /// Julian centuries since 2000 January 1, noon.
 double centuries_since_2000(const std::chrono::year_month_day& date, double hours_utc) {
@@ -56,7 +54,7 @@ Apparent apparent_sun(double t) {
   const double tilt_deg = obliquity_deg(t);
   const double right_ascension_deg =
       atan2_deg(cos_deg(tilt_deg) * sin_deg(longitude_deg), cos_deg(longitude_deg));
-  return {math::asin(sin_deg(tilt_deg) * sin_deg(longitude_deg)) / degree,
+  return {math::asin(sin_deg(tilt_deg) * sin_deg(longitude_deg)) / radians_per_degree,
           mean_longitude_deg(t) - 0.0057183 - right_ascension_deg +
               nutation_deg(t) * cos_deg(tilt_deg)};
 }

@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 #include <utility>
 
-#include "core/elementary.h"
+#include "core/angle.h"
 #include "core/parallel.h"
 #include "core/progress.h"
 #include "film/assemble.h"
@@ -17,6 +16,7 @@
 #include "meadow/far_field.h"
 #include "meadow/film_lights.h"
 #include "place/cell_window.h"
+#include "place/view.h"
 #include "scene/key_frames.h"
 #include "scene/species.h"
 
@@ -33,11 +33,10 @@ constexpr int voxels = 30;  ///< of the texel that far grass is looked up in
 /// How low grass looks where so few blades stand nearer to the camera that they can be drawn: a
 /// sector of the circle around it.
 double standing_pixels(const scene::Scene& scene) {
-  const double half_angle = 0.5 * scene.camera.field_of_view_deg * std::numbers::pi / 180.0;
+  const double half_angle = radians(0.5 * scene.camera.field_of_view_deg);
   const double blades_per_m2 = scene.grass.blades / (scene.grass.patch_m * scene.grass.patch_m);
   const double radius_m = std::sqrt(most_blades / blades_per_m2 / half_angle);
-  const double pixels_per_radian = 0.5 * scene.render.size_px[0] / math::tan(half_angle);
-  return scene::mean_grass(scene).height_m * pixels_per_radian / radius_m;
+  return scene::mean_grass(scene).height_m * place::pixels_per_radian(scene) / radius_m;
 }
 
 /// Some of the key frames: between two of them looks are mixed.

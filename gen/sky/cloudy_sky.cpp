@@ -6,12 +6,13 @@
 
 #include "core/elementary.h"
 #include "core/parallel.h"
+#include "core/pinhole.h"
 #include "sky/cloud_haze.h"
 
 namespace wold::sky {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Whether an eye might see that.
 bool differ(const glm::vec3& a, const glm::vec3& b) {
@@ -96,18 +97,16 @@ Image sky_picture(const CloudySky& sky, int width_px) {
 landscape::Backdrop sky_backdrop(const CloudySky& sky, const landscape::Camera& camera,
                                  int width_px, int height_px, double distance_m) {
   constexpr double margin = 1.06;
-  const glm::dvec3 forward = glm::normalize(camera.target_m - camera.eye_m);
-  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 0, 1)));
-  const double width_m =
-      2.0 * distance_m * margin * math::tan(camera.field_of_view_deg * pi / 360.0);
+  const CameraAxes axes(camera.eye_m, camera.target_m);
+  const double width_m = 2.0 * distance_m * margin * half_width(camera.field_of_view_deg);
   landscape::Backdrop backdrop;
   backdrop.picture = Image(static_cast<int>(std::ceil(width_px * margin)),
                            static_cast<int>(std::ceil(height_px * margin)), 3);
   const Image& picture = backdrop.picture;
-  backdrop.right_m = right * width_m;
-  backdrop.up_m = glm::cross(right, forward) * (width_m * picture.height / picture.width);
+  backdrop.right_m = axes.right * width_m;
+  backdrop.up_m = axes.up * (width_m * picture.height / picture.width);
   backdrop.corner_m =
-      camera.eye_m + forward * distance_m - (backdrop.right_m + backdrop.up_m) / 2.0;
+      camera.eye_m + axes.forward * distance_m - (backdrop.right_m + backdrop.up_m) / 2.0;
   sky.paint(backdrop.picture, [&](const glm::dvec2& at) {
     const glm::dvec3 place_m = backdrop.corner_m + backdrop.right_m * (at.x / picture.width) +
                                backdrop.up_m * (1.0 - at.y / picture.height);

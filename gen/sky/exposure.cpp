@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/angle.h"
 #include "core/colour.h"
 #include "core/elementary.h"
 
@@ -41,7 +42,7 @@ double clear_illuminance_klx(double sun_elevation_deg) {
 }  // namespace
 
 double metered_gain(const light::Daylight& day, Subject subject) {
-  constexpr double elevation_rad = 20.0 * std::numbers::pi / 180.0;
+  constexpr double elevation_rad = radians(20.0);
   const double sky = luminance(day.mean_sky_radiance(elevation_rad));
   return std::min(card_exposure(subject) * std::numbers::pi, brightest_sky / sky);
 }

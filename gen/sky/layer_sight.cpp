@@ -9,7 +9,7 @@
 namespace wold::sky {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double earth_radius_m = 6.371e6;
 
 /// Logarithm of how much deeper a cloud is where its field is higher by 1. Only fine detail is

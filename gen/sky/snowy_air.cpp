@@ -11,7 +11,7 @@
 namespace wold::sky {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// From the ground to the middle of the clouds in which flakes grow.
 constexpr double snow_column_m = 3000.0;

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/error.h"
+#include "core/statistics.h"
 #include "scene/calendar.h"
 #include "snow/drifting.h"
 #include "snow/paper_white.h"
@@ -35,10 +35,6 @@ Heightfield coarsened(const Heightfield& terrain, int most_samples) {
     for (int i = 0; i < most_samples; ++i)
       result.at(i, j) = terrain.sample(i * result.step_m(), j * result.step_m());
   return result;
-}
-
-double mean(const std::vector<float>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 /// An hour, or so short that a short film is followed closely.

@@ -15,7 +15,7 @@
 namespace wold::snow {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double sixth_turn = pi / 3.0;
 constexpr double reach = 0.9;  ///< leaves the border of the coarsest level transparent
 

@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <numeric>
-
 #include "core/parallel.h"
 #include "core/random.h"
+#include "core/statistics.h"
 #include "snow/crystal_drawing.h"
 
 namespace wold::snow {
@@ -45,8 +44,7 @@ FlakePictures::FlakePictures(std::uint64_t seed) {
 }
 
 void FlakePictures::add(std::string name, Image opacity) {
-  const double sum = std::accumulate(opacity.values.begin(), opacity.values.end(), 0.0);
-  means_.push_back(static_cast<float>(sum / static_cast<double>(opacity.values.size())));
+  means_.push_back(static_cast<float>(mean(opacity.values)));
   pictures_.push_back({std::move(name), std::move(opacity)});
 }
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 #include "core/elementary.h"
+#include "core/statistics.h"
 
 namespace wold::snow {
 namespace {
@@ -111,10 +111,9 @@ FactorMap drift_weights(const Heightfield& terrain, double heading_deg, double d
 FactorMap drift_factor(const Heightfield& terrain, double heading_deg, double drifting) {
   FactorMap factor = drift_weights(terrain, heading_deg, drifting);
   std::vector<float>& values = factor.values();
-  const double mean =
-      std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-  if (mean > 0.0)
-    for (float& value : values) value = static_cast<float>(value / mean);
+  const double average = mean(values);
+  if (average > 0.0)
+    for (float& value : values) value = static_cast<float>(value / average);
   return factor;
 }
 

@@ -11,7 +11,7 @@
 namespace wold::snow {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double holroyd_g_mm_per_cm3 = 0.17;
 
 /// Gamma(4, x) / 6: the share of the third moment of exp(-x) that lies above x.

@@ -8,23 +8,19 @@ namespace wold::snow {
 namespace {
 
 /// Level, to the right of `along`; east where that is vertical.
-template <class Vector>
-Vector level_across(const Vector& along) {
-  using Number = typename Vector::value_type;
-  const Number length = std::sqrt(along.x * along.x + along.y * along.y);
-  if (!(length > Number(1e-6))) return {Number(1), Number(0), Number(0)};
-  const Number scale = Number(1) / length;
-  return {along.y * scale, -along.x * scale, Number(0)};
+glm::vec3 level_across(const glm::vec3& along) {
+  const float length = std::sqrt(along.x * along.x + along.y * along.y);
+  if (!(length > 1e-6F)) return {1.0F, 0.0F, 0.0F};
+  const float scale = 1.0F / length;
+  return {along.y * scale, -along.x * scale, 0.0F};
 }
 
 }  // namespace
 
 Frustum::Frustum(const SnowView& view)
     : eye_m_(view.eye_m),
-      ahead_(glm::normalize(view.target_m - view.eye_m)),
-      right_(level_across(ahead_)),
-      up_(glm::cross(right_, ahead_)),
-      half_width_(math::tan(0.5 * glm::radians(view.field_of_view_deg))),
+      axes_(view.eye_m, view.target_m),
+      half_width_(half_width(view.field_of_view_deg)),
       half_height_(half_width_ * view.height_px / view.width_px),
       slant_width_(math::hypot(1.0, half_width_)),
       slant_height_(math::hypot(1.0, half_height_)),

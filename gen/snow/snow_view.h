@@ -3,6 +3,8 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
+#include "core/pinhole.h"
+
 namespace wold::snow {
 
 /// Who looks at the snow: a camera whose up is +z.
@@ -20,7 +22,7 @@ class Frustum {
   explicit Frustum(const SnowView& view);
 
   const glm::dvec3& eye_m() const { return eye_m_; }
-  const glm::dvec3& ahead() const { return ahead_; }
+  const glm::dvec3& ahead() const { return axes_.forward; }
   /// Whether any of a ball is seen (or nearly, about the pyramid's edges).
   bool touches(const glm::dvec3& centre_m, double radius_m) const {
     return touches_from_eye(centre_m - eye_m_, radius_m);
@@ -29,9 +31,9 @@ class Frustum {
   template <class Vector>
   bool touches_from_eye(const Vector& centre_m, typename Vector::value_type radius_m) const {
     using Number = typename Vector::value_type;
-    const Number depth = glm::dot(centre_m, Vector(ahead_));
-    const Number beside = std::abs(glm::dot(centre_m, Vector(right_)));
-    const Number above = std::abs(glm::dot(centre_m, Vector(up_)));
+    const Number depth = glm::dot(centre_m, Vector(axes_.forward));
+    const Number beside = std::abs(glm::dot(centre_m, Vector(axes_.right)));
+    const Number above = std::abs(glm::dot(centre_m, Vector(axes_.up)));
     return static_cast<bool>(
         static_cast<int>(depth > -radius_m) &
         static_cast<int>(beside <= Number(half_width_) * depth + Number(slant_width_) * radius_m) &
@@ -39,9 +41,9 @@ class Frustum {
   }
   /// Where a place ahead, relative to the eye, is in the picture: from -1 to 1 to the right and up.
   glm::dvec2 in_picture(const glm::dvec3& from_eye_m) const {
-    const double depth_m = glm::dot(from_eye_m, ahead_);
-    return {glm::dot(from_eye_m, right_) / (depth_m * half_width_),
-            glm::dot(from_eye_m, up_) / (depth_m * half_height_)};
+    const double depth_m = glm::dot(from_eye_m, axes_.forward);
+    return {glm::dot(from_eye_m, axes_.right) / (depth_m * half_width_),
+            glm::dot(from_eye_m, axes_.up) / (depth_m * half_height_)};
   }
   double solid_angle_sr() const;
   /// Between the middle and a corner of the picture.
@@ -50,7 +52,8 @@ class Frustum {
   double pixel_angle() const { return pixel_angle_; }
 
  private:
-  glm::dvec3 eye_m_, ahead_, right_, up_;
+  glm::dvec3 eye_m_;
+  CameraAxes axes_;
   double half_width_, half_height_;    ///< of the picture, one metre ahead
   double slant_width_, slant_height_;  ///< from the eye to there, where the other one is 0
   double pixel_angle_;

@@ -23,7 +23,8 @@ struct WeatherMoment {
 inline constexpr double lapse_k_per_m = 0.0065;
 
 /// Share of precipitation that is snow at an air temperature: 1 below 0, 0 above 2 degrees Celsius,
-/// linear between: half at 1 degree, where as much falls as snow as as rain.
+/// linear between: half at 1 degree, where as much falls as snow as as rain. It is the rule for the
+/// temperature of the hour; snowpack::snow_share() is fitted to one of the day.
 double snow_share(double temperature_c);
 
 /// Share of it at a height above the terrain's zero: by its temperature, in a season by the day's,

@@ -5,13 +5,14 @@
 #include <glm/glm.hpp>
 #include <numbers>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 #include "weather/day_length.h"
 
 namespace wold::snowpack {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double warmest_hour = 15.0, noon = 12.0, day_h = 24.0;
 constexpr double clear_share = 0.75;  ///< of the sun's light that comes through clear air
 
@@ -48,7 +49,7 @@ DayAir::DayAir(const weather::Day& day, const weather::Day& next, double latitud
       precipitation_mm_h_(day.precipitation_mm / day_h),
       falling_mm_h_(day.precipitation_mm / day.wet_h),
       day_length_h_(day.day_length_h),
-      latitude_rad_(latitude_deg * pi / 180.0),
+      latitude_rad_(radians(latitude_deg)),
       declination_rad_(weather::declination_rad(weather::day_of_year(day.date))) {
   constexpr double hargreaves_per_sqrt_k = 0.16;  // inland
   constexpr double w_m2_per_mj_m2 = 1e6 / (day_h * 3600.0);

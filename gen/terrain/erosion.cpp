@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 #include "core/parallel.h"
 
@@ -46,7 +47,7 @@ void exchange(GroundMap<double>& heights_m, int stride, const Flow& flow_m) {
 void slide(GroundMap<double>& heights_m, double talus_deg, int steps) {
   // Below 1/8: a sample never gives more than its excess over all eight neighbours.
   constexpr double share = 0.11;
-  const double slope = math::tan(talus_deg * std::numbers::pi / 180.0);
+  const double slope = math::tan(radians(talus_deg));
   for (int step = 0; step < steps; ++step) {
     const int stride = 16 >> (5 * step / steps);
     const double stable_m = slope * stride * heights_m.step_m();

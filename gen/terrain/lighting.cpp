@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 #include "core/noise.h"
 #include "core/parallel.h"
@@ -17,8 +18,7 @@
 namespace wold::terrain {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double radians_per_degree = pi / 180.0;
+using std::numbers::pi;
 
 /// The sky cut into patches: azimuths times bands of elevation.
 struct SkyPatches {

@@ -2,17 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 #include "core/parallel.h"
 
 namespace wold::terrain {
-namespace {
-
-constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
-
-}  // namespace
+namespace {}  // namespace
 
 glm::dvec2 gradient(const Heightfield& terrain, double x_m, double y_m) {
   const auto inside = [&](double at_m) { return std::clamp(at_m, 0.0, terrain.size_m()); };

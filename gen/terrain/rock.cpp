@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 #include "core/ground_map.h"
 #include "core/random.h"
@@ -62,7 +63,7 @@ double light_on(const glm::dvec3& up, const glm::dvec3& to_sun) {
 
 /// Beds that dip by 20 degrees, in a keyed direction.
 glm::dmat3 beds(std::uint64_t key) {
-  constexpr double dip = 20.0 * std::numbers::pi / 180.0;
+  constexpr double dip = radians(20.0);
   const double heading = 2.0 * std::numbers::pi * random_uniform({key, key_of("dip"), 0, 0});
   const glm::dvec3 across(math::cos(heading), math::sin(heading), 0.0);
   const glm::dvec3 up = math::cos(dip) * glm::dvec3(0.0, 0.0, 1.0) +

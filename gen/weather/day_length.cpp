@@ -4,14 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 
 namespace wold::weather {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-double radians(double degrees) { return degrees * pi / 180.0; }
+using std::numbers::pi;
 
 /// Half the day as the angle that the Earth turns by, 0 to pi.
 double sunset_rad(double latitude_rad, double declination) {

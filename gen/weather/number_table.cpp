@@ -7,7 +7,6 @@
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
@@ -16,19 +15,12 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/number_text.h"
 #include "core/quiet_gdal.h"
 #include "scene/nearest.h"
 
 namespace wold::weather {
 namespace {
-
-std::optional<double> number_in(const std::string& text) {
-  double value = 0.0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end) return std::nullopt;
-  return value;
-}
 
 std::optional<double> day_in(const std::string& text) {
   OGRField field;
@@ -209,7 +201,7 @@ class TableReader {
       above.push_back(std::numeric_limits<double>::quiet_NaN());
       return;
     }
-    const std::optional<double> value = column.is_date ? day_in(text) : number_in(text);
+    const std::optional<double> value = column.is_date ? day_in(text) : number_in<double>(text);
     if (!value || !(column.is_date || (*value >= column.lowest && *value <= column.highest))) {
       note(field, fmt::format("{}: found {}, expected {}", column.name,
                               text.empty() ? "nothing" : text, expected_text(column)));

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <string_view>
 
 #include "core/error.h"
+#include "core/number_text.h"
 #include "scene/parse.h"
 #include "work/job.h"
 #include "work/tasks.h"
@@ -19,10 +19,8 @@ namespace {
 /// The frame that a picture is of, by its name.
 std::optional<int> frame_of(const fs::path& picture) {
   const std::string stem = picture.stem().string();
-  int frame = 0;
-  const auto [end, error] = std::from_chars(stem.data(), stem.data() + stem.size(), frame);
-  const bool is_number = error == std::errc{} && end == stem.data() + stem.size() && frame > 0;
-  if (picture.extension() != ".png" || !is_number || fmt::format("{:04}", frame) != stem)
+  const auto frame = number_in<int>(stem);
+  if (picture.extension() != ".png" || !frame || *frame < 1 || fmt::format("{:04}", *frame) != stem)
     return std::nullopt;
   return frame;
 }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "core/duration_text.h"
 #include "core/error.h"
 #include "scene/text.h"
 #include "work/disk_budget.h"
@@ -36,13 +37,6 @@ std::vector<TaskGroup> grouped(Work& work, const StageTasks& tasks) {
 std::string_view word_of(Need need) {
   constexpr std::string_view words[] = {"no", "perhaps", "yes"};
   return words[static_cast<std::size_t>(need)];
-}
-
-std::string time_text(double seconds) {
-  if (seconds < 10.0) return fmt::format("{:.1f} s", seconds);
-  if (seconds < 100.0) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 6000.0) return fmt::format("{:.0f} min", seconds / 60.0);
-  return fmt::format("{:.1f} h", seconds / 3600.0);
 }
 
 std::string size_text(double bytes) {
@@ -178,7 +172,7 @@ std::string total_text(const Job& job, const std::vector<StagePlan>& plan) {
   }
   if (seconds == 0.0) return {};
   const std::optional<double> free = free_bytes(job.out);
-  return fmt::format("  in all  {}, up to {} of memory, {} of disk{}\n", time_text(seconds),
+  return fmt::format("  in all  {}, up to {} of memory, {} of disk{}\n", duration_text(seconds),
                      size_text(memory_bytes), size_text(disk_bytes),
                      free ? fmt::format(" ({} are free)", size_text(*free)) : "");
 }
@@ -192,7 +186,7 @@ std::string plan_text(const Job& job, const std::vector<StagePlan>& plan, bool w
         stage.perhaps > 0 ? fmt::format(" and perhaps {}", stage.perhaps) : "";
     text += fmt::format("  {:8}{} of {} to do{}; each {}, {} of memory, {} of disk ({}){}\n",
                         name_of(stage.tasks.stage), stage.runs, stage.tasks.indices.size(), perhaps,
-                        time_text(stage.each.seconds), size_text(stage.each.memory_bytes),
+                        duration_text(stage.each.seconds), size_text(stage.each.memory_bytes),
                         size_text(stage.each.disk_bytes),
                         stage.each.measured ? "measured" : "guessed", after_text(stage.tasks));
     if (why)

@@ -61,22 +61,22 @@ TEST(StopScope, TheInnermostCountsAndGoesWithItsObject) {
   EXPECT_THROW(parallel_for(10, [](std::size_t) {}), std::runtime_error);
 }
 
-TEST(ParallelFor, RoomsAreNeverSharedAndNoMoreThanThreads) {
-  struct Room {
+TEST(ParallelFor, ScratchIsNeverSharedAndThereIsNoMoreThanThreads) {
+  struct Scratch {
     bool taken = false;
   };
   std::atomic<int> made = 0;
   std::atomic<int> shared = 0;
   const ThreadLimit limit(3);
-  parallel_for_in_rooms(
+  parallel_for_with_scratch(
       2000,
       [&] {
         ++made;
-        return Room{};
+        return Scratch{};
       },
-      [&](std::size_t, Room& room) {
-        if (std::exchange(room.taken, true)) ++shared;
-        room.taken = false;
+      [&](std::size_t, Scratch& scratch) {
+        if (std::exchange(scratch.taken, true)) ++shared;
+        scratch.taken = false;
       });
   EXPECT_EQ(shared, 0);
   EXPECT_GE(made, 1);

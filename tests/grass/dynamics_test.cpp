@@ -7,7 +7,6 @@
 #include <memory>
 #include <string>
 
-#include "grass/texel/voxelise.h"
 #include "small_meadow.h"
 
 namespace wold::grass {

@@ -5,6 +5,7 @@
 #include "grass/texel/rasterise.h"
 #include "grass/texel/voxelise.h"
 #include "small_meadow.h"
+#include "voxelised.h"
 
 namespace wold::grass {
 namespace {
@@ -66,9 +67,9 @@ TEST(Voxelise, AnEighthOfABladeIsVein) {
 TEST(Voxelise, MeadowKeepsItsProjectedArea) {
   const auto blades = small_blades();
   for (int side : {30, 62})
-    EXPECT_NEAR(
-        voxelise(blades, small_shape(side), glm::vec3(0.3F), 0.1F).area_m2() / cones_m2(blades),
-        1.0, 1e-4);
+    EXPECT_NEAR(test::voxelised(blades, small_shape(side), glm::vec3(0.3F), 0.1F).area_m2() /
+                    cones_m2(blades),
+                1.0, 1e-4);
 }
 
 TEST(Points, KeepTheAreaThroughSamplingAndRasterising) {

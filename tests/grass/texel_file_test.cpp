@@ -5,9 +5,9 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/vdb_file.h"
-#include "grass/texel/voxelise.h"
 #include "small_meadow.h"
 #include "support/temporary_folder.h"
+#include "voxelised.h"
 
 namespace wold::grass {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 constexpr float half_step = 1.0F / 1024.0F;  // relative spacing of half-precision numbers
 
 Texel small_texel() {
-  return voxelise(test::small_blades(), test::small_shape(30), {0.3F, 0.2F, 0.1F}, 0.12F);
+  return test::voxelised(test::small_blades(), test::small_shape(30), {0.3F, 0.2F, 0.1F}, 0.12F);
 }
 
 TEST(TexelFile, ReadsBackWithinHalfPrecision) {

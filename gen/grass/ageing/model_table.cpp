@@ -1,23 +1,14 @@
 #include "grass/ageing/model_table.h"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <optional>
 
 #include "core/error.h"
-#include "core/files.h"
+#include "core/model_file.h"
 
 namespace wold::grass {
 namespace {
-
-toml::table parsed(const std::string& file) {
-  try {
-    return toml::parse(read_file(file), file);
-  } catch (const toml::parse_error& error) {
-    throw FileError(fmt::format("{}:{}: {}", file, error.source().begin.line, error.description()));
-  }
-}
 
 std::vector<double> numbers(const toml::node& node, const std::string& where) {
   const toml::array* array = node.as_array();
@@ -35,7 +26,7 @@ std::vector<double> numbers(const toml::node& node, const std::string& where) {
 }  // namespace
 
 ModelTable::ModelTable(const std::filesystem::path& file) : file_(file.string()) {
-  for (const auto& [key, node] : parsed(file_)) {
+  for (const auto& [key, node] : read_model_file(file)) {
     const std::string name(key.str());
     columns_[name] = numbers(node, fmt::format("{}: \"{}\"", file_, name));
   }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
+#include "core/angle.h"
 #include "core/colour.h"
 #include "core/curve.h"
 #include "core/elementary.h"
@@ -46,7 +46,7 @@ double carotenoid_share(const scene::Physiology& ageing, double water) {
 /// Seen from the root, as in the paper's turning of the points about it.
 double tip_angle_deg(const Blade& blade, const BladePose& pose) {
   const glm::vec2 tip = BladeAxis(blade, pose).at(blade.length_m * pose.length_scale).position_m;
-  return math::atan2(double{tip.x}, double{tip.y}) * 180.0 / std::numbers::pi;
+  return degrees(math::atan2(double{tip.x}, double{tip.y}));
 }
 
 glm::dvec3 encoded(const glm::vec3& linear) {

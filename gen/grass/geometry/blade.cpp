@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 #include "core/random.h"
 #include "grass/geometry/clumps.h"
@@ -70,7 +71,7 @@ Blade make_blade(const scene::Plant& plant, const scene::Physiology& physiology,
   Blade blade;
   blade.root_m = root_m;
   blade.heading = {math::cos(heading), math::sin(heading)};
-  blade.lean = static_cast<float>(std::clamp(lean_deg, 0.0, 80.0) * std::numbers::pi / 180.0);
+  blade.lean = static_cast<float>(radians(std::clamp(lean_deg, 0.0, 80.0)));
   blade.length_m = positive_spread(plant.height_m, plant.height_spread, random.normal("length"));
   blade.radius_m = positive_spread(plant.width_m / 2, plant.width_spread, random.normal("width"));
   blade.keel_depth_m = keel_depth_m(
@@ -109,7 +110,7 @@ Blade mean_blade(const scene::Plant& plant, const scene::Physiology& physiology)
   Blade blade;
   blade.root_m = {0.0F, 0.0F};
   blade.heading = {1.0F, 0.0F};
-  blade.lean = static_cast<float>(plant.lean_deg * std::numbers::pi / 180.0);
+  blade.lean = static_cast<float>(radians(plant.lean_deg));
   blade.length_m = static_cast<float>(plant.height_m);
   blade.radius_m = static_cast<float>(plant.width_m / 2.0);
   blade.keel_depth_m = keel_depth_m(plant, blade, 1.0F);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 #include "core/random.h"
 #include "grass/geometry/axis.h"
@@ -64,7 +64,7 @@ void clump(std::vector<Blade>& hairs, const scene::Physiology& physiology, doubl
            std::uint64_t seed, int variant) {
   const scene::Fur& fur = physiology.fur;
   const std::vector<glm::vec2> roots = clump_roots(fur.clumps, patch_m, seed, variant);
-  const double comb = fur.comb_deg * std::numbers::pi / 180.0;
+  const double comb = radians(fur.comb_deg);
   const glm::vec2 combed(math::sin(comb), math::cos(comb));
   const auto relieved = static_cast<float>(relieved_loss(1.0, physiology.stiffening));
   for (Blade& hair : hairs) {

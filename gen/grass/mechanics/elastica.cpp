@@ -9,7 +9,7 @@
 namespace wold::grass {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double step = 1.0 / elastica_segments;
 /// No blade stands exactly upright: this lean (rad) decides to which side it buckles.
 constexpr double smallest_lean = 1e-4;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 #include <vector>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 #include "grass/geometry/snow_ridge.h"
 #include "grass/mechanics/vein_forces.h"
@@ -26,7 +26,7 @@ constexpr double leaf_thickness_m = 0.0002;
 /// What a leaf's snow weighs at most, the fresh leaf being 1: 2.7.
 constexpr double snow_per_leaf = leaf_snow_kg_m2 / (leaf_kg_m3 * leaf_thickness_m);
 /// Polar angle beyond which snow turns no tip.
-constexpr double lowest_tip = 75.0 * std::numbers::pi / 180.0;
+constexpr double lowest_tip = radians(75.0);
 /// Water in a fresh leaf: 240 % of its dry mass (models/ageing/water_standard.toml).
 constexpr double water_mass_share = 240.0 / 340.0;
 /// Water lost when turgor is gone; grasses lose it near a relative water content of 0.8 (modelling

@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <utility>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 
 namespace wold::grass {
@@ -86,7 +86,7 @@ double stern_p(double a, double b, double q) {
 
 double surface_transmittance(double cone_deg, double n) {
   const double q = n * n;
-  const double s2 = square(math::sin(cone_deg * std::numbers::pi / 180.0));
+  const double s2 = square(math::sin(radians(cone_deg)));
   const double c = s2 - (q + 1.0) / 2.0;
   // At 90 degrees the root is exactly 0, which rounding would miss.
   const double root =

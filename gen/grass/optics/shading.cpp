@@ -12,7 +12,7 @@
 namespace wold::grass {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr float recollision = 0.45F;
 
 /// A world direction as the texel sees it that stands turned by `turn` quarter-turns.

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/elementary.h"
+#include "core/interpolation.h"
 
 namespace wold::grass {
 namespace {
@@ -87,8 +88,8 @@ std::vector<float> voxel_transmittance(const VoxelRows& voxels, const std::vecto
       voxels.each(y, z, [&](int x, std::size_t place) {
         const int left = x < shift_x ? x - shift_x + shape.side : x - shift_x;
         const int right = left + 1 == shape.side ? 0 : left + 1;
-        result[place] = math::exp(-glm::mix(glm::mix(near[left], near[right], on.x),
-                                            glm::mix(far[left], far[right], on.x), on.y));
+        result[place] =
+            math::exp(-bilinear(near[left], near[right], far[left], far[right], on.x, on.y));
       });
     }
   };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 #include "grass/texel/columns.h"
 #include "grass/texel/visible.h"
@@ -11,7 +12,6 @@
 namespace wold::grass {
 namespace {
 
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
 constexpr int azimuths = 2;
 
 /// Rows of rays that are enough for a mean over a fine texel.

@@ -22,8 +22,8 @@ std::vector<KeptSlice> voxels_above(const TexelShape& shape, const Contributions
                                     float least) {
   const auto least_m2 = static_cast<float>(least * shape.voxel_volume_m3());
   std::vector<KeptSlice> slices(static_cast<std::size_t>(shape.height));
-  const auto room = [&] { return SliceAreas(shape); };
-  parallel_for_in_rooms(slices.size(), room, [&](std::size_t z, SliceAreas& areas) {
+  const auto scratch = [&] { return SliceAreas(shape); };
+  parallel_for_with_scratch(slices.size(), scratch, [&](std::size_t z, SliceAreas& areas) {
     const auto add = [&](std::size_t, auto shares) { areas.add(shares); };
     contributions.each_in_slice(static_cast<int>(z), add);
     slices[z].voxels = areas.take_above(least_m2);
@@ -62,8 +62,8 @@ Texel build_texel(const TexelShape& shape, const Contributions& contributions, d
   if (area_m2_of(slices) == 0.0) slices = voxels_above(shape, contributions, 0.0F);
   const auto per_area = static_cast<float>(area_m2 / area_m2_of(slices) / shape.voxel_volume_m3());
   Texel texel = texel_for(shape, slices);
-  const auto room = [&] { return SliceMoments(shape); };
-  parallel_for_in_rooms(slices.size(), room, [&](std::size_t z, SliceMoments& moments) {
+  const auto scratch = [&] { return SliceMoments(shape); };
+  parallel_for_with_scratch(slices.size(), scratch, [&](std::size_t z, SliceMoments& moments) {
     const KeptSlice& slice = slices[z];
     moments.start(slice.voxels);
     const auto add = [&](std::size_t which, auto shares) {

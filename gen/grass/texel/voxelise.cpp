@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "core/elementary.h"
-#include "grass/texel/texel_builder.h"
 
 namespace wold::grass {
 namespace {
@@ -74,41 +73,6 @@ std::vector<BladeVoxel> gathered(std::vector<Speck>& specks) {
   return voxels;
 }
 
-/// The voxels of straight blades, ordered by slice.
-class BladeContributions {
- public:
-  BladeContributions(const std::vector<Blade>& blades, const TexelShape& shape, glm::vec3 albedo,
-                     float specular)
-      : slices_(static_cast<std::size_t>(shape.height)) {
-    for (const Blade& blade : blades)
-      for (const BladeVoxel& voxel : voxelise_blade(blade, shape)) {
-        if (voxel.voxel.z >= shape.height) continue;
-        slices_[static_cast<std::size_t>(voxel.voxel.z)].push_back(shares_.size());
-        shares_.push_back(
-            {shape.linear(shape.wrapped(voxel.voxel.x), shape.wrapped(voxel.voxel.y), 0),
-             voxel.area_m2});
-        moments_.emplace_back(AxisFrame(blade).along, voxel.normal, albedo, specular);
-      }
-  }
-  double area_m2() const {
-    double sum = 0.0;
-    for (const VoxelShare& share : shares_) sum += double{share.area_m2};
-    return sum;
-  }
-
-  template <class Visit>
-  void each_in_slice(int z, const Visit& visit) const {
-    for (std::size_t which : slices_[static_cast<std::size_t>(z)])
-      visit(which, std::span<const VoxelShare, 1>(&shares_[which], 1));
-  }
-  const Moments& moments(std::size_t which) const { return moments_[which]; }
-
- private:
-  std::vector<std::vector<std::size_t>> slices_;
-  std::vector<VoxelShare> shares_;
-  std::vector<Moments> moments_;
-};
-
 }  // namespace
 
 double cone_area_m2(const Blade& blade) {
@@ -124,12 +88,6 @@ std::vector<BladeVoxel> voxelise_blade(const Blade& blade, const TexelShape& sha
   for (int slice = 0; slice < slices; ++slice)
     add_slice(blade, frame, (static_cast<float>(slice) + 0.5F) * slice_m, slice_m, shape, specks);
   return gathered(specks);
-}
-
-Texel voxelise(const std::vector<Blade>& blades, const TexelShape& shape, glm::vec3 albedo,
-               float specular) {
-  const BladeContributions contributions(blades, shape, albedo, specular);
-  return build_texel(shape, contributions, contributions.area_m2());
 }
 
 }  // namespace wold::grass

@@ -23,9 +23,4 @@ std::vector<BladeVoxel> voxelise_blade(const Blade& blade, const TexelShape& sha
 /// Mean projected area of a fresh cone, m^2: (pi / 4) * length * radius.
 double cone_area_m2(const Blade& blade);
 
-/// The initial texel (what stands out above it is cut off): the sum of all blades' voxels;
-/// attributes are averaged by area, tangents as dyads.
-Texel voxelise(const std::vector<Blade>& blades, const TexelShape& shape, glm::vec3 albedo,
-               float specular);
-
 }  // namespace wold::grass

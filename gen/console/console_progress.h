@@ -10,7 +10,7 @@
 
 #include "core/progress.h"
 
-namespace wold::cli {
+namespace wold::console {
 
 /// How progress is shown: a bar that is redrawn, lines for logs, or not at all.
 enum class ProgressStyle { bar, lines, none };
@@ -53,4 +53,4 @@ class ConsoleProgress final : public Progress {
   Clock::time_point shown_;  ///< when the bar was drawn last
 };
 
-}  // namespace wold::cli
+}  // namespace wold::console

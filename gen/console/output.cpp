@@ -1,4 +1,4 @@
-#include "cli/output.h"
+#include "console/output.h"
 
 #include <unistd.h>
 
@@ -10,7 +10,7 @@
 #include "core/error.h"
 #include "core/printable.h"
 
-namespace wold::cli {
+namespace wold::console {
 
 void print_data(std::string_view text) {
   const std::string shown = ::isatty(STDOUT_FILENO) != 0 ? printable(text) : std::string(text);
@@ -27,4 +27,4 @@ void print_progress(const std::string& text) {
   std::fflush(stderr);
 }
 
-}  // namespace wold::cli
+}  // namespace wold::console

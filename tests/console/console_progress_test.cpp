@@ -1,8 +1,8 @@
-#include "cli/console_progress.h"
+#include "console/console_progress.h"
 
 #include <gmock/gmock.h>
 
-namespace wold::cli {
+namespace wold::console {
 namespace {
 
 using namespace std::chrono_literals;
@@ -39,4 +39,4 @@ TEST(ConsoleProgress, SaysInTheEndHowLongItTook) {
 }
 
 }  // namespace
-}  // namespace wold::cli
+}  // namespace wold::console

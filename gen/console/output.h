@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace wold::cli {
+namespace wold::console {
 
 /// Writes data for other programs to stdout; to a terminal it is printable(). Throws FileError when
 /// it cannot be written (disk full, closed).
@@ -16,4 +16,4 @@ void print_message(std::string_view text);
 /// nothing any more, as on a full disk, the work goes on.
 void print_progress(const std::string& text);
 
-}  // namespace wold::cli
+}  // namespace wold::console

@@ -1,4 +1,4 @@
-#include "cli/console_progress.h"
+#include "console/console_progress.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -6,12 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/output.h"
+#include "console/output.h"
+#include "core/duration_text.h"
 #include "core/error.h"
 #include "core/interrupt.h"
 #include "core/printable.h"
 
-namespace wold::cli {
+namespace wold::console {
 namespace {
 
 using Seconds = std::chrono::duration<double>;
@@ -22,14 +23,6 @@ constexpr int bar_width = 24;
 std::string bar_text(double share) {
   const int full = static_cast<int>(share * bar_width);
   return fmt::format("[{:#<{}}{:.<{}}]", "", full, "", bar_width - full);
-}
-
-/// "1:05:09", "5:09"
-std::string clock_text(double seconds) {
-  const auto whole = std::lround(seconds);
-  const long hours = whole / 3600, minutes = whole / 60 % 60;
-  return hours > 0 ? fmt::format("{}:{:02}:{:02}", hours, minutes, whole % 60)
-                   : fmt::format("{}:{:02}", minutes, whole % 60);
 }
 
 }  // namespace
@@ -104,4 +97,4 @@ void ConsoleProgress::show(std::string_view detail) {
   }
 }
 
-}  // namespace wold::cli
+}  // namespace wold::console

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <span>
+
+namespace wold {
+
+/// The arithmetic mean of numbers, summed up in their order; 0 of none.
+inline double mean(std::span<const float> values) {
+  const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+  return sum / static_cast<double>(std::max<std::size_t>(values.size(), 1));
+}
+
+}  // namespace wold

@@ -1,0 +1,54 @@
+#include "report/curves_file.h"
+
+#include <span>
+#include <vector>
+
+#include "core/parallel.h"
+#include "core/table.h"
+#include "grass/ageing/withering_curves.h"
+#include "phenology/film_season.h"
+#include "phenology/season.h"
+#include "report/curves_figure.h"
+#include "report/curves_table.h"
+#include "report/season_curves.h"
+#include "scene/calendar.h"
+#include "weather/daily_weather.h"
+
+namespace wold::report {
+namespace {
+
+std::string ageing_file(const scene::Scene& scene, CurvesForm form) {
+  const ThreadLimit limit(scene.render.threads);
+  const grass::WitheringCurves curves = grass::withering_curves(scene);
+  return form == CurvesForm::figure ? chart::svg(withering_figure(scene.name, curves))
+                                    : csv(withering_table(curves));
+}
+
+/// What a scene's season makes of its days; its keys may say how the meadow withers.
+std::vector<phenology::SeasonDay> days_of(const scene::Scene& scene) {
+  const phenology::FilmSeason film(scene);
+  std::vector<phenology::SeasonDay> days =
+      phenology::season_of(film.days(), scene.snow_cover.initial_mm);
+  for (std::size_t i = 0; i < days.size(); ++i) days[i].weathering_degree = film.weathering()[i];
+  return days;
+}
+
+std::string season_file(const scene::Scene& scene, std::span<const phenology::SeasonDay> days,
+                        CurvesForm form) {
+  return form == CurvesForm::figure ? chart::svg(season_figure(scene.name, days))
+                                    : csv(season_table(days));
+}
+
+}  // namespace
+
+std::string curves_file(const scene::Scene& scene, const std::filesystem::path& weather,
+                        CurvesForm form) {
+  if (!weather.empty())
+    return season_file(
+        scene, phenology::season_of(weather::read_daily_weather(weather, scene.sun.latitude_deg)),
+        form);
+  return scene::is_season(scene) ? season_file(scene, days_of(scene), form)
+                                 : ageing_file(scene, form);
+}
+
+}  // namespace wold::report

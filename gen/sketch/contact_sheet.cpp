@@ -1,0 +1,210 @@
+#include "sketch/contact_sheet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/elementary.h"
+#include "core/parallel.h"
+#include "landscape/perspective.h"
+#include "preview/camera_picture.h"
+#include "preview/sheet.h"
+#include "preview/sky_picture.h"
+#include "scene/key_frames.h"
+#include "sketch/preview_film.h"
+
+namespace wold::sketch {
+namespace fs = std::filesystem;
+namespace {
+
+using preview::Tile;
+
+/// First, middle and last.
+std::vector<int> shown_frames(const scene::Scene& scene) {
+  std::vector<int> frames = some_of(static_cast<int>(scene.ageing.frames.size()), 3);
+  for (int& frame : frames) ++frame;
+  return frames;
+}
+
+std::string caption_of(const landscape::Landscape& landscape) {
+  return fmt::format("Frame {}, weathering degree {:.3g}", landscape.frame, landscape.weathering);
+}
+
+/// Looks down on the whole terrain from the south.
+scene::Camera overview_camera(const scene::Scene& scene) {
+  constexpr double elevation = glm::radians(48.0);
+  constexpr double distance = 1.65;  // in sides of the terrain
+  const double size_m = scene.terrain.size_m;
+  scene::Camera camera;
+  camera.target_m = {0.5 * size_m, 0.47 * size_m};
+  camera.target_height_m = 0.0;
+  camera.eye_m = {0.5 * size_m, camera.target_m[1] - distance * size_m * math::cos(elevation)};
+  camera.eye_height_m = distance * size_m * math::sin(elevation);
+  camera.field_of_view_deg = 42.0;
+  return camera;
+}
+
+/// What multiplies the radiance of grass, developed, on the mean of the terrain.
+glm::vec3 mean_light(const landscape::Landscape& landscape) {
+  glm::dvec3 sum(0.0);
+  for (const glm::vec3& light : landscape.light.values()) sum += light;
+  return glm::vec3(sum * landscape.exposure_gain /
+                   static_cast<double>(landscape.light.values().size()));
+}
+
+/// Draws where the camera stands and how wide it looks.
+void mark_camera(const landscape::Camera& camera, const landscape::Landscape& overview,
+                 Image& picture) {
+  const glm::vec3 colour(1.0F, 0.45F, 0.1F);
+  const landscape::Perspective perspective(overview.camera, {picture.width, picture.height});
+  const glm::dvec2 ahead = glm::dvec2(camera.target_m - camera.eye_m);
+  const double azimuth = math::atan2(ahead.x, ahead.y);
+  const double reach_m = 0.22 * overview.terrain.size_m();
+  const auto place = [&](double turned_deg, double away_m) {
+    const double towards = azimuth + glm::radians(turned_deg);
+    const glm::dvec2 at_m =
+        glm::dvec2(camera.eye_m) + away_m * glm::dvec2(math::sin(towards), math::cos(towards));
+    const double z = away_m > 0.0 ? overview.terrain.sample(at_m.x, at_m.y) : camera.eye_m.z;
+    return glm::dvec2(perspective.seen({at_m, z}));
+  };
+  const double half = 0.5 * camera.field_of_view_deg;
+  preview::draw_line(picture, place(0.0, 0.0), place(-half, reach_m), colour);
+  preview::draw_line(picture, place(0.0, 0.0), place(half, reach_m), colour);
+  preview::draw_line(picture, place(-half, reach_m), place(half, reach_m), colour);
+}
+
+/// The scene drawn part by part.
+class Preview {
+ public:
+  Preview(const scene::Scene& scene, const std::vector<int>& frames, const fs::path& scratch,
+          Progress& progress)
+      : width_px_(frames.size() == 1 ? 760
+                                     : preview::width_of_each(static_cast<int>(frames.size()))),
+        scene_(simplified(scene, width_px_)),
+        frames_(frames),
+        progress_(begun(progress, frames.size())),
+        film_(scene_, frames, scratch),
+        font_(preview::label_font()) {
+    progress_.advance(site_units, "ground");
+  }
+
+  preview::Sheet sheet() {
+    preview::Sheet sheet;
+    sheet.title = scene_.name;
+    const std::size_t count = scene_.ageing.frames.size();
+    sheet.subtitle = fmt::format(
+        "A sketch: coarser than the renderers' pictures, and grass in the distance is only colour. "
+        "{} frame{}, terrain of {:.6g} m.",
+        count, count == 1 ? "" : "s", scene_.terrain.size_m);
+    std::vector<landscape::Landscape> landscapes;
+    for (const int frame : frames_) {
+      landscapes.push_back(film_.landscape(frame));
+      progress_.advance(1, fmt::format("frame {}", frame));
+    }
+    std::vector<Tile> camera_row(landscapes.size());
+    parallel_for(landscapes.size(), [&](std::size_t i) {
+      camera_row[i] = {preview::camera_picture(landscapes[i], width_px_),
+                       caption_of(landscapes[i])};
+    });
+    progress_.advance(frames_.size(), "pictures");
+    std::vector<Tile> around = surroundings(landscapes.front());
+    if (frames_.size() == 1) {
+      camera_row.push_back(std::move(around.front()));
+      around.erase(around.begin());
+    }
+    sheet.rows = {std::move(camera_row), std::move(around),
+                  grass_row(mean_light(landscapes.front()))};
+    progress_.advance(2, "surroundings and grass");
+    progress_.end();
+    return sheet;
+  }
+
+  const fs::path& font() const { return font_; }
+
+ private:
+  /// Measured: making the ground takes as long as a frame's landscape and its picture.
+  static constexpr std::size_t site_units = 2;
+
+  static Progress& begun(Progress& progress, std::size_t frames) {
+    progress.begin("preview", site_units + 2 * frames + 2);
+    return progress;
+  }
+
+  /// What is around in a frame: the terrain from above, the sky, flakes.
+  std::vector<Tile> surroundings(const landscape::Landscape& landscape) {
+    constexpr int flakes_px = 240;
+    const int overview_px =
+        frames_.size() == 1 ? preview::width_of_each(1) - preview::gap_px - width_px_ : 336;
+    const bool snows = !landscape.flakes.pictures.empty();
+    std::vector<Tile> row = {overview(landscape, overview_px)};
+    row.push_back(sky(landscape, preview::width_of_each(1) - 336 - preview::gap_px -
+                                     (snows ? flakes_px + preview::gap_px : 0)));
+    if (snows)
+      row.push_back(
+          {preview::flakes_picture(landscape.flakes, {flakes_px, flakes_px}),
+           fmt::format("Flakes and drops; {} in the picture", landscape.flakes.flakes.size())});
+    return row;
+  }
+
+  Tile overview(const landscape::Landscape& landscape, int width_px) {
+    landscape::Landscape from_above =
+        film_.overview(landscape.frame, overview_camera(scene_), {96, 72});
+    from_above.sky = Image(1, 1, 3);
+    from_above.sky.values.assign(3, static_cast<float>(0.008 / from_above.exposure_gain));
+    Image picture = preview::camera_picture(from_above, width_px);
+    mark_camera(landscape.camera, from_above, picture);
+    return {std::move(picture), "From the south and above, with the camera"};
+  }
+
+  Tile sky(const landscape::Landscape& landscape, int width_px) const {
+    Image picture = preview::sky_picture(landscape, width_px);
+    int quarter = 0;
+    for (const char* name : {"N", "E", "S", "W"}) {
+      const int x = std::max(12, quarter++ * width_px / 4);
+      preview::write_label(picture, name, {{x, picture.height - 10}, 15, glm::vec3(1.0F), true, 2},
+                           font_);
+    }
+    return {
+        std::move(picture),
+        fmt::format("Sky all around, from the horizon to the zenith, frame {}", landscape.frame)};
+  }
+
+  /// Grass at some of its key frames under `light`.
+  std::vector<Tile> grass_row(const glm::vec3& light) const {
+    constexpr int most = 6;
+    const std::vector<double> key_frames = scene::key_frames(scene_);
+    const std::vector<int> shown = some_of(static_cast<int>(key_frames.size()), most);
+    const int width_px = preview::width_of_each(most);
+    std::vector<Tile> row(shown.size());
+    parallel_for(row.size(), [&](std::size_t i) {
+      row[i] = {
+          preview::patch_picture(film_.blades(shown[i]), scene_.grass.patch_m,
+                                 1.3 * scene_.grass.height_m, light, {width_px, width_px * 9 / 10}),
+          fmt::format("Grass at degree {:.3g}", key_frames[static_cast<std::size_t>(shown[i])])};
+    });
+    return row;
+  }
+
+  int width_px_;
+  scene::Scene scene_;
+  std::vector<int> frames_;
+  Progress& progress_;
+  PreviewFilm film_;
+  fs::path font_;
+};
+
+}  // namespace
+
+bool has_labels() { return !preview::label_font().empty(); }
+
+Image contact_sheet(const scene::Scene& scene, const fs::path& scratch, Progress& progress) {
+  Preview preview(scene, shown_frames(scene), scratch, progress);
+  return preview::drawn(preview.sheet(), preview.font());
+}
+
+}  // namespace wold::sketch

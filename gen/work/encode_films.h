@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/progress.h"
+
+namespace wold::work {
+
+/// Which pictures of an output folder become films.
+struct EncodingOptions {
+  std::filesystem::path out;        ///< the output folder with the frames
+  std::filesystem::path film;       ///< .mp4; empty: out/film_<renderer>.mp4 for each renderer
+  std::string renderer;             ///< "blender" or "povray"; empty: those that have all frames
+  std::vector<int> frames;          ///< from 1, rising, without gaps; empty: all of the scene
+  double frames_per_second = 24.0;  ///< more than 0
+};
+
+/// Is given the path of each film once it is there.
+using FilmMade = std::function<void(const std::filesystem::path& film)>;
+
+/// Encodes the pictures of an output folder as films, .mp4 and a .webp that loops beside it, for
+/// each renderer that has all frames; under a name of its own for the first of them alone, of which
+/// Blender is asked before POV-Ray. Throws FileError where pictures are missing or differ in size,
+/// and what render::encode() does.
+void encode_films(const EncodingOptions& options, const FilmMade& made, Progress& progress);
+
+}  // namespace wold::work
