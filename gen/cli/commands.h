@@ -36,7 +36,7 @@ struct CurvesOptions {
 struct FilmOptions {
   std::filesystem::path out;        ///< the output folder with the frames
   std::filesystem::path film;       ///< .mp4; empty: out/film_<renderer>.mp4 for each renderer
-  std::string renderer;             ///< "blender" or "povray"; empty: those that have all frames
+  std::string renderer;             ///< an exporter's name; empty: those that have all frames
   std::vector<int> frames;          ///< from 1, rising, without gaps; empty: all of the scene
   double frames_per_second = 24.0;  ///< more than 0
 };
@@ -50,8 +50,7 @@ struct PreviewOptions {
 
 /// What `doctor` is asked for.
 struct DoctorOptions {
-  std::string blender;  ///< program or its path; empty: WOLD_BLENDER's, or the PATH's
-  std::string povray;   ///< program or its path; empty: WOLD_POVRAY's, or the PATH's
+  work::ChosenPrograms programs;
   bool json = false;
 };
 
@@ -85,7 +84,8 @@ ExitCode run_curves(const CurvesOptions& options);
 ExitCode run_preview(const PreviewOptions& options, Progress& progress);
 
 /// Encodes a folder's frames as films, .mp4 and a .webp that loops beside it, and prints their
-/// names. With a name of its own there is one film: Blender's where both renderers have all frames.
+/// names. With a name of its own there is one film: that of the first renderer of the table that
+/// has all frames.
 ExitCode run_film(const FilmOptions& options, Progress& progress);
 
 /// Writes a page about an output folder, `out`/report.html unless `page` names another, and prints

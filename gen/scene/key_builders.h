@@ -44,6 +44,14 @@ inline Key word(const char* name, std::vector<std::string> words, const char* do
   return key;
 }
 
+/// A word, or a list of some of the words.
+inline Key words(const char* name, std::vector<std::string> words, const char* doc) {
+  Key key = word(name, std::move(words), doc);
+  key.kind = Kind::words;
+  key.list = {.fewest = 1, .most = key.words.size()};
+  return key;
+}
+
 inline Key curve(const char* name, std::vector<std::string> words, const char* doc) {
   Key key = plain(Kind::curve, name, "", {0, 1}, doc);
   key.words = std::move(words);
