@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "film/exporters.h"
 #include "film/film.h"
 #include "phenology/film_season.h"
 #include "scene/parse.h"
@@ -14,8 +15,10 @@ int main(int count, char** words) {
   }
   try {
     const wold::scene::Scene scene = wold::scene::read_scene(words[1], {});
-    const wold::film::Request request{
-        .scene = wold::phenology::as_film(scene), .frames = {std::stoi(words[2])}, .out = words[3]};
+    const wold::film::Request request{.scene = wold::phenology::as_film(scene),
+                                      .frames = {std::stoi(words[2])},
+                                      .out = words[3],
+                                      .exporters = wold::film::wanted_exporters(scene)};
     wold::SilentProgress progress;
     for (const auto& file : wold::film::make_film(request, progress))
       std::cout << file.string() << '\n';

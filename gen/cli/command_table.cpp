@@ -12,7 +12,9 @@
 #include "cli/commands.h"
 #include "console/console_progress.h"
 #include "core/number_text.h"
+#include "film/exporters.h"
 #include "scene/registry.h"
+#include "scene/renderers.h"
 #include "scene/starter.h"
 
 namespace wold::cli {
@@ -63,9 +65,22 @@ struct SceneArguments {
 };
 using RenderArguments = SceneArguments<work::RenderOptions>;
 
+/// Takes one word of render.renderer, or several with commas between them.
+void add_renderers(CLI::App& app, Overrides& overrides) {
+  app.add_option_function<std::string>(
+         "--renderer",
+         [&overrides](const std::string& text) {
+           const bool is_list = text.find(',') != std::string::npos;
+           overrides.push_back("render.renderer=" +
+                               (is_list ? scene::toml_text(CLI::detail::split(text, ',')) : text));
+         },
+         "sets render.renderer")
+      ->type_name(fmt::format("{}", fmt::join(scene::renderer_words(), "|")));
+}
+
 /// All but --weather, which `curves` has for itself.
 void add_shorthands(CLI::App& app, Overrides& overrides) {
-  add_shorthand(app, "--renderer", "blender|povray|both", "render.renderer", overrides);
+  add_renderers(app, overrides);
   add_shorthand(app, "--samples", "N", "render.samples", overrides);
   add_shorthand(app, "--grass", "texels|blades|auto|points", "render.grass", overrides);
   add_file_shorthand(app, "--terrain", "terrain.elevation", overrides);
@@ -95,16 +110,15 @@ void add_frames(CLI::App& app, std::vector<int>& frames, const std::string& doc)
       ->type_name("1,5,9-12");
 }
 
-void add_program(CLI::App& app, const std::string& option, std::string& program,
-                 const std::string& doc) {
-  app.add_option(option, program, doc)->type_name("PROGRAM");
-}
-
 /// The programs that make pictures, by name or path.
-void add_programs(CLI::App& app, std::string& blender, std::string& povray) {
-  add_program(app, "--blender", blender,
-              "Blender, or a Python that has the package bpy; WOLD_BLENDER's without it");
-  add_program(app, "--povray", povray, "POV-Ray; WOLD_POVRAY's without it");
+void add_programs(CLI::App& app, work::ChosenPrograms& programs) {
+  for (const exporter::Exporter* one : film::exporters()) {
+    if (!one->renderer) continue;
+    const render::ExternalProgram& program = one->renderer->program;
+    app.add_option(program.option, programs[std::string(one->name)],
+                   fmt::format("{}; {}'s without it", one->renderer->option_doc, program.variable))
+        ->type_name("PROGRAM");
+  }
 }
 
 /// Of a size in bytes: empty, or what is wrong with it. Less is a unit forgotten; what is
@@ -164,7 +178,7 @@ Action generate_like(CLI::App& app, const std::shared_ptr<RenderArguments>& argu
 }
 
 void add_programs(CLI::App& app, work::RenderOptions& options) {
-  add_programs(app, options.blender, options.povray);
+  add_programs(app, options.programs);
 }
 
 Action declare_generate(CLI::App& app) {
@@ -287,6 +301,14 @@ void add_output_folder(CLI::App& app, std::filesystem::path& out) {
   app.add_option("DIR", out, "an output folder of `wold render`")->required();
 }
 
+/// Of the exporters whose pictures Wold makes.
+std::vector<std::string> names_of_renderers() {
+  std::vector<std::string> names;
+  for (const exporter::Exporter* one : film::exporters())
+    if (one->renderer) names.emplace_back(one->name);
+  return names;
+}
+
 Action declare_film(CLI::App& app) {
   auto options = std::make_shared<work::EncodingOptions>();
   auto quiet = std::make_shared<bool>(false);
@@ -295,8 +317,8 @@ Action declare_film(CLI::App& app) {
                  "the film; DIR/film_<renderer>.mp4 without it, for each that has all frames")
       ->type_name("FILE.mp4");
   app.add_option("--renderer", options->renderer, "whose frames; Blender's rather than POV-Ray's")
-      ->check(CLI::IsMember({"blender", "povray"}))
-      ->type_name("blender|povray");
+      ->check(CLI::IsMember(names_of_renderers()))
+      ->type_name(fmt::format("{}", fmt::join(names_of_renderers(), "|")));
   add_frames(app, options->frames, "frames to take, without gaps; all without it");
   app.add_option("--fps", options->frames_per_second, "frames per second")
       ->type_name("N")
@@ -356,7 +378,7 @@ Action declare_new(CLI::App& app) {
 
 Action declare_doctor(CLI::App& app) {
   auto options = std::make_shared<DoctorOptions>();
-  add_programs(app, options->blender, options->povray);
+  add_programs(app, options->programs);
   app.add_flag("--json", options->json, "print JSON");
   return [options] { return run_doctor(*options); };
 }

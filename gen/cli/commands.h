@@ -42,8 +42,7 @@ struct PreviewOptions {
 
 /// What `doctor` is asked for.
 struct DoctorOptions {
-  std::string blender;  ///< program or its path; empty: WOLD_BLENDER's, or the PATH's
-  std::string povray;   ///< program or its path; empty: WOLD_POVRAY's, or the PATH's
+  work::ChosenPrograms programs;
   bool json = false;
 };
 
@@ -77,7 +76,8 @@ ExitCode run_curves(const CurvesOptions& options);
 ExitCode run_preview(const PreviewOptions& options, Progress& progress);
 
 /// Encodes a folder's frames as films, .mp4 and a .webp that loops beside it, and prints their
-/// names. With a name of its own there is one film: Blender's where both renderers have all frames.
+/// names. With a name of its own there is one film: that of the first renderer of the table that
+/// has all frames.
 ExitCode run_film(const work::EncodingOptions& options, Progress& progress);
 
 /// Writes a page about an output folder, `out`/report.html unless `page` names another, and prints

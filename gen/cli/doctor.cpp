@@ -1,14 +1,20 @@
 #include "cli/commands.h"
 #include "console/output.h"
+#include "film/exporters.h"
 #include "report/doctor_report.h"
 
 namespace wold::cli {
 
 ExitCode run_doctor(const DoctorOptions& options) {
   report::DoctorFindings findings;
-  findings.renderers = {render::diagnose(render::Renderer::blender, options.blender),
-                        render::diagnose(render::Renderer::povray, options.povray)};
-  findings.other_blenders = render::other_blenders(findings.renderers.front());
+  for (const exporter::Exporter* one : film::exporters()) {
+    if (!one->renderer) continue;
+    const auto chosen = options.programs.find(one->name);
+    const render::Diagnosis& diagnosis = findings.renderers.emplace_back(
+        render::diagnose(*one->renderer, chosen == options.programs.end() ? "" : chosen->second));
+    for (const render::OtherProgram& other : render::other_builds(diagnosis))
+      findings.other_builds.push_back({one->renderer, other});
+  }
   findings.ffmpeg = render::diagnose_ffmpeg();
   console::print_data(options.json ? report::doctor_json(findings) : report::doctor_text(findings));
   return is_any_complete(findings) ? ExitCode::done : ExitCode::renderer;

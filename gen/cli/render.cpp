@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "cli/commands.h"
 #include "cli/warnings.h"
 #include "console/output.h"
@@ -44,6 +46,14 @@ void print_plan(const work::Job& job, bool with_pictures) {
   console::print_data(work::plan_text(job, plan, /*why=*/false));
 }
 
+/// Of files without pictures.
+void say_who_has_no_renderer(const work::Job& job, Progress& progress) {
+  for (const exporter::Exporter* one : job.exporters)
+    if (!one->renderer)
+      progress.say(fmt::format("{} has no renderer here; its files are in {}", one->display_name,
+                               (job.out / one->name).string()));
+}
+
 }  // namespace
 
 ExitCode run_generate(const work::RenderOptions& options, Progress& progress) {
@@ -65,6 +75,7 @@ ExitCode run_render(const work::RenderOptions& options, Progress& progress) {
   }
   const std::vector<work::StageTasks> stages = work::stages_of(job);
   complete(job, stages, progress);
+  say_who_has_no_renderer(job, progress);
   std::string pictures;
   for (const int frame : job.frames)
     for (const work::StageTasks& stage : stages)

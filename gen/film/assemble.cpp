@@ -144,7 +144,7 @@ landscape::Daylight open_daylight(const light::Daylight& day, double sun_share,
 
 landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site, int frame,
                               std::span<const meadow::CellChoice> choices,
-                              const PatchLookup& lookup) {
+                              const PatchLookup& lookup, const landscape::Needs& needs) {
   landscape::Landscape landscape;
   landscape.frame = frame;
   landscape.weathering = scene.ageing.frames.at(static_cast<std::size_t>(frame - 1));
@@ -155,7 +155,6 @@ landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site
   landscape.width_px = scene.render.size_px[0];
   landscape.height_px = scene.render.size_px[1];
   landscape.samples = scene.render.samples;
-  landscape.df3_bits = scene.render.df3_bits;
   place_grass(choices, lookup, landscape);
   const ground::SnowyGround ground(scene, site, frame);
   landscape.terrain = ground.surface();
@@ -173,7 +172,7 @@ landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site
   ground::LitGround(scene, site, landscape, choices, lookup.far, illuminate)
       .show(ground, light, landscape);
   sky.show(landscape, overcast_per_m > 0.0);
-  if (overcast_per_m > 0.0) sky::let_it_fall(scene, site, air, landscape);
+  if (overcast_per_m > 0.0) sky::let_it_fall(scene, site, air, needs, landscape);
   return landscape;
 }
 

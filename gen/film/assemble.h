@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "landscape/landscape.h"
+#include "landscape/needs.h"
 #include "meadow/cells.h"
 #include "meadow/patch_look.h"
 #include "place/site.h"
@@ -27,8 +28,9 @@ struct PatchLookup {
 /// what it gives, or the part of it, are the landscape's in that order.
 /// `site` is site_of_frame()'s. exposure_gain is metered_gain() (exposure.h), or towards
 /// snow_gain() in a season, times dusk_gain() where the sun moves within a day, times 2^exposure.
+/// `needs` is needs_of() (exporters.h).
 landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site, int frame,
                               std::span<const meadow::CellChoice> choices,
-                              const PatchLookup& lookup);
+                              const PatchLookup& lookup, const landscape::Needs& needs);
 
 }  // namespace wold::film

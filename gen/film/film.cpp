@@ -3,47 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
-#include "blender/export.h"
-#include "blender/volume_stack.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "film/assemble.h"
 #include "film/cloud_textures.h"
+#include "film/exporters.h"
 #include "grass/texel/texel_file.h"
 #include "ground/lit_ground.h"
 #include "meadow/far_field.h"
 #include "meadow/film_lights.h"
 #include "place/view.h"
-#include "povray/export.h"
-#include "scene/calendar.h"
 
 namespace wold::film {
 namespace fs = std::filesystem;
 namespace {
 
 int coarsest_level(const scene::Grass& grass) { return static_cast<int>(grass.levels.size()) - 1; }
-
-std::vector<fs::path> export_frame(const std::string& renderer,
-                                   const landscape::Landscape& landscape, const fs::path& folder) {
-  return renderer == "blender" ? blender::export_frame(landscape, folder)
-                               : povray::export_frame(landscape, folder);
-}
-
-/// Blender leaves volumes out where too many lie over each other, without a word: on sharply bent
-/// ground, where a patch is laid in many parts, or behind many clouds.
-void check_overlaps(const landscape::Landscape& landscape, Progress& progress) {
-  const int deepest = blender::deepest_volume_stack(landscape);
-  if (deepest < blender::many_volumes) return;
-  const std::string found = fmt::format(
-      "frame {}: {} volumes lie over one place before the camera, and Blender leaves out what is "
-      "beyond {}; set grass.patch to less, render.grass = \"blades\" or render.renderer = "
-      "\"povray\"",
-      landscape.frame, deepest, blender::volumes_on_a_stack - 1);
-  if (deepest >= blender::volumes_on_a_stack) throw InputError(found);
-  progress.say("warning: " + found);
-}
 
 /// All that cells may use. Which of them do depends on the frames; a file must not.
 std::set<int> turns_of(const scene::Scene& scene, int level) {
@@ -52,27 +28,33 @@ std::set<int> turns_of(const scene::Scene& scene, int level) {
   return turns;
 }
 
-std::vector<povray::FrameMoment> moments_of(const scene::Scene& scene) {
-  std::vector<povray::FrameMoment> moments;
-  for (const double weathering : scene.ageing.frames) {
-    const int frame = static_cast<int>(moments.size()) + 1;
-    moments.push_back({frame, weathering, scene::time_s(scene, frame)});
+/// Writes a frame into an exporter's folder, and what the output folder has of that.
+void export_frame(const exporter::Exporter& exporter, const landscape::Landscape& landscape,
+                  const exporter::FilmSettings& film, const fs::path& out,
+                  std::vector<fs::path>& files) {
+  const fs::path folder = out / exporter.name;
+  for (const fs::path& file : exporter.export_frame(landscape, film, folder)) files.push_back(file);
+  for (const std::string& name : exporter.files_for_output_folder) {
+    files.push_back(out / name);
+    update_file(files.back(), read_file(folder / name));
   }
-  return moments;
+}
+
+/// Says what will be missing in pictures soon; throws InputError where something is.
+void check_frame(const Request& request, const landscape::Landscape& landscape,
+                 Progress& progress) {
+  for (const exporter::Exporter* one : request.exporters) {
+    const std::string warning = one->warning_of ? one->warning_of(landscape) : "";
+    if (!warning.empty()) progress.say("warning: " + warning);
+  }
 }
 
 }  // namespace
 
-std::vector<std::string> wanted_renderers(const scene::Scene& scene) {
-  if (scene.render.renderer == "both") return {"blender", "povray"};
-  return {scene.render.renderer};
-}
-
-void write_programs(const scene::Scene& scene, const fs::path& out) {
-  if (std::ranges::count(wanted_renderers(scene), "povray") == 0) return;
-  const std::array<int, 2>& size_px = scene.render.size_px;
-  povray::export_scene(moments_of(scene), out / "povray");
-  povray::export_settings({size_px[0], size_px[1]}, scene.render.samples, out / "povray");
+void write_film_files(const Request& request) {
+  const exporter::FilmSettings film = film_settings(request.scene);
+  for (const exporter::Exporter* one : request.exporters)
+    if (one->export_film) one->export_film(film, request.out / one->name);
 }
 
 Film::Film(const Request& request)
@@ -178,23 +160,18 @@ std::vector<fs::path> Film::make_frame(int frame, Progress& progress) {
   const PatchLookup lookup = {[&](const meadow::CellChoice& cell) { return volume(cell); },
                               [&](const meadow::CellChoice& cell) { return blades(cell); },
                               [&](const grass::PatchState& state) { return far_look(state); }};
-  const std::vector<std::string> renderers = wanted_renderers(request_.scene);
-  progress.begin(fmt::format("scene files of frame {}", frame), 1 + renderers.size());
+  const std::vector<const exporter::Exporter*>& exporters = request_.exporters;
+  progress.begin(fmt::format("scene files of frame {}", frame), 1 + exporters.size());
   const landscape::Landscape landscape =
       assemble(request_.scene, place::site_of_frame(request_.scene, site_, frame), frame,
-               cells_of(frame), lookup);
+               cells_of(frame), lookup, needs_of(exporters));
   progress.advance(1, fmt::format("frame {}", frame));
+  check_frame(request_, landscape, progress);
+  const exporter::FilmSettings film = film_settings(request_.scene);
   std::vector<fs::path> files;
-  if (std::ranges::count(renderers, "blender") > 0) check_overlaps(landscape, progress);
-  for (const std::string& renderer : renderers) {
-    for (const fs::path& file : export_frame(renderer, landscape, request_.out / renderer))
-      files.push_back(file);
-    progress.advance(1, fmt::format("{} frame {}", renderer, frame));
-  }
-  // POV-Ray takes its settings from where it is started: `povray povray/scene.pov` from here, too.
-  if (const fs::path settings = request_.out / "povray" / "povray.ini"; fs::exists(settings)) {
-    files.push_back(request_.out / settings.filename());
-    update_file(files.back(), read_file(settings));
+  for (const exporter::Exporter* one : exporters) {
+    export_frame(*one, landscape, film, request_.out, files);
+    progress.advance(1, fmt::format("{} frame {}", one->name, frame));
   }
   progress.end();
   return files;
@@ -206,7 +183,7 @@ std::vector<fs::path> make_film(const Request& request, Progress& progress) {
     if (frame < 1 || frame > last)
       throw InputError(fmt::format("found frame {}, expected 1 to {}", frame, last));
   Film film(request);
-  write_programs(request.scene, request.out);
+  write_film_files(request);
   film.find_demand(progress);
   for (int variant = 0; variant < request.scene.grass.variants; ++variant)
     film.make_texels(variant, progress);

@@ -37,8 +37,8 @@ class Film {
   /// A picture of each layer of clouds: DIR/clouds/. Returns the files.
   std::vector<std::filesystem::path> make_cloud_pictures() const;
 
-  /// A frame, from 1, in the folders of the renderers that the scene asks for; its texels have to
-  /// be there. Returns the files that it is made of, shared ones too.
+  /// A frame, from 1, in the folders of the request's exporters; its texels have to be there.
+  /// Returns the files that it is made of, shared ones too.
   std::vector<std::filesystem::path> make_frame(int frame, Progress& progress);
 
  private:
@@ -58,17 +58,14 @@ class Film {
   std::map<grass::PatchState, meadow::PatchLook> far_looks_;
 };
 
-/// The renderers a scene asks for, by their folder names: "blender", "povray".
-std::vector<std::string> wanted_renderers(const scene::Scene& scene);
+/// Writes what the request's exporters write once for a film, such as a scene program, into their
+/// folders. Throws FileError.
+void write_film_files(const Request& request);
 
-/// Writes the renderers' own programs into their folders below `out`, and for POV-Ray which frames
-/// the film has. Throws FileError.
-void write_programs(const scene::Scene& scene, const std::filesystem::path& out);
-
-/// All that a request asks for: texels, pictures of clouds, scene files and the renderers' own
-/// programs. Returns the frames' files, each once. For callers that need no tasks, records or locks
-/// of work/: nobody else may write into the folder meanwhile. Throws what Film does, and InputError
-/// where a frame is not one of the scene's.
+/// All that a request asks for: texels, pictures of clouds, scene files and what a film has once.
+/// Returns the frames' files, each once. For callers that need no tasks, records or locks of work/:
+/// nobody else may write into the folder meanwhile. Throws what Film does, and InputError where a
+/// frame is not one of the scene's.
 std::vector<std::filesystem::path> make_film(const Request& request, Progress& progress);
 
 }  // namespace wold::film

@@ -3,15 +3,17 @@
 #include <filesystem>
 #include <vector>
 
+#include "exporter/exporter.h"
 #include "scene/scene.h"
 
 namespace wold::film {
 
 /// Which pictures' files are to be made, and where.
 struct Request {
-  scene::Scene scene;         ///< a checked one, after phenology::as_film()
-  std::vector<int> frames;    ///< from 1, rising, all within the scene
-  std::filesystem::path out;  ///< the output folder
+  scene::Scene scene;                                ///< a checked one, after phenology::as_film()
+  std::vector<int> frames;                           ///< from 1, rising, all within the scene
+  std::filesystem::path out;                         ///< the output folder
+  std::vector<const exporter::Exporter*> exporters;  ///< who writes scene files: wanted_exporters()
 };
 
 }  // namespace wold::film

@@ -187,7 +187,6 @@ struct Landscape {
   int height_px = 0;
   int samples = 8;             ///< per pixel
   double exposure_gain = 1.0;  ///< factor on every radiance before sRGB encoding
-  int df3_bits = 8;            ///< 8 or 16
 };
 
 }  // namespace wold::landscape

@@ -35,7 +35,7 @@ std::vector<std::string> settings() {
   std::vector<std::string> all;
   const auto add = [&](const scene::Key& key) {
     all.push_back(key.name + "=");
-    if (key.kind == scene::Kind::word)
+    if (key.kind == scene::Kind::word || key.kind == scene::Kind::words)
       for (const std::string& word : key.words) all.push_back(fmt::format("{}={}", key.name, word));
   };
   for (const scene::Key& key : scene::registry()) add(key);

@@ -188,13 +188,14 @@ std::vector<fs::path> shared_files(const landscape::Landscape& scene,
 
 }  // namespace
 
-std::vector<fs::path> export_frame(const landscape::Landscape& scene, const fs::path& folder) {
+std::vector<fs::path> export_frame(const landscape::Landscape& scene, const fs::path& folder,
+                                   int df3_bits) {
   const fs::path data = folder / "data";
   const fs::path frame = data / fmt::format("frame_{:04}", scene.frame);
   make_folder(frame);
   const std::map<int, int> used = used_volumes(scene);
   for (const auto& [from, to] : used)
-    write_volume(scene.volumes[static_cast<std::size_t>(from)], scene.df3_bits, data / "volumes");
+    write_volume(scene.volumes[static_cast<std::size_t>(from)], df3_bits, data / "volumes");
   if (!scene.blade_meshes.empty()) make_folder(data / "blades");
   for (const landscape::BladeMesh& mesh : scene.blade_meshes) write_blades(mesh, data / "blades");
   const std::string terrain = write_terrain(scene.terrain, data);
@@ -206,7 +207,7 @@ std::vector<fs::path> export_frame(const landscape::Landscape& scene, const fs::
   write_file(frame / "cells.inc", [&](std::ostream& out) { write_cells(out, scene, used); });
   write_file(frame / "volumes.inc",
              [&](std::ostream& out) { write_volumes_list(out, scene, used); });
-  for (const landscape::CloudBox& cloud : scene.clouds) write_cloud(cloud, scene.df3_bits, frame);
+  for (const landscape::CloudBox& cloud : scene.clouds) write_cloud(cloud, df3_bits, frame);
   write_file(frame / "clouds.inc", clouds_text(scene.clouds));
   write_flakes(scene.flakes, scene.camera.eye_m, frame, data / "flakes");
   write_file(frame / "frame.inc", include_file(frame_text(scene, terrain) + maps + details +

@@ -28,9 +28,11 @@ namespace wold::povray {
 ///
 /// Only volumes that a cell uses are written, and only when they are not there already. Equal
 /// landscapes give equal bytes, so that frames may be written by several processes at a time.
-/// Returns the files that the frame is made of. Throws FileError.
+/// Returns the files that the frame is made of. `df3_bits` is the depth of density files, 8 or 16.
+/// Throws FileError.
 std::vector<std::filesystem::path> export_frame(const landscape::Landscape& scene,
-                                                const std::filesystem::path& folder);
+                                                const std::filesystem::path& folder,
+                                                int df3_bits = 8);
 
 /// Writes `folder`/povray.ini, which POV-Ray reads where it is started: size and quality of a bare
 /// `povray scene.pov`. Throws FileError.

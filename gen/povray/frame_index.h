@@ -3,14 +3,12 @@
 #include <filesystem>
 #include <span>
 
+#include "exporter/film_settings.h"
+
 namespace wold::povray {
 
 /// By which a scene of one's own finds a frame.
-struct FrameMoment {
-  int frame = 1;            ///< from 1
-  double weathering = 0.0;  ///< mean weathering degree, 0 to 1
-  double time_s = 0.0;      ///< since the film's first frame
-};
+using exporter::FrameMoment;
 
 /// Writes data/frames.inc below `folder`, `#declare Wold_frames = array[COUNT][3] { ... }`: number,
 /// degree and time of the frames of a film, at least one. It lists frames that have not been made,

@@ -16,14 +16,14 @@ struct Command {
   std::filesystem::path folder;
 };
 
-/// What runs wold_render.py in Blender or Python with these arguments. It is started in a folder
-/// from which nothing is imported: never in that of the data.
-Command launch(const RendererProgram& program, const std::vector<std::string>& arguments);
-
 /// What makes the program render `job` to `output`, an absolute path.
 Command render_command(const Job& job, const std::filesystem::path& output);
 
 /// How far a line of the renderer's output says it is, in [0, 1]; nothing for any other line.
-std::optional<double> progress_fraction(Renderer renderer, std::string_view line);
+std::optional<double> progress_fraction(const Renderer& renderer, std::string_view line);
+
+/// The number that a text begins with; nothing where it begins with none, or with one that is not
+/// finite.
+std::optional<double> leading_finite(std::string_view text);
 
 }  // namespace wold::render

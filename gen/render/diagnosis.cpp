@@ -21,17 +21,15 @@ fs::path target_of(const fs::path& program) {
   return ignored ? program : target;
 }
 
-/// "blender", "blender-4.5" and "blender5.2", but not "blender-thumbnailer".
-bool is_blenders_name(const std::string& name) {
-  constexpr std::string_view prefix = "blender";
+/// Of "blender": "blender", "blender-4.5" and "blender5.2", but not "blender-thumbnailer".
+bool is_numbered_name(const std::string& name, std::string_view prefix) {
   return name.find_first_not_of("-.0123456789", prefix.size()) == std::string::npos;
 }
 
 /// Nothing when it does not say that it is one.
-std::optional<OtherProgram> blender_at(const fs::path& path) {
+std::optional<OtherProgram> build_at(const fs::path& path, const Renderer& kind) {
   try {
-    const render::RendererProgram program =
-        render::recognise(render::Renderer::blender, {path, "PATH"}, interrupted);
+    const render::RendererProgram program = render::recognise(kind, {path, "PATH"}, interrupted);
     return OtherProgram{path.string(), program.version};
   } catch (const RendererError&) {
     return std::nullopt;
@@ -49,9 +47,9 @@ std::string ffmpeg_version(const render::Answer& answer) {
 
 }  // namespace
 
-Diagnosis diagnose(render::Renderer kind, const std::string& chosen) {
+Diagnosis diagnose(const render::Renderer& kind, const std::string& chosen) {
   Diagnosis diagnosis;
-  diagnosis.kind = kind;
+  diagnosis.kind = &kind;
   try {
     diagnosis.found = render::find_renderer(kind, chosen);
     diagnosis.program = render::recognise(kind, *diagnosis.found, interrupted);
@@ -69,14 +67,16 @@ std::string_view state_of(const Diagnosis& diagnosis) {
   return is_complete(diagnosis) ? "complete" : "lacking";
 }
 
-std::vector<OtherProgram> other_blenders(const Diagnosis& blender) {
+std::vector<OtherProgram> other_builds(const Diagnosis& diagnosis) {
+  const Renderer& kind = *diagnosis.kind;
+  if (!kind.has_numbered_names) return {};
   std::set<fs::path> seen;
-  if (blender.found) seen.insert(target_of(blender.found->path));
+  if (diagnosis.found) seen.insert(target_of(diagnosis.found->path));
   std::vector<OtherProgram> others;
-  for (const fs::path& path : render::programs_on_path("blender")) {
-    if (!is_blenders_name(path.filename().string())) continue;
+  for (const fs::path& path : render::programs_on_path(kind.program.name)) {
+    if (!is_numbered_name(path.filename().string(), kind.program.name)) continue;
     if (!seen.insert(target_of(path)).second) continue;
-    if (auto other = blender_at(path)) others.push_back(std::move(*other));
+    if (auto other = build_at(path, kind)) others.push_back(std::move(*other));
   }
   return others;
 }

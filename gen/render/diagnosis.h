@@ -11,7 +11,7 @@ namespace wold::render {
 
 /// What is known of a renderer on this machine.
 struct Diagnosis {
-  render::Renderer kind = render::Renderer::blender;
+  const render::Renderer* kind = nullptr;
   std::optional<render::FoundProgram> found;       ///< nothing: there is none
   std::optional<render::RendererProgram> program;  ///< nothing: it is something else
   std::optional<render::Capabilities> can;         ///< nothing: it did not answer
@@ -20,7 +20,7 @@ struct Diagnosis {
 
 /// Looks for a renderer, `chosen` if that is not empty, and probes it anew. Throws
 /// InterruptedError and FileError; that a renderer is missing or fails is an answer.
-Diagnosis diagnose(render::Renderer kind, const std::string& chosen);
+Diagnosis diagnose(const render::Renderer& kind, const std::string& chosen);
 
 /// "complete": it shows all that a scene can have. "lacking": not all. "failing": it does not
 /// answer. "unknown": it is another program. "missing": there is none.
@@ -36,9 +36,10 @@ struct OtherProgram {
   std::string version;
 };
 
-/// Other Blenders on the PATH, such as `blender-4.5`: those that say so, without links to the one
-/// that was diagnosed or to each other.
-std::vector<OtherProgram> other_blenders(const Diagnosis& blender);
+/// Other builds of a renderer that has_numbered_names, on the PATH under names such as
+/// `blender-4.5`: those that say so, without links to the one that was diagnosed or to each other.
+/// None of other renderers.
+std::vector<OtherProgram> other_builds(const Diagnosis& diagnosis);
 
 /// FFmpeg, for `wold film`; nothing when there is none.
 std::optional<OtherProgram> diagnose_ffmpeg();

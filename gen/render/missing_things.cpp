@@ -11,18 +11,15 @@ namespace wold::render {
 namespace {
 
 /// What to do, after what is missing.
-std::string advice(Renderer renderer, const std::string& things) {
-  const bool volumes = things == "grass" || things == "clouds";
-  if (renderer != Renderer::blender || !volumes)
-    return "; it did not read or did not draw some of its files";
-  return fmt::format("; this Blender may not show volumes: `wold doctor` says whether it does{}",
-                     things == "grass" ? ", `--grass blades` does without them" : "");
+std::string advice(const Renderer& renderer, const std::string& things) {
+  const std::string own = renderer.advice ? renderer.advice(things) : "";
+  return own.empty() ? "; it did not read or did not draw some of its files" : own;
 }
 
 }  // namespace
 
 std::string missing_things(const std::filesystem::path& picture, const ExpectedPicture& expected,
-                           Renderer renderer) {
+                           const Renderer& renderer) {
   if (expected.things.empty()) return {};
   const Image image = read_image(picture);
   for (const ExpectedThings& things : expected.things) {

@@ -17,6 +17,6 @@ constexpr double least_contrast = 0.02;
 /// less than `least_contrast` are not looked for. Empty when nothing is missing. Throws FileError
 /// when the picture cannot be read.
 std::string missing_things(const std::filesystem::path& picture, const ExpectedPicture& expected,
-                           Renderer renderer);
+                           const Renderer& renderer);
 
 }  // namespace wold::render

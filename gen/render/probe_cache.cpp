@@ -30,7 +30,7 @@ json state_of(const fs::path& file) {
 
 json key_of(const RendererProgram& program) {
   json key = {{"machine", host_name()},
-              {"renderer", display_name(program.kind)},
+              {"renderer", display_name(*program.kind)},
               {"program", state_of(program.found.path)},
               {"version", program.version},
               {"probe", probe_content(program)}};
@@ -89,14 +89,14 @@ std::optional<fs::path> probe_cache_folder() {
   return std::nullopt;
 }
 
-Capabilities probe_anew(const RendererProgram& program, const std::function<bool()>& interrupted) {
+Capabilities probe_anew(const RendererProgram& program, const Interrupted& interrupted) {
   Capabilities capabilities = probe(program, interrupted);
   const json key = key_of(program);
   write(file_of(key), key, capabilities);
   return capabilities;
 }
 
-ProbeAnswer probe_once(const RendererProgram& program, const std::function<bool()>& interrupted) {
+ProbeAnswer probe_once(const RendererProgram& program, const Interrupted& interrupted) {
   const json key = key_of(program);
   if (auto kept = read(file_of(key), key)) return {std::move(*kept), false};
   return {probe_anew(program, interrupted), true};

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <optional>
 
 #include "render/capabilities.h"
@@ -23,9 +22,9 @@ struct ProbeAnswer {
 /// and version, a Python's also under its bpy's place, size and time, and under what the probe
 /// asks. Probes it where nothing is kept. A file of the cache that is damaged or cannot be written
 /// does no harm; processes may ask at the same time. Throws what probe() throws.
-ProbeAnswer probe_once(const RendererProgram& program, const std::function<bool()>& interrupted);
+ProbeAnswer probe_once(const RendererProgram& program, const Interrupted& interrupted);
 
 /// Probes it anew and keeps the answer. Throws what probe() throws.
-Capabilities probe_anew(const RendererProgram& program, const std::function<bool()>& interrupted);
+Capabilities probe_anew(const RendererProgram& program, const Interrupted& interrupted);
 
 }  // namespace wold::render

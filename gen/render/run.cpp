@@ -40,7 +40,8 @@ class Percent {
 /// Reads what the program says: progress to one side, everything else to the log.
 class Listener {
  public:
-  Listener(Renderer kind, Percent& percent, Log& log) : kind_(kind), percent_(percent), log_(log) {}
+  Listener(const Renderer& kind, Percent& percent, Log& log)
+      : kind_(kind), percent_(percent), log_(log) {}
   void hear(std::string_view bytes, bool at_end = false) {
     lines_.add(bytes);
     for (std::string line; lines_.next(line, at_end);) {
@@ -52,7 +53,7 @@ class Listener {
   }
 
  private:
-  Renderer kind_;
+  const Renderer& kind_;
   Percent& percent_;
   Log& log_;
   LineSplitter lines_;
@@ -67,7 +68,7 @@ std::string memory_advice(double memory_bytes) {
 
 RendererError failure(const Job& job, const Log& log, std::string_view reason) {
   return RendererError(fmt::format(
-      "{} failed on frame {}: {}{}; its log is {}{}", display_name(job.program.kind), job.frame,
+      "{} failed on frame {}: {}{}; its log is {}{}", display_name(*job.program.kind), job.frame,
       reason, memory_advice(job.memory_bytes), log.path().string(), log.last_lines()));
 }
 
@@ -91,7 +92,7 @@ void drop_notes(const fs::path& output) {
 /// What is wrong with a finished picture; empty when nothing is.
 std::string problem_of(const fs::path& output, const Job& job, const ExpectedPicture& expected) {
   const std::string problem = picture_problem(output, job.size_px);
-  return problem.empty() ? missing_things(output, expected, job.program.kind) : problem;
+  return problem.empty() ? missing_things(output, expected, *job.program.kind) : problem;
 }
 
 double render_to(const fs::path& output, const Job& job, Progress& progress,
@@ -102,7 +103,7 @@ double render_to(const fs::path& output, const Job& job, Progress& progress,
   const Command command = render_command(job, output);
   log.add(fmt::format("{}", fmt::join(command.arguments, " ")));
   Percent percent(progress);
-  Listener listener(job.program.kind, percent, log);
+  Listener listener(*job.program.kind, percent, log);
   const ProcessEnd end = watch(job, command, listener, log, interrupted);
   if (end.code != 0 || end.signal != 0) throw failure(job, log, to_string(end));
   if (const std::string problem = problem_of(output, job, expected); !problem.empty())
@@ -143,7 +144,7 @@ double run(const Job& job, Progress& progress, const std::function<bool()>& inte
   make_folder(picture.parent_path());
   std::error_code ignored;
   fs::remove(picture, ignored);
-  progress.begin(fmt::format("{} frame {}", display_name(job.program.kind), job.frame), 100);
+  progress.begin(fmt::format("{} frame {}", display_name(*job.program.kind), job.frame), 100);
   double most_memory_bytes = 0.0;
   write_file_by_path(picture, [&](const fs::path& output) {
     require_writable(output);

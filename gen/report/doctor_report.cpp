@@ -13,7 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using render::Capabilities;
-using render::Renderer;
 
 std::string line(std::string_view name, std::string_view value, const std::string& meaning) {
   return fmt::format("  {:10}{:10}{}\n", name, value, meaning);
@@ -24,14 +23,14 @@ std::string volumes_line(const render::Diagnosis& diagnosis) {
              ? line("volumes", "yes", "it shows grass as texels, and clouds as volumes")
              : line("volumes", "no",
                     "it shows neither grass as texels nor clouds as volumes: take " +
-                        work::other_build(diagnosis.kind) + ", or --grass blades");
+                        work::other_build(*diagnosis.kind) + ", or --grass blades");
 }
 
 std::string fog_line(const render::Diagnosis& diagnosis) {
   return diagnosis.can->fog ? line("fog", "yes", "it shows snow that is far away")
                             : line("fog", "no",
                                    "it does not show snow that is far away: take " +
-                                       work::other_build(diagnosis.kind));
+                                       work::other_build(*diagnosis.kind));
 }
 
 std::string nanovdb_meaning(const Capabilities& can) {
@@ -59,7 +58,7 @@ std::string devices_line(const Capabilities& can) {
 std::string capability_lines(const render::Diagnosis& diagnosis) {
   const Capabilities& can = *diagnosis.can;
   std::string text = volumes_line(diagnosis) + fog_line(diagnosis);
-  if (diagnosis.kind == Renderer::blender) text += nanovdb_line(can) + devices_line(can);
+  if (diagnosis.kind->has_devices) text += nanovdb_line(can) + devices_line(can);
   return text +
          line("threads", std::to_string(can.threads), "of the processor; --threads takes fewer");
 }
@@ -70,7 +69,7 @@ std::string chosen_text(const render::FoundProgram& found) {
 
 /// "Blender 3.4.1 (/usr/bin/blender), the first on the PATH: ..."
 std::string heading(const render::Diagnosis& diagnosis) {
-  const std::string name(render::display_name(diagnosis.kind));
+  const std::string name(render::display_name(*diagnosis.kind));
   if (!diagnosis.found) return name + ": missing\n";
   if (!diagnosis.program) return name + ": not found\n";
   const std::string text =
@@ -101,7 +100,7 @@ Json json_of(const render::OtherProgram& program) {
 }
 
 Json json_of(const render::Diagnosis& diagnosis) {
-  Json json = {{"renderer", diagnosis.kind == Renderer::blender ? "blender" : "povray"},
+  Json json = {{"renderer", diagnosis.kind->program.name},
                {"state", render::state_of(diagnosis)},
                {"program", nullptr},
                {"chosen_by", nullptr},
@@ -130,9 +129,9 @@ bool is_any_complete(const DoctorFindings& findings) {
 std::string doctor_text(const DoctorFindings& findings) {
   std::string text;
   for (const render::Diagnosis& diagnosis : findings.renderers) text += text_of(diagnosis);
-  for (const render::OtherProgram& other : findings.other_blenders)
-    text += fmt::format("Blender {0} ({1}): not used; --blender {1} takes it\n", other.version,
-                        other.path);
+  for (const OtherBuild& other : findings.other_builds)
+    text += fmt::format("{0} {1} ({2}): not used; {3} {2} takes it\n", display_name(*other.kind),
+                        other.program.version, other.program.path, other.kind->program.option);
   return text + ffmpeg_text(findings.ffmpeg);
 }
 
@@ -141,8 +140,7 @@ std::string doctor_json(const DoctorFindings& findings) {
   for (const render::Diagnosis& diagnosis : findings.renderers)
     renderers.push_back(json_of(diagnosis));
   Json others = Json::array();
-  for (const render::OtherProgram& other : findings.other_blenders)
-    others.push_back(json_of(other));
+  for (const OtherBuild& other : findings.other_builds) others.push_back(json_of(other.program));
   const Json json = {{"version", 1},
                      {"complete", is_any_complete(findings)},
                      {"renderers", std::move(renderers)},

@@ -8,10 +8,16 @@
 
 namespace wold::report {
 
+/// A renderer's build that is not used.
+struct OtherBuild {
+  const render::Renderer* kind = nullptr;
+  render::OtherProgram program;
+};
+
 /// All that `wold doctor` has found.
 struct DoctorFindings {
   std::vector<render::Diagnosis> renderers;
-  std::vector<render::OtherProgram> other_blenders;
+  std::vector<OtherBuild> other_builds;
   std::optional<render::OtherProgram> ffmpeg;
 };
 

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/file_list.h"
 #include "core/files.h"
+#include "film/exporters.h"
 #include "scene/parse.h"
 #include "work/job.h"
 #include "work/task_record.h"
@@ -46,6 +47,7 @@ void read_times(const fs::path& out, ReportFacts& facts) {
   work::Job job;
   job.scene = *facts.scene;
   job.frames = facts.frames;
+  job.exporters = film::wanted_exporters(job.scene);
   const work::TaskRecords records(out);
   for (const work::StageTasks& tasks : work::stages_of(job)) {
     StageTime time{std::string(work::name_of(tasks.stage)), 0,

@@ -88,6 +88,11 @@ bool is_text_of(const Key& key, const std::string& text) {
   return key.kind == Kind::file ? is_path(text) : is_word(key, text);
 }
 
+/// Of a list.
+bool is_item_of(const Key& key, const std::string& text) {
+  return key.kind == Kind::words ? is_word(key, text) : !text.empty() && is_path(text);
+}
+
 /// What is wrong with a value, by its type; each overload knows the kinds that hold it.
 struct FaultFinder {
   const Key& key;
@@ -101,10 +106,10 @@ struct FaultFinder {
     return number ? (*this)(*number) : std::nullopt;
   }
 
-  MaybeFault operator()(const std::vector<std::string>& paths) const {
-    if (MaybeFault fault = count_fault(key.list, paths.size())) return fault;
-    for (std::size_t i = 0; i < paths.size(); ++i)
-      if (paths[i].empty() || !is_path(paths[i])) return Fault{in_quotes(paths[i]), {i}};
+  MaybeFault operator()(const std::vector<std::string>& texts) const {
+    if (MaybeFault fault = count_fault(key.list, texts.size())) return fault;
+    for (std::size_t i = 0; i < texts.size(); ++i)
+      if (!is_item_of(key, texts[i])) return Fault{in_quotes(texts[i]), {i}};
     return std::nullopt;
   }
 

@@ -59,6 +59,10 @@ std::optional<glm::dvec2> point(const Node& node) {
   return glm::dvec2(*x, *y);
 }
 
+Outcome one_or_many(const Node& node) {
+  return items_of(node) == nullptr ? one<std::string>(node) : many<std::string>(node);
+}
+
 Outcome curve(const Node& node) {
   if (const auto name = scalar<std::string>(node)) return CurveChoice{*name, {}};
   const auto* items = items_of(node);
@@ -101,6 +105,8 @@ Outcome converted_to(const Key& key, const Node& node) {
     case Kind::file:
     case Kind::system:
       return one<std::string>(node);
+    case Kind::words:
+      return one_or_many(node);
     case Kind::integers:
       return many<std::int64_t>(node);
     case Kind::numbers:

@@ -88,6 +88,7 @@ std::string expected(const Key& key) {
     case Kind::system:
       return "\"EPSG:\" and a number of up to 6 digits, such as \"EPSG:4326\", or \"\"";
     case Kind::word:
+    case Kind::words:
       return words_text(key);
     case Kind::integers:
       return list_text(key, "whole numbers");

@@ -44,6 +44,14 @@ inline Key word(std::string name, std::vector<std::string> words, const char* do
   return key;
 }
 
+/// A word, or a list of some of the words.
+inline Key words(std::string name, std::vector<std::string> words, const char* doc) {
+  Key key = word(std::move(name), std::move(words), doc);
+  key.kind = Kind::words;
+  key.list = {.fewest = 1, .most = key.words.size()};
+  return key;
+}
+
 inline Key curve(std::string name, std::vector<std::string> words, const char* doc) {
   Key key = plain(Kind::curve, std::move(name), "", {0, 1}, doc);
   key.words = std::move(words);

@@ -2,6 +2,7 @@
 
 #include "scene/binding.h"
 #include "scene/key_builders.h"
+#include "scene/renderers.h"
 
 /// A key's field, for reading and writing alike.
 #define FIELD(path) ([](auto& scene) -> auto& { return scene.path; })
@@ -11,6 +12,13 @@ namespace {
 
 constexpr ListRule pair = {.fewest = 2, .most = 2};
 constexpr ListRule colour = {.fewest = 3, .most = 3};
+
+Key renderer_key() {
+  Key key = words("render.renderer", renderer_words(), "Who makes the pictures.");
+  key.get = [](const Scene& scene) { return renderers_value(scene.render.renderers); };
+  key.set = [](Scene& scene, const Value& value) { scene.render.renderers = renderers_of(value); };
+  return key;
+}
 
 }  // namespace
 
@@ -195,8 +203,7 @@ std::vector<Key> camera_keys() {
 
 std::vector<Key> render_keys() {
   return {
-      bound(word("render.renderer", {"blender", "povray", "both"}, "Who makes the pictures."),
-            FIELD(render.renderer)),
+      renderer_key(),
       bound(list(Kind::integers, "render.size", "px", {16, 16384}, pair,
                  "Width and height of the picture."),
             FIELD(render.size_px)),

@@ -21,6 +21,7 @@ enum class Kind {
   name,       ///< std::string, safe as a file name
   automatic,  ///< std::optional<double>; without a number the word "auto"
   word,       ///< std::string, one of `words`
+  words,      ///< std::string, one of `words`, or std::vector<std::string>, some of them
   file,       ///< std::string, an absolute path, or empty
   system,     ///< std::string, a coordinate system as "EPSG:4326", or empty
   files,      ///< std::vector<std::string>, absolute paths
@@ -56,7 +57,7 @@ struct Key {
   Kind kind = Kind::number;
   double lowest = 0.0;  ///< range of a number or of every item, ends included
   double highest = 0.0;
-  std::vector<std::string> words;     ///< allowed words, for Kind::word and curves
+  std::vector<std::string> words;     ///< allowed words, for Kind::word, words and curves
   std::vector<std::int64_t> members;  ///< if any: the only allowed integers
   ListRule list;                      ///< of a list
   ListRule points;                    ///< of a curve's points; its order is that of their values

@@ -199,7 +199,7 @@ struct Camera {
 };
 
 struct Render {
-  std::string renderer = "both";  ///< "blender", "povray", "both"
+  std::vector<std::string> renderers = {"blender", "povray"};  ///< exporters by name, each once
   std::array<int, 2> size_px = {960, 540};
   int samples = 4;               ///< per pixel
   std::string grass = "texels";  ///< "texels", "blades", "auto", "points"

@@ -11,6 +11,7 @@
 #include "core/parallel.h"
 #include "core/progress.h"
 #include "film/assemble.h"
+#include "film/exporters.h"
 #include "meadow/canopy_snow.h"
 #include "meadow/cells.h"
 #include "meadow/far_field.h"
@@ -169,7 +170,8 @@ landscape::Landscape PreviewFilm::assembled(const scene::Scene& scene, const pla
        [&](const meadow::CellChoice& cell) {
          return meshes_.at({cell.variant, cell.state()});
        },
-       [&](const grass::PatchState& state) { return looks_.at(moment.at(state.key_frame)); }});
+       [&](const grass::PatchState& state) { return looks_.at(moment.at(state.key_frame)); }},
+      film::needs_of({}));
 }
 
 landscape::Landscape PreviewFilm::landscape(int frame) {

@@ -37,10 +37,11 @@ double flakes_on_a_ray(const std::vector<snow::SeenFlake>& flakes, const snow::F
   return *std::max_element(passed.begin(), passed.end());
 }
 
-float least_opacity_of(const std::vector<snow::SeenFlake>& flakes, const snow::Frustum& frustum) {
-  if (flakes_on_a_ray(flakes, frustum, 0.0F) <= most_flakes_on_a_ray) return 0.0F;
+float least_opacity_of(const std::vector<snow::SeenFlake>& flakes, const snow::Frustum& frustum,
+                       double most_on_a_ray) {
+  if (flakes_on_a_ray(flakes, frustum, 0.0F) <= most_on_a_ray) return 0.0F;
   float least = 1.0F / 64.0F;
-  while (least < 1.0F && flakes_on_a_ray(flakes, frustum, least) > most_flakes_on_a_ray)
+  while (least < 1.0F && flakes_on_a_ray(flakes, frustum, least) > most_on_a_ray)
     least *= std::numbers::sqrt2_v<float>;
   return std::min(least, 1.0F);
 }
@@ -55,9 +56,9 @@ double chance_of(const snow::SeenFlake& flake, std::uint64_t seed) {
 }  // namespace
 
 std::vector<snow::SeenFlake> without_faint_flakes(std::vector<snow::SeenFlake> flakes,
-                                                  const snow::Frustum& frustum,
-                                                  std::uint64_t seed) {
-  const float least_opacity = least_opacity_of(flakes, frustum);
+                                                  const snow::Frustum& frustum, std::uint64_t seed,
+                                                  double most_on_a_ray) {
+  const float least_opacity = least_opacity_of(flakes, frustum, most_on_a_ray);
   std::erase_if(flakes, [&](const snow::SeenFlake& flake) {
     return flake.opacity < least_opacity &&
            chance_of(flake, seed) >= drawn_share(flake.opacity, least_opacity);

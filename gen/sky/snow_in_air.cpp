@@ -73,7 +73,7 @@ double overcast_extinction_per_m(const scene::Scene& scene, const place::Site& s
 }
 
 void let_it_fall(const scene::Scene& scene, const place::Site& site, const SnowyAir& air,
-                 landscape::Landscape& landscape) {
+                 const landscape::Needs& needs, landscape::Landscape& landscape) {
   const place::Snow& snow = *site.snow;
   const snow::SnowView view = view_of(landscape);
   const double time_s = scene::time_s(scene, landscape.frame);
@@ -83,7 +83,8 @@ void let_it_fall(const scene::Scene& scene, const place::Site& site, const Snowy
           .at(time_s, view, landscape.terrain),
       view.eye_m);
   landscape.flakes = with_used_pictures(
-      snow.pictures, without_faint_flakes(std::move(seen.flakes), snow::Frustum(view), scene.seed));
+      snow.pictures, without_faint_flakes(std::move(seen.flakes), snow::Frustum(view), scene.seed,
+                                          needs.most_flakes_on_a_ray));
   landscape.flakes.radiance = air.radiance();
   const landscape::Fog fog{seen.fog_extinction_per_m, air.radiance()};
   if (fog.extinction_per_m > 0.0) landscape.fog = fog;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "landscape/landscape.h"
+#include "landscape/needs.h"
 #include "place/site.h"
 #include "scene/scene.h"
 #include "sky/snowy_air.h"
@@ -16,8 +17,8 @@ double overcast_extinction_per_m(const scene::Scene& scene, const place::Site& s
 
 /// Sets the flakes and drops before the landscape's camera and the fog that stands for all others,
 /// in that light, and shows its sky through them. Its frame, camera, terrain and size have to be
-/// set.
+/// set. Flakes behind each other keep to what exporters need.
 void let_it_fall(const scene::Scene& scene, const place::Site& site, const SnowyAir& air,
-                 landscape::Landscape& landscape);
+                 const landscape::Needs& needs, landscape::Landscape& landscape);
 
 }  // namespace wold::sky

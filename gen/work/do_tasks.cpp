@@ -97,9 +97,9 @@ bool has_pictures_to_make(Work& work, const StageTasks& stage) {
 void require_renderers(const Job& job, const std::vector<StageTasks>& stages,
                        Renderers& renderers) {
   Work work(job);
-  std::vector<render::Renderer> wanted;
+  std::vector<const exporter::Exporter*> wanted;
   for (const StageTasks& stage : stages)
-    if (has_pictures_to_make(work, stage)) wanted.push_back(renderer_of(stage.stage));
+    if (has_pictures_to_make(work, stage)) wanted.push_back(stage.stage.exporter);
   renderers.require(wanted);
 }
 

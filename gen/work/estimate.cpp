@@ -1,12 +1,10 @@
 #include "work/estimate.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
 
-#include "film/film.h"
 #include "film/film_demand.h"
 #include "work/file_sizes.h"
 #include "work/memory_model.h"
@@ -22,8 +20,6 @@ constexpr double sample_seconds = 1e-6;         // per sample of the ground's pi
 constexpr double scene_file_seconds = 2e-9;     // per byte that is written
 constexpr double cloud_seconds = 10.0;          // per layer
 constexpr double renderer_start_seconds = 5.0;  // reading the scene
-constexpr double blender_seconds = 20.0;        // per megapixel and sample
-constexpr double povray_seconds = 70.0;         // per megapixel and root of samples: they adapt
 
 /// A share of what all tasks of a stage take.
 double each(double all, const StageTasks& stage) {
@@ -41,48 +37,48 @@ Estimate texels(const Job& job, const StageTasks& stage, const film::FilmDemand&
 
 Estimate scenes(const Job& job, const StageTasks& stage, const film::FilmDemand& demand) {
   double bytes = 0.0;
-  for (const std::string& renderer : film::wanted_renderers(job.scene))
-    bytes += scene_bytes(job.scene, renderer == "blender" ? Stage::blender : Stage::povray, demand,
-                         stage.indices.size());
+  for (const exporter::Exporter* one : job.exporters)
+    bytes += scene_bytes(job.scene, one->files, demand, stage.indices.size());
   const double seconds = scene_seconds + sample_seconds * ground_samples(job.scene) +
                          scene_file_seconds * each(bytes, stage);
   return {seconds, scene_memory_bytes(job), each(bytes, stage)};
 }
 
 /// Of the frame that takes most.
-double picture_memory_bytes(const Job& job, Stage stage, const film::FilmDemand& demand) {
+double picture_memory_bytes(const Job& job, const Stage& stage, const film::FilmDemand& demand) {
   double most = 0.0;
   for (const auto& [frame, shown] : demand.frames())
-    most = std::max(most, renderer_memory_bytes(job, stage, shown));
+    most = std::max(most, renderer_memory_bytes(job, stage.exporter->memory, shown));
   return most;
 }
 
 Estimate picture(const Job& job, const StageTasks& stage, const film::FilmDemand& demand) {
   const scene::Render& render = job.scene.render;
   const double pixels = static_cast<double>(render.size_px[0]) * render.size_px[1];
-  const double work = stage.stage == Stage::blender ? blender_seconds * render.samples
-                                                    : povray_seconds * std::sqrt(render.samples);
+  const double work = stage.stage.exporter->seconds_per_megapixel(render.samples);
   return {renderer_start_seconds + work * pixels / 1e6,
           picture_memory_bytes(job, stage.stage, demand), picture_bytes(job.scene)};
 }
 
 /// For one thread.
 Estimate modelled(const Job& job, const StageTasks& stage, const film::FilmDemand& demand) {
-  switch (stage.stage) {
-    case Stage::texels:
+  switch (stage.stage.step) {
+    case Step::texels:
       return texels(job, stage, demand);
-    case Stage::clouds:
+    case Step::clouds:
       return {cloud_seconds * static_cast<double>(job.scene.clouds.size()), scene_memory_bytes(job),
               cloud_picture_bytes(job.scene)};
-    case Stage::scenes:
+    case Step::scenes:
       return scenes(job, stage, demand);
-    default:
+    case Step::pictures:
       return picture(job, stage, demand);
   }
+  return {};
 }
 
 /// The records of the first tasks that have been done.
-std::vector<TaskRecord> records_of(Stage stage, const std::vector<int>& indices, const Work& work) {
+std::vector<TaskRecord> records_of(const Stage& stage, const std::vector<int>& indices,
+                                   const Work& work) {
   constexpr std::size_t enough = 16;
   constexpr std::size_t most_looked_at = 1000;
   std::vector<TaskRecord> records;

@@ -47,29 +47,18 @@ void add_painted(const scene::Scene& scene, const film::FilmDemand& demand,
   }
 }
 
-double blender_volume_bytes(const VolumeSize& size) {
-  constexpr double voxel_bytes = 8.0;
-  return volume_header_bytes + voxel_bytes * size.filled;
-}
-
-/// A blade as a mesh, with its light.
-double patch_bytes(const scene::Scene& scene, Stage renderer) {
-  const double blade_bytes = renderer == Stage::blender ? 1000.0 : 2500.0;
-  return blade_bytes * scene.grass.blades;
+double volume_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
+                    const VolumeSize& size) {
+  return costs.shared_volume + density_bytes(scene, costs.shared_density_grids) * size.voxels +
+         costs.shared_filled_voxel * size.filled;
 }
 
 /// Light, what multiplies the grass, cells and sky of a frame.
-double frame_bytes(const scene::Scene& scene, Stage renderer, const film::FrameDemand& demand) {
-  const double samples = squared(scene.terrain.samples);
-  const auto parts = static_cast<double>(demand.parts);
-  const double voxels = cloud_voxels(scene);
-  if (renderer == Stage::blender) return 4.2e6 + 22.7 * samples + 100.0 * parts + 1.1 * voxels;
-  return 0.3e6 + 55.0 * samples + 200.0 * parts + 4.3 * voxels;
-}
-
-/// What frames share besides volumes: the shape of the ground.
-double shared_bytes(const scene::Scene& scene, Stage renderer) {
-  return renderer == Stage::blender ? 0.0 : 62.6 * squared(scene.terrain.samples);
+double frame_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
+                   const film::FrameDemand& demand) {
+  return costs.frame + costs.frame_terrain_sample * squared(scene.terrain.samples) +
+         costs.frame_part * static_cast<double>(demand.parts) +
+         costs.frame_cloud_voxel * cloud_voxels(scene);
 }
 
 }  // namespace
@@ -101,9 +90,8 @@ VolumeSize VolumeSizes::of(const grass::PatchState& state, int level) const {
                      state.snow_share());
 }
 
-double povray_volume_bytes(const scene::Scene& scene, const VolumeSize& size) {
-  constexpr double grids = 4.0;  // extinction, red, green, blue
-  return grids * scene.render.df3_bits / 8.0 * size.voxels;
+double density_bytes(const scene::Scene& scene, double grids) {
+  return grids * scene.render.df3_bits / 8.0;
 }
 
 double ground_samples(const scene::Scene& scene) {
@@ -139,20 +127,18 @@ double cloud_picture_bytes(const scene::Scene& scene) {
   return 2e6 * static_cast<double>(scene.clouds.size());
 }
 
-double scene_bytes(const scene::Scene& scene, Stage renderer, const film::FilmDemand& demand,
-                   std::size_t frames) {
-  double shared = shared_bytes(scene, renderer);
+double scene_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
+                   const film::FilmDemand& demand, std::size_t frames) {
+  double shared = costs.shared_terrain_sample * squared(scene.terrain.samples);
   const VolumeSizes sizes(scene);
-  for (const film::ShownVolume& volume : demand.volumes()) {
-    const VolumeSize size = sizes.of(volume.state, volume.level);
-    shared +=
-        renderer == Stage::blender ? blender_volume_bytes(size) : povray_volume_bytes(scene, size);
-  }
-  shared += static_cast<double>(demand.patches().size()) * patch_bytes(scene, renderer);
+  for (const film::ShownVolume& volume : demand.volumes())
+    shared += volume_bytes(scene, costs, sizes.of(volume.state, volume.level));
+  shared +=
+      static_cast<double>(demand.patches().size()) * (costs.shared_blade * scene.grass.blades);
   constexpr double ground_pixel_bytes = 6.1;  // three half floats
   double looked_at = 0.0;
   for (const auto& [frame, shown] : demand.frames())
-    looked_at += ground_pixel_bytes * ground_samples(scene) + frame_bytes(scene, renderer, shown);
+    looked_at += ground_pixel_bytes * ground_samples(scene) + frame_bytes(scene, costs, shown);
   return shared +
          looked_at * static_cast<double>(frames) / static_cast<double>(demand.frames().size());
 }

@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "exporter/costs.h"
 #include "film/film_demand.h"
 #include "scene/scene.h"
-#include "work/tasks.h"
 
 /// How many bytes a film's files take, before any of them is there. Fitted to what examples/ write:
 /// for them right within 30 %, see docs/measurements.md.
@@ -31,8 +31,8 @@ class VolumeSizes {
   std::vector<double> key_frames_;
 };
 
-/// Of a volume's df3 files, and so of the memory that POV-Ray keeps them in.
-double povray_volume_bytes(const scene::Scene& scene, const VolumeSize& size);
+/// Of a voxel in so many density files of render.df3_bits.
+double density_bytes(const scene::Scene& scene, double grids);
 
 /// Of the pictures of the ground that a frame has: the whole, and on large terrains finer ones
 /// about the camera.
@@ -47,9 +47,9 @@ double texel_bytes(const scene::Scene& scene, const film::FilmDemand& demand);
 /// All of DIR/clouds.
 double cloud_picture_bytes(const scene::Scene& scene);
 
-/// The folder of a renderer, "blender" or "povray", with `frames` frames.
-double scene_bytes(const scene::Scene& scene, Stage renderer, const film::FilmDemand& demand,
-                   std::size_t frames);
+/// The folder of an exporter with `frames` frames.
+double scene_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
+                   const film::FilmDemand& demand, std::size_t frames);
 
 /// One picture.
 double picture_bytes(const scene::Scene& scene);

@@ -8,9 +8,9 @@
 
 #include "core/error.h"
 #include "core/number_text.h"
+#include "film/exporters.h"
 #include "scene/parse.h"
 #include "work/job.h"
-#include "work/tasks.h"
 
 namespace wold::work {
 namespace fs = std::filesystem;
@@ -32,8 +32,8 @@ std::vector<FramePictures> frame_pictures(const fs::path& out) {
     throw FileError(
         fmt::format("found {}, expected a folder that `wold render` has made", out.string()));
   std::vector<FramePictures> all;
-  for (const Stage stage : {Stage::blender, Stage::povray}) {
-    FramePictures pictures{std::string(name_of(stage)), out / "frames" / name_of(stage), {}};
+  for (const exporter::Exporter* one : film::exporters()) {
+    FramePictures pictures{std::string(one->name), out / "frames" / one->name, {}};
     std::error_code none;
     for (const fs::directory_entry& entry : fs::directory_iterator(pictures.folder, none))
       if (const auto frame = frame_of(entry.path())) pictures.by_frame[*frame] = entry.path();
@@ -43,8 +43,8 @@ std::vector<FramePictures> frame_pictures(const fs::path& out) {
 }
 
 std::string display_name(const FramePictures& pictures) {
-  const Stage stage = pictures.renderer == name_of(Stage::blender) ? Stage::blender : Stage::povray;
-  return std::string(render::display_name(renderer_of(stage)));
+  const exporter::Exporter* exporter = find_exporter(film::exporters(), pictures.renderer);
+  return exporter ? std::string(exporter->display_name) : pictures.renderer;
 }
 
 std::vector<int> missing_frames(const FramePictures& pictures, const std::vector<int>& frames) {

@@ -9,13 +9,13 @@ namespace wold::work {
 
 /// The pictures of one renderer in an output folder: DIR/frames/<renderer>/0001.png and so on.
 struct FramePictures {
-  std::string renderer;          ///< "blender" or "povray", as its folder is called
+  std::string renderer;          ///< its exporter's name, as its folder is called
   std::filesystem::path folder;  ///< where they are
   std::map<int, std::filesystem::path> by_frame;
 };
 
-/// What there is, Blender's first; renderers without pictures are left out. Throws FileError when
-/// `out` is no folder.
+/// What there is, in the order of the table of exporters; renderers without pictures are left out.
+/// Throws FileError when `out` is no folder.
 std::vector<FramePictures> frame_pictures(const std::filesystem::path& out);
 
 /// "Blender" or "POV-Ray", for people.

@@ -8,8 +8,10 @@
 
 #include "core/error.h"
 #include "core/machine.h"
+#include "film/exporters.h"
 #include "phenology/film_season.h"
 #include "scene/parse.h"
+#include "scene/renderers.h"
 #include "work/kept_inputs.h"
 #include "work/own_folder.h"
 
@@ -62,8 +64,8 @@ Job plan_job(const RenderOptions& options) {
   job.out = options.out.empty() ? std::filesystem::path("out") / job.scene.name : options.out;
   require_own_folder(job.out);
   require_inputs_kept(job.out, input_files(options.scene, job.scene), job.scene);
-  job.blender = options.blender;
-  job.povray = options.povray;
+  job.exporters = film::wanted_exporters(job.scene);
+  job.programs = options.programs;
   job.threads = options.threads > 0 ? options.threads : job.scene.render.threads;
   job.memory_bytes = static_cast<double>(options.memory_bytes);
   return job;
@@ -73,8 +75,8 @@ std::string summary(const Job& job) {
   const scene::Render& render = job.scene.render;
   return fmt::format("{}: frames {} of {}, {} x {} px, {} samples, renderer {}, into {}\n",
                      job.scene.name, ranges_text(job.frames), job.scene.ageing.frames.size(),
-                     render.size_px[0], render.size_px[1], render.samples, render.renderer,
-                     job.out.string());
+                     render.size_px[0], render.size_px[1], render.samples,
+                     scene::renderers_text(render.renderers), job.out.string());
 }
 
 }  // namespace wold::work

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -9,14 +11,17 @@
 
 namespace wold::work {
 
+/// The renderers' programs that options such as --blender name, by name or path, by exporter. Of
+/// one that is missing or empty it is the environment's, or the PATH's.
+using ChosenPrograms = std::map<std::string, std::string, std::less<>>;
+
 /// What `render`, `generate`, `plan` and `task` are asked for.
 struct RenderOptions {
   std::filesystem::path scene;
   std::vector<std::string> overrides;  ///< key=value, applied after the scene file
   std::vector<int> frames;             ///< from 1, rising; empty: all
   std::filesystem::path out;           ///< empty: out/<scene name>
-  std::string blender;             ///< program or its path; empty: WOLD_BLENDER's, or the PATH's
-  std::string povray;              ///< program or its path; empty: WOLD_POVRAY's, or the PATH's
+  ChosenPrograms programs;
   int threads = 0;                 ///< 0: the scene's render.threads
   std::uint64_t memory_bytes = 0;  ///< 0: the machine's
   bool dry_run = false;
@@ -25,8 +30,7 @@ struct RenderOptions {
 
 /// What `render` and `generate` agree on before they work: what to make, and with what.
 struct Job : film::Request {
-  std::string blender;        ///< program that --blender names; empty: it names none
-  std::string povray;         ///< program that --povray names; empty: it names none
+  ChosenPrograms programs;
   int threads = 0;            ///< 0: all processors
   double memory_bytes = 0.0;  ///< that all may take together; 0: the machine's, and no limit is set
 };

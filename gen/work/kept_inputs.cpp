@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "film/exporters.h"
 #include "scene/registry.h"
 #include "scene/write.h"
 
@@ -14,10 +15,15 @@ namespace wold::work {
 namespace fs = std::filesystem;
 namespace {
 
-/// Where a run writes in its output folder.
-constexpr std::array<std::string_view, 11> written = {
-    "scene.toml", "manifest.json", "povray.ini", "texels", "clouds", "snow",
-    "blender",    "povray",        "frames",     "logs",   "tasks"};
+/// Whether a run writes there in its output folder.
+bool is_written(std::string_view name) {
+  constexpr std::array<std::string_view, 8> always = {
+      "scene.toml", "manifest.json", "texels", "clouds", "snow", "frames", "logs", "tasks"};
+  return std::ranges::count(always, name) > 0 ||
+         std::ranges::any_of(film::exporters(), [&](const exporter::Exporter* one) {
+           return exporter::writes(*one, name);
+         });
+}
 
 void append_files(const std::vector<scene::Key>& keys, const scene::Scene& scene,
                   std::vector<fs::path>& files) {
@@ -70,7 +76,7 @@ void require_inputs_kept(const fs::path& folder, std::span<const fs::path> input
     const fs::path place = fs::canonical(input, missing);
     const fs::path name = place.lexically_relative(own);
     const std::string text = name.generic_string();
-    if (std::ranges::count(written, text.substr(0, text.find('/'))) == 0) continue;
+    if (!is_written(text.substr(0, text.find('/')))) continue;
     if (!stays(input, name, scene))
       throw InputError(fmt::format(
           "--out: found the input {} where a run into {} writes, too; copy it to another place, or "

@@ -4,6 +4,7 @@
 
 #include "core/file_list.h"
 #include "core/files.h"
+#include "film/exporters.h"
 
 namespace wold::work {
 namespace fs = std::filesystem;
@@ -33,7 +34,7 @@ void write_manifest(const fs::path& out, const TaskRecords& records, FileStates&
   records.for_each([&](const std::string& stage, const TaskRecord& record) {
     for (const auto& [name, state] : record.outputs) {
       states.learn(name, state);
-      if (stage == "blender" || stage == "povray")
+      if (exporter::find_exporter(film::exporters(), stage))
         pictures[name] = {record.source, state.hash, record.seconds};
     }
   });

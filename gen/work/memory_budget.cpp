@@ -37,7 +37,7 @@ double needed_bytes(const Job& job, const StageTasks& stage, Work& work) {
 
 constexpr double option_m = 1 << 20;  // what M means to --memory
 
-Problem too_little(const Job& job, Stage stage, double needed_bytes) {
+Problem too_little(const Job& job, const Stage& stage, double needed_bytes) {
   Problem problem;
   problem.message = fmt::format(
       "--memory: found {:.0f}M, expected about {:.0f}M for the tasks \"{}\": allow more, or take "

@@ -32,35 +32,20 @@ double painting_bytes(const scene::Scene& scene) {
   return std::max(usual, least + sample_bytes * along_a_side * along_a_side);
 }
 
-/// Blender 3.4 keeps the whole box of a volume, four numbers a voxel, and OpenVDB's trees beside
-/// it; newer ones take less.
-double blender_bytes(const scene::Scene& scene, const film::FrameDemand& shown) {
-  constexpr double voxel_bytes = 16.0, filled_bytes = 110.0, sample_bytes = 30.0;
-  constexpr double part_bytes = 9000.0, blade_bytes = 5000.0, cloud_bytes = 22.0;
-  constexpr double height_bytes = 600.0;
-  double bytes = sample_bytes * ground_samples(scene) + cloud_bytes * cloud_voxels(scene) +
-                 height_bytes * scene.terrain.samples * scene.terrain.samples +
-                 part_bytes * static_cast<double>(shown.parts) +
-                 blade_bytes * scene.grass.blades * static_cast<double>(shown.patches.size());
+/// What a renderer reads for a frame.
+double read_bytes(const scene::Scene& scene, const exporter::MemoryCosts& costs,
+                  const film::FrameDemand& shown) {
+  double bytes = costs.ground_sample * ground_samples(scene) +
+                 costs.cloud_voxel * cloud_voxels(scene) +
+                 costs.terrain_sample * scene.terrain.samples * scene.terrain.samples +
+                 costs.part * static_cast<double>(shown.parts) +
+                 costs.blade * scene.grass.blades * static_cast<double>(shown.patches.size());
+  const double voxel_bytes = costs.voxel + density_bytes(scene, costs.density_grids);
   const VolumeSizes sizes(scene);
   for (const film::ShownVolume& volume : shown.volumes) {
     const VolumeSize size = sizes.of(volume.state, volume.level);
-    bytes += voxel_bytes * size.voxels + filled_bytes * size.filled;
+    bytes += voxel_bytes * size.voxels + costs.filled_voxel * size.filled;
   }
-  return bytes;
-}
-
-/// POV-Ray keeps df3 files as they are.
-double povray_bytes(const scene::Scene& scene, const film::FrameDemand& shown) {
-  constexpr double sample_bytes = 10.0, height_bytes = 480.0, part_bytes = 8900.0;
-  constexpr double blade_bytes = 5000.0, cloud_bytes = 4.3;
-  double bytes = sample_bytes * ground_samples(scene) + cloud_bytes * cloud_voxels(scene) +
-                 height_bytes * scene.terrain.samples * scene.terrain.samples +
-                 part_bytes * static_cast<double>(shown.parts) +
-                 blade_bytes * scene.grass.blades * static_cast<double>(shown.patches.size());
-  const VolumeSizes sizes(scene);
-  for (const film::ShownVolume& volume : shown.volumes)
-    bytes += povray_volume_bytes(scene, sizes.of(volume.state, volume.level));
   return bytes;
 }
 
@@ -88,11 +73,9 @@ int scene_threads(const Job& job) {
 
 double scene_memory_bytes(const Job& job) { return scene_memory_bytes(job, scene_threads(job)); }
 
-double renderer_memory_bytes(const Job& job, Stage stage, const film::FrameDemand& shown) {
-  const double start = (stage == Stage::blender ? 660.0 : 115.0) * megabyte;
-  return start + thread_bytes * threads_of(job) +
-         (stage == Stage::blender ? blender_bytes(job.scene, shown)
-                                  : povray_bytes(job.scene, shown));
+double renderer_memory_bytes(const Job& job, const exporter::MemoryCosts& costs,
+                             const film::FrameDemand& shown) {
+  return costs.start + thread_bytes * threads_of(job) + read_bytes(job.scene, costs, shown);
 }
 
 }  // namespace wold::work

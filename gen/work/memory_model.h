@@ -1,8 +1,8 @@
 #pragma once
 
+#include "exporter/costs.h"
 #include "film/film_demand.h"
 #include "work/job.h"
-#include "work/tasks.h"
 
 /// How much memory tasks take, in bytes that a process has of its own (memory_of_process_bytes()).
 /// Fitted to runs of examples/ on 2 processors, see docs/measurements.md.
@@ -21,6 +21,7 @@ int scene_threads(const Job& job);
 double scene_memory_bytes(const Job& job);
 
 /// One renderer with one picture.
-double renderer_memory_bytes(const Job& job, Stage stage, const film::FrameDemand& shown);
+double renderer_memory_bytes(const Job& job, const exporter::MemoryCosts& costs,
+                             const film::FrameDemand& shown);
 
 }  // namespace wold::work

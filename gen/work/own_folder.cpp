@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "film/exporters.h"
 
 namespace wold::work {
 namespace fs = std::filesystem;
@@ -30,11 +31,11 @@ std::vector<std::string> names_in(const fs::path& folder) {
 
 /// "texels_0001.json", "scene_0123456789abcdef.json", "lock"
 bool is_name_of_record(std::string_view name) {
-  constexpr std::array<std::string_view, 6> kinds = {"texels_",  "clouds_", "scenes_",
-                                                     "blender_", "povray_", "scene_"};
-  return name == "lock" || (name.ends_with(".json") && std::ranges::any_of(kinds, [&](auto kind) {
-                              return name.starts_with(kind);
-                            }));
+  constexpr std::array<std::string_view, 4> kinds = {"texels", "clouds", "scenes", "scene"};
+  if (name == "lock") return true;
+  const std::string_view kind = name.substr(0, name.find('_'));
+  return kind.size() < name.size() && name.ends_with(".json") &&
+         (std::ranges::count(kinds, kind) > 0 || exporter::find_exporter(film::exporters(), kind));
 }
 
 bool has_record(const fs::path& folder) {

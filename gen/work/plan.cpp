@@ -9,6 +9,7 @@
 
 #include "core/duration_text.h"
 #include "core/error.h"
+#include "film/exporters.h"
 #include "scene/text.h"
 #include "work/disk_budget.h"
 
@@ -96,8 +97,10 @@ std::vector<std::string> task_options(const RenderOptions& options) {
   std::vector<std::string> arguments = {"--out", "{{Param.Out}}"};
   if (!options.frames.empty())
     arguments.insert(arguments.end(), {"--frames", ranges_text(options.frames)});
-  if (!options.blender.empty()) arguments.insert(arguments.end(), {"--blender", options.blender});
-  if (!options.povray.empty()) arguments.insert(arguments.end(), {"--povray", options.povray});
+  for (const exporter::Exporter* one : film::exporters())
+    if (const auto chosen = options.programs.find(one->name);
+        chosen != options.programs.end() && !chosen->second.empty())
+      arguments.insert(arguments.end(), {one->renderer->program.option, chosen->second});
   if (options.threads > 0)
     arguments.insert(arguments.end(), {"--threads", std::to_string(options.threads)});
   for (const std::string& change : options.overrides)
@@ -128,6 +131,13 @@ Json stage_step(const StagePlan& stage, const std::vector<std::string>& options)
   const auto after = stage.tasks.after_all ? stage.tasks.after_all : stage.tasks.after_same;
   if (after) step["dependencies"] = dependencies_json({name_of(*after)});
   return step;
+}
+
+/// Whether another stage of the plan begins after it.
+bool is_waited_for(const Stage& stage, const std::vector<StagePlan>& plan) {
+  return std::ranges::any_of(plan, [&](const StagePlan& other) {
+    return other.tasks.after_all == stage || other.tasks.after_same == stage;
+  });
 }
 
 /// Defaults have to be beneath the template's directory and relative to it, taken to be the current
@@ -216,8 +226,7 @@ std::string plan_openjd(const RenderOptions& options, const Job& job,
   std::vector<std::string_view> last;
   for (const StagePlan& stage : plan) {
     steps.push_back(stage_step(stage, with));
-    if (makes_pictures(stage.tasks.stage) || stage.tasks.stage == Stage::clouds)
-      last.push_back(name_of(stage.tasks.stage));
+    if (!is_waited_for(stage.tasks.stage, plan)) last.push_back(name_of(stage.tasks.stage));
   }
   // Finds everything there and lists it in manifest.json.
   steps.push_back(step_json("manifest", {"render", "{{Param.Scene}}"}, with));

@@ -5,8 +5,6 @@
 namespace wold::work {
 namespace {
 
-using render::Renderer;
-
 /// What of the scene is missing in pictures without volumes.
 std::string volumes_of(const SceneNeeds& needs) {
   if (needs.grass_volumes && needs.cloud_volumes) return "grass and clouds";
@@ -26,33 +24,28 @@ std::string no_volumes(const render::RendererProgram& program, const SceneNeeds&
   return fmt::format(
       "{} shows no volumes, which this scene's {} would be drawn as; take {}, or {}; nothing was "
       "rendered",
-      described(program), volumes_of(needs), other_build(program.kind), without_volumes(needs));
+      described(program), volumes_of(needs), other_build(*program.kind), without_volumes(needs));
 }
 
 std::string no_fog(const render::RendererProgram& program) {
   return fmt::format(
       "{} shows no homogeneous medium, which far snow in this scene's air would be drawn as; take "
       "{}; nothing was rendered",
-      described(program), other_build(program.kind));
+      described(program), other_build(*program.kind));
 }
 
 std::string no_device(const render::RendererProgram& program) {
   return fmt::format(
       "render.device = \"gpu\": {} finds no graphics card that it can compute on; install the "
       "card's driver, take {}, or set render.device to \"cpu\" or \"auto\"; nothing was rendered",
-      described(program), other_build(program.kind));
+      described(program), other_build(*program.kind));
 }
 
 }  // namespace
 
-std::string other_build(Renderer renderer) {
-  const render::ExternalProgram& known = render::external_program(renderer);
-  return fmt::format("another build{} by {} or {}",
-                     renderer == Renderer::blender
-                         ? ", an official Blender or a Python with the package bpy (pip install "
-                           "bpy),"
-                         : "",
-                     known.option, known.variable);
+std::string other_build(const render::Renderer& renderer) {
+  return fmt::format("another build{} by {} or {}", renderer.better_builds, renderer.program.option,
+                     renderer.program.variable);
 }
 
 std::string fault_of(const render::RendererProgram& program, const render::Capabilities& can,
@@ -60,8 +53,8 @@ std::string fault_of(const render::RendererProgram& program, const render::Capab
   const SceneNeeds needs = needs_of(scene);
   if (needs_volumes(needs) && !can.volumes) return no_volumes(program, needs);
   if (needs.fog && !can.fog) return no_fog(program);
-  const bool is_blender = program.kind == Renderer::blender;
-  if (is_blender && scene.render.device == "gpu" && can.devices.empty()) return no_device(program);
+  if (program.kind->has_devices && scene.render.device == "gpu" && can.devices.empty())
+    return no_device(program);
   return {};
 }
 

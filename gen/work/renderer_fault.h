@@ -15,6 +15,6 @@ std::string fault_of(const render::RendererProgram& program, const render::Capab
 
 /// "another build, an official Blender or a Python with the package bpy (pip install bpy), by
 /// --blender or WOLD_BLENDER"
-std::string other_build(render::Renderer renderer);
+std::string other_build(const render::Renderer& renderer);
 
 }  // namespace wold::work

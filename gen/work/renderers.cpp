@@ -1,6 +1,9 @@
 #include "work/renderers.h"
 
-#include <algorithm>
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
 
 #include "core/error.h"
 #include "core/interrupt.h"
@@ -11,10 +14,10 @@ namespace wold::work {
 namespace {
 
 /// Whether anything depends on what the renderer can do.
-bool has_to_be_probed(const scene::Scene& scene, render::Renderer renderer) {
+bool has_to_be_probed(const scene::Scene& scene, const render::Renderer& renderer) {
   const SceneNeeds needs = needs_of(scene);
   return needs_volumes(needs) || needs.fog ||
-         (renderer == render::Renderer::blender && scene.render.device != "cpu");
+         (renderer.has_devices && scene.render.device != "cpu");
 }
 
 /// What a program can do. One that once could not do enough may have got a driver or a library
@@ -30,43 +33,47 @@ render::Capabilities capabilities(const render::RendererProgram& program,
 void say_what_it_computes_on(const render::RendererProgram& program,
                              const render::Capabilities& can, const scene::Scene& scene,
                              Progress& progress) {
-  if (program.kind != render::Renderer::blender || scene.render.device != "auto") return;
+  if (!program.kind->has_devices || scene.render.device != "auto") return;
   if (can.devices.empty())
     progress.say(
-        "render.device = \"auto\": Blender found no graphics card and takes the processor");
+        fmt::format("render.device = \"auto\": {} found no graphics card and takes the processor",
+                    display_name(*program.kind)));
+}
+
+/// As the job's option names it; nothing when it names none.
+std::string chosen_program(const Job& job, const exporter::Exporter& exporter) {
+  const auto chosen = job.programs.find(exporter.name);
+  return chosen == job.programs.end() ? "" : chosen->second;
 }
 
 }  // namespace
 
-const std::string& chosen_program(const Job& job, render::Renderer renderer) {
-  return renderer == render::Renderer::blender ? job.blender : job.povray;
-}
-
 void Renderers::check(const render::RendererProgram& program) const {
-  if (!has_to_be_probed(job_.scene, program.kind)) return;
+  if (!has_to_be_probed(job_.scene, *program.kind)) return;
   const render::Capabilities can = capabilities(program, job_.scene);
   if (const std::string fault = fault_of(program, can, job_.scene); !fault.empty())
     throw RendererError(fault);
   say_what_it_computes_on(program, can, job_.scene, progress_);
 }
 
-void Renderers::require(const std::vector<render::Renderer>& wanted) {
+void Renderers::require(const exporter::Exporters& wanted) {
   const std::lock_guard lock(mutex_);
-  std::map<render::Renderer, render::FoundProgram> found;
-  for (const render::Renderer renderer : wanted)
-    if (!ready_.contains(renderer))
-      found[renderer] = render::find_renderer(renderer, chosen_program(job_, renderer));
-  std::vector<render::RendererProgram> programs;
-  for (const auto& [renderer, program] : found)
-    programs.push_back(render::recognise(renderer, program, interrupted));
-  for (const render::RendererProgram& program : programs) check(program);
-  for (render::RendererProgram& program : programs) ready_[program.kind] = std::move(program);
+  std::vector<std::pair<const exporter::Exporter*, render::FoundProgram>> found;
+  for (const exporter::Exporter* one : wanted)
+    if (!ready_.contains(one))
+      found.emplace_back(one, render::find_renderer(*one->renderer, chosen_program(job_, *one)));
+  std::vector<std::pair<const exporter::Exporter*, render::RendererProgram>> programs;
+  for (const auto& [one, program] : found)
+    programs.emplace_back(one, render::recognise(*one->renderer, program, interrupted));
+  for (const auto& [one, program] : programs) check(program);
+  ready_.insert(programs.begin(), programs.end());
 }
 
-const render::RendererProgram& Renderers::program(render::Renderer renderer) {
-  require({renderer});
+const render::RendererProgram& Renderers::program(const exporter::Exporter& exporter) {
+  const std::array wanted = {&exporter};
+  require(wanted);
   const std::lock_guard lock(mutex_);
-  return ready_.at(renderer);
+  return ready_.at(&exporter);
 }
 
 }  // namespace wold::work

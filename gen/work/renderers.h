@@ -12,9 +12,6 @@
 
 namespace wold::work {
 
-/// Which program a job's option names for a renderer; empty when it names none.
-const std::string& chosen_program(const Job& job, render::Renderer renderer);
-
 /// The programs that make a job's pictures. Each is looked for, asked what it is, and held against
 /// what the scene needs when it is asked for the first time.
 class Renderers {
@@ -22,13 +19,13 @@ class Renderers {
   /// `job` and `progress` have to outlive it; it says to `progress` what people should know.
   Renderers(const Job& job, Progress& progress) : job_(job), progress_(progress) {}
 
-  /// Makes sure of all of them before any is used. Throws RendererError in one sentence when one is
-  /// missing, is another program, or cannot show what the scene needs or compute on what it asks
-  /// for, and InterruptedError.
-  void require(const std::vector<render::Renderer>& wanted);
+  /// Makes sure of the renderers of all of these before any is used. Throws RendererError in one
+  /// sentence when one is missing, is another program, or cannot show what the scene needs or
+  /// compute on what it asks for, and InterruptedError.
+  void require(const exporter::Exporters& wanted);
 
-  /// The program of one; throws what require() throws.
-  const render::RendererProgram& program(render::Renderer renderer);
+  /// The program that makes pictures of an exporter's files; throws what require() throws.
+  const render::RendererProgram& program(const exporter::Exporter& exporter);
 
  private:
   void check(const render::RendererProgram& program) const;
@@ -36,7 +33,7 @@ class Renderers {
   const Job& job_;
   Progress& progress_;
   std::mutex mutex_;
-  std::map<render::Renderer, render::RendererProgram> ready_;
+  std::map<const exporter::Exporter*, render::RendererProgram> ready_;
 };
 
 }  // namespace wold::work

@@ -6,17 +6,13 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "film/film.h"
 #include "scene/text.h"
 
 namespace wold::work {
-std::string_view name_of(Stage stage) {
-  constexpr std::string_view names[] = {"texels", "clouds", "scenes", "blender", "povray"};
-  return names[static_cast<std::size_t>(stage)];
-}
-
-render::Renderer renderer_of(Stage stage) {
-  return stage == Stage::blender ? render::Renderer::blender : render::Renderer::povray;
+std::string_view name_of(const Stage& stage) {
+  if (stage.exporter) return stage.exporter->name;
+  constexpr std::string_view names[] = {"texels", "clouds", "scenes"};
+  return names[static_cast<std::size_t>(stage.step)];
 }
 
 std::string text_of(const Task& task) {
@@ -27,9 +23,9 @@ std::vector<StageTasks> stages_of(const Job& job) {
   std::vector<StageTasks> stages = {{Stage::texels, counted(job.scene.grass.variants), {}, {}}};
   if (!job.scene.clouds.empty()) stages.push_back({Stage::clouds, {1}, {}, {}});
   stages.push_back({Stage::scenes, job.frames, Stage::texels, {}});
-  for (const std::string& renderer : film::wanted_renderers(job.scene))
-    stages.push_back(
-        {renderer == "blender" ? Stage::blender : Stage::povray, job.frames, {}, Stage::scenes});
+  for (const exporter::Exporter* one : job.exporters)
+    if (one->renderer)
+      stages.push_back({Stage{Step::pictures, one}, job.frames, {}, Stage::scenes});
   return stages;
 }
 

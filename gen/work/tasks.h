@@ -5,25 +5,38 @@
 #include <string_view>
 #include <vector>
 
-#include "render/renderer.h"
+#include "exporter/exporter.h"
 #include "work/job.h"
 
 namespace wold::work {
 
-/// The steps of a film, in the order they are done. The last two make pictures.
-enum class Stage { texels, clouds, scenes, blender, povray };
+/// The steps of a film, in the order they are done.
+enum class Step { texels, clouds, scenes, pictures };
 
-/// "texels", ...: as on the command line and in DIR/tasks.
-std::string_view name_of(Stage stage);
+/// Tasks of one kind: a step, or of pictures those of one renderer.
+struct Stage {
+  static const Stage texels, clouds, scenes;
 
-inline bool makes_pictures(Stage stage) { return stage >= Stage::blender; }
+  Step step = Step::texels;
+  const exporter::Exporter* exporter = nullptr;  ///< of pictures: whose files its renderer shows
+
+  bool operator==(const Stage&) const = default;
+};
+inline const Stage Stage::texels = {Step::texels};
+inline const Stage Stage::clouds = {Step::clouds};
+inline const Stage Stage::scenes = {Step::scenes};
+
+/// "texels", "clouds", "scenes" or an exporter's name: as on the command line and in DIR/tasks.
+std::string_view name_of(const Stage& stage);
+
+inline bool makes_pictures(const Stage& stage) { return stage.step == Step::pictures; }
 
 /// Who makes the pictures of a stage that makes some.
-render::Renderer renderer_of(Stage stage);
+inline const render::Renderer& renderer_of(const Stage& stage) { return *stage.exporter->renderer; }
 
 /// One unit of work: it makes whole files, the same bytes on any machine and in any order.
 struct Task {
-  Stage stage = Stage::texels;
+  Stage stage = {};
   int index = 1;  ///< of texels the variant, from 1; of clouds 1; else the frame
 };
 
@@ -32,7 +45,7 @@ std::string text_of(const Task& task);
 
 /// The tasks of a stage and what has to be done before them.
 struct StageTasks {
-  Stage stage = Stage::texels;
+  Stage stage = {};
   std::vector<int> indices;         ///< rising
   std::optional<Stage> after_all;   ///< every task of that stage
   std::optional<Stage> after_same;  ///< the task of the same index of that stage

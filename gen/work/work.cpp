@@ -11,7 +11,7 @@
 #include "core/file_list.h"
 #include "core/files.h"
 #include "core/interrupt.h"
-#include "povray/data_only.h"
+#include "film/exporters.h"
 #include "render/run.h"
 #include "scene/write.h"
 #include "work/manifest.h"
@@ -27,12 +27,22 @@ std::string hash_of_build() {
                       hash_of_programs_below(shipped_file("templates")));
 }
 
+/// Of the shipped files that pictures depend on, by exporter.
+std::map<std::string_view, std::string> hashes_of_programs(exporter::Exporters exporters) {
+  std::map<std::string_view, std::string> hashes;
+  for (const exporter::Exporter* one : exporters)
+    if (one->renderer)
+      hashes[one->name] =
+          hash_of_programs_below(shipped_file(std::string(one->renderer->templates)));
+  return hashes;
+}
+
 render::Job picture_job(const Job& job, const Task& task, const RendererShare& share,
                         Renderers& renderers) {
   const scene::Render& settings = job.scene.render;
   const std::string number = fmt::format("{:04}", task.index);
   render::Job picture;
-  picture.program = renderers.program(renderer_of(task.stage));
+  picture.program = renderers.program(*task.stage.exporter);
   picture.scene_folder = job.out / name_of(task.stage);
   picture.frame = task.index;
   picture.size_px = {settings.size_px[0], settings.size_px[1]};
@@ -50,19 +60,22 @@ render::Job picture_job(const Job& job, const Task& task, const RendererShare& s
 
 /// Whether such a task makes a file of that name: a record that somebody has edited may name
 /// others.
-bool may_make(Stage stage, const fs::path& name) {
-  const std::string folder = name.begin()->string();
+bool may_make(const Stage& stage, const fs::path& name) {
+  const std::string first = name.begin()->string();
   const std::string extension = name.extension().string();
-  switch (stage) {
-    case Stage::texels:
-      return folder == "texels" && extension == ".vdb";
-    case Stage::clouds:
-      return folder == "clouds" && extension == ".png";
-    case Stage::scenes:
-      return folder == "blender" || folder == "povray" || name == "povray.ini";
-    default:
+  switch (stage.step) {
+    case Step::texels:
+      return first == "texels" && extension == ".vdb";
+    case Step::clouds:
+      return first == "clouds" && extension == ".png";
+    case Step::scenes:
+      return std::ranges::any_of(film::exporters(), [&](const exporter::Exporter* one) {
+        return exporter::writes(*one, first);
+      });
+    case Step::pictures:
       return name == fs::path("frames") / name_of(stage) / name.filename() && extension == ".png";
   }
+  return false;
 }
 
 /// "camera.eye, camera.target and 3 more"
@@ -86,8 +99,7 @@ Work::Work(const Job& job, Renderers* renderers)
       facts_(facts_of(job.scene)),
       facts_hash_(hash_of(facts_)),
       build_(hash_of_build()),
-      programs_({{Stage::blender, hash_of_programs_below(shipped_file("templates/blender"))},
-                 {Stage::povray, hash_of_programs_below(shipped_file("templates/povray"))}}),
+      programs_(hashes_of_programs(job.exporters)),
       states_(job.out),
       records_(job.out) {}
 
@@ -133,7 +145,8 @@ std::string Work::source(const Task& task) {
   std::string text = fmt::format("{} {} {} ", text_of(task), facts_hash_, build_);
   if (task.stage == Stage::texels) text += ranges_text(job_.frames);
   if (task.stage == Stage::scenes)
-    text += fmt::format("{}", fmt::join(film::wanted_renderers(job_.scene), " "));
+    for (const exporter::Exporter* one : job_.exporters)
+      text += fmt::format("{}{}", one == job_.exporters.front() ? "" : " ", one->name);
   return content_hash(text);
 }
 
@@ -141,9 +154,9 @@ std::string Work::picture_source(const Task& task) {
   const scene::Render& settings = job_.scene.render;
   std::string text =
       fmt::format("{} {}x{} {} {}", text_of(task), settings.size_px[0], settings.size_px[1],
-                  settings.samples, scene_hashes(task.index).at(task.stage));
+                  settings.samples, scene_hashes(task.index).at(name_of(task.stage)));
   // Another device adds up in another order: the last bits differ.
-  if (task.stage == Stage::blender) text += " " + settings.device;
+  if (renderer_of(task.stage).has_devices) text += " " + settings.device;
   return content_hash(text);
 }
 
@@ -152,13 +165,13 @@ const Work::SceneHashes& Work::scene_hashes(int frame) {
   SceneHashes& hashes = scene_hashes_[frame];
   if (!hashes.empty()) return hashes;
   const auto record = records_.read({Stage::scenes, frame});
-  for (const auto& [stage, program] : programs_) {
-    const std::string folder = fmt::format("{}/", name_of(stage));
+  for (const auto& [exporter, program] : programs_) {
+    const std::string folder = fmt::format("{}/", exporter);
     std::string text = program;
     if (record)
       for (const auto& [name, state] : record->outputs)
         if (name.starts_with(folder)) text += fmt::format("{} {}\n", name, state.hash);
-    hashes[stage] = content_hash(text);
+    hashes[exporter] = content_hash(text);
   }
   return hashes;
 }
@@ -173,7 +186,7 @@ const film::FilmDemand& Work::demand() {
   return *demand_;
 }
 
-void Work::prepare(Stage stage, Progress& progress) {
+void Work::prepare(const Stage& stage, Progress& progress) {
   if (!makes_pictures(stage)) film();
   if (stage == Stage::texels && !demand_found_) {
     film().find_demand(progress);
@@ -181,7 +194,7 @@ void Work::prepare(Stage stage, Progress& progress) {
   }
   records_.write_facts(facts_);  // first: by its records an output folder is known
   update_file(job_.out / "scene.toml", scene::resolved_toml(job_.scene));
-  if (stage >= Stage::scenes) film::write_programs(job_.scene, job_.out);
+  if (stage.step >= Step::scenes) film::write_film_files(job_);
   // It lists files that will be others; `render` and `generate` write it when all is done.
   if (is_own_manifest(job_.out / "manifest.json")) fs::remove(job_.out / "manifest.json");
 }
@@ -189,7 +202,7 @@ void Work::prepare(Stage stage, Progress& progress) {
 void Work::finish() {
   forget_film();  // and its scratch files
   update_file(job_.out / "scene.toml", scene::resolved_toml(job_.scene));
-  film::write_programs(job_.scene, job_.out);
+  film::write_film_files(job_);
   write_manifest(job_.out, records_, states_);
 }
 
@@ -216,16 +229,17 @@ void Work::run(const Task& task, const RendererShare& share, Progress& progress)
 }
 
 Work::Made Work::make(const Task& task, const RendererShare& share, Progress& progress) {
-  switch (task.stage) {
-    case Stage::texels:
+  switch (task.stage.step) {
+    case Step::texels:
       return {film().make_texels(task.index - 1, progress)};
-    case Stage::clouds:
+    case Step::clouds:
       return {film().make_cloud_pictures()};
-    case Stage::scenes:
+    case Step::scenes:
       return {film().make_frame(task.index, progress)};
-    default:
+    case Step::pictures:
       return make_picture(task, share, progress);
   }
+  return {};
 }
 
 Work::Made Work::make_picture(const Task& task, const RendererShare& share, Progress& progress) {
@@ -235,7 +249,8 @@ Work::Made Work::make_picture(const Task& task, const RendererShare& share, Prog
         fmt::format("the task \"{}\" needs the files of \"{}\", which has to be run first: {}",
                     text_of(task), text_of(scene_files), verdict.why));
   const render::Job picture = picture_job(job_, task, share, *renderers_);
-  if (task.stage == Stage::povray) povray::require_data_only(picture.scene_folder, task.index);
+  if (const auto& require = renderer_of(task.stage).require_data_only)
+    require(picture.scene_folder, task.index);
   const double memory_bytes = render::run(picture, progress, interrupted);
   return {{picture.picture}, memory_bytes};
 }

@@ -50,7 +50,7 @@ class Work {
   Verdict verdict(const Task& task);
 
   /// Has to be called before run(): what tasks share is made here. Throws what Film does.
-  void prepare(Stage stage, Progress& progress);
+  void prepare(const Stage& stage, Progress& progress);
 
   /// Gives back the memory of what run() needs for all but pictures; prepare() makes it anew.
   void forget_film();
@@ -73,8 +73,8 @@ class Work {
   const std::string& scene_hash() const { return facts_hash_; }
 
  private:
-  /// Hashes of a frame's scene files and the renderer's program, by renderer.
-  using SceneHashes = std::map<Stage, std::string>;
+  /// Hashes of a frame's scene files and the renderer's program, by exporter.
+  using SceneHashes = std::map<std::string_view, std::string>;
 
   struct Made {
     std::vector<std::filesystem::path> files;
@@ -94,8 +94,8 @@ class Work {
   Renderers* renderers_;
   SceneFacts facts_;
   std::string facts_hash_;
-  std::string build_;                      ///< hash of the program, its models and templates
-  std::map<Stage, std::string> programs_;  ///< hash, by renderer
+  std::string build_;  ///< hash of the program, its models and templates
+  std::map<std::string_view, std::string> programs_;  ///< hash, by exporter with a renderer
   FileStates states_;
   TaskRecords records_;
   std::recursive_mutex mutex_;                  ///< of the three that follow

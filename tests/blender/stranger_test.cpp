@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "blender/export.h"
+#include "blender/renderer.h"
 #include "core/files.h"
 #include "render/command.h"
 #include "render/short_run.h"
@@ -62,8 +63,8 @@ class BlenderStranger : public testing::Test {
   /// The command that `wold render` runs.
   render::Command command() const {
     render::Job job;
-    job.program = render::recognise(render::Renderer::blender,
-                                    render::find_renderer(render::Renderer::blender), never);
+    job.program =
+        render::recognise(blender::renderer(), render::find_renderer(blender::renderer()), never);
     job.scene_folder = data();
     job.size_px = {32, 18};
     return render::render_command(job, picture());

@@ -4,16 +4,14 @@
 
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
-#include "blender/export.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/parallel.h"
-#include "povray/export.h"
-#include "support/povray_film.h"
+#include "support/export_all.h"
 #include "support/quartered.h"
 #include "support/snowy_view.h"
 #include "support/synthetic_landscape.h"
@@ -24,26 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using landscape::Landscape;
 
-struct Exporter {
-  const char* name;
-  std::function<void(const Landscape&, const fs::path& folder)> run;
-};
-
-void export_blender(const Landscape& landscape, const fs::path& folder) {
-  blender::export_frame(landscape, folder);
-}
-
-void export_povray(const Landscape& landscape, const fs::path& folder) {
-  povray::export_frame(landscape, folder);
-  povray::export_scene(test::film_of(landscape), folder);
-}
-
-const Exporter exporters[] = {
-    {"blender", export_blender},
-    {"povray", export_povray},
-};
-
-class Exporters : public testing::TestWithParam<Exporter> {
+class Exporters : public testing::TestWithParam<const exporter::Exporter*> {
  protected:
   Exporters() {
     fs::remove_all(folder);
@@ -56,9 +35,13 @@ class Exporters : public testing::TestWithParam<Exporter> {
   }
   ~Exporters() override { fs::remove_all(folder); }
 
+  static std::vector<fs::path> run(const Landscape& landscape, const fs::path& folder) {
+    return test::export_all(*GetParam(), landscape, folder);
+  }
+
   const fs::path folder =
       fs::path(testing::TempDir()) /
-      ("wold_exporters_" + std::string(GetParam().name) + "_" + std::to_string(::getpid()));
+      ("wold_exporters_" + std::string(GetParam()->name) + "_" + std::to_string(::getpid()));
   Landscape landscape;
 };
 
@@ -73,18 +56,18 @@ std::map<std::string, std::string> all_files(const fs::path& folder) {
 TEST_P(Exporters, SameLandscapeGivesTheSameBytesWithAnyNumberOfThreads) {
   {
     const ThreadLimit one(1);
-    GetParam().run(landscape, folder / "one");
+    run(landscape, folder / "one");
   }
-  GetParam().run(landscape, folder / "all");
+  run(landscape, folder / "all");
   const auto files = all_files(folder / "one");
   EXPECT_GT(files.size(), 3U);
   EXPECT_TRUE(files == all_files(folder / "all"));
 }
 
 TEST_P(Exporters, WritingOverItselfChangesNothing) {
-  GetParam().run(landscape, folder / "out");
+  run(landscape, folder / "out");
   const auto once = all_files(folder / "out");
-  GetParam().run(landscape, folder / "out");
+  run(landscape, folder / "out");
   EXPECT_TRUE(once == all_files(folder / "out"));
 }
 
@@ -95,11 +78,11 @@ TEST_P(Exporters, WhatAFrameHasNoMoreLeavesNothingInIt) {
   dry.flakes = {};
   dry.fog.reset();
   dry.ground_details.clear();
-  GetParam().run(dry, folder / "dry");
-  GetParam().run(landscape, folder / "out");
+  run(dry, folder / "dry");
+  run(landscape, folder / "out");
   EXPECT_FALSE(all_files(folder / "dry/data/frame_0001") ==
                all_files(folder / "out/data/frame_0001"));
-  GetParam().run(dry, folder / "out");
+  run(dry, folder / "out");
   EXPECT_TRUE(all_files(folder / "dry/data/frame_0001") ==
               all_files(folder / "out/data/frame_0001"));
 }
@@ -108,7 +91,7 @@ TEST_P(Exporters, WhatAFrameHasNoMoreLeavesNothingInIt) {
 TEST_P(Exporters, UnwritableFolderIsAFileErrorAndLeavesNothing) {
   fs::create_directories(folder);
   write_file(folder / "blocked", "a file");
-  EXPECT_THROW(GetParam().run(landscape, folder / "blocked"), FileError);
+  EXPECT_THROW(run(landscape, folder / "blocked"), FileError);
   EXPECT_EQ(read_file(folder / "blocked"), "a file");
   EXPECT_EQ(all_files(folder).size(), 1 + all_files(folder / "texels").size());
 }
@@ -117,7 +100,7 @@ TEST_P(Exporters, DamagedTexelIsAFileErrorThatNamesIt) {
   const fs::path texel = landscape.volumes[0].vdb;
   fs::resize_file(texel, fs::file_size(texel) / 2);
   try {
-    GetParam().run(landscape, folder / "out");
+    run(landscape, folder / "out");
     FAIL() << "exported a truncated texel";
   } catch (const FileError& error) {
     EXPECT_NE(std::string(error.what()).find(texel.filename().string()), std::string::npos)
@@ -125,8 +108,17 @@ TEST_P(Exporters, DamagedTexelIsAFileErrorThatNamesIt) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Exporters, testing::ValuesIn(exporters),
-                         [](const auto& tested) { return std::string(tested.param.name); });
+TEST_P(Exporters, ListTheFilesOfAFrameAndAllOfThemAreThere) {
+  const std::vector<fs::path> files = run(landscape, folder / "out");
+  EXPECT_FALSE(files.empty());
+  for (const fs::path& file : files) EXPECT_TRUE(fs::is_regular_file(file)) << file;
+  for (const std::string& name : GetParam()->files_for_output_folder)
+    EXPECT_TRUE(fs::is_regular_file(folder / "out" / name)) << name;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Exporters,
+                         testing::ValuesIn(film::exporters().begin(), film::exporters().end()),
+                         [](const auto& tested) { return std::string(tested.param->name); });
 
 }  // namespace
 }  // namespace wold

@@ -3,14 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "blender/export.h"
 #include "core/error.h"
 #include "core/files.h"
-#include "povray/export.h"
 #include "render/renderer_program.h"
 #include "render/run.h"
 #include "support/cloudy_view.h"
-#include "support/povray_film.h"
+#include "support/export_all.h"
 #include "support/synthetic_landscape.h"
 #include "support/temporary_folder.h"
 
@@ -19,13 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 using landscape::Landscape;
-using render::Renderer;
 
-class WithoutThings : public testing::TestWithParam<Renderer> {
+class WithoutThings : public testing::TestWithParam<const exporter::Exporter*> {
  protected:
   void SetUp() override {
     try {
-      program_ = render::recognise(GetParam(), render::find_renderer(GetParam()), never);
+      const render::Renderer& renderer = *GetParam()->renderer;
+      program_ = render::recognise(renderer, render::find_renderer(renderer), never);
     } catch (const RendererError& error) {
       GTEST_SKIP() << error.what();
     }
@@ -68,12 +66,7 @@ class WithoutThings : public testing::TestWithParam<Renderer> {
 
  private:
   static void export_to(const Landscape& landscape, const fs::path& folder) {
-    if (GetParam() == Renderer::blender) {
-      blender::export_frame(landscape, folder);
-    } else {
-      povray::export_frame(landscape, folder);
-      povray::export_scene(test::film_of(landscape), folder);
-    }
+    test::export_all(*GetParam(), landscape, folder);
   }
 
   static bool never() { return false; }
@@ -118,10 +111,8 @@ TEST_P(WithoutThings, CloudsThatAreNotDrawnAreMissed) {
   EXPECT_THAT(blame(clear, wanted), testing::HasSubstr("of the clouds that should be there"));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, WithoutThings, testing::Values(Renderer::blender, Renderer::povray),
-                         [](const auto& tested) {
-                           return tested.param == Renderer::blender ? "blender" : "povray";
-                         });
+INSTANTIATE_TEST_SUITE_P(All, WithoutThings, testing::ValuesIn(test::exporters_with_a_renderer()),
+                         [](const auto& tested) { return std::string(tested.param->name); });
 
 }  // namespace
 }  // namespace wold

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "film/exporters.h"
 #include "meadow/tint.h"
 #include "phenology/film_season.h"
 #include "scene/key_frames.h"
@@ -58,7 +59,8 @@ TEST(Assemble, CellsReferToTheirVolumes) {
                   volume.voxels = glm::ivec3(30);  // not fine
                   return volume;
                 },
-                [](const meadow::CellChoice&) { return landscape::BladeMesh{}; }});
+                [](const meadow::CellChoice&) { return landscape::BladeMesh{}; }},
+               needs_of({}));
   std::set<std::string> names;
   for (const landscape::Volume& volume : landscape.volumes)
     EXPECT_TRUE(names.insert(volume.name).second);
@@ -91,7 +93,7 @@ TEST(Assemble, ExposesSnowUnderCloudsAsInTheSun) {
   const auto shown = [](const scene::Scene& described) {
     const scene::Scene film = phenology::as_film(described);
     const place::Site site = place::make_site(film);
-    return assemble(film, place::site_of_frame(film, site, 2), 2, {}, {});
+    return assemble(film, place::site_of_frame(film, site, 2), 2, {}, {}, needs_of({}));
   };
   const auto mean_shown = [](const landscape::Landscape& landscape) {
     double sum = 0.0;
@@ -121,7 +123,7 @@ TEST(Assemble, DuskIsDarkerThanDay) {
   const place::Site site = place::make_site(scene);
   const auto relative_gain = [&](int frame) {
     const place::Site now = place::site_of_frame(scene, site, frame);
-    return assemble(scene, now, frame, {}, {}).exposure_gain /
+    return assemble(scene, now, frame, {}, {}, needs_of({})).exposure_gain /
            sky::metered_gain(now.day, sky::Subject::meadow);
   };
   EXPECT_NEAR(relative_gain(1), 1.0, 1e-9);
@@ -134,7 +136,7 @@ TEST(Assemble, DoesNotBurnOutTheSkyOfAnEvening) {
   scene::Scene scene = small_meadow();
   scene.sun.elevation_deg = 4.0;
   const place::Site site = place::make_site(scene);
-  const landscape::Landscape landscape = assemble(scene, site, 2, {}, {});
+  const landscape::Landscape landscape = assemble(scene, site, 2, {}, {}, needs_of({}));
   const glm::vec3 sky = site.day.mean_sky_radiance(20.0 * std::numbers::pi / 180.0);
   const double luminance = 0.2126 * double{sky.r} + 0.7152 * double{sky.g} + 0.0722 * double{sky.b};
   EXPECT_NEAR(landscape.exposure_gain * luminance, 0.9, 1e-4);
@@ -153,7 +155,8 @@ TEST(Assemble, CellsOfBladesReferToTheirMeshes) {
                {[](const meadow::CellChoice&) { return landscape::Volume{}; },
                 [](const meadow::CellChoice& choice) {
                   return tube_in_each_part(std::to_string(choice.variant * 100 + choice.key_frame));
-                }});
+                }},
+               needs_of({}));
   std::size_t parts = 0;
   for (const meadow::CellChoice& choice : choices) parts += choice.parts.size();
   EXPECT_EQ(landscape.cells.size() + landscape.blade_cells.size(), parts);
@@ -184,10 +187,12 @@ TEST(Assemble, PartsWithoutBladesAreNotDrawn) {
   auto tubes = std::make_shared<Tubes>(Tubes{1, 1, {glm::vec3(0.01F)}, {glm::vec3(1.0F)}});
   const landscape::Landscape landscape =
       assemble(scene, site, 2, choices,
-               {{}, [&](const meadow::CellChoice& choice) {
+               {{},
+                [&](const meadow::CellChoice& choice) {
                   return landscape::BladeMesh{
                       std::to_string(choice.variant * 100 + choice.key_frame), tubes};
-                }});
+                }},
+               needs_of({}));
   EXPECT_EQ(landscape.blade_cells.size(), choices.size());
   std::vector<bool> used(landscape.blade_meshes.size(), false);
   for (const landscape::BladeCell& cell : landscape.blade_cells)

@@ -6,6 +6,7 @@
 
 #include "core/colour.h"
 #include "film/assemble.h"
+#include "film/exporters.h"
 #include "meadow/far_field.h"
 #include "place/ground_grids.h"
 #include "support/sanitized.h"
@@ -130,7 +131,7 @@ landscape::Landscape snowed_on(double water_mm, const std::filesystem::path& fol
   scene::Scene scene = plain(2000.0);
   scene.snow_cover.initial_mm = water_mm;
   scene.weather.temperature_c = -1.0;
-  return assemble(scene, place::make_site(scene, folder), 1, {}, no_grass());
+  return assemble(scene, place::make_site(scene, folder), 1, {}, no_grass(), needs_of({}));
 }
 
 // Both pictures are of the same ground, bare or white: the coarse one shows the mean of what the
@@ -185,7 +186,7 @@ TEST(LargeTerrain, OfAHundredKilometresTakesBoundedMemory) {
   const place::Site site = place::make_site(scene, folder.path());
   const std::vector<meadow::CellChoice> cells =
       meadow::choose_cells(scene, site.terrain, place::growth_of_cells(site), *site.withering, 1);
-  const landscape::Landscape landscape = assemble(scene, site, 1, cells, no_grass());
+  const landscape::Landscape landscape = assemble(scene, site, 1, cells, no_grass(), needs_of({}));
   const double most_mb = test::sanitized ? 1400.0 : 700.0;  // with their notes on what is allocated
   EXPECT_LT(peak_memory_mb() - before_mb, most_mb);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "ground.tif"));

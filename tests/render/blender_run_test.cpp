@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "blender/renderer.h"
 #include "core/error.h"
 #include "fake_renderer.h"
 
@@ -26,7 +27,7 @@ if arguments[1] == "3":
 TEST_F(FakeRenderer, RealBlenderRunsTheLauncherForAFolderWithSpaces) {
   render::Job real = job();
   try {
-    real.program.found = render::find_renderer(render::Renderer::blender);
+    real.program.found = render::find_renderer(blender::renderer());
   } catch (const RendererError& error) {
     GTEST_SKIP() << error.what();
   }

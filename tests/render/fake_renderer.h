@@ -7,6 +7,7 @@
 #include <fstream>
 #include <string>
 
+#include "blender/renderer.h"
 #include "core/files.h"
 #include "core/image.h"
 #include "render/run.h"
@@ -51,8 +52,8 @@ class FakeRenderer : public ::testing::Test {
 
   /// The script of play(), which is not asked what it is.
   render::RendererProgram fake_program() const {
-    return {render::Renderer::blender,
-            render::ProgramForm::blender,
+    return {&blender::renderer(),
+            render::ProgramForm::itself,
             {folder_ / "fake.sh", "PATH"},
             "9.9.9",
             "",

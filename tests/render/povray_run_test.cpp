@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 
+#include "blender/renderer.h"
 #include "core/error.h"
 #include "fake_renderer.h"
+#include "povray/renderer.h"
 #include "render/command.h"
 
 namespace wold::test {
@@ -20,15 +22,14 @@ class RealPovray : public FakeRenderer {
  protected:
   void SetUp() override {
     try {
-      povray_ = render::find_renderer(render::Renderer::povray);
+      povray_ = render::find_renderer(povray::renderer());
     } catch (const RendererError& error) {
       GTEST_SKIP() << error.what();
     }
   }
   render::Job povray_job() const {
     render::Job result = job();
-    result.program.kind = render::Renderer::povray;
-    result.program.form = render::ProgramForm::povray;
+    result.program.kind = &povray::renderer();
     result.program.found = povray_;
     return result;
   }
@@ -54,14 +55,13 @@ TEST_F(RealPovray, ASceneErrorReachesTheUser) {
 
 TEST(ProgressLines, AreUnderstood) {
   using render::progress_fraction;
-  using render::Renderer;
-  EXPECT_DOUBLE_EQ(*progress_fraction(Renderer::povray, "Rendered 1024 of 4096 pixels (25%)"),
+  EXPECT_DOUBLE_EQ(*progress_fraction(povray::renderer(), "Rendered 1024 of 4096 pixels (25%)"),
                    0.25);
-  EXPECT_DOUBLE_EQ(*progress_fraction(Renderer::blender, "wold: progress 0.125"), 0.125);
-  EXPECT_DOUBLE_EQ(*progress_fraction(Renderer::blender, "wold: progress 7"), 1.0);
-  EXPECT_FALSE(progress_fraction(Renderer::blender, "wold: progress nan"));
-  EXPECT_FALSE(progress_fraction(Renderer::povray, "Rendered 0 of 0 pixels"));
-  EXPECT_FALSE(progress_fraction(Renderer::povray, "Rendered: nothing"));
+  EXPECT_DOUBLE_EQ(*progress_fraction(blender::renderer(), "wold: progress 0.125"), 0.125);
+  EXPECT_DOUBLE_EQ(*progress_fraction(blender::renderer(), "wold: progress 7"), 1.0);
+  EXPECT_FALSE(progress_fraction(blender::renderer(), "wold: progress nan"));
+  EXPECT_FALSE(progress_fraction(povray::renderer(), "Rendered 0 of 0 pixels"));
+  EXPECT_FALSE(progress_fraction(povray::renderer(), "Rendered: nothing"));
 }
 
 }  // namespace

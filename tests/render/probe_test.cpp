@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "fake_renderer.h"
+#include "povray/renderer.h"
 #include "render/probe_cache.h"
 #include "support/fake_blender.h"
 
@@ -143,8 +144,8 @@ class PovrayProbe : public FakeRenderer {
  protected:
   void SetUp() override {
     try {
-      const auto found = render::find_renderer(render::Renderer::povray);
-      program_ = render::recognise(render::Renderer::povray, found, never);
+      const auto found = render::find_renderer(povray::renderer());
+      program_ = render::recognise(povray::renderer(), found, never);
     } catch (const RendererError& error) {
       GTEST_SKIP() << error.what();
     }

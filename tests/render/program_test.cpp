@@ -2,8 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include "blender/renderer.h"
 #include "core/error.h"
 #include "fake_renderer.h"
+#include "povray/renderer.h"
 #include "render/command.h"
 #include "render/renderer_program.h"
 
@@ -11,7 +13,6 @@
 namespace wold::test {
 namespace {
 
-using render::Renderer;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -36,7 +37,7 @@ class Programs : public FakeRenderer {
   }
 
   static render::FoundProgram find(const std::string& chosen = {}) {
-    return render::find_renderer(Renderer::blender, chosen);
+    return render::find_renderer(blender::renderer(), chosen);
   }
 
   static std::string error_of(const std::function<void()>& body) {
@@ -49,7 +50,7 @@ class Programs : public FakeRenderer {
   }
 
   std::string refusal(const fs::path& program) const {
-    return error_of([&] { render::recognise(Renderer::blender, {program, "--blender"}, never); });
+    return error_of([&] { render::recognise(blender::renderer(), {program, "--blender"}, never); });
   }
 
   /// A Python of its own, without any packages; skips the test where there is none to copy.
@@ -100,11 +101,11 @@ TEST_F(Programs, SayTheirVersion) {
   // What wrappers print before it does no harm.
   const fs::path wrapped = write_program(
       "wrapped.sh", "#!/bin/sh\necho loading modules\necho 'Blender 5.2.2 LTS'\necho '\tbuild'\n");
-  const auto blender = render::recognise(Renderer::blender, {wrapped, "PATH"}, never);
+  const auto blender = render::recognise(blender::renderer(), {wrapped, "PATH"}, never);
   EXPECT_EQ(blender.version, "5.2.2");
-  EXPECT_EQ(blender.form, render::ProgramForm::blender);
+  EXPECT_EQ(blender.form, render::ProgramForm::itself);
   const fs::path povray = says("povray.sh", "POV-Ray 3.8.0-beta.2.unofficial");
-  EXPECT_EQ(render::recognise(Renderer::povray, {povray, "PATH"}, never).version,
+  EXPECT_EQ(render::recognise(povray::renderer(), {povray, "PATH"}, never).version,
             "3.8.0-beta.2.unofficial");
 }
 
@@ -114,7 +115,7 @@ TEST_F(Programs, OtherOnesAreNamed) {
                     HasSubstr("not Blender and no Python"), HasSubstr("GNU coreutils")));
   const fs::path blender = says("blender.sh", "Blender 5.2.2");
   EXPECT_THAT(error_of([&] {
-                render::recognise(Renderer::povray, {blender, "WOLD_POVRAY"}, never);
+                render::recognise(povray::renderer(), {blender, "WOLD_POVRAY"}, never);
               }),
               HasSubstr("which is not POV-Ray"));
 }
@@ -128,7 +129,7 @@ TEST_F(Programs, APythonIsRecognisedByItsPackageBpy) {
   write_file(site_packages() / "bpy/__init__.py", "raise SystemExit('bpy was loaded')\n");
   write_file(site_packages() / "bpy-9.8.7.dist-info/METADATA",
              "Metadata-Version: 2.1\nName: bpy\nVersion: 9.8.7\n");
-  const auto program = render::recognise(Renderer::blender, {python, "--blender"}, never);
+  const auto program = render::recognise(blender::renderer(), {python, "--blender"}, never);
   EXPECT_EQ(program.form, render::ProgramForm::python);
   EXPECT_EQ(program.version, "9.8.7");
   EXPECT_EQ(program.module, site_packages() / "bpy/__init__.py");

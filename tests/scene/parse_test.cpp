@@ -26,7 +26,7 @@ TEST(Parse, ReadsEveryKindOfValueAndKeepsOtherDefaults) {
   expected.ageing.water = {"cold", {}};
   expected.ageing.chlorophyll = {"", {{0.0, 1.0}, {0.5, 0.75}, {1.0, 0.0}}};
   expected.ageing.frames = {0.0, 0.5};
-  expected.render.renderer = "povray";
+  expected.render.renderers = {"povray"};
   expected.render.size_px = {320, 200};
   EXPECT_EQ(scene, expected);
 }
@@ -51,9 +51,9 @@ TEST(Parse, NamesPlaceFindingAndExpectation) {
   expect_problem("[grass.patch]\nx = 1\n", "a.toml:1:1: grass.patch: found a table, expected a");
   expect_problem("seed = -1\n", "a.toml:1:8: seed: found -1, expected a whole number from 0 to");
   expect_problem("name = '../up'\n", "a.toml:1:8: name: found \"../up\", expected a file name");
-  expect_problem("[render]\nrenderer = 'blendr'\n",
-                 "a.toml:2:12: render.renderer: found \"blendr\", expected \"blender\", \"povray\" "
-                 "or \"both\"");
+  expect_problem(
+      "[render]\nrenderer = 'blendr'\n",
+      "a.toml:2:12: render.renderer: found \"blendr\", expected \"blender\", \"povray\"");
 }
 
 TEST(Parse, NamesTheItemOfAList) {
@@ -236,6 +236,28 @@ TEST(Parse, TheLongestSceneIsAccepted) {
   EXPECT_EQ(parse_scene(text + "]\n", "a.toml").ageing.frames.size(), 10000u);
 }
 
+TEST(Parse, ReadsRenderersAsAWordOrAList) {
+  const auto renderers = [](const std::string& value) {
+    return parse_scene("[render]\nrenderer = " + value + "\n", "a.toml").render.renderers;
+  };
+  const std::vector<std::string> both = {"blender", "povray"};
+  EXPECT_EQ(renderers("'both'"), both);
+  EXPECT_EQ(renderers("['povray', 'blender', 'povray']"), both)
+      << "in the table's order, each once";
+  EXPECT_EQ(renderers("['both']"), both);
+  EXPECT_EQ(renderers("['povray']"), std::vector<std::string>{"povray"});
+  EXPECT_EQ(renderers("'povray'"), std::vector<std::string>{"povray"});
+}
+
+TEST(Parse, NamesTheRendererInAListThatIsNone) {
+  expect_problem("[render]\nrenderer = ['blender', 'cycles']\n",
+                 "a.toml:2:24: render.renderer: found \"cycles\" (item 2), expected \"blender\", ");
+  expect_problem("[render]\nrenderer = []\n",
+                 "a.toml:2:12: render.renderer: found a list of 0, expected \"blender\", ");
+  expect_problem("[render]\nrenderer = 3\n",
+                 "a.toml:2:12: render.renderer: found 3, expected \"blender\", ");
+}
+
 TEST(Overrides, WinOverTheTextInTheirOrder) {
   const Overrides overrides = {"grass.blades=5",
                                "grass.blades = 6",
@@ -249,7 +271,7 @@ TEST(Overrides, WinOverTheTextInTheirOrder) {
   const Overrides good = {overrides[0], overrides[1], overrides[2], overrides[3], overrides[5]};
   const Scene scene = parse_scene("[grass]\nblades = 3\n", "a.toml", good);
   EXPECT_EQ(scene.grass.blades, 6);
-  EXPECT_EQ(scene.render.renderer, "blender");
+  EXPECT_EQ(scene.render.renderers, std::vector<std::string>{"blender"});
   EXPECT_EQ(scene.ageing.water, (CurveChoice{"", {{0.0, 1.0}, {1.0, 0.5}}}));
   EXPECT_EQ(scene.name, "hill_2");
 }

@@ -59,6 +59,7 @@ Value another_value(const Key& key, const Value& value) {
     case Kind::system:
       return "EPSG:4326";
     case Kind::word:
+    case Kind::words:
       return key.words[key.words[0] == std::get<std::string>(value) ? 1 : 0];
     case Kind::integers: {
       auto items = std::get<std::vector<std::int64_t>>(value);

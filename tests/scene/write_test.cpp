@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "scene/parse.h"
 #include "scene/registry.h"
+#include "scene/renderers.h"
 
 namespace wold::scene {
 namespace {
@@ -41,6 +42,19 @@ TEST(ResolvedToml, IsAFixedPointOfParsing) {
   scene.season.last = {2026, 12, 1};
   scene.season_keys = {{.date = {2026, 9, 1}, .weathering = 0.1 + 0.2}};
   expect_fixed_point(scene);
+}
+
+TEST(ResolvedToml, SaysRenderersInAWordWhereThereIsOne) {
+  const auto line = [](const std::string& value) {
+    const std::string text =
+        resolved_toml(parse_scene("[render]\nrenderer = " + value + "\n", "a.toml"));
+    const std::size_t start = text.find("\nrenderer = ") + 1;
+    return text.substr(start, text.find('\n', start) - start);
+  };
+  EXPECT_EQ(line("['blender', 'povray']"), "renderer = \"both\"");
+  EXPECT_EQ(line("['povray']"), "renderer = \"povray\"");
+  EXPECT_EQ(line("'blender'"), "renderer = \"blender\"");
+  EXPECT_EQ(toml_text(renderers_value({"blender", "another"})), "[\"blender\", \"another\"]");
 }
 
 TEST(ResolvedToml, HasEveryKeyWithItsMeaning) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "film/assemble.h"
+#include "film/exporters.h"
 #include "phenology/film_season.h"
 #include "place/view.h"
 
@@ -25,7 +26,8 @@ landscape::Landscape snowing(const scene::Scene& scene) {
   landscape.height_px = height_px;
   landscape.sky = Image(8, 4, 3);
   const double extinction_per_m = falling_extinction_per_m(scene, site, 1);
-  let_it_fall(scene, site, SnowyAir(site.day, extinction_per_m, 0.2), landscape);
+  let_it_fall(scene, site, SnowyAir(site.day, extinction_per_m, 0.2), film::needs_of({}),
+              landscape);
   return landscape;
 }
 
@@ -121,7 +123,8 @@ TEST(SnowInAir, OfOneDayGreysTheSkyGently) {
                        overcast_extinction_per_m(scene, site, frame - 1)),
               0.25 * own);
   const auto shown = [&](int frame) {
-    return film::assemble(scene, place::site_of_frame(scene, site, frame), frame, {}, {});
+    return film::assemble(scene, place::site_of_frame(scene, site, frame), frame, {}, {},
+                          film::needs_of({}));
   };
   const landscape::Landscape clear = shown(1), before = shown(5), snowing = shown(6);
   const auto sun = [](const landscape::Landscape& landscape) {

@@ -1,4 +1,4 @@
-#include "render/povray_probe.h"
+#include "povray/probe.h"
 
 #include <fmt/format.h>
 #include <stdlib.h>
@@ -14,7 +14,7 @@
 #include "core/image.h"
 #include "render/short_run.h"
 
-namespace wold::render {
+namespace wold::povray {
 namespace fs = std::filesystem;
 namespace {
 
@@ -70,16 +70,17 @@ bool is_bright(const Image& image, int x, int y) {
 
 }  // namespace
 
-std::string_view povray_probe_scene() { return scene; }
+std::string_view probe_scene() { return scene; }
 
-Capabilities probe_povray(const RendererProgram& program,
-                          const std::function<bool()>& interrupted) {
+render::Capabilities probe(const render::RendererProgram& program,
+                           const render::Interrupted& interrupted) {
   const TemporaryFolder folder;
   write_file(folder.path() / "probe.pov", scene);
   write_file(folder.path() / "voxel.df3", [](std::ostream& out) {
     write_df3(out, {1, 1, 1}, std::array{1.0F}, 1.0F, 8);
   });
-  const Answer answer = ask(command_line(program.found.path), folder.path(), interrupted);
+  const render::Answer answer =
+      render::ask(command_line(program.found.path), folder.path(), interrupted);
   const fs::path picture = folder.path() / "probe.png";
   if (!has_succeeded(answer) || !fs::exists(picture))
     throw RendererError(fmt::format(
@@ -88,7 +89,7 @@ Capabilities probe_povray(const RendererProgram& program,
         described(program), how_it_ended(answer), last_lines(answer)));
   const Image image = read_image(picture);
   const bool is_dark_between = !is_bright(image, width_px / 2, 0);
-  Capabilities capabilities;
+  render::Capabilities capabilities;
   capabilities.version = program.version;
   capabilities.volumes = is_dark_between && is_bright(image, width_px / 4, height_px / 2);
   capabilities.fog = is_dark_between && is_bright(image, 3 * width_px / 4, height_px / 2);
@@ -96,4 +97,4 @@ Capabilities probe_povray(const RendererProgram& program,
   return capabilities;
 }
 
-}  // namespace wold::render
+}  // namespace wold::povray

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace wold::render {
+namespace wold::blender {
 
 /// Blender as a package of Python, `bpy`.
 struct BlenderModule {
@@ -23,4 +23,4 @@ std::vector<std::string> python_command(const std::filesystem::path& python);
 std::optional<BlenderModule> find_blender_module(const std::filesystem::path& python,
                                                  const std::function<bool()>& interrupted);
 
-}  // namespace wold::render
+}  // namespace wold::blender

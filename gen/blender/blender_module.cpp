@@ -1,4 +1,4 @@
-#include "render/blender_module.h"
+#include "blender/blender_module.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "render/short_run.h"
 
-namespace wold::render {
+namespace wold::blender {
 namespace {
 
 constexpr std::string_view mark = "wold: module ";
@@ -45,7 +45,7 @@ std::optional<BlenderModule> find_blender_module(const std::filesystem::path& py
                                                  const std::function<bool()>& interrupted) {
   std::vector<std::string> arguments = python_command(python);
   arguments.insert(arguments.end(), {"-c", question});
-  const Answer answer = ask(arguments, neutral_folder, interrupted);
+  const render::Answer answer = render::ask(arguments, render::neutral_folder, interrupted);
   for (const std::string& line : answer.lines) {
     const auto json = parsed(line);
     if (!json) continue;
@@ -56,4 +56,4 @@ std::optional<BlenderModule> find_blender_module(const std::filesystem::path& py
                                   python.string(), how_it_ended(answer), last_lines(answer)));
 }
 
-}  // namespace wold::render
+}  // namespace wold::blender

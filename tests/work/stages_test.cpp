@@ -1,0 +1,77 @@
+#include <gtest/gtest.h>
+
+#include "film/exporters.h"
+#include "support/file_only_exporter.h"
+#include "support/temporary_folder.h"
+#include "work/do_tasks.h"
+#include "work/plan.h"
+#include "work/tasks.h"
+
+namespace wold::work {
+namespace {
+
+Job job_of(std::vector<const exporter::Exporter*> exporters) {
+  Job job;
+  job.scene.terrain.size_m = 6.0;
+  job.scene.terrain.samples = 33;
+  job.scene.terrain.hill_height_m = 0.5;
+  job.scene.grass.levels = {16};
+  job.scene.grass.variants = 2;
+  job.scene.camera.eye_m = {3.0, 0.5};
+  job.scene.camera.target_m = {3.0, 4.0};
+  job.scene.render.size_px = {48, 27};
+  job.scene.ageing.frames = {0.0, 0.5};
+  job.frames = {1, 2};
+  job.exporters = std::move(exporters);
+  return job;
+}
+
+std::string names_of(const std::vector<StageTasks>& stages) {
+  std::string names;
+  for (const StageTasks& stage : stages) names += std::string(name_of(stage.stage)) + " ";
+  return names;
+}
+
+TEST(Stages, EndWithPicturesOfEachExporterThatHasARenderer) {
+  const exporter::Exporters all = film::exporters();
+  std::vector<const exporter::Exporter*> exporters(all.begin(), all.end());
+  exporters.push_back(&test::file_only_exporter());
+  std::string expected = "texels scenes ";
+  for (const exporter::Exporter* one : all)
+    if (one->renderer) expected += std::string(one->name) + " ";
+  const std::vector<StageTasks> stages = stages_of(job_of(exporters));
+  EXPECT_EQ(names_of(stages), expected);
+  EXPECT_EQ(stages.back().stage.exporter->name, name_of(stages.back().stage));
+}
+
+TEST(Stages, OfAnExporterWithoutARendererAreDoneWithItsFiles) {
+  const test::TemporaryFolder folder("file_only");
+  Job job = job_of({&test::file_only_exporter()});
+  job.out = folder.path();
+  const std::vector<StageTasks> stages = stages_of(job);
+  EXPECT_EQ(names_of(stages), "texels scenes ");
+  SilentProgress progress;
+  {
+    Renderers renderers(job, progress);
+    require_renderers(job, stages, renderers);
+    Work work(job, &renderers);
+    do_tasks(job, work, stages, progress);
+    work.finish();
+  }
+  EXPECT_TRUE(std::filesystem::exists(job.out / "lines/0002.txt"));
+  EXPECT_TRUE(std::filesystem::exists(job.out / "film.txt"));
+  EXPECT_FALSE(std::filesystem::exists(job.out / "frames"));
+  for (const StagePlan& stage : make_plan(job)) EXPECT_EQ(stage.runs + stage.perhaps, 0U);
+}
+
+// Its last job waits for all that nothing else waits for.
+TEST(Stages, WithoutPicturesEndAJobTemplateWithTheSceneFiles) {
+  const Job job = job_of({&test::file_only_exporter()});
+  const std::string json = plan_openjd({}, job, make_plan(job));
+  const std::size_t manifest = json.find("\"manifest\"");
+  ASSERT_NE(manifest, std::string::npos);
+  EXPECT_NE(json.find("\"dependsOn\": \"scenes\"", manifest), std::string::npos) << json;
+}
+
+}  // namespace
+}  // namespace wold::work
