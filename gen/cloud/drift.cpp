@@ -15,6 +15,8 @@
 namespace wold::cloud {
 namespace {
 
+using scene::CloudEventKind;
+
 constexpr double pi = std::numbers::pi;
 constexpr int gust_waves = 8;
 constexpr double shortest_gust_s = 20.0, longest_gust_s = 900.0;
@@ -55,9 +57,17 @@ glm::dvec2 gusts(double deviation_m_s, std::uint64_t key, const Value& value) {
   return sum;
 }
 
+/// What an event adds to the paper's rate of drift while it lasts, in cells a frame.
+double hurry_of(CloudEventKind kind) {
+  constexpr double hurry = 0.01;
+  if (kind == CloudEventKind::faster) return hurry;
+  return kind == CloudEventKind::slower ? -hurry : 0.0;
+}
+
 double speed_after(const scene::CloudEvent& event, double before_m_s) {
-  if (event.kind == "wind") return event.speed_m_s;
-  return event.kind == "faster" ? before_m_s * event.factor : before_m_s / event.factor;
+  if (event.kind == CloudEventKind::wind) return event.speed_m_s;
+  return event.kind == CloudEventKind::faster ? before_m_s * event.factor
+                                              : before_m_s / event.factor;
 }
 
 WindNow wind_at(const std::vector<WindNow>& winds, double time_s) {
@@ -159,8 +169,9 @@ Drift::Drift(const scene::CloudLayer& layer, const std::vector<scene::CloudEvent
     if (event.start_s > now_s)
       segments_.push_back({now_s, event.start_s - now_s, speed, speed, heading, heading});
     const double next_speed = speed_after(event, speed);
-    const double next_heading =
-        event.kind == "wind" ? nearest_turn(heading, glm::radians(event.heading_deg)) : heading;
+    const double next_heading = event.kind == CloudEventKind::wind
+                                    ? nearest_turn(heading, glm::radians(event.heading_deg))
+                                    : heading;
     segments_.push_back(
         {event.start_s, event.duration_s, speed, next_speed, heading, next_heading});
     now_s = event.start_s + event.duration_s;
@@ -196,12 +207,10 @@ PaperDrift::PaperDrift(const std::vector<scene::CloudEvent>& in_order, double fr
     : rates_({{0.0, 1e-4}}),
       frame_seconds_(frame_seconds),
       start_(random_uniform({key, key_of("paper drift")})) {
-  constexpr double hurry = 0.01;
   double rate = 1e-4;
   for (const scene::CloudEvent& event : in_order) {
-    if (event.kind == "wind") rate = -rate;
-    const double added = event.kind == "faster" ? hurry : event.kind == "slower" ? -hurry : 0.0;
-    rates_.push_back({event.start_s, rate + added});
+    if (event.kind == CloudEventKind::wind) rate = -rate;
+    rates_.push_back({event.start_s, rate + hurry_of(event.kind)});
     rates_.push_back({event.start_s + event.duration_s, rate});
   }
 }

@@ -152,7 +152,7 @@ landscape::Volume Film::volume(const meadow::CellChoice& cell) const {
 landscape::BladeMesh Film::blades(const meadow::CellChoice& cell) {
   landscape::BladeMesh& mesh = blades_[{cell.variant, cell.state()}];
   if (mesh.tubes) return mesh;
-  const bool points = request_.scene.render.grass == "points";
+  const bool points = request_.scene.render.grass == scene::GrassForm::points;
   mesh.name = fmt::format("{}{}_{}_{}", points ? 'p' : 'v', cell.variant, cell.state().name(),
                           texels_.content(cell.variant, cell.state()));
   mesh.tubes = std::make_shared<const Tubes>(points ? texels_.points(cell.variant, cell.state())

@@ -53,7 +53,7 @@ double intercepted_share(double leaf_area_index, double share,
 }
 
 double canopy_snow(const scene::Scene& scene, int frame) {
-  if (scene.snow_cover.cover != "depth" || scene.ageing.fur.clumps > 0) return 0.0;
+  if (scene.snow_cover.cover != scene::CoverModel::depth || scene.ageing.fur.clumps > 0) return 0.0;
   const double leaf_area = place::leaf_area_index(scene.grass);
   const double caught_per_mm = canopy_cover(leaf_area) / canopy_capacity_mm(leaf_area);
   const double initial = -math::expm1(-caught_per_mm * scene.snow_cover.initial_mm);

@@ -125,8 +125,9 @@ int choose_level(const scene::Grass& grass, double pixels_per_m) {
 }
 
 bool choose_blades(const scene::Scene& scene, double pixels_per_m) {
-  if (scene.render.grass == "auto") return !is_fine_enough(scene.grass, 0, pixels_per_m);
-  return scene.render.grass != "texels";
+  if (scene.render.grass == scene::GrassForm::automatic)
+    return !is_fine_enough(scene.grass, 0, pixels_per_m);
+  return scene.render.grass != scene::GrassForm::texels;
 }
 
 /// Middle of the grass on a cell.

@@ -36,7 +36,8 @@ void clear_pictures(const fs::path& folder) {
 std::unique_ptr<snow::LargeCover> large_cover(const scene::Scene& scene, const Heightfield& terrain,
                                               const snow::WeatherFunction& weather,
                                               const fs::path& folder) {
-  if (!is_large(scene) || scene.snow_cover.cover != "depth" || !scene::may_lie(scene))
+  if (!is_large(scene) || scene.snow_cover.cover != scene::CoverModel::depth ||
+      !scene::may_lie(scene))
     return nullptr;
   if (folder.empty()) throw std::invalid_argument("the snow of a large terrain needs a folder");
   clear_pictures(folder);

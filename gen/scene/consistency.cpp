@@ -137,28 +137,29 @@ Rule ends_inside(const std::string& key, const std::vector<double>& end, double 
 
 Rule keel_fits_the_blade(const Scene& scene) {
   const Grass& grass = scene.grass;
-  return {{"grass.keel_depth", "grass.width", "ageing.droop_rule"},
-          scene.ageing.droop_rule != "elastica" || grass.keel_depth_m <= 0.5 * grass.width_m,
-          fmt::format("grass.keel_depth: found {} m, expected at most {} m, half of grass.width: a "
-                      "blade folded flat is no deeper",
-                      grass.keel_depth_m, 0.5 * grass.width_m)};
+  return {
+      {"grass.keel_depth", "grass.width", "ageing.droop_rule"},
+      scene.ageing.droop_rule != DroopRule::elastica || grass.keel_depth_m <= 0.5 * grass.width_m,
+      fmt::format("grass.keel_depth: found {} m, expected at most {} m, half of grass.width: a "
+                  "blade folded flat is no deeper",
+                  grass.keel_depth_m, 0.5 * grass.width_m)};
 }
 
 Rule hair_droops_by_the_papers_rule(const Ageing& ageing) {
   return {{"ageing.droop_rule", "fur.clumps"},
-          ageing.fur.clumps == 0 || ageing.droop_rule == "paper",
+          ageing.fur.clumps == 0 || ageing.droop_rule == DroopRule::paper,
           fmt::format("ageing.droop_rule: found \"{}\", expected \"paper\" for fur (fur.clumps is "
                       "{}): wet hairs are drawn together, not bowed by their weight",
-                      ageing.droop_rule, ageing.fur.clumps)};
+                      word_of(ageing.droop_rule), ageing.fur.clumps)};
 }
 
 Rule hair_moves_in_closed_form(const Ageing& ageing) {
   return {
       {"ageing.motion", "fur.clumps"},
-      ageing.fur.clumps == 0 || ageing.motion == "closed_form",
+      ageing.fur.clumps == 0 || ageing.motion == AgeingMotion::closed_form,
       fmt::format("ageing.motion: found \"{}\", expected \"closed_form\" for fur (fur.clumps is "
                   "{}): hairs stand up as they dry, Algorithm 1 lets blades fall",
-                  ageing.motion, ageing.fur.clumps)};
+                  word_of(ageing.motion), ageing.fur.clumps)};
 }
 
 Rule a_texel_is_one_sample_of_grass(const Scene& scene) {

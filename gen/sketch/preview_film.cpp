@@ -74,13 +74,13 @@ scene::Scene simplified(scene::Scene scene, int width_px) {
   if (place::is_large(scene)) width_px = std::min(width_px, widest_of_large_px);
   const double aspect = static_cast<double>(scene.render.size_px[1]) / scene.render.size_px[0];
   scene.render.size_px = {width_px, std::max(1, static_cast<int>(std::lround(aspect * width_px)))};
-  scene.render.grass = "blades";
+  scene.render.grass = scene::GrassForm::blades;
   scene.terrain.samples = std::min(scene.terrain.samples, most_samples);
   scene.grass.levels = {voxels};
   scene.grass.key_frames = few_key_frames(scene);
   scene.grass.variants = std::min(scene.grass.variants, 2);
   scene.grass.far_pixels = std::max(scene.grass.far_pixels, standing_pixels(scene));
-  for (scene::CloudLayer& layer : scene.clouds) layer.body = "sheet";
+  for (scene::CloudLayer& layer : scene.clouds) layer.body = scene::CloudBody::sheet;
   return scene;
 }
 

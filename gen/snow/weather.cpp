@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <string>
+#include <optional>
 
 #include "core/elementary.h"
 #include "phenology/film_season.h"
@@ -53,13 +52,26 @@ std::optional<snowpack::SnowSky> between(const std::optional<snowpack::SnowSky>&
       .slant_north_w_m2 = std::lerp(a->slant_north_w_m2, b->slant_north_w_m2, share)};
 }
 
+/// How much water snow of that strength brings, in mm/h; none: as much as the weather does.
+std::optional<double> rate_of(scene::SnowfallStrength strength) {
+  switch (strength) {
+    case scene::SnowfallStrength::weather:
+      return std::nullopt;
+    case scene::SnowfallStrength::light:
+      return 0.4;
+    case scene::SnowfallStrength::moderate:
+      return 1.2;
+    case scene::SnowfallStrength::blizzard:
+      return 4.0;
+  }
+  return std::nullopt;
+}
+
 /// What snowfall.strength makes of the weather.
-WeatherMoment with_strength(WeatherMoment moment, const std::string& strength) {
-  static const std::map<std::string, double> rates_mm_h = {
-      {"light", 0.4}, {"moderate", 1.2}, {"blizzard", 4.0}};
-  const auto rate = rates_mm_h.find(strength);
-  if (rate == rates_mm_h.end()) return moment;
-  moment.precipitation_mm_h = moment.falling_mm_h = rate->second;
+WeatherMoment with_strength(WeatherMoment moment, scene::SnowfallStrength strength) {
+  const std::optional<double> rate_mm_h = rate_of(strength);
+  if (!rate_mm_h) return moment;
+  moment.precipitation_mm_h = moment.falling_mm_h = *rate_mm_h;
   moment.temperature_c = std::min(moment.temperature_c, 0.0);
   if (moment.sky) moment.sky->phase_c = std::min(moment.sky->phase_c, snowpack::all_snow_c);
   return moment;

@@ -61,7 +61,8 @@ std::string fault_of(const render::RendererProgram& program, const render::Capab
   if (needs_volumes(needs) && !can.volumes) return no_volumes(program, needs);
   if (needs.fog && !can.fog) return no_fog(program);
   const bool is_blender = program.kind == Renderer::blender;
-  if (is_blender && scene.render.device == "gpu" && can.devices.empty()) return no_device(program);
+  if (is_blender && scene.render.device == scene::Device::gpu && can.devices.empty())
+    return no_device(program);
   return {};
 }
 
