@@ -8,6 +8,7 @@
 #include "cli/output.h"
 #include "core/files.h"
 #include "core/parallel.h"
+#include "film/machine_check.h"
 #include "grass/ageing/withering_curves.h"
 #include "phenology/film_season.h"
 #include "phenology/season.h"
@@ -72,7 +73,8 @@ std::string curves_file(const scene::Scene& scene, const std::filesystem::path& 
 
 ExitCode run_curves(const CurvesOptions& options) {
   const Form form = form_of(options.out);
-  const scene::Scene scene = scene::read_scene(options.scene, options.overrides);
+  const auto [scene, places] = scene::read_located_scene(options.scene, options.overrides);
+  film::require_files(scene, places);
   std::vector<std::filesystem::path> inputs = work::input_files(options.scene, scene);
   inputs.push_back(options.weather);
   work::require_no_input(options.out, inputs);

@@ -12,6 +12,7 @@
 #include "core/files.h"
 #include "core/parallel.h"
 #include "core/temporary_name.h"
+#include "film/machine_check.h"
 #include "film/scratch_folder.h"
 #include "landscape/perspective.h"
 #include "phenology/film_season.h"
@@ -214,8 +215,9 @@ class Preview {
 }  // namespace
 
 ExitCode run_preview(const PreviewOptions& options, Progress& progress) {
-  const scene::Scene scene =
-      phenology::as_film(scene::read_scene(options.scene, options.overrides));
+  const scene::LocatedScene read = scene::read_located_scene(options.scene, options.overrides);
+  film::require_files(read.scene, read.places);
+  const scene::Scene scene = phenology::as_film(read.scene);
   const fs::path file = file_of(options, scene);
   work::require_no_input(file, work::input_files(options.scene, scene));
   print_warnings(scene);

@@ -11,6 +11,7 @@
 #include "core/files.h"
 #include "film/assemble.h"
 #include "film/cloud_textures.h"
+#include "film/machine_check.h"
 #include "grass/texel/texel_file.h"
 #include "ground/lit_ground.h"
 #include "meadow/far_field.h"
@@ -205,6 +206,8 @@ std::vector<fs::path> make_film(const Request& request, Progress& progress) {
   for (const int frame : request.frames)
     if (frame < 1 || frame > last)
       throw InputError(fmt::format("found frame {}, expected 1 to {}", frame, last));
+  require_files(request.scene);
+  require_texel_memory(request.scene);
   Film film(request);
   write_programs(request.scene, request.out);
   film.find_demand(progress);

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "scene/calendar.h"
 #include "scene/keys.h"
@@ -35,16 +34,6 @@ struct Report {
 };
 
 std::string event_name(std::size_t event) { return item_name("cloud_events", event); }
-
-void report_missing_pictures(Report& report) {
-  for (std::size_t layer = 0; layer < report.scene.clouds.size(); ++layer)
-    for (const std::string& path : report.scene.clouds[layer].textures) {
-      std::error_code error;
-      if (!std::filesystem::is_regular_file(path, error))
-        report.add(item_name("clouds", layer), "textures",
-                   fmt::format("found {}, expected a file that is there", in_quotes(path)));
-    }
-}
 
 /// The kinds of events that alone have this key; none when every kind has it.
 std::vector<CloudEventKind> kinds_with(std::string_view leaf) {
@@ -222,7 +211,6 @@ bool happens_to(const CloudEvent& event, std::size_t layer) {
 void report_cloud_contradictions(const Scene& scene, const Places& places,
                                  std::vector<Problem>& problems) {
   Report report{scene, places, problems};
-  report_missing_pictures(report);
   for (std::size_t event = 0; event < scene.cloud_events.size(); ++event) {
     report_missing_layer(report, event);
     report_half_a_colour(report, event);

@@ -4,11 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <numbers>
-#include <thread>
 
-#include "core/machine.h"
 #include "scene/calendar.h"
 #include "scene/cloud_consistency.h"
 #include "scene/season_consistency.h"
@@ -17,13 +13,6 @@
 
 namespace wold::scene {
 namespace {
-
-/// A rule about several keys: the keys, those to blame first, whether it holds, and what to say.
-struct Rule {
-  std::vector<std::string> keys;
-  bool holds;
-  std::string message;
-};
 
 /// Soil creep reaches about a metre in steps of a sample: its work grows as samples^4 / size^2, to
 /// about 10^10 operations at this limit.
@@ -34,12 +23,6 @@ constexpr double most_patches_high = 4.0;
 constexpr double most_leaf_area = 50.0;
 /// Standard deviations at which lengths and widths of blades are cut.
 constexpr double most_deviations = 2.2;
-/// What making a texel takes at its peak, measured: bytes for each point drawn and for each voxel
-/// that is kept, and how many of these a point makes where blades are few.
-constexpr double bytes_per_point = 120.0;
-constexpr double bytes_per_voxel = 250.0;
-constexpr double voxels_per_point = 3.0;
-
 Rule inside_terrain(const std::string& key, const std::array<double, 2>& place_m, double size_m) {
   const bool inside =
       place_m[0] >= 0.0 && place_m[0] <= size_m && place_m[1] >= 0.0 && place_m[1] <= size_m;
@@ -63,13 +46,6 @@ Rule veins_shrink_less(const Ageing& ageing) {
           fmt::format("ageing.vein_shrinkage: found {}, expected less than {} "
                       "(ageing.mesophyll_shrinkage): veins shrink less than the tissue around",
                       ageing.vein_shrinkage, ageing.mesophyll_shrinkage)};
-}
-
-Rule file_exists(const std::string& key, const std::string& path) {
-  std::error_code error;
-  return {{key},
-          path.empty() || std::filesystem::is_regular_file(path, error),
-          fmt::format("{}: found {}, expected a file that is there", key, in_quotes(path))};
 }
 
 Rule date_is_a_day(const Sun& sun) {
@@ -190,10 +166,6 @@ Rule heights_are_coarse_enough(const Terrain& terrain) {
                   terrain.samples, most, terrain.size_m)};
 }
 
-double tallest_m(const Grass& grass) {
-  return grass.height_m * (1.0 + most_deviations * grass.height_spread);
-}
-
 Rule blades_fit_the_patch(const Grass& grass) {
   return {{"grass.height", "grass.patch", "grass.height_spread"},
           tallest_m(grass) <= most_patches_high * grass.patch_m,
@@ -230,43 +202,11 @@ Rule every_sample_has_a_blade(const Grass& grass) {
                       grass.mingle.size(), grass.blades)};
 }
 
-/// Points drawn of a patch: grass.proportion of them per voxel's face of leaf, of which a cone
-/// shows pi / 8 of height times width on average.
-double points_of_patch(const Grass& grass) {
-  const double leaf_m2 = grass.blades * std::numbers::pi / 8.0 * grass.height_m * grass.width_m;
-  const double voxel_m = grass.patch_m / grass.levels.front();
-  return grass.proportion * leaf_m2 / (voxel_m * voxel_m);
-}
-
-Rule texels_fit_in_memory(const Scene& scene) {
-  const Grass& grass = scene.grass;
-  const double side = grass.levels.front();
-  const double height_voxels = std::ceil(tallest_m(grass) / grass.patch_m * side);
-  const double points = points_of_patch(grass);
-  const double voxels = std::min(voxels_per_point * points, side * side * height_voxels);
-  const int threads = scene.render.threads > 0
-                          ? scene.render.threads
-                          : static_cast<int>(std::thread::hardware_concurrency());
-  const int at_once = std::clamp(threads, 1, grass.variants);
-  const double needed_gb = at_once * (bytes_per_point * points + bytes_per_voxel * voxels) / 1e9;
-  const double memory_gb = machine_memory_bytes() / 1e9;
-  return {{"grass.levels", "grass.proportion", "grass.blades", "grass.variants", "render.threads"},
-          needed_gb <= memory_gb,
-          fmt::format("grass.levels: found {} voxels along a side and {:.2g} points in a patch, "
-                      "which for {} patches at once need {:.1f} GB of memory, expected at most the "
-                      "{:.1f} GB of this machine: coarser levels, a smaller grass.proportion, "
-                      "fewer grass.blades or fewer render.threads",
-                      side, points, at_once, needed_gb, memory_gb)};
-}
-
-SourcePosition blamed_place(const Rule& rule, const Places& places) {
-  for (const std::string& key : rule.keys)
-    if (const auto found = places.given.find(key); found != places.given.end())
-      return found->second;
-  return {};
-}
-
 }  // namespace
+
+double tallest_m(const Grass& grass) {
+  return grass.height_m * (1.0 + most_deviations * grass.height_spread);
+}
 
 void report_contradictions(const Scene& scene, const Places& places,
                            std::vector<Problem>& problems) {
@@ -277,12 +217,7 @@ void report_contradictions(const Scene& scene, const Places& places,
       blades_leave_room(scene.grass),
       blades_are_narrower_than_the_patch(scene.grass),
       every_sample_has_a_blade(scene.grass),
-      texels_fit_in_memory(scene),
-      file_exists("terrain.elevation", scene.terrain.elevation),
-      file_exists("growth.mask", scene.growth.mask),
-      file_exists("grass.from_texel", scene.grass.from_texel),
       a_texel_is_one_sample_of_grass(scene),
-      file_exists("weather.table", scene.weather.table),
       grows_somewhere(scene.growth),
       has_all_or_none("terrain.centre", scene.terrain.centre.size(), 2, "two"),
       has_all_or_none("camera.eye_end", scene.camera.eye_end.size(), 3, "three"),
@@ -302,11 +237,7 @@ void report_contradictions(const Scene& scene, const Places& places,
       ends_inside("camera.eye_end", scene.camera.eye_end, scene.terrain.size_m),
       ends_inside("camera.target_end", scene.camera.target_end, scene.terrain.size_m),
   };
-  for (const Rule& rule : rules) {
-    const bool judged = std::none_of(rule.keys.begin(), rule.keys.end(),
-                                     [&](const auto& key) { return places.failed.count(key) > 0; });
-    if (judged && !rule.holds) problems.push_back({blamed_place(rule, places), rule.message});
-  }
+  report_broken(rules, places, problems);
   report_cloud_contradictions(scene, places, problems);
   report_season_contradictions(scene, places, problems);
 }

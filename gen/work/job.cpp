@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/machine.h"
+#include "film/machine_check.h"
 #include "phenology/film_season.h"
 #include "scene/parse.h"
 #include "work/kept_inputs.h"
@@ -55,7 +56,10 @@ std::vector<int> counted(int count) {
 
 Job plan_job(const RenderOptions& options) {
   Job job;
-  job.scene = phenology::as_film(scene::read_scene(options.scene, options.overrides));
+  scene::LocatedScene read = scene::read_located_scene(options.scene, options.overrides);
+  film::require_files(read.scene, read.places);
+  job.scene = phenology::as_film(std::move(read.scene));
+  job.places = std::move(read.places);
   const int count = static_cast<int>(job.scene.ageing.frames.size());
   check_frames(options.frames, count);
   job.frames = options.frames.empty() ? counted(count) : options.frames;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "film/request.h"
+#include "scene/rule.h"
 
 namespace wold::work {
 
@@ -25,6 +26,7 @@ struct RenderOptions {
 
 /// What `render` and `generate` agree on before they work: what to make, and with what.
 struct Job : film::Request {
+  scene::Places places;       ///< where the scene file says what, for later checks that blame it
   std::string blender;        ///< program that --blender names; empty: it names none
   std::string povray;         ///< program that --povray names; empty: it names none
   int threads = 0;            ///< 0: all processors
@@ -44,7 +46,7 @@ std::vector<int> counted(int count);
 std::string ranges_text(const std::vector<int>& rising);
 
 /// Reads the scene and resolves the options against it. Throws InputError, also for frames that
-/// the scene does not have.
+/// the scene does not have and for files that it names and that are not there.
 Job plan_job(const RenderOptions& options);
 
 /// One line about the job, above what there is to do.
