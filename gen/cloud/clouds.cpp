@@ -164,7 +164,7 @@ struct Clouds::Film {
   }
 };
 
-Clouds::Clouds(const scene::Scene& scene, double pixel_m)
+Clouds::Clouds(const scene::Scene& scene, double pixel_m, const phenology::FilmSeason* season)
     : pixel_m_(pixel_m),
       frame_seconds_(scene.film.frame_seconds),
       sun_direction_(direction_to(scene.sun)) {
@@ -186,7 +186,7 @@ Clouds::Clouds(const scene::Scene& scene, double pixel_m)
                                                     described.repeat == scene::CloudRepeat::paper,
                                                     key,
                                                     pixel_m,
-                                                    Timeline(scene, i, cell_m),
+                                                    Timeline(scene, i, cell_m, season),
                                                     {},
                                                     {}}));
   }

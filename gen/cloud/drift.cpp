@@ -110,6 +110,20 @@ std::vector<DriftSegment> in_winds(const std::vector<DriftSegment>& segments,
   return parts;
 }
 
+/// Day by day.
+std::vector<WindNow> winds_of(const scene::Scene& scene, const phenology::FilmSeason& season) {
+  const double days = scene::season_days(scene.season, scene.season.frames);
+  const double last_s = (scene.season.frames - 1) * scene.film.frame_seconds;
+  std::vector<WindNow> winds;
+  for (int day = 0; day <= days; ++day) {
+    const phenology::WindChange wind = season.wind(day);
+    winds.push_back(
+        {last_s * day / days, wind.speed_factor,
+         winds.empty() ? wind.turned_rad : nearest_turn(winds.back().turned_rad, wind.turned_rad)});
+  }
+  return winds;
+}
+
 }  // namespace
 
 glm::dvec2 way_m(const DriftSegment& segment, double seconds) {
@@ -143,19 +157,10 @@ glm::dvec2 gust_velocity_m_s(double deviation_m_s, double time_s, std::uint64_t 
                [&](const Wave& wave) { return math::cos(wave.per_s * time_s + wave.phase); });
 }
 
-std::vector<WindNow> season_winds(const scene::Scene& scene) {
+std::vector<WindNow> season_winds(const scene::Scene& scene, const phenology::FilmSeason* known) {
   if (!scene::is_season(scene)) return {};
-  const phenology::FilmSeason season(scene);
-  const double days = scene::season_days(scene.season, scene.season.frames);
-  const double last_s = (scene.season.frames - 1) * scene.film.frame_seconds;
-  std::vector<WindNow> winds;
-  for (int day = 0; day <= days; ++day) {
-    const phenology::WindChange wind = season.wind(day);
-    winds.push_back(
-        {last_s * day / days, wind.speed_factor,
-         winds.empty() ? wind.turned_rad : nearest_turn(winds.back().turned_rad, wind.turned_rad)});
-  }
-  return winds;
+  return phenology::with_season(
+      scene, known, [&](const phenology::FilmSeason& season) { return winds_of(scene, season); });
 }
 
 Drift::Drift(const scene::CloudLayer& layer, const std::vector<scene::CloudEvent>& in_order,

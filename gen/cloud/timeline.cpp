@@ -63,7 +63,8 @@ glm::dvec3 sunlight_colour(double sun_elevation_deg, double turbidity) {
   return positive / std::max({positive.r, positive.g, positive.b});
 }
 
-Timeline::Timeline(const scene::Scene& scene, std::size_t layer, double cell_m)
+Timeline::Timeline(const scene::Scene& scene, std::size_t layer, double cell_m,
+                   const phenology::FilmSeason* season)
     : winds_(shearing(changes(scene, layer, scene::CloudChange::drift))),
       amounts_(changes(scene, layer, scene::CloudChange::amount)),
       lights_(changes(scene, layer, scene::CloudChange::light)),
@@ -71,7 +72,7 @@ Timeline::Timeline(const scene::Scene& scene, std::size_t layer, double cell_m)
       gathered_(scene.clouds.at(layer).gathered),
       cell_m_(cell_m),
       drift_(scene.clouds[layer], changes(scene, layer, scene::CloudChange::drift),
-             layer_key(scene, layer), season_winds(scene)) {
+             layer_key(scene, layer), season_winds(scene, season)) {
   for (const CloudEvent& event : lights_)
     light_colours_.push_back(colour_of(event, scene.sky.turbidity));
   for (const CloudEvent& event : winds_)

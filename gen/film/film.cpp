@@ -79,7 +79,7 @@ void write_programs(const scene::Scene& scene, const fs::path& out) {
 Film::Film(const Request& request)
     : request_(request),
       snow_(request.out / "snow"),
-      site_(place::make_site(request.scene, snow_.path())),
+      site_(place::make_site(request.scene, snow_.path(), {}, request.season)),
       texels_(request.scene, meadow::film_lights(request.scene, site_), request.out / "texels") {}
 
 void Film::find_demand(Progress& progress) {

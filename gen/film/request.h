@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <vector>
 
+#include "phenology/film_season.h"
 #include "scene/scene.h"
 
 namespace wold::film {
@@ -12,6 +14,8 @@ struct Request {
   scene::Scene scene;         ///< a checked one, after phenology::as_film()
   std::vector<int> frames;    ///< from 1, rising, all within the scene
   std::filesystem::path out;  ///< the output folder
+  /// The scene's, if it is one; without it whoever needs the season makes it.
+  std::shared_ptr<const phenology::FilmSeason> season = {};
 };
 
 }  // namespace wold::film

@@ -267,10 +267,11 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
   std::optional<Heightfield> mesh;
   if (place::is_large(scene)) mesh = terrain::mesh_heights(terrain, place::window_grid(scene));
   const Heightfield& ground = mesh ? *mesh : terrain;
-  const Combing combing(scene, frame);
+  const Combing combing(scene, frame, withering.season());
   const std::vector<double> key_frames = scene::key_frames(scene);
-  const Showing showing = {grass::PatchState::level_of(canopy_snow(scene, frame)),
-                           light_of_frame(scene, frame)};
+  const Showing showing = {
+      grass::PatchState::level_of(canopy_snow(scene, frame, withering.season())),
+      light_of_frame(scene, frame)};
   const auto side = static_cast<std::size_t>(window.per_side);
   std::vector<std::vector<CellChoice>> rows(side);
   const auto consider = [&](const glm::ivec2& cell, const Texel& texel,

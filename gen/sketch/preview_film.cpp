@@ -90,7 +90,8 @@ PreviewFilm::PreviewFilm(const scene::Scene& scene, const std::vector<int>& fram
       site_(place::make_site(scene, scratch / "snow", sketch_of(scene))),
       texels_(scene, meadow::film_lights(scene, site_), scratch / "texels") {
   for (const int frame : frames) {
-    const double snow = grass::PatchState::level_of(meadow::canopy_snow(scene, frame));
+    const double snow =
+        grass::PatchState::level_of(meadow::canopy_snow(scene, frame, site_.season.get()));
     const double light = meadow::light_of_frame(scene, frame);
     moments_.emplace(frame, Moment{site_, static_cast<int>(std::lround(snow)),
                                    static_cast<int>(std::lround(light))});

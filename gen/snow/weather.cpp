@@ -131,9 +131,9 @@ std::vector<Weather::Row> Weather::rows_of_table(const scene::Scene& scene) {
 }
 
 /// Every hour and a half, so that the middles of the snow's steps are among them.
-std::vector<Weather::Row> Weather::rows_of_season(const scene::Scene& scene) {
+std::vector<Weather::Row> Weather::rows_of_season(const scene::Scene& scene,
+                                                  const phenology::FilmSeason& season) {
   constexpr double day_h = 24.0, row_h = 0.5 * snowpack::snow_step_h, moment_h = 0.01;
-  const phenology::FilmSeason season(scene);
   const std::vector<weather::Day>& days = season.days();
   std::vector<Row> rows;
   for (std::size_t i = 0; i < days.size(); ++i) {
@@ -155,14 +155,18 @@ std::vector<Weather::Row> Weather::rows_of_season(const scene::Scene& scene) {
   return rows;
 }
 
-std::vector<Weather::Row> Weather::rows_of(const scene::Scene& scene) {
-  if (scene::is_season(scene)) return rows_of_season(scene);
+std::vector<Weather::Row> Weather::rows_of(const scene::Scene& scene,
+                                           const phenology::FilmSeason* season) {
+  if (scene::is_season(scene))
+    return phenology::with_season(scene, season, [&](const phenology::FilmSeason& days) {
+      return rows_of_season(scene, days);
+    });
   if (scene.weather.table.empty()) return {{.moment = of_keys(scene)}};
   return rows_of_table(scene);
 }
 
-Weather::Weather(const scene::Scene& scene)
-    : rows_(rows_of(scene)), earlier_s_(seconds_per_hour * scene.weather.earlier_h) {
+Weather::Weather(const scene::Scene& scene, const phenology::FilmSeason* season)
+    : rows_(rows_of(scene, season)), earlier_s_(seconds_per_hour * scene.weather.earlier_h) {
   for (Row& row : rows_) {
     row.moment = with_strength(row.moment, scene.snowfall.strength);
     row.wind_m_s = wind_of(row.moment);

@@ -58,7 +58,8 @@ Job plan_job(const RenderOptions& options) {
   Job job;
   scene::LocatedScene read = scene::read_located_scene(options.scene, options.overrides);
   film::require_files(read.scene, read.places);
-  job.scene = phenology::as_film(std::move(read.scene));
+  job.season = phenology::film_season(read.scene);
+  job.scene = phenology::as_film(std::move(read.scene), job.season.get());
   job.places = std::move(read.places);
   const int count = static_cast<int>(job.scene.ageing.frames.size());
   check_frames(options.frames, count);
