@@ -72,7 +72,7 @@ std::string finer_grass(const scene::Scene& scene, double pixels_per_m) {
 }
 
 void warn_of_coarse_texels(const scene::Scene& scene, std::vector<std::string>& warnings) {
-  if (scene.render.grass != "texels") return;
+  if (scene.render.grass != scene::GrassForm::texels) return;
   double nearest_m = std::numeric_limits<double>::infinity();
   for (const Pose& pose : poses(scene))
     nearest_m = std::min(nearest_m, nearest_grass_m(scene, pose));
@@ -101,7 +101,7 @@ double farthest_ground_m(const scene::Scene& scene, const Pose& pose) {
 
 void warn_of_far_cells(const scene::Scene& scene, std::vector<std::string>& warnings) {
   static const scene::Grass usual;
-  if (scene.render.grass == "points" || scene.grass.far_pixels >= 1.0) return;
+  if (scene.render.grass == scene::GrassForm::points || scene.grass.far_pixels >= 1.0) return;
   double farthest_m = 0.0;
   for (const Pose& pose : poses(scene))
     if (pose.eye_m != pose.target_m)

@@ -67,17 +67,18 @@ double coldest_c(const scene::Scene& scene) {
 bool has_no_snowfall(const scene::Scene& scene) {
   if (!scene::may_snow(scene)) return true;
   return has_plain_weather(scene) && scene.terrain.elevation.empty() &&
-         scene.snowfall.strength == "weather" && snow::snow_share(coldest_c(scene)) <= 0.0;
+         scene.snowfall.strength == scene::SnowfallStrength::weather &&
+         snow::snow_share(coldest_c(scene)) <= 0.0;
 }
 
 void warn_of_lost_snow(const scene::Scene& scene, Warnings& warnings) {
   const scene::SnowCover& cover = scene.snow_cover;
   if (cover.initial_mm <= 0.0) return;
-  if (cover.cover != "depth") {
+  if (cover.cover != scene::CoverModel::depth) {
     warnings.push_back(
         fmt::format("the snow of snow_cover.initial is not drawn with snow_cover.cover = \"{}\"; "
                     "set snow_cover.cover = \"depth\"",
-                    cover.cover));
+                    scene::word_of(cover.cover)));
     return;
   }
   if (!has_plain_weather(scene) || !scene.terrain.elevation.empty()) return;
@@ -95,7 +96,7 @@ void warn_of_streaks(const scene::Scene& scene, Warnings& warnings) {
   constexpr double flake_m = 0.005, fall_m_s = 1.0;
   constexpr double least_opacity = 0.05;
   static const scene::Snowfall usual;
-  if (!scene::may_snow(scene) || scene.snowfall.motion != "physical") return;
+  if (!scene::may_snow(scene) || scene.snowfall.motion != scene::Law::physical) return;
   const double speed_m_s = math::hypot(fall_m_s, scene.wind.speed_m_s);
   const double opacity = flake_m / (flake_m + speed_m_s * scene.snowfall.shutter_s);
   if (opacity >= least_opacity) return;
@@ -107,7 +108,7 @@ void warn_of_streaks(const scene::Scene& scene, Warnings& warnings) {
 
 /// A tornado is made of flakes.
 void warn_of_unseen_tornado(const scene::Scene& scene, Warnings& warnings) {
-  if (scene.wind.field != "tornado" || !has_no_snowfall(scene)) return;
+  if (scene.wind.field != scene::WindPattern::tornado || !has_no_snowfall(scene)) return;
   warnings.emplace_back(
       "the tornado of wind.field whirls flakes up, and no snow falls: it is not seen; set "
       "snowfall.strength = \"moderate\"");

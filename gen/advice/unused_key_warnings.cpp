@@ -26,8 +26,8 @@ bool is_given(const scene::Scene& scene, const char* name) {
 }
 
 void warn_of_other_choices(const scene::Scene& scene, Keys& warnings) {
-  const bool paper_flakes = scene.snowfall.motion == "paper";
-  const bool paper_cover = scene.snow_cover.cover == "paper";
+  const bool paper_flakes = scene.snowfall.motion == scene::Law::paper;
+  const bool paper_cover = scene.snow_cover.cover == scene::CoverModel::paper;
   const bool real_place = !scene.terrain.elevation.empty();
   for (const Condition& condition : {
            Condition{"snowfall.box", paper_flakes, "snowfall.motion = \"paper\""},
@@ -63,7 +63,7 @@ Keys unused_by_paper_motion(const scene::Scene& scene, std::size_t layer) {
 
 void warn_of_paper_motion(const scene::Scene& scene, Keys& warnings) {
   for (std::size_t layer = 0; layer < scene.clouds.size(); ++layer) {
-    if (scene.clouds[layer].motion != "paper") continue;
+    if (scene.clouds[layer].motion != scene::Law::paper) continue;
     const Keys unused = unused_by_paper_motion(scene, layer);
     if (unused.empty()) continue;
     warnings.push_back(fmt::format(

@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "console/output.h"
 #include "core/files.h"
+#include "film/machine_check.h"
 #include "report/curves_file.h"
 #include "scene/parse.h"
 #include "scene/text.h"
@@ -30,7 +31,8 @@ report::CurvesForm form_of(const std::filesystem::path& out) {
 
 ExitCode run_curves(const CurvesOptions& options) {
   const report::CurvesForm form = form_of(options.out);
-  const scene::Scene scene = scene::read_scene(options.scene, options.overrides);
+  const auto [scene, places] = scene::read_located_scene(options.scene, options.overrides);
+  film::require_files(scene, places);
   std::vector<std::filesystem::path> inputs = work::input_files(options.scene, scene);
   inputs.push_back(options.weather);
   work::require_no_input(options.out, inputs);

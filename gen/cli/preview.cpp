@@ -7,6 +7,7 @@
 #include "core/image.h"
 #include "core/parallel.h"
 #include "core/temporary_name.h"
+#include "film/machine_check.h"
 #include "film/scratch_folder.h"
 #include "phenology/film_season.h"
 #include "scene/parse.h"
@@ -28,8 +29,9 @@ fs::path file_of(const PreviewOptions& options, const scene::Scene& scene) {
 }  // namespace
 
 ExitCode run_preview(const PreviewOptions& options, Progress& progress) {
-  const scene::Scene scene =
-      phenology::as_film(scene::read_scene(options.scene, options.overrides));
+  const scene::LocatedScene read = scene::read_located_scene(options.scene, options.overrides);
+  film::require_files(read.scene, read.places);
+  const scene::Scene scene = phenology::as_film(read.scene);
   const fs::path file = file_of(options, scene);
   work::require_no_input(file, work::input_files(options.scene, scene));
   print_warnings(scene);

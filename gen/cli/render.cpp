@@ -6,6 +6,7 @@
 #include "core/file_list.h"
 #include "core/files.h"
 #include "core/parallel.h"
+#include "film/machine_check.h"
 #include "work/disk_budget.h"
 #include "work/do_tasks.h"
 #include "work/folder_lock.h"
@@ -24,6 +25,7 @@ std::vector<work::StageTasks> without_pictures(std::vector<work::StageTasks> sta
 /// Does what is missing and lists the files.
 void complete(const work::Job& job, const std::vector<work::StageTasks>& stages,
               Progress& progress) {
+  film::require_texel_memory(job.scene, job.places);
   work::Renderers renderers(job, progress);
   work::require_renderers(job, stages, renderers);
   work::require_memory(job, stages);

@@ -1,5 +1,6 @@
 #include "cli/commands.h"
 #include "core/parallel.h"
+#include "film/machine_check.h"
 #include "work/do_tasks.h"
 #include "work/folder_lock.h"
 #include "work/memory_budget.h"
@@ -12,6 +13,7 @@ ExitCode run_task(const work::RenderOptions& options, const std::string& stage, 
   const work::Job job = work::plan_job(options);
   const work::Task task = work::find_task(job, stage, index);
   const std::vector<work::StageTasks> stages = {{task.stage, {task.index}, {}, {}}};
+  film::require_texel_memory(job.scene, job.places);
   work::Renderers renderers(job, progress);
   work::require_renderers(job, stages, renderers);
   work::require_memory(job, stages);

@@ -26,7 +26,7 @@ double cell_m_of(const scene::CloudLayer& layer, const Recipe& recipe) {
 
 /// Whether nothing of the layer is finer than its map's pixels.
 bool is_all_in_its_map(const scene::CloudLayer& layer) {
-  return layer.body == "volume" || !layer.textures.empty();
+  return layer.body == scene::CloudBody::volume || !layer.textures.empty();
 }
 
 glm::ivec2 period_px_of(const glm::ivec2& cells, double cell_m, double pixel_m, std::size_t layer) {
@@ -48,8 +48,8 @@ Layer layer_of(std::uint64_t key, const scene::CloudLayer& described, const Reci
   layer.thickness_m = described.thickness_m.value_or(recipe.thickness_m);
   layer.period_px = period_px;
   layer.period_m = glm::dvec2(period_px) * pixel_m;
-  layer.is_volume = described.body == "volume";
-  layer.lit_as_paper = described.light == "paper";
+  layer.is_volume = described.body == scene::CloudBody::volume;
+  layer.lit_as_paper = described.light == scene::Law::paper;
   layer.droplets = {recipe.extinction_per_km * 1e-3, recipe.asymmetry};
   // A veil has no surface; light that is the same everywhere shows none.
   constexpr double deep = 5.0;
@@ -164,7 +164,7 @@ struct Clouds::Film {
   }
 };
 
-Clouds::Clouds(const scene::Scene& scene, double pixel_m)
+Clouds::Clouds(const scene::Scene& scene, double pixel_m, const phenology::FilmSeason* season)
     : pixel_m_(pixel_m),
       frame_seconds_(scene.film.frame_seconds),
       sun_direction_(direction_to(scene.sun)) {
@@ -183,10 +183,10 @@ Clouds::Clouds(const scene::Scene& scene, double pixel_m)
     films_.push_back(std::shared_ptr<Film>(new Film{layer,
                                                     std::move(textures),
                                                     cells,
-                                                    described.repeat == "paper",
+                                                    described.repeat == scene::CloudRepeat::paper,
                                                     key,
                                                     pixel_m,
-                                                    Timeline(scene, i, cell_m),
+                                                    Timeline(scene, i, cell_m, season),
                                                     {},
                                                     {}}));
   }

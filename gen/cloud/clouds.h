@@ -70,8 +70,8 @@ class Clouds {
   /// Makes or reads all textures. pixel_m: side of the maps' pixels, > 0; layers' cells are
   /// stretched, by less than a pixel per period, so that a period is a whole number of them. Throws
   /// FileError for bad pictures, InputError when a layer's period would have more than 16384 pixels
-  /// along a side.
-  Clouds(const scene::Scene& scene, double pixel_m);
+  /// along a side. `season`: the scene's, if it is one; without it each layer makes it for itself.
+  Clouds(const scene::Scene& scene, double pixel_m, const phenology::FilmSeason* season = nullptr);
 
   /// A pixel's side with which the longest period has 2048 pixels, but no finer than a 256th of
   /// the smallest cell: what is smaller, Layer::detail has. It has half that side where a layer is

@@ -15,7 +15,9 @@
 namespace wold::cloud {
 namespace {
 
+using scene::CloudEventKind;
 using std::numbers::pi;
+
 constexpr int gust_waves = 8;
 constexpr double shortest_gust_s = 20.0, longest_gust_s = 900.0;
 
@@ -55,9 +57,17 @@ glm::dvec2 gusts(double deviation_m_s, std::uint64_t key, const Value& value) {
   return sum;
 }
 
+/// What an event adds to the paper's rate of drift while it lasts, in cells a frame.
+double hurry_of(CloudEventKind kind) {
+  constexpr double hurry = 0.01;
+  if (kind == CloudEventKind::faster) return hurry;
+  return kind == CloudEventKind::slower ? -hurry : 0.0;
+}
+
 double speed_after(const scene::CloudEvent& event, double before_m_s) {
-  if (event.kind == "wind") return event.speed_m_s;
-  return event.kind == "faster" ? before_m_s * event.factor : before_m_s / event.factor;
+  if (event.kind == CloudEventKind::wind) return event.speed_m_s;
+  return event.kind == CloudEventKind::faster ? before_m_s * event.factor
+                                              : before_m_s / event.factor;
 }
 
 WindNow wind_at(const std::vector<WindNow>& winds, double time_s) {
@@ -100,6 +110,20 @@ std::vector<DriftSegment> in_winds(const std::vector<DriftSegment>& segments,
   return parts;
 }
 
+/// Day by day.
+std::vector<WindNow> winds_of(const scene::Scene& scene, const phenology::FilmSeason& season) {
+  const double days = scene::season_days(scene.season, scene.season.frames);
+  const double last_s = (scene.season.frames - 1) * scene.film.frame_seconds;
+  std::vector<WindNow> winds;
+  for (int day = 0; day <= days; ++day) {
+    const phenology::WindChange wind = season.wind(day);
+    winds.push_back(
+        {last_s * day / days, wind.speed_factor,
+         winds.empty() ? wind.turned_rad : nearest_turn(winds.back().turned_rad, wind.turned_rad)});
+  }
+  return winds;
+}
+
 }  // namespace
 
 glm::dvec2 way_m(const DriftSegment& segment, double seconds) {
@@ -133,19 +157,10 @@ glm::dvec2 gust_velocity_m_s(double deviation_m_s, double time_s, std::uint64_t 
                [&](const Wave& wave) { return math::cos(wave.per_s * time_s + wave.phase); });
 }
 
-std::vector<WindNow> season_winds(const scene::Scene& scene) {
+std::vector<WindNow> season_winds(const scene::Scene& scene, const phenology::FilmSeason* known) {
   if (!scene::is_season(scene)) return {};
-  const phenology::FilmSeason season(scene);
-  const double days = scene::season_days(scene.season, scene.season.frames);
-  const double last_s = (scene.season.frames - 1) * scene.film.frame_seconds;
-  std::vector<WindNow> winds;
-  for (int day = 0; day <= days; ++day) {
-    const phenology::WindChange wind = season.wind(day);
-    winds.push_back(
-        {last_s * day / days, wind.speed_factor,
-         winds.empty() ? wind.turned_rad : nearest_turn(winds.back().turned_rad, wind.turned_rad)});
-  }
-  return winds;
+  return phenology::with_season(
+      scene, known, [&](const phenology::FilmSeason& season) { return winds_of(scene, season); });
 }
 
 Drift::Drift(const scene::CloudLayer& layer, const std::vector<scene::CloudEvent>& in_order,
@@ -159,8 +174,9 @@ Drift::Drift(const scene::CloudLayer& layer, const std::vector<scene::CloudEvent
     if (event.start_s > now_s)
       segments_.push_back({now_s, event.start_s - now_s, speed, speed, heading, heading});
     const double next_speed = speed_after(event, speed);
-    const double next_heading =
-        event.kind == "wind" ? nearest_turn(heading, glm::radians(event.heading_deg)) : heading;
+    const double next_heading = event.kind == CloudEventKind::wind
+                                    ? nearest_turn(heading, glm::radians(event.heading_deg))
+                                    : heading;
     segments_.push_back(
         {event.start_s, event.duration_s, speed, next_speed, heading, next_heading});
     now_s = event.start_s + event.duration_s;
@@ -196,12 +212,10 @@ PaperDrift::PaperDrift(const std::vector<scene::CloudEvent>& in_order, double fr
     : rates_({{0.0, 1e-4}}),
       frame_seconds_(frame_seconds),
       start_(random_uniform({key, key_of("paper drift")})) {
-  constexpr double hurry = 0.01;
   double rate = 1e-4;
   for (const scene::CloudEvent& event : in_order) {
-    if (event.kind == "wind") rate = -rate;
-    const double added = event.kind == "faster" ? hurry : event.kind == "slower" ? -hurry : 0.0;
-    rates_.push_back({event.start_s, rate + added});
+    if (event.kind == CloudEventKind::wind) rate = -rate;
+    rates_.push_back({event.start_s, rate + hurry_of(event.kind)});
     rates_.push_back({event.start_s + event.duration_s, rate});
   }
 }

@@ -7,6 +7,10 @@
 #include "scene/scene.h"
 
 /// Where a layer has drifted to. Every motion is a closed form of time: no frame needs another.
+namespace wold::phenology {
+class FilmSeason;
+}
+
 namespace wold::cloud {
 
 /// Drift by speed and heading that change evenly over an interval, then stay.
@@ -36,8 +40,8 @@ struct WindNow {
 };
 
 /// The season's wind on the clouds' clock, day by day from 0; none of a scene that is no season.
-/// Throws what phenology::FilmSeason throws.
-std::vector<WindNow> season_winds(const scene::Scene& scene);
+/// `season`: the scene's, if it is one; nullptr makes it. Throws what phenology::FilmSeason throws.
+std::vector<WindNow> season_winds(const scene::Scene& scene, const phenology::FilmSeason* season);
 
 /// How one layer drifts through its wind, faster and slower events, in a season with its wind.
 class Drift {

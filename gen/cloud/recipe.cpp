@@ -12,8 +12,8 @@ namespace {
 /// A recipe's file; every number asked for has to be there.
 class RecipeFile {
  public:
-  explicit RecipeFile(const std::string& kind)
-      : file_(shipped_file(fmt::format("models/cloud/{}.toml", kind)).string()),
+  explicit RecipeFile(scene::CloudKind kind)
+      : file_(shipped_file(fmt::format("models/cloud/{}.toml", scene::word_of(kind))).string()),
         root_(read_model_file(file_)) {}
 
   double number(const char* path) const {
@@ -57,7 +57,7 @@ class RecipeFile {
 
 }  // namespace
 
-Recipe recipe_of(const std::string& kind) {
+Recipe recipe_of(scene::CloudKind kind) {
   const RecipeFile file(kind);
   Recipe recipe;
   recipe.base_m = file.number("base_m");

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <string>
 #include <vector>
+
+#include "scene/modes.h"
 
 namespace wold::cloud {
 
@@ -38,8 +39,7 @@ struct Recipe {
   double optical_depth() const { return extinction_per_km * 1e-3 * thickness_m; }
 };
 
-/// The recipe of "stratus", "stratocumulus", "cumulus" or "cirrus". Throws FileError when the file
-/// is missing or damaged.
-Recipe recipe_of(const std::string& kind);
+/// The recipe of a kind of clouds. Throws FileError when its file is missing or damaged.
+Recipe recipe_of(scene::CloudKind kind);
 
 }  // namespace wold::cloud

@@ -12,6 +12,8 @@ namespace wold::cloud {
 namespace {
 
 using scene::CloudEvent;
+using scene::CloudEventKind;
+using scene::CloudFade;
 
 /// The events that change this of the layer, by their start.
 std::vector<CloudEvent> changes(const scene::Scene& scene, std::size_t layer,
@@ -27,7 +29,7 @@ std::vector<CloudEvent> changes(const scene::Scene& scene, std::size_t layer,
 std::vector<CloudEvent> shearing(const std::vector<CloudEvent>& events) {
   std::vector<CloudEvent> found;
   std::ranges::copy_if(events, std::back_inserter(found), [](const CloudEvent& event) {
-    return event.kind == "wind" && event.shear > 0.0;
+    return event.kind == CloudEventKind::wind && event.shear > 0.0;
   });
   return found;
 }
@@ -38,7 +40,8 @@ double done(const CloudEvent& event, double time_s) {
 }
 
 double amount_after(const CloudEvent& event, double before) {
-  return event.kind == "gather" ? before + event.by * (1.0 - before) : before * (1.0 - event.by);
+  return event.kind == CloudEventKind::gather ? before + event.by * (1.0 - before)
+                                              : before * (1.0 - event.by);
 }
 
 std::uint64_t layer_key(const scene::Scene& scene, std::size_t layer) {
@@ -60,7 +63,8 @@ glm::dvec3 sunlight_colour(double sun_elevation_deg, double turbidity) {
   return positive / std::max({positive.r, positive.g, positive.b});
 }
 
-Timeline::Timeline(const scene::Scene& scene, std::size_t layer, double cell_m)
+Timeline::Timeline(const scene::Scene& scene, std::size_t layer, double cell_m,
+                   const phenology::FilmSeason* season)
     : winds_(shearing(changes(scene, layer, scene::CloudChange::drift))),
       amounts_(changes(scene, layer, scene::CloudChange::amount)),
       lights_(changes(scene, layer, scene::CloudChange::light)),
@@ -68,12 +72,12 @@ Timeline::Timeline(const scene::Scene& scene, std::size_t layer, double cell_m)
       gathered_(scene.clouds.at(layer).gathered),
       cell_m_(cell_m),
       drift_(scene.clouds[layer], changes(scene, layer, scene::CloudChange::drift),
-             layer_key(scene, layer), season_winds(scene)) {
+             layer_key(scene, layer), season_winds(scene, season)) {
   for (const CloudEvent& event : lights_)
     light_colours_.push_back(colour_of(event, scene.sky.turbidity));
   for (const CloudEvent& event : winds_)
     shapes_.push_back({glm::radians(event.heading_deg), event.shear});
-  if (scene.clouds[layer].motion == "paper")
+  if (scene.clouds[layer].motion == scene::Law::paper)
     paper_drift_.emplace(changes(scene, layer, scene::CloudChange::drift), scene.film.frame_seconds,
                          layer_key(scene, layer));
 }
@@ -98,10 +102,10 @@ void Timeline::set_way(LayerMoment& moment, double time_s) const {
 
 void Timeline::set_amount(LayerMoment& moment, double time_s) const {
   moment.amount = gathered_;
-  moment.amount_is_alpha = !amounts_.empty() && amounts_.front().fade == "paper";
+  moment.amount_is_alpha = !amounts_.empty() && amounts_.front().fade == CloudFade::paper;
   for (const CloudEvent& event : amounts_) {
     if (time_s < event.start_s) break;
-    moment.amount_is_alpha = event.fade == "paper";
+    moment.amount_is_alpha = event.fade == CloudFade::paper;
     moment.amount =
         std::lerp(moment.amount, amount_after(event, moment.amount), done(event, time_s));
   }
@@ -112,7 +116,7 @@ void Timeline::set_shape(LayerMoment& moment, double time_s) const {
     moment.shape = wind;
     moment.next_shape = wind + 1;
     moment.next_share = done(winds_[wind], time_s);
-    moment.shapes_by_alpha = winds_[wind].fade == "paper";
+    moment.shapes_by_alpha = winds_[wind].fade == CloudFade::paper;
   }
 }
 

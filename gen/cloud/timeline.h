@@ -32,7 +32,9 @@ struct LayerMoment {
 class Timeline {
  public:
   /// `layer` counts from 0; cell_m is the side of its cells.
-  Timeline(const scene::Scene& scene, std::size_t layer, double cell_m);
+  /// `season`: the scene's, if it is one; without it the time line makes it for itself.
+  Timeline(const scene::Scene& scene, std::size_t layer, double cell_m,
+           const phenology::FilmSeason* season = nullptr);
 
   /// time_s >= 0, since the first frame.
   LayerMoment at(double time_s) const;

@@ -44,8 +44,8 @@ void require_regular_file(const std::filesystem::path& path);
 /// The whole file. Throws FileError when it is missing, unreadable or no regular file.
 std::string read_file(const std::filesystem::path& path);
 
-/// 64-bit content hash as 16 hexadecimal digits: xxHash's XXH64. Names of files and records have it,
-/// so that the newer XXH3 would make all of them anew.
+/// 64-bit content hash as 16 hexadecimal digits: xxHash's XXH64. Names of files and records have
+/// it, so that the newer XXH3 would make all of them anew.
 std::string content_hash(std::string_view bytes);
 
 /// A file that ships with the program: relative is "models/..." or "templates/...". Looked for

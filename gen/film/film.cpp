@@ -9,6 +9,7 @@
 #include "film/assemble.h"
 #include "film/cloud_textures.h"
 #include "film/exporters.h"
+#include "film/machine_check.h"
 #include "grass/texel/texel_file.h"
 #include "ground/lit_ground.h"
 #include "meadow/far_field.h"
@@ -60,7 +61,7 @@ void write_film_files(const Request& request) {
 Film::Film(const Request& request)
     : request_(request),
       snow_(request.out / "snow"),
-      site_(place::make_site(request.scene, snow_.path())),
+      site_(place::make_site(request.scene, snow_.path(), {}, request.season)),
       texels_(request.scene, meadow::film_lights(request.scene, site_), request.out / "texels") {}
 
 void Film::find_demand(Progress& progress) {
@@ -134,7 +135,7 @@ landscape::Volume Film::volume(const meadow::CellChoice& cell) const {
 landscape::BladeMesh Film::blades(const meadow::CellChoice& cell) {
   landscape::BladeMesh& mesh = blades_[{cell.variant, cell.state()}];
   if (mesh.tubes) return mesh;
-  const bool points = request_.scene.render.grass == "points";
+  const bool points = request_.scene.render.grass == scene::GrassForm::points;
   mesh.name = fmt::format("{}{}_{}_{}", points ? 'p' : 'v', cell.variant, cell.state().name(),
                           texels_.content(cell.variant, cell.state()));
   mesh.tubes = std::make_shared<const Tubes>(points ? texels_.points(cell.variant, cell.state())
@@ -182,6 +183,8 @@ std::vector<fs::path> make_film(const Request& request, Progress& progress) {
   for (const int frame : request.frames)
     if (frame < 1 || frame > last)
       throw InputError(fmt::format("found frame {}, expected 1 to {}", frame, last));
+  require_files(request.scene);
+  require_texel_memory(request.scene);
   Film film(request);
   write_film_files(request);
   film.find_demand(progress);

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <iterator>
 #include <tuple>
+#include <utility>
 
 #include "meadow/cells.h"
 #include "meadow/far_field.h"
@@ -31,13 +32,13 @@ std::vector<int> spread(const std::vector<int>& frames) {
 /// The parts of a Site that cells are chosen from.
 class Ground {
  public:
-  explicit Ground(const scene::Scene& scene)
+  Ground(const scene::Scene& scene, std::shared_ptr<const phenology::FilmSeason> season)
       : scene_(scene),
         terrain_(terrain::make_ground(scene.terrain, scene.seed)),
         growth_(place::is_large(scene)
                     ? place::growth_map(scene, terrain_, place::window_grid(scene))
                     : place::growth_map(scene, terrain_)),
-        withering_(scene, terrain_) {}
+        withering_(scene, terrain_, std::move(season)) {}
 
   FrameDemand demand(int frame) const {
     FrameDemand demand;
@@ -83,7 +84,7 @@ std::vector<grass::PatchState> states_between(const grass::PatchState& from,
 }  // namespace
 
 FilmDemand::FilmDemand(const Request& request) {
-  const Ground ground(request.scene);
+  const Ground ground(request.scene, request.season);
   const FrameDemand* last = nullptr;
   for (const int frame : spread(request.frames)) {
     const FrameDemand& now = frames_.emplace(frame, ground.demand(frame)).first->second;

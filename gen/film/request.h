@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <vector>
 
 #include "exporter/exporter.h"
+#include "phenology/film_season.h"
 #include "scene/scene.h"
 
 namespace wold::film {
@@ -14,6 +16,8 @@ struct Request {
   std::vector<int> frames;                           ///< from 1, rising, all within the scene
   std::filesystem::path out;                         ///< the output folder
   std::vector<const exporter::Exporter*> exporters;  ///< who writes scene files: wanted_exporters()
+  /// The scene's, if it is one; without it whoever needs the season makes it.
+  std::shared_ptr<const phenology::FilmSeason> season = {};
 };
 
 }  // namespace wold::film

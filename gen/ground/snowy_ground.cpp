@@ -98,7 +98,9 @@ class Grain {
 /// Old snow loses its red first; shadows and depth make it blue (Wiscombe and Warren 1980).
 glm::vec3 snow_albedo(float albedo) { return albedo * glm::vec3(0.985F, 1.0F, 1.015F); }
 
-bool is_paper(const scene::Scene& scene) { return scene.snow_cover.cover == "paper"; }
+bool is_paper(const scene::Scene& scene) {
+  return scene.snow_cover.cover == scene::CoverModel::paper;
+}
 
 }  // namespace
 

@@ -53,12 +53,12 @@ double intercepted_share(double leaf_area_index, double share,
   return std::clamp(share, 0.0, 1.0);
 }
 
-double canopy_snow(const scene::Scene& scene, int frame) {
-  if (scene.snow_cover.cover != "depth" || scene::has_hair(scene)) return 0.0;
+double canopy_snow(const scene::Scene& scene, int frame, const phenology::FilmSeason* season) {
+  if (scene.snow_cover.cover != scene::CoverModel::depth || scene::has_hair(scene)) return 0.0;
   const double leaf_area = place::leaf_area_index(scene);
   const double caught_per_mm = canopy_cover(leaf_area) / canopy_capacity_mm(leaf_area);
   const double initial = -math::expm1(-caught_per_mm * scene.snow_cover.initial_mm);
-  const snow::Weather weather(scene);
+  const snow::Weather weather(scene, season);
   const auto on_canopy = [&](double time_s) {
     return CanopyWeather{weather.at(time_s).temperature_c, weather.snow_mm_h(time_s, 0.0)};
   };

@@ -4,6 +4,10 @@
 
 #include "scene/scene.h"
 
+namespace wold::phenology {
+class FilmSeason;
+}
+
 namespace wold::meadow {
 
 /// Snow that falls on a canopy and how warm it is, at one moment.
@@ -38,7 +42,8 @@ double intercepted_share(double leaf_area_index, double share,
 /// The share of the snow that the scene's grass can carry which lies on it in a frame (from 1), in
 /// [0, 1]: of the weather at the terrain's zero since it began. Snow that lay on the ground then
 /// (snow_cover.initial) had just fallen. 0 where snow_cover.cover is not "depth" and for fur.
-/// Throws what snow::Weather throws.
-double canopy_snow(const scene::Scene& scene, int frame);
+/// `season`: the scene's, if it is one; nullptr makes it. Throws what snow::Weather throws.
+double canopy_snow(const scene::Scene& scene, int frame,
+                   const phenology::FilmSeason* season = nullptr);
 
 }  // namespace wold::meadow

@@ -126,8 +126,9 @@ int choose_level(const scene::Grass& grass, double pixels_per_m) {
 }
 
 bool choose_blades(const scene::Scene& scene, double pixels_per_m) {
-  if (scene.render.grass == "auto") return !is_fine_enough(scene.grass, 0, pixels_per_m);
-  return scene.render.grass != "texels";
+  if (scene.render.grass == scene::GrassForm::automatic)
+    return !is_fine_enough(scene.grass, 0, pixels_per_m);
+  return scene.render.grass != scene::GrassForm::texels;
 }
 
 /// Middle of the grass on a cell.
@@ -279,11 +280,12 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
   std::optional<Heightfield> mesh;
   if (place::is_large(scene)) mesh = terrain::mesh_heights(terrain, place::window_grid(scene));
   const Heightfield& ground = mesh ? *mesh : terrain;
-  const Combing combing(scene, frame);
+  const Combing combing(scene, frame, withering.season());
   const std::vector<double> key_frames = scene::key_frames(scene);
   const scene::Grass grass = scene::mean_grass(scene);
-  const Showing showing = {grass::PatchState::level_of(canopy_snow(scene, frame)),
-                           light_of_frame(scene, frame)};
+  const Showing showing = {
+      grass::PatchState::level_of(canopy_snow(scene, frame, withering.season())),
+      light_of_frame(scene, frame)};
   const auto side = static_cast<std::size_t>(window.per_side);
   std::vector<std::vector<CellChoice>> rows(side);
   const auto consider = [&](const glm::ivec2& cell, const Texel& texel,

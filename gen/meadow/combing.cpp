@@ -33,16 +33,19 @@ double tame(double value) { return std::clamp(value, -2.0, 2.0); }
 /// No wind of a season presses grass down farther.
 constexpr double most_deg = 40.0;
 
-phenology::WindChange week_before(const scene::Scene& scene, int frame) {
+phenology::WindChange week_before(const scene::Scene& scene, int frame,
+                                  const phenology::FilmSeason* known) {
   if (!scene::is_season(scene)) return {};
-  return phenology::FilmSeason(scene).week_of_wind(scene::season_days(scene.season, frame));
+  return phenology::with_season(scene, known, [&](const phenology::FilmSeason& season) {
+    return season.week_of_wind(scene::season_days(scene.season, frame));
+  });
 }
 
 }  // namespace
 
-Combing::Combing(const scene::Scene& scene, int frame)
+Combing::Combing(const scene::Scene& scene, int frame, const phenology::FilmSeason* season)
     : wind_(scene.wind),
-      change_(week_before(scene, frame)),
+      change_(week_before(scene, frame, season)),
       waves_(field(scene.seed, "waves", 2)),
       turns_(field(scene.seed, "turns", 2)) {}
 

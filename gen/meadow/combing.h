@@ -15,8 +15,9 @@ namespace wold::meadow {
 /// their places.
 class Combing {
  public:
-  /// In a frame, from 1. Throws what phenology::FilmSeason throws.
-  Combing(const scene::Scene& scene, int frame);
+  /// In a frame, from 1. `season`: the scene's, if it is one; nullptr makes it. Throws what
+  /// phenology::FilmSeason throws.
+  Combing(const scene::Scene& scene, int frame, const phenology::FilmSeason* season = nullptr);
 
   /// Metres to the east and north by which the grass at a place leans over per metre of height.
   glm::dvec2 lean(const glm::dvec2& at_m) const;

@@ -21,8 +21,8 @@ double nearly_whole(double level) {
 }
 
 /// The frame's canopy_snow(), in levels.
-double snow_level(const scene::Scene& scene, int frame) {
-  return nearly_whole(grass::PatchState::level_of(canopy_snow(scene, frame)));
+double snow_level(const scene::Scene& scene, const place::Withering& withering, int frame) {
+  return nearly_whole(grass::PatchState::level_of(canopy_snow(scene, frame, withering.season())));
 }
 
 double light_level(const scene::Scene& scene, int frame) {
@@ -50,9 +50,9 @@ Meadow::Meadow(const scene::Scene& scene, const Heightfield& terrain,
       withering_(withering),
       view_(view),
       frame_(frame),
-      combing_(scene, frame),
+      combing_(scene, frame, withering.season()),
       key_frames_(scene::key_frames(scene)),
-      snow_(snow_level(scene, frame)),
+      snow_(snow_level(scene, withering, frame)),
       light_(light_level(scene, frame)),
       looks_(std::move(looks)) {}
 
@@ -113,7 +113,7 @@ std::vector<grass::PatchState> far_states(const scene::Scene& scene,
   const auto [least, most] = withering.range(frame);
   const auto first = std::upper_bound(keys.begin() + 1, keys.end() - 1, least) - 1;
   const auto last = std::upper_bound(keys.begin() + 1, keys.end() - 1, most);
-  const double snow = snow_level(scene, frame);
+  const double snow = snow_level(scene, withering, frame);
   const double lit = light_level(scene, frame);
   std::vector<grass::PatchState> states;
   for (auto key = first; key <= last; ++key)

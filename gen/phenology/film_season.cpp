@@ -222,14 +222,18 @@ double FilmSeason::visual_range_m(double days_after_first) const {
   return 1.0 / at_day(days_after_first - first_day_, unseen_per_m_);
 }
 
-scene::Scene as_film(scene::Scene scene) {
+std::shared_ptr<const FilmSeason> film_season(const scene::Scene& scene) {
+  return scene::is_season(scene) ? std::make_shared<const FilmSeason>(scene) : nullptr;
+}
+
+scene::Scene as_film(scene::Scene scene, const FilmSeason* known) {
   if (!scene::is_season(scene)) return scene;
-  const FilmSeason season(scene);
-  scene.ageing.frames.clear();
-  for (int frame = 1; frame <= scene.season.frames; ++frame) {
-    scene.ageing.frames.push_back(season.weathering_at(scene::season_days(scene.season, frame)));
-  }
-  scene.weather.earlier_h = -hours_per_day * season.first_day() + scene.sun.time_h;
+  with_season(scene, known, [&](const FilmSeason& season) {
+    scene.ageing.frames.clear();
+    for (int frame = 1; frame <= scene.season.frames; ++frame)
+      scene.ageing.frames.push_back(season.weathering_at(scene::season_days(scene.season, frame)));
+    scene.weather.earlier_h = -hours_per_day * season.first_day() + scene.sun.time_h;
+  });
   return scene;
 }
 

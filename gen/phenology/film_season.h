@@ -1,6 +1,7 @@
 #pragma once
 
 #include <complex>
+#include <memory>
 #include <vector>
 
 #include "scene/scene.h"
@@ -59,8 +60,20 @@ class FilmSeason {
   std::vector<double> unseen_per_m_;  ///< 1 / visual range
 };
 
+/// The season of a scene, to be made once for its film and shared; nullptr of a scene that is none.
+/// Throws what FilmSeason's constructor throws.
+std::shared_ptr<const FilmSeason> film_season(const scene::Scene& scene);
+
+/// What `use` makes of a scene's season: of `known` or, where that is nullptr, of a new one.
+/// `scene` is a season. Throws what FilmSeason's constructor throws.
+template <class Use>
+auto with_season(const scene::Scene& scene, const FilmSeason* known, Use use) {
+  return known != nullptr ? use(*known) : use(FilmSeason(scene));
+}
+
 /// The scene as a film of ageing.frames, weather.earlier and the sun half-way; one that is no
-/// season as it is. Throws what FilmSeason's constructor throws.
-scene::Scene as_film(scene::Scene scene);
+/// season as it is. `season`: the scene's, if it is one; nullptr makes it. Throws what FilmSeason's
+/// constructor throws.
+scene::Scene as_film(scene::Scene scene, const FilmSeason* season = nullptr);
 
 }  // namespace wold::phenology

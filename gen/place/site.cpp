@@ -37,7 +37,8 @@ void clear_pictures(const fs::path& folder) {
 std::unique_ptr<snow::LargeCover> large_cover(const scene::Scene& scene, const Heightfield& terrain,
                                               const snow::WeatherFunction& weather,
                                               const fs::path& folder) {
-  if (!is_large(scene) || scene.snow_cover.cover != "depth" || !scene::may_lie(scene))
+  if (!is_large(scene) || scene.snow_cover.cover != scene::CoverModel::depth ||
+      !scene::may_lie(scene))
     return nullptr;
   if (folder.empty()) throw std::invalid_argument("the snow of a large terrain needs a folder");
   clear_pictures(folder);
@@ -97,9 +98,9 @@ scene::Scene at_time(scene::Scene scene, double time) {
 
 }  // namespace
 
-Snow::Snow(const scene::Scene& scene, const Heightfield& terrain, const fs::path& folder,
-           int most_samples)
-    : weather(scene),
+Snow::Snow(const scene::Scene& scene, const phenology::FilmSeason* season,
+           const Heightfield& terrain, const fs::path& folder, int most_samples)
+    : weather(scene, season),
       pictures(scene.seed),
       ground(
           scene, terrain, [made = weather](double time_s) { return made.at(time_s); },
@@ -126,7 +127,9 @@ const FactorMap& growth_of_cells(const Site& site) {
 }
 
 Site make_site(const scene::Scene& scene, const fs::path& snow_folder,
-               const std::optional<Sketch>& sketch) {
+               const std::optional<Sketch>& sketch,
+               std::shared_ptr<const phenology::FilmSeason> season) {
+  if (!season) season = phenology::film_season(scene);
   Heightfield terrain = terrain::make_ground(scene.terrain, scene.seed);
   const scene::Scene half_way = at_time(scene, 0.5);
   const light::Daylight day(half_way.sun, scene.sky);
@@ -136,15 +139,14 @@ Site make_site(const scene::Scene& scene, const fs::path& snow_folder,
   std::optional<FactorMap> growth_of_window;
   if (large) growth_of_window = growth_map(scene, terrain, window_grid(scene));
   std::optional<cloud::Clouds> clouds;
-  if (!scene.clouds.empty()) clouds.emplace(half_way, cloud::Clouds::usual_pixel_m(scene));
+  if (!scene.clouds.empty())
+    clouds.emplace(half_way, cloud::Clouds::usual_pixel_m(scene), season.get());
   std::shared_ptr<const Snow> snow;
   if (scene::may_snow(scene) || scene::may_lie(scene))
     snow = std::make_shared<const Snow>(
-        scene, terrain, snow_folder,
+        scene, season.get(), terrain, snow_folder,
         sketch ? sketch->snow_samples : snow::SnowGround::usual_most_samples);
-  std::shared_ptr<const phenology::FilmSeason> season;
-  if (scene::is_season(scene)) season = std::make_shared<const phenology::FilmSeason>(scene);
-  auto withering = std::make_shared<const Withering>(scene, terrain);
+  auto withering = std::make_shared<const Withering>(scene, terrain, season);
   Site site{std::move(terrain),
             std::move(growth),
             std::move(growth_of_window),

@@ -20,10 +20,10 @@ namespace wold::place {
 
 /// The snow of a film.
 struct Snow {
-  /// `folder`: see make_site(). Where it is not large, the ground has at most so many samples of
-  /// snow along a side.
-  Snow(const scene::Scene& scene, const Heightfield& terrain, const std::filesystem::path& folder,
-       int most_samples);
+  /// `season`: the scene's, nullptr of one that is none. `folder`: see make_site(). Where it is not
+  /// large, the ground has at most so many samples of snow along a side.
+  Snow(const scene::Scene& scene, const phenology::FilmSeason* season, const Heightfield& terrain,
+       const std::filesystem::path& folder, int most_samples);
 
   snow::Weather weather;
   snow::FlakePictures pictures;
@@ -66,10 +66,12 @@ struct Site {
 
 /// Maps of a large terrain have as many samples as its pictures need; its snow is kept in tiled
 /// pictures in `snow_folder`, which is made where it is needed and is the site's alone. Those of
-/// any other have the usual steps, or those of a sketch. Throws what terrain::make_ground(),
+/// any other have the usual steps, or those of a sketch. `season`: the scene's, if it is one;
+/// without it the site makes it for itself. Throws what terrain::make_ground(),
 /// growth_map(), cloud::Clouds and Snow's parts throw.
 Site make_site(const scene::Scene& scene, const std::filesystem::path& snow_folder = {},
-               const std::optional<Sketch>& sketch = {});
+               const std::optional<Sketch>& sketch = {},
+               std::shared_ptr<const phenology::FilmSeason> season = {});
 
 /// How far one sees in a frame (from 1): sky.visual_range, in a season through that day's air.
 double visual_range_m(const scene::Scene& scene, const Site& site, int frame);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <optional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -26,8 +26,13 @@ namespace wold::place {
 /// adds season.spread times a smooth keyed field of standard deviation 1.
 class Withering {
  public:
-  /// Throws what phenology::FilmSeason's constructor throws.
-  Withering(const scene::Scene& scene, const Heightfield& terrain);
+  /// `season`: the scene's, if it is one; without it the withering makes it for itself. Throws what
+  /// phenology::FilmSeason's constructor throws.
+  Withering(const scene::Scene& scene, const Heightfield& terrain,
+            std::shared_ptr<const phenology::FilmSeason> season = {});
+
+  /// The season that it follows; nullptr of a scene that is none.
+  const phenology::FilmSeason* season() const { return season_.get(); }
 
   /// At a point of the ground in a frame (from 1), in [0, 1].
   double at(const glm::dvec2& at_m, int frame) const;
@@ -41,7 +46,7 @@ class Withering {
   scene::Ageing ageing_;
   Fbm field_;
   // of a season:
-  std::optional<phenology::FilmSeason> season_;
+  std::shared_ptr<const phenology::FilmSeason> season_;
   std::vector<double> frame_days_;  ///< after the first frame
   double spread_days_ = 0.0;
   FactorMap delay_days_;                   ///< of the place, without the soil's

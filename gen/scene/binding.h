@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <concepts>
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -21,10 +22,28 @@ template <class T>
 using ItemsOf = std::vector<
     std::conditional_t<std::is_integral_v<typename T::value_type>, std::int64_t, double>>;
 
+/// All words of a mode, in the order of its enumerators.
+template <Mode T>
+std::vector<std::string> all_words() {
+  constexpr auto words = words_of(T{});
+  return {words.begin(), words.end()};
+}
+
+/// The mode of a word. Throws std::invalid_argument for a word that is none of its.
+template <Mode T>
+T mode_of(const std::string& word) {
+  const std::vector<std::string> words = all_words<T>();
+  const auto found = std::ranges::find(words, word);
+  if (found == words.end()) throw std::invalid_argument("no mode is called " + word);
+  return static_cast<T>(found - words.begin());
+}
+
 template <class T>
 Value value_of(const T& field) {
   if constexpr (std::integral<T>)
     return static_cast<std::int64_t>(field);
+  else if constexpr (Mode<T>)
+    return std::string(word_of(field));
   else if constexpr (PlainField<T>)
     return field;
   else
@@ -35,6 +54,8 @@ template <class T>
 void assign(T& field, const Value& value) {
   if constexpr (std::integral<T>) {
     field = static_cast<T>(std::get<std::int64_t>(value));
+  } else if constexpr (Mode<T>) {
+    field = mode_of<T>(std::get<std::string>(value));
   } else if constexpr (PlainField<T>) {
     field = std::get<T>(value);
   } else {
@@ -45,9 +66,12 @@ void assign(T& field, const Value& value) {
   }
 }
 
-/// Gives the key its accessors; `field` is a generic lambda from a Scene to a reference.
+/// Gives the key its accessors and, of a mode, its words; `field` is a generic lambda from a Scene
+/// to a reference.
 template <class Field>
 Key bound(Key key, Field field) {
+  using T = std::remove_cvref_t<std::invoke_result_t<Field, Scene&>>;
+  if constexpr (Mode<T>) key.words = all_words<T>();
   key.get = [field](const Scene& scene) { return value_of(field(scene)); };
   key.set = [field](Scene& scene, const Value& value) { assign(field(scene), value); };
   return key;

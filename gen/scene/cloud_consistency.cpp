@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "scene/calendar.h"
 #include "scene/keys.h"
@@ -36,24 +35,15 @@ struct Report {
 
 std::string event_name(std::size_t event) { return item_name("cloud_events", event); }
 
-void report_missing_pictures(Report& report) {
-  for (std::size_t layer = 0; layer < report.scene.clouds.size(); ++layer)
-    for (const std::string& path : report.scene.clouds[layer].textures) {
-      std::error_code error;
-      if (!std::filesystem::is_regular_file(path, error))
-        report.add(item_name("clouds", layer), "textures",
-                   fmt::format("found {}, expected a file that is there", in_quotes(path)));
-    }
-}
-
-/// The keys that only events of some kinds have.
-std::vector<std::string> kinds_with(std::string_view leaf) {
-  if (leaf == "heading" || leaf == "speed" || leaf == "shear") return {"wind"};
-  if (leaf == "factor") return {"faster", "slower"};
-  if (leaf == "by") return {"gather", "dissipate"};
-  if (leaf == "colour" || leaf == "sun_elevation") return {"light"};
-  if (leaf == "fade") return {"wind", "gather", "dissipate"};
-  return {"wind", "faster", "slower", "gather", "dissipate", "light"};
+/// The kinds of events that alone have this key; none when every kind has it.
+std::vector<CloudEventKind> kinds_with(std::string_view leaf) {
+  using enum CloudEventKind;
+  if (leaf == "heading" || leaf == "speed" || leaf == "shear") return {wind};
+  if (leaf == "factor") return {faster, slower};
+  if (leaf == "by") return {gather, dissipate};
+  if (leaf == "colour" || leaf == "sun_elevation") return {light};
+  if (leaf == "fade") return {wind, gather, dissipate};
+  return {};
 }
 
 /// A key is of no use to the event when another kind of event has it and it is not its default.
@@ -64,11 +54,14 @@ void report_useless_keys(Report& report, std::size_t event) {
   for (const Key& key : cloud_event_keys(event)) {
     const std::string leaf(leaf_of(key.name));
     const auto kinds = kinds_with(leaf);
-    if (std::ranges::count(kinds, found.kind) > 0 || key.get(report.scene) == key.get(plain))
+    if (kinds.empty() || std::ranges::count(kinds, found.kind) > 0 ||
+        key.get(report.scene) == key.get(plain))
       continue;
+    std::vector<std::string_view> words(kinds.size());
+    std::ranges::transform(kinds, words.begin(), word_of<CloudEventKind>);
     report.add(event_name(event), leaf.c_str(),
-               fmt::format("found in a \"{}\" event, expected only in: {}", found.kind,
-                           fmt::join(kinds, ", ")));
+               fmt::format("found in a \"{}\" event, expected only in: {}", word_of(found.kind),
+                           fmt::join(words, ", ")));
   }
 }
 
@@ -144,10 +137,10 @@ const char* begins(const CloudEvent& event) { return event.date.empty() ? "start
 std::string span_text(const Scene& scene, const CloudEvent& given) {
   const CloudEvent event = on_clock(scene, given);
   if (!given.date.empty())
-    return fmt::format("\"{}\" from {} {}", event.kind, given.date,
+    return fmt::format("\"{}\" from {} {}", word_of(event.kind), given.date,
                        given.until.empty() ? fmt::format("on for {} s", event.duration_s)
                                            : fmt::format("to {}", given.until));
-  return fmt::format("\"{}\" from {} to {} s", event.kind, event.start_s,
+  return fmt::format("\"{}\" from {} to {} s", word_of(event.kind), event.start_s,
                      event.start_s + event.duration_s);
 }
 
@@ -197,8 +190,18 @@ void report_overlaps(Report& report, std::size_t layer, CloudChange change) {
 }  // namespace
 
 CloudChange change_of(const CloudEvent& event) {
-  if (event.kind == "gather" || event.kind == "dissipate") return CloudChange::amount;
-  return event.kind == "light" ? CloudChange::light : CloudChange::drift;
+  switch (event.kind) {
+    case CloudEventKind::gather:
+    case CloudEventKind::dissipate:
+      return CloudChange::amount;
+    case CloudEventKind::light:
+      return CloudChange::light;
+    case CloudEventKind::wind:
+    case CloudEventKind::faster:
+    case CloudEventKind::slower:
+      break;
+  }
+  return CloudChange::drift;
 }
 
 bool happens_to(const CloudEvent& event, std::size_t layer) {
@@ -208,7 +211,6 @@ bool happens_to(const CloudEvent& event, std::size_t layer) {
 void report_cloud_contradictions(const Scene& scene, const Places& places,
                                  std::vector<Problem>& problems) {
   Report report{scene, places, problems};
-  report_missing_pictures(report);
   for (std::size_t event = 0; event < scene.cloud_events.size(); ++event) {
     report_missing_layer(report, event);
     report_half_a_colour(report, event);

@@ -15,8 +15,8 @@ CloudChange change_of(const CloudEvent& event);
 /// Whether the event happens to the layer, counted from 0.
 bool happens_to(const CloudEvent& event, std::size_t layer);
 
-/// Adds a problem for clouds and events that contradict each other or themselves: pictures that
-/// are not there, layers that are not there, keys that an event of this kind has no use for, and
+/// Adds a problem for clouds and events that contradict each other or themselves: layers that are
+/// not there, keys that an event of this kind has no use for, and
 /// events that would change the same thing of one layer at the same time; these name both lines.
 void report_cloud_contradictions(const Scene& scene, const Places& places,
                                  std::vector<Problem>& problems);

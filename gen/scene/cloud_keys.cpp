@@ -9,8 +9,7 @@ namespace wold::scene {
 
 std::vector<Key> cloud_keys(std::size_t item) {
   return {
-      bound(word("clouds.kind", {"stratus", "stratocumulus", "cumulus", "cirrus"},
-                 "A veil, rolls and patches, heaps, or fibres."),
+      bound(word("clouds.kind", "A veil, rolls and patches, heaps, or fibres."),
             ITEM_FIELD(clouds, kind)),
       bound(list(Kind::files, "clouds.textures", "", {0, 0}, {.fewest = 0, .most = 16},
                  "Pictures of clouds, whose alpha or else luminance is the opacity; without any, "
@@ -38,11 +37,11 @@ std::vector<Key> cloud_keys(std::size_t item) {
       bound(number("clouds.gathered", "", {0, 1},
                    "How much of the layer is there when the film starts: 0 is a clear sky."),
             ITEM_FIELD(clouds, gathered)),
-      bound(word("clouds.repeat", {"blend", "paper"},
+      bound(word("clouds.repeat",
                  "How textures fill the layer: blended without seam or visible repetition, or one "
                  "in each cell as the paper has it, seams and all."),
             ITEM_FIELD(clouds, repeat)),
-      bound(word("clouds.motion", {"physical", "paper"},
+      bound(word("clouds.motion",
                  "Drift by speed, heading and gusts, or the paper's x += 0.0001 and y = sin x "
                  "cells a frame."),
             ITEM_FIELD(clouds, motion)),
@@ -55,18 +54,17 @@ std::vector<Key> cloud_keys(std::size_t item) {
       bound(number("clouds.gusts", "m/s", {0, 30},
                    "Standard deviation of the drift's velocity, along each axis."),
             ITEM_FIELD(clouds, gusts_m_s)),
-      bound(word("clouds.light", {"physical", "paper"},
-                 "Bases darken with thickness, or clouds are white as in the paper."),
-            ITEM_FIELD(clouds, light)),
-      bound(word("clouds.body", {"sheet", "volume"},
-                 "A textured, curved sheet, which is fast, or a volume."),
+      bound(
+          word("clouds.light", "Bases darken with thickness, or clouds are white as in the paper."),
+          ITEM_FIELD(clouds, light)),
+      bound(word("clouds.body", "A textured, curved sheet, which is fast, or a volume."),
             ITEM_FIELD(clouds, body)),
   };
 }
 
 std::vector<Key> cloud_event_keys(std::size_t item) {
   return {
-      bound(word("cloud_events.kind", {"wind", "faster", "slower", "gather", "dissipate", "light"},
+      bound(word("cloud_events.kind",
                  "The wind turns and shears the clouds, drift grows or falls, clouds gather or "
                  "dissipate, or their light changes colour."),
             ITEM_FIELD(cloud_events, kind)),
@@ -105,7 +103,7 @@ std::vector<Key> cloud_event_keys(std::size_t item) {
       bound(number("cloud_events.sun_elevation", "deg", {1, 90},
                    "Light, without a colour: sunlight's when the sun stands so high."),
             ITEM_FIELD(cloud_events, sun_elevation_deg)),
-      bound(word("cloud_events.fade", {"optical", "paper"},
+      bound(word("cloud_events.fade",
                  "Wind, gather, dissipate: fades optical depths and cover, or alpha as the paper "
                  "does, whose clouds are thinner half-way through a wind."),
             ITEM_FIELD(cloud_events, fade)),

@@ -4,11 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <numbers>
-#include <thread>
 
-#include "core/machine.h"
 #include "scene/calendar.h"
 #include "scene/cloud_consistency.h"
 #include "scene/season_consistency.h"
@@ -25,12 +21,6 @@ namespace {
 constexpr double most_samples_per_root_m = 376.0;
 /// Square metres of leaf per square metre of ground; dense turf has 10.
 constexpr double most_leaf_area = 50.0;
-/// What making a texel takes at its peak, measured: bytes for each point drawn and for each voxel
-/// that is kept, and how many of these a point makes where blades are few.
-constexpr double bytes_per_point = 120.0;
-constexpr double bytes_per_voxel = 250.0;
-constexpr double voxels_per_point = 3.0;
-
 Rule inside_terrain(const std::string& key, const std::array<double, 2>& place_m, double size_m) {
   const bool inside =
       place_m[0] >= 0.0 && place_m[0] <= size_m && place_m[1] >= 0.0 && place_m[1] <= size_m;
@@ -46,13 +36,6 @@ Rule looks_somewhere(const Camera& camera) {
           camera.eye_m != camera.target_m,
           fmt::format("camera.target: found [{}, {}] m, expected another place than camera.eye",
                       camera.target_m[0], camera.target_m[1])};
-}
-
-Rule file_exists(const std::string& key, const std::string& path) {
-  std::error_code error;
-  return {{key},
-          path.empty() || std::filesystem::is_regular_file(path, error),
-          fmt::format("{}: found {}, expected a file that is there", key, in_quotes(path))};
 }
 
 Rule date_is_a_day(const Sun& sun) {
@@ -161,46 +144,6 @@ Rule blades_leave_room(const Scene& scene) {
                       grass.blades, leaf_area, most_leaf_area)};
 }
 
-/// Points drawn of a patch: grass.proportion of them per voxel's face of leaf, of which a cone
-/// shows pi / 8 of height times width on average.
-double points_of_patch(const Scene& scene) {
-  const Grass& grass = scene.grass;
-  const double leaf_m2 = std::numbers::pi / 4.0 * blade_area_m2(scene);
-  const double voxel_m = grass.patch_m / grass.levels.front();
-  return grass.proportion * leaf_m2 / (voxel_m * voxel_m);
-}
-
-Rule texels_fit_in_memory(const Scene& scene) {
-  const Grass& grass = scene.grass;
-  const double side = grass.levels.front();
-  double longest_m = 0.0;
-  for (const Species& species : species_of(scene))
-    longest_m = std::max(longest_m, longest_blade_m(species.plant));
-  const double height_voxels = std::ceil(longest_m / grass.patch_m * side);
-  const double points = points_of_patch(scene);
-  const double voxels = std::min(voxels_per_point * points, side * side * height_voxels);
-  const int threads = scene.render.threads > 0
-                          ? scene.render.threads
-                          : static_cast<int>(std::thread::hardware_concurrency());
-  const int at_once = std::clamp(threads, 1, grass.variants);
-  const double needed_gb = at_once * (bytes_per_point * points + bytes_per_voxel * voxels) / 1e9;
-  const double memory_gb = machine_memory_bytes() / 1e9;
-  return {{"grass.levels", "grass.proportion", "grass.blades", "grass.variants", "render.threads"},
-          needed_gb <= memory_gb,
-          fmt::format("grass.levels: found {} voxels along a side and {:.2g} points in a patch, "
-                      "which for {} patches at once need {:.1f} GB of memory, expected at most the "
-                      "{:.1f} GB of this machine: coarser levels, a smaller grass.proportion, "
-                      "fewer grass.blades or fewer render.threads",
-                      side, points, at_once, needed_gb, memory_gb)};
-}
-
-SourcePosition blamed_place(const Rule& rule, const Places& places) {
-  for (const std::string& key : rule.keys)
-    if (const auto found = places.given.find(key); found != places.given.end())
-      return found->second;
-  return {};
-}
-
 }  // namespace
 
 void report_contradictions(const Scene& scene, const Places& places,
@@ -209,12 +152,7 @@ void report_contradictions(const Scene& scene, const Places& places,
       patch_fits(scene),
       heights_are_coarse_enough(scene.terrain),
       blades_leave_room(scene),
-      texels_fit_in_memory(scene),
-      file_exists("terrain.elevation", scene.terrain.elevation),
-      file_exists("growth.mask", scene.growth.mask),
-      file_exists("grass.from_texel", scene.grass.from_texel),
       a_texel_is_one_sample_of_grass(scene),
-      file_exists("weather.table", scene.weather.table),
       grows_somewhere(scene.growth),
       has_all_or_none("terrain.centre", scene.terrain.centre.size(), 2, "two"),
       has_all_or_none("camera.eye_end", scene.camera.eye_end.size(), 3, "three"),
@@ -231,11 +169,7 @@ void report_contradictions(const Scene& scene, const Places& places,
       ends_inside("camera.target_end", scene.camera.target_end, scene.terrain.size_m),
   };
   for (Rule& rule : species_rules(scene)) rules.push_back(std::move(rule));
-  for (const Rule& rule : rules) {
-    const bool judged = std::none_of(rule.keys.begin(), rule.keys.end(),
-                                     [&](const auto& key) { return places.failed.count(key) > 0; });
-    if (judged && !rule.holds) problems.push_back({blamed_place(rule, places), rule.message});
-  }
+  report_broken(rules, places, problems);
   report_cloud_contradictions(scene, places, problems);
   report_season_contradictions(scene, places, problems);
 }

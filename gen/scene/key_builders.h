@@ -38,6 +38,11 @@ inline Key integer(std::string name, const char* unit, Range range, const char* 
   return plain(Kind::integer, std::move(name), unit, range, doc);
 }
 
+/// A key whose field is a Mode; the words come from there when the key is bound to it.
+inline Key word(std::string name, const char* doc) {
+  return plain(Kind::word, std::move(name), "", {0, 0}, doc);
+}
+
 inline Key word(std::string name, std::vector<std::string> words, const char* doc) {
   Key key = plain(Kind::word, std::move(name), "", {0, 0}, doc);
   key.words = std::move(words);

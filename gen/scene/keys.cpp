@@ -34,8 +34,7 @@ std::vector<Key> top_level_keys() {
 
 std::vector<Key> terrain_keys() {
   return {
-      bound(word("terrain.shape", {"hillside", "mountain"},
-                 "A slope with a crest, or a mountain with ridges and valleys."),
+      bound(word("terrain.shape", "A slope with a crest, or a mountain with ridges and valleys."),
             FIELD(terrain.shape)),
       bound(
           plain(Kind::file, "terrain.elevation", "", {0, 0},
@@ -155,7 +154,7 @@ std::vector<Key> wind_keys() {
       bound(number("wind.wave_length", "m", {0.5, 1000}, "Size of such places along the wind."),
             FIELD(wind.wave_length_m)),
       bound(
-          word("wind.field", {"steady", "gusts", "tornado"},
+          word("wind.field",
                "How it carries flakes: evenly, in gusts that every flake feels in its own way, or "
                "round a tornado on the terrain's middle that drifts with the wind."),
           FIELD(wind.field)),
@@ -208,7 +207,7 @@ std::vector<Key> render_keys() {
                  "Width and height of the picture."),
             FIELD(render.size_px)),
       bound(integer("render.samples", "", {1, 4096}, "Samples per pixel."), FIELD(render.samples)),
-      bound(word("render.grass", {"texels", "blades", "auto", "points"},
+      bound(word("render.grass",
                  "What grass is drawn as: volumes, true blades, blades where the finest volume is "
                  "too coarse and volumes beyond, or the points that the volumes are made of."),
             FIELD(render.grass)),
@@ -217,7 +216,7 @@ std::vector<Key> render_keys() {
       bound(only(integer("render.df3_bits", "bits", {8, 16}, "Depth of POV-Ray's density files."),
                  {8, 16}),
             FIELD(render.df3_bits)),
-      bound(word("render.device", {"cpu", "gpu", "auto"},
+      bound(word("render.device",
                  "What Blender computes on: the processor, a graphics card (OptiX, CUDA, HIP, "
                  "oneAPI or Metal, as Blender finds it), or a graphics card if there is one. "
                  "POV-Ray has only the processor."),

@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <tuple>
 
 #include "core/error.h"
 #include "core/files.h"
@@ -218,14 +217,6 @@ void take_common(Scene& scene) {
   }
 }
 
-/// The text's problems from its top, then those without a line.
-void sort_by_line(std::vector<Problem>& problems) {
-  const auto rank = [](const Problem& problem) {
-    return std::tuple(problem.where.line == 0, problem.where.line, problem.where.column);
-  };
-  std::ranges::stable_sort(problems, {}, rank);
-}
-
 /// The text of a file, but no more than a scene can have: it may be endless.
 std::string bounded_text(const fs::path& path) {
   const auto unreadable = [&](const std::string& reason) {
@@ -245,8 +236,8 @@ std::string bounded_text(const fs::path& path) {
 
 }  // namespace
 
-Scene parse_scene(std::string_view text, const std::string& file_name,
-                  std::span<const std::string> overrides) {
+LocatedScene parse_located_scene(std::string_view text, const std::string& file_name,
+                                 std::span<const std::string> overrides) {
   const Document document = read_document(text, file_name);
   Reading reading;
   report_unknown_tables(document, reading);
@@ -260,13 +251,21 @@ Scene parse_scene(std::string_view text, const std::string& file_name,
     reading.problems.insert(reading.problems.end(), override.problems.begin(),
                             override.problems.end());
   report_contradictions(reading.scene, reading.places, reading.problems);
-  sort_by_line(reading.problems);
-  if (!reading.problems.empty()) throw InputError(std::move(reading.problems));
-  return reading.scene;
+  throw_problems(std::move(reading.problems));
+  return {std::move(reading.scene), std::move(reading.places)};
+}
+
+Scene parse_scene(std::string_view text, const std::string& file_name,
+                  std::span<const std::string> overrides) {
+  return parse_located_scene(text, file_name, overrides).scene;
+}
+
+LocatedScene read_located_scene(const fs::path& path, std::span<const std::string> overrides) {
+  return parse_located_scene(bounded_text(path), path.string(), overrides);
 }
 
 Scene read_scene(const fs::path& path, std::span<const std::string> overrides) {
-  return parse_scene(bounded_text(path), path.string(), overrides);
+  return read_located_scene(path, overrides).scene;
 }
 
 }  // namespace wold::scene

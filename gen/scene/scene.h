@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "scene/modes.h"
+
 /// The scene file as plain, checked data. Lengths are metres, angles degrees, z is up, x east,
 /// y north; colours are linear sRGB. Meaning, unit, default and range of every key stand once, in
 /// the registry (registry.h).
@@ -25,9 +27,9 @@ struct CurveChoice {
 /// A procedural hillside, a slope with a crest, or a mountain with ridges and valleys; both with
 /// fractal relief, hydraulic and thermal erosion. Or a real place of an elevation model.
 struct Terrain {
-  std::string shape = "hillside";  ///< "hillside" or "mountain"
-  std::string elevation;           ///< path of a raster that GDAL reads; empty: procedural
-  std::string system;  ///< the raster's, "EPSG:4326"; empty: as the raster says, else metres
+  TerrainShape shape = TerrainShape::hillside;
+  std::string elevation;  ///< path of a raster that GDAL reads; empty: procedural
+  std::string system;     ///< the raster's, "EPSG:4326"; empty: as the raster says, else metres
   std::vector<double> centre;  ///< of the square, in the raster's coordinates; empty: its middle
   double size_m = 42.0;        ///< side of the square
   int samples = 337;           ///< heights per side
@@ -108,17 +110,17 @@ struct Fur {
 struct Physiology {
   CurveChoice water = {"standard", {}};        ///< relative water content over weathering degree
   CurveChoice chlorophyll = {"standard", {}};  ///< relative chlorophyll content
-  std::string colour = "prospect";             ///< "prospect", "paper" or "melanin"
-  double vein_shrinkage = 0.15;                ///< kv: volume lost per unit of water lost
-  double mesophyll_shrinkage = 0.6;            ///< km > kv
-  double stiffening = 2.0;                     ///< b: E(w) = E0 (1 + b (1 - w))
-  std::string droop_rule = "paper";            ///< "paper" or "elastica"
-  std::string motion = "closed_form";          ///< "closed_form" or "points"
-  double merge_distance_voxels = 0.1;          ///< points nearer than this become one
-  double droop = 2.6;                          ///< omega: rad per sqrt(m) and unit of water lost
-  double turgor_support = 0.7;                 ///< share of a fresh blade's stiffness, elastica
-  double droop_spread = 0.3;                   ///< of omega from blade to blade
-  double onset_spread = 0.12;                  ///< of a blade's own weathering degree
+  ColourModel colour = ColourModel::prospect;
+  double vein_shrinkage = 0.15;      ///< kv: volume lost per unit of water lost
+  double mesophyll_shrinkage = 0.6;  ///< km > kv
+  double stiffening = 2.0;           ///< b: E(w) = E0 (1 + b (1 - w))
+  DroopRule droop_rule = DroopRule::paper;
+  AgeingMotion motion = AgeingMotion::closed_form;
+  double merge_distance_voxels = 0.1;  ///< points nearer than this become one
+  double droop = 2.6;                  ///< omega: rad per sqrt(m) and unit of water lost
+  double turgor_support = 0.7;         ///< share of a fresh blade's stiffness, elastica
+  double droop_spread = 0.3;           ///< of omega from blade to blade
+  double onset_spread = 0.12;          ///< of a blade's own weathering degree
   double fresh_spread = 0.14;  ///< mean of the ages that single blades have in a fresh meadow
   double litter = 0.12;        ///< share of dead blades of the year before in a fresh meadow
   double chlorophyll_ug_cm2 = 31.5;
@@ -174,13 +176,13 @@ struct Sky {
 
 /// The wind that has combed the grass and carries the flakes.
 struct Wind {
-  double heading_deg = 75.0;    ///< where it blows to, clockwise from north
-  double lean_deg = 15.0;       ///< mean angle by which the grass leans over
-  double waves_deg = 9.0;       ///< standard deviation of that angle from place to place
-  double wave_length_m = 6.0;   ///< size of such places, along the wind
-  std::string field = "gusts";  ///< of flakes: "steady", "gusts", "tornado"
-  double speed_m_s = 1.5;       ///< of flakes
-  double turbulence = 0.25;     ///< standard deviation of that speed over its mean, in gusts
+  double heading_deg = 75.0;               ///< where it blows to, clockwise from north
+  double lean_deg = 15.0;                  ///< mean angle by which the grass leans over
+  double waves_deg = 9.0;                  ///< standard deviation of that angle from place to place
+  double wave_length_m = 6.0;              ///< size of such places, along the wind
+  WindPattern field = WindPattern::gusts;  ///< of flakes
+  double speed_m_s = 1.5;                  ///< of flakes
+  double turbulence = 0.25;  ///< standard deviation of that speed over its mean, in gusts
 
   bool operator==(const Wind&) const = default;
 };
@@ -201,11 +203,11 @@ struct Camera {
 struct Render {
   std::vector<std::string> renderers = {"blender", "povray"};  ///< exporters by name, each once
   std::array<int, 2> size_px = {960, 540};
-  int samples = 4;               ///< per pixel
-  std::string grass = "texels";  ///< "texels", "blades", "auto", "points"
-  double exposure = 0.0;         ///< in stops
+  int samples = 4;  ///< per pixel
+  GrassForm grass = GrassForm::texels;
+  double exposure = 0.0;  ///< in stops
   int df3_bits = 8;
-  std::string device = "cpu";     ///< of Blender: "cpu", "gpu", "auto"
+  Device device = Device::cpu;    ///< of Blender
   int threads = 0;                ///< 0: all
   double timeout_minutes = 60.0;  ///< per frame and renderer
 
@@ -260,9 +262,9 @@ struct SeasonKey {
 
 /// Flakes in the air.
 struct Snowfall {
-  std::string strength = "weather";  ///< "weather", "light", "moderate", "blizzard"
-  std::string motion = "physical";   ///< "physical", "paper"
-  std::string crystal = "mixed";     ///< "mixed", "dendrite", "plate", "column", "aggregate"
+  SnowfallStrength strength = SnowfallStrength::weather;
+  Law motion = Law::physical;
+  CrystalChoice crystal = CrystalChoice::mixed;
   int flakes = 0;  ///< drawn in the picture, about; 0: 30000, or the paper's 500, 1000 or 4000
   std::array<double, 3> box_m = {16.0, 16.0, 10.0};  ///< the paper's: east, north, up
   double shutter_s = 0.003;                          ///< how long each picture is exposed
@@ -280,7 +282,7 @@ struct Rainfall {
 
 /// Snow on the ground and on the grass.
 struct SnowCover {
-  std::string cover = "depth";   ///< "depth", "paper", "none"
+  CoverModel cover = CoverModel::depth;
   double initial_mm = 0.0;       ///< of water that lies when the weather begins
   double drifting = 0.5;         ///< k of 1 + k tanh(Sx / 15 degrees)
   double melt_mm_per_day = 3.0;  ///< degree-day factor, per kelvin above 0 degrees Celsius
@@ -292,7 +294,7 @@ struct SnowCover {
 
 /// A layer of clouds. What is empty is as models/cloud has it for the kind, or as the pictures do.
 struct CloudLayer {
-  std::string kind = "cumulus";       ///< "stratus", "stratocumulus", "cumulus", "cirrus"
+  CloudKind kind = CloudKind::cumulus;
   std::vector<std::string> textures;  ///< paths of pictures; none: made for the kind
   std::optional<double> base_m;       ///< above the terrain's zero
   std::optional<double> thickness_m;  ///< of the thickest clouds
@@ -301,22 +303,22 @@ struct CloudLayer {
   std::optional<double> cover;        ///< share of the sky that is covered
   std::optional<double> opacity;      ///< of the densest place
   double gathered = 1.0;              ///< at the film's start: 0 none of it is there, 1 all
-  std::string repeat = "blend";       ///< "blend", "paper"
-  std::string motion = "physical";    ///< "physical", "paper"
+  CloudRepeat repeat = CloudRepeat::blend;
+  Law motion = Law::physical;
   double speed_m_s = 8.0;
-  double heading_deg = 90.0;       ///< where it drifts to, clockwise from north
-  double gusts_m_s = 0.0;          ///< standard deviation of the velocity
-  std::string light = "physical";  ///< "physical", "paper"
-  std::string body = "sheet";      ///< "sheet", "volume"
+  double heading_deg = 90.0;  ///< where it drifts to, clockwise from north
+  double gusts_m_s = 0.0;     ///< standard deviation of the velocity
+  Law light = Law::physical;
+  CloudBody body = CloudBody::sheet;
 
   bool operator==(const CloudLayer&) const = default;
 };
 
 /// Something that happens to the clouds on the film's time line. Each kind has keys of its own.
 struct CloudEvent {
-  std::string kind = "wind";  ///< "wind", "faster", "slower", "gather", "dissipate", "light"
-  int layer = 0;              ///< the number of a layer, from 1; 0: all
-  double start_s = 0.0;       ///< since the first frame
+  CloudEventKind kind = CloudEventKind::wind;
+  int layer = 0;         ///< the number of a layer, from 1; 0: all
+  double start_s = 0.0;  ///< since the first frame
   double duration_s = 60.0;
   std::vector<std::int64_t> date = {};   ///< in a season: year, month, day on which it begins
   std::vector<std::int64_t> until = {};  ///< in a season: the day on which it has happened
@@ -327,7 +329,7 @@ struct CloudEvent {
   double by = 1.0;                       ///< gather, dissipate: share of the way to all, or to none
   std::vector<double> colour = {0.7, 0.4, 0.4};  ///< light: afterwards; empty: of sun_elevation_deg
   double sun_elevation_deg = 5.0;
-  std::string fade = "optical";  ///< "optical", "paper"
+  CloudFade fade = CloudFade::optical;
 
   bool operator==(const CloudEvent&) const = default;
 };

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "scene/calendar.h"
 #include "scene/registry.h"
@@ -73,9 +72,6 @@ class Judge {
 
   void judge_sources() const {
     const std::string& table = scene_.season.table;
-    std::error_code error;
-    if (!table.empty() && !std::filesystem::is_regular_file(table, error))
-      add("season.table", fmt::format("found {}, expected a file that is there", in_quotes(table)));
     const bool withers = std::ranges::any_of(
         scene_.season_keys, [](const SeasonKey& key) { return key.weathering.has_value(); });
     if (table.empty() && !withers)

@@ -32,16 +32,14 @@ std::vector<Key> weather_keys() {
 std::vector<Key> snowfall_keys() {
   return {
       bound(
-          word("snowfall.strength", {"weather", "light", "moderate", "blizzard"},
+          word("snowfall.strength",
                "How much snow falls: the weather's precipitation, or 0.4, 1.2 or 4 mm of water an "
                "hour."),
           FIELD(snowfall.strength)),
-      bound(word("snowfall.motion", {"physical", "paper"},
+      bound(word("snowfall.motion",
                  "Flakes of physical sizes at their terminal speeds, or as the paper has them."),
             FIELD(snowfall.motion)),
-      bound(word("snowfall.crystal", {"mixed", "dendrite", "plate", "column", "aggregate"},
-                 "What near flakes look like."),
-            FIELD(snowfall.crystal)),
+      bound(word("snowfall.crystal", "What near flakes look like."), FIELD(snowfall.crystal)),
       bound(integer("snowfall.flakes", "", {0, 1000000},
                     "Flakes drawn in the picture, about; more of the far ones are drawn singly. 0 "
                     "is 30000, or the paper's 500, 1000 or 4000 for its motion. All others dim and "
@@ -72,7 +70,7 @@ std::vector<Key> rainfall_keys() {
 std::vector<Key> snow_cover_keys() {
   return {
       bound(
-          word("snow_cover.cover", {"depth", "paper", "none"},
+          word("snow_cover.cover",
                "Snow of a depth that follows the weather, the paper's whitening by growing noise, "
                "or none."),
           FIELD(snow_cover.cover)),

@@ -42,7 +42,7 @@ Rule keel_fits_the_blade(const Judged& judged) {
   const Plant& plant = judged.species.plant;
   const std::string& table = judged.in.plant;
   return {{table + ".keel_depth", table + ".width", judged.in.physiology + ".droop_rule"},
-          judged.species.physiology.droop_rule != "elastica" ||
+          judged.species.physiology.droop_rule != DroopRule::elastica ||
               plant.keel_depth_m <= 0.5 * plant.width_m,
           fmt::format("{0}.keel_depth: found {1} m, expected at most {2} m, half of {0}.width: a "
                       "blade folded flat is no deeper",
@@ -52,19 +52,21 @@ Rule keel_fits_the_blade(const Judged& judged) {
 Rule hair_droops_by_the_papers_rule(const Judged& judged) {
   const Physiology& ageing = judged.species.physiology;
   return {{judged.in.physiology + ".droop_rule", judged.in.fur + ".clumps"},
-          !is_hair(ageing) || ageing.droop_rule == "paper",
+          !is_hair(ageing) || ageing.droop_rule == DroopRule::paper,
           fmt::format("{}.droop_rule: found \"{}\", expected \"paper\" for fur ({}.clumps is "
                       "{}): wet hairs are drawn together, not bowed by their weight",
-                      judged.in.physiology, ageing.droop_rule, judged.in.fur, ageing.fur.clumps)};
+                      judged.in.physiology, word_of(ageing.droop_rule), judged.in.fur,
+                      ageing.fur.clumps)};
 }
 
 Rule hair_moves_in_closed_form(const Judged& judged) {
   const Physiology& ageing = judged.species.physiology;
-  return {{judged.in.physiology + ".motion", judged.in.fur + ".clumps"},
-          !is_hair(ageing) || ageing.motion == "closed_form",
-          fmt::format("{}.motion: found \"{}\", expected \"closed_form\" for fur ({}.clumps is "
-                      "{}): hairs stand up as they dry, Algorithm 1 lets blades fall",
-                      judged.in.physiology, ageing.motion, judged.in.fur, ageing.fur.clumps)};
+  return {
+      {judged.in.physiology + ".motion", judged.in.fur + ".clumps"},
+      !is_hair(ageing) || ageing.motion == AgeingMotion::closed_form,
+      fmt::format("{}.motion: found \"{}\", expected \"closed_form\" for fur ({}.clumps is "
+                  "{}): hairs stand up as they dry, Algorithm 1 lets blades fall",
+                  judged.in.physiology, word_of(ageing.motion), judged.in.fur, ageing.fur.clumps)};
 }
 
 Rule blades_fit_the_patch(const Judged& judged) {

@@ -66,7 +66,7 @@ std::vector<Key> physiology_keys(const std::string& table, Part of) {
       bound(curve(table + ".chlorophyll", {"standard", "drought", "cold"},
                   "Relative chlorophyll content over the weathering degree."),
             PART(chlorophyll)),
-      bound(word(table + ".colour", {"prospect", "paper", "melanin"},
+      bound(word(table + ".colour",
                  "How pigments become colour: the PROSPECT leaf model, the paper's functions, or "
                  "those of hair, dark when wet."),
             PART(colour)),
@@ -80,11 +80,11 @@ std::vector<Key> physiology_keys(const std::string& table, Part of) {
       bound(number(table + ".stiffening", "", {0, 100},
                    "How many times stiffer a dry blade is, less one."),
             PART(stiffening)),
-      bound(word(table + ".droop_rule", {"paper", "elastica"},
+      bound(word(table + ".droop_rule",
                  "How blades bow: about their roots by the paper's rule, or as elastic blades "
                  "under their own weight."),
             PART(droop_rule)),
-      bound(word(table + ".motion", {"closed_form", "points"},
+      bound(word(table + ".motion",
                  "How blades get there: by the rule's closed form, or point by point through the "
                  "weathering degrees (Algorithm 1 of the paper)."),
             PART(motion)),

@@ -50,7 +50,7 @@ std::vector<double> evenly(int count, double first, double last) {
 
 void raise_mountain(Scene& scene) {
   Terrain& terrain = scene.terrain;
-  terrain.shape = "mountain";
+  terrain.shape = TerrainShape::mountain;
   terrain.size_m = 48.0;
   terrain.samples = 385;
   terrain.hill_height_m = 10.0;
@@ -94,7 +94,7 @@ Starter mountain() {
 
 CloudLayer heaps(double cover) {
   CloudLayer layer;
-  layer.kind = "cumulus";
+  layer.kind = CloudKind::cumulus;
   layer.cover = cover;
   layer.heading_deg = 60.0;
   return layer;
@@ -102,7 +102,7 @@ CloudLayer heaps(double cover) {
 
 CloudLayer fibres() {
   CloudLayer layer;
-  layer.kind = "cirrus";
+  layer.kind = CloudKind::cirrus;
   layer.speed_m_s = 25.0;
   layer.heading_deg = 80.0;
   return layer;
@@ -122,7 +122,8 @@ Starter clouds() {
   scene.camera.field_of_view_deg = 60.0;
   scene.clouds = {heaps(0.5), fibres()};
   scene.clouds[0].gathered = 0.4;
-  scene.cloud_events = {{.kind = "gather", .layer = 1, .start_s = 12.0, .duration_s = 60.0}};
+  scene.cloud_events = {
+      {.kind = CloudEventKind::gather, .layer = 1, .start_s = 12.0, .duration_s = 60.0}};
   return {"clouds",
           "Clouds that drift and gather over a meadow that hardly withers meanwhile.",
           scene,

@@ -75,13 +75,13 @@ scene::Scene simplified(scene::Scene scene, int width_px) {
   if (place::is_large(scene)) width_px = std::min(width_px, widest_of_large_px);
   const double aspect = static_cast<double>(scene.render.size_px[1]) / scene.render.size_px[0];
   scene.render.size_px = {width_px, std::max(1, static_cast<int>(std::lround(aspect * width_px)))};
-  scene.render.grass = "blades";
+  scene.render.grass = scene::GrassForm::blades;
   scene.terrain.samples = std::min(scene.terrain.samples, most_samples);
   scene.grass.levels = {voxels};
   scene.grass.key_frames = few_key_frames(scene);
   scene.grass.variants = std::min(scene.grass.variants, 2);
   scene.grass.far_pixels = std::max(scene.grass.far_pixels, standing_pixels(scene));
-  for (scene::CloudLayer& layer : scene.clouds) layer.body = "sheet";
+  for (scene::CloudLayer& layer : scene.clouds) layer.body = scene::CloudBody::sheet;
   return scene;
 }
 
@@ -91,7 +91,8 @@ PreviewFilm::PreviewFilm(const scene::Scene& scene, const std::vector<int>& fram
       site_(place::make_site(scene, scratch / "snow", sketch_of(scene))),
       texels_(scene, meadow::film_lights(scene, site_), scratch / "texels") {
   for (const int frame : frames) {
-    const double snow = grass::PatchState::level_of(meadow::canopy_snow(scene, frame));
+    const double snow =
+        grass::PatchState::level_of(meadow::canopy_snow(scene, frame, site_.season.get()));
     const double light = meadow::light_of_frame(scene, frame);
     moments_.emplace(frame, Moment{site_, static_cast<int>(std::lround(snow)),
                                    static_cast<int>(std::lround(light))});

@@ -83,7 +83,7 @@ SnowGround::SnowGround(const scene::Scene& scene, const Heightfield& terrain,
     clock_ = snow_clock(scene);
     rise_ = GroundRise(terrain_);
   }
-  if (cover_.cover == "depth") slide_.emplace(terrain_);
+  if (cover_.cover == scene::CoverModel::depth) slide_.emplace(terrain_);
   progress_ = beginning();
 }
 
@@ -139,8 +139,8 @@ const FactorMap& SnowGround::drift_of(const WeatherMoment& weather) const {
 }
 
 FactorMap SnowGround::white(const State& state, int samples) const {
-  if (cover_.cover == "none") return {samples, terrain_.size_m(), 0.0F};
-  if (cover_.cover == "paper") {
+  if (cover_.cover == scene::CoverModel::none) return {samples, terrain_.size_m(), 0.0F};
+  if (cover_.cover == scene::CoverModel::paper) {
     const double gamma = std::min(state.fallen_mm / cover_.white_after_mm, 1.0);
     return paper_white(terrain_.size_m(), gamma, samples, seed_);
   }

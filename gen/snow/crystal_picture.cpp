@@ -33,8 +33,8 @@ FlakePictures::FlakePictures(std::uint64_t seed) {
     Image picture = std::move(drawn[i]);
     for (int level = 0; level < levels; ++level) {
       if (level > 0) picture = halved(picture);
-      add(fmt::format("{}_{}_{}", crystal_names[i / individuals], i % individuals + 1,
-                      picture.width),
+      add(fmt::format("{}_{}_{}", scene::word_of(single_crystals[i / individuals]),
+                      i % individuals + 1, picture.width),
           picture);
     }
   }

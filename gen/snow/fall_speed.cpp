@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "core/elementary.h"
 
@@ -41,12 +40,11 @@ double fall_speed_m_s(Crystal crystal, double diameter_mm) {
   return law.a * math::pow(std::clamp(diameter_mm, law.least_mm, law.greatest_mm), law.b);
 }
 
-std::array<double, crystal_kinds> crystal_shares(const std::string& choice, double diameter_mm) {
-  if (choice == "mixed") return mixed_shares(diameter_mm);
+std::array<double, crystal_kinds> crystal_shares(scene::CrystalChoice choice, double diameter_mm) {
+  if (choice == scene::CrystalChoice::mixed) return mixed_shares(diameter_mm);
   std::array<double, crystal_kinds> shares = {};
-  const auto* const found = std::find(crystal_names.begin(), crystal_names.end(), choice);
-  if (found == crystal_names.end()) throw std::invalid_argument("no crystal is called " + choice);
-  shares[static_cast<std::size_t>(found - crystal_names.begin())] = 1.0;
+  for (std::size_t crystal = 0; crystal < crystal_kinds; ++crystal)
+    shares[crystal] = single_crystals[crystal] == choice ? 1.0 : 0.0;
   return shares;
 }
 

@@ -242,7 +242,7 @@ FallingSnow::FallingSnow(const scene::Scene& scene, const Weather& weather,
           {scene.seed, key_of(what == Falling::rain ? "rain" : "snow"), 0, key_of("flakes")})),
       flakes_(asked_for(scene, what) > 0 ? asked_for(scene, what) : usual_flakes),
       shutter_s_(what == Falling::rain ? scene.rainfall.shutter_s : scene.snowfall.shutter_s) {
-  if (scene.wind.field == "tornado" && what == Falling::snow)
+  if (scene.wind.field == scene::WindPattern::tornado && what == Falling::snow)
     tornado_.emplace(scene, key_, static_cast<std::uint64_t>(flakes_));
 }
 

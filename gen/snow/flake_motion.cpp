@@ -65,7 +65,7 @@ Population::Population(std::uint64_t key, std::uint64_t flakes, int most_bits)
 FlakeMotion::FlakeMotion(const scene::Scene& scene, const Weather& weather, double rate_mm_h,
                          Falling what)
     : what_(what),
-      wind_(weather, scene.wind.field == "steady" ? 0.0 : scene.wind.turbulence,
+      wind_(weather, scene.wind.field == scene::WindPattern::steady ? 0.0 : scene.wind.turbulence,
             random_bits({scene.seed, key_of("snow"), 0, key_of("wind")})),
       sizes_(what == Falling::rain ? FlakeSizes::raindrops(rate_mm_h)
                                    : FlakeSizes(rate_mm_h, scene.snowfall.crystal)),

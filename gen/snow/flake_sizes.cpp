@@ -12,7 +12,7 @@ namespace wold::snow {
 namespace {
 
 /// Mean speed of flakes of a size.
-double mean_speed_m_s(const std::string& choice, double diameter_mm) {
+double mean_speed_m_s(scene::CrystalChoice choice, double diameter_mm) {
   const auto shares = crystal_shares(choice, diameter_mm);
   double mean = 0.0;
   for (std::size_t i = 0; i < crystal_kinds; ++i)
@@ -21,7 +21,7 @@ double mean_speed_m_s(const std::string& choice, double diameter_mm) {
 }
 
 /// Mean speed of the water in the air, flakes of all sizes: that of x^3 exp(-x) / 6, x = Lambda d.
-double speed_of_water_m_s(const std::string& choice, double lambda_per_mm) {
+double speed_of_water_m_s(scene::CrystalChoice choice, double lambda_per_mm) {
   constexpr int steps = 600;
   constexpr double highest = 30.0, step = highest / steps;
   double sum = 0.0;
@@ -45,7 +45,7 @@ void FlakeSizes::set_speed(std::size_t rank, double speed_m_s) {
   speeds_[rank] = static_cast<std::uint16_t>(std::lround(speed_m_s / rank_unit_m_s));
 }
 
-FlakeSizes::FlakeSizes(double rate_mm_h, const std::string& crystal) : FlakeSizes() {
+FlakeSizes::FlakeSizes(double rate_mm_h, scene::CrystalChoice crystal) : FlakeSizes() {
   const SizeDistribution sizes = gunn_marshall(rate_mm_h);
   constexpr double g_per_m2_s_of_mm_h = 1000.0 / 3600.0;
   const double factor = g_per_m2_s_of_mm_h * rate_mm_h / sizes.water_g_per_m3() /

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "snow/fall_speed.h"
@@ -27,7 +26,7 @@ class FlakeSizes {
  public:
   /// `rate_mm_h` is the one at which the water that falls is exactly that; > 0. `crystal` as in
   /// crystal_shares().
-  FlakeSizes(double rate_mm_h, const std::string& crystal);
+  FlakeSizes(double rate_mm_h, scene::CrystalChoice crystal);
 
   /// Drops of the heaviest rain; > 0.
   static FlakeSizes raindrops(double heaviest_mm_h);

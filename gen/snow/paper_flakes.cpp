@@ -47,7 +47,7 @@ PaperSnow::PaperSnow(const scene::Scene& scene, const Weather& weather,
                      const FlakePictures& pictures)
     : weather_(weather),
       pictures_(pictures),
-      wind_(weather, scene.wind.field == "steady" ? 0.0 : scene.wind.turbulence,
+      wind_(weather, scene.wind.field == scene::WindPattern::steady ? 0.0 : scene.wind.turbulence,
             random_bits({scene.seed, key_of("paper snow"), 0, key_of("wind")})),
       key_(random_bits({scene.seed, key_of("paper snow"), 0, key_of("flakes")})),
       box_m_(scene.snowfall.box_m[0], scene.snowfall.box_m[1], scene.snowfall.box_m[2]),
@@ -55,7 +55,7 @@ PaperSnow::PaperSnow(const scene::Scene& scene, const Weather& weather,
       asked_for_(scene.snowfall.flakes),
       shutter_s_(scene.snowfall.shutter_s) {
   constexpr std::uint64_t most_of_the_papers = 4000;
-  if (scene.wind.field == "tornado")
+  if (scene.wind.field == scene::WindPattern::tornado)
     tornado_.emplace(
         scene, key_,
         asked_for_ > 0.0 ? static_cast<std::uint64_t>(asked_for_) : most_of_the_papers);

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
-#include <string>
 
 #include "core/ground_map.h"
 #include "scene/scene.h"
@@ -102,7 +101,7 @@ class PaperSnow {
   std::optional<Tornado> tornado_;
   std::uint64_t key_;
   glm::dvec3 box_m_;
-  std::string crystal_;
+  scene::CrystalChoice crystal_;
   double asked_for_;  ///< 0: the paper's
   double shutter_s_;
 };

@@ -5,7 +5,7 @@ namespace {
 
 std::variant<FallingSnow, PaperSnow> snow_of(const scene::Scene& scene, const Weather& weather,
                                              const FlakePictures& pictures) {
-  if (scene.snowfall.motion == "paper") return PaperSnow(scene, weather, pictures);
+  if (scene.snowfall.motion == scene::Law::paper) return PaperSnow(scene, weather, pictures);
   return FallingSnow(scene, weather, pictures);
 }
 

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <string>
+#include <optional>
 
 #include "core/elementary.h"
 #include "phenology/film_season.h"
@@ -53,13 +52,26 @@ std::optional<snowpack::SnowSky> between(const std::optional<snowpack::SnowSky>&
       .slant_north_w_m2 = std::lerp(a->slant_north_w_m2, b->slant_north_w_m2, share)};
 }
 
+/// How much water snow of that strength brings, in mm/h; none: as much as the weather does.
+std::optional<double> rate_of(scene::SnowfallStrength strength) {
+  switch (strength) {
+    case scene::SnowfallStrength::weather:
+      return std::nullopt;
+    case scene::SnowfallStrength::light:
+      return 0.4;
+    case scene::SnowfallStrength::moderate:
+      return 1.2;
+    case scene::SnowfallStrength::blizzard:
+      return 4.0;
+  }
+  return std::nullopt;
+}
+
 /// What snowfall.strength makes of the weather.
-WeatherMoment with_strength(WeatherMoment moment, const std::string& strength) {
-  static const std::map<std::string, double> rates_mm_h = {
-      {"light", 0.4}, {"moderate", 1.2}, {"blizzard", 4.0}};
-  const auto rate = rates_mm_h.find(strength);
-  if (rate == rates_mm_h.end()) return moment;
-  moment.precipitation_mm_h = moment.falling_mm_h = rate->second;
+WeatherMoment with_strength(WeatherMoment moment, scene::SnowfallStrength strength) {
+  const std::optional<double> rate_mm_h = rate_of(strength);
+  if (!rate_mm_h) return moment;
+  moment.precipitation_mm_h = moment.falling_mm_h = *rate_mm_h;
   moment.temperature_c = std::min(moment.temperature_c, 0.0);
   if (moment.sky) moment.sky->phase_c = std::min(moment.sky->phase_c, snowpack::all_snow_c);
   return moment;
@@ -119,9 +131,9 @@ std::vector<Weather::Row> Weather::rows_of_table(const scene::Scene& scene) {
 }
 
 /// Every hour and a half, so that the middles of the snow's steps are among them.
-std::vector<Weather::Row> Weather::rows_of_season(const scene::Scene& scene) {
+std::vector<Weather::Row> Weather::rows_of_season(const scene::Scene& scene,
+                                                  const phenology::FilmSeason& season) {
   constexpr double day_h = 24.0, row_h = 0.5 * snowpack::snow_step_h, moment_h = 0.01;
-  const phenology::FilmSeason season(scene);
   const std::vector<weather::Day>& days = season.days();
   std::vector<Row> rows;
   for (std::size_t i = 0; i < days.size(); ++i) {
@@ -143,14 +155,18 @@ std::vector<Weather::Row> Weather::rows_of_season(const scene::Scene& scene) {
   return rows;
 }
 
-std::vector<Weather::Row> Weather::rows_of(const scene::Scene& scene) {
-  if (scene::is_season(scene)) return rows_of_season(scene);
+std::vector<Weather::Row> Weather::rows_of(const scene::Scene& scene,
+                                           const phenology::FilmSeason* season) {
+  if (scene::is_season(scene))
+    return phenology::with_season(scene, season, [&](const phenology::FilmSeason& days) {
+      return rows_of_season(scene, days);
+    });
   if (scene.weather.table.empty()) return {{.moment = of_keys(scene)}};
   return rows_of_table(scene);
 }
 
-Weather::Weather(const scene::Scene& scene)
-    : rows_(rows_of(scene)), earlier_s_(seconds_per_hour * scene.weather.earlier_h) {
+Weather::Weather(const scene::Scene& scene, const phenology::FilmSeason* season)
+    : rows_(rows_of(scene, season)), earlier_s_(seconds_per_hour * scene.weather.earlier_h) {
   for (Row& row : rows_) {
     row.moment = with_strength(row.moment, scene.snowfall.strength);
     row.wind_m_s = wind_of(row.moment);

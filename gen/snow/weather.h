@@ -7,6 +7,10 @@
 #include "scene/scene.h"
 #include "snowpack/snow_air.h"
 
+namespace wold::phenology {
+class FilmSeason;
+}
+
 namespace wold::snow {
 
 /// The weather at one moment, at the terrain's zero.
@@ -51,7 +55,8 @@ class Weather {
   /// everything found: a missing, unknown or repeated column, a number that is none or out of the
   /// range of the key it replaces (NaN, infinity, a negative rate), hours that do not rise.
   /// Throws FileError when the table cannot be read.
-  explicit Weather(const scene::Scene& scene);
+  /// `season`: the scene's, if it is one; without it the weather makes it for itself.
+  explicit Weather(const scene::Scene& scene, const phenology::FilmSeason* season = nullptr);
 
   /// `time_s` since the first frame; negative down to -earlier_s().
   WeatherMoment at(double time_s) const;
@@ -94,9 +99,10 @@ class Weather {
     double beyond_s = 0.0;  ///< since the last row, or, negative, until the first
   };
   Span span_at(double time_s) const;
-  static std::vector<Row> rows_of(const scene::Scene& scene);
+  static std::vector<Row> rows_of(const scene::Scene& scene, const phenology::FilmSeason* season);
   static std::vector<Row> rows_of_table(const scene::Scene& scene);
-  static std::vector<Row> rows_of_season(const scene::Scene& scene);
+  static std::vector<Row> rows_of_season(const scene::Scene& scene,
+                                         const phenology::FilmSeason& season);
   std::vector<Row> rows_;  ///< one at least
   double earlier_s_ = 0.0;
 };

@@ -68,7 +68,8 @@ inline constexpr double all_snow_c =
     SnowParameters{}.half_snow_c - 0.5 * SnowParameters{}.snow_span_c;
 
 /// Share of a day's precipitation that is snow, by a temperature of the day: half at half_snow_c,
-/// linear within snow_span_c about it. snow::snow_share() is the rule for the temperature of an hour.
+/// linear within snow_span_c about it. snow::snow_share() is the rule for the temperature of an
+/// hour.
 inline double snow_share(double temperature_c, const SnowParameters& parameters = {}) {
   const double share =
       0.5 - (temperature_c - parameters.half_snow_c) * (1.0 / parameters.snow_span_c);

@@ -26,7 +26,8 @@ Heightfield real_place(const scene::Terrain& terrain, std::uint64_t seed) {
 
 Heightfield make_ground(const scene::Terrain& terrain, std::uint64_t seed) {
   if (!terrain.elevation.empty()) return real_place(terrain, seed);
-  return terrain.shape == "mountain" ? make_mountain(terrain, seed) : make_hillside(terrain, seed);
+  return terrain.shape == scene::TerrainShape::mountain ? make_mountain(terrain, seed)
+                                                        : make_hillside(terrain, seed);
 }
 
 }  // namespace wold::terrain

@@ -102,7 +102,7 @@ double ground_samples(const scene::Scene& scene) {
 
 double cloud_voxels(const scene::Scene& scene) {
   const auto layers = static_cast<double>(
-      std::ranges::count(scene.clouds, std::string("volume"), &scene::CloudLayer::body));
+      std::ranges::count(scene.clouds, scene::CloudBody::volume, &scene::CloudLayer::body));
   const glm::dvec3 voxels(sky::cloud_box_voxels);
   return layers * voxels.x * voxels.y * voxels.z;
 }

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/machine.h"
 #include "film/exporters.h"
+#include "film/machine_check.h"
 #include "phenology/film_season.h"
 #include "scene/parse.h"
 #include "scene/renderers.h"
@@ -57,7 +58,11 @@ std::vector<int> counted(int count) {
 
 Job plan_job(const RenderOptions& options) {
   Job job;
-  job.scene = phenology::as_film(scene::read_scene(options.scene, options.overrides));
+  scene::LocatedScene read = scene::read_located_scene(options.scene, options.overrides);
+  film::require_files(read.scene, read.places);
+  job.season = phenology::film_season(read.scene);
+  job.scene = phenology::as_film(std::move(read.scene), job.season.get());
+  job.places = std::move(read.places);
   const int count = static_cast<int>(job.scene.ageing.frames.size());
   check_frames(options.frames, count);
   job.frames = options.frames.empty() ? counted(count) : options.frames;

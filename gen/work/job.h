@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "film/request.h"
+#include "scene/rule.h"
 
 namespace wold::work {
 
@@ -30,7 +31,8 @@ struct RenderOptions {
 
 /// What `render` and `generate` agree on before they work: what to make, and with what.
 struct Job : film::Request {
-  ChosenPrograms programs;
+  scene::Places places;       ///< where the scene file says what, for later checks that blame it
+  ChosenPrograms programs;    ///< that options name
   int threads = 0;            ///< 0: all processors
   double memory_bytes = 0.0;  ///< that all may take together; 0: the machine's, and no limit is set
 };
@@ -48,7 +50,7 @@ std::vector<int> counted(int count);
 std::string ranges_text(const std::vector<int>& rising);
 
 /// Reads the scene and resolves the options against it. Throws InputError, also for frames that
-/// the scene does not have.
+/// the scene does not have and for files that it names and that are not there.
 Job plan_job(const RenderOptions& options);
 
 /// One line about the job, above what there is to do.

@@ -53,7 +53,7 @@ std::string fault_of(const render::RendererProgram& program, const render::Capab
   const SceneNeeds needs = needs_of(scene);
   if (needs_volumes(needs) && !can.volumes) return no_volumes(program, needs);
   if (needs.fog && !can.fog) return no_fog(program);
-  if (program.kind->has_devices && scene.render.device == "gpu" && can.devices.empty())
+  if (program.kind->has_devices && scene.render.device == scene::Device::gpu && can.devices.empty())
     return no_device(program);
   return {};
 }

@@ -17,7 +17,7 @@ namespace {
 bool has_to_be_probed(const scene::Scene& scene, const render::Renderer& renderer) {
   const SceneNeeds needs = needs_of(scene);
   return needs_volumes(needs) || needs.fog ||
-         (renderer.has_devices && scene.render.device != "cpu");
+         (renderer.has_devices && scene.render.device != scene::Device::cpu);
 }
 
 /// What a program can do. One that once could not do enough may have got a driver or a library
@@ -33,7 +33,7 @@ render::Capabilities capabilities(const render::RendererProgram& program,
 void say_what_it_computes_on(const render::RendererProgram& program,
                              const render::Capabilities& can, const scene::Scene& scene,
                              Progress& progress) {
-  if (!program.kind->has_devices || scene.render.device != "auto") return;
+  if (!program.kind->has_devices || scene.render.device != scene::Device::automatic) return;
   if (can.devices.empty())
     progress.say(
         fmt::format("render.device = \"auto\": {} found no graphics card and takes the processor",

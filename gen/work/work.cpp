@@ -47,7 +47,7 @@ render::Job picture_job(const Job& job, const Task& task, const RendererShare& s
   picture.frame = task.index;
   picture.size_px = {settings.size_px[0], settings.size_px[1]};
   picture.samples = settings.samples;
-  picture.device = settings.device;
+  picture.device = scene::word_of(settings.device);
   picture.threads = share.threads;
   picture.memory_bytes = share.memory_bytes;
   picture.timeout = std::chrono::seconds(std::lround(settings.timeout_minutes * 60.0));
@@ -156,7 +156,8 @@ std::string Work::picture_source(const Task& task) {
       fmt::format("{} {}x{} {} {}", text_of(task), settings.size_px[0], settings.size_px[1],
                   settings.samples, scene_hashes(task.index).at(name_of(task.stage)));
   // Another device adds up in another order: the last bits differ.
-  if (renderer_of(task.stage).has_devices) text += " " + settings.device;
+  if (renderer_of(task.stage).has_devices)
+    text += fmt::format(" {}", scene::word_of(settings.device));
   return content_hash(text);
 }
 

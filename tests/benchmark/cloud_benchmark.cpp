@@ -18,7 +18,8 @@ namespace wold::cloud {
 namespace {
 
 scene::Scene sky_of(int layers) {
-  const char* const kinds[] = {"cumulus", "stratocumulus", "cirrus", "stratus"};
+  using enum scene::CloudKind;
+  const scene::CloudKind kinds[] = {cumulus, stratocumulus, cirrus, stratus};
   scene::Scene scene;
   for (int i = 0; i < layers; ++i) {
     scene::CloudLayer layer;

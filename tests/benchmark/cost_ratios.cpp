@@ -130,7 +130,7 @@ double snow_per_writing() {
   using namespace snow;
   constexpr std::size_t count = 1600 * lanes;
   scene::Scene scene;
-  scene.snowfall.strength = "moderate";
+  scene.snowfall.strength = scene::SnowfallStrength::moderate;
   const FlakePictures pictures(1);
   const FlakeMotion motion(scene, Weather(scene), 1.2);
   const Frustum frustum(SnowView{.eye_m = {20.0, 20.0, 1.6}, .target_m = {20.0, 30.0, 2.0}});
@@ -164,7 +164,8 @@ double snow_per_writing() {
 double clouds_per_copy() {
   constexpr int side = 2048, layers = 4;
   scene::Scene scene;
-  for (const char* kind : {"cumulus", "stratocumulus", "cirrus", "stratus"}) {
+  for (const auto kind : {scene::CloudKind::cumulus, scene::CloudKind::stratocumulus,
+                          scene::CloudKind::cirrus, scene::CloudKind::stratus}) {
     scene.clouds.emplace_back();
     scene.clouds.back().kind = kind;
     scene.clouds.back().cell_m = 4096.0;

@@ -34,7 +34,7 @@ SnowView view_in(const scene::Scene& scene) {
 template <class Snow>
 void frames_of_state(benchmark::State& state) {
   scene::Scene scene;
-  scene.snowfall.strength = "moderate";
+  scene.snowfall.strength = scene::SnowfallStrength::moderate;
   scene.snowfall.flakes = static_cast<int>(state.range(0));
   scene.terrain.size_m = 1e3 * static_cast<double>(state.range(1));
   const Snow snow(scene, Weather(scene), pictures());
@@ -80,7 +80,7 @@ double median(std::vector<double> values) {
 /// any other file of ours. By turns, so that whatever else the machine does slows both.
 void advance_and_write_a_million(benchmark::State& state) {
   scene::Scene scene;
-  scene.snowfall.strength = "moderate";
+  scene.snowfall.strength = scene::SnowfallStrength::moderate;
   const FlakeMotion motion(scene, Weather(scene), 1.2);
   const Frustum frustum(view_in(scene));
   const FlakeLook look(pictures(), frustum, scene.snowfall.shutter_s);

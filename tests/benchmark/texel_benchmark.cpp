@@ -107,8 +107,8 @@ void dynamics_step(benchmark::State& state) {
 void point_step(benchmark::State& state) {
   constexpr double bound_ms = 1.0;
   Sample sample;
-  sample.scene.ageing.motion = "points";
-  sample.scene.ageing.droop_rule = "elastica";
+  sample.scene.ageing.motion = scene::AgeingMotion::points;
+  sample.scene.ageing.droop_rule = scene::DroopRule::elastica;
   const double proportion =
       sample.scene.grass.proportion * 5000.0 / static_cast<double>(sample.points.size());
   sample.points = sample_points(sample.blades, sample.shape, proportion, 1);

@@ -8,6 +8,9 @@
 namespace wold::cloud {
 namespace {
 
+using scene::CloudEventKind;
+using scene::CloudFade;
+
 constexpr double pixel_m = 50.0;
 
 scene::Scene one_layer() {
@@ -29,7 +32,7 @@ double mean_opacity(const Image& image) {
 TEST(Compose, ShowsTheOpacityOfTheLayersDepth) {
   scene::Scene scene = one_layer();
   scene.clouds[0].heading_deg = 33.0;
-  scene.clouds[0].light = "paper";
+  scene.clouds[0].light = scene::Law::paper;
   const CloudState state = Clouds(scene, pixel_m).at(123.0);
   const Image image = composed(state, window);
   for (int y = 0; y < window.height_px; y += 7)
@@ -86,10 +89,11 @@ TEST(Compose, ALayerRepeatsAfterItsPeriod) {
 TEST(Compose, FramesAndThreadsDoNotMatter) {
   scene::Scene scene = one_layer();
   scene.clouds.push_back(scene.clouds[0]);
-  scene.clouds[1].kind = "cirrus";
+  scene.clouds[1].kind = scene::CloudKind::cirrus;
   scene.clouds[1].gusts_m_s = 2.0;
-  scene.cloud_events = {{.kind = "wind", .start_s = 100, .duration_s = 500, .heading_deg = 200},
-                        {.kind = "gather", .start_s = 100, .duration_s = 100}};
+  scene.cloud_events = {
+      {.kind = CloudEventKind::wind, .start_s = 100, .duration_s = 500, .heading_deg = 200},
+      {.kind = CloudEventKind::gather, .start_s = 100, .duration_s = 100}};
   const auto sun_of = [](int frame) {
     return glm::normalize(glm::dvec3(0.5, -1.0, 1.2 - 0.01 * frame));
   };
@@ -106,12 +110,13 @@ TEST(Compose, FramesAndThreadsDoNotMatter) {
 }
 
 TEST(Compose, OpacityIsMonotoneWhileCloudsGatherAndDissipate) {
-  for (const char* fade : {"optical", "paper"}) {
+  for (const CloudFade fade : {CloudFade::optical, CloudFade::paper}) {
     scene::Scene scene = one_layer();
     scene.clouds[0].gathered = 0.0;
     scene.clouds[0].speed_m_s = 0.0;
-    scene.cloud_events = {{.kind = "gather", .start_s = 0, .duration_s = 100, .fade = fade},
-                          {.kind = "dissipate", .start_s = 100, .duration_s = 100, .fade = fade}};
+    scene.cloud_events = {
+        {.kind = CloudEventKind::gather, .start_s = 0, .duration_s = 100, .fade = fade},
+        {.kind = CloudEventKind::dissipate, .start_s = 100, .duration_s = 100, .fade = fade}};
     const Clouds clouds(scene, pixel_m);
     EXPECT_EQ(mean_opacity(composed(clouds.at(0.0), window)), 0.0);
     Image last = composed(clouds.at(0.0), window);
@@ -128,9 +133,10 @@ TEST(Compose, OpacityIsMonotoneWhileCloudsGatherAndDissipate) {
 }
 
 /// Largest opacity in the middle of a wind that would turn the clouds into themselves.
-double opacity_half_way(const char* fade) {
+double opacity_half_way(CloudFade fade) {
   scene::Scene scene = one_layer();
-  scene.cloud_events = {{.kind = "wind", .duration_s = 100, .shear = 1e-9, .fade = fade}};
+  scene.cloud_events = {
+      {.kind = CloudEventKind::wind, .duration_s = 100, .shear = 1e-9, .fade = fade}};
   CloudState state = Clouds(scene, pixel_m).at(50.0);
   state.layers[0].next_map = state.layers[0].map;
   const Image image = composed(state, window);
@@ -140,18 +146,20 @@ double opacity_half_way(const char* fade) {
 }
 
 TEST(Compose, OpticalDepthsFadeWithoutThePapersDip) {
-  EXPECT_NEAR(opacity_half_way("optical"), 0.99, 0.003);
-  EXPECT_NEAR(opacity_half_way("paper"), 1.0 - 0.505 * 0.505, 0.003);  // 3/4 of an opaque cloud
+  EXPECT_NEAR(opacity_half_way(CloudFade::optical), 0.99, 0.003);
+  EXPECT_NEAR(opacity_half_way(CloudFade::paper), 1.0 - 0.505 * 0.505,
+              0.003);  // 3/4 of an opaque cloud
 }
 
 TEST(Compose, LowerLayersHideHigherOnes) {
   scene::Scene scene = one_layer();
   scene.clouds.push_back(scene.clouds[0]);
   scene.clouds[0].base_m = 500.0;  // a dark one below a white one
-  scene.clouds[0].light = "paper";
-  scene.clouds[1].light = "paper";
+  scene.clouds[0].light = scene::Law::paper;
+  scene.clouds[1].light = scene::Law::paper;
   for (auto& layer : scene.clouds) layer.speed_m_s = 0.0;
-  scene.cloud_events = {{.kind = "light", .layer = 1, .duration_s = 1.0, .colour = {0, 0, 0}}};
+  scene.cloud_events = {
+      {.kind = CloudEventKind::light, .layer = 1, .duration_s = 1.0, .colour = {0, 0, 0}}};
   const CloudState state = Clouds(scene, pixel_m).at(2.0);
   ASSERT_EQ(state.layers[1].layer->base_m, 500.0);
   const Image both = composed(state, window);
@@ -187,7 +195,7 @@ TEST(Clouds, RefuseMoreThanTheyCanHold) {
   EXPECT_THROW(Clouds(scene, 0.1), InputError);
   EXPECT_TRUE(Clouds(scene::Scene{}, pixel_m).at(0.0).layers.empty());
   EXPECT_EQ(Clouds::usual_pixel_m(scene), 3200.0 / 256);
-  scene.clouds[0].body = "volume";
+  scene.clouds[0].body = scene::CloudBody::volume;
   EXPECT_EQ(Clouds::usual_pixel_m(scene), 3200.0 / 512);
 }
 
@@ -197,7 +205,8 @@ TEST(Clouds, OfAnyScalesLieOverEachOther) {
   scene.clouds.push_back(scene.clouds[0]);
   scene.clouds[1].cell_m = 100000.0;
   scene.clouds[1].cells = {1, 64};
-  scene.cloud_events = {{.kind = "faster", .start_s = 5, .duration_s = 0.001, .factor = 100}};
+  scene.cloud_events = {
+      {.kind = CloudEventKind::faster, .start_s = 5, .duration_s = 0.001, .factor = 100}};
   const double usual_m = Clouds::usual_pixel_m(scene);
   EXPECT_NEAR(usual_m, 64 * 100000.0 / 2048.0, 1e-9);
   const Clouds clouds(scene, 4.0 * usual_m);

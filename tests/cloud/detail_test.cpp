@@ -50,7 +50,7 @@ TEST(Detail, IsTheOctavesThatTheMapLeavesOut) {
 }
 
 TEST(Detail, RepeatsWithItsLayer) {
-  const Detail detail(recipe_of("cirrus"), 64, cell_m, period_m, 3);
+  const Detail detail(recipe_of(scene::CloudKind::cirrus), 64, cell_m, period_m, 3);
   for (int i = 0; i < 100; ++i) {
     const glm::dvec2 at(i * 317.0, i * 211.0);
     EXPECT_NEAR(detail.at(at + period_m * glm::dvec2(2.0, -1.0), 0.0), detail.at(at, 0.0), 1e-6);

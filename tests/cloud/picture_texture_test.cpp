@@ -94,7 +94,7 @@ TEST(Pictures, OfOnePixelAreAVeil) {
   write_image(folder.path() / "one.exr", pixel, PixelFormat::float32);
   scene::CloudLayer layer;
   layer.textures = {(folder.path() / "one.exr").string()};
-  const TextureSet veil = textures_of(layer, recipe_of("cumulus"), 256, 1);
+  const TextureSet veil = textures_of(layer, recipe_of(scene::CloudKind::cumulus), 256, 1);
   EXPECT_EQ(veil.profile.front(), 1.0F);
   EXPECT_EQ(veil.cover, 1.0);
   EXPECT_NEAR(veil.densest_opacity, 0.25, 1e-6);
@@ -129,7 +129,7 @@ TEST(Pictures, WithoutAnyCloudAreAClearSky) {
   write_image(folder.path() / "black.png", Image(16, 16, 3), PixelFormat::uint8);
   scene::CloudLayer layer;
   layer.textures = {(folder.path() / "black.png").string()};
-  const TextureSet clear = textures_of(layer, recipe_of("cumulus"), 256, 1);
+  const TextureSet clear = textures_of(layer, recipe_of(scene::CloudKind::cumulus), 256, 1);
   EXPECT_EQ(clear.densest_opacity, 0.0);
   EXPECT_EQ(clear.profile.back(), 0.0F);
 }

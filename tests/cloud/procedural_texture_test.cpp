@@ -7,7 +7,7 @@
 namespace wold::cloud {
 namespace {
 
-class Kinds : public testing::TestWithParam<const char*> {};
+class Kinds : public testing::TestWithParam<scene::CloudKind> {};
 
 TEST_P(Kinds, TileToTheBit) {
   Recipe recipe = recipe_of(GetParam());
@@ -34,7 +34,8 @@ TEST_P(Kinds, HaveNoSeam) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Clouds, Kinds,
-                         testing::Values("stratus", "stratocumulus", "cumulus", "cirrus"));
+                         testing::Values(scene::CloudKind::stratus, scene::CloudKind::stratocumulus,
+                                         scene::CloudKind::cumulus, scene::CloudKind::cirrus));
 
 TEST(CellNoise, RepeatsExactlyAndIsADistance) {
   const glm::ivec2 period(3, 5);

@@ -25,7 +25,8 @@ double variogram(const PeriodicMap<float>& map, const glm::ivec2& pixels) {
 }
 
 TEST(Sheared, CloudsAreDrawnOutAlongTheWind) {
-  const TextureSet made = textures_of(scene::CloudLayer{}, recipe_of("cumulus"), 128, 3);
+  const TextureSet made =
+      textures_of(scene::CloudLayer{}, recipe_of(scene::CloudKind::cumulus), 128, 3);
   const double north_east = std::numbers::pi / 4.0;
   const TextureSet blown = sheared(made, north_east, 1.0);
   for (std::size_t t = 0; t < made.ranks.size(); ++t) {
@@ -43,7 +44,9 @@ TEST(Sheared, CloudsAreDrawnOutAlongTheWind) {
 
 TEST(TextureSet, KeysGiveOtherTexturesAndTheSameOnesAgain) {
   const auto first = [](std::uint64_t key) {
-    return textures_of(scene::CloudLayer{}, recipe_of("cirrus"), 32, key).ranks[0].values();
+    return textures_of(scene::CloudLayer{}, recipe_of(scene::CloudKind::cirrus), 32, key)
+        .ranks[0]
+        .values();
   };
   EXPECT_EQ(first(1), first(1));
   EXPECT_NE(first(1), first(2));
@@ -51,10 +54,11 @@ TEST(TextureSet, KeysGiveOtherTexturesAndTheSameOnesAgain) {
 
 TEST(TextureSet, LayersTakeTheSceneBeforeTheRecipe) {
   scene::CloudLayer layer;
-  EXPECT_EQ(textures_of(layer, recipe_of("cumulus"), 16, 1).cover, recipe_of("cumulus").cover);
+  EXPECT_EQ(textures_of(layer, recipe_of(scene::CloudKind::cumulus), 16, 1).cover,
+            recipe_of(scene::CloudKind::cumulus).cover);
   layer.cover = 0.75;
   layer.opacity = 0.5;
-  const TextureSet textures = textures_of(layer, recipe_of("cumulus"), 16, 1);
+  const TextureSet textures = textures_of(layer, recipe_of(scene::CloudKind::cumulus), 16, 1);
   EXPECT_EQ(textures.cover, 0.75);
   EXPECT_EQ(textures.densest_opacity, 0.5);
 }
@@ -71,7 +75,7 @@ TEST(TextureSet, AUsersPictureIsShownAsItIs) {
   scene::Scene scene;
   scene.clouds.resize(1);
   scene.clouds[0].textures = {(folder.path() / "a.exr").string()};
-  scene.clouds[0].repeat = "paper";
+  scene.clouds[0].repeat = scene::CloudRepeat::paper;
   scene.clouds[0].cell_m = 640.0;
   scene.clouds[0].cells = {2, 1};
   const Image shown = layer_picture(Clouds(scene, 10.0).at(0.0).layers[0], 10.0);

@@ -10,7 +10,7 @@ namespace wold::cloud {
 namespace {
 
 TextureSet cumulus(int side_px) {
-  return textures_of(scene::CloudLayer{}, recipe_of("cumulus"), side_px, 3);
+  return textures_of(scene::CloudLayer{}, recipe_of(scene::CloudKind::cumulus), side_px, 3);
 }
 
 /// Kolmogorov and Smirnov's distance of a map's ranks from an even spread.

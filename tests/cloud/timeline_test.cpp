@@ -8,6 +8,8 @@
 namespace wold::cloud {
 namespace {
 
+using scene::CloudEventKind;
+
 scene::Scene one_layer(std::vector<scene::CloudEvent> events) {
   scene::Scene scene;
   scene.clouds.resize(1);
@@ -25,10 +27,14 @@ TEST(Drift, GoesWhereTheHeadingPointsToInMetresPerSecond) {
 }
 
 TEST(Drift, IsTheIntegralOfItsVelocity) {
-  scene::Scene scene = one_layer(
-      {{.kind = "wind", .start_s = 50, .duration_s = 40, .heading_deg = 350, .speed_m_s = 20},
-       {.kind = "slower", .start_s = 120, .duration_s = 10, .factor = 4},
-       {.kind = "faster", .start_s = 130, .duration_s = 30, .factor = 2}});
+  scene::Scene scene =
+      one_layer({{.kind = CloudEventKind::wind,
+                  .start_s = 50,
+                  .duration_s = 40,
+                  .heading_deg = 350,
+                  .speed_m_s = 20},
+                 {.kind = CloudEventKind::slower, .start_s = 120, .duration_s = 10, .factor = 4},
+                 {.kind = CloudEventKind::faster, .start_s = 130, .duration_s = 30, .factor = 2}});
   scene.clouds[0].gusts_m_s = 3.0;
   const Timeline timeline(scene, 0, 1e3);
   const int steps = 20000;  // the midpoint rule's error falls with their square
@@ -42,10 +48,12 @@ TEST(Drift, IsTheIntegralOfItsVelocity) {
 }
 
 TEST(Drift, TurnsTheShorterWayAndEndsAsTheWindSays) {
-  const Timeline timeline(
-      one_layer(
-          {{.kind = "wind", .start_s = 10, .duration_s = 20, .heading_deg = 350, .speed_m_s = 5}}),
-      0, 1e3);
+  const Timeline timeline(one_layer({{.kind = CloudEventKind::wind,
+                                      .start_s = 10,
+                                      .duration_s = 20,
+                                      .heading_deg = 350,
+                                      .speed_m_s = 5}}),
+                          0, 1e3);
   const double deg = std::numbers::pi / 180.0;
   const glm::dvec2 end = timeline.at(31.0).velocity_m_s;
   EXPECT_NEAR(glm::distance(end, 5.0 * glm::dvec2(std::sin(350 * deg), std::cos(350 * deg))), 0.0,
@@ -78,7 +86,8 @@ TEST(Drift, FollowsTheSeasonsWind) {
   const glm::dvec2 end = Timeline(scene, 0, 1e3).at(100.0).velocity_m_s;
   EXPECT_NEAR(glm::distance(end, 24.0 * glm::dvec2(std::sin(260 * deg), std::cos(260 * deg))), 0.0,
               1e-9);
-  scene.cloud_events = {{.kind = "faster", .start_s = 30, .duration_s = 50, .factor = 2}};
+  scene.cloud_events = {
+      {.kind = CloudEventKind::faster, .start_s = 30, .duration_s = 50, .factor = 2}};
   const Timeline timeline(scene, 0, 1e3);
   EXPECT_NEAR(glm::length(timeline.at(100.0).velocity_m_s), 48.0, 1e-9);
   EXPECT_NEAR(glm::distance(timeline.at(0.0).velocity_m_s, {8.0, 0.0}), 0.0, 1e-12);
@@ -116,9 +125,10 @@ TEST(Gusts, HaveTheirDeviationAndNoMean) {
 }
 
 TEST(PaperDrift, GrowsByATenThousandthAndBySine) {
-  scene::Scene scene = one_layer({{.kind = "faster", .start_s = 100, .duration_s = 50},
-                                  {.kind = "wind", .start_s = 200, .duration_s = 10}});
-  scene.clouds[0].motion = "paper";
+  scene::Scene scene =
+      one_layer({{.kind = CloudEventKind::faster, .start_s = 100, .duration_s = 50},
+                 {.kind = CloudEventKind::wind, .start_s = 200, .duration_s = 10}});
+  scene.clouds[0].motion = scene::Law::paper;
   scene.film.frame_seconds = 10.0;
   const Timeline timeline(scene, 0, 500.0);
   const auto cells = [&](double time_s) { return timeline.at(time_s).way_m / 500.0; };
@@ -134,8 +144,11 @@ TEST(PaperDrift, GrowsByATenThousandthAndBySine) {
 
 TEST(Timeline, GathersAndDissipatesMonotonically) {
   scene::Scene scene =
-      one_layer({{.kind = "gather", .start_s = 10, .duration_s = 10, .by = 0.5},
-                 {.kind = "dissipate", .start_s = 30, .duration_s = 20, .fade = "paper"}});
+      one_layer({{.kind = CloudEventKind::gather, .start_s = 10, .duration_s = 10, .by = 0.5},
+                 {.kind = CloudEventKind::dissipate,
+                  .start_s = 30,
+                  .duration_s = 20,
+                  .fade = scene::CloudFade::paper}});
   scene.clouds[0].gathered = 0.2;
   const Timeline timeline(scene, 0, 1e3);
   EXPECT_DOUBLE_EQ(timeline.at(0.0).amount, 0.2);
@@ -154,8 +167,11 @@ TEST(Timeline, GathersAndDissipatesMonotonically) {
 /// A frame of 4 s every second day of 40: the clouds' clock has 84 s at the end.
 TEST(Timeline, DaysOfASeasonAreOnTheCloudsClock) {
   scene::Scene scene =
-      one_layer({{.kind = "dissipate", .date = {2026, 9, 11}, .until = {2026, 9, 21}, .by = 0.5},
-                 {.kind = "gather", .duration_s = 8.0, .date = {2026, 10, 1}}});
+      one_layer({{.kind = CloudEventKind::dissipate,
+                  .date = {2026, 9, 11},
+                  .until = {2026, 9, 21},
+                  .by = 0.5},
+                 {.kind = CloudEventKind::gather, .duration_s = 8.0, .date = {2026, 10, 1}}});
   scene.season.first = {2026, 9, 1};
   scene.season.last = {2026, 10, 11};
   scene.season.frames = 21;
@@ -171,9 +187,12 @@ TEST(Timeline, DaysOfASeasonAreOnTheCloudsClock) {
 
 TEST(Timeline, TurnsFromShapeToShape) {
   const Timeline timeline(
-      one_layer({{.kind = "wind", .start_s = 10, .duration_s = 10, .heading_deg = 0},
-                 {.kind = "wind", .start_s = 20, .duration_s = 10, .shear = 0},
-                 {.kind = "wind", .start_s = 40, .duration_s = 10, .fade = "paper"}}),
+      one_layer({{.kind = CloudEventKind::wind, .start_s = 10, .duration_s = 10, .heading_deg = 0},
+                 {.kind = CloudEventKind::wind, .start_s = 20, .duration_s = 10, .shear = 0},
+                 {.kind = CloudEventKind::wind,
+                  .start_s = 40,
+                  .duration_s = 10,
+                  .fade = scene::CloudFade::paper}}),
       0, 1e3);
   ASSERT_EQ(timeline.shapes().size(), 3u);  // a wind without shear makes none
   EXPECT_EQ(timeline.at(5.0).next_share, 0.0);
@@ -186,13 +205,14 @@ TEST(Timeline, TurnsFromShapeToShape) {
 }
 
 TEST(Timeline, LightTurnsToTheColourOrToTheSuns) {
-  const Timeline timeline(one_layer({{.kind = "light", .start_s = 0, .duration_s = 10},
-                                     {.kind = "light",
-                                      .start_s = 20,
-                                      .duration_s = 10,
-                                      .colour = {},
-                                      .sun_elevation_deg = 8.0}}),
-                          0, 1e3);
+  const Timeline timeline(
+      one_layer({{.kind = CloudEventKind::light, .start_s = 0, .duration_s = 10},
+                 {.kind = CloudEventKind::light,
+                  .start_s = 20,
+                  .duration_s = 10,
+                  .colour = {},
+                  .sun_elevation_deg = 8.0}}),
+      0, 1e3);
   EXPECT_NEAR(glm::distance(timeline.at(5.0).light, {0.85, 0.7, 0.7}), 0.0, 1e-12);
   EXPECT_NEAR(glm::distance(timeline.at(15.0).light, {0.7, 0.4, 0.4}), 0.0, 1e-12);
   const glm::dvec3 low = timeline.at(100.0).light;
@@ -203,7 +223,8 @@ TEST(Timeline, LightTurnsToTheColourOrToTheSuns) {
 }
 
 TEST(Timeline, EventsOfOtherLayersDoNotCount) {
-  scene::Scene scene = one_layer({{.kind = "dissipate", .layer = 2, .duration_s = 1.0}});
+  scene::Scene scene =
+      one_layer({{.kind = CloudEventKind::dissipate, .layer = 2, .duration_s = 1.0}});
   scene.clouds.resize(2);
   EXPECT_EQ(Timeline(scene, 0, 1e3).at(10.0).amount, 1.0);
   EXPECT_EQ(Timeline(scene, 1, 1e3).at(10.0).amount, 0.0);

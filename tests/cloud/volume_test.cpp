@@ -13,11 +13,11 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double pixel_m = 50.0;
 
-CloudState one_volume(const char* kind) {
+CloudState one_volume(scene::CloudKind kind) {
   scene::Scene scene;
   scene.clouds.resize(1);
   scene.clouds[0].kind = kind;
-  scene.clouds[0].body = "volume";
+  scene.clouds[0].body = scene::CloudBody::volume;
   scene.clouds[0].cell_m = 3200.0;
   scene.clouds[0].cells = {2, 2};
   return Clouds(scene, pixel_m).at(30.0);
@@ -52,7 +52,8 @@ TEST(Sweep, ShadowsLieAwayFromTheSun) {
 }
 
 TEST(Volume, ColumnsHaveTheLayersOpacity) {
-  for (const char* kind : {"cumulus", "stratus", "cirrus"}) {
+  for (const scene::CloudKind kind :
+       {scene::CloudKind::cumulus, scene::CloudKind::stratus, scene::CloudKind::cirrus}) {
     const CloudState state = one_volume(kind);
     const CloudVolume volume = lifted_period(state, {64, 64, 16});
     EXPECT_TRUE(volume.box.repeats);
@@ -73,12 +74,12 @@ TEST(Volume, ColumnsHaveTheLayersOpacity) {
 TEST(Volume, IsOfALayerWithHeads) {
   scene::Scene scene;
   scene.clouds.resize(1);
-  scene.clouds[0].kind = "cirrus";
+  scene.clouds[0].kind = scene::CloudKind::cirrus;
   EXPECT_THROW(lifted_period(Clouds(scene, pixel_m).at(0.0), {8, 8, 8}), std::bad_optional_access);
 }
 
 TEST(Volume, HasAFlatBaseAndHigherTopsWhereItIsDenser) {
-  const CloudState state = one_volume("cumulus");
+  const CloudState state = one_volume(scene::CloudKind::cumulus);
   const Layer& layer = *state.layers[0].layer;
   const CloudVolume volume = lifted_period(state, {64, 64, 32});
   EXPECT_EQ(volume.box.corner_m.z, layer.base_m);
@@ -105,7 +106,7 @@ TEST(Volume, HasAFlatBaseAndHigherTopsWhereItIsDenser) {
 }
 
 TEST(Volume, DriftsWithItsLayer) {
-  CloudState state = one_volume("cumulus");
+  CloudState state = one_volume(scene::CloudKind::cumulus);
   state.layers[0].moment.way_m = {0.0, 0.0};
   const CloudVolume before = lifted_period(state, {64, 64, 16});
   state.layers[0].moment.way_m = {300.0, 0.0};  // three voxels
@@ -170,7 +171,7 @@ TEST(Light, MakesThinEdgesShineAroundTheSun) {
 }
 
 TEST(Light, IsNeverNegativeOrEndless) {
-  const CloudVolume volume = lifted_period(one_volume("cumulus"), {48, 48, 16});
+  const CloudVolume volume = lifted_period(one_volume(scene::CloudKind::cumulus), {48, 48, 16});
   scene::Sun sun;
   for (const double elevation : {1.0, 20.0, 90.0}) {
     sun.elevation_deg = elevation;

@@ -102,7 +102,7 @@ TEST(Assemble, ExposesSnowUnderCloudsAsInTheSun) {
   };
   const landscape::Landscape clear = shown(scene);
   scene.clouds.resize(1);
-  scene.clouds[0].kind = "stratus";
+  scene.clouds[0].kind = scene::CloudKind::stratus;
   scene.clouds[0].cover = 1.0;
   const landscape::Landscape clouded = shown(scene);
   const double of_card = 0.95 * std::numbers::pi;  // white, on level ground in the open
@@ -145,7 +145,7 @@ TEST(Assemble, DoesNotBurnOutTheSkyOfAnEvening) {
 // Every cell is drawn once, as a volume or as blades; meshes are shared by turns and levels.
 TEST(Assemble, CellsOfBladesReferToTheirMeshes) {
   scene::Scene scene = small_meadow();
-  scene.render.grass = "auto";
+  scene.render.grass = scene::GrassForm::automatic;
   scene.grass.pixels_per_voxel = 0.4;
   const place::Site site = place::make_site(scene);
   const std::vector<meadow::CellChoice> choices =
@@ -180,7 +180,7 @@ TEST(Assemble, CellsOfBladesReferToTheirMeshes) {
 // Nothing stands on three quarters of a patch with one blade.
 TEST(Assemble, PartsWithoutBladesAreNotDrawn) {
   scene::Scene scene = small_meadow();
-  scene.render.grass = "blades";
+  scene.render.grass = scene::GrassForm::blades;
   const place::Site site = place::make_site(scene);
   const std::vector<meadow::CellChoice> choices =
       meadow::choose_cells(scene, site.terrain, site.growth, *site.withering, 2);

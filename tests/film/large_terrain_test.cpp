@@ -171,7 +171,7 @@ double peak_memory_mb() {
 TEST(LargeTerrain, OfAHundredKilometresTakesBoundedMemory) {
   const test::TemporaryFolder folder("large_terrain");
   scene::Scene scene = plain(100e3);
-  scene.terrain.shape = "mountain";
+  scene.terrain.shape = scene::TerrainShape::mountain;
   scene.terrain.samples = 257;
   scene.terrain.hill_height_m = 3000.0;
   scene.terrain.relief_m = 30.0;

@@ -18,10 +18,10 @@ const Curve drying({{0.0, 1.0}, {1.0, 0.05}});
 /// Dries to a fifth, then drinks until nothing is lacking.
 const Curve wetted_again({{0.0, 1.0}, {0.5, 0.2}, {0.75, 0.8}, {1.0, 1.0}});
 
-scene::Ageing ageing_by(const char* rule) {
+scene::Ageing ageing_by(DroopRule rule) {
   scene::Ageing ageing;
   ageing.droop_rule = rule;
-  ageing.motion = "points";
+  ageing.motion = scene::AgeingMotion::points;
   return ageing;
 }
 
@@ -71,13 +71,14 @@ VeinPlaces closed_form(const Blade& blade, const scene::Ageing& ageing, const Cu
   return places;
 }
 
-class EveryLaw : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(BladeMotion, EveryLaw, testing::Values("paper", "elastica"));
+class EveryLaw : public testing::TestWithParam<DroopRule> {};
+INSTANTIATE_TEST_SUITE_P(BladeMotion, EveryLaw,
+                         testing::Values(DroopRule::paper, DroopRule::elastica));
 
 // The paper's law by steps is its closed form, in the limit of small steps.
 TEST(BladeMotion, FollowsTheClosedFormOfThePapersLaw) {
   const Blade blade = drooping_blade();
-  const scene::Ageing ageing = ageing_by("paper");
+  const scene::Ageing ageing = ageing_by(DroopRule::paper);
   for (double age : {0.0, 0.3, 0.7, 1.0})
     EXPECT_LT(
         farthest_m(places(blade, ageing, drying, age), closed_form(blade, ageing, drying, age)),
@@ -166,7 +167,7 @@ TEST_P(EveryLaw, AWettedBladeRisesByItsTurgorAlone) {
 
 // A fresh blade bears its own weight: the heavy elastica of its load.
 TEST(BladeMotion, FreshBladesAreElasticae) {
-  const scene::Ageing ageing = ageing_by("elastica");
+  const scene::Ageing ageing = ageing_by(DroopRule::elastica);
   for (float keel_m : {0.0004F, 0.0006F, 0.001F}) {
     Blade blade = drooping_blade();
     blade.keel_depth_m = keel_m;
@@ -179,7 +180,7 @@ TEST(BladeMotion, FreshBladesAreElasticae) {
 
 TEST(BladeMotion, MassFallsAsWaterLeaves) {
   const Blade blade = drooping_blade();
-  const scene::Ageing ageing = ageing_by("elastica");
+  const scene::Ageing ageing = ageing_by(DroopRule::elastica);
   BladeMotion motion(blade, ageing, drying);
   const auto mass_kg = [&] {
     double sum = 0.0;

@@ -5,38 +5,41 @@
 #include <algorithm>
 #include <map>
 #include <memory>
-#include <string>
+#include <tuple>
 
 #include "small_meadow.h"
 
 namespace wold::grass {
 namespace {
 
+using scene::AgeingMotion;
 using test::sum;
 
-/// `rule`: ageing.droop_rule, with " by points" after it ageing.motion too.
-const AgeingModel& model(const std::string& rule = "paper") {
-  static std::map<std::string, std::unique_ptr<AgeingModel>> models;
-  std::unique_ptr<AgeingModel>& one = models[rule];
+/// How blades droop and by what they get there.
+using Way = std::tuple<DroopRule, AgeingMotion>;
+constexpr Way papers_way = {DroopRule::paper, AgeingMotion::closed_form};
+
+const AgeingModel& model(const Way& way = papers_way) {
+  static std::map<Way, std::unique_ptr<AgeingModel>> models;
+  std::unique_ptr<AgeingModel>& one = models[way];
   if (!one) {
     scene::Ageing ageing;
-    ageing.droop_rule = rule.substr(0, rule.find(' '));
-    if (rule.ends_with("by points")) ageing.motion = "points";
+    std::tie(ageing.droop_rule, ageing.motion) = way;
     one = std::make_unique<AgeingModel>(ageing, 0.12);
   }
   return *one;
 }
 
-PointDynamics small_dynamics(double merge_distance_m, const std::string& droop_rule = "paper") {
+PointDynamics small_dynamics(double merge_distance_m, const Way& way = papers_way) {
   const auto blades = test::small_blades();
-  return {model(droop_rule), blades, sample_points(blades, test::small_shape(), 6.0, 5),
-          merge_distance_m};
+  return {model(way), blades, sample_points(blades, test::small_shape(), 6.0, 5), merge_distance_m};
 }
 
-class EveryDroopRule : public testing::TestWithParam<const char*> {};
+class EveryDroopRule : public testing::TestWithParam<Way> {};
 INSTANTIATE_TEST_SUITE_P(Dynamics, EveryDroopRule,
-                         testing::Values("paper", "elastica", "paper by points",
-                                         "elastica by points"));
+                         testing::Combine(testing::Values(DroopRule::paper, DroopRule::elastica),
+                                          testing::Values(AgeingMotion::closed_form,
+                                                          AgeingMotion::points)));
 
 TEST_P(EveryDroopRule, FramesStayOrthonormalAndNothingIsBelowTheGround) {
   PointDynamics dynamics = small_dynamics(0.0004, GetParam());
@@ -148,7 +151,7 @@ TEST(Dynamics, WitheringLowersShrinksAndDulls) {
 // Figure 6a by hand: the tangent of a point above the ground is the way from where its blade's
 // straight shape put its foot.
 TEST(Dynamics, FramesOfMovedPointsPointFromTheirFeet) {
-  PointDynamics dynamics = small_dynamics(0.0, "elastica by points");
+  PointDynamics dynamics = small_dynamics(0.0, {DroopRule::elastica, AgeingMotion::points});
   for (double weathering : {0.0, 0.2, 0.4}) dynamics.advance_to(weathering);
   const Points& points = dynamics.points();
   int compared = 0;
@@ -173,8 +176,8 @@ TEST(Dynamics, FramesOfMovedPointsPointFromTheirFeet) {
 // The whole patch by the paper's law, stepped and in closed form: nowhere further apart than a
 // hundredth of a blade, on the mean far nearer.
 TEST(Dynamics, PointsThatFollowThePapersLawGoWhereItsClosedFormPutsThem) {
-  PointDynamics stepped = small_dynamics(0.0, "paper by points");
-  PointDynamics closed = small_dynamics(0.0, "paper");
+  PointDynamics stepped = small_dynamics(0.0, {DroopRule::paper, AgeingMotion::points});
+  PointDynamics closed = small_dynamics(0.0);
   for (double weathering : {0.0, 0.5, 1.0}) {
     stepped.advance_to(weathering);
     closed.advance_to(weathering);

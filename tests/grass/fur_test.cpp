@@ -14,7 +14,7 @@ scene::Scene small_fur() {
   scene.grass.height_m = 0.06;
   scene.grass.bend = 0.5;
   scene.ageing.water = {"", {{0.0, 1.0}, {0.5, 0.2}, {1.0, 0.02}}};
-  scene.ageing.colour = "melanin";
+  scene.ageing.colour = scene::ColourModel::melanin;
   scene.ageing.vein_shrinkage = 0.0;
   scene.ageing.mesophyll_shrinkage = 0.01;
   scene.ageing.fur.clumps = 40;

@@ -88,9 +88,9 @@ TEST(Samples, MergePointsWithinTheScenesDistance) {
 
 // The texel's points and the meshes of the blades are one meadow.
 TEST(Samples, StepToWhereTheBladesOfThePatchAre) {
-  for (const char* rule : {"paper", "elastica"}) {
+  for (const DroopRule rule : {DroopRule::paper, DroopRule::elastica}) {
     scene::Scene scene = mingled({"early", "late"}, 40);
-    scene.ageing.motion = "points";
+    scene.ageing.motion = scene::AgeingMotion::points;
     scene.ageing.droop_rule = rule;
     Meadow meadow(scene);
     for (double weathering : {0.1, 0.45, 0.8}) {

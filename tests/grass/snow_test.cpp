@@ -12,7 +12,7 @@
 namespace wold::grass {
 namespace {
 
-scene::Scene scene_with(const std::string& droop_rule) {
+scene::Scene scene_with(DroopRule droop_rule) {
   scene::Scene scene = test::small_scene();
   scene.ageing.droop_rule = droop_rule;
   return scene;
@@ -134,8 +134,8 @@ TEST(Snow, LiesOnWhatIsLevelNotOnWhatStands) {
   EXPECT_GT(ridge(90.0).centre_m.y, blade.radius_m * 0.7F);
 }
 
-class SnowRule : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Snow, SnowRule, testing::Values("paper", "elastica"));
+class SnowRule : public testing::TestWithParam<DroopRule> {};
+INSTANTIATE_TEST_SUITE_P(Snow, SnowRule, testing::Values(DroopRule::paper, DroopRule::elastica));
 
 TEST_P(SnowRule, BendsBladesForAsLongAsItLies) {
   const scene::Scene scene = scene_with(GetParam());

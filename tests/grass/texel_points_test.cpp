@@ -113,7 +113,7 @@ TEST_F(TexelPoints, RoundTripKeepsAreaAndProfile) {
 
 TEST_F(TexelPoints, AgeLikeAnyPoints) {
   const SampledTexel points = sampled(meadow_texel());
-  for (const char* motion : {"closed_form", "points"}) {
+  for (const auto motion : {scene::AgeingMotion::closed_form, scene::AgeingMotion::points}) {
     scene::Ageing ageing;
     ageing.motion = motion;
     const AgeingModel withering(ageing, 0.12);
@@ -127,9 +127,9 @@ TEST_F(TexelPoints, AgeLikeAnyPoints) {
     dynamics.advance_to(0.0);
     const double fresh_m = height();
     dynamics.advance_to(1.0);
-    EXPECT_LT(height(), 0.8 * fresh_m) << motion;
+    EXPECT_LT(height(), 0.8 * fresh_m) << scene::word_of(motion);
     const glm::vec3 straw = dynamics.points().albedo.front();
-    EXPECT_GT(straw.r, straw.g) << motion;
+    EXPECT_GT(straw.r, straw.g) << scene::word_of(motion);
   }
 }
 

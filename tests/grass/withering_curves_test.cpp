@@ -58,7 +58,7 @@ TEST(WitheringCurves, CarotenoidsOutlastChlorophyllAndInThePaperStay) {
   for (const WitheredState& state : withering_curves({}).states)
     EXPECT_GE(state.carotenoid, state.chlorophyll);
   scene::Scene paper;
-  paper.ageing.colour = "paper";
+  paper.ageing.colour = scene::ColourModel::paper;
   for (const WitheredState& state : withering_curves(paper).states)
     EXPECT_EQ(state.carotenoid, 1.0);
 }
@@ -175,7 +175,7 @@ TEST(WitheringCurves, FreshLeavesHaveAGreenPeakAndARedEdge) {
 }
 
 TEST(WitheringCurves, ReflectancesAreShares) {
-  for (const char* colour : {"prospect", "paper"}) {
+  for (const auto colour : {scene::ColourModel::prospect, scene::ColourModel::paper}) {
     scene::Scene scene;
     scene.ageing.colour = colour;
     for (const WitheredState& state : withering_curves(scene).states)

@@ -103,7 +103,7 @@ TEST(SnowyGround, DeepSnowIsAllThatIsSeen) {
 
 TEST(SnowyGround, ThePapersWhiteningLeavesTheShapeAndHidesTheGrass) {
   scene::Scene scene = snowed_in(6.0);
-  scene.snow_cover.cover = "paper";
+  scene.snow_cover.cover = scene::CoverModel::paper;
   const place::Site site = place::make_site(scene);
   const SnowyGround ground(scene, site, 1);
   EXPECT_EQ(ground.surface().values(), site.terrain.values());

@@ -66,7 +66,7 @@ TEST(CanopySnow, OfASceneFollowsItsWeather) {
   scene.weather.temperature_c = 3.0;  // rain
   EXPECT_EQ(canopy_snow(scene, 2), 0.0);
   scene.weather.temperature_c = -3.0;
-  scene.snow_cover.cover = "none";
+  scene.snow_cover.cover = scene::CoverModel::none;
   EXPECT_EQ(canopy_snow(scene, 2), 0.0);
 }
 

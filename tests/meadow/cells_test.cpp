@@ -196,7 +196,7 @@ TEST(Cells, LevelsAreAsFineAsThePixels) {
 // of a tenth; they stand as the finest level's texels do, unturned.
 TEST(Cells, AutoDrawsBladesWhereTheFinestLevelIsTooCoarse) {
   scene::Scene scene = small_meadow();
-  scene.render.grass = "auto";
+  scene.render.grass = scene::GrassForm::automatic;
   const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
   const place::View view(place::resolved_camera(scene.camera, terrain, 0.0),
                          scene.render.size_px[0], scene.render.size_px[1]);
@@ -219,7 +219,7 @@ TEST(Cells, AutoDrawsBladesWhereTheFinestLevelIsTooCoarse) {
     blades += choice.blades ? 1 : 0;
   }
   EXPECT_GE(blades, 3);
-  scene.render.grass = "blades";
+  scene.render.grass = scene::GrassForm::blades;
   for (const CellChoice& choice :
        choose_cells(scene, terrain, grown(scene), place::Withering(scene, terrain), 2))
     EXPECT_TRUE(choice.blades);

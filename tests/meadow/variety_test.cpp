@@ -79,7 +79,7 @@ TEST(Variety, IsThatOfTheLeavesPigments) {
 
 TEST(Variety, HairHasNone) {
   scene::Scene scene = even_meadow();
-  scene.ageing.colour = "melanin";
+  scene.ageing.colour = scene::ColourModel::melanin;
   EXPECT_EQ(Sward(scene).variety.factor(2.5, 0.5), glm::vec3(1.0F));
 }
 

@@ -100,7 +100,7 @@ TEST(Growth, DecidesWhichCellsStand) {
     EXPECT_GE(choice.cell.x, 29);
   const double texels = static_cast<double>(
       meadow::choose_cells(scene, ground, growth, Withering(scene, ground), 1).size());
-  scene.render.grass = "blades";
+  scene.render.grass = scene::GrassForm::blades;
   const double blades = static_cast<double>(
       meadow::choose_cells(scene, ground, growth, Withering(scene, ground), 1).size());
   EXPECT_NEAR(blades / texels, 0.3, 0.03);

@@ -20,11 +20,12 @@ TEST(CloudScene, ReadsLayersAndEventsInTheirOrder) {
   Scene expected;
   expected.film.frame_seconds = 5.0;
   expected.clouds.resize(2);
-  expected.clouds[0].kind = "cirrus";
+  expected.clouds[0].kind = CloudKind::cirrus;
   expected.clouds[0].base_m = 8000.0;
   expected.clouds[1].cells = {3, 4};
   expected.clouds[1].cover = 0.25;
-  expected.cloud_events = {{.kind = "gather", .layer = 2, .start_s = 10.0, .by = 0.5}};
+  expected.cloud_events = {
+      {.kind = CloudEventKind::gather, .layer = 2, .start_s = 10.0, .by = 0.5}};
   EXPECT_EQ(scene, expected);
   EXPECT_EQ(parse_scene("clouds = [{kind = 'cirrus', base = 8000}]\n", "a.toml").clouds[0],
             expected.clouds[0]);
@@ -51,8 +52,6 @@ TEST(CloudScene, NamesItemLineAndColumn) {
   expect_problem(
       "[[clouds]]\ntextures = ['']\n",
       "a.toml:2:13: clouds[1].textures: found \"\" (item 1), expected a list of 0 to 16");
-  expect_problem("[[clouds]]\ntextures = ['/none.png']\n",
-                 "a.toml:2:1: clouds[1].textures: found \"/none.png\", expected a file that is");
 }
 
 TEST(CloudScene, SuggestsTheNearestKnownName) {

@@ -40,6 +40,19 @@ TEST(Registry, EveryKeyIsDescribedAndItsDefaultIsAccepted) {
   }
 }
 
+TEST(Registry, EveryWordOfAModeReadsBack) {
+  Scene scene = scene_with_items();
+  for (const Key& key : all_keys()) {
+    if (key.kind != Kind::word) continue;
+    SCOPED_TRACE(key.name);
+    EXPECT_GE(key.words.size(), 2U);
+    for (const std::string& word : key.words) {
+      key.set(scene, word);
+      EXPECT_EQ(key.get(scene), Value(word));
+    }
+  }
+}
+
 /// A value that the key accepts and that differs from the default.
 Value another_value(const Key& key, const Value& value) {
   switch (key.kind) {

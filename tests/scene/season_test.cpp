@@ -47,7 +47,6 @@ TEST(Season, SaysWhatContradictsItself) {
                  {"season.first=[2026,2,30]"});
   expect_problem("[season]\nfirst = [2026, 9, 1]\n" + withers,
                  "a.toml:2:1: season.last: found [], expected a year, month and day");
-  expect_problem(season("table = \"no.csv\"\n"), "a.toml:4:1: season.table: found \"");
   expect_problem("[season]\ntable = \"days.csv\"\n",
                  "a.toml:2:1: season.table: found the days of a season, but the scene is none");
   expect_problem(withers, "a.toml:1:1: season_keys[1]: found a day of a season, but the scene");

@@ -27,7 +27,7 @@ TEST(StarterScene, OfEachKindShowsWhatItSays) {
   };
   EXPECT_THAT(starter_kinds(),
               testing::ElementsAre("hillside", "mountain", "clouds", "snow", "season"));
-  EXPECT_EQ(read("mountain").terrain.shape, "mountain");
+  EXPECT_EQ(read("mountain").terrain.shape, TerrainShape::mountain);
   const Scene clouds = read("clouds");
   ASSERT_EQ(clouds.clouds.size(), 2U);
   EXPECT_EQ(clouds.clouds[1].speed_m_s, 25.0);

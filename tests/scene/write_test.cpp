@@ -33,11 +33,12 @@ TEST(ResolvedToml, IsAFixedPointOfParsing) {
   scene.ageing.frames = {1.0, 0.0};
   scene.render.exposure = -0.25;
   scene.clouds.resize(2);
-  scene.clouds[0].kind = "cirrus";
+  scene.clouds[0].kind = CloudKind::cirrus;
   scene.clouds[0].cover = 0.1 + 0.2;
   scene.clouds[1].cells = {3, 5};
   scene.cloud_events.resize(2);
-  scene.cloud_events[1] = {.kind = "light", .layer = 2, .start_s = 61.0, .colour = {}};
+  scene.cloud_events[1] = {
+      .kind = CloudEventKind::light, .layer = 2, .start_s = 61.0, .colour = {}};
   scene.season.first = {2026, 9, 1};
   scene.season.last = {2026, 12, 1};
   scene.season_keys = {{.date = {2026, 9, 1}, .weathering = 0.1 + 0.2}};

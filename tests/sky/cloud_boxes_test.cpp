@@ -12,7 +12,7 @@ namespace {
 scene::Scene cumulus_scene() {
   scene::Scene scene;
   scene::CloudLayer layer;
-  layer.body = "volume";
+  layer.body = scene::CloudBody::volume;
   layer.cells = {2, 2};
   scene.clouds = {layer};
   return scene;

@@ -34,8 +34,10 @@ scene::Scene one_layer() {
 
 /// Nothing shines on the clouds: they only stand before the sky.
 scene::Scene darkened(scene::Scene scene) {
-  scene.cloud_events.push_back(
-      {.kind = "light", .start_s = 0.0, .duration_s = 0.001, .colour = {0.0, 0.0, 0.0}});
+  scene.cloud_events.push_back({.kind = scene::CloudEventKind::light,
+                                .start_s = 0.0,
+                                .duration_s = 0.001,
+                                .colour = {0.0, 0.0, 0.0}});
   return scene;
 }
 
@@ -62,7 +64,7 @@ struct Sky {
 class CloudySkies : public testing::Test {
  protected:
   /// One texture of one pixel: clouds that are everywhere alike, of that vertical opacity.
-  scene::Scene veil(double opacity, const char* kind = "cirrus") const {
+  scene::Scene veil(double opacity, scene::CloudKind kind = scene::CloudKind::cirrus) const {
     Image picture(1, 1, 1);
     picture.values[0] = 1.0F;
     const auto path = folder_.path() / "veil.png";
@@ -157,11 +159,14 @@ Shine shine(scene::Scene scene, double opacity) {
 // While a wind draws thick clouds out, two shapes share their optical depth. They are one cloud to
 // sunlight: where both are everywhere alike nothing changes, not even near the sun.
 TEST_F(CloudySkies, ShineAsOneCloudWhileShapesChange) {
-  scene::Scene scene = veil(0.995, "stratus");
+  scene::Scene scene = veil(0.995, scene::CloudKind::stratus);
   scene.sun.azimuth_deg = 180.0;
   scene.sun.elevation_deg = 30.0;
-  scene.cloud_events.push_back(
-      {.kind = "wind", .start_s = 10.0, .duration_s = 100.0, .heading_deg = 150.0, .shear = 0.8});
+  scene.cloud_events.push_back({.kind = scene::CloudEventKind::wind,
+                                .start_s = 10.0,
+                                .duration_s = 100.0,
+                                .heading_deg = 150.0,
+                                .shear = 0.8});
   const Sky before(scene, 5.0);
   const glm::dvec3 direction = light::direction_of(186.0 * deg, 30.0 * deg);
   const float wanted = before.seen.radiance(direction).g;
@@ -189,7 +194,7 @@ TEST_F(CloudySkies, HaveASilverLining) {
   EXPECT_LT(thin.near_sun, once + depth * slant / std::numbers::pi * 1.5);
   EXPECT_GT(thin.near_sun, 5.0 * thin.far_from_sun);
 
-  scene.clouds[0].kind = "stratus";  // optical depth 59
+  scene.clouds[0].kind = scene::CloudKind::stratus;  // optical depth 59
   scene.clouds[0].thickness_m = 1000.0;
   scene.clouds[0].opacity = 0.995;
   const Shine thick = shine(scene, 0.995);
@@ -200,7 +205,7 @@ TEST_F(CloudySkies, HaveASilverLining) {
 // of the rest comes from the ground, and the daylight is 1. What of the sun's is still in the
 // forward peak does not come evenly, but by the law of cloud/scattering.h.
 TEST_F(CloudySkies, HaveBasesThatDarkenWithThickness) {
-  scene::Scene scene = veil(0.995, "stratus");
+  scene::Scene scene = veil(0.995, scene::CloudKind::stratus);
   scene.sun.elevation_deg = 90.0;
   const double sun = double{Sky(scene).day.sun_irradiance().g};
   const auto base = [&](double thickness_m) {

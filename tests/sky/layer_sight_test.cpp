@@ -125,7 +125,7 @@ TEST(LayerSight, OnlyDenseLayersHaveSides) {
   scene.clouds[0].thickness_m = 50.0;
   EXPECT_LT(seen_beside_bases(), 50);  // what is finer than the map
   scene.clouds[0].thickness_m = 500.0;
-  scene.clouds[0].light = "paper";
+  scene.clouds[0].light = scene::Law::paper;
   EXPECT_LT(seen_beside_bases(), 50);
 }
 

@@ -31,7 +31,7 @@ landscape::Landscape snowing(const scene::Scene& scene) {
   return landscape;
 }
 
-scene::Scene snowy(const std::string& strength) {
+scene::Scene snowy(scene::SnowfallStrength strength) {
   scene::Scene scene;
   scene.terrain.size_m = 30.0;
   scene.terrain.samples = 33;
@@ -63,14 +63,14 @@ int flakes_passed(const landscape::Landscape& landscape, int column, int row) {
 }
 
 TEST(SnowInAir, HasTheSnowfallsExtinction) {
-  scene::Scene scene = snowy("blizzard");
+  scene::Scene scene = snowy(scene::SnowfallStrength::blizzard);
   const double extinction_per_m = falling_extinction_per_m(scene, place::make_site(scene), 1);
   EXPECT_NEAR(extinction_per_m, 2.49e-3 * std::pow(4.0, 1.05), 0.02 * extinction_per_m);
 }
 
 /// What falls above two degrees is streaks of rain in a fog, under a sky that greys.
 TEST(SnowInAir, IsRainWhereItIsWarm) {
-  scene::Scene scene = snowy("weather");
+  scene::Scene scene = snowy(scene::SnowfallStrength::weather);
   scene.weather.precipitation_mm_h = 8.0;
   scene.weather.temperature_c = 12.0;
   // Marshall and Palmer: pi N0 / (2 Lambda^3), by geometry alone.
@@ -94,7 +94,7 @@ TEST(SnowInAir, IsRainWhereItIsWarm) {
 
 /// Ten days of which the sixth, frame 6, has frost and all the precipitation.
 scene::Scene one_snowy_day() {
-  scene::Scene scene = snowy("weather");
+  scene::Scene scene = snowy(scene::SnowfallStrength::weather);
   scene.season.first = {2026, 12, 1};
   scene.season.last = {2026, 12, 10};
   scene.season.frames = 10;
@@ -139,8 +139,8 @@ TEST(SnowInAir, OfOneDayGreysTheSkyGently) {
 
 // A whirl of many faint flakes, as seen in a picture of few pixels, where POV-Ray would end.
 TEST(SnowInAir, HasNoMoreFlakesOnARayThanPovRayPasses) {
-  scene::Scene scene = snowy("blizzard");
-  scene.wind.field = "tornado";
+  scene::Scene scene = snowy(scene::SnowfallStrength::blizzard);
+  scene.wind.field = scene::WindPattern::tornado;
   const landscape::Landscape landscape = snowing(scene);
   int most = 0;
   for (int row = 0; row < height_px; ++row)
@@ -156,7 +156,7 @@ TEST(SnowInAir, HasNoMoreFlakesOnARayThanPovRayPasses) {
 
 // Thinning whirls once thinned all snow.
 TEST(SnowInAir, HasAllFlakesThatAreAskedForWhereNoneAreTooMany) {
-  scene::Scene scene = snowy("light");
+  scene::Scene scene = snowy(scene::SnowfallStrength::light);
   scene.snowfall.flakes = 100000;
   scene.camera.target_height_m = 9.0;  // nothing but sky
   EXPECT_NEAR(static_cast<double>(snowing(scene).flakes.flakes.size()), 100000.0, 3000.0);

@@ -91,7 +91,7 @@ TEST(SnowGround, IsWhiteAboveTheSnowLineAndGrowsWhileItSnows) {
 
 TEST(SnowGround, WhitensAsThePaperHasItWithoutDepth) {
   scene::Scene scene = snowy_scene();
-  scene.snow_cover.cover = "paper";
+  scene.snow_cover.cover = scene::CoverModel::paper;
   scene.snow_cover.white_after_mm = 16.0;
   const SnowGround ground(scene, hillside(), [](double) { return WeatherMoment{-9.0, 2.0}; });
   const SnowGround::State state = ground.at(-5.5 * 3600.0);  // 2 mm to start with and 2 mm more
@@ -121,7 +121,7 @@ TEST(SnowGround, ToleratesATerrainOfOneCellAndNoCover) {
   const auto snow = [](double) { return WeatherMoment{-1.0, 1.0, 2.0, 10.0}; };
   const SnowGround small(scene, Heightfield(2, 30.0, 5.0F), snow);
   EXPECT_NEAR(mean(small.at(0.0).water_mm), 8.5, 1e-5);
-  scene.snow_cover.cover = "none";
+  scene.snow_cover.cover = scene::CoverModel::none;
   const SnowGround none(scene, hillside(), snow);
   EXPECT_EQ(mean(none.at(3600.0).depth_m), 0.0);
   EXPECT_EQ(mean(none.white(none.at(3600.0), 33)), 0.0);

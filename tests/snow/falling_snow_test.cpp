@@ -21,7 +21,7 @@ const FlakePictures& pictures() {
   return made;
 }
 
-scene::Scene snowy(double rate_mm_h, const std::string& field = "gusts") {
+scene::Scene snowy(double rate_mm_h, scene::WindPattern field = scene::WindPattern::gusts) {
   scene::Scene scene;
   scene.weather.temperature_c = -5.0;
   scene.weather.precipitation_mm_h = rate_mm_h;
@@ -200,7 +200,7 @@ TEST(FlakeMotion, PlacesMoveAtTheirVelocities) {
 
 /// Each column has a run of flakes, as many as any other, and they are nowhere else.
 TEST(FlakeMotion, FlakesAreInTheirColumns) {
-  scene::Scene scene = snowy(1.0, "steady");
+  scene::Scene scene = snowy(1.0, scene::WindPattern::steady);
   scene.wind.speed_m_s = 0.0;
   const FlakeMotion motion(scene, Weather(scene), 1.0);
   const PeriodicCube cube = {{0.0, 0.0, 0.0}, 8.0};
@@ -297,7 +297,7 @@ TEST(FallingSnow, NearFlakesAreCrystalsFarOnesDiscsFastOnesStreaks) {
   scene.snowfall.shutter_s = 0.02;
   scene.wind.speed_m_s = 12.0;
   scene.wind.heading_deg = 90.0;
-  scene.wind.field = "steady";
+  scene.wind.field = scene::WindPattern::steady;
   std::size_t streaks = 0;
   const SeenFlakes fast = seen_of(scene);
   for (const SeenFlake& flake : fast.flakes) {

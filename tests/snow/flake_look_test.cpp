@@ -32,21 +32,20 @@ const Heightfield& no_ground() {
   return ground;
 }
 
-scene::Scene still_snow(const std::string& motion) {
+scene::Scene still_snow(scene::Law motion) {
   scene::Scene scene;
   scene.weather.temperature_c = -5.0;
   scene.weather.precipitation_mm_h = 4.0;
-  scene.wind.field = "steady";
+  scene.wind.field = scene::WindPattern::steady;
   scene.wind.speed_m_s = 0.1;
   scene.snowfall.motion = motion;
   scene.snowfall.shutter_s = 0.0;
   return scene;
 }
 
-std::vector<SeenFlake> seen_at(const std::string& motion, double time_s,
-                               const SnowView& from = view) {
+std::vector<SeenFlake> seen_at(scene::Law motion, double time_s, const SnowView& from = view) {
   const scene::Scene scene = still_snow(motion);
-  if (motion == "paper")
+  if (motion == scene::Law::paper)
     return PaperSnow(scene, Weather(scene), pictures()).at(time_s, from, no_ground()).flakes;
   return FallingSnow(scene, Weather(scene), pictures()).at(time_s, from, no_ground()).flakes;
 }
@@ -73,7 +72,7 @@ const SeenFlake* same_flake(const SeenFlake& flake, const std::vector<SeenFlake>
 }
 
 /// Mean turns a second about the way to the eye, of crystals as they are seen.
-double mean_spin_per_s(const std::string& motion, double time_s) {
+double mean_spin_per_s(scene::Law motion, double time_s) {
   constexpr double step_s = 2e-3;
   const std::vector<SeenFlake> now = seen_at(motion, time_s);
   const std::vector<SeenFlake> later = seen_at(motion, time_s + step_s);
@@ -88,7 +87,7 @@ double mean_spin_per_s(const std::string& motion, double time_s) {
     turns += std::atan2(glm::length(glm::cross(before, after)), glm::dot(before, after)) / two_pi;
     ++compared;
   }
-  EXPECT_GT(compared, 20) << motion;
+  EXPECT_GT(compared, 20) << scene::word_of(motion);
   return turns / compared / step_s;
 }
 
@@ -97,8 +96,8 @@ double mean_spin_per_s(const std::string& motion, double time_s) {
 TEST(FlakeLook, NearFlakesTurn) {
   double physical = 0.0, paper = 0.0;
   for (const double time_s : {10.0, 30.0, 50.0, 70.0}) {
-    physical += mean_spin_per_s("physical", time_s) / 4.0;
-    paper += mean_spin_per_s("paper", time_s) / 4.0;
+    physical += mean_spin_per_s(scene::Law::physical, time_s) / 4.0;
+    paper += mean_spin_per_s(scene::Law::paper, time_s) / 4.0;
   }
   EXPECT_NEAR(physical, 0.625, 0.07);
   EXPECT_NEAR(paper, 0.25, 0.04);
@@ -107,7 +106,7 @@ TEST(FlakeLook, NearFlakesTurn) {
 /// Physical flakes tumble, to 60 degrees off facing the eye; the paper's stay rectangles across the
 /// way to it.
 TEST(FlakeLook, PhysicalFlakesTumbleAndThePapersFaceTheEye) {
-  for (const std::string motion : {"physical", "paper"}) {
+  for (const scene::Law motion : {scene::Law::physical, scene::Law::paper}) {
     double most_deg = 0.0;
     for (const SeenFlake& flake : seen_at(motion, 10.0)) {
       if (!is_crystal(flake)) continue;
@@ -117,7 +116,7 @@ TEST(FlakeLook, PhysicalFlakesTumbleAndThePapersFaceTheEye) {
       const double cosine = std::min(1.0, std::abs(glm::dot(face, to_eye)));
       most_deg = std::max(most_deg, glm::degrees(std::acos(cosine)));
     }
-    if (motion == "paper")
+    if (motion == scene::Law::paper)
       EXPECT_LT(most_deg, 0.1);
     else
       EXPECT_NEAR(most_deg, 60.0, 1.5);
@@ -125,7 +124,7 @@ TEST(FlakeLook, PhysicalFlakesTumbleAndThePapersFaceTheEye) {
 }
 
 TEST(FlakeLook, BeyondThePapersLimitFlakesAreDiscsThatDoNotTurn) {
-  for (const std::string motion : {"physical", "paper"}) {
+  for (const scene::Law motion : {scene::Law::physical, scene::Law::paper}) {
     double farthest_crystal_m = 0.0, nearest_disc_m = 1e9;
     for (const SeenFlake& flake : seen_at(motion, 10.0)) {
       if (is_crystal(flake)) {
@@ -135,15 +134,15 @@ TEST(FlakeLook, BeyondThePapersLimitFlakesAreDiscsThatDoNotTurn) {
       nearest_disc_m = std::min(nearest_disc_m, distance_m(flake));
       ASSERT_NEAR(flake.right_m.z, 0.0F, 1e-6F) << "a disc's right side is level";
     }
-    EXPECT_NEAR(farthest_crystal_m, papers_limit_m, 0.2) << motion;
-    EXPECT_NEAR(nearest_disc_m, papers_limit_m, 0.2) << motion;
+    EXPECT_NEAR(farthest_crystal_m, papers_limit_m, 0.2) << scene::word_of(motion);
+    EXPECT_NEAR(nearest_disc_m, papers_limit_m, 0.2) << scene::word_of(motion);
   }
 }
 
 /// Figure 2: the larger a flake is in the picture, the finer its texture: the coarsest of 128, 64,
 /// 32 and 16 pixels whose pixels are no larger than the picture's own.
 TEST(FlakeLook, TexturesAreAsFineAsFlakesAreLarge) {
-  for (const std::string motion : {"physical", "paper"}) {
+  for (const scene::Law motion : {scene::Law::physical, scene::Law::paper}) {
     std::map<int, int> flakes_of_px;
     for (const int width_px : {160, 640, 2560}) {
       SnowView of_size = view;
@@ -163,7 +162,7 @@ TEST(FlakeLook, TexturesAreAsFineAsFlakesAreLarge) {
     }
     std::set<int> used;
     for (const auto& [texture_px, flakes] : flakes_of_px) used.insert(texture_px);
-    EXPECT_EQ(used, (std::set<int>{16, 32, 64, 128})) << motion;
+    EXPECT_EQ(used, (std::set<int>{16, 32, 64, 128})) << scene::word_of(motion);
   }
 }
 

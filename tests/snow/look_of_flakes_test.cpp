@@ -169,7 +169,7 @@ TEST(FlakeLook, PicturesTurnWithTheFlake) {
 // level axis; upwards a quarter of that.
 TEST(FlakeMotion, FlakesAreInGustsOfTheirOwn) {
   scene::Scene scene = snowy();
-  scene.wind.field = "gusts";
+  scene.wind.field = scene::WindPattern::gusts;
   scene.wind.speed_m_s = 20.0;
   scene.wind.turbulence = 0.3;
   glm::dvec3 sum(0.0), squares(0.0);
@@ -194,7 +194,7 @@ TEST(FlakeMotion, FlakesAreInGustsOfTheirOwn) {
 // good.
 TEST(PaperSnow, FlakesTurnByTheirOwnRates) {
   scene::Scene scene = snowy();
-  scene.snowfall.motion = "paper";
+  scene.snowfall.motion = scene::Law::paper;
   const PaperSnow snow(scene, Weather(scene), pictures());
   const PaperBox box = {{-8.0, 0.0, 0.0}, {16.0, 16.0, 10.0}};
   const double step_s = 0.25;

@@ -13,9 +13,9 @@ const FlakePictures& pictures() {
   return made;
 }
 
-scene::Scene paper_scene(const std::string& strength) {
+scene::Scene paper_scene(scene::SnowfallStrength strength) {
   scene::Scene scene;
-  scene.snowfall.motion = "paper";
+  scene.snowfall.motion = scene::Law::paper;
   scene.snowfall.strength = strength;
   scene.terrain.size_m = 200.0;
   return scene;
@@ -34,17 +34,17 @@ TEST(PaperSnow, IsThePapersNumbersOfFlakes) {
   const auto seen = [&](const scene::Scene& scene) {
     return static_cast<double>(snow_of(scene).at(12.0, view, ground).flakes.size());
   };
-  EXPECT_NEAR(seen(paper_scene("light")), 500.0, 125.0);
-  EXPECT_NEAR(seen(paper_scene("moderate")), 1000.0, 250.0);
-  EXPECT_NEAR(seen(paper_scene("blizzard")), 4000.0, 1000.0);
-  scene::Scene asked = paper_scene("light");
+  EXPECT_NEAR(seen(paper_scene(scene::SnowfallStrength::light)), 500.0, 125.0);
+  EXPECT_NEAR(seen(paper_scene(scene::SnowfallStrength::moderate)), 1000.0, 250.0);
+  EXPECT_NEAR(seen(paper_scene(scene::SnowfallStrength::blizzard)), 4000.0, 1000.0);
+  scene::Scene asked = paper_scene(scene::SnowfallStrength::light);
   asked.snowfall.flakes = 3000;
   EXPECT_NEAR(seen(asked), 3000.0, 750.0);
 }
 
 /// S += V dt: small steps by the velocity lead from one place to the next.
 TEST(PaperSnow, PlacesAreTheSumsOfVelocities) {
-  const PaperSnow snow = snow_of(paper_scene("light"));
+  const PaperSnow snow = snow_of(paper_scene(scene::SnowfallStrength::light));
   for (std::uint64_t i = 0; i < 50; ++i) {
     const double step_s = 0.01;
     PaperFlake flake = snow.flake(i, snow.moment(20.0), box);
@@ -63,7 +63,7 @@ TEST(PaperSnow, PlacesAreTheSumsOfVelocities) {
 }
 
 TEST(PaperSnow, IsBornAgainAtTheTopElsewhere) {
-  const PaperSnow snow = snow_of(paper_scene("light"));
+  const PaperSnow snow = snow_of(paper_scene(scene::SnowfallStrength::light));
   int births = 0;
   for (std::uint64_t i = 0; i < 100; ++i) {
     PaperFlake before = snow.flake(i, snow.moment(0.0), box);
@@ -84,7 +84,7 @@ TEST(PaperSnow, IsBornAgainAtTheTopElsewhere) {
 
 /// But for its flutter and own gusts, which are no longer than a metre or so.
 TEST(PaperSnow, StaysInTheBoxHoweverFastTheWind) {
-  scene::Scene scene = paper_scene("blizzard");
+  scene::Scene scene = paper_scene(scene::SnowfallStrength::blizzard);
   scene.wind.speed_m_s = 60.0;
   scene.wind.turbulence = 1.0;
   scene.weather.earlier_h = 1e4;
@@ -98,7 +98,7 @@ TEST(PaperSnow, StaysInTheBoxHoweverFastTheWind) {
 }
 
 TEST(PaperSnow, StaysWhereItIsWhenTheBoxMoves) {
-  const PaperSnow snow = snow_of(paper_scene("light"));
+  const PaperSnow snow = snow_of(paper_scene(scene::SnowfallStrength::light));
   const PaperSnow::Moment moment = snow.moment(7.0);
   PaperBox moved = box;
   moved.low_m += glm::dvec3(1.0, -0.5, 0.5);
@@ -113,7 +113,7 @@ TEST(PaperSnow, StaysWhereItIsWhenTheBoxMoves) {
 }
 
 TEST(PaperSnow, DensityFallsWithDistance) {
-  scene::Scene scene = paper_scene("light");
+  scene::Scene scene = paper_scene(scene::SnowfallStrength::light);
   scene.snowfall.flakes = 40000;
   const Heightfield ground(2, 200.0, -1e6F);
   const Frustum frustum(view);

@@ -26,7 +26,7 @@ scene::Scene rainy(double rate_mm_h) {
   scene::Scene scene;
   scene.weather.temperature_c = 12.0;
   scene.weather.precipitation_mm_h = rate_mm_h;
-  scene.wind.field = "steady";
+  scene.wind.field = scene::WindPattern::steady;
   scene.wind.speed_m_s = 2.0;
   scene.wind.heading_deg = 90.0;
   return scene;

@@ -69,20 +69,19 @@ TEST(FallSpeed, IsLocatelliAndHobbss) {
 
 TEST(CrystalShares, SumToOneAndGrowIntoAggregates) {
   for (const double diameter_mm : {0.5, 2.0, 3.0, 9.0}) {
-    const auto shares = crystal_shares("mixed", diameter_mm);
+    const auto shares = crystal_shares(scene::CrystalChoice::mixed, diameter_mm);
     EXPECT_NEAR(std::accumulate(shares.begin(), shares.end(), 0.0), 1.0, 1e-12);
   }
-  EXPECT_EQ(crystal_shares("mixed", 1.0)[3], 0.0);
-  EXPECT_GT(crystal_shares("mixed", 6.0)[3], 0.7);
-  EXPECT_EQ(crystal_shares("column", 1.0)[1], 1.0);
-  EXPECT_THROW(crystal_shares("hail", 1.0), std::invalid_argument);
+  EXPECT_EQ(crystal_shares(scene::CrystalChoice::mixed, 1.0)[3], 0.0);
+  EXPECT_GT(crystal_shares(scene::CrystalChoice::mixed, 6.0)[3], 0.7);
+  EXPECT_EQ(crystal_shares(scene::CrystalChoice::column, 1.0)[1], 1.0);
 }
 
 /// Melted diameters of keyed flakes follow exp(-Lambda (d - 0.5 mm)): mean 1 / Lambda above 0.5 mm,
 /// and 1/e of them larger than that.
 TEST(FlakeSizes, AreExponentialAboveTheLeast) {
   const double lambda = gunn_marshall(1.0).lambda_per_mm;
-  const FlakeSizes sizes(1.0, "mixed");
+  const FlakeSizes sizes(1.0, scene::CrystalChoice::mixed);
   const std::vector<float> diameters_m = sizes.diameters_m(1.0);
   double sum = 0.0;
   int above = 0;
@@ -101,7 +100,7 @@ TEST(FlakeSizes, AreExponentialAboveTheLeast) {
 /// The flakes' speeds stay those that were measured, within their spread.
 TEST(FlakeSizes, FallAsMeasuredForTheirSizes) {
   for (const double rate_mm_h : {0.4, 1.2, 4.0}) {
-    const FlakeSizes sizes(rate_mm_h, "aggregate");
+    const FlakeSizes sizes(rate_mm_h, scene::CrystalChoice::aggregate);
     double sum = 0.0, squares = 0.0;
     const int flakes = 20000;
     for (int i = 0; i < flakes; ++i) {

@@ -61,7 +61,7 @@ TEST(Weather, IsConstantWithoutATable) {
 TEST(Weather, StrengthIsARateOfSnowHoweverWarm) {
   scene::Scene scene;
   scene.weather.temperature_c = 5.0;
-  scene.snowfall.strength = "blizzard";
+  scene.snowfall.strength = scene::SnowfallStrength::blizzard;
   const WeatherMoment now = Weather(scene).at(0.0);
   EXPECT_EQ(now.precipitation_mm_h, 4.0);
   EXPECT_EQ(snow_share(now.temperature_c), 1.0);

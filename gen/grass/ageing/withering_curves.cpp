@@ -37,7 +37,7 @@ std::vector<ShippedCurve> shipped_curves(CurveKind kind, const scene::CurveChoic
 
 /// Share of the fresh leaf's carotenoids; the paper's model keeps them all (section 3.2).
 double carotenoid_share(const scene::Physiology& ageing, double water) {
-  if (ageing.colour == "paper") return 1.0;
+  if (ageing.colour == scene::ColourModel::paper) return 1.0;
   scene::Physiology unit = ageing;
   unit.carotenoid_ug_cm2 = 1.0;
   return withered_leaf(unit, 0.0, water).carotenoid_ug_cm2;

@@ -54,7 +54,7 @@ std::vector<Blade> scatter_blades(const scene::Plant& plant, const scene::Physio
 Blade mean_blade(const scene::Plant& plant, const scene::Physiology& physiology);
 
 /// How blades bow: turning about their roots (paper 1), or as elastic blades under their weight.
-enum class DroopRule { paper, elastica };
+using scene::DroopRule;
 
 /// Segments between the points of a blade's vein that Algorithm 1 moves.
 inline constexpr int vein_segments = 32;

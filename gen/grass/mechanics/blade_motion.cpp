@@ -16,7 +16,9 @@ constexpr double step_s = 10.0;
 /// Steps in which the paper's law lets a straight blade droop at once.
 constexpr int turning_steps = 32;
 
-bool by_forces(const scene::Physiology& ageing) { return ageing.droop_rule == "elastica"; }
+bool by_forces(const scene::Physiology& ageing) {
+  return ageing.droop_rule == scene::DroopRule::elastica;
+}
 
 double clamp_angle(const Blade& blade, const scene::Physiology& ageing) {
   return double{by_forces(ageing) ? std::max(blade.lean, least_lean) : blade.lean};

@@ -31,7 +31,7 @@ class AgeingModel {
   /// The same where Algorithm 1 has moved the blade to that state of this age.
   BladePose pose(const Blade& blade, const VeinState& state, double age, double snow) const;
   /// Whether Algorithm 1 moves blades (ageing.motion), not a closed form.
-  bool moves_points() const { return ageing_.motion == "points"; }
+  bool moves_points() const { return ageing_.motion == scene::AgeingMotion::points; }
   BladeMotion motion(const Blade& blade) const { return {blade, ageing_, water_}; }
   BladeHistory history(const Blade& blade) const { return {blade, ageing_, water_}; }
   /// What a blade of that age lacks of its water, and the most that it has lacked until then.

@@ -146,7 +146,7 @@ BladePose blade_pose(const Blade& blade, const scene::Physiology& ageing, const 
   const double axial =
       (vein * tissue.strain_vein + mesophyll * tissue.strain_mesophyll) / (vein + mesophyll);
   BladePose pose;
-  pose.rule = ageing.droop_rule == "elastica" ? DroopRule::elastica : DroopRule::paper;
+  pose.rule = ageing.droop_rule;
   pose.load = static_cast<float>(
       fresh_load(blade) *
       (heaviest + snow_per_leaf * snow / relative_stiffness(ageing, water_lost)));

@@ -7,7 +7,6 @@
 
 #include "core/colour.h"
 #include "core/curve.h"
-#include "core/error.h"
 #include "core/parallel.h"
 #include "grass/ageing/ageing_curves.h"
 #include "grass/optics/coat.h"
@@ -48,6 +47,12 @@ LeafShade prospect_shade(const Observer& observer, const LeafSpectrum& leaf) {
           in_gamut(reflected + transmitted, highest_albedo)};
 }
 
+/// A leaf that lets no light through.
+LeafSpectrum opaque(std::vector<double> reflectance) {
+  std::vector<double> transmittance(reflectance.size(), 0.0);
+  return {std::move(reflectance), std::move(transmittance)};
+}
+
 /// The paper's colours are so pale that only clamping keeps their tint.
 LeafShade paper_shade(const Observer& observer, const LeafSpectrum& leaf) {
   const glm::vec3 rgb = glm::clamp(observer.linear_srgb(leaf.reflectance), 0.0, highest_albedo);
@@ -70,15 +75,15 @@ LeafContent withered_leaf(const scene::Physiology& ageing, double chlorophyll, d
 
 LeafSpectrum withered_spectrum(const scene::Physiology& ageing, const LeafOptics& optics,
                                double chlorophyll, double water) {
-  if (ageing.colour == "prospect") return optics(withered_leaf(ageing, chlorophyll, water));
-  if (ageing.colour == "paper") {
-    std::vector<double> reflectance = paper_reflectance(optics.spectra(), chlorophyll);
-    std::vector<double> transmittance(reflectance.size(), 0.0);
-    return {std::move(reflectance), std::move(transmittance)};
+  switch (ageing.colour) {
+    case scene::ColourModel::prospect:
+      return optics(withered_leaf(ageing, chlorophyll, water));
+    case scene::ColourModel::paper:
+      return opaque(paper_reflectance(optics.spectra(), chlorophyll));
+    case scene::ColourModel::melanin:
+      return hair_spectrum(ageing.fur, optics.spectra(), water);
   }
-  if (ageing.colour == "melanin") return hair_spectrum(ageing.fur, optics.spectra(), water);
-  throw InputError("no leaf colour model is called \"" + ageing.colour +
-                   "\"; there are melanin, paper, prospect");
+  return {};
 }
 
 LeafColour::LeafColour(const scene::Physiology& ageing) : table_(table_size) {
@@ -87,7 +92,7 @@ LeafColour::LeafColour(const scene::Physiology& ageing) : table_(table_size) {
   const LeafOptics optics(load_leaf_spectra());
   const std::vector<double>& wavelength_nm = optics.spectra().wavelength_nm;
   const Observer observer = load_observer(wavelength_nm.front(), wavelength_nm.back());
-  const auto shade = ageing.colour == "paper" ? paper_shade : prospect_shade;
+  const auto shade = ageing.colour == scene::ColourModel::paper ? paper_shade : prospect_shade;
   parallel_for(table_size, [&](std::size_t i) {
     const double weathering = static_cast<double>(i) / (table_size - 1);
     table_[i] = shade(

@@ -53,7 +53,8 @@ void add(StageTimes& to, const StageTimes& from) {
 
 double height_m(const Blade& blade, const scene::Physiology& physiology, double water_lost) {
   // Blades that move by steps bow from the straight one; how far, only the steps tell.
-  if (physiology.motion == "points") return double{blade.length_m * math::cos(blade.lean)};
+  if (physiology.motion == scene::AgeingMotion::points)
+    return double{blade.length_m * math::cos(blade.lean)};
   const BladePose pose = blade_pose(blade, physiology, water_lost, 1.0);
   const BladeAxis axis(blade, pose);
   double highest = 0.0;
