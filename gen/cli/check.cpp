@@ -8,7 +8,8 @@
 namespace wold::cli {
 
 ExitCode run_check(const std::filesystem::path& scene, const std::vector<std::string>& overrides) {
-  const scene::Scene checked = scene::read_scene(scene, overrides);
+  const auto [checked, warnings] = scene::read_with_warnings(scene, overrides);
+  print_warnings(warnings);
   print_warnings(phenology::as_film(checked));
   print_data(scene::resolved_toml(checked));
   return ExitCode::done;

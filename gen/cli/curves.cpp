@@ -6,6 +6,7 @@
 
 #include "cli/commands.h"
 #include "cli/output.h"
+#include "cli/warnings.h"
 #include "core/files.h"
 #include "core/parallel.h"
 #include "grass/ageing/withering_curves.h"
@@ -72,7 +73,8 @@ std::string curves_file(const scene::Scene& scene, const std::filesystem::path& 
 
 ExitCode run_curves(const CurvesOptions& options) {
   const Form form = form_of(options.out);
-  const scene::Scene scene = scene::read_scene(options.scene, options.overrides);
+  const auto [scene, warnings] = scene::read_with_warnings(options.scene, options.overrides);
+  print_warnings(warnings);
   std::vector<std::filesystem::path> inputs = work::input_files(options.scene, scene);
   inputs.push_back(options.weather);
   work::require_no_input(options.out, inputs);

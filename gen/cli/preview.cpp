@@ -214,10 +214,11 @@ class Preview {
 }  // namespace
 
 ExitCode run_preview(const PreviewOptions& options, Progress& progress) {
-  const scene::Scene scene =
-      phenology::as_film(scene::read_scene(options.scene, options.overrides));
+  const auto [read, warnings] = scene::read_with_warnings(options.scene, options.overrides);
+  const scene::Scene scene = phenology::as_film(read);
   const fs::path file = file_of(options, scene);
   work::require_no_input(file, work::input_files(options.scene, scene));
+  print_warnings(warnings);
   print_warnings(scene);
   if (file.has_parent_path()) make_folder(file.parent_path());
   const ThreadLimit limit(scene.render.threads);

@@ -48,6 +48,7 @@ void print_plan(const work::Job& job, bool with_pictures) {
 
 ExitCode run_generate(const work::RenderOptions& options, Progress& progress) {
   const work::Job job = work::plan_job(options);
+  print_warnings(job.text_warnings);
   print_warnings(job.scene);
   if (options.dry_run)
     print_plan(job, /*with_pictures=*/false);
@@ -58,6 +59,7 @@ ExitCode run_generate(const work::RenderOptions& options, Progress& progress) {
 
 ExitCode run_render(const work::RenderOptions& options, Progress& progress) {
   const work::Job job = work::plan_job(options);
+  print_warnings(job.text_warnings);
   print_warnings(job.scene);
   if (options.dry_run) {
     print_plan(job, /*with_pictures=*/true);

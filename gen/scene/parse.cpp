@@ -14,6 +14,7 @@
 #include "scene/convert.h"
 #include "scene/document.h"
 #include "scene/nearest.h"
+#include "scene/old_names.h"
 #include "scene/registry.h"
 #include "scene/text.h"
 
@@ -34,6 +35,7 @@ struct Reading {
   std::map<std::string, Key, std::less<>> item_keys;  ///< of all items of arrays
   Places places;
   std::vector<Problem> problems;
+  std::vector<Problem> warnings;
 };
 
 std::string wrong_table_message(const std::string& name) {
@@ -148,8 +150,18 @@ std::optional<Problem> store(const Key& key, const Node& node, const fs::path& f
   return std::nullopt;
 }
 
+/// The key of an entry, by its present or an old name, which is warned of; nullptr: there is none.
+const Key* key_for(const Entry& entry, Reading& reading) {
+  const std::string name = present_name(entry.name);
+  const Key* key = known_key(reading, name);
+  if (key != nullptr && name != entry.name)
+    reading.warnings.push_back({entry.where, fmt::format("{} is the old name of {}; write {} = ...",
+                                                         entry.name, name, leaf_of(name))});
+  return key;
+}
+
 void apply(const Entry& entry, const fs::path& folder, Reading& reading) {
-  const Key* key = known_key(reading, entry.name);
+  const Key* key = key_for(entry, reading);
   if (key == nullptr) {
     reading.problems.push_back({entry.where, unknown_key_message(entry, reading)});
     return;
@@ -166,9 +178,23 @@ bool is_read_or_reported_with_its_table(const Entry& entry, const Reading& readi
   return !is_table(entry.table) && reading.places.given.count(entry.table) == 0;
 }
 
+/// A text cannot have a name twice, but a key by its old and by its present name.
+void report_second_name(const Entry& entry, Reading& reading) {
+  const std::string name = present_name(entry.name);
+  const auto first = reading.places.given.find(name);
+  if (first == reading.places.given.end()) return;
+  reading.problems.push_back(
+      {entry.where,
+       fmt::format("{}: found the key again, by its {} name; line {} has it, expected "
+                   "it once, as {}",
+                   entry.name, entry.name == name ? "present" : "old", first->second.line, name)});
+}
+
 void apply_entries(const Document& document, const fs::path& folder, Reading& reading) {
   for (const Entry& entry : document.entries) {
-    if (!is_read_or_reported_with_its_table(entry, reading)) apply(entry, folder, reading);
+    if (is_read_or_reported_with_its_table(entry, reading)) continue;
+    report_second_name(entry, reading);
+    apply(entry, folder, reading);
   }
 }
 
@@ -208,8 +234,8 @@ std::string bounded_text(const fs::path& path) {
 
 }  // namespace
 
-Scene parse_scene(std::string_view text, const std::string& file_name,
-                  std::span<const std::string> overrides) {
+Parsed parse_with_warnings(std::string_view text, const std::string& file_name,
+                           std::span<const std::string> overrides) {
   const Document document = read_document(text, file_name);
   Reading reading;
   report_unknown_tables(document, reading);
@@ -219,11 +245,21 @@ Scene parse_scene(std::string_view text, const std::string& file_name,
   report_contradictions(reading.scene, reading.places, reading.problems);
   sort_by_line(reading.problems);
   if (!reading.problems.empty()) throw InputError(std::move(reading.problems));
-  return reading.scene;
+  sort_by_line(reading.warnings);
+  return {std::move(reading.scene), std::move(reading.warnings)};
+}
+
+Parsed read_with_warnings(const fs::path& path, std::span<const std::string> overrides) {
+  return parse_with_warnings(bounded_text(path), path.string(), overrides);
+}
+
+Scene parse_scene(std::string_view text, const std::string& file_name,
+                  std::span<const std::string> overrides) {
+  return parse_with_warnings(text, file_name, overrides).scene;
 }
 
 Scene read_scene(const fs::path& path, std::span<const std::string> overrides) {
-  return parse_scene(bounded_text(path), path.string(), overrides);
+  return read_with_warnings(path, overrides).scene;
 }
 
 }  // namespace wold::scene

@@ -4,7 +4,9 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "core/error.h"
 #include "scene/scene.h"
 
 namespace wold::scene {
@@ -22,5 +24,19 @@ Scene parse_scene(std::string_view text, const std::string& file_name,
 
 /// The same for a file. A file that is missing, unreadable or no file is an InputError, too.
 Scene read_scene(const std::filesystem::path& path, std::span<const std::string> overrides = {});
+
+/// A scene that was read, and what its author should change although it could be read.
+struct Parsed {
+  Scene scene;
+  std::vector<Problem> warnings;  ///< keys that were given under an old name, with their places
+};
+
+/// What parse_scene() reads, with its warnings.
+Parsed parse_with_warnings(std::string_view text, const std::string& file_name,
+                           std::span<const std::string> overrides = {});
+
+/// What read_scene() reads, with its warnings.
+Parsed read_with_warnings(const std::filesystem::path& path,
+                          std::span<const std::string> overrides = {});
 
 }  // namespace wold::scene

@@ -55,7 +55,9 @@ std::vector<int> counted(int count) {
 
 Job plan_job(const RenderOptions& options) {
   Job job;
-  job.scene = phenology::as_film(scene::read_scene(options.scene, options.overrides));
+  scene::Parsed read = scene::read_with_warnings(options.scene, options.overrides);
+  job.scene = phenology::as_film(read.scene);
+  job.text_warnings = std::move(read.warnings);
   const int count = static_cast<int>(job.scene.ageing.frames.size());
   check_frames(options.frames, count);
   job.frames = options.frames.empty() ? counted(count) : options.frames;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "film/request.h"
 
 namespace wold::work {
@@ -29,6 +30,7 @@ struct Job : film::Request {
   std::string povray;         ///< program that --povray names; empty: it names none
   int threads = 0;            ///< 0: all processors
   double memory_bytes = 0.0;  ///< that all may take together; 0: the machine's, and no limit is set
+  std::vector<Problem> text_warnings;  ///< of scene::read_with_warnings()
 };
 
 /// Threads that the job may use: all processors' where it does not say.
