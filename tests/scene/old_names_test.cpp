@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
+
 #include "scene/parse.h"
 #include "scene/problems.h"
 #include "scene/registry.h"
@@ -47,12 +49,13 @@ TEST(OldNames, AreReadWithAWarningThatHasThePlaceAndTheNewName) {
 }
 
 TEST(OldNames, AreReadInItemsAndOnTheCommandLine) {
-  const std::string events = "[[clouds]]\n[[cloud_events]]\n[[cloud_events]]\nby = 0.25\n";
-  EXPECT_EQ(
-      parse_scene(events, "a.toml"),
-      parse_scene("[[clouds]]\n[[cloud_events]]\n[[cloud_events]]\nfraction = 0.25\n", "a.toml"));
+  const std::string events =
+      "[[clouds]]\n[[cloud_events]]\nkind = 'gather'\n[[cloud_events]]\nkind = 'gather'\nstart = "
+      "90\nby = 0.25\n";
+  EXPECT_EQ(parse_scene(events, "a.toml"),
+            parse_scene(std::regex_replace(events, std::regex("by"), "fraction"), "a.toml"));
   EXPECT_EQ(warnings_of(events),
-            std::vector<std::string>{"a.toml:4:1: cloud_events[2].by is the old name of "
+            std::vector<std::string>{"a.toml:7:1: cloud_events[2].by is the old name of "
                                      "cloud_events[2].fraction; write fraction = ..."});
   const Overrides old = {"growth.share=0.25"};
   EXPECT_EQ(parse_scene("[growth]\ncover = 0.5\n", "a.toml", old),
