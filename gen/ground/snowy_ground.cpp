@@ -50,7 +50,8 @@ float share_above(const scene::Grass& grass, float depth_m) {
 /// below, laden as they are, and they send most of what they held back down again.
 constexpr double shading_under_grass = 0.25;
 
-double mean(const FactorMap& map) {
+template <class Meaning>
+double mean(const GroundMap<float, Meaning>& map) {
   double sum = 0.0;
   for (const float value : map.values()) sum += double{value};
   return sum / static_cast<double>(map.values().size());
