@@ -8,9 +8,10 @@
 namespace wold::cli {
 
 ExitCode run_check(const std::filesystem::path& scene, const std::vector<std::string>& overrides) {
-  const scene::Scene checked = scene::read_scene(scene, overrides);
-  print_warnings(phenology::as_film(checked));
-  console::print_data(scene::resolved_toml(checked));
+  const scene::LocatedScene read = scene::read_located_scene(scene, overrides);
+  print_warnings(read.warnings);
+  print_warnings(phenology::as_film(read.scene));
+  console::print_data(scene::resolved_toml(read.scene));
   return ExitCode::done;
 }
 

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "cli/commands.h"
+#include "cli/warnings.h"
 #include "console/output.h"
 #include "core/files.h"
 #include "film/machine_check.h"
@@ -31,7 +32,9 @@ report::CurvesForm form_of(const std::filesystem::path& out) {
 
 ExitCode run_curves(const CurvesOptions& options) {
   const report::CurvesForm form = form_of(options.out);
-  const auto [scene, places] = scene::read_located_scene(options.scene, options.overrides);
+  const auto [scene, places, warnings] =
+      scene::read_located_scene(options.scene, options.overrides);
+  print_warnings(warnings);
   film::require_files(scene, places);
   std::vector<std::filesystem::path> inputs = work::input_files(options.scene, scene);
   inputs.push_back(options.weather);

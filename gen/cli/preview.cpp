@@ -34,6 +34,7 @@ ExitCode run_preview(const PreviewOptions& options, Progress& progress) {
   const scene::Scene scene = phenology::as_film(read.scene);
   const fs::path file = file_of(options, scene);
   work::require_no_input(file, work::input_files(options.scene, scene));
+  print_warnings(read.warnings);
   print_warnings(scene);
   if (file.has_parent_path()) make_folder(file.parent_path());
   const ThreadLimit limit(scene.render.threads);

@@ -60,6 +60,7 @@ void say_who_has_no_renderer(const work::Job& job, Progress& progress) {
 
 ExitCode run_generate(const work::RenderOptions& options, Progress& progress) {
   const work::Job job = work::plan_job(options);
+  print_warnings(job.text_warnings);
   print_warnings(job.scene);
   if (options.dry_run)
     print_plan(job, /*with_pictures=*/false);
@@ -70,6 +71,7 @@ ExitCode run_generate(const work::RenderOptions& options, Progress& progress) {
 
 ExitCode run_render(const work::RenderOptions& options, Progress& progress) {
   const work::Job job = work::plan_job(options);
+  print_warnings(job.text_warnings);
   print_warnings(job.scene);
   if (options.dry_run) {
     print_plan(job, /*with_pictures=*/true);

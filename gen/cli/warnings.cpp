@@ -12,4 +12,9 @@ void print_warnings(const scene::Scene& film) {
     console::print_message(fmt::format("warning: {}", warning));
 }
 
+void print_warnings(std::span<const Problem> warnings) {
+  for (const Problem& warning : warnings)
+    console::print_message(fmt::format("warning: {}", to_string(warning)));
+}
+
 }  // namespace wold::cli

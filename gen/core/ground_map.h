@@ -28,8 +28,9 @@ struct Square {
 
 /// A square map of the terrain, or of a part of it: `samples` x `samples` values on the corners of
 /// a regular grid that covers the square. Value (i, j) lies at the square's corner, which is mostly
-/// the terrain's, plus (i, j) * step (x east, y north), stored with i fastest.
-template <class T>
+/// the terrain's, plus (i, j) * step (x east, y north), stored with i fastest. Maps of values of
+/// the same type that mean something else have a `Meaning` of their own: one is no other's.
+template <class T, class Meaning = void>
 class GroundMap {
  public:
   GroundMap() = default;
@@ -107,9 +108,10 @@ inline double shown_share(double feature_m, double step_m) {
 }
 
 /// `map` times `factor` on the map's square, with the more samples of the two.
-template <class T, class Factor>
-GroundMap<T> product(const GroundMap<T>& map, const GroundMap<Factor>& factor) {
-  GroundMap<T> result(std::max(map.samples(), factor.samples()), map.square());
+template <class T, class Meaning, class Factor, class FactorMeaning>
+GroundMap<T, Meaning> product(const GroundMap<T, Meaning>& map,
+                              const GroundMap<Factor, FactorMeaning>& factor) {
+  GroundMap<T, Meaning> result(std::max(map.samples(), factor.samples()), map.square());
   parallel_for(static_cast<std::size_t>(result.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < result.samples(); ++i) {
@@ -121,9 +123,9 @@ GroundMap<T> product(const GroundMap<T>& map, const GroundMap<Factor>& factor) {
 }
 
 /// One pass of the binomial filter 1 2 1 along both axes; the border keeps its value beyond itself.
-template <class T>
-void smooth(GroundMap<T>& map) {
-  const GroundMap<T> old = map;
+template <class T, class Meaning>
+void smooth(GroundMap<T, Meaning>& map) {
+  const GroundMap<T, Meaning> old = map;
   const auto inside = [&](int i) { return std::clamp(i, 0, old.samples() - 1); };
   parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
@@ -139,10 +141,10 @@ void smooth(GroundMap<T>& map) {
 }
 
 /// Terrain heights in metres above the scene's zero.
-using Heightfield = GroundMap<float>;
+using Heightfield = GroundMap<float, struct Heights>;
 /// Linear RGB per ground point.
 using ColourMap = GroundMap<glm::vec3>;
-/// A share or factor per ground point.
+/// A share, a factor or another number that is no height per ground point.
 using FactorMap = GroundMap<float>;
 
 }  // namespace wold

@@ -18,14 +18,14 @@ std::string write_terrain(const Heightfield& terrain, const std::filesystem::pat
 
 /// The map, and its border's values a metre or so beyond it: blades hang over the terrain's edges,
 /// and outside a density file all is 0.
-template <class T>
-GroundMap<T> continued(const GroundMap<T>& map) {
+template <class T, class Meaning>
+GroundMap<T, Meaning> continued(const GroundMap<T, Meaning>& map) {
   constexpr double reach_m = 1.0;
   const double wanted = std::ceil(reach_m / map.step_m());
   const int beyond = static_cast<int>(std::min<double>(wanted, map.samples()));
   const int side = map.samples() + 2 * beyond;
-  GroundMap<T> result(side,
-                      Square{map.corner_m() - beyond * map.step_m(), (side - 1) * map.step_m()});
+  GroundMap<T, Meaning> result(
+      side, Square{map.corner_m() - beyond * map.step_m(), (side - 1) * map.step_m()});
   const auto inside = [&](int i) { return std::clamp(i - beyond, 0, map.samples() - 1); };
   for (int j = 0; j < side; ++j)
     for (int i = 0; i < side; ++i) result.at(i, j) = map.at(inside(i), inside(j));

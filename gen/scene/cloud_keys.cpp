@@ -93,7 +93,7 @@ std::vector<Key> cloud_event_keys(std::size_t item) {
       bound(number("cloud_events.factor", "", {1, 100},
                    "Faster: of the speed afterwards; slower: its inverse."),
             ITEM_FIELD(cloud_events, factor)),
-      bound(number("cloud_events.by", "", {0, 1},
+      bound(number("cloud_events.fraction", "", {0, 1},
                    "Gather, dissipate: how much of the way to the whole layer, or to a clear sky."),
             ITEM_FIELD(cloud_events, by)),
       bound(list(Kind::numbers, "cloud_events.colour", "", {0, 1}, {.fewest = 0, .most = 3},

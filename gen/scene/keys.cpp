@@ -87,7 +87,7 @@ std::vector<Key> terrain_keys() {
 
 std::vector<Key> growth_keys() {
   return {
-      bound(number("growth.share", "", {0, 1},
+      bound(number("growth.cover", "", {0, 1},
                    "Share of the ground within the limits that is grown over."),
             FIELD(growth.share)),
       bound(number("growth.feature", "m", {0.1, 10000}, "Size of the bare patches."),

@@ -13,6 +13,7 @@
 #include "scene/convert.h"
 #include "scene/document.h"
 #include "scene/nearest.h"
+#include "scene/old_names.h"
 #include "scene/registry.h"
 #include "scene/text.h"
 
@@ -33,6 +34,7 @@ struct Reading {
   std::map<std::string, Key, std::less<>> item_keys;  ///< of all items of arrays
   Places places;
   std::vector<Problem> problems;
+  std::vector<Problem> warnings;
 };
 
 std::string wrong_table_message(const std::string& name) {
@@ -147,8 +149,18 @@ std::optional<Problem> store(const Key& key, const Node& node, const fs::path& f
   return std::nullopt;
 }
 
+/// The key of an entry, by its present or an old name, which is warned of; nullptr: there is none.
+const Key* key_for(const Entry& entry, Reading& reading) {
+  const std::string name = present_name(entry.name);
+  const Key* key = known_key(reading, name);
+  if (key != nullptr && name != entry.name)
+    reading.warnings.push_back({entry.where, fmt::format("{} is the old name of {}; write {} = ...",
+                                                         entry.name, name, leaf_of(name))});
+  return key;
+}
+
 void apply(const Entry& entry, const fs::path& folder, Reading& reading) {
-  const Key* key = known_key(reading, entry.name);
+  const Key* key = key_for(entry, reading);
   if (key == nullptr) {
     reading.problems.push_back({entry.where, unknown_key_message(entry, reading)});
     return;
@@ -165,8 +177,20 @@ bool is_read_or_reported_with_its_table(const Entry& entry, const Reading& readi
   return !is_table(entry.table) && reading.places.given.count(entry.table) == 0;
 }
 
+/// A text cannot have a name twice, but a key by its old and by its present name.
+void report_second_name(const Entry& entry, Reading& reading) {
+  const std::string name = present_name(entry.name);
+  const auto first = reading.places.given.find(name);
+  if (first == reading.places.given.end()) return;
+  reading.problems.push_back(
+      {entry.where,
+       fmt::format("{}: found the key again, by its {} name; line {} has it, expected "
+                   "it once, as {}",
+                   entry.name, entry.name == name ? "present" : "old", first->second.line, name)});
+}
+
 bool is_of_item(const Entry& entry, const Reading& reading) {
-  return reading.item_keys.contains(entry.name);
+  return reading.item_keys.contains(present_name(entry.name));
 }
 
 /// An assignment of the command line, and what was wrong with it: said in the order that they stand
@@ -200,10 +224,13 @@ void apply(Override& override, Reading& reading) {
 /// The keys of single tables, or those of items of arrays: the text's, then the command line's.
 void apply_entries(const Document& document, std::span<Override> overrides, const fs::path& folder,
                    bool of_items, Reading& reading) {
-  for (const Entry& entry : document.entries)
-    if (!is_read_or_reported_with_its_table(entry, reading) &&
-        is_of_item(entry, reading) == of_items)
-      apply(entry, folder, reading);
+  for (const Entry& entry : document.entries) {
+    if (is_read_or_reported_with_its_table(entry, reading) ||
+        is_of_item(entry, reading) != of_items)
+      continue;
+    report_second_name(entry, reading);
+    apply(entry, folder, reading);
+  }
   for (Override& override : overrides)
     if (override.entry && is_of_item(*override.entry, reading) == of_items)
       apply(override, reading);
@@ -252,7 +279,8 @@ LocatedScene parse_located_scene(std::string_view text, const std::string& file_
                             override.problems.end());
   report_contradictions(reading.scene, reading.places, reading.problems);
   throw_problems(std::move(reading.problems));
-  return {std::move(reading.scene), std::move(reading.places)};
+  sort_by_line(reading.warnings);
+  return {std::move(reading.scene), std::move(reading.places), std::move(reading.warnings)};
 }
 
 Scene parse_scene(std::string_view text, const std::string& file_name,

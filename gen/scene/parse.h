@@ -4,7 +4,9 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "core/error.h"
 #include "scene/rule.h"
 #include "scene/scene.h"
 
@@ -14,6 +16,7 @@ namespace wold::scene {
 struct LocatedScene {
   Scene scene;
   Places places;
+  std::vector<Problem> warnings;  ///< keys that were given under an old name, with their places
 };
 
 /// The scene of a TOML text. Keys that it leaves out keep the defaults of Scene; an empty text is

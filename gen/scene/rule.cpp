@@ -13,15 +13,14 @@ SourcePosition blamed_place(const Rule& rule, const Places& places) {
   return {};
 }
 
-/// The text's problems from its top, then those without a line.
+}  // namespace
+
 void sort_by_line(std::vector<Problem>& problems) {
   const auto rank = [](const Problem& problem) {
     return std::tuple(problem.where.line == 0, problem.where.line, problem.where.column);
   };
   std::ranges::stable_sort(problems, {}, rank);
 }
-
-}  // namespace
 
 void report_broken(const std::vector<Rule>& rules, const Places& places,
                    std::vector<Problem>& problems) {

@@ -27,6 +27,9 @@ struct Rule {
 void report_broken(const std::vector<Rule>& rules, const Places& places,
                    std::vector<Problem>& problems);
 
+/// Puts problems into the order of the text, those without a line at the end in the order they had.
+void sort_by_line(std::vector<Problem>& problems);
+
 /// Throws InputError with the problems, in the order of the text, then those without a line.
 /// Without any it returns.
 void throw_problems(std::vector<Problem> problems);

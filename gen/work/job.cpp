@@ -63,6 +63,7 @@ Job plan_job(const RenderOptions& options) {
   job.season = phenology::film_season(read.scene);
   job.scene = phenology::as_film(std::move(read.scene), job.season.get());
   job.places = std::move(read.places);
+  job.text_warnings = std::move(read.warnings);
   const int count = static_cast<int>(job.scene.ageing.frames.size());
   check_frames(options.frames, count);
   job.frames = options.frames.empty() ? counted(count) : options.frames;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "film/request.h"
 #include "scene/rule.h"
 
@@ -35,6 +36,7 @@ struct Job : film::Request {
   ChosenPrograms programs;    ///< that options name
   int threads = 0;            ///< 0: all processors
   double memory_bytes = 0.0;  ///< that all may take together; 0: the machine's, and no limit is set
+  std::vector<Problem> text_warnings;  ///< of scene::read_located_scene()
 };
 
 /// Threads that the job may use: all processors' where it does not say.

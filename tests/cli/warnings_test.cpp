@@ -166,6 +166,15 @@ TEST_F(Warnings, KeysOfAnotherChoice) {
   EXPECT_THAT(about("[terrain]\nsystem = 'EPSG:4326'\n"), HasSubstr("without terrain.elevation"));
 }
 
+TEST_F(Warnings, KeysThatWereRenamed) {
+  write("a.toml", "[growth]\nshare = 0.9\n");
+  const std::string renamed = "warning: a.toml:2:1: growth.share is the old name of growth.cover";
+  for (const std::string command : {"check", "render --dry-run", "curves --out a.csv"})
+    EXPECT_THAT(wold(command + " a.toml").err, StartsWith(renamed)) << command;
+  EXPECT_THAT(wold("check a.toml").out,
+              AllOf(HasSubstr("\ncover = 0.9\n"), Not(HasSubstr("\nshare = "))));
+}
+
 TEST_F(Warnings, StandOnStderrOfWhatUsesTheScene) {
   write("a.toml", std::string(near_camera) + "[grass]\nlevels = [126]\n");
   for (const std::string command : {"check", "render --dry-run", "generate --dry-run"}) {

@@ -14,7 +14,7 @@ namespace {
 TEST(CloudScene, ReadsLayersAndEventsInTheirOrder) {
   const Scene scene = parse_scene(
       "[[clouds]]\nkind = 'cirrus'\nbase = 8000\ncover = 'auto'\n"
-      "[[cloud_events]]\nkind = 'gather'\nlayer = 2\nstart = 10\nby = 0.5\n"
+      "[[cloud_events]]\nkind = 'gather'\nlayer = 2\nstart = 10\nfraction = 0.5\n"
       "[[clouds]]\ncells = [3, 4]\ncover = 0.25\n[film]\nframe_seconds = 5\n",
       "a.toml");
   Scene expected;
