@@ -7,8 +7,7 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # What the program is built with, and the renderers.
 build_packages=(g++ cmake ninja-build libopenvdb-dev libopenimageio-dev libtbb-dev libglm-dev
   libfmt-dev libcli11-dev nlohmann-json3-dev libtomlplusplus-dev libboost-dev
-  libboost-iostreams-dev libgdal-dev libzip-dev libxxhash-dev
-  fonts-dejavu-core)
+  libboost-iostreams-dev libgdal-dev libzip-dev libxxhash-dev fonts-dejavu-core)
 render_packages=(blender povray ffmpeg)
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev libxml2-utils locales slurmctld slurmd
   slurm-client munge python3 procps chromium chromium-driver man-db zsh fish)
