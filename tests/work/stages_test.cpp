@@ -4,6 +4,7 @@
 #include "support/file_only_exporter.h"
 #include "support/temporary_folder.h"
 #include "work/do_tasks.h"
+#include "work/folder_lock.h"
 #include "work/plan.h"
 #include "work/tasks.h"
 
@@ -54,6 +55,7 @@ TEST(Stages, OfAnExporterWithoutARendererAreDoneWithItsFiles) {
   {
     Renderers renderers(job, progress);
     require_renderers(job, stages, renderers);
+    const FolderLock lock(job.out, Access::alone, progress);
     Work work(job, &renderers);
     do_tasks(job, work, stages, progress);
     work.finish();
@@ -66,8 +68,11 @@ TEST(Stages, OfAnExporterWithoutARendererAreDoneWithItsFiles) {
 
 // Its last job waits for all that nothing else waits for.
 TEST(Stages, WithoutPicturesEndAJobTemplateWithTheSceneFiles) {
-  const Job job = job_of({&test::file_only_exporter()});
-  const std::string json = plan_openjd({}, job, make_plan(job));
+  Job job = job_of({&test::file_only_exporter()});
+  job.out = "out";
+  RenderOptions options;
+  options.scene = "scene.toml";
+  const std::string json = plan_openjd(options, job, make_plan(job));
   const std::size_t manifest = json.find("\"manifest\"");
   ASSERT_NE(manifest, std::string::npos);
   EXPECT_NE(json.find("\"dependsOn\": \"scenes\"", manifest), std::string::npos) << json;
