@@ -71,7 +71,7 @@ void raise_mountain(Scene& scene) {
 const Names& keys_of_mountains() {
   static const Names names = {"terrain.shape",        "terrain.size",           "terrain.samples",
                               "terrain.relief",       "terrain.relief_feature", "terrain.streams",
-                              "terrain.talus",        "terrain.rock_slope",     "growth.share",
+                              "terrain.talus",        "terrain.rock_slope",     "growth.cover",
                               "growth.steepest",      "grass.levels",           "camera.eye_height",
                               "camera.target_height", "camera.field_of_view"};
   return names;

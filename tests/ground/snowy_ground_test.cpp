@@ -22,7 +22,8 @@ scene::Scene snowed_in(double water_mm) {
   return scene;
 }
 
-double mean(const FactorMap& map) {
+template <class Meaning>
+double mean(const GroundMap<float, Meaning>& map) {
   double sum = 0.0;
   for (const float value : map.values()) sum += double{value};
   return sum / static_cast<double>(map.values().size());
