@@ -65,7 +65,7 @@ using RenderArguments = SceneArguments<work::RenderOptions>;
 
 /// All but --weather, which `curves` has for itself.
 void add_shorthands(CLI::App& app, Overrides& overrides) {
-  add_shorthand(app, "--renderer", "blender|povray|both", "render.renderer", overrides);
+  add_shorthand(app, "--renderer", "blender|povray|both|mitsuba", "render.renderer", overrides);
   add_shorthand(app, "--samples", "N", "render.samples", overrides);
   add_shorthand(app, "--grass", "texels|blades|auto|points", "render.grass", overrides);
   add_file_shorthand(app, "--terrain", "terrain.elevation", overrides);

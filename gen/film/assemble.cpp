@@ -144,7 +144,7 @@ landscape::Daylight open_daylight(const light::Daylight& day, double sun_share,
 
 landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site, int frame,
                               std::span<const meadow::CellChoice> choices,
-                              const PatchLookup& lookup) {
+                              const PatchLookup& lookup, bool with_unlit) {
   landscape::Landscape landscape;
   landscape.frame = frame;
   landscape.weathering = scene.ageing.frames.at(static_cast<std::size_t>(frame - 1));
@@ -174,6 +174,11 @@ landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site
       .show(ground, light, landscape);
   sky.show(landscape, overcast_per_m > 0.0);
   if (overcast_per_m > 0.0) sky::let_it_fall(scene, site, air, landscape);
+  // Under an overcast sky the air itself shines: there is none without it.
+  if (with_unlit)
+    landscape.unlit = landscape::Unlit{
+        landscape.daylight.sun_irradiance,
+        overcast_per_m > 0.0 ? landscape.sky : sky.unlit(landscape.camera), ground.albedo()};
   return landscape;
 }
 

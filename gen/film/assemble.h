@@ -27,8 +27,9 @@ struct PatchLookup {
 /// what it gives, or the part of it, are the landscape's in that order.
 /// `site` is site_of_frame()'s. exposure_gain is metered_gain() (exposure.h), or towards
 /// snow_gain() in a season, times dusk_gain() where the sun moves within a day, times 2^exposure.
+/// `with_unlit`: an exporter asks for Landscape::unlit.
 landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site, int frame,
                               std::span<const meadow::CellChoice> choices,
-                              const PatchLookup& lookup);
+                              const PatchLookup& lookup, bool with_unlit = false);
 
 }  // namespace wold::film

@@ -15,6 +15,7 @@
 #include "ground/lit_ground.h"
 #include "meadow/far_field.h"
 #include "meadow/film_lights.h"
+#include "mitsuba/export.h"
 #include "place/view.h"
 #include "povray/export.h"
 #include "scene/calendar.h"
@@ -27,9 +28,13 @@ int coarsest_level(const scene::Grass& grass) { return static_cast<int>(grass.le
 
 std::vector<fs::path> export_frame(const std::string& renderer,
                                    const landscape::Landscape& landscape, const fs::path& folder) {
+  if (renderer == "mitsuba") return mitsuba::export_frame(landscape, folder);
   return renderer == "blender" ? blender::export_frame(landscape, folder)
                                : povray::export_frame(landscape, folder);
 }
+
+/// Whether an exporter asks for the landscape without light.
+bool wants_unlit(const scene::Scene& scene) { return scene.render.renderer == "mitsuba"; }
 
 /// Blender leaves volumes out where too many lie over each other, without a word: on sharply bent
 /// ground, where a patch is laid in many parts, or behind many clouds.
@@ -137,6 +142,7 @@ landscape::Volume Film::volume(const meadow::CellChoice& cell) const {
   volume.name = fmt::format("v{}_{}_q{}_{:03}", cell.variant, cell.state().name(), cell.turn, side);
   volume.vdb = texels_.volume_path(cell.variant, cell.state(), cell.level);
   volume.emission_grid = fmt::format("emission_q{}", cell.turn);
+  if (wants_unlit(request_.scene)) volume.texel = texels_.texel_path(cell.variant, cell.state());
   volume.content = texels_.volume_content(cell.variant, cell.state(), cell.level,
                                           turns_of(request_.scene, cell.level));
   volume.voxels = {side, side, texels_.level_shape(cell.level).height};
@@ -155,8 +161,11 @@ landscape::BladeMesh Film::blades(const meadow::CellChoice& cell) {
   const bool points = request_.scene.render.grass == "points";
   mesh.name = fmt::format("{}{}_{}_{}", points ? 'p' : 'v', cell.variant, cell.state().name(),
                           texels_.content(cell.variant, cell.state()));
-  mesh.tubes = std::make_shared<const Tubes>(points ? texels_.points(cell.variant, cell.state())
-                                                    : texels_.blades(cell.variant, cell.state()));
+  Tubes tubes = points ? texels_.points(cell.variant, cell.state())
+                       : texels_.blades(cell.variant, cell.state());
+  if (wants_unlit(request_.scene) && !points)
+    texels_.add_leaf_shades(cell.variant, cell.state(), tubes);
+  mesh.tubes = std::make_shared<const Tubes>(std::move(tubes));
   return mesh;
 }
 
@@ -182,7 +191,7 @@ std::vector<fs::path> Film::make_frame(int frame, Progress& progress) {
   progress.begin(fmt::format("scene files of frame {}", frame), 1 + renderers.size());
   const landscape::Landscape landscape =
       assemble(request_.scene, place::site_of_frame(request_.scene, site_, frame), frame,
-               cells_of(frame), lookup);
+               cells_of(frame), lookup, wants_unlit(request_.scene));
   progress.advance(1, fmt::format("frame {}", frame));
   std::vector<fs::path> files;
   if (std::ranges::count(renderers, "blender") > 0) check_overlaps(landscape, progress);

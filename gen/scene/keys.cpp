@@ -370,7 +370,8 @@ std::vector<Key> camera_keys() {
 
 std::vector<Key> render_keys() {
   return {
-      bound(word("render.renderer", {"blender", "povray", "both"}, "Who makes the pictures."),
+      bound(word("render.renderer", {"blender", "povray", "both", "mitsuba"},
+                 "Who makes the pictures."),
             FIELD(render.renderer)),
       bound(list(Kind::integers, "render.size", "px", {16, 16384}, pair,
                  "Width and height of the picture."),

@@ -174,7 +174,7 @@ struct Camera {
 };
 
 struct Render {
-  std::string renderer = "both";  ///< "blender", "povray", "both"
+  std::string renderer = "both";  ///< "blender", "povray", "both", "mitsuba"
   std::array<int, 2> size_px = {960, 540};
   int samples = 4;               ///< per pixel
   std::string grass = "texels";  ///< "texels", "blades", "auto", "points"

@@ -28,8 +28,9 @@ std::vector<StageTasks> stages_of(const Job& job) {
   if (!job.scene.clouds.empty()) stages.push_back({Stage::clouds, {1}, {}, {}});
   stages.push_back({Stage::scenes, job.frames, Stage::texels, {}});
   for (const std::string& renderer : film::wanted_renderers(job.scene))
-    stages.push_back(
-        {renderer == "blender" ? Stage::blender : Stage::povray, job.frames, {}, Stage::scenes});
+    if (renderer != "mitsuba")  // whose files are written, and which is not run
+      stages.push_back(
+          {renderer == "blender" ? Stage::blender : Stage::povray, job.frames, {}, Stage::scenes});
   return stages;
 }
 
