@@ -42,11 +42,20 @@ class Library:
 
 
 def read_table(cmake: str) -> dict[str, Library]:
-    """The lines wold_library(name PUBLIC targets... PRIVATE targets...), by name."""
+    """The lines wold_library(name PUBLIC targets... PRIVATE targets...), by name.
+
+    An exporter's line, wold_exporter(name ...), is that of a library which hands on exporter;
+    ${exporters} are all of these.
+    """
     table = {}
     text = re.sub(r"#.*", "", cmake)
-    for name, words in re.findall(r"^wold_library\((\w+)([^)]*)\)", text, re.MULTILINE):
+    lines = re.findall(r"^wold_(library|exporter)\((\w+)([^)]*)\)", text, re.MULTILINE)
+    exporters = " ".join(f"wold_{name}" for kind, name, _ in lines if kind == "exporter")
+    for kind, name, words in lines:
         library = table[name] = Library()
+        if kind == "exporter":
+            library.public.append("exporter")
+        words = words.replace("${exporters}", exporters)
         links = library.public
         for word in words.split():
             if word in ("PUBLIC", "PRIVATE"):

@@ -173,6 +173,11 @@ landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site
       .show(ground, light, landscape);
   sky.show(landscape, overcast_per_m > 0.0);
   if (overcast_per_m > 0.0) sky::let_it_fall(scene, site, air, needs, landscape);
+  // Under an overcast sky the air itself shines: there is none without it.
+  if (needs.materials)
+    landscape.unlit = landscape::Unlit{
+        landscape.daylight.sun_irradiance,
+        overcast_per_m > 0.0 ? landscape.sky : sky.unlit(landscape.camera), ground.albedo()};
   return landscape;
 }
 

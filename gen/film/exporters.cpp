@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "blender/entry.h"
+#include "mitsuba/entry.h"
 #include "povray/entry.h"
 #include "scene/calendar.h"
 
@@ -14,6 +15,7 @@ exporter::Exporters exporters() {
   static const std::array table = {
       &blender::entry(),
       &povray::entry(),
+      &mitsuba::entry(),
   };
   return table;
 }

@@ -120,6 +120,8 @@ landscape::Volume Film::volume(const meadow::CellChoice& cell) const {
   volume.name = fmt::format("v{}_{}_q{}_{:03}", cell.variant, cell.state().name(), cell.turn, side);
   volume.vdb = texels_.volume_path(cell.variant, cell.state(), cell.level);
   volume.emission_grid = fmt::format("emission_q{}", cell.turn);
+  if (needs_of(request_.exporters).materials)
+    volume.texel = texels_.texel_path(cell.variant, cell.state());
   volume.content = texels_.volume_content(cell.variant, cell.state(), cell.level,
                                           turns_of(request_.scene, cell.level));
   volume.voxels = {side, side, texels_.level_shape(cell.level).height};
@@ -138,8 +140,11 @@ landscape::BladeMesh Film::blades(const meadow::CellChoice& cell) {
   const bool points = request_.scene.render.grass == scene::GrassForm::points;
   mesh.name = fmt::format("{}{}_{}_{}", points ? 'p' : 'v', cell.variant, cell.state().name(),
                           texels_.content(cell.variant, cell.state()));
-  mesh.tubes = std::make_shared<const Tubes>(points ? texels_.points(cell.variant, cell.state())
-                                                    : texels_.blades(cell.variant, cell.state()));
+  Tubes tubes = points ? texels_.points(cell.variant, cell.state())
+                       : texels_.blades(cell.variant, cell.state());
+  if (!points && needs_of(request_.exporters).materials)
+    texels_.add_leaf_shades(cell.variant, cell.state(), tubes);
+  mesh.tubes = std::make_shared<const Tubes>(std::move(tubes));
   return mesh;
 }
 

@@ -173,14 +173,33 @@ FactorMap SnowyGround::white(const GroundGrid& grid) const {
 ColourMap SnowyGround::reflectance() const {
   ColourMap bare = wetted(site_.ground_reflectance);
   if (is_bare()) return bare;
-  return reflectance(bare, site_.growth, *white_);
+  return reflectance(bare, site_.growth, *white_, place::canopy_transmittance(scene_));
+}
+
+ColourMap SnowyGround::albedo() const {
+  const double under_grass = place::canopy_transmittance(scene_);
+  ColourMap bare = site_.ground_reflectance;
+  parallel_for(static_cast<std::size_t>(bare.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < bare.samples(); ++i) {
+      const glm::dvec2 at_m = bare.place_m(i, j);
+      const double grown{site_.growth.sample(at_m.x, at_m.y)};
+      bare.at(i, j) /= static_cast<float>(math::pow(under_grass, grown));
+    }
+  });
+  bare = wetted(std::move(bare));
+  if (!is_bare()) bare = reflectance(bare, site_.growth, *white_, /*under_grass=*/1.0);
+  for (glm::vec3& value : bare.values())
+    value = glm::min(std::numbers::pi_v<float> * value, glm::vec3(1.0F));
+  return bare;
 }
 
 place::GroundPart SnowyGround::covered(place::GroundPart part) const {
   part.reflectance = wetted(std::move(part.reflectance));
   if (is_bare()) return part;
   part.reflectance = reflectance(part.reflectance, part.growth,
-                                 white({part.reflectance.square(), part.reflectance.samples()}));
+                                 white({part.reflectance.square(), part.reflectance.samples()}),
+                                 place::canopy_transmittance(scene_));
   part.growth = above_snow(std::move(part.growth));
   return part;
 }
@@ -217,10 +236,9 @@ FactorMap SnowyGround::standing(FactorMap standing) const {
 }
 
 ColourMap SnowyGround::reflectance(const ColourMap& bare, const FactorMap& growth,
-                                   const FactorMap& white_share) const {
+                                   const FactorMap& white_share, double under_grass) const {
   ColourMap map(white_share.samples(), white_share.square());
   const Grain grain(scene_.seed, map.step_m());
-  const double under_grass = place::canopy_transmittance(scene_);
   const glm::vec3 snow = snow_albedo(albedo_) / std::numbers::pi_v<float>;
   parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);

@@ -28,6 +28,9 @@ class SnowyGround {
   /// it.
   ColourMap reflectance() const;
 
+  /// Its albedo, in the shade of no grass.
+  ColourMap albedo() const;
+
   /// Where grass grows, less by what of it is under snow.
   FactorMap growth() const;
 
@@ -53,8 +56,9 @@ class SnowyGround {
   float grass_above(const glm::dvec2& at_m) const;
   FactorMap above_snow(FactorMap growth) const;
   FactorMap white(const GroundGrid& grid) const;
-  ColourMap reflectance(const ColourMap& bare, const FactorMap& growth,
-                        const FactorMap& white) const;
+  /// `under_grass`: share of the light that comes through grass to the snow and back.
+  ColourMap reflectance(const ColourMap& bare, const FactorMap& growth, const FactorMap& white,
+                        double under_grass) const;
   /// Bare ground after rain.
   ColourMap wetted(ColourMap bare) const;
 

@@ -32,6 +32,9 @@ struct Volume {
   std::string content;        ///< hash: same content, same bytes
   glm::ivec3 voxels{0};       ///< active box (N, N, height)
   double voxel_m = 0.0;       ///< side; N * voxel_m is the patch
+  /// The same patch without light, the .vdb of the finest volume: `density` (1/m) and `albedo`
+  /// (Vec3SGrid, of single scattering), placed likewise. Empty where Landscape::unlit is.
+  std::filesystem::path texel = {};
 };
 
 /// A rectangle of a patch, in shares of its side along the cell's x and y.
@@ -101,6 +104,10 @@ struct CloudBox {
   glm::dvec3 corner_m;  ///< lowest, in the south-west
   std::vector<float> extinction_per_m;
   std::vector<glm::vec3> radiance;  ///< source: a ray's gains extinction * radiance * ds
+  /// Optical depth of the droplets over the one that is seen, which leaves out what goes on nearly
+  /// straight.
+  double droplets_per_seen = 1.0;
+  double asymmetry = 0.86;  ///< of the droplets' scattering, mean cosine (Henyey and Greenstein)
 };
 
 /// A snow crystal or aggregate as flakes show it.
@@ -160,6 +167,15 @@ struct Daylight {
   glm::vec3 sky_irradiance{0.0F};    ///< of level ground by all of the sky
 };
 
+/// What renderers need that follow the light themselves, from its sources to the eye: lights and
+/// materials that no light has been baked into. Blades have theirs in Tubes, texels in
+/// Volume::texel.
+struct Unlit {
+  glm::vec3 sun_irradiance{0.0F};  ///< of a plane that faces the sun, before clouds
+  Image sky;  ///< as Landscape::sky, without a sun and without clouds that are volumes
+  ColourMap ground_albedo;  ///< bare ground and the snow on it, by world x and y
+};
+
 struct Landscape {
   int frame = 1;            ///< from 1
   double weathering = 0.0;  ///< the frame's mean weathering degree
@@ -182,6 +198,7 @@ struct Landscape {
   std::optional<Backdrop> backdrop;  ///< before the sky; none under a clear one
   Flakes flakes;
   std::optional<Fog> fog;
+  std::optional<Unlit> unlit;  ///< where an exporter asks for it
   Camera camera;
   int width_px = 0;
   int height_px = 0;

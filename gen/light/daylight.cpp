@@ -72,6 +72,22 @@ const glm::dvec3 plain_radiance = glm::dvec3(0.10, 0.11, 0.055) / pi;
 /// How far the plain below the scene lies under the eye.
 constexpr double plain_below_m = 60.0;
 
+/// The whole sphere as Daylight::sky_image() has it, with radiance(direction) in its pixels.
+template <class Radiance>
+Image sphere_image(int width_px, const Radiance& radiance) {
+  Image image(width_px, width_px / 2, 3);
+  parallel_for(static_cast<std::size_t>(image.height), [&](std::size_t row) {
+    const int y = static_cast<int>(row);
+    const double elevation_rad = pi * (0.5 - (y + 0.5) / image.height);
+    for (int x = 0; x < image.width; ++x) {
+      const glm::vec3 seen =
+          radiance(direction_of(2.0 * pi * (x + 0.5) / image.width, elevation_rad));
+      for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = seen[c];
+    }
+  });
+  return image;
+}
+
 }  // namespace
 
 glm::dvec3 direction_of(double azimuth_rad, double elevation_rad) {
@@ -171,17 +187,11 @@ glm::vec3 Daylight::seen_radiance(const glm::dvec3& direction) const {
 }
 
 Image Daylight::sky_image(int width_px) const {
-  Image image(width_px, width_px / 2, 3);
-  parallel_for(static_cast<std::size_t>(image.height), [&](std::size_t row) {
-    const int y = static_cast<int>(row);
-    const double elevation_rad = pi * (0.5 - (y + 0.5) / image.height);
-    for (int x = 0; x < image.width; ++x) {
-      const glm::dvec3 to = direction_of(2.0 * pi * (x + 0.5) / image.width, elevation_rad);
-      const glm::vec3 radiance = seen_radiance(to);
-      for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = radiance[c];
-    }
-  });
-  return image;
+  return sphere_image(width_px, [this](const glm::dvec3& to) { return seen_radiance(to); });
+}
+
+Image Daylight::sunless_sky_image(int width_px) const {
+  return sphere_image(width_px, [this](const glm::dvec3& to) { return sky_radiance(to); });
 }
 
 }  // namespace wold::light

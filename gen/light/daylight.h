@@ -55,6 +55,9 @@ class Daylight {
   /// 0.5) / height degrees.
   Image sky_image(int width_px) const;
 
+  /// The same of sky_radiance(): the sun neither shines nor glows in it.
+  Image sunless_sky_image(int width_px) const;
+
  private:
   glm::dvec3 above_horizon(const glm::dvec3& direction) const;
   void balance(double sun_elevation_rad, double turbidity);

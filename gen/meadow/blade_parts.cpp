@@ -43,6 +43,9 @@ landscape::BladeMesh part_of(const landscape::BladeMesh& mesh, double patch_m,
     if (!stands_on(part, root_of(all, tube, patch_m))) continue;
     append(all.vertices_m, tube, rings * static_cast<std::size_t>(all.corners), tubes.vertices_m);
     append(all.radiance, tube, rings, tubes.radiance);
+    if (all.reflectance.empty()) continue;
+    append(all.reflectance, tube, rings, tubes.reflectance);
+    append(all.transmittance, tube, rings, tubes.transmittance);
   }
   return {mesh.name + landscape::suffix_of(part), std::make_shared<const Tubes>(std::move(tubes))};
 }

@@ -59,7 +59,9 @@ landscape::CloudBox cloud_box(const cloud::LayerState& state, double pixel_m,
           volume.box.voxel_m.z,
           volume.box.corner_m,
           std::move(volume.extinction_per_m),
-          std::move(source)};
+          std::move(source),
+          volume.droplets_per_seen,
+          volume.asymmetry};
 }
 
 }  // namespace

@@ -95,4 +95,11 @@ void FrameSky::show(landscape::Landscape& landscape, bool with_backdrop) const {
                                     beyond_everything_m(landscape));
 }
 
+Image FrameSky::unlit(const landscape::Camera& camera) const {
+  if (!clouds_) return site_.day.sunless_sky_image(usual_sky_width_px);
+  const CloudySky behind(site_.day, *clouds_, camera.eye_m, std::numbers::pi / usual_sky_width_px,
+                         cloud_windows(*clouds_, camera));
+  return sky_picture(behind, usual_sky_width_px);
+}
+
 }  // namespace wold::sky

@@ -22,6 +22,9 @@ class FrameSky {
   /// with a backdrop only when asked to.
   void show(landscape::Landscape& landscape, bool with_backdrop) const;
 
+  /// The sky as Landscape::Unlit has it, by the landscape's camera.
+  Image unlit(const landscape::Camera& camera) const;
+
  private:
   FactorMap sun_share(const GroundGrid& grid) const;
 

@@ -31,6 +31,9 @@ class Exporters : public testing::TestWithParam<const exporter::Exporter*> {
     test::quarter_cells(landscape);
     test::add_flakes(landscape, 40, 5.0);
     landscape.fog = landscape::Fog{0.01, glm::vec3(0.1F)};
+    landscape.clouds = {{"cloud_1", {2, 2, 2}, 10.0, {0.0, 0.0, 50.0}, {}, {}}};
+    landscape.clouds.front().extinction_per_m.assign(8, 0.01F);
+    landscape.clouds.front().radiance.assign(8, glm::vec3(0.1F));
     landscape.ground_details = {{ColourMap(3, 0.5), {0.2, 0.3}}, {ColourMap(3, 0.2), {0.3, 0.4}}};
   }
   ~Exporters() override { fs::remove_all(folder); }
@@ -71,12 +74,13 @@ TEST_P(Exporters, WritingOverItselfChangesNothing) {
   EXPECT_TRUE(once == all_files(folder / "out"));
 }
 
-// What a frame had of flakes, fog and finer pictures of the ground goes when it is written again
-// without.
+// What a frame had of flakes, fog, clouds and finer pictures of the ground goes when it is written
+// again without.
 TEST_P(Exporters, WhatAFrameHasNoMoreLeavesNothingInIt) {
   Landscape dry = landscape;
   dry.flakes = {};
   dry.fog.reset();
+  dry.clouds.clear();
   dry.ground_details.clear();
   run(dry, folder / "dry");
   run(landscape, folder / "out");

@@ -30,6 +30,10 @@ landscape::Volume constant_volume(const ConstantMeadow& meadow,
   volume.voxels = {meadow.voxels, meadow.voxels, meadow.height_voxels};
   volume.voxel_m = patch_m / meadow.voxels;
   write_vdb(volume.vdb, {density, emission});
+  volume.texel = folder / "fog_unlit.vdb";
+  auto albedo = emission->deepCopy();
+  albedo->setName("albedo");
+  write_vdb(volume.texel, {density, albedo});
   volume.content = content_hash(read_file(volume.vdb));
   return volume;
 }

@@ -51,6 +51,10 @@ landscape::Volume write_volume(const SyntheticMeadow& meadow, int number,
   volume.voxels = {n, n, meadow.height_voxels};
   volume.voxel_m = voxel_m;
   write_vdb(volume.vdb, {density, emission});
+  volume.texel = folder / (volume.name + "_unlit.vdb");
+  auto albedo = emission->deepCopy();
+  albedo->setName("albedo");
+  write_vdb(volume.texel, {density, albedo});
   volume.content = content_hash(read_file(volume.vdb));
   return volume;
 }
@@ -78,6 +82,8 @@ landscape::BladeMesh pillar(const char* name, double width_m, double height_m,
     for (const glm::vec2 corner : {glm::vec2(-1, -1), {1, -1}, {1, 1}, {-1, 1}})
       tubes->vertices_m.emplace_back(middle + half * corner, z);
   tubes->radiance.assign(2, radiance);
+  tubes->reflectance.assign(2, glm::vec3(0.1F, 0.3F, 0.05F));
+  tubes->transmittance.assign(2, glm::vec3(0.05F, 0.2F, 0.02F));
   return {name, tubes};
 }
 
@@ -118,6 +124,8 @@ landscape::Landscape synthetic_landscape(const SyntheticMeadow& meadow,
       pixel[1] = 0.10F - 0.04F * zenith;
       pixel[2] = 0.11F + 0.02F * zenith;
     }
+  scene.unlit = landscape::Unlit{glm::vec3(1.4F, 1.1F, 0.7F), scene.sky,
+                                 ColourMap(samples, size_m, glm::vec3(0.2F, 0.15F, 0.1F))};
   scene.camera.eye_m = {size_m / 2, -0.6, 0.7};
   scene.camera.target_m = {size_m / 2, size_m * 0.6, 0.15};
   scene.camera.field_of_view_deg = 50.0;

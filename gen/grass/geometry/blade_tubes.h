@@ -18,4 +18,8 @@ namespace wold::grass {
 Tubes blade_tubes(const BladePatch& patch, const MeadowModel& model, const Lighting& lighting,
                   const FibreLook& look, double shadow_pixel_m = fine_shadow_pixel_m);
 
+/// Sets the reflectance and transmittance of a patch's blade_tubes(): AgeingModel::shade() of the
+/// leaf; snow sends back what it does not swallow.
+void add_leaf_shades(const BladePatch& patch, const AgeingModel& model, Tubes& tubes);
+
 }  // namespace wold::grass

@@ -96,6 +96,14 @@ glm::vec3 AgeingModel::albedo(const Blade& blade, double age, double along) cons
   return glm::clamp(albedo + static_cast<float>(1.0 - local) * own, 0.0F, 0.99F);
 }
 
+LeafShade AgeingModel::shade(const Blade& blade, double age, double along) const {
+  const glm::vec3 all = albedo(blade, age, along);
+  const LeafShade leaf = colour_(local_age(age, along));
+  const glm::vec3 sum = glm::max(leaf.reflectance + leaf.transmittance, glm::vec3(1e-6F));
+  const glm::vec3 through = all * leaf.transmittance / sum;
+  return {all - through, through, all};
+}
+
 float AgeingModel::specular(double age) const {
   return static_cast<float>(fresh_specular_ * (0.5 + 0.5 * water_(age)));
 }

@@ -40,6 +40,9 @@ class AgeingModel {
   static double local_age(double age, double along);
   /// Albedo of a blade of that age at `along`.
   glm::vec3 albedo(const Blade& blade, double age, double along) const;
+  /// That albedo as light sent back and let through, in the proportion that the leaf's own spectrum
+  /// has there.
+  LeafShade shade(const Blade& blade, double age, double along) const;
   /// Wax and water make the gloss; half of it goes with the water.
   float specular(double age) const;
 

@@ -205,6 +205,10 @@ Tubes TimeVaryingTexel::points(int variant, const PatchState& state) const {
                      shape_.voxel_m);
 }
 
+void TimeVaryingTexel::add_leaf_shades(int variant, const PatchState& state, Tubes& blades) const {
+  grass::add_leaf_shades(patch(variant, state), model_, blades);
+}
+
 bool TimeVaryingTexel::is_current(int variant, const PatchState& state,
                                   const LevelTurns& levels) const {
   if (file_content(texel_path(variant, state)) != content(variant, state.unlit())) return false;

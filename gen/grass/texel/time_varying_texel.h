@@ -66,6 +66,8 @@ class TimeVaryingTexel {
   Tubes blades(int variant, const PatchState& state,
                double shadow_pixel_m = fine_shadow_pixel_m) const;
   Tubes points(int variant, const PatchState& state) const;
+  /// Sets reflectance and transmittance of the blades() of that variant and state.
+  void add_leaf_shades(int variant, const PatchState& state, Tubes& blades) const;
   /// What both were made from: equal for equal tubes.
   std::string content(int variant, const PatchState& state) const;
 

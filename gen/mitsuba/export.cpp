@@ -1,0 +1,133 @@
+#include "mitsuba/export.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "core/error.h"
+#include "core/files.h"
+#include "core/parallel.h"
+#include "mitsuba/grid_file.h"
+#include "mitsuba/leaf_files.h"
+#include "mitsuba/ply_file.h"
+#include "mitsuba/scene_file.h"
+#include "mitsuba/texel_files.h"
+
+namespace wold::mitsuba {
+namespace {
+
+namespace fs = std::filesystem;
+using landscape::Landscape;
+
+/// The ground's triangles in world space; its picture has the north at the top.
+Mesh ground_mesh(const Heightfield& terrain) {
+  const int n = terrain.samples();
+  const auto index = [n](int i, int j) { return static_cast<std::uint32_t>(j * n + i); };
+  Mesh mesh;
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i)
+      mesh.vertices.push_back({glm::vec3(terrain.place_m(i, j), terrain.at(i, j)),
+                               glm::vec2(i, n - 1 - j) / static_cast<float>(n - 1)});
+  for (int j = 0; j + 1 < n; ++j)
+    for (int i = 0; i + 1 < n; ++i)
+      mesh.add_quad({index(i, j), index(i + 1, j), index(i + 1, j + 1), index(i, j + 1)});
+  return mesh;
+}
+
+/// Returns the file's name.
+std::string write_terrain(const Heightfield& terrain, const fs::path& folder) {
+  const std::string bytes = ply_bytes(ground_mesh(terrain));
+  std::string name = fmt::format("terrain_{}.ply", content_hash(bytes));
+  update_file(folder / name, bytes);
+  return name;
+}
+
+/// The upper row is the northern one.
+Image picture_of(const ColourMap& map) {
+  const int n = map.samples();
+  Image picture(n, n, 3);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) std::copy_n(&map.at(i, j).x, 3, picture.pixel(i, n - 1 - j));
+  return picture;
+}
+
+/// Removes the grids of clouds that the frame had and has no more.
+void remove_other_clouds(const Landscape& landscape, const fs::path& frame_folder) {
+  std::set<fs::path> wanted;
+  for (const landscape::CloudBox& cloud : landscape.clouds) wanted.insert(cloud_file(cloud));
+  std::vector<fs::path> others;
+  for (const auto& entry : fs::directory_iterator(frame_folder))
+    if (entry.path().extension() == ".vol" && !wanted.contains(entry.path().filename()))
+      others.push_back(entry.path());
+  for (const fs::path& other : others) fs::remove(other);
+}
+
+/// One of the volumes of each name that cells show.
+std::map<std::string, const landscape::Volume*> shown_texels(const Landscape& landscape) {
+  std::map<std::string, const landscape::Volume*> shown;
+  for (const landscape::Cell& cell : landscape.cells) {
+    const landscape::Volume& volume = landscape.volumes.at(static_cast<std::size_t>(cell.volume));
+    shown.emplace(texel_name(volume), &volume);
+  }
+  return shown;
+}
+
+std::vector<fs::path> write_texels(const Landscape& landscape, const fs::path& folder) {
+  const auto shown = shown_texels(landscape);
+  if (shown.empty()) return {};
+  make_folder(folder);
+  std::vector<const landscape::Volume*> volumes;
+  std::vector<fs::path> files;
+  for (const auto& [name, volume] : shown) {
+    volumes.push_back(volume);
+    for (const fs::path& file : texel_files(name, folder)) files.push_back(file);
+  }
+  parallel_for(volumes.size(), [&](std::size_t i) { write_texel(*volumes[i], folder); });
+  return files;
+}
+
+std::vector<fs::path> write_all_leaves(const Landscape& landscape, const fs::path& folder) {
+  const std::vector<landscape::BladeMesh>& meshes = landscape.blade_meshes;
+  if (meshes.empty()) return {};
+  make_folder(folder);
+  parallel_for(meshes.size(), [&](std::size_t i) { write_leaves(meshes[i], folder); });
+  std::vector<fs::path> files;
+  for (const landscape::BladeMesh& mesh : meshes)
+    for (const fs::path& file : leaf_files(mesh.name, folder)) files.push_back(file);
+  return files;
+}
+
+std::vector<fs::path> write_clouds(const Landscape& landscape, const fs::path& frame_folder) {
+  std::vector<fs::path> files;
+  for (const landscape::CloudBox& cloud : landscape.clouds) {
+    files.push_back(frame_folder / cloud_file(cloud));
+    write_file(files.back(), grid_bytes(cloud.voxels, cloud.extinction_per_m));
+  }
+  remove_other_clouds(landscape, frame_folder);
+  return files;
+}
+
+}  // namespace
+
+std::vector<fs::path> export_frame(const Landscape& landscape, const fs::path& folder) {
+  if (!landscape.unlit)
+    throw InputError("found a landscape of baked light alone, expected one with its materials");
+  const fs::path data = folder / "data";
+  const fs::path frame_folder = data / fmt::format("frame_{:04}", landscape.frame);
+  make_folder(frame_folder);
+  std::vector<fs::path> files = write_all_leaves(landscape, data / "leaves");
+  for (const fs::path& file : write_texels(landscape, data / "texels")) files.push_back(file);
+  for (const fs::path& file : write_clouds(landscape, frame_folder)) files.push_back(file);
+  const std::string terrain = write_terrain(landscape.terrain, data);
+  write_image(frame_folder / "sky.exr", landscape.unlit->sky, PixelFormat::half);
+  write_image(frame_folder / "ground.exr", picture_of(landscape.unlit->ground_albedo),
+              PixelFormat::half);
+  write_file(frame_folder / "scene.xml", scene_text(landscape, terrain));
+  files.insert(files.end(), {data / terrain, frame_folder / "sky.exr", frame_folder / "ground.exr",
+                             frame_folder / "scene.xml"});
+  return files;
+}
+
+}  // namespace wold::mitsuba
