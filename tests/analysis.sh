@@ -34,7 +34,7 @@ test_with() {
 # tests that start renderers, too, and those that take longest, with siblings that run the same code.
 test_units() {
   local left_out='^(BlenderRender|BlenderAddOn|BlenderDifferences|BlenderStranger|Includes|OwnScene'
-  left_out+='|Picture|RealPovray|LargeTerrain|SiteOfFrame|SnowInAir|Growth\.Covers'
+  left_out+='|Picture|RealPovray|LargeTerrain|SiteOfFrame|SnowfallModel|Growth\.Covers'
   left_out+='|Assemble\.(Exposes|Dusk))'
   local libraries=(core scene weather snowpack phenology light terrain grass cloud snow landscape
     place sky meadow ground expectation film povray blender preview report compare render

@@ -58,15 +58,14 @@ double nearest_grass_m(const scene::Scene& scene, const Pose& pose) {
 /// "render.grass = ...", and a finer level if one will do.
 std::string finer_grass(const scene::Scene& scene, double pixels_per_m) {
   const auto& possible = scene::find_key("grass.levels")->members;
-  std::vector<int> levels = scene.grass.levels;
+  std::vector<int> lods = scene.grass.lods;
   std::string way = "set render.grass = \"auto\", which draws blades there";
   for (const std::int64_t voxels : std::vector<std::int64_t>(possible.rbegin(), possible.rend()))
-    if (voxels > levels.front() &&
-        scene.grass.patch_m / static_cast<double>(voxels) * pixels_per_m <=
-            scene.grass.pixels_per_voxel) {
-      if (levels.size() >= possible.size()) levels.pop_back();
-      levels.insert(levels.begin(), static_cast<int>(voxels));
-      return fmt::format("set grass.levels = [{}], or {}", fmt::join(levels, ", "), way.substr(4));
+    if (voxels > lods.front() && scene.grass.patch_m / static_cast<double>(voxels) * pixels_per_m <=
+                                     scene.grass.pixels_per_voxel) {
+      if (lods.size() >= possible.size()) lods.pop_back();
+      lods.insert(lods.begin(), static_cast<int>(voxels));
+      return fmt::format("set grass.levels = [{}], or {}", fmt::join(lods, ", "), way.substr(4));
     }
   return way;
 }
@@ -77,7 +76,7 @@ void warn_of_coarse_texels(const scene::Scene& scene, std::vector<std::string>& 
   for (const Pose& pose : poses(scene))
     nearest_m = std::min(nearest_m, nearest_grass_m(scene, pose));
   const double pixels_per_m = place::pixels_per_radian(scene) / nearest_m;
-  const double voxel_m = scene.grass.patch_m / scene.grass.levels.front();
+  const double voxel_m = scene.grass.patch_m / scene.grass.lods.front();
   constexpr double unseen = 1.5;  // at the picture's lower edge alone
   if (voxel_m * pixels_per_m <= unseen * scene.grass.pixels_per_voxel) return;
   warnings.push_back(fmt::format(
@@ -101,7 +100,8 @@ double farthest_ground_m(const scene::Scene& scene, const Pose& pose) {
 
 void warn_of_far_cells(const scene::Scene& scene, std::vector<std::string>& warnings) {
   static const scene::Grass usual;
-  if (scene.render.grass == scene::GrassForm::points || scene.grass.far_pixels >= 1.0) return;
+  if (scene.render.grass == scene::GrassForm::points || scene.grass.far_field_below_pixels >= 1.0)
+    return;
   double farthest_m = 0.0;
   for (const Pose& pose : poses(scene))
     if (pose.eye_m != pose.target_m)
@@ -109,11 +109,11 @@ void warn_of_far_cells(const scene::Scene& scene, std::vector<std::string>& warn
   farthest_m = std::min(farthest_m, place::farthest_standing_m(scene));
   const double pixels = place::pixels_per_radian(scene) * scene::mean_grass(scene).height_m /
                         std::max(farthest_m, 1e-6);
-  if (pixels >= place::least_standing) return;
+  if (pixels >= place::min_standing) return;
   warnings.push_back(fmt::format(
       "grass {:.3g} m away is {:.2g} pixels high and still stands there as cells, which flicker "
-      "and take time; set grass.far_pixels = {:.3g}, which paints it on the ground",
-      farthest_m, pixels, usual.far_pixels));
+      "and take time; set grass.far_field_below_pixels = {:.3g}, which paints it on the ground",
+      farthest_m, pixels, usual.far_field_below_pixels));
 }
 
 }  // namespace

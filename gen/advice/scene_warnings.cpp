@@ -20,7 +20,7 @@ namespace {
 using Warnings = std::vector<std::string>;
 
 /// Fewer are pictures for themselves.
-constexpr std::size_t least_film_frames = 8;
+constexpr std::size_t min_film_frames = 8;
 
 /// The longest way that a layer drifts from one frame to the next.
 double longest_step_m(const scene::Scene& scene, std::size_t layer, double cell_m) {
@@ -38,7 +38,7 @@ double longest_step_m(const scene::Scene& scene, std::size_t layer, double cell_
 
 void warn_of_jumping_clouds(const scene::Scene& scene, Warnings& warnings) {
   constexpr double smooth = 0.1;  // of a cell
-  if (scene.ageing.frames.size() < least_film_frames) return;
+  if (scene.ageing.frames.size() < min_film_frames) return;
   for (std::size_t i = 0; i < scene.clouds.size(); ++i) {
     const scene::CloudLayer& layer = scene.clouds[i];
     const double cell_m = layer.cell_m.value_or(cloud::recipe_of(layer.kind).cell_m);
@@ -68,7 +68,7 @@ bool has_no_snowfall(const scene::Scene& scene) {
   if (!scene::may_snow(scene)) return true;
   return has_plain_weather(scene) && scene.terrain.elevation.empty() &&
          scene.snowfall.strength == scene::SnowfallStrength::weather &&
-         snow::snow_share(coldest_c(scene)) <= 0.0;
+         snow::snow_fraction(coldest_c(scene)) <= 0.0;
 }
 
 void warn_of_lost_snow(const scene::Scene& scene, Warnings& warnings) {
@@ -94,12 +94,12 @@ void warn_of_lost_snow(const scene::Scene& scene, Warnings& warnings) {
 /// A flake is as much fainter as its streak is longer than itself.
 void warn_of_streaks(const scene::Scene& scene, Warnings& warnings) {
   constexpr double flake_m = 0.005, fall_m_s = 1.0;
-  constexpr double least_opacity = 0.05;
+  constexpr double min_opacity = 0.05;
   static const scene::Snowfall usual;
   if (!scene::may_snow(scene) || scene.snowfall.motion != scene::Law::physical) return;
   const double speed_m_s = math::hypot(fall_m_s, scene.wind.speed_m_s);
   const double opacity = flake_m / (flake_m + speed_m_s * scene.snowfall.shutter_s);
-  if (opacity >= least_opacity) return;
+  if (opacity >= min_opacity) return;
   warnings.push_back(fmt::format(
       "flakes streak over {:.2g} m while the picture is exposed, too faint to be seen; set "
       "snowfall.shutter = {:.3g}",

@@ -97,10 +97,10 @@ Json write_ground_details(const Landscape& landscape, const fs::path& folder) {
 
 /// The light on the volumes with how much of them stands as its fourth channel: one look-up.
 Json write_standing_light(const Landscape& landscape, const fs::path& folder) {
-  const ColourMap light = product(landscape.light, landscape.standing);
-  const FactorMap standing =
-      product(landscape.standing, FactorMap(light.samples(), light.square(), 1.0F));
-  return write_ground_map(light, folder, "standing_light.exr", &standing);
+  const ColourMap light = product(landscape.light, landscape.extinction_factor);
+  const FactorMap extinction_factor =
+      product(landscape.extinction_factor, FactorMap(light.samples(), light.square(), 1.0F));
+  return write_ground_map(light, folder, "standing_light.exr", &extinction_factor);
 }
 
 /// Null under a clear sky.

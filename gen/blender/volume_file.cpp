@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr const char* content_key = "wold_content";
 
 /// Of a volume's extinction, what leave_out_tips() may leave out.
-constexpr double share_of_tips = 0.0005;
+constexpr double fraction_of_tips = 0.0005;
 
 /// Changes whenever this file writes the same volume differently.
 constexpr int layout = 6;
@@ -64,9 +64,9 @@ void leave_out_empty_voxels(openvdb::FloatGrid& density) {
   density.pruneGrid();
 }
 
-/// The highest layers, which have `share` of the extinction at most: the tips of a blade or two.
+/// The highest layers, which have `fraction` of the extinction at most: the tips of a blade or two.
 /// Without them the box of voxels is lower by a sixth. Some renderers keep all of it in memory.
-void leave_out_tips(openvdb::FloatGrid& density, double share) {
+void leave_out_tips(openvdb::FloatGrid& density, double fraction) {
   density.tree().voxelizeActiveTiles();
   std::map<int, double> layers;
   double all = 0.0;
@@ -74,7 +74,7 @@ void leave_out_tips(openvdb::FloatGrid& density, double share) {
     layers[at.getCoord().z()] += double{*at};
     all += double{*at};
   }
-  double left = share * all;
+  double left = fraction * all;
   auto lowest_tips = layers.end();
   while (lowest_tips != layers.begin() && std::prev(lowest_tips)->second <= left)
     left -= (--lowest_tips)->second;
@@ -94,9 +94,9 @@ openvdb::CoordBBox without_air_above(const glm::ivec3& voxels, const openvdb::Fl
 /// From 1/m. What would be 1 or more, grass through which a millimetre lets no hundredth of the
 /// light, becomes as good as 1.
 void count_in_units(openvdb::FloatGrid& density) {
-  constexpr float most = 0.999F;
+  constexpr float max = 0.999F;
   for (auto at = density.beginValueOn(); at; ++at)
-    at.setValue(std::min(*at / density_unit_per_m, most));
+    at.setValue(std::min(*at / density_unit_per_m, max));
 }
 
 /// What a ray's radiance gains, a grid for each colour: a vector would take the memory of four
@@ -184,7 +184,7 @@ void write_volume(const fs::path& path, const landscape::Volume& volume) {
   if (is_there(path, content)) return;
   const auto density = read_grid<openvdb::FloatGrid>(volume.vdb, "density");
   const auto radiance = read_grid<openvdb::Vec3SGrid>(volume.vdb, volume.emission_grid);
-  leave_out_tips(*density, share_of_tips);
+  leave_out_tips(*density, fraction_of_tips);
   leave_out_empty_voxels(*density);
   count_in_units(*density);
   const openvdb::MaskTree leaves = leaves_of(*density);

@@ -15,7 +15,7 @@ namespace wold::cli {
 namespace {
 
 /// A scene has at most as many frames (scene/keys.cpp).
-constexpr int most_frames = 10000;
+constexpr int max_frames = 10000;
 
 /// The text before and after the first separator; nothing when there is none.
 std::optional<std::pair<std::string_view, std::string_view>> split(std::string_view text,
@@ -34,7 +34,7 @@ std::optional<FrameRange> frame_range(std::string_view text) {
   const auto [first_text, last_text] = split(text, '-').value_or(std::pair{text, text});
   const auto first = number_in<int>(first_text);
   const auto last = number_in<int>(last_text);
-  if (!first || !last || *first < 1 || *last < *first || *last > most_frames) return std::nullopt;
+  if (!first || !last || *first < 1 || *last < *first || *last > max_frames) return std::nullopt;
   return FrameRange{*first, *last};
 }
 
@@ -50,7 +50,7 @@ std::vector<int> parse_frames(const std::string& text) {
     if (!range)
       throw InputError(
           fmt::format("--frames: found {} in {}, expected frames from 1 to {} like 1,5,9-12",
-                      scene::in_quotes(item), scene::in_quotes(text), most_frames));
+                      scene::in_quotes(item), scene::in_quotes(text), max_frames));
     for (int frame = range->first; frame <= range->last; ++frame) frames.insert(frame);
     more = parts.has_value();
     if (more) rest = parts->second;

@@ -124,10 +124,10 @@ void add_programs(CLI::App& app, work::ChosenPrograms& programs) {
 /// Of a size in bytes: empty, or what is wrong with it. Less is a unit forgotten; what is
 /// below zero arrives as a number that no machine has.
 std::string at_least_a_megabyte(const std::string& text) {
-  constexpr double least = 1024.0 * 1024.0;
-  constexpr double most = 1e18;
+  constexpr double min = 1024.0 * 1024.0;
+  constexpr double max = 1e18;
   const double bytes = std::strtod(text.c_str(), nullptr);
-  return bytes >= least && bytes <= most ? "" : "expected a size of 1M or more, such as 8G";
+  return bytes >= min && bytes <= max ? "" : "expected a size of 1M or more, such as 8G";
 }
 
 /// A unit alone would be taken for one of it.
@@ -247,13 +247,13 @@ Action declare_inspect(CLI::App& app) {
   return [options] { return run_inspect(options->files, options->json); };
 }
 
-/// "" when the text is a number from `least` to `most`; CLI11's own check lets NaN pass.
-std::string number_fault(const std::string& text, double least, double most) {
+/// "" when the text is a number from `min` to `max`; CLI11's own check lets NaN pass.
+std::string number_fault(const std::string& text, double min, double max) {
   const auto number = number_in<double>(text);
-  if (number && std::isfinite(*number) && *number >= least && *number <= most) return "";
-  return std::isfinite(most)
-             ? fmt::format("found {}, expected a number from {} to {}", text, least, most)
-             : fmt::format("found {}, expected a number from {}", text, least);
+  if (number && std::isfinite(*number) && *number >= min && *number <= max) return "";
+  return std::isfinite(max)
+             ? fmt::format("found {}, expected a number from {} to {}", text, min, max)
+             : fmt::format("found {}, expected a number from {}", text, min);
 }
 
 std::string limit_fault(const std::string& text) {
@@ -274,7 +274,7 @@ Action declare_compare(CLI::App& app) {
       ->type_name("DIR");
   add_limit(app, "--rmse", limits.rmse, "root mean square difference allowed");
   add_limit(app, "--soft", limits.soft, "difference that some pixels or voxels may exceed");
-  add_limit(app, "--share", limits.allowed_share, "share of them that may");
+  add_limit(app, "--share", limits.allowed_fraction, "share of them that may");
   add_limit(app, "--hard", limits.hard, "difference that none may exceed");
   add_limit(app, "--flip", limits.flip, "mean FLIP allowed, of pictures");
   add_limit(app, "--ssim", limits.ssim, "least structural similarity of pictures");

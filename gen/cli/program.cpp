@@ -131,12 +131,12 @@ ExitCode report(const Error& error) {
 }
 
 ExitCode report(const InputError& error) {
-  constexpr std::size_t most = 100;  // more says nothing new, and a file may have a million
+  constexpr std::size_t max = 100;  // more says nothing new, and a file may have a million
   const std::vector<Problem>& problems = error.problems();
-  for (std::size_t i = 0; i < std::min(most, problems.size()); ++i)
+  for (std::size_t i = 0; i < std::min(max, problems.size()); ++i)
     console::print_message(fmt::format("error: {}", to_string(problems[i])));
-  if (problems.size() > most)
-    console::print_message(fmt::format("error: and {} more like these", problems.size() - most));
+  if (problems.size() > max)
+    console::print_message(fmt::format("error: and {} more like these", problems.size() - max));
   return error.code();
 }
 

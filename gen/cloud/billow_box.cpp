@@ -42,17 +42,18 @@ float nearest2(const std::vector<glm::vec3>& points, int cells, const glm::vec3&
 }  // namespace
 
 BillowBox::BillowBox(std::uint64_t key) : values_(std::size_t{side} * side * side) {
-  constexpr float coarse_share = 0.65F;
-  const std::vector<glm::vec3> coarse = points_of(heads, key);
-  const std::vector<glm::vec3> fine = points_of(2 * heads, key ^ key_of("fine"));
+  constexpr float coarse_fraction = 0.65F;
+  const std::vector<glm::vec3> coarse = points_of(billow_cells, key);
+  const std::vector<glm::vec3> fine = points_of(2 * billow_cells, key ^ key_of("fine"));
   parallel_for(side, [&](std::size_t z) {
     for (int y = 0; y < side; ++y)
       for (int x = 0; x < side; ++x) {
-        const glm::vec3 place = (glm::vec3(x, y, z) + 0.5F) * (1.0F * heads / side);
-        const float head = coarse_share * (1.0F - nearest2(coarse, heads, place)) +
-                           (1.0F - coarse_share) * (1.0F - nearest2(fine, 2 * heads, 2.0F * place));
+        const glm::vec3 place = (glm::vec3(x, y, z) + 0.5F) * (1.0F * billow_cells / side);
+        const float billow_cell =
+            coarse_fraction * (1.0F - nearest2(coarse, billow_cells, place)) +
+            (1.0F - coarse_fraction) * (1.0F - nearest2(fine, 2 * billow_cells, 2.0F * place));
         values_[(z * side + static_cast<std::size_t>(y)) * side + static_cast<std::size_t>(x)] =
-            std::clamp(head, 0.0F, 1.0F);
+            std::clamp(billow_cell, 0.0F, 1.0F);
       }
   });
 }

@@ -11,7 +11,7 @@ namespace wold::cloud {
 class BillowBox {
  public:
   /// Heads of the first octave along a side.
-  static constexpr int heads = 6;
+  static constexpr int billow_cells = 6;
 
   explicit BillowBox(std::uint64_t key);
 

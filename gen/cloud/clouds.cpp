@@ -17,7 +17,7 @@
 namespace wold::cloud {
 namespace {
 
-constexpr int most_period_px = 16384;
+constexpr int max_period_px = 16384;
 constexpr int finest_cell_px = 1024;
 
 double cell_m_of(const scene::CloudLayer& layer, const Recipe& recipe) {
@@ -31,12 +31,11 @@ bool is_all_in_its_map(const scene::CloudLayer& layer) {
 
 glm::ivec2 period_px_of(const glm::ivec2& cells, double cell_m, double pixel_m, std::size_t layer) {
   const glm::dvec2 period = glm::dvec2(cells) * cell_m / pixel_m;
-  if (!(std::max(period.x, period.y) <= most_period_px))
-    throw InputError(
-        fmt::format("clouds[{}]: a period of {} x {} cells of {} m has {:.0f} pixels "
-                    "of {} m, expected at most {}: fewer or smaller cells",
-                    layer + 1, cells.x, cells.y, cell_m, std::max(period.x, period.y), pixel_m,
-                    most_period_px));
+  if (!(std::max(period.x, period.y) <= max_period_px))
+    throw InputError(fmt::format(
+        "clouds[{}]: a period of {} x {} cells of {} m has {:.0f} pixels "
+        "of {} m, expected at most {}: fewer or smaller cells",
+        layer + 1, cells.x, cells.y, cell_m, std::max(period.x, period.y), pixel_m, max_period_px));
   return glm::max(glm::ivec2(glm::round(period)), glm::ivec2(2));
 }
 
@@ -55,7 +54,7 @@ Layer layer_of(std::uint64_t key, const scene::CloudLayer& described, const Reci
   constexpr double deep = 5.0;
   layer.has_relief =
       !layer.lit_as_paper && layer.droplets.extinction_per_m * layer.thickness_m > deep;
-  if (layer.has_relief || layer.is_volume) layer.heads.emplace(key);
+  if (layer.has_relief || layer.is_volume) layer.billow_cells.emplace(key);
   layer.forward.emplace(forward_through, layer.droplets.asymmetry);
   layer.seen_depth = -math::log1p(-textures.densest_opacity);
   layer.cover = textures.cover;
@@ -94,15 +93,15 @@ double rank_at(const LayerMap& map, const glm::dvec2& place_px) {
   return map.sample(place_px.x / map.width(), place_px.y / map.height()) / 65535.0;
 }
 
-/// Optical depth of a share of a shape, by alpha or by depth.
-double fade(double depth, double share, bool by_alpha) {
-  return by_alpha ? -math::log1p(share * math::expm1(-depth)) : share * depth;
+/// Optical depth of a fraction of a shape, by alpha or by depth.
+double fade(double depth, double fraction, bool by_alpha) {
+  return by_alpha ? -math::log1p(fraction * math::expm1(-depth)) : fraction * depth;
 }
 
 }  // namespace
 
 /// A layer, its time line, and the maps of the shapes that were asked for last.
-struct Clouds::Film {
+struct Clouds::LayerHistory {
   std::shared_ptr<const Layer> layer;
   TextureSet textures;
   glm::ivec2 cells;
@@ -158,7 +157,7 @@ struct Clouds::Film {
     std::erase_if(maps,
                   [&](const auto& kept) { return kept.first != first && kept.first != next; });
     state.map = map_of(first, sun_direction);
-    if (next != first && state.moment.next_share > 0.0)
+    if (next != first && state.moment.next_fraction > 0.0)
       state.next_map = map_of(next, sun_direction);
     return state;
   }
@@ -180,15 +179,16 @@ Clouds::Clouds(const scene::Scene& scene, double pixel_m, const phenology::FilmS
     auto layer =
         std::make_shared<Layer>(layer_of(key, described, recipe, textures, period_px, pixel_m));
     layer->number = static_cast<int>(i) + 1;
-    films_.push_back(std::shared_ptr<Film>(new Film{layer,
-                                                    std::move(textures),
-                                                    cells,
-                                                    described.repeat == scene::CloudRepeat::paper,
-                                                    key,
-                                                    pixel_m,
-                                                    Timeline(scene, i, cell_m, season),
-                                                    {},
-                                                    {}}));
+    films_.push_back(std::shared_ptr<LayerHistory>(
+        new LayerHistory{layer,
+                         std::move(textures),
+                         cells,
+                         described.repeat == scene::CloudRepeat::paper,
+                         key,
+                         pixel_m,
+                         Timeline(scene, i, cell_m, season),
+                         {},
+                         {}}));
   }
   std::ranges::stable_sort(films_, std::greater<>(),
                            [](const auto& film) { return film->layer->base_m; });
@@ -253,13 +253,13 @@ double optical_depth_at(const LayerState& state, double pixel_m, const glm::dvec
   const LayerMoment& moment = state.moment;
   const glm::dvec2 place_px = (place_m - moment.way_m) / pixel_m;
   const double amount = moment.amount_is_alpha ? 1.0 : moment.amount;
-  const auto depth_of = [&](const ShapeMaps& map, double share) {
+  const auto depth_of = [&](const ShapeMaps& map, double fraction) {
     const double depth = optical_depth_of_rank(*state.layer, rank_at(map.ranks, place_px), amount);
-    const double faded = fade(depth, share, moment.shapes_by_alpha);
+    const double faded = fade(depth, fraction, moment.shapes_by_alpha);
     return moment.amount_is_alpha ? fade(faded, moment.amount, true) : faded;
   };
-  const double depth = depth_of(*state.map, 1.0 - moment.next_share);
-  return state.next_map ? depth + depth_of(*state.next_map, moment.next_share) : depth;
+  const double depth = depth_of(*state.map, 1.0 - moment.next_fraction);
+  return state.next_map ? depth + depth_of(*state.next_map, moment.next_fraction) : depth;
 }
 
 }  // namespace wold::cloud

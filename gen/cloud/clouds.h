@@ -33,13 +33,13 @@ struct Layer {
   bool lit_as_paper = false;   ///< light = "paper": as bright however thick
   bool has_relief = false;     ///< so dense that what is seen of it has a shape
   double seen_depth = 0.0;     ///< vertical optical depth of the densest place, as it is seen
-  double cover = 0.0;          ///< share of the sky, when the whole layer is there; above 1 it
+  double cover = 0.0;          ///< fraction of the sky, when the whole layer is there; above 1 it
                                ///< has no thin places
   std::vector<float> profile;  ///< TextureSet's
   Detail detail;               ///< what the maps are too coarse for
-  std::vector<float> rank_per_field;    ///< TextureSet's
-  std::optional<BillowBox> heads;       ///< of one with relief or that is a volume
-  std::optional<ForwardTable> forward;  ///< forward_through() of its droplets
+  std::vector<float> rank_per_field;      ///< TextureSet's
+  std::optional<BillowBox> billow_cells;  ///< of one with relief or that is a volume
+  std::optional<ForwardTable> forward;    ///< forward_through() of its droplets
 };
 
 /// A shape of a layer over its whole period.
@@ -48,7 +48,7 @@ struct ShapeMaps {
   LayerMap sunlit;                ///< base_brightness in steps of 1/65535, of the whole layer
   std::optional<Relief> relief;   ///< where the layer has one
   glm::dvec3 sun_direction = {};  ///< of the sun that shines there
-  double detail = 1.0;            ///< share of Layer::detail that wind has not smoothed away
+  double detail = 1.0;            ///< fraction of Layer::detail that wind has not smoothed away
 };
 
 /// A layer at one moment: its shapes' maps and what is made of them.
@@ -87,8 +87,8 @@ class Clouds {
   CloudState at(double time_s) const;
 
  private:
-  struct Film;
-  std::vector<std::shared_ptr<Film>> films_;  ///< one for each layer, highest first
+  struct LayerHistory;
+  std::vector<std::shared_ptr<LayerHistory>> films_;  ///< one for each layer, highest first
   double pixel_m_;
   double frame_seconds_;
   glm::dvec3 sun_direction_;

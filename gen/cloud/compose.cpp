@@ -18,18 +18,19 @@ namespace {
 /// Pixels at a time: their colours, ranks and looks stay in the processor's nearest memory.
 constexpr int block_px = 512;
 
-/// `count` values of a map's row from any column on: where they lie, or in `room`, put together
+/// `count` values of a map's row from any column on: where they lie, or in `scratch`, put together
 /// from the row's end and its start.
-const std::uint16_t* row_from(const LayerMap& map, long x, long y, int count, std::uint16_t* room) {
+const std::uint16_t* row_from(const LayerMap& map, long x, long y, int count,
+                              std::uint16_t* scratch) {
   const std::uint16_t* row = map.row(wrapped_index(y, map.height()));
   int from = wrapped_index(x, map.width());
   if (from + count <= map.width()) return row + from;
-  for (std::uint16_t* to = room; count > 0; from = 0) {
+  for (std::uint16_t* to = scratch; count > 0; from = 0) {
     const int run = static_cast<int>(std::min<long>(count, map.width() - from));
     to = std::copy_n(row + from, run, to);
     count -= run;
   }
-  return room;
+  return scratch;
 }
 
 /// Four floats that the processor adds and multiplies at once; glm::vec4 is taken apart.
@@ -49,7 +50,7 @@ struct Shift {
         nearest_y(std::lround(by_px.y)),
         weights() {
     const glm::dvec2 part = by_px - glm::floor(by_px);
-    const auto whole = [](double share) { return static_cast<int>(share * 65535.0); };
+    const auto whole = [](double fraction) { return static_cast<int>(fraction * 65535.0); };
     const int w10 = whole(part.x * (1.0 - part.y));
     const int w01 = whole((1.0 - part.x) * part.y);
     const int w11 = whole(part.x * part.y);
@@ -66,10 +67,10 @@ std::uint16_t scaled(std::uint16_t value, std::uint16_t weight) {
 /// `count` values from the map's pixel (x, y) + shift on.
 void shifted_row(const LayerMap& map, long x, long y, const Shift& shift, int count,
                  std::uint16_t* values) {
-  std::array<std::uint16_t, block_px + 1> low_room, high_room;
-  const std::uint16_t* low = row_from(map, x + shift.x, y + shift.y, count + 1, low_room.data());
+  std::array<std::uint16_t, block_px + 1> low_scratch, high_scratch;
+  const std::uint16_t* low = row_from(map, x + shift.x, y + shift.y, count + 1, low_scratch.data());
   const std::uint16_t* high =
-      row_from(map, x + shift.x, y + shift.y + 1, count + 1, high_room.data());
+      row_from(map, x + shift.x, y + shift.y + 1, count + 1, high_scratch.data());
   const auto [w00, w10, w01, w11] = shift.weights;
   for (int i = 0; i < count; ++i) {
     values[i] = static_cast<std::uint16_t>(scaled(low[i], w00) + scaled(low[i + 1], w10) +
@@ -102,8 +103,8 @@ void finish_stores() {
 
 /// The numbers of a sheet's maps under a block of the picture.
 struct BlockMaps {
-  std::array<std::uint16_t, block_px> ranks, room;
-  const std::uint16_t* sunlit = nullptr;  ///< in the map, or in `room`
+  std::array<std::uint16_t, block_px> ranks, scratch;
+  const std::uint16_t* sunlit = nullptr;  ///< in the map, or in `scratch`
 };
 
 /// Lays what is seen of `sheets` sheets over each other: the operator "over", premultiplied (Porter
@@ -131,23 +132,23 @@ void lay_over(const PlacedSheet* placed, const BlockMaps* maps, int count, float
 }
 
 /// As many sheets as 16 layers have that all change their shapes.
-constexpr std::size_t most_sheets = 32;
+constexpr std::size_t max_sheets = 32;
 
 template <std::size_t... zero_to>
 constexpr auto lay_over_for(std::index_sequence<zero_to...>) {
   return std::array{lay_over<zero_to>...};
 }
-constexpr auto lay_over_by_count = lay_over_for(std::make_index_sequence<most_sheets + 1>());
+constexpr auto lay_over_by_count = lay_over_for(std::make_index_sequence<max_sheets + 1>());
 
 void compose_block(const std::vector<PlacedSheet>& sheets, long x, long y, int count,
                    float* pixels) {
-  std::array<BlockMaps, most_sheets> maps;
+  std::array<BlockMaps, max_sheets> maps;
   for (std::size_t s = 0; s < sheets.size(); ++s) {
     const auto& [sheet, shift] = sheets[s];
     shifted_row(sheet.map->ranks, x, y, shift, count, maps[s].ranks.data());
     // Light is smooth: the nearest pixel will do.
     maps[s].sunlit = row_from(sheet.map->sunlit, x + shift.nearest_x, y + shift.nearest_y, count,
-                              maps[s].room.data());
+                              maps[s].scratch.data());
   }
   lay_over_by_count[sheets.size()](sheets.data(), maps.data(), count, pixels);
 }
@@ -177,7 +178,7 @@ void compose(const CloudState& state, const SkyWindow& window, Image& picture) {
       const Shift shift(window.south_west_m / state.pixel_m - sheet.way_px);
       sheets.push_back({std::move(sheet), shift});
     }
-  if (sheets.size() > most_sheets) throw std::invalid_argument("too many layers of clouds");
+  if (sheets.size() > max_sheets) throw std::invalid_argument("too many layers of clouds");
   compose_rows(sheets, picture);
 }
 

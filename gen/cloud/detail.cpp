@@ -13,7 +13,7 @@ namespace {
 
 constexpr int tile_features = 16;
 constexpr int tile_px = 256;
-constexpr double least_px_per_feature = 3.0;
+constexpr double min_px_per_feature = 3.0;
 
 /// noise(place in features, key, period) over one tile, without its mean.
 template <class Noise>
@@ -34,7 +34,7 @@ std::shared_ptr<const PeriodicMap<float>> tile_of(std::uint64_t key, const Noise
 int octaves_in_map(const Octaves& octaves, int side_px) {
   int features = std::max(octaves.period.x, octaves.period.y);
   int held = 1;
-  for (features *= 2; held < octaves.count && features * least_px_per_feature <= side_px; ++held)
+  for (features *= 2; held < octaves.count && features * min_px_per_feature <= side_px; ++held)
     features *= 2;
   return held;
 }
@@ -49,8 +49,9 @@ Detail::Detail(const Recipe& recipe, int side_px, double cell_m, const glm::dvec
         side_px, cell_m, period_m, key ^ key_of("masses"));
   if (recipe.billows.weight != 0.0)
     add(recipe.billows,
-        tile_of(key ^ key_of("billows"),
-                [&](const glm::dvec2& at, std::uint64_t own) { return head(at, own, period); }),
+        tile_of(
+            key ^ key_of("billows"),
+            [&](const glm::dvec2& at, std::uint64_t own) { return billow_cell(at, own, period); }),
         side_px, cell_m, period_m, key ^ key_of("billows"));
 }
 
@@ -68,7 +69,7 @@ void Detail::add(const Octaves& octaves, const std::shared_ptr<const PeriodicMap
                          random_uniform({key, key_of("detail y"), number})},
                         std::min(feature_m.x, feature_m.y),
                         octaves.weight * math::pow(octaves.gain, i)});
-    most_ += octaves_.back().height * std::max(highest, 0.0);
+    max_ += octaves_.back().height * std::max(highest, 0.0);
   }
 }
 

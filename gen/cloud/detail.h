@@ -32,7 +32,7 @@ class Detail {
   double at(const glm::dvec2& place_m, double footprint_m) const;
 
   /// No more than this is ever added.
-  double most() const { return most_; }
+  double max() const { return max_; }
 
  private:
   struct Octave {
@@ -46,7 +46,7 @@ class Detail {
            int side_px, double cell_m, const glm::dvec2& period_m, std::uint64_t key);
 
   std::vector<Octave> octaves_;
-  double most_ = 0.0;
+  double max_ = 0.0;
 };
 
 }  // namespace wold::cloud

@@ -28,7 +28,7 @@ glm::dvec2 east_north(const std::complex<double>& north_east) {
   return {north_east.imag(), north_east.real()};
 }
 
-double share_done(const DriftSegment& segment, double seconds) {
+double fraction_done(const DriftSegment& segment, double seconds) {
   return std::clamp(seconds / segment.duration_s, 0.0, 1.0);
 }
 
@@ -59,9 +59,9 @@ glm::dvec2 gusts(double deviation_m_s, std::uint64_t key, const Value& value) {
 
 /// What an event adds to the paper's rate of drift while it lasts, in cells a frame.
 double hurry_of(CloudEventKind kind) {
-  constexpr double hurry = 0.01;
-  if (kind == CloudEventKind::faster) return hurry;
-  return kind == CloudEventKind::slower ? -hurry : 0.0;
+  constexpr double speed_increment = 0.01;
+  if (kind == CloudEventKind::faster) return speed_increment;
+  return kind == CloudEventKind::slower ? -speed_increment : 0.0;
 }
 
 double speed_after(const scene::CloudEvent& event, double before_m_s) {
@@ -75,15 +75,15 @@ WindNow wind_at(const std::vector<WindNow>& winds, double time_s) {
   if (after == winds.begin()) return winds.front();
   if (after == winds.end()) return winds.back();
   const WindNow& before = *(after - 1);
-  const double share = (time_s - before.time_s) / (after->time_s - before.time_s);
-  return {time_s, std::lerp(before.speed_factor, after->speed_factor, share),
-          std::lerp(before.turned_rad, after->turned_rad, share)};
+  const double fraction = (time_s - before.time_s) / (after->time_s - before.time_s);
+  return {time_s, std::lerp(before.speed_factor, after->speed_factor, fraction),
+          std::lerp(before.turned_rad, after->turned_rad, fraction)};
 }
 
 DriftSegment part_of(const DriftSegment& whole, double from_s, double to_s,
                      const std::vector<WindNow>& winds) {
-  const double from = share_done(whole, from_s - whole.start_s);
-  const double to = share_done(whole, to_s - whole.start_s);
+  const double from = fraction_done(whole, from_s - whole.start_s);
+  const double to = fraction_done(whole, to_s - whole.start_s);
   const WindNow first = wind_at(winds, from_s), last = wind_at(winds, to_s);
   return {from_s,
           to_s - from_s,
@@ -200,9 +200,9 @@ glm::dvec2 Drift::velocity_m_s(double time_s) const {
   const DriftSegment* now = &segments_.front();
   for (const DriftSegment& segment : segments_)
     if (segment.start_s <= time_s) now = &segment;
-  const double share = share_done(*now, time_s - now->start_s);
-  const double heading = std::lerp(now->heading_rad, now->heading_end_rad, share);
-  return std::lerp(now->speed_m_s, now->speed_end_m_s, share) *
+  const double fraction = fraction_done(*now, time_s - now->start_s);
+  const double heading = std::lerp(now->heading_rad, now->heading_end_rad, fraction);
+  return std::lerp(now->speed_m_s, now->speed_end_m_s, fraction) *
              glm::dvec2(math::sin(heading), math::cos(heading)) +
          gust_velocity_m_s(gusts_m_s_, time_s, key_);
 }

@@ -27,8 +27,8 @@ struct DriftSegment {
 glm::dvec2 way_m(const DriftSegment& segment, double seconds);
 
 /// Gusts along each axis: eight sines of periods from 20 s to 15 min, on a logarithmic scale, with
-/// keyed phases and equal shares of the variance: weather's energy per octave is about even there
-/// (Van der Hoven 1957, Power spectrum of horizontal wind speed, sees more only at a minute).
+/// keyed phases and equal fractions of the variance: weather's energy per octave is about even
+/// there (Van der Hoven 1957, Power spectrum of horizontal wind speed, sees more only at a minute).
 glm::dvec2 gust_way_m(double deviation_m_s, double time_s, std::uint64_t key);
 glm::dvec2 gust_velocity_m_s(double deviation_m_s, double time_s, std::uint64_t key);
 

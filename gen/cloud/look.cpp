@@ -8,12 +8,12 @@
 namespace wold::cloud {
 namespace {
 
-float opacity(const LayerState& state, double rank, double share) {
+float opacity(const LayerState& state, double rank, double fraction) {
   const LayerMoment& moment = state.moment;
   const double depth =
       optical_depth_of_rank(*state.layer, rank, moment.amount_is_alpha ? 1.0 : moment.amount);
   const double alpha =
-      moment.shapes_by_alpha ? -share * math::expm1(-depth) : -math::expm1(-share * depth);
+      moment.shapes_by_alpha ? -fraction * math::expm1(-depth) : -math::expm1(-fraction * depth);
   return static_cast<float>(moment.amount_is_alpha ? moment.amount * alpha : alpha);
 }
 
@@ -38,17 +38,17 @@ auto table(unsigned steps_per_entry, const Entry& entry) {
   return values;
 }
 
-Sheet sheet_of(const LayerState& state, const std::shared_ptr<const ShapeMaps>& map, double share,
-               double pixel_m) {
+Sheet sheet_of(const LayerState& state, const std::shared_ptr<const ShapeMaps>& map,
+               double fraction, double pixel_m) {
   return {map,
           state.moment.way_m / pixel_m,
-          table(ranks_per_entry, [&](double rank) { return opacity(state, rank, share); }),
+          table(ranks_per_entry, [&](double rank) { return opacity(state, rank, fraction); }),
           table(lights_per_entry,
                 [&](double brightness) {
                   return glm::vec4(glm::vec3(state.moment.light * light_left(state, brightness)),
                                    1.0F);
                 }),
-          share,
+          fraction,
           depth_left(state)};
 }
 
@@ -67,10 +67,12 @@ double by_rank(const std::vector<float>& table, double rank) {
 }
 
 std::vector<Sheet> sheets_of(const LayerState& state, double pixel_m) {
-  const double next_share = state.next_map ? state.moment.next_share : 0.0;
+  const double next_fraction = state.next_map ? state.moment.next_fraction : 0.0;
   std::vector<Sheet> sheets;
-  if (next_share < 1.0) sheets.push_back(sheet_of(state, state.map, 1.0 - next_share, pixel_m));
-  if (next_share > 0.0) sheets.push_back(sheet_of(state, state.next_map, next_share, pixel_m));
+  if (next_fraction < 1.0)
+    sheets.push_back(sheet_of(state, state.map, 1.0 - next_fraction, pixel_m));
+  if (next_fraction > 0.0)
+    sheets.push_back(sheet_of(state, state.next_map, next_fraction, pixel_m));
   return sheets;
 }
 

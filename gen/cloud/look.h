@@ -20,8 +20,8 @@ struct Sheet {
   std::shared_ptr<const ShapeMaps> map;
   glm::dvec2 way_px = {};                  ///< how far the map has drifted
   std::vector<float> opacity_by_rank;      ///< in [0, 1]
-  std::vector<glm::vec4> colour_by_light;  ///< linear colour for the share of the light, and 1
-  double share = 1.0;                      ///< of the layer's optical depth
+  std::vector<glm::vec4> colour_by_light;  ///< linear colour for the fraction of the light, and 1
+  double fraction = 1.0;                   ///< of the layer's optical depth
   double depth_left = 1.0;  ///< of the depth that the whole layer's clouds have towards the sun
 };
 
@@ -32,8 +32,8 @@ std::vector<float> top_m_by_rank(const LayerState& state);
 double by_rank(const std::vector<float>& table, double rank);
 
 /// A layer's sheets, the further one first: one, or two while its shape changes. Two sheets whose
-/// optical depths are shares of the layer's let through together what the layer does; the paper's
-/// fade has shares of alpha, and thins out half-way. Full light is moment.light.
+/// optical depths are fractions of the layer's let through together what the layer does; the
+/// paper's fade has fractions of alpha, and thins out half-way. Full light is moment.light.
 std::vector<Sheet> sheets_of(const LayerState& state, double pixel_m);
 
 }  // namespace wold::cloud

@@ -44,9 +44,9 @@ PeriodicMap<float> opacities(const Image& image) {
 }
 
 /// Means of the source's pixels that fall on each of the fewer pixels.
-PeriodicMap<float> averaged(const PeriodicMap<float>& map, int most_px) {
-  const int width = std::min(map.width(), most_px);
-  const int height = std::min(map.height(), most_px);
+PeriodicMap<float> averaged(const PeriodicMap<float>& map, int max_px) {
+  const int width = std::min(map.width(), max_px);
+  const int height = std::min(map.height(), max_px);
   if (width == map.width() && height == map.height()) return map;
   const auto edge = [](int i, int from, int to) {
     return static_cast<int>(static_cast<std::int64_t>(i) * from / to);
@@ -104,9 +104,9 @@ PeriodicMap<float> closed_in_x(const PeriodicMap<float>& map) {
 
 }  // namespace
 
-PeriodicMap<float> picture_opacity(const std::filesystem::path& path, int most_px) {
+PeriodicMap<float> picture_opacity(const std::filesystem::path& path, int max_px) {
   refuse_too_large(path);
-  const PeriodicMap<float> map = averaged(opacities(read_image(path)), most_px);
+  const PeriodicMap<float> map = averaged(opacities(read_image(path)), max_px);
   return transposed(closed_in_x(transposed(closed_in_x(map))));
 }
 

@@ -41,7 +41,8 @@ double procedural_field_at(const Recipe& recipe, const glm::dvec2& place, std::u
   if (recipe.masses.weight != 0.0)
     field += recipe.masses.weight * sum_of(recipe.masses, at, key ^ key_of("masses"), perlin);
   if (recipe.billows.weight != 0.0)
-    field += recipe.billows.weight * sum_of(recipe.billows, at, key ^ key_of("billows"), head);
+    field +=
+        recipe.billows.weight * sum_of(recipe.billows, at, key ^ key_of("billows"), billow_cell);
   return field;
 }
 

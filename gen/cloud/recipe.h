@@ -22,7 +22,7 @@ struct Recipe {
   double base_m = 0.0;
   double thickness_m = 0.0;  ///< of the thickest place
   double cell_m = 0.0;       ///< side of the square that a texture covers
-  double cover = 0.0;        ///< share of the sky; above 1 it has no thin places
+  double cover = 0.0;        ///< fraction of the sky; above 1 it has no thin places
   double opacity = 0.0;      ///< of the densest place
   // The droplets.
   double extinction_per_km = 0.0;

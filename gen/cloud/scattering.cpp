@@ -38,8 +38,8 @@ constexpr double middle_depth = 8.0;
 
 double depth_of(int step) {
   const double root = static_cast<double>(step) / depths;  // below 1: depths have no end
-  const double share = root * root;
-  return middle_depth * share / (1.0 - share);
+  const double fraction = root * root;
+  return middle_depth * fraction / (1.0 - fraction);
 }
 
 double cosine_of(int step) {

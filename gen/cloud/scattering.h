@@ -4,7 +4,7 @@
 
 namespace wold::cloud {
 
-/// Share of light that droplets scatter per steradian at an angle to its way, over all angles 1
+/// Fraction of light that droplets scatter per steradian at an angle to its way, over all angles 1
 /// (Henyey and Greenstein 1941). asymmetry in (-1, 1).
 double henyey_greenstein(double asymmetry, double cosine);
 
@@ -24,7 +24,7 @@ TwoStream two_stream(double asymmetry, double depth_before, double depth_behind)
 /// fills its side evenly, and one passes into the other in between.
 double radiance_of(const TwoStream& streams, double cosine);
 
-/// Share of sunlight that after `depth` still is in the forward peak, which two-stream diffusion
+/// Fraction of sunlight that after `depth` still is in the forward peak, which two-stream diffusion
 /// counts among the onward stream: asymmetry^2 of it stays there each time (Joseph, Wiscombe and
 /// Weinman 1976, The delta-Eddington approximation for radiative flux transfer).
 double in_forward_peak(double asymmetry, double depth);
@@ -32,11 +32,12 @@ double in_forward_peak(double asymmetry, double depth);
 /// Radiance, per unit of the sun's irradiance, that sunlight has in and near the forward peak
 /// behind a cloud that is `depth` thick along the light, without what was not scattered at all.
 ///
-/// Of light that was scattered n times, Poisson's share of the depth, the angles follow Henyey and
-/// Greenstein's law with asymmetry^n, its convolution with itself (Goudsmit and Saunderson 1940,
-/// taking all paths for as long as the straight one); from the second time on only what is more
-/// than even light counts. With two_stream() less in_forward_peak() spread evenly it is within 6 %
-/// of what photons followed one by one give, up to 50 degrees, for depths to 8 (asymmetry 0.866).
+/// Of light that was scattered n times, Poisson's fraction of the depth, the angles follow Henyey
+/// and Greenstein's law with asymmetry^n, its convolution with itself (Goudsmit and Saunderson
+/// 1940, taking all paths for as long as the straight one); from the second time on only what is
+/// more than even light counts. With two_stream() less in_forward_peak() spread evenly it is within
+/// 6 % of what photons followed one by one give, up to 50 degrees, for depths to 8 (asymmetry
+/// 0.866).
 double forward_through(double asymmetry, double depth, double cosine);
 
 /// The source of that, per unit of optical depth, at a `depth` from the lit side: its integral over

@@ -25,24 +25,24 @@ double depth_to_sun(const CloudState& state, const glm::dvec3& from_m,
 
 }  // namespace
 
-FactorMap sun_share(const CloudState& state, const Heightfield& terrain,
-                    const glm::dvec3& sun_direction, int samples) {
-  return sun_share(state, terrain, sun_direction, {{.size_m = terrain.size_m()}, samples});
+FactorMap sunlit_fraction(const CloudState& state, const Heightfield& terrain,
+                          const glm::dvec3& sun_direction, int samples) {
+  return sunlit_fraction(state, terrain, sun_direction, {{.size_m = terrain.size_m()}, samples});
 }
 
-FactorMap sun_share(const CloudState& state, const Heightfield& terrain,
-                    const glm::dvec3& sun_direction, const GroundGrid& grid) {
-  FactorMap share(grid.samples, grid.square, 1.0F);
-  if (state.layers.empty()) return share;
+FactorMap sunlit_fraction(const CloudState& state, const Heightfield& terrain,
+                          const glm::dvec3& sun_direction, const GroundGrid& grid) {
+  FactorMap fraction(grid.samples, grid.square, 1.0F);
+  if (state.layers.empty()) return fraction;
   parallel_for(static_cast<std::size_t>(grid.samples), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < grid.samples; ++i) {
-      const glm::dvec2 at_m = share.place_m(i, j);
+      const glm::dvec2 at_m = fraction.place_m(i, j);
       const glm::dvec3 place(at_m, static_cast<double>(terrain.sample(at_m.x, at_m.y)));
-      share.at(i, j) = static_cast<float>(math::exp(-depth_to_sun(state, place, sun_direction)));
+      fraction.at(i, j) = static_cast<float>(math::exp(-depth_to_sun(state, place, sun_direction)));
     }
   });
-  return share;
+  return fraction;
 }
 
 }  // namespace wold::cloud

@@ -7,14 +7,14 @@
 
 namespace wold::cloud {
 
-/// Share of the sun's light that comes straight through all layers to the ground, in [0, 1], by
+/// Fraction of the sun's light that comes straight through all layers to the ground, in [0, 1], by
 /// world x and y: exp(-depth / sin(elevation)) of every layer where the ray to the sun meets its
 /// base. It multiplies the sun's part of a light map; `samples` along each side of the terrain, or
 /// on a grid.
 /// sun_direction: unit vector to a sun above the horizon.
-FactorMap sun_share(const CloudState& state, const Heightfield& terrain,
-                    const glm::dvec3& sun_direction, int samples);
-FactorMap sun_share(const CloudState& state, const Heightfield& terrain,
-                    const glm::dvec3& sun_direction, const GroundGrid& grid);
+FactorMap sunlit_fraction(const CloudState& state, const Heightfield& terrain,
+                          const glm::dvec3& sun_direction, int samples);
+FactorMap sunlit_fraction(const CloudState& state, const Heightfield& terrain,
+                          const glm::dvec3& sun_direction, const GroundGrid& grid);
 
 }  // namespace wold::cloud

@@ -9,7 +9,7 @@
 namespace wold::cloud {
 namespace {
 
-constexpr int most_ray_steps = 32;
+constexpr int max_ray_steps = 32;
 
 /// A part of the ray to the sun.
 struct RayStep {
@@ -24,18 +24,18 @@ std::vector<RayStep> ray_to_sun(double low_m, double top_m, const glm::dvec3& su
                                 double pixel_m) {
   const double sine = std::max(sun_direction.z, lowest_sun_sine);
   const double length_m = (top_m - low_m) / sine;
-  const int ray_steps = static_cast<int>(std::ceil(most_ray_steps * (1.0 - low_m / top_m)));
+  const int ray_steps = static_cast<int>(std::ceil(max_ray_steps * (1.0 - low_m / top_m)));
   const glm::dvec2 level(sun_direction.x, sun_direction.y);
   const glm::dvec2 towards = glm::length(level) > 0.0 ? glm::normalize(level) : glm::dvec2(0.0);
   const double across = std::sqrt(1.0 - sine * sine);
   // From a third of the mean length to five thirds of it.
-  const auto share = [&](double step) {
+  const auto fraction = [&](double step) {
     const double x = step / ray_steps;
     return x * (1.0 + 2.0 * x) / 3.0;
   };
   std::vector<RayStep> steps;
   for (int i = 0; i < ray_steps; ++i) {
-    const double from_m = length_m * share(i), to_m = length_m * share(i + 1);
+    const double from_m = length_m * fraction(i), to_m = length_m * fraction(i + 1);
     const double away_m = across * 0.5 * (from_m + to_m);
     steps.push_back({glm::ivec2(glm::round(towards * (away_m / pixel_m))),
                      static_cast<float>(low_m + from_m * sine),

@@ -14,7 +14,7 @@ inline double perlin(const glm::dvec2& at, std::uint64_t key, const glm::ivec2& 
 }
 
 /// Round heads: half-spheres, nearly, on the points of cellular noise.
-inline double head(const glm::dvec2& at, std::uint64_t key, const glm::ivec2& period) {
+inline double billow_cell(const glm::dvec2& at, std::uint64_t key, const glm::ivec2& period) {
   const double distance = cell_noise(at, key, period);
   return 1.0 - distance * distance;
 }

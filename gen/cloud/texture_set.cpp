@@ -17,7 +17,7 @@ namespace {
 
 constexpr int finest_procedural_px = 512;
 /// Thicker than this nobody sees through; optical depth 5.3.
-constexpr double most_opacity = 0.995;
+constexpr double max_opacity = 0.995;
 
 std::vector<float> sampled(const Curve& curve) {
   std::vector<float> values(profile_steps + 1);
@@ -61,7 +61,7 @@ TextureSet made_textures(Recipe recipe, int side_px, std::uint64_t key) {
           side_px,          std::move(rank_per_field)};
 }
 
-double optical_depth(double opacity) { return -math::log1p(-std::min(opacity, most_opacity)); }
+double optical_depth(double opacity) { return -math::log1p(-std::min(opacity, max_opacity)); }
 
 /// Quantiles of the pictures' optical depths, over the largest.
 std::vector<float> profile_of(const std::vector<PeriodicMap<float>>& opacities) {
@@ -89,7 +89,7 @@ TextureSet picture_textures(const std::vector<std::string>& paths, int side_px) 
   return {ranked(opacities),
           profile_of(opacities),
           1.0,
-          std::min(static_cast<double>(densest), most_opacity),
+          std::min(static_cast<double>(densest), max_opacity),
           0,
           {}};
 }

@@ -16,7 +16,7 @@ struct TextureSet {
   /// Vertical optical depth over that of the densest place, by rank among the layer's clouds, on
   /// equal steps from 0 to 1; never falls.
   std::vector<float> profile;
-  double cover = 1.0;            ///< share of the sky that is covered
+  double cover = 1.0;            ///< fraction of the sky that is covered
   double densest_opacity = 0.0;  ///< in [0, 0.995]
   /// Of procedural textures: pixels along a side, and how much the rank rises per unit of the field
   /// (procedural_field()), by rank on equal steps from 0 to 1. Pictures have none.

@@ -40,8 +40,8 @@ double done(const CloudEvent& event, double time_s) {
 }
 
 double amount_after(const CloudEvent& event, double before) {
-  return event.kind == CloudEventKind::gather ? before + event.by * (1.0 - before)
-                                              : before * (1.0 - event.by);
+  return event.kind == CloudEventKind::gather ? before + event.fraction * (1.0 - before)
+                                              : before * (1.0 - event.fraction);
 }
 
 std::uint64_t layer_key(const scene::Scene& scene, std::size_t layer) {
@@ -115,7 +115,7 @@ void Timeline::set_shape(LayerMoment& moment, double time_s) const {
   for (std::size_t wind = 0; wind < winds_.size() && time_s >= winds_[wind].start_s; ++wind) {
     moment.shape = wind;
     moment.next_shape = wind + 1;
-    moment.next_share = done(winds_[wind], time_s);
+    moment.next_fraction = done(winds_[wind], time_s);
     moment.shapes_by_alpha = winds_[wind].fade == CloudFade::paper;
   }
 }

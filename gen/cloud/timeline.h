@@ -23,7 +23,7 @@ struct LayerMoment {
   bool amount_is_alpha = false;  ///< it multiplies alpha, as in the paper, not cover and depth
   std::size_t shape = 0;         ///< index into Timeline::shapes()
   std::size_t next_shape = 0;    ///< the one it is turning into
-  double next_share = 0.0;       ///< of the next shape
+  double next_fraction = 0.0;    ///< of the next shape
   bool shapes_by_alpha = false;  ///< they fade by alpha, as in the paper, not by optical depth
   glm::dvec3 light = glm::dvec3(1.0);  ///< colour of the light, linear; 1 on a clear day
 };

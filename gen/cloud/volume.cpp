@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "cloud/box_filter.h"
-#include "cloud/heap.h"
+#include "cloud/cumulus_column.h"
 #include "cloud/optical_sweep.h"
 #include "cloud/scattering.h"
 #include "core/parallel.h"

@@ -9,7 +9,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json to_json(const Limits& limits) {
-  return {{"rmse", limits.rmse}, {"soft", limits.soft}, {"allowed_share", limits.allowed_share},
+  return {{"rmse", limits.rmse}, {"soft", limits.soft}, {"allowed_share", limits.allowed_fraction},
           {"hard", limits.hard}, {"flip", limits.flip}, {"ssim", limits.ssim}};
 }
 
@@ -32,7 +32,7 @@ Json to_json(const Differences& differences) {
   return {{"mean_abs", differences.mean_abs},
           {"rmse", differences.rmse},
           {"max_error", differences.max_error},
-          {"share_over_soft", differences.share_over_soft},
+          {"share_over_soft", differences.fraction_over_soft},
           {"non_finite", differences.non_finite}};
 }
 

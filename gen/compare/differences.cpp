@@ -32,29 +32,29 @@ Differences DifferenceSum::result() const {
   const auto samples = static_cast<double>(std::max<std::size_t>(samples_, 1));
   result.mean_abs /= values;
   result.rmse = std::sqrt(result.rmse / values);
-  result.share_over_soft = static_cast<double>(samples_over_) / samples;
+  result.fraction_over_soft = static_cast<double>(samples_over_) / samples;
   return result;
 }
 
 std::vector<Measure> measures(const Differences& differences, const Limits& limits) {
-  return {{.name = "rmse", .value = differences.rmse, .most = limits.rmse},
+  return {{.name = "rmse", .value = differences.rmse, .max = limits.rmse},
           {.name = fmt::format("share over {:.4g}", limits.soft),
-           .value = differences.share_over_soft,
-           .most = limits.allowed_share},
-          {.name = "largest difference", .value = differences.max_error, .most = limits.hard},
+           .value = differences.fraction_over_soft,
+           .max = limits.allowed_fraction},
+          {.name = "largest difference", .value = differences.max_error, .max = limits.hard},
           {.name = "values that are not finite",
            .value = static_cast<double>(differences.non_finite),
-           .most = 0.0}};
+           .max = 0.0}};
 }
 
 std::vector<std::string> exceeded(const std::vector<Measure>& measures) {
   std::vector<std::string> reasons;
   for (const Measure& measure : measures) {
     if (measure.is_good()) continue;
-    const bool is_low = measure.value < measure.least;
+    const bool is_low = measure.value < measure.min;
     reasons.push_back(fmt::format("{} is {:.4g}, at {} {:.4g} is allowed", measure.name,
                                   measure.value, is_low ? "least" : "most",
-                                  is_low ? measure.least : measure.most));
+                                  is_low ? measure.min : measure.max));
   }
   return reasons;
 }

@@ -7,29 +7,29 @@
 
 namespace wold::compare {
 
-/// What still counts as the same. All are shares of the full range: stored sRGB values in [0, 1]
+/// What still counts as the same. All are fractions of the full range: stored sRGB values in [0, 1]
 /// for pictures, integer / maximum for df3, value / largest wanted magnitude for grids. Reaching a
 /// limit is allowed, going over it is not. The defaults are meant for the same picture made on
 /// another machine: rounding may move a value by some steps of 8 bit anywhere (soft), and where one
 /// of four samples of a pixel falls on the other side of an edge that pixel moves by a quarter.
 struct Limits {
   double rmse = 0.005;
-  double soft = 0.02;           ///< 5 steps of 8 bit
-  double allowed_share = 0.01;  ///< of samples (pixels, voxels) over `soft`
-  double hard = 0.3;            ///< no value may differ more
-  double flip = 0.02;           ///< mean FLIP of pictures
-  double ssim = 0.98;           ///< the least structural similarity of pictures
+  double soft = 0.02;              ///< 5 steps of 8 bit
+  double allowed_fraction = 0.01;  ///< of samples (pixels, voxels) over `soft`
+  double hard = 0.3;               ///< no value may differ more
+  double flip = 0.02;              ///< mean FLIP of pictures
+  double ssim = 0.98;              ///< the least structural similarity of pictures
 };
 
 /// One number of a comparison and the range that the limits leave it.
 struct Measure {
   std::string name;
   double value = 0.0;
-  double least = -std::numeric_limits<double>::infinity();
-  double most = std::numeric_limits<double>::infinity();
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
 
   /// Reaching a limit is allowed, being no number is not.
-  bool is_good() const { return least <= value && value <= most; }
+  bool is_good() const { return min <= value && value <= max; }
 };
 
 /// How far two equally long lists of values are apart. A sample is a pixel or a voxel.
@@ -37,8 +37,8 @@ struct Differences {
   double mean_abs = 0.0;
   double rmse = 0.0;
   double max_error = 0.0;
-  double share_over_soft = 0.0;  ///< of samples with a value that differs by more than `soft`
-  std::size_t non_finite = 0;    ///< values that are no finite number in either list
+  double fraction_over_soft = 0.0;  ///< of samples with a value that differs by more than `soft`
+  std::size_t non_finite = 0;       ///< values that are no finite number in either list
 };
 
 /// Takes two lists value by value and sums up how they differ.

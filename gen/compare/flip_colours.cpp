@@ -23,10 +23,10 @@ const std::array<std::vector<Bell>, 3> sensitivity = {
     {{{1.0, 0.0047}}, {{1.0, 0.0053}}, {{34.1, 0.04}, {13.5, 0.025}}}};
 constexpr double widest = 0.04;
 
-/// Sections 4.1.2 and 4.1.3: exponent of the difference, and the share of the largest difference
+/// Sections 4.1.2 and 4.1.3: exponent of the difference, and the fraction of the largest difference
 /// that is stretched over [0, knee].
 constexpr double exponent = 0.7;
-constexpr double knee_share = 0.4;
+constexpr double knee_fraction = 0.4;
 constexpr double knee = 0.95;
 
 double sigma_px(const Bell& bell, double pixels_per_degree) {
@@ -47,10 +47,10 @@ Image as_seen(const Image& channel, const std::vector<Bell>& bells, double pixel
   for (const Bell& bell : bells) {
     const Weights sampled = gaussian(sigma_px(bell, pixels_per_degree), radius);
     const Image part = filtered(channel, sampled, sampled);
-    const double share = volume(bell, sampled);
+    const double weight = volume(bell, sampled);
     for (std::size_t i = 0; i < sum.values.size(); ++i)
-      sum.values[i] += static_cast<float>(share) * part.values[i];
-    whole += share;
+      sum.values[i] += static_cast<float>(weight) * part.values[i];
+    whole += weight;
   }
   for (float& value : sum.values) value /= static_cast<float>(whole);
   return sum;
@@ -87,9 +87,10 @@ double perceived(const glm::dvec3& a, const glm::dvec3& b) {
   return math::pow(hyab(a, b), exponent);
 }
 
-/// The difference as a share from 0 to 1: `knee_share` of the largest takes up nearly all of it.
+/// The difference as a fraction from 0 to 1: `knee_fraction` of the largest takes up nearly all of
+/// it.
 double redistributed(double difference, double largest) {
-  const double bend = knee_share * largest;
+  const double bend = knee_fraction * largest;
   if (difference < bend) return knee * difference / bend;
   return knee + (1.0 - knee) * (difference - bend) / (largest - bend);
 }

@@ -56,8 +56,8 @@ Image brightness_of(const Image& opponent) {
 void difference(float* out, const float* edge, const float* other_edge, const float* point,
                 const float* other_point) {
   const float larger = std::max(std::abs(*edge - *other_edge), std::abs(*point - *other_point));
-  const double share = math::pow(larger / std::numbers::sqrt2, exponent);
-  *out = static_cast<float>(std::min(share, 1.0));
+  const double fraction = math::pow(larger / std::numbers::sqrt2, exponent);
+  *out = static_cast<float>(std::min(fraction, 1.0));
 }
 
 }  // namespace

@@ -40,8 +40,8 @@ std::vector<Measure> grid_measures(const GridMetrics& grid, const Limits& limits
   if (!grid.is_compared) return {};
   std::vector<Measure> list = measures(grid, limits);
   list.push_back({.name = "share of voxels active in only one",
-                  .value = grid.share_active_in_one,
-                  .most = limits.allowed_share});
+                  .value = grid.fraction_active_in_one,
+                  .max = limits.allowed_fraction});
   return list;
 }
 

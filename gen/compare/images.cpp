@@ -123,8 +123,8 @@ Image flip_picture(const Image& flip_map) {
 
 std::vector<Measure> measures(const ImageMetrics& metrics, const Limits& limits) {
   std::vector<Measure> list = measures(static_cast<const Differences&>(metrics), limits);
-  list.push_back({.name = "FLIP", .value = metrics.flip, .most = limits.flip});
-  list.push_back({.name = "SSIM", .value = metrics.ssim, .least = limits.ssim});
+  list.push_back({.name = "FLIP", .value = metrics.flip, .max = limits.flip});
+  list.push_back({.name = "SSIM", .value = metrics.ssim, .min = limits.ssim});
   list.push_back({.name = "PSNR (dB)", .value = metrics.psnr_db});
   list.push_back({.name = "mean L*a*b* difference", .value = metrics.mean_delta_e});
   return list;

@@ -23,10 +23,10 @@ using Problems = std::vector<std::string>;
 
 void describe_df3(const fs::path& path, Json& facts, Problems& problems) {
   const Df3 grid = read_df3(path);
-  const auto [least, largest] = std::ranges::minmax(grid.values);
+  const auto [min, largest] = std::ranges::minmax(grid.values);
   facts["size"] = {grid.size.x, grid.size.y, grid.size.z};
   facts["bits"] = grid.bits;
-  facts["range"] = {least, largest};
+  facts["range"] = {min, largest};
   facts["memory_bytes"] = grid.values.size() * static_cast<std::size_t>(grid.bits / 8);
   if (largest <= 0.0F) problems.emplace_back("every value is 0");
 }
@@ -43,7 +43,7 @@ Json grid_json(const GridFacts& grid) {
   json["box_max"] = {grid.box_max.x, grid.box_max.y, grid.box_max.z};
   json["voxel_m"] = {grid.voxel_m.x, grid.voxel_m.y, grid.voxel_m.z};
   json["active_voxels"] = grid.active_voxels;
-  if (grid.has_range) json["range"] = {grid.least, grid.largest};
+  if (grid.has_range) json["range"] = {grid.min, grid.largest};
   json["memory_bytes"] = grid.memory_bytes;
   json["metadata"] = metadata_json(grid.metadata);
   return json;

@@ -50,8 +50,8 @@ std::string pictures(std::span<const Evidence> evidence, const fs::path& page) {
 }
 
 std::string limit(const Measure& measure) {
-  if (std::isfinite(measure.most)) return fmt::format("at most {:.4g}", measure.most);
-  if (std::isfinite(measure.least)) return fmt::format("at least {:.4g}", measure.least);
+  if (std::isfinite(measure.max)) return fmt::format("at most {:.4g}", measure.max);
+  if (std::isfinite(measure.min)) return fmt::format("at least {:.4g}", measure.min);
   return "";
 }
 

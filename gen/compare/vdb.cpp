@@ -44,7 +44,7 @@ void add_range(const Grid& grid, GridFacts& facts) {
         ++facts.non_finite;
         continue;
       }
-      facts.least = facts.has_range ? std::min(facts.least, component) : component;
+      facts.min = facts.has_range ? std::min(facts.min, component) : component;
       facts.largest = facts.has_range ? std::max(facts.largest, component) : component;
       facts.has_range = true;
     }
@@ -99,10 +99,10 @@ Differences value_differences(const Grid& got, const Grid& want,
 
 /// A tile of a few bytes stands for millions of voxels, which are compared one by one.
 void require_comparable(const openvdb::GridBase& grid) {
-  constexpr std::uint64_t most_voxels = std::uint64_t{1} << 28;
-  if (const std::uint64_t voxels = grid.activeVoxelCount(); voxels > most_voxels)
+  constexpr std::uint64_t max_voxels = std::uint64_t{1} << 28;
+  if (const std::uint64_t voxels = grid.activeVoxelCount(); voxels > max_voxels)
     throw FileError(fmt::format("found {} active voxels in the grid {}, expected {} at most",
-                                voxels, grid.getName(), most_voxels));
+                                voxels, grid.getName(), max_voxels));
 }
 
 /// How many voxels are in the first but not in the second.
@@ -113,7 +113,7 @@ std::uint64_t only_in(openvdb::MaskTree first, const openvdb::MaskTree& second) 
 
 /// What differences are relative to; 1 for a grid of zeros.
 double magnitude(const GridFacts& facts) {
-  const double largest = std::max(std::abs(facts.least), std::abs(facts.largest));
+  const double largest = std::max(std::abs(facts.min), std::abs(facts.largest));
   return largest > 0.0 ? largest : 1.0;
 }
 
@@ -128,7 +128,7 @@ void compare_typed(const Grid& got, const Grid& want, double soft, GridMetrics& 
   metrics.active_only_got = only_in(got_active, want_active);
   metrics.active_only_want = only_in(want_active, got_active);
   const auto in_one = static_cast<double>(metrics.active_only_got + metrics.active_only_want);
-  metrics.share_active_in_one =
+  metrics.fraction_active_in_one =
       in_one / static_cast<double>(std::max<std::uint64_t>(either.activeVoxelCount(), 1));
   static_cast<Differences&>(metrics) =
       value_differences(got, want, either, soft, magnitude(metrics.want));

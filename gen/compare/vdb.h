@@ -22,7 +22,7 @@ struct GridFacts {
   std::uint64_t active_voxels = 0;
   std::uint64_t memory_bytes = 0;
   bool has_range = false;  ///< false: no active voxel, or a type without a range
-  double least = 0.0;      ///< over active voxels and all components
+  double min = 0.0;        ///< over active voxels and all components
   double largest = 0.0;
   std::uint64_t non_finite = 0;  ///< active values that are no finite numbers
   std::vector<std::pair<std::string, std::string>> metadata;
@@ -47,7 +47,7 @@ struct GridMetrics : Differences {
   bool is_compared = false;           ///< values of this type can be compared and were
   std::uint64_t active_only_got = 0;  ///< voxels
   std::uint64_t active_only_want = 0;
-  double share_active_in_one = 0.0;  ///< of those that are active in either
+  double fraction_active_in_one = 0.0;  ///< of those that are active in either
 };
 
 struct VdbMetrics {

@@ -20,8 +20,8 @@ using Seconds = std::chrono::duration<double>;
 constexpr std::chrono::milliseconds redraw_interval{100};
 constexpr int bar_width = 24;
 
-std::string bar_text(double share) {
-  const int full = static_cast<int>(share * bar_width);
+std::string bar_text(double fraction) {
+  const int full = static_cast<int>(fraction * bar_width);
   return fmt::format("[{:#<{}}{:.<{}}]", "", full, "", bar_width - full);
 }
 
@@ -71,21 +71,21 @@ void ConsoleProgress::say(std::string_view message) {
   print_message(message);
 }
 
-double ConsoleProgress::share() const {
+double ConsoleProgress::fraction() const {
   return units_ == 0 ? 1.0 : static_cast<double>(done_) / static_cast<double>(units_);
 }
 
 std::string ConsoleProgress::text(std::string_view detail) const {
-  std::string line = fmt::format("{} {}/{} {:3.0f} %", stage_, done_, units_, 100.0 * share());
+  std::string line = fmt::format("{} {}/{} {:3.0f} %", stage_, done_, units_, 100.0 * fraction());
   if (done_ > 0 && done_ < units_) {
     const double elapsed_s = Seconds(now_() - start_).count();
-    line += fmt::format(", {} left", clock_text(elapsed_s * (1.0 / share() - 1.0)));
+    line += fmt::format(", {} left", clock_text(elapsed_s * (1.0 / fraction() - 1.0)));
   }
   return detail.empty() ? line : fmt::format("{}  {}", line, printable(detail));
 }
 
 void ConsoleProgress::show(std::string_view detail) {
-  const int tenths = static_cast<int>(10.0 * share());
+  const int tenths = static_cast<int>(10.0 * fraction());
   if (style_ == ProgressStyle::lines && tenths > tenths_shown_) {
     tenths_shown_ = tenths;
     print_progress(text(detail) + "\n");
@@ -93,7 +93,7 @@ void ConsoleProgress::show(std::string_view detail) {
   if (style_ == ProgressStyle::bar && now_() - shown_ >= redraw_interval) {
     shown_ = now_();
     bar_open_ = true;
-    print_progress(fmt::format("\r\x1b[K{} {}", bar_text(share()), text(detail)));
+    print_progress(fmt::format("\r\x1b[K{} {}", bar_text(fraction()), text(detail)));
   }
 }
 

@@ -37,7 +37,7 @@ class ConsoleProgress final : public Progress {
   void say(std::string_view message) override;
 
  private:
-  double share() const;
+  double fraction() const;
   std::string text(std::string_view detail) const;
   void show(std::string_view detail);
 

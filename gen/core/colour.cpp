@@ -22,7 +22,7 @@ double lab_curve(double t) {
   return t > foot * foot * foot ? math::cbrt(t) : t / (3.0 * foot * foot) + 4.0 / 29.0;
 }
 
-/// Share of grey that brings one channel into [0, ceiling].
+/// Fraction of grey that brings one channel into [0, ceiling].
 double grey_needed(double channel, double grey, double ceiling) {
   if (channel < 0.0) return -channel / (grey - channel);
   if (channel > ceiling) return (channel - ceiling) / (channel - grey);
@@ -65,9 +65,9 @@ double luminance(const glm::dvec3& rgb) {
 
 glm::dvec3 in_gamut(const glm::dvec3& rgb, double ceiling) {
   const double grey = std::clamp(luminance(rgb), 0.0, ceiling);
-  double share = 0.0;
-  for (int i = 0; i < 3; ++i) share = std::max(share, grey_needed(rgb[i], grey, ceiling));
-  return glm::clamp(glm::mix(rgb, glm::dvec3(grey), share), 0.0, ceiling);
+  double fraction = 0.0;
+  for (int i = 0; i < 3; ++i) fraction = std::max(fraction, grey_needed(rgb[i], grey, ceiling));
+  return glm::clamp(glm::mix(rgb, glm::dvec3(grey), fraction), 0.0, ceiling);
 }
 
 glm::dvec3 observer_fit(double nm) {

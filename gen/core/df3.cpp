@@ -101,8 +101,8 @@ void write_df3(std::ostream& out, glm::ivec3 size, std::span<const float> values
     append_big_endian(bytes, static_cast<std::uint32_t>(side), 16);
   const auto largest = static_cast<float>((1U << bits) - 1U);
   for (float value : values) {
-    const float share = std::clamp(value / scale, 0.0F, 1.0F);
-    append_big_endian(bytes, static_cast<std::uint32_t>(std::lround(share * largest)), bits);
+    const float fraction = std::clamp(value / scale, 0.0F, 1.0F);
+    append_big_endian(bytes, static_cast<std::uint32_t>(std::lround(fraction * largest)), bits);
   }
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }

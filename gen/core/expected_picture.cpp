@@ -32,7 +32,7 @@ Json json_of(const ExpectedThings& things) {
   Json tiles = Json::array();
   for (const ExpectedTile& tile : things.tiles)
     tiles.push_back({tile.tile, json_of(tile.with), json_of(tile.without)});
-  return {{"name", things.name}, {"least_share", things.least_share}, {"tiles", tiles}};
+  return {{"name", things.name}, {"least_share", things.min_fraction}, {"tiles", tiles}};
 }
 
 ExpectedThings things_of(const Json& json, int tiles) {

@@ -16,8 +16,8 @@ struct ExpectedTile {
 
 /// Things of one kind, and the tiles in which they can be told from their absence.
 struct ExpectedThings {
-  std::string name;          ///< for people: "grass"
-  double least_share = 0.0;  ///< a right picture shows more than that of the change they make
+  std::string name;           ///< for people: "grass"
+  double min_fraction = 0.0;  ///< a right picture shows more than that of the change they make
   std::vector<ExpectedTile> tiles;
 };
 

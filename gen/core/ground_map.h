@@ -89,8 +89,8 @@ class GroundMap {
 
 /// Samples along a side of a map with this step, or as many as a picture should have.
 inline int map_samples(double size_m, double step_m) {
-  constexpr double most = 4097.0;
-  return static_cast<int>(std::min(most, std::ceil(size_m / step_m - 1e-9) + 1.0));
+  constexpr double max = 4097.0;
+  return static_cast<int>(std::min(max, std::ceil(size_m / step_m - 1e-9) + 1.0));
 }
 
 /// Where the values of a map of a part of the ground lie.
@@ -103,7 +103,7 @@ struct GroundGrid {
 
 /// How much of something of size `feature_m` a map with this step shows: all up to half of it,
 /// nothing from twice of it on, where single values would be chance.
-inline double shown_share(double feature_m, double step_m) {
+inline double shown_fraction(double feature_m, double step_m) {
   return 1.0 - glm::smoothstep(0.5, 2.0, step_m / feature_m);
 }
 
@@ -144,7 +144,7 @@ void smooth(GroundMap<T, Meaning>& map) {
 using Heightfield = GroundMap<float, struct Heights>;
 /// Linear RGB per ground point.
 using ColourMap = GroundMap<glm::vec3>;
-/// A share, a factor or another number that is no height per ground point.
+/// A fraction, a factor or another number that is no height per ground point.
 using FactorMap = GroundMap<float>;
 
 }  // namespace wold

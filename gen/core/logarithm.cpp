@@ -18,7 +18,7 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 // so that its products are exact: Tang, "Table-driven implementation of the logarithm function in
 // IEEE floating-point arithmetic" (1990).
 constexpr int parts = 256;  // inverses are whole multiples of 1 / parts
-constexpr int least_inverse = 180;
+constexpr int min_inverse = 180;
 constexpr int greatest_inverse = 364;
 
 /// log((n + 1) / n) by the series of the inverse hyperbolic tangent.
@@ -31,14 +31,14 @@ constexpr DoubleDouble log_of_step(int n) {
   return sum * z * 2.0;
 }
 
-/// -log(n / parts) for n from least_inverse on.
+/// -log(n / parts) for n from min_inverse on.
 constexpr auto minus_log_of_parts = [] {
-  std::array<DoubleDouble, greatest_inverse - least_inverse + 1> all{};
-  constexpr std::size_t one = parts - least_inverse;
+  std::array<DoubleDouble, greatest_inverse - min_inverse + 1> all{};
+  constexpr std::size_t one = parts - min_inverse;
   for (std::size_t i = one; i > 0; --i)
-    all[i - 1] = all[i] + log_of_step(least_inverse + static_cast<int>(i) - 1);
+    all[i - 1] = all[i] + log_of_step(min_inverse + static_cast<int>(i) - 1);
   for (std::size_t i = one; i + 1 < all.size(); ++i)
-    all[i + 1] = all[i] + -log_of_step(least_inverse + static_cast<int>(i));
+    all[i + 1] = all[i] + -log_of_step(min_inverse + static_cast<int>(i));
   return all;
 }();
 
@@ -56,8 +56,7 @@ constexpr auto entries = [] {
   for (int i = first_entry; i <= last_entry; ++i) {
     const int inverse = (2 * parts * 128 / i + 1) / 2;
     all[static_cast<std::size_t>(i - first_entry)] = {
-        1.0 * inverse / parts,
-        minus_log_of_parts[static_cast<std::size_t>(inverse - least_inverse)]};
+        1.0 * inverse / parts, minus_log_of_parts[static_cast<std::size_t>(inverse - min_inverse)]};
   }
   return all;
 }();

@@ -21,9 +21,9 @@ Character first_character(std::string_view text) {
     if ((byte(i) & 0xC0U) != 0x80U) return {};
     code = code << 6U | (byte(i) & 0x3FU);
   }
-  const std::uint32_t least = bytes == 2 ? 0x80 : bytes == 3 ? 0x800 : 0x10000;
+  const std::uint32_t min = bytes == 2 ? 0x80 : bytes == 3 ? 0x800 : 0x10000;
   const bool is_surrogate = code >= 0xD800 && code <= 0xDFFF;
-  if (code < least || code > 0x10FFFF || is_surrogate) return {};
+  if (code < min || code > 0x10FFFF || is_surrogate) return {};
   return {code, bytes};
 }
 

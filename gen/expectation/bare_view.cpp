@@ -65,12 +65,12 @@ glm::vec3 ground_radiance(const landscape::Landscape& landscape, const glm::dvec
   for (const landscape::GroundDetail& detail : landscape.ground_details) {
     const glm::dvec2 inside = at_m - detail.corner_m;
     const glm::dvec2 from_edge = glm::min(inside, detail.map.size_m() - inside);
-    const double share =
+    const double fraction =
         std::min(from_edge.x, from_edge.y) / landscape::soft_border_m(*coarser, detail);
     coarser = &detail.map;
-    if (share > 0.0)
+    if (fraction > 0.0)
       seen = glm::mix(seen, detail.map.sample(inside.x, inside.y),
-                      static_cast<float>(std::min(share, 1.0)));
+                      static_cast<float>(std::min(fraction, 1.0)));
   }
   return seen;
 }

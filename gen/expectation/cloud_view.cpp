@@ -30,7 +30,7 @@ std::size_t voxel_at(const landscape::CloudBox& cloud, const glm::dvec3& place_m
 
 /// Goes on through one box; `weighed_m` sums distances by how much is seen there.
 void pass_through(const landscape::CloudBox& cloud, const glm::dvec3& eye_m,
-                  const glm::dvec3& direction, double end_m, landscape::FarLook& look,
+                  const glm::dvec3& direction, double end_m, landscape::AggregateAppearance& look,
                   double& weighed_m) {
   constexpr double nothing_left = 1e-3;
   const auto [first_m, last_m] = inside_m(cloud, eye_m, direction, end_m);

@@ -2,14 +2,14 @@
 
 #include <glm/glm.hpp>
 
-#include "landscape/far_look.h"
+#include "landscape/aggregate_appearance.h"
 #include "landscape/landscape.h"
 
 namespace wold::expectation {
 
 /// What clouds that are volumes show along a ray.
 struct SeenBox {
-  landscape::FarLook look;
+  landscape::AggregateAppearance look;
   double distance_m = 0.0;  ///< to the middle of what is seen of them; 0 where there are none
 };
 

@@ -20,10 +20,10 @@ enum class Kind { nothing, grass, blades, clouds };
 constexpr std::array<std::pair<Kind, const char*>, 3> kinds = {
     {{Kind::grass, "grass"}, {Kind::blades, "blades"}, {Kind::clouds, "clouds"}}};
 
-/// ExpectedThings::least_share: right pictures of the examples show 0.97 to 1.30 of their meadows
+/// ExpectedThings::min_fraction: right pictures of the examples show 0.97 to 1.30 of their meadows
 /// and 0.97 to 1.02 of their clouds, but 0.64 of points, which hide each other, and of a meadow
 /// that is a few patches, of which each looks in its own way, 0.9 to 1.1.
-double least_share(Kind kind, std::size_t patches) {
+double min_fraction(Kind kind, std::size_t patches) {
   constexpr std::size_t many_patches = 50;
   if (kind == Kind::blades) return 0.4;
   return kind == Kind::clouds || patches >= many_patches ? 0.88 : 0.5;
@@ -79,7 +79,7 @@ std::vector<Sight> bare_sights(const landscape::Landscape& landscape, const Tili
   return sights;
 }
 
-glm::dvec3 over(const landscape::FarLook& look, const glm::dvec3& behind) {
+glm::dvec3 over(const landscape::AggregateAppearance& look, const glm::dvec3& behind) {
   return look.radiance + look.transmittance * behind;
 }
 
@@ -106,7 +106,7 @@ double mean_opacity(const landscape::FlakePicture& picture) {
   return sum / static_cast<double>(picture.opacity.values.size());
 }
 
-/// The share of each tile that flakes let through. A flake counts where its middle is.
+/// The fraction of each tile that flakes let through. A flake counts where its middle is.
 std::vector<double> through_flakes(const landscape::Landscape& landscape, const Tiling& tiling) {
   const landscape::Perspective perspective = perspective_of(landscape);
   std::vector<double> opacities;
@@ -138,9 +138,9 @@ glm::dvec3 exposed(const landscape::Landscape& landscape, const glm::dvec3& seen
 
 /// Tiles that differ by less say nothing: a hundredth of the way from black to white.
 bool differ(const glm::vec3& a, const glm::vec3& b) {
-  constexpr double least = 0.01;
+  constexpr double min = 0.01;
   const glm::dvec3 difference = glm::abs(srgb_encoded(glm::dvec3(a)) - srgb_encoded(glm::dvec3(b)));
-  return std::max({difference.r, difference.g, difference.b}) >= least;
+  return std::max({difference.r, difference.g, difference.b}) >= min;
 }
 
 /// The sights through a tile, row by row.
@@ -186,7 +186,7 @@ ExpectedPicture expected_picture(const landscape::Landscape& landscape) {
   };
   ExpectedPicture expected{tiling.tiles, {}};
   for (const auto& [kind, name] : kinds) {
-    ExpectedThings things{name, least_share(kind, patches), {}};
+    ExpectedThings things{name, min_fraction(kind, patches), {}};
     for (int tile = 0; tile < tiling.count(); ++tile) {
       if (!is_certain(kind, sights, tiling, tile)) continue;
       const ExpectedTile seen{tile, mean_without(Kind::nothing, tile), mean_without(kind, tile)};

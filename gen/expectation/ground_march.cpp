@@ -34,8 +34,8 @@ struct Place {
 template <class PlaceAt>
 double meeting_m(Place above, Place below, const PlaceAt& place) {
   for (int i = 0; i < 3; ++i) {
-    const double share = above.gap_m / (above.gap_m - below.gap_m);
-    const Place middle = place(std::lerp(above.at_m, below.at_m, share));
+    const double fraction = above.gap_m / (above.gap_m - below.gap_m);
+    const Place middle = place(std::lerp(above.at_m, below.at_m, fraction));
     if (middle.gap_m > 0.0) {
       above = middle;
     } else {
@@ -68,8 +68,8 @@ double GroundMarch::distance_m(const glm::dvec3& eye_m, const glm::dvec3& direct
     if (here.gap_m <= 0.0) return at == first ? at : meeting_m(above, here, place);
     if (at >= last) break;
     above = here;
-    const double least_m = 0.3 * terrain_.step_m() + 3e-3 * at;
-    at = std::min(last, at + std::max(here.gap_m / closing, least_m));
+    const double min_m = 0.3 * terrain_.step_m() + 3e-3 * at;
+    at = std::min(last, at + std::max(here.gap_m / closing, min_m));
   }
   return std::numeric_limits<double>::infinity();
 }

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/parallel.h"
-#include "expectation/blades_look.h"
+#include "expectation/blades_appearance.h"
 #include "landscape/tiled_volume.h"
 
 namespace wold::expectation {
@@ -71,8 +71,9 @@ std::vector<int> cells_met(const landscape::Landscape& landscape,
   if (cells.empty()) return met;
   const GroundPlaces places(landscape, sights);
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const auto corner_m = [&](const glm::dvec2& share) {
-      return glm::dvec2(cells[i].world_from_cell * glm::dvec4(share * landscape.patch_m, 0.0, 1.0));
+    const auto corner_m = [&](const glm::dvec2& fraction) {
+      return glm::dvec2(cells[i].world_from_cell *
+                        glm::dvec4(fraction * landscape.patch_m, 0.0, 1.0));
     };
     const glm::dvec2 one_m = corner_m(cells[i].part.low);
     const glm::dvec2 other_m = corner_m(cells[i].part.high);
@@ -119,8 +120,8 @@ std::size_t voxels_of(const landscape::Volume& volume) {
 /// Few volumes that can be read soon: the coarsest, so many that they do not have too many voxels
 /// together. `used`: numbers of volumes, rising. Rising.
 std::vector<int> spokesmen(const landscape::Landscape& landscape, const std::vector<int>& used) {
-  constexpr std::size_t most = 32;
-  constexpr std::size_t most_voxels = 2'000'000;
+  constexpr std::size_t max = 32;
+  constexpr std::size_t max_voxels = 2'000'000;
   const auto voxels = [&](int volume) {
     return voxels_of(landscape.volumes[static_cast<std::size_t>(volume)]);
   };
@@ -128,9 +129,9 @@ std::vector<int> spokesmen(const landscape::Landscape& landscape, const std::vec
   std::stable_sort(chosen.begin(), chosen.end(),
                    [&](int a, int b) { return voxels(a) < voxels(b); });
   std::size_t count = 0;
-  for (std::size_t sum = 0; count < std::min(chosen.size(), most); ++count) {
+  for (std::size_t sum = 0; count < std::min(chosen.size(), max); ++count) {
     sum += voxels(chosen[count]);
-    if (count > 0 && sum > most_voxels) break;
+    if (count > 0 && sum > max_voxels) break;
   }
   chosen.resize(count);
   std::sort(chosen.begin(), chosen.end());
@@ -163,7 +164,7 @@ std::map<int, std::vector<std::size_t>> by_volume(const landscape::Landscape& la
   return grouped;
 }
 
-BladesLook look_of(const landscape::Landscape& landscape, const landscape::BladeCell& cell) {
+BladesAppearance look_of(const landscape::Landscape& landscape, const landscape::BladeCell& cell) {
   const glm::dvec2 side_m = (cell.part.high - cell.part.low) * landscape.patch_m;
   return {*landscape.blade_meshes[static_cast<std::size_t>(cell.mesh)].tubes, side_m.x * side_m.y};
 }
@@ -180,7 +181,7 @@ std::size_t look_at_grass(const landscape::Landscape& landscape, std::vector<Sig
       const landscape::Cell& cell = landscape.cells[static_cast<std::size_t>(met[seen[i]])];
       const glm::dvec3 at_m = ground_place_m(landscape, sight);
       landscape::PatchRay ray = ray_into(cell.world_from_cell, landscape, sight);
-      ray.thickness *= double{landscape.standing.sample(at_m.x, at_m.y)};
+      ray.thickness *= double{landscape.extinction_factor.sample(at_m.x, at_m.y)};
       const glm::dvec3 anywhere = spread(seen[i]);  // as a whole meadow looks, not this place
       ray.start = glm::dvec2(anywhere);
       ray.begin = anywhere.z;
@@ -195,7 +196,7 @@ std::size_t look_at_grass(const landscape::Landscape& landscape, std::vector<Sig
 
 void look_at_blades(const landscape::Landscape& landscape, std::vector<Sight>& sights) {
   const std::vector<int> met = cells_met(landscape, landscape.blade_cells, sights);
-  std::map<int, BladesLook> looks;
+  std::map<int, BladesAppearance> looks;
   for (std::size_t i = 0; i < sights.size(); ++i) {
     if (met[i] == nothing) continue;
     const landscape::BladeCell& cell = landscape.blade_cells[static_cast<std::size_t>(met[i])];

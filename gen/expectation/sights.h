@@ -6,7 +6,7 @@
 
 #include "expectation/bare_view.h"
 #include "expectation/cloud_view.h"
-#include "landscape/far_look.h"
+#include "landscape/aggregate_appearance.h"
 #include "landscape/landscape.h"
 
 namespace wold::expectation {
@@ -15,9 +15,10 @@ namespace wold::expectation {
 struct Sight {
   glm::dvec3 direction{0.0};  ///< unit vector
   bool meets_ground = false;
-  Hit bare;                                 ///< the ground, or what is behind everything
-  std::optional<landscape::FarLook> grass;  ///< of volumes, lit, that stand on the ground there
-  std::optional<landscape::FarLook> blades;
+  Hit bare;  ///< the ground, or what is behind everything
+  std::optional<landscape::AggregateAppearance>
+      grass;  ///< of volumes, lit, that stand on the ground there
+  std::optional<landscape::AggregateAppearance> blades;
   SeenBox clouds;
 };
 

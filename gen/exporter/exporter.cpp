@@ -16,7 +16,7 @@ const Exporter* find_exporter(Exporters exporters, std::string_view name) {
 landscape::Needs needs_of_all(Exporters exporters) {
   landscape::Needs all;
   for (const Exporter* one : exporters) {
-    all.most_flakes_on_a_ray = std::min(all.most_flakes_on_a_ray, one->needs.most_flakes_on_a_ray);
+    all.max_flakes_on_a_ray = std::min(all.max_flakes_on_a_ray, one->needs.max_flakes_on_a_ray);
     all.materials = all.materials || one->needs.materials;
   }
   return all;

@@ -18,8 +18,8 @@
 #include "scene/winter.h"
 #include "sky/exposure.h"
 #include "sky/frame_sky.h"
-#include "sky/snow_in_air.h"
-#include "sky/snowy_air.h"
+#include "sky/precipitation.h"
+#include "sky/precipitation_medium.h"
 
 namespace wold::film {
 namespace {
@@ -65,7 +65,7 @@ void place(const std::vector<Drawn>& parts, const Key& key, const Lookup& lookup
 
 std::tuple<int, grass::PatchState, int, int> volume_key(const Drawn& part) {
   const meadow::CellChoice& choice = *part.choice;
-  return {choice.variant, choice.state(), choice.turn, choice.level};
+  return {choice.variant, choice.state(), choice.turn, choice.lod};
 }
 
 std::tuple<int, grass::PatchState, landscape::Part> blades_key(const Drawn& part) {
@@ -122,21 +122,21 @@ double gain(const scene::Scene& scene, const light::Daylight& day,
             const ground::SnowyGround& ground, const ColourMap& light) {
   const double for_bare = sky::metered_gain(day, bare_subject(scene));
   if (scene::is_season(scene))
-    return std::lerp(for_bare, sky::snow_gain(day, light), ground.white_share());
+    return std::lerp(for_bare, sky::snow_gain(day, light), ground.white_fraction());
   const bool for_snow = scene::may_lie(scene) || scene::may_snow(scene);
   return for_snow ? sky::metered_gain(day, sky::Subject::snow) : for_bare;
 }
 
 /// `illuminate`: what clouds and snow make of the light on the ground under a clear sky.
 template <class Illuminate>
-landscape::Daylight open_daylight(const light::Daylight& day, double sun_share,
+landscape::Daylight open_daylight(const light::Daylight& day, double sunlit_fraction,
                                   const Illuminate& illuminate) {
   constexpr int samples = 2;
   constexpr Square square{.size_m = 1.0};
   const terrain::GroundLight by_sky{ColourMap(samples, square, glm::vec3(0.0F)),
                                     ColourMap(samples, square, day.sky_irradiance()),
                                     FactorMap(samples, square, 1.0F)};
-  return {day.sun_direction(), day.sun_irradiance() * static_cast<float>(sun_share),
+  return {day.sun_direction(), day.sun_irradiance() * static_cast<float>(sunlit_fraction),
           illuminate(by_sky).at(0, 0)};
 }
 
@@ -160,19 +160,19 @@ landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site
   landscape.terrain = ground.surface();
   const sky::FrameSky sky(scene, site, frame, landscape.camera.eye_m);
   const double overcast_per_m = sky::overcast_extinction_per_m(scene, site, frame);
-  const sky::SnowyAir air(site.day, overcast_per_m, ground.mean_albedo());
+  const sky::PrecipitationMedium air(site.day, overcast_per_m, ground.mean_albedo());
   const auto illuminate = [&](const terrain::GroundLight& clear) {
     const ColourMap light = sky.light(clear);
     return overcast_per_m > 0.0 ? air.light(light, clear.overcast) : light;
   };
-  landscape.daylight = open_daylight(site.day, air.sun_share(), illuminate);
+  landscape.daylight = open_daylight(site.day, air.sunlit_fraction(), illuminate);
   const ColourMap light = illuminate(ground.light());
   landscape.exposure_gain =
       gain(scene, site.day, ground, light) * dusk(scene, frame) * math::exp2(scene.render.exposure);
   ground::LitGround(scene, site, landscape, choices, lookup.far, illuminate)
       .show(ground, light, landscape);
   sky.show(landscape, overcast_per_m > 0.0);
-  if (overcast_per_m > 0.0) sky::let_it_fall(scene, site, air, needs, landscape);
+  if (overcast_per_m > 0.0) sky::add_precipitation(scene, site, air, needs, landscape);
   // Under an overcast sky the air itself shines: there is none without it.
   if (needs.materials)
     landscape.unlit = landscape::Unlit{

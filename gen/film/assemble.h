@@ -7,7 +7,7 @@
 #include "landscape/landscape.h"
 #include "landscape/needs.h"
 #include "meadow/cells.h"
-#include "meadow/patch_look.h"
+#include "meadow/patch_appearance.h"
 #include "place/site.h"
 #include "scene/scene.h"
 
@@ -20,7 +20,7 @@ struct PatchLookup {
   std::function<landscape::BladeMesh(const meadow::CellChoice&)> blades;
   /// What a state looks like from afar: the mean of its variants' unturned volumes, as coarse as
   /// there are. Called for far_states() where shows_distance() (lit_ground.h).
-  std::function<meadow::PatchLook(const grass::PatchState&)> far = {};
+  std::function<meadow::PatchAppearance(const grass::PatchState&)> far = {};
 };
 
 /// One frame (from 1) as the exporters want it: `choices` are choose_cells', `lookup` is called

@@ -20,12 +20,12 @@ namespace wold::film {
 namespace fs = std::filesystem;
 namespace {
 
-int coarsest_level(const scene::Grass& grass) { return static_cast<int>(grass.levels.size()) - 1; }
+int coarsest_lod(const scene::Grass& grass) { return static_cast<int>(grass.lods.size()) - 1; }
 
 /// All that cells may use. Which of them do depends on the frames; a file must not.
-std::set<int> turns_of(const scene::Scene& scene, int level) {
+std::set<int> turns_of(const scene::Scene& scene, int lod) {
   std::set<int> turns;
-  for (int turn = 0; turn < meadow::turns_of_level(scene, level); ++turn) turns.insert(turn);
+  for (int turn = 0; turn < meadow::turns_of_lod(scene, lod); ++turn) turns.insert(turn);
   return turns;
 }
 
@@ -58,73 +58,72 @@ void write_film_files(const Request& request) {
     if (one->export_film) one->export_film(film, request.out / one->name);
 }
 
-Film::Film(const Request& request)
+FilmPipeline::FilmPipeline(const Request& request)
     : request_(request),
       snow_(request.out / "snow"),
       site_(place::make_site(request.scene, snow_.path(), {}, request.season)),
       texels_(request.scene, meadow::film_lights(request.scene, site_), request.out / "texels") {}
 
-void Film::find_demand(Progress& progress) {
+void FilmPipeline::find_demand(Progress& progress) {
   progress.begin("cells", request_.frames.size());
   for (const int frame : request_.frames) {
     const std::vector<meadow::CellChoice> cells = cells_of(frame);
     for (const meadow::CellChoice& cell : cells)
-      if (!cell.blades) demand(cell.variant, cell.state(), cell.level);
+      if (!cell.blades) demand(cell.variant, cell.state(), cell.lod);
     demand_far_field(frame);
     progress.advance(1, fmt::format("frame {}: {} cells", frame, cells.size()));
   }
   progress.end();
 }
 
-std::vector<meadow::CellChoice> Film::cells_of(int frame) const {
+std::vector<meadow::CellChoice> FilmPipeline::cells_of(int frame) const {
   return meadow::choose_cells(request_.scene, site_.terrain, place::growth_of_cells(site_),
                               *site_.withering, frame);
 }
 
-void Film::demand_far_field(int frame) {
+void FilmPipeline::demand_far_field(int frame) {
   const scene::Scene& scene = request_.scene;
   if (!ground::shows_distance(scene, site_, frame)) return;
   for (const grass::PatchState& state : meadow::far_states(scene, *site_.withering, frame))
     for (int variant = 0; variant < scene.grass.variants; ++variant)
-      demand(variant, state, coarsest_level(scene.grass));
+      demand(variant, state, coarsest_lod(scene.grass));
 }
 
-void Film::demand(int variant, const grass::PatchState& state, int level) {
-  std::set<int>& turns = demand_[variant][state][level];
-  if (turns.empty()) turns = turns_of(request_.scene, level);
+void FilmPipeline::demand(int variant, const grass::PatchState& state, int lod) {
+  std::set<int>& turns = demand_[variant][state][lod];
+  if (turns.empty()) turns = turns_of(request_.scene, lod);
 }
 
-std::vector<fs::path> Film::make_texels(int variant, Progress& progress) const {
+std::vector<fs::path> FilmPipeline::make_texels(int variant, Progress& progress) const {
   const auto wanted = demand_.find(variant);
   if (wanted == demand_.end()) return {};
   texels_.generate({*wanted}, progress);
   std::vector<fs::path> files;
-  for (const auto& [state, levels] : wanted->second) {
+  for (const auto& [state, lods] : wanted->second) {
     if (const fs::path texel = texels_.texel_path(variant, state);
         files.empty() || std::ranges::count(files, texel) == 0)
       files.push_back(texel);
-    for (const auto& level : levels)
-      files.push_back(texels_.volume_path(variant, state, level.first));
+    for (const auto& lod : lods) files.push_back(texels_.volume_path(variant, state, lod.first));
   }
   return files;
 }
 
-std::vector<fs::path> Film::make_cloud_pictures() const {
+std::vector<fs::path> FilmPipeline::make_cloud_pictures() const {
   if (!site_.clouds) return {};
   return write_cloud_textures(*site_.clouds, request_.out / "clouds");
 }
 
-landscape::Volume Film::volume(const meadow::CellChoice& cell) const {
-  const int side = request_.scene.grass.levels[static_cast<std::size_t>(cell.level)];
+landscape::Volume FilmPipeline::volume(const meadow::CellChoice& cell) const {
+  const int side = request_.scene.grass.lods[static_cast<std::size_t>(cell.lod)];
   landscape::Volume volume;
   volume.name = fmt::format("v{}_{}_q{}_{:03}", cell.variant, cell.state().name(), cell.turn, side);
-  volume.vdb = texels_.volume_path(cell.variant, cell.state(), cell.level);
+  volume.vdb = texels_.volume_path(cell.variant, cell.state(), cell.lod);
   volume.emission_grid = fmt::format("emission_q{}", cell.turn);
   if (needs_of(request_.exporters).materials)
     volume.texel = texels_.texel_path(cell.variant, cell.state());
-  volume.content = texels_.volume_content(cell.variant, cell.state(), cell.level,
-                                          turns_of(request_.scene, cell.level));
-  volume.voxels = {side, side, texels_.level_shape(cell.level).height};
+  volume.content = texels_.volume_content(cell.variant, cell.state(), cell.lod,
+                                          turns_of(request_.scene, cell.lod));
+  volume.voxels = {side, side, texels_.lod_shape(cell.lod).height};
   volume.voxel_m = request_.scene.grass.patch_m / side;
   if (grass::file_content(volume.vdb) != volume.content)
     throw FileError(
@@ -134,7 +133,7 @@ landscape::Volume Film::volume(const meadow::CellChoice& cell) const {
   return volume;
 }
 
-landscape::BladeMesh Film::blades(const meadow::CellChoice& cell) {
+landscape::BladeMesh FilmPipeline::blades(const meadow::CellChoice& cell) {
   landscape::BladeMesh& mesh = blades_[{cell.variant, cell.state()}];
   if (mesh.tubes) return mesh;
   const bool points = request_.scene.render.grass == scene::GrassForm::points;
@@ -149,23 +148,25 @@ landscape::BladeMesh Film::blades(const meadow::CellChoice& cell) {
 }
 
 /// Kept from frame to frame: to measure one takes a tenth of a second.
-meadow::PatchLook Film::far_look(const grass::PatchState& state) {
-  if (const auto known = far_looks_.find(state); known != far_looks_.end()) return known->second;
+meadow::PatchAppearance FilmPipeline::far_appearance(const grass::PatchState& state) {
+  if (const auto known = far_appearances_.find(state); known != far_appearances_.end())
+    return known->second;
   std::vector<landscape::Volume> volumes;
   meadow::CellChoice choice;
   choice.key_frame = state.key_frame;
   choice.snow = state.snow;
   choice.light = state.light;
-  choice.level = coarsest_level(request_.scene.grass);
+  choice.lod = coarsest_lod(request_.scene.grass);
   for (; choice.variant < request_.scene.grass.variants; ++choice.variant)
     volumes.push_back(volume(choice));
-  return far_looks_.emplace(state, volumes).first->second;
+  return far_appearances_.emplace(state, volumes).first->second;
 }
 
-std::vector<fs::path> Film::make_frame(int frame, Progress& progress) {
-  const PatchLookup lookup = {[&](const meadow::CellChoice& cell) { return volume(cell); },
-                              [&](const meadow::CellChoice& cell) { return blades(cell); },
-                              [&](const grass::PatchState& state) { return far_look(state); }};
+std::vector<fs::path> FilmPipeline::make_frame(int frame, Progress& progress) {
+  const PatchLookup lookup = {
+      [&](const meadow::CellChoice& cell) { return volume(cell); },
+      [&](const meadow::CellChoice& cell) { return blades(cell); },
+      [&](const grass::PatchState& state) { return far_appearance(state); }};
   const std::vector<const exporter::Exporter*>& exporters = request_.exporters;
   progress.begin(fmt::format("scene files of frame {}", frame), 1 + exporters.size());
   const landscape::Landscape landscape =
@@ -190,7 +191,7 @@ std::vector<fs::path> make_film(const Request& request, Progress& progress) {
       throw InputError(fmt::format("found frame {}, expected 1 to {}", frame, last));
   require_files(request.scene);
   require_texel_memory(request.scene);
-  Film film(request);
+  FilmPipeline film(request);
   write_film_files(request);
   film.find_demand(progress);
   for (int variant = 0; variant < request.scene.grass.variants; ++variant)

@@ -11,7 +11,7 @@
 #include "grass/texel/time_varying_texel.h"
 #include "landscape/landscape.h"
 #include "meadow/cells.h"
-#include "meadow/patch_look.h"
+#include "meadow/patch_appearance.h"
 #include "place/site.h"
 
 namespace wold::film {
@@ -22,10 +22,10 @@ namespace wold::film {
 /// process.
 ///
 /// All functions throw FileError and InterruptedError; every file that exists then is whole.
-class Film {
+class FilmPipeline {
  public:
   /// Makes the terrain and its light. `request` has to outlive it.
-  explicit Film(const Request& request);
+  explicit FilmPipeline(const Request& request);
 
   /// Which texels the request's frames ask for: looks at all of them. Before make_texels().
   void find_demand(Progress& progress);
@@ -44,10 +44,10 @@ class Film {
  private:
   std::vector<meadow::CellChoice> cells_of(int frame) const;
   void demand_far_field(int frame);
-  void demand(int variant, const grass::PatchState& state, int level);
+  void demand(int variant, const grass::PatchState& state, int lod);
   landscape::Volume volume(const meadow::CellChoice& cell) const;
   landscape::BladeMesh blades(const meadow::CellChoice& cell);
-  meadow::PatchLook far_look(const grass::PatchState& state);
+  meadow::PatchAppearance far_appearance(const grass::PatchState& state);
 
   const Request& request_;
   ScratchFolder snow_;
@@ -55,7 +55,7 @@ class Film {
   grass::TimeVaryingTexel texels_;
   grass::TexelDemand demand_;
   std::map<std::pair<int, grass::PatchState>, landscape::BladeMesh> blades_;  ///< by variant
-  std::map<grass::PatchState, meadow::PatchLook> far_looks_;
+  std::map<grass::PatchState, meadow::PatchAppearance> far_appearances_;
 };
 
 /// Writes what the request's exporters write once for a film, such as a scene program, into their

@@ -18,14 +18,14 @@
 namespace wold::film {
 namespace {
 
-constexpr std::size_t most_looked_at = 8;
+constexpr std::size_t max_sampled = 8;
 
 /// All of them, or some from the first to the last.
 std::vector<int> spread(const std::vector<int>& frames) {
-  if (frames.size() <= most_looked_at) return frames;
+  if (frames.size() <= max_sampled) return frames;
   std::vector<int> chosen;
-  for (std::size_t i = 0; i < most_looked_at; ++i)
-    chosen.push_back(frames[i * (frames.size() - 1) / (most_looked_at - 1)]);
+  for (std::size_t i = 0; i < max_sampled; ++i)
+    chosen.push_back(frames[i * (frames.size() - 1) / (max_sampled - 1)]);
   return chosen;
 }
 
@@ -48,7 +48,7 @@ class Ground {
       if (cell.blades)
         demand.patches.insert({cell.variant, cell.state()});
       else
-        demand.volumes.insert({cell.variant, cell.state(), cell.level, cell.turn});
+        demand.volumes.insert({cell.variant, cell.state(), cell.lod, cell.turn});
     }
     demand.has_distance = has_distance(frame);
     return demand;
@@ -90,7 +90,7 @@ FilmDemand::FilmDemand(const Request& request) {
     const FrameDemand& now = frames_.emplace(frame, ground.demand(frame)).first->second;
     volumes_.insert(now.volumes.begin(), now.volumes.end());
     patches_.insert(now.patches.begin(), now.patches.end());
-    if (last && request.frames.size() > most_looked_at) pass(*last, now);
+    if (last && request.frames.size() > max_sampled) pass(*last, now);
     last = &now;
   }
 }
@@ -99,12 +99,12 @@ FilmDemand::FilmDemand(const Request& request) {
 void FilmDemand::pass(const FrameDemand& from, const FrameDemand& to) {
   std::map<std::tuple<int, int, int>, grass::PatchState> then;
   for (const ShownVolume& volume : from.volumes)
-    then.insert_or_assign({volume.variant, volume.level, volume.turn}, volume.state);
+    then.insert_or_assign({volume.variant, volume.lod, volume.turn}, volume.state);
   for (const ShownVolume& volume : to.volumes)
-    if (const auto before = then.find({volume.variant, volume.level, volume.turn});
+    if (const auto before = then.find({volume.variant, volume.lod, volume.turn});
         before != then.end())
       for (const grass::PatchState& state : states_between(before->second, volume.state))
-        volumes_.insert({volume.variant, state, volume.level, volume.turn});
+        volumes_.insert({volume.variant, state, volume.lod, volume.turn});
 }
 
 const FrameDemand& FilmDemand::at(int frame) const {

@@ -17,7 +17,7 @@ namespace wold::film {
 struct ShownVolume {
   int variant = 0;
   grass::PatchState state{0};
-  int level = 0;
+  int lod = 0;
   int turn = 0;
 
   auto operator<=>(const ShownVolume&) const = default;

@@ -38,18 +38,18 @@ void add_textures(const scene::Scene& scene, std::size_t layer, std::vector<Rule
     rules.push_back(file_exists({item + ".textures", item}, path));
 }
 
-/// Points drawn of a patch: grass.proportion of them per voxel's face of leaf, of which a cone
-/// shows pi / 8 of height times width on average.
+/// Points drawn of a patch: grass.points_per_voxel_face of them per voxel's face of leaf, of which
+/// a cone shows pi / 8 of height times width on average.
 double points_of_patch(const scene::Scene& scene) {
   const scene::Grass& grass = scene.grass;
   const double leaf_m2 = std::numbers::pi / 4.0 * scene::blade_area_m2(scene);
-  const double voxel_m = grass.patch_m / grass.levels.front();
-  return grass.proportion * leaf_m2 / (voxel_m * voxel_m);
+  const double voxel_m = grass.patch_m / grass.lods.front();
+  return grass.points_per_voxel_face * leaf_m2 / (voxel_m * voxel_m);
 }
 
 Rule texels_fit_in_memory(const scene::Scene& scene) {
   const scene::Grass& grass = scene.grass;
-  const double side = grass.levels.front();
+  const double side = grass.lods.front();
   double longest_m = 0.0;
   for (const scene::Species& species : scene::species_of(scene))
     longest_m = std::max(longest_m, scene::longest_blade_m(species.plant));
@@ -62,13 +62,15 @@ Rule texels_fit_in_memory(const scene::Scene& scene) {
   const int at_once = std::clamp(threads, 1, grass.variants);
   const double needed_gb = at_once * (bytes_per_point * points + bytes_per_voxel * voxels) / 1e9;
   const double memory_gb = machine_memory_bytes() / 1e9;
-  return {{"grass.levels", "grass.proportion", "grass.blades", "grass.variants", "render.threads"},
+  return {{"grass.levels", "grass.points_per_voxel_face", "grass.blades", "grass.variants",
+           "render.threads"},
           needed_gb <= memory_gb,
-          fmt::format("grass.levels: found {} voxels along a side and {:.2g} points in a patch, "
-                      "which for {} patches at once need {:.1f} GB of memory, expected at most the "
-                      "{:.1f} GB of this machine: coarser levels, a smaller grass.proportion, "
-                      "fewer grass.blades or fewer render.threads",
-                      side, points, at_once, needed_gb, memory_gb)};
+          fmt::format(
+              "grass.levels: found {} voxels along a side and {:.2g} points in a patch, "
+              "which for {} patches at once need {:.1f} GB of memory, expected at most the "
+              "{:.1f} GB of this machine: coarser levels, a smaller grass.points_per_voxel_face, "
+              "fewer grass.blades or fewer render.threads",
+              side, points, at_once, needed_gb, memory_gb)};
 }
 
 void require(const std::vector<Rule>& rules, const scene::Places& places) {

@@ -21,7 +21,7 @@ meadow::GrassColour grass_colour(const grass::WitheringPatch& patch,
                                  std::span<const meadow::CellChoice> choices) {
   constexpr int steps = 64;
   std::map<double, std::vector<glm::vec3>> colours = {{snow, {}}};
-  for (const meadow::CellChoice& choice : choices) colours[choice.state().snow_share()];
+  for (const meadow::CellChoice& choice : choices) colours[choice.state().snow_fraction()];
   for (auto& entry : colours) {
     std::vector<glm::vec3>& by_weathering = entry.second;
     by_weathering.resize(steps + 1);
@@ -30,8 +30,8 @@ meadow::GrassColour grass_colour(const grass::WitheringPatch& patch,
           grass::mean_albedo(patch.at(static_cast<double>(i) / steps, entry.first), model);
     });
   }
-  return [colours](double weathering, double share) {
-    const std::vector<glm::vec3>& by_weathering = colours.at(share);
+  return [colours](double weathering, double fraction) {
+    const std::vector<glm::vec3>& by_weathering = colours.at(fraction);
     const double place = std::clamp(weathering, 0.0, 1.0) * steps;
     const auto i = std::min(static_cast<std::size_t>(place), std::size_t{steps - 1});
     return glm::mix(by_weathering[i], by_weathering[i + 1],
@@ -40,11 +40,12 @@ meadow::GrassColour grass_colour(const grass::WitheringPatch& patch,
 }
 
 /// What combing does to the light of the frame's grass.
-meadow::CombedLight combed_light(const scene::Scene& scene, const place::Site& site, int frame,
-                                 const grass::BladePatch& patch, const grass::MeadowModel& model) {
+meadow::LeanLight lean_light(const scene::Scene& scene, const place::Site& site, int frame,
+                             const grass::BladePatch& patch, const grass::MeadowModel& model) {
   constexpr int fibres = 150;
   return {grass::representative_fibres(patch, model, fibres),
-          meadow::frame_lighting(scene, site, frame), static_cast<float>(scene.grass.gloss)};
+          meadow::frame_lighting(scene, site, frame),
+          static_cast<float>(scene.grass.specular_exponent)};
 }
 
 /// The grid of what combing does, on a part of the ground of a large terrain or a sketch: it costs
@@ -54,10 +55,10 @@ GroundGrid combed_grid(const GroundGrid& grid, const std::optional<place::Sketch
   return {grid.square, std::min(grid.samples, sketch ? sketch->combed_samples : usual)};
 }
 
-std::map<grass::PatchState, meadow::PatchLook> far_looks(
+std::map<grass::PatchState, meadow::PatchAppearance> far_appearances(
     const scene::Scene& scene, const place::Site& site, int frame,
-    const std::function<meadow::PatchLook(const grass::PatchState&)>& far) {
-  std::map<grass::PatchState, meadow::PatchLook> looks;
+    const std::function<meadow::PatchAppearance(const grass::PatchState&)>& far) {
+  std::map<grass::PatchState, meadow::PatchAppearance> looks;
   for (const grass::PatchState& state : meadow::far_states(scene, *site.withering, frame))
     looks.emplace(state, far(state));
   return looks;
@@ -68,7 +69,7 @@ std::map<grass::PatchState, meadow::PatchLook> far_looks(
 LitGround::LitGround(const scene::Scene& scene, const place::Site& site,
                      const landscape::Landscape& landscape,
                      std::span<const meadow::CellChoice> choices,
-                     const std::function<meadow::PatchLook(const grass::PatchState&)>& far,
+                     const std::function<meadow::PatchAppearance(const grass::PatchState&)>& far,
                      Illuminate illuminate)
     : scene_(scene),
       site_(site),
@@ -77,27 +78,28 @@ LitGround::LitGround(const scene::Scene& scene, const place::Site& site,
       frame_(landscape.frame),
       view_(landscape.camera, landscape.width_px, landscape.height_px),
       haze_(site.day, landscape.camera.eye_m),
-      combing_(scene, landscape.frame, site.season.get()),
+      wind_lean_(scene, landscape.frame, site.season.get()),
       snow_(meadow::canopy_snow(scene, frame_, site.season.get())),
       model_(scene),
       patch_(scene, model_, /*variant=*/0),
-      combed_(combed_light(scene, site, frame_, patch_.at(landscape.weathering, snow_), model_)) {
-  if (scene.ageing.variety > 0.0)
-    variety_.emplace(scene, patch_, snow_, meadow::frame_lighting(scene, site, frame_));
+      combed_(lean_light(scene, site, frame_, patch_.at(landscape.weathering, snow_), model_)) {
+  if (scene.ageing.pigment_spread > 0.0)
+    pigment_spread_.emplace(scene, patch_, snow_, meadow::frame_lighting(scene, site, frame_));
   if (shows_distance(scene, site, frame_))
     meadow_.emplace(scene, site.terrain, *site.withering, view_, frame_,
-                    far_looks(scene, site, frame_, far));
+                    far_appearances(scene, site, frame_, far));
 }
 
 ColourMap LitGround::on_grass(const ColourMap& light, const GroundGrid& grid) const {
   const FactorMap combed = place::is_large(scene_) || site_.sketch
-                               ? meadow::combed_light_map(combed_, combing_, site_.terrain, view_,
-                                                          combed_grid(grid, site_.sketch))
-                               : meadow::combed_light_map(combed_, combing_, site_.terrain, view_);
+                               ? meadow::lean_light_map(combed_, wind_lean_, site_.terrain, view_,
+                                                        combed_grid(grid, site_.sketch))
+                               : meadow::lean_light_map(combed_, wind_lean_, site_.terrain, view_);
   const ColourMap on_combed = product(light, combed);
-  if (!variety_) return on_combed;
-  return product(on_combed, meadow::variety_map(*variety_, *site_.withering, frame_, site_.terrain,
-                                                view_, {light.square(), light.samples()}));
+  if (!pigment_spread_) return on_combed;
+  return product(on_combed, meadow::pigment_spread_map(*pigment_spread_, *site_.withering, frame_,
+                                                       site_.terrain, view_,
+                                                       {light.square(), light.samples()}));
 }
 
 ColourMap LitGround::painted(ColourMap ground, const FactorMap& growth,
@@ -133,8 +135,8 @@ void LitGround::show(const SnowyGround& ground, const ColourMap& light,
   landscape.light = product(
       grass_light, meadow::weathering_tint(scene_, *site_.withering, frame_, choices_, snow_,
                                            grass_colour(patch_, model_, snow_, choices_)));
-  landscape.standing = ground.standing(
-      meadow::standing_grass(scene_, site_.terrain, place::growth_of_cells(site_), view_));
+  landscape.extinction_factor = ground.extinction_factor(
+      meadow::grass_extinction_factor(scene_, site_.terrain, place::growth_of_cells(site_), view_));
   if (meadow_)
     landscape.light =
         product(landscape.light, veil_of_grass(grass_light, site_.terrain, view_, *meadow_, haze_));

@@ -12,10 +12,10 @@
 #include "ground/snowy_ground.h"
 #include "landscape/landscape.h"
 #include "meadow/cells.h"
-#include "meadow/combed_light.h"
-#include "meadow/combing.h"
 #include "meadow/far_field.h"
-#include "meadow/variety.h"
+#include "meadow/lean_light.h"
+#include "meadow/pigment_spread.h"
+#include "meadow/wind_lean.h"
 #include "place/site.h"
 #include "place/view.h"
 #include "scene/scene.h"
@@ -35,7 +35,7 @@ class LitGround {
   /// PatchLookup's. Scene, site and choices have to outlive it.
   LitGround(const scene::Scene& scene, const place::Site& site,
             const landscape::Landscape& landscape, std::span<const meadow::CellChoice> choices,
-            const std::function<meadow::PatchLook(const grass::PatchState&)>& far,
+            const std::function<meadow::PatchAppearance(const grass::PatchState&)>& far,
             Illuminate illuminate);
   LitGround(const LitGround&) = delete;
   LitGround& operator=(const LitGround&) = delete;
@@ -60,13 +60,13 @@ class LitGround {
   int frame_;
   place::View view_;
   Haze haze_;
-  meadow::Combing combing_;
+  meadow::WindLean wind_lean_;
   double snow_;  ///< canopy_snow()
   grass::MeadowModel model_;
   grass::WitheringPatch patch_;
-  meadow::CombedLight combed_;
-  std::optional<meadow::Variety> variety_;  ///< of colour, if any
-  std::optional<meadow::Meadow> meadow_;    ///< as it looks from afar, where it is seen so
+  meadow::LeanLight combed_;
+  std::optional<meadow::PigmentSpread> pigment_spread_;  ///< of colour, if any
+  std::optional<meadow::Meadow> meadow_;  ///< as it looks from afar, where it is seen so
 };
 
 }  // namespace wold::ground

@@ -15,7 +15,7 @@ FactorMap map_of(const snow::CoverLevel& level, std::vector<float> values) {
 
 /// How much of a level is seen: none along its border, all from a few steps inside; where it ends
 /// at the whole's border, that is none.
-float seen_share(const FactorMap& map, const FactorMap& whole, const glm::dvec2& at_m) {
+float seen_fraction(const FactorMap& map, const FactorMap& whole, const glm::dvec2& at_m) {
   constexpr double soft_steps = 8.0;
   double inside_m = soft_steps * map.step_m();
   for (int axis = 0; axis < 2; ++axis) {
@@ -47,7 +47,7 @@ float LyingSnow::sample(const glm::dvec2& at_m, FactorMap Level::*map) const {
   float value = (levels_.back().*map).sample(at_m.x, at_m.y);
   for (std::size_t level = levels_.size() - 1; level-- > 0;) {
     const FactorMap& finer = levels_[level].*map;
-    const float seen = seen_share(finer, levels_.back().*map, at_m);
+    const float seen = seen_fraction(finer, levels_.back().*map, at_m);
     if (seen <= 0.0F) break;  // finer ones lie inside
     value += (finer.sample(at_m.x, at_m.y) - value) * seen;
   }

@@ -14,17 +14,17 @@ class LyingSnow {
   explicit LyingSnow(std::vector<snow::CoverLevel> levels);
 
   float depth_m(const glm::dvec2& at_m) const { return sample(at_m, &Level::depth_m); }
-  /// Share of the ground that is white.
-  float share(const glm::dvec2& at_m) const { return sample(at_m, &Level::share); }
+  /// Fraction of the ground that is white.
+  float fraction(const glm::dvec2& at_m) const { return sample(at_m, &Level::fraction); }
 
   bool is_none() const { return none_; }
-  /// Mean albedo of the snow, weighted by its share.
+  /// Mean albedo of the snow, weighted by its fraction.
   float albedo() const { return albedo_; }
 
  private:
   struct Level {
     FactorMap depth_m;
-    FactorMap share;
+    FactorMap fraction;
   };
   float sample(const glm::dvec2& at_m, FactorMap Level::*map) const;
 

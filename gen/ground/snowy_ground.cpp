@@ -27,23 +27,23 @@ constexpr double grass_albedo = 0.2;
 /// A map of the ground every 2 cm, 4097 a side at most: white spots have sharp edges.
 int white_samples(double size_m) { return map_samples(size_m, 0.02); }
 
-/// Snow heaps where tufts hold it: a share of its depth.
+/// Snow heaps where tufts hold it: a fraction of its depth.
 Fbm heaps(std::uint64_t seed) {
   return {random_bits({seed, key_of("snow cover"), 0, key_of("heaps")}), 3, 0.7};
 }
 constexpr double heap_feature_m = 0.55;
-constexpr double heap_share = 0.16;
+constexpr double heap_fraction = 0.16;
 
 /// Snow as deep as a step of the map hides a bump of that size: so many passes of smoothing.
 int smoothing_passes(double depth_m, double step_m) {
-  constexpr double most = 24.0;
+  constexpr double max = 24.0;
   const double radius_steps = 1.2 * depth_m / step_m;
-  return static_cast<int>(std::ceil(std::min(most, 2.0 * radius_steps * radius_steps)));
+  return static_cast<int>(std::ceil(std::min(max, 2.0 * radius_steps * radius_steps)));
 }
 
-/// Share of a canopy that stands out of snow; blades lean, so that most of one is in its lower two
-/// thirds.
-float share_above(const scene::Grass& grass, float depth_m) {
+/// Fraction of a canopy that stands out of snow; blades lean, so that most of one is in its lower
+/// two thirds.
+float fraction_above(const scene::Grass& grass, float depth_m) {
   const auto canopy_m = static_cast<float>(0.67 * grass.height_m);
   return std::clamp(1.0F - depth_m / canopy_m, 0.0F, 1.0F);
 }
@@ -63,7 +63,7 @@ Heightfield snow_surface(const scene::Scene& scene, const Heightfield& terrain,
       const glm::dvec2 at_m = glm::dvec2(i, j) * terrain.step_m();
       const double heap = math::tanh(fbm(at_m / heap_feature_m, heaped));
       snow_m.at(i, j) = depth_m.sample(at_m.x, at_m.y) * white.sample(at_m.x, at_m.y) *
-                        static_cast<float>(1.0 + heap_share * heap);
+                        static_cast<float>(1.0 + heap_fraction * heap);
     }
   });
   Heightfield surface = terrain;
@@ -83,7 +83,7 @@ class Grain {
  public:
   Grain(std::uint64_t seed, double step_m)
       : ripples_{random_bits({seed, key_of("snow cover"), 0, key_of("grain")}), 4, 0.4},
-        shown_(shown_share(feature_m, step_m)) {}
+        shown_(shown_fraction(feature_m, step_m)) {}
   float at(const glm::dvec2& at_m) const {
     const double ripple = shown_ > 0.0 ? math::tanh(fbm(at_m / feature_m, ripples_)) : 0.0;
     return static_cast<float>(1.0 - 0.035 * (1.0 + shown_ * ripple));
@@ -152,22 +152,22 @@ float SnowyGround::depth_m(const glm::dvec2& at_m) const {
   return lying_ ? lying_->depth_m(at_m) : depth_m_.sample(at_m.x, at_m.y);
 }
 
-/// The share of a part of a large terrain that is white, patch by patch where its grid is fine.
+/// The fraction of a part of a large terrain that is white, patch by patch where its grid is fine.
 FactorMap SnowyGround::white(const GroundGrid& grid) const {
-  FactorMap shares(grid.samples, grid.square);
+  FactorMap fractions(grid.samples, grid.square);
   parallel_for(static_cast<std::size_t>(grid.samples), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < grid.samples; ++i) {
-      const glm::dvec2 at_m = shares.place_m(i, j);
-      shares.at(i, j) = lying_ ? lying_->share(at_m) : white_->sample(at_m.x, at_m.y);
+      const glm::dvec2 at_m = fractions.place_m(i, j);
+      fractions.at(i, j) = lying_ ? lying_->fraction(at_m) : white_->sample(at_m.x, at_m.y);
     }
   });
-  if (!lying_) return shares;
+  if (!lying_) return fractions;
   // Snow lies in patches of all sizes, ledges and gullies as well as hollows between tufts: the
   // first ones that the grid shows.
   constexpr double patch_steps = 6.0;
   const double feature_m = std::max(scene_.snow_cover.feature_m, patch_steps * grid.step_m());
-  return snow::WhitePatches(site_.terrain, grid, feature_m, scene_.seed).white_map(shares);
+  return snow::WhitePatches(site_.terrain, grid, feature_m, scene_.seed).white_map(fractions);
 }
 
 ColourMap SnowyGround::reflectance() const {
@@ -207,12 +207,12 @@ place::GroundPart SnowyGround::covered(place::GroundPart part) const {
 ColourMap SnowyGround::wetted(ColourMap bare) const {
   if (wetness_ <= 0.0) return bare;
   constexpr float pi = std::numbers::pi_v<float>;
-  const auto share = static_cast<float>(wetness_);
+  const auto fraction = static_cast<float>(wetness_);
   parallel_for_blocks(bare.values().size(), [&](std::size_t i) {
     glm::vec3& radiance = bare.values()[i];
     for (int channel = 0; channel < 3; ++channel) {
       const auto wet = static_cast<float>(snow::wet_albedo(double{pi * radiance[channel]}));
-      radiance[channel] = std::lerp(radiance[channel], wet / pi, share);
+      radiance[channel] = std::lerp(radiance[channel], wet / pi, fraction);
     }
   });
   return bare;
@@ -220,7 +220,7 @@ ColourMap SnowyGround::wetted(ColourMap bare) const {
 
 float SnowyGround::grass_above(const glm::dvec2& at_m) const {
   if (is_paper(scene_)) return 1.0F - white_->sample(at_m.x, at_m.y);
-  return share_above(grass_, depth_m(at_m));
+  return fraction_above(grass_, depth_m(at_m));
 }
 
 FactorMap SnowyGround::above_snow(FactorMap growth) const {
@@ -231,13 +231,14 @@ FactorMap SnowyGround::above_snow(FactorMap growth) const {
   return growth;
 }
 
-FactorMap SnowyGround::standing(FactorMap standing) const {
-  return is_paper(scene_) && !is_bare() ? above_snow(std::move(standing)) : standing;
+FactorMap SnowyGround::extinction_factor(FactorMap extinction_factor) const {
+  return is_paper(scene_) && !is_bare() ? above_snow(std::move(extinction_factor))
+                                        : extinction_factor;
 }
 
 ColourMap SnowyGround::reflectance(const ColourMap& bare, const FactorMap& growth,
-                                   const FactorMap& white_share, double under_grass) const {
-  ColourMap map(white_share.samples(), white_share.square());
+                                   const FactorMap& white_fraction, double under_grass) const {
+  ColourMap map(white_fraction.samples(), white_fraction.square());
   const Grain grain(scene_.seed, map.step_m());
   const glm::vec3 snow = snow_albedo(albedo_) / std::numbers::pi_v<float>;
   parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
@@ -247,7 +248,7 @@ ColourMap SnowyGround::reflectance(const ColourMap& bare, const FactorMap& growt
       const double shade = shading_under_grass * grass_above(at_m) * growth.sample(at_m.x, at_m.y);
       const glm::vec3 white =
           snow * (grain.at(at_m) * static_cast<float>(math::pow(under_grass, shade)));
-      map.at(i, j) = glm::mix(bare.sample(at_m.x, at_m.y), white, white_share.at(i, j));
+      map.at(i, j) = glm::mix(bare.sample(at_m.x, at_m.y), white, white_fraction.at(i, j));
     }
   });
   return map;
@@ -257,10 +258,10 @@ FactorMap SnowyGround::growth() const {
   return is_bare() ? site_.growth : above_snow(site_.growth);
 }
 
-double SnowyGround::white_share() const { return is_bare() ? 0.0 : mean(white_->values()); }
+double SnowyGround::white_fraction() const { return is_bare() ? 0.0 : mean(white_->values()); }
 
 double SnowyGround::mean_albedo() const {
-  return std::lerp(grass_albedo, double{albedo_}, white_share());
+  return std::lerp(grass_albedo, double{albedo_}, white_fraction());
 }
 
 }  // namespace wold::ground

@@ -34,18 +34,18 @@ class SnowyGround {
   /// Where grass grows, less by what of it is under snow.
   FactorMap growth() const;
 
-  /// The share of grass that stands, under the snow: snow that has a depth buries it from below,
+  /// The fraction of grass that stands, under the snow: snow that has a depth buries it from below,
   /// while the paper's, which has none, takes its place where it is white.
-  FactorMap standing(FactorMap standing) const;
+  FactorMap extinction_factor(FactorMap extinction_factor) const;
 
   /// A part of a large terrain's ground as ground_part() has it, under the snow: less growth, and
   /// reflectance likewise. Its light stays: snow changes no slope as long as the terrain's steps.
   place::GroundPart covered(place::GroundPart part) const;
 
-  /// Mean share of the ground that is white.
-  double white_share() const;
+  /// Mean fraction of the ground that is white.
+  double white_fraction() const;
 
-  /// Mean albedo of ground and snow, of which a share of what stands is white.
+  /// Mean albedo of ground and snow, of which a fraction of what stands is white.
   double mean_albedo() const;
 
  private:
@@ -56,7 +56,7 @@ class SnowyGround {
   float grass_above(const glm::dvec2& at_m) const;
   FactorMap above_snow(FactorMap growth) const;
   FactorMap white(const GroundGrid& grid) const;
-  /// `under_grass`: share of the light that comes through grass to the snow and back.
+  /// `under_grass`: fraction of the light that comes through grass to the snow and back.
   ColourMap reflectance(const ColourMap& bare, const FactorMap& growth, const FactorMap& white,
                         double under_grass) const;
   /// Bare ground after rain.
@@ -67,7 +67,7 @@ class SnowyGround {
   scene::Grass grass_;  ///< scene::mean_grass()
   Heightfield surface_;
   std::optional<terrain::GroundLight> light_;  ///< where it is not the site's
-  std::optional<FactorMap> white_;             ///< share of the ground that is white
+  std::optional<FactorMap> white_;             ///< fraction of the ground that is white
   FactorMap depth_m_;                          ///< where `lying_` is none
   std::optional<LyingSnow> lying_;             ///< on a large terrain
   float albedo_ = 0.9F;

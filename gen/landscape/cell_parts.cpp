@@ -23,11 +23,11 @@ struct Plane {
 };
 
 /// The ground that a part covers.
-Rectangle ground_of(const Part& part, double patch_m, const Stance& stance) {
-  const glm::dvec2 centre_m = (glm::dvec2(stance.cell) + 0.5) * patch_m;
-  const glm::dvec2 east = east_of(stance.turn);
-  const auto place_m = [&](const glm::dvec2& share) {
-    const glm::dvec2 from_centre_m = (share - 0.5) * patch_m;
+Rectangle ground_of(const Part& part, double patch_m, const CellPose& pose) {
+  const glm::dvec2 centre_m = (glm::dvec2(pose.cell) + 0.5) * patch_m;
+  const glm::dvec2 east = east_of(pose.turn);
+  const auto place_m = [&](const glm::dvec2& fraction) {
+    const glm::dvec2 from_centre_m = (fraction - 0.5) * patch_m;
     return centre_m + from_centre_m.x * east + from_centre_m.y * left_of(east);
   };
   const glm::dvec2 a = place_m(part.low), b = place_m(part.high);
@@ -40,8 +40,8 @@ glm::dvec2 rise_of(const Heightfield& terrain, const Rectangle& ground) {
   glm::dvec2 squares_m2(0.0), products_m2(0.0);
   for (int j = 0; j < per_side; ++j)
     for (int i = 0; i < per_side; ++i) {
-      const glm::dvec2 share = (glm::dvec2(i, j) + 0.5) / double{per_side} - 0.5;
-      const glm::dvec2 from_centre_m = share * (ground.high_m - ground.low_m);
+      const glm::dvec2 fraction = (glm::dvec2(i, j) + 0.5) / double{per_side} - 0.5;
+      const glm::dvec2 from_centre_m = fraction * (ground.high_m - ground.low_m);
       const glm::dvec2 at_m = ground.centre_m() + from_centre_m;
       squares_m2 += from_centre_m * from_centre_m;
       products_m2 += from_centre_m * double{terrain.sample(at_m.x, at_m.y)};
@@ -64,16 +64,16 @@ std::vector<double> corners_along(const Heightfield& terrain, const Rectangle& g
 std::pair<Plane, double> plane_under(const Heightfield& terrain, const Rectangle& ground) {
   const glm::dvec2 rise = rise_of(terrain, ground);
   const std::vector<double> rows_m = corners_along(terrain, ground, 1);
-  double least_m = std::numeric_limits<double>::infinity();
-  double most_m = -least_m;
+  double min_m = std::numeric_limits<double>::infinity();
+  double max_m = -min_m;
   for (const double x : corners_along(terrain, ground, 0))
     for (const double y : rows_m) {
       const double above_m =
           double{terrain.sample(x, y)} - glm::dot(rise, glm::dvec2(x, y) - ground.centre_m());
-      least_m = std::min(least_m, above_m);
-      most_m = std::max(most_m, above_m);
+      min_m = std::min(min_m, above_m);
+      max_m = std::max(max_m, above_m);
     }
-  return {{(least_m + most_m) / 2.0, rise}, (most_m - least_m) / 2.0};
+  return {{(min_m + max_m) / 2.0, rise}, (max_m - min_m) / 2.0};
 }
 
 /// A quarter of a quarter ... of a patch: which of `per_side` x `per_side`.
@@ -106,16 +106,16 @@ glm::dvec2 east_of(int turn) {
 
 glm::dvec2 left_of(const glm::dvec2& direction) { return {-direction.y, direction.x}; }
 
-GroundFit fit_to_ground(const Heightfield& terrain, double patch_m, const Stance& stance,
+GroundFit fit_to_ground(const Heightfield& terrain, double patch_m, const CellPose& pose,
                         const Part& part) {
-  const Rectangle ground = ground_of(part, patch_m, stance);
+  const Rectangle ground = ground_of(part, patch_m, pose);
   const auto [plane, deviation_m] = plane_under(terrain, ground);
   const glm::dvec2& rise = plane.rise;
-  const glm::dvec2& lean = stance.lean;
-  const glm::dvec2 east = east_of(stance.turn);
+  const glm::dvec2& lean = pose.lean;
+  const glm::dvec2 east = east_of(pose.turn);
   const glm::dvec2 north = left_of(east);
   const glm::dvec2 origin_m =
-      (glm::dvec2(stance.cell) + 0.5) * patch_m - (east + north) * (patch_m / 2.0);
+      (glm::dvec2(pose.cell) + 0.5) * patch_m - (east + north) * (patch_m / 2.0);
   const double z_m = plane.height_m + glm::dot(rise, origin_m - ground.centre_m());
   return {{glm::dvec4(east, glm::dot(rise, east), 0), glm::dvec4(north, glm::dot(rise, north), 0),
            glm::dvec4(lean, 1.0 + glm::dot(rise, lean), 0), glm::dvec4(origin_m, z_m, 1)},
@@ -123,16 +123,16 @@ GroundFit fit_to_ground(const Heightfield& terrain, double patch_m, const Stance
 }
 
 std::vector<PlacedPart> parts_on_ground(const Heightfield& terrain, double patch_m,
-                                        const Stance& stance, int voxels, double tolerance_m) {
-  constexpr int most_per_side = 8;
+                                        const CellPose& pose, int voxels, double tolerance_m) {
+  constexpr int max_per_side = 8;
   std::vector<PlacedPart> parts;
   std::vector<Quarter> todo = {{}};
   while (!todo.empty()) {
     const Quarter quarter = todo.back();
     todo.pop_back();
     const Part part = part_of(quarter, voxels);
-    const GroundFit fit = fit_to_ground(terrain, patch_m, stance, part);
-    if (fit.deviation_m <= tolerance_m || quarter.per_side == most_per_side)
+    const GroundFit fit = fit_to_ground(terrain, patch_m, pose, part);
+    if (fit.deviation_m <= tolerance_m || quarter.per_side == max_per_side)
       parts.push_back({part, fit.world_from_cell});
     else
       std::ranges::copy(quarters_of(quarter), std::back_inserter(todo));

@@ -10,7 +10,7 @@
 namespace wold::landscape {
 
 /// Where a cell of the terrain is and how its patch stands there.
-struct Stance {
+struct CellPose {
   glm::ivec2 cell{0};    ///< column (east) and row (north), from 0
   int turn = 0;          ///< quarter-turns counter-clockwise, seen from above
   glm::dvec2 lean{0.0};  ///< of what stands on it, along the ground (see Combing)
@@ -37,17 +37,17 @@ struct GroundFit {
 /// The plane rises as the ground does by least squares, and lies as far below the ground at one
 /// place as above it at another. The deviation is exact: the ground is bilinear between its
 /// samples, so it leaves a plane farthest at them or on the part's border.
-GroundFit fit_to_ground(const Heightfield& terrain, double patch_m, const Stance& stance,
+GroundFit fit_to_ground(const Heightfield& terrain, double patch_m, const CellPose& pose,
                         const Part& part);
 
 /// The parts of a cell, together its whole patch, none of which leaves the ground by more than
 /// `tolerance_m`: the cell itself, or its quarters, each of them whole or in quarters, down to an
 /// eighth of the side, where what is left is left. Borders lie between the voxels of a volume of
-/// `voxels` a side (30, 62, 126 or 254), one before the even share of the side and two more: where
-/// a border of one voxel goes before the volume, quarters consist of whole blocks of 8^3 voxels,
-/// OpenVDB's leaves, of which Blender builds its hulls.
+/// `voxels` a side (30, 62, 126 or 254), one before the even fraction of the side and two more:
+/// where a border of one voxel goes before the volume, quarters consist of whole blocks of 8^3
+/// voxels, OpenVDB's leaves, of which Blender builds its hulls.
 std::vector<PlacedPart> parts_on_ground(const Heightfield& terrain, double patch_m,
-                                        const Stance& stance, int voxels, double tolerance_m);
+                                        const CellPose& pose, int voxels, double tolerance_m);
 
 /// The quarters of a whole patch, as parts_on_ground() makes them: by rows from the low corner.
 std::array<Part, 4> quarters_of_patch(int voxels);

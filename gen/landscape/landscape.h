@@ -37,7 +37,7 @@ struct Volume {
   std::filesystem::path texel = {};
 };
 
-/// A rectangle of a patch, in shares of its side along the cell's x and y.
+/// A rectangle of a patch, in fractions of its side along the cell's x and y.
 struct Part {
   glm::dvec2 low{0.0};
   glm::dvec2 high{1.0};
@@ -188,7 +188,7 @@ struct Landscape {
   std::vector<BladeMesh> blade_meshes;
   std::vector<BladeCell> blade_cells;  ///< where no volume stands
   ColourMap light;                     ///< multiplies the radiance of all grass, by world x and y
-  FactorMap standing;                  ///< multiplies the extinction of the volumes, likewise
+  FactorMap extinction_factor;         ///< multiplies the extinction of the volumes, likewise
   ColourMap ground;                    ///< radiance of the bare ground, by world x and y
   std::vector<GroundDetail> ground_details;  ///< coarse to fine, each inside the one before
   Image sky;                     ///< radiance by direction, 3 channels: column c looks to azimuth

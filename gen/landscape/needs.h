@@ -9,7 +9,7 @@ namespace wold::landscape {
 struct Needs {
   /// Flakes that a ray may pass, on average over a small part of the picture; infinite where no
   /// renderer has a limit.
-  double most_flakes_on_a_ray = std::numeric_limits<double>::infinity();
+  double max_flakes_on_a_ray = std::numeric_limits<double>::infinity();
   /// Whether materials without light are to be there, for a renderer that lights them itself.
   bool materials = false;
 };

@@ -14,12 +14,12 @@ TiledVolume::TiledVolume(const Volume& volume)
       extinction_(read_dense_floats(volume.vdb, "density", glm::ivec3(1), voxels_)),
       radiance_(read_dense_vectors(volume.vdb, volume.emission_grid, glm::ivec3(1), voxels_)) {}
 
-FarLook TiledVolume::trace(const PatchRay& ray) const {
+AggregateAppearance TiledVolume::trace(const PatchRay& ray) const {
   constexpr double nothing_left = 1e-3;
   const double top = std::min(ray.top_m / voxel_m_, voxels_.z - 1e-6);
   const double floor = ray.floor_m / voxel_m_;
   const double step_m = ray.thickness * voxel_m_;
-  FarLook look;
+  AggregateAppearance look;
   glm::dvec3 at(ray.start * static_cast<double>(voxels_.x), top);
   for (at += ray.begin * ray.direction; at.z >= floor && look.transmittance > nothing_left;
        at += ray.direction) {

@@ -4,14 +4,14 @@
 #include <limits>
 #include <vector>
 
-#include "landscape/far_look.h"
+#include "landscape/aggregate_appearance.h"
 #include "landscape/landscape.h"
 
 namespace wold::landscape {
 
 /// A way downwards through a patch, in cell space.
 struct PatchRay {
-  glm::dvec2 start{0.0};  ///< where it enters, in shares of the patch
+  glm::dvec2 start{0.0};  ///< where it enters, in fractions of the patch
   glm::dvec3 direction;   ///< unit vector
   double begin = 0.5;  ///< length of the first step, in steps: the mean over all of [0, 1) is exact
   double top_m = std::numeric_limits<double>::infinity();  ///< enters there, or at the patch's top
@@ -26,7 +26,7 @@ class TiledVolume {
   explicit TiledVolume(const Volume& volume);
 
   /// What is seen along a ray, in steps of a voxel.
-  FarLook trace(const PatchRay& ray) const;
+  AggregateAppearance trace(const PatchRay& ray) const;
 
  private:
   std::size_t index(const glm::ivec3& at) const;

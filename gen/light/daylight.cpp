@@ -95,7 +95,7 @@ glm::dvec3 direction_of(double azimuth_rad, double elevation_rad) {
           math::cos(azimuth_rad) * math::cos(elevation_rad), math::sin(elevation_rad)};
 }
 
-double haze_share(double distance_m, double visual_range_m) {
+double haze_fraction(double distance_m, double visual_range_m) {
   return 1.0 - math::exp(-3.912 * distance_m / visual_range_m);
 }
 
@@ -158,17 +158,17 @@ glm::dvec3 Daylight::above_horizon(const glm::dvec3& direction) const {
 
 glm::vec3 Daylight::sky_radiance(const glm::dvec3& direction) const {
   if (direction.z >= 0.0) return glm::vec3(above_horizon(direction) / unit_);
-  const double share = haze_share(plain_below_m / -direction.z, visual_range_m_);
-  return glm::mix(glm::vec3(plain_radiance), haze_radiance(direction, share),
-                  static_cast<float>(share));
+  const double fraction = haze_fraction(plain_below_m / -direction.z, visual_range_m_);
+  return glm::mix(glm::vec3(plain_radiance), haze_radiance(direction, fraction),
+                  static_cast<float>(fraction));
 }
 
-glm::vec3 Daylight::haze_radiance(const glm::dvec3& direction, double share) const {
+glm::vec3 Daylight::haze_radiance(const glm::dvec3& direction, double fraction) const {
   const glm::dvec3 level(direction.x, direction.y, 0.0);
   const double length = glm::length(level);
   if (length < 1e-6) return mean_by_degree_.front();
   const glm::vec3 behind(above_horizon(level / length) / unit_);
-  return glm::mix(mean_by_degree_.front(), behind, static_cast<float>(share));
+  return glm::mix(mean_by_degree_.front(), behind, static_cast<float>(fraction));
 }
 
 glm::vec3 Daylight::mean_sky_radiance(double elevation_rad) const {

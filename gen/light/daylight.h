@@ -42,10 +42,10 @@ class Daylight {
   /// disc, so that no pixel outshines the rest by orders of magnitude.
   glm::vec3 seen_radiance(const glm::dvec3& direction) const;
 
-  /// Radiance of haze in a unit direction where it hides all; where it hides `share`, in [0, 1], of
-  /// what is behind, that share of it is seen. Near haze, which hides little, has the light of all
-  /// directions, distant haze that of the horizon.
-  glm::vec3 haze_radiance(const glm::dvec3& direction, double share) const;
+  /// Radiance of haze in a unit direction where it hides all; where it hides `fraction`, in [0, 1],
+  /// of what is behind, that fraction of it is seen. Near haze, which hides little, has the light
+  /// of all directions, distant haze that of the horizon.
+  glm::vec3 haze_radiance(const glm::dvec3& direction, double fraction) const;
 
   /// Sky radiance averaged over azimuth, elevation in [0, pi/2] radians.
   glm::vec3 mean_sky_radiance(double elevation_rad) const;
@@ -79,8 +79,8 @@ class Daylight {
 /// Unit vector for an azimuth clockwise from north and an elevation.
 glm::dvec3 direction_of(double azimuth_rad, double elevation_rad);
 
-/// Share of what is seen at a distance, >= 0, that haze hides, in [0, 1): Koschmieder 1924, 98 % at
-/// the visual range.
-double haze_share(double distance_m, double visual_range_m);
+/// Fraction of what is seen at a distance, >= 0, that haze hides, in [0, 1): Koschmieder 1924, 98 %
+/// at the visual range.
+double haze_fraction(double distance_m, double visual_range_m);
 
 }  // namespace wold::light

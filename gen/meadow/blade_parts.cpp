@@ -5,7 +5,7 @@
 namespace wold::meadow {
 namespace {
 
-/// In shares of the patch.
+/// In fractions of the patch.
 glm::dvec2 root_of(const Tubes& tubes, std::size_t tube, double patch_m) {
   const auto corners = static_cast<std::size_t>(tubes.corners);
   const std::size_t first = tube * static_cast<std::size_t>(tubes.rings) * corners;
@@ -16,10 +16,10 @@ glm::dvec2 root_of(const Tubes& tubes, std::size_t tube, double patch_m) {
 }
 
 /// A part's borders belong to its upper neighbours, the patch's own to the parts within.
-bool stands_on(const landscape::Part& part, const glm::dvec2& share) {
+bool stands_on(const landscape::Part& part, const glm::dvec2& fraction) {
   for (int axis = 0; axis < 2; ++axis) {
-    if (part.low[axis] > 0.0 && share[axis] < part.low[axis]) return false;
-    if (part.high[axis] < 1.0 && share[axis] >= part.high[axis]) return false;
+    if (part.low[axis] > 0.0 && fraction[axis] < part.low[axis]) return false;
+    if (part.high[axis] < 1.0 && fraction[axis] >= part.high[axis]) return false;
   }
   return true;
 }

@@ -20,11 +20,11 @@ constexpr double warm_hours = 1.5;
 
 double canopy_cover(double leaf_area_index) { return -math::expm1(-0.5 * leaf_area_index); }
 
-/// The share after constant weather: it approaches where catching and unloading are in balance.
-double after(double share, double caught_per_h, double unloaded_per_h, double hours) {
+/// The fraction after constant weather: it approaches where catching and unloading are in balance.
+double after(double fraction, double caught_per_h, double unloaded_per_h, double hours) {
   const double rate_per_h = caught_per_h + unloaded_per_h;
   const double balance = caught_per_h / rate_per_h;
-  return balance + (share - balance) * math::exp(-rate_per_h * hours);
+  return balance + (fraction - balance) * math::exp(-rate_per_h * hours);
 }
 
 }  // namespace
@@ -37,20 +37,20 @@ double unloading_per_h(double temperature_c) {
   return std::lerp(1.0 / cold_hours, 1.0 / warm_hours, std::clamp(temperature_c, 0.0, 1.0));
 }
 
-double intercepted_share(double leaf_area_index, double share,
-                         const std::function<CanopyWeather(double)>& weather, double from_s,
-                         double to_s) {
+double intercepted_fraction(double leaf_area_index, double fraction,
+                            const std::function<CanopyWeather(double)>& weather, double from_s,
+                            double to_s) {
   const double capacity_mm = canopy_capacity_mm(leaf_area_index);
   const double caught_per_mm = canopy_cover(leaf_area_index) / capacity_mm;
   double begin_s = from_s;
   while (begin_s < to_s) {
     const double end_s = std::min(begin_s + step_s, to_s);
     const CanopyWeather now = weather(0.5 * (begin_s + end_s));
-    share = after(share, caught_per_mm * now.snowfall_mm_h, unloading_per_h(now.temperature_c),
-                  (end_s - begin_s) / hour_s);
+    fraction = after(fraction, caught_per_mm * now.snowfall_mm_h,
+                     unloading_per_h(now.temperature_c), (end_s - begin_s) / hour_s);
     begin_s = end_s;
   }
-  return std::clamp(share, 0.0, 1.0);
+  return std::clamp(fraction, 0.0, 1.0);
 }
 
 double canopy_snow(const scene::Scene& scene, int frame, const phenology::FilmSeason* season) {
@@ -62,8 +62,8 @@ double canopy_snow(const scene::Scene& scene, int frame, const phenology::FilmSe
   const auto on_canopy = [&](double time_s) {
     return CanopyWeather{weather.at(time_s).temperature_c, weather.snow_mm_h(time_s, 0.0)};
   };
-  return intercepted_share(leaf_area, initial, on_canopy, -weather.earlier_s(),
-                           scene::time_s(scene, frame));
+  return intercepted_fraction(leaf_area, initial, on_canopy, -weather.earlier_s(),
+                              scene::time_s(scene, frame));
 }
 
 }  // namespace wold::meadow

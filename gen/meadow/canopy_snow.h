@@ -25,8 +25,8 @@ double canopy_capacity_mm(double leaf_area_index);
 /// degree on it slides and drips off within 1.5 hours; between 0 and 1 degree linear.
 double unloading_per_h(double temperature_c);
 
-/// Share of a canopy's capacity that carries snow after `weather`, a function of seconds, has
-/// lasted from `from_s` to `to_s`; `share` lay at first. In [0, 1].
+/// Fraction of a canopy's capacity that carries snow after `weather`, a function of seconds, has
+/// lasted from `from_s` to `to_s`; `fraction` lay at first. In [0, 1].
 ///
 /// Hedstrom and Pomeroy (1998, Hydrological Processes 12:1611, eq. 6 to 8), as a rate, with
 /// unloading u: the cover C of the canopy, seen from above, catches what falls, the less the fuller
@@ -35,12 +35,12 @@ double unloading_per_h(double temperature_c);
 /// so that after P in the cold I / I_max = 1 - exp(-C P / I_max). C = 1 - exp(-LAI / 2), leaves in
 /// all directions. With leaf area indices of 1 to 3 it takes 3 to 6 mm to load a meadow by 0.8 to
 /// 0.9. Solved exactly over steps of ten minutes, within which the weather is that of the middle.
-double intercepted_share(double leaf_area_index, double share,
-                         const std::function<CanopyWeather(double)>& weather, double from_s,
-                         double to_s);
+double intercepted_fraction(double leaf_area_index, double fraction,
+                            const std::function<CanopyWeather(double)>& weather, double from_s,
+                            double to_s);
 
-/// The share of the snow that the scene's grass can carry which lies on it in a frame (from 1), in
-/// [0, 1]: of the weather at the terrain's zero since it began. Snow that lay on the ground then
+/// The fraction of the snow that the scene's grass can carry which lies on it in a frame (from 1),
+/// in [0, 1]: of the weather at the terrain's zero since it began. Snow that lay on the ground then
 /// (snow_cover.initial) had just fallen. 0 where snow_cover.cover is not "depth" and for fur.
 /// `season`: the scene's, if it is one; nullptr makes it. Throws what snow::Weather throws.
 double canopy_snow(const scene::Scene& scene, int frame,

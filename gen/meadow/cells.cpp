@@ -13,9 +13,9 @@
 #include "core/parallel.h"
 #include "core/random.h"
 #include "meadow/canopy_snow.h"
-#include "meadow/combing.h"
 #include "meadow/far_field.h"
 #include "meadow/film_lights.h"
+#include "meadow/wind_lean.h"
 #include "place/ground_grids.h"
 #include "place/view.h"
 #include "scene/key_frames.h"
@@ -49,14 +49,14 @@ int likeness(const Texel& a, const Texel& b) {
 /// One of the texels that look least like the neighbours; `uniform` in [0, 1) chooses.
 Texel unlike(const std::vector<Texel>& neighbours, int variants, double uniform) {
   std::vector<Texel> best;
-  int least = 1000;
+  int min = 1000;
   for (int k = 0; k < variants * 4; ++k) {
     const Texel candidate{k / 4, k % 4};
     int sum = 0;
     for (const Texel& neighbour : neighbours) sum += likeness(candidate, neighbour);
-    if (sum < least) best.clear();
-    least = std::min(least, sum);
-    if (sum == least) best.push_back(candidate);
+    if (sum < min) best.clear();
+    min = std::min(min, sum);
+    if (sum == min) best.push_back(candidate);
   }
   return best[static_cast<std::size_t>(uniform * static_cast<double>(best.size()))];
 }
@@ -102,8 +102,8 @@ int choose_key_frame(const std::vector<double>& keys, double wanted, double thre
   if (above == keys.begin()) return 0;
   const auto below = static_cast<int>(above - keys.begin()) - 1;
   if (above == keys.end()) return below;
-  const double share = (wanted - *(above - 1)) / (*above - *(above - 1));
-  return threshold < share ? below + 1 : below;
+  const double fraction = (wanted - *(above - 1)) / (*above - *(above - 1));
+  return threshold < fraction ? below + 1 : below;
 }
 
 /// The whole number below or above.
@@ -113,15 +113,15 @@ int choose_between(double wanted, double threshold) {
 }
 
 /// Whether a level is fine enough where one metre covers `pixels_per_m`.
-bool is_fine_enough(const scene::Grass& grass, int level, double pixels_per_m) {
-  const double voxel_m = grass.patch_m / grass.levels[static_cast<std::size_t>(level)];
+bool is_fine_enough(const scene::Grass& grass, int lod, double pixels_per_m) {
+  const double voxel_m = grass.patch_m / grass.lods[static_cast<std::size_t>(lod)];
   return voxel_m * pixels_per_m <= grass.pixels_per_voxel;
 }
 
 /// The coarsest level that is fine enough, else the finest.
-int choose_level(const scene::Grass& grass, double pixels_per_m) {
-  for (int level = static_cast<int>(grass.levels.size()) - 1; level > 0; --level)
-    if (is_fine_enough(grass, level, pixels_per_m)) return level;
+int choose_lod(const scene::Grass& grass, double pixels_per_m) {
+  for (int lod = static_cast<int>(grass.lods.size()) - 1; lod > 0; --lod)
+    if (is_fine_enough(grass, lod, pixels_per_m)) return lod;
   return 0;
 }
 
@@ -140,14 +140,14 @@ glm::dvec3 middle_of(const scene::Grass& grass, const Heightfield& terrain,
 /// How far above the middle of the grass on a cell the longest blades may reach.
 double above_middle_m(const scene::Scene& scene) {
   const double mean_m = scene::mean_grass(scene).height_m;
-  double most_m = 0.0;
+  double max_m = 0.0;
   for (const scene::Species& species : scene::species_of(scene)) {
     const scene::Plant& plant = species.plant;
     const double longer_m = 0.5 * (plant.height_m - mean_m);
-    most_m = std::max(most_m,
-                      plant.height_m * std::max(1.5, 0.5 + 2.2 * plant.height_spread) + longer_m);
+    max_m =
+        std::max(max_m, plant.height_m * std::max(1.5, 0.5 + 2.2 * plant.height_spread) + longer_m);
   }
-  return most_m;
+  return max_m;
 }
 
 /// What the camera sees of the cells.
@@ -163,7 +163,7 @@ class Sight {
 
   bool may_see(const glm::dvec3& middle_m) const {
     return view_.may_see(middle_m, margin_m_) &&
-           far_share(grass_, window_, view_, middle_m) < 1.0 && !is_behind_a_hill(middle_m);
+           far_fraction(grass_, window_, view_, middle_m) < 1.0 && !is_behind_a_hill(middle_m);
   }
 
   /// Pixels that a metre covers there.
@@ -185,7 +185,7 @@ class Sight {
 
 /// How much grass grows on a cell.
 struct Grown {
-  float most = 0.0F;
+  float max = 0.0F;
   float mean = 0.0F;
 };
 
@@ -196,7 +196,7 @@ Grown grown_in(const FactorMap& growth, const glm::ivec2& cell, double patch_m) 
     for (int i = 0; i <= steps; ++i) {
       const glm::dvec2 at_m = (glm::dvec2(cell) + glm::dvec2(i, j) / (1.0 * steps)) * patch_m;
       const float here = growth.sample(at_m.x, at_m.y);
-      grown.most = std::max(grown.most, here);
+      grown.max = std::max(grown.max, here);
       grown.mean += here / ((steps + 1) * (steps + 1));
     }
   return grown;
@@ -215,10 +215,10 @@ CellChoice choose_cell(const scene::Scene& scene, const glm::ivec2& cell, const 
   CellChoice choice;
   choice.cell = cell;
   const double jittered = pixels_per_m * (0.9 + 0.2 * cell_uniform(scene, cell, "level"));
-  choice.level = choose_level(scene.grass, jittered);
+  choice.lod = choose_lod(scene.grass, jittered);
   choice.blades = choose_blades(scene, jittered);
   choice.variant = texel.variant;
-  choice.turn = choice.blades ? 0 : texel.turn % turns_of_level(scene, choice.level);
+  choice.turn = choice.blades ? 0 : texel.turn % turns_of_lod(scene, choice.lod);
   choice.key_frame =
       choose_key_frame(key_frames, weathering, threshold(scene, choice, Dither::key_frame));
   choice.snow = choose_between(showing.snow, threshold(scene, choice, Dither::snow));
@@ -227,7 +227,7 @@ CellChoice choose_cell(const scene::Scene& scene, const glm::ivec2& cell, const 
 }
 
 int voxels_of(const scene::Scene& scene, const CellChoice& choice) {
-  return scene.grass.levels[static_cast<std::size_t>(choice.level)];
+  return scene.grass.lods[static_cast<std::size_t>(choice.lod)];
 }
 
 void check_frame(const scene::Scene& scene, int frame) {
@@ -238,34 +238,34 @@ void check_frame(const scene::Scene& scene, int frame) {
 
 }  // namespace
 
-glm::dmat4 reach_to_neighbours(const Combing& combing, double patch_m,
-                               const landscape::Stance& stance, double height_m) {
-  const glm::dvec2 here_m = centre_m(stance.cell, patch_m);
-  const glm::dvec2& own = stance.lean;
+glm::dmat4 reach_to_neighbours(const WindLean& wind_lean, double patch_m,
+                               const landscape::CellPose& pose, double height_m) {
+  const glm::dvec2 here_m = centre_m(pose.cell, patch_m);
+  const glm::dvec2& own = pose.lean;
   glm::dvec2 low_m, high_m;  // beyond the square's sides
   for (int axis = 0; axis < 2; ++axis) {
     glm::dvec2 step_m(0.0);
     step_m[axis] = patch_m;
-    const double low = combing.lean(here_m - step_m)[axis];
-    const double high = combing.lean(here_m + step_m)[axis];
+    const double low = wind_lean.lean(here_m - step_m)[axis];
+    const double high = wind_lean.lean(here_m + step_m)[axis];
     low_m[axis] = 0.5 * height_m * std::max(0.0, own[axis] - low);
     high_m[axis] = 0.5 * height_m * std::max(0.0, high - own[axis]);
   }
   const glm::dvec2 stretch = 1.0 + (low_m + high_m) / patch_m;
   const glm::dvec2 shift_m = 0.5 * (high_m - low_m);
-  const glm::dvec2 east = landscape::east_of(stance.turn);
+  const glm::dvec2 east = landscape::east_of(pose.turn);
   const glm::dvec2 north = landscape::left_of(east);
-  const glm::dvec2 in_cell = stance.turn % 2 == 0 ? stretch : glm::dvec2(stretch.y, stretch.x);
+  const glm::dvec2 in_cell = pose.turn % 2 == 0 ? stretch : glm::dvec2(stretch.y, stretch.x);
   const glm::dvec2 origin_m = glm::dvec2(glm::dot(shift_m, east), glm::dot(shift_m, north)) +
                               0.5 * patch_m * (1.0 - in_cell);
   return {{in_cell.x, 0, 0, 0}, {0, in_cell.y, 0, 0}, {0, 0, 1, 0}, {origin_m, 0, 1}};
 }
 
-int turns_of_level(int voxels_per_side) { return voxels_per_side >= 200 ? 1 : 2; }
+int turns_of_lod(int voxels_per_side) { return voxels_per_side >= 200 ? 1 : 2; }
 
-int turns_of_level(const scene::Scene& scene, int level) {
+int turns_of_lod(const scene::Scene& scene, int lod) {
   if (scene::has_hair(scene)) return 1;
-  return turns_of_level(scene.grass.levels[static_cast<std::size_t>(level)]);
+  return turns_of_lod(scene.grass.lods[static_cast<std::size_t>(lod)]);
 }
 
 std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfield& terrain,
@@ -280,7 +280,7 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
   std::optional<Heightfield> mesh;
   if (place::is_large(scene)) mesh = terrain::mesh_heights(terrain, place::window_grid(scene));
   const Heightfield& ground = mesh ? *mesh : terrain;
-  const Combing combing(scene, frame, withering.season());
+  const WindLean wind_lean(scene, frame, withering.season());
   const std::vector<double> key_frames = scene::key_frames(scene);
   const scene::Grass grass = scene::mean_grass(scene);
   const Showing showing = {
@@ -292,18 +292,18 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
                             std::vector<CellChoice>& row) {
     const glm::dvec3 middle_m = middle_of(grass, terrain, cell);
     const Grown grown = grown_in(growth, cell, scene.grass.patch_m);
-    if (grown.most <= 0.0F || !sight.may_see(middle_m)) return;
+    if (grown.max <= 0.0F || !sight.may_see(middle_m)) return;
     CellChoice choice =
         choose_cell(scene, cell, texel, key_frames, withering.at(glm::dvec2(middle_m), frame),
                     showing, sight.pixels(middle_m));
     if (choice.blades && cell_uniform(scene, cell, "grown") >= double{grown.mean}) return;
     const double patch_m = scene.grass.patch_m;
-    const landscape::Stance stance = {cell, choice.turn, combing.lean(centre_m(cell, patch_m))};
-    choice.parts = landscape::parts_on_ground(ground, patch_m, stance, voxels_of(scene, choice),
+    const landscape::CellPose pose = {cell, choice.turn, wind_lean.lean(centre_m(cell, patch_m))};
+    choice.parts = landscape::parts_on_ground(ground, patch_m, pose, voxels_of(scene, choice),
                                               ground_tolerance_m);
     // Half-way up, so that they show as much too little above as too much below: along a line of
     // sight between them either would be a seam.
-    choice.reach = reach_to_neighbours(combing, patch_m, stance, 0.5 * grass.height_m);
+    choice.reach = reach_to_neighbours(wind_lean, patch_m, pose, 0.5 * grass.height_m);
     row.push_back(std::move(choice));
   };
   parallel_for(side, [&](std::size_t j) {

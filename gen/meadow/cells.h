@@ -7,14 +7,14 @@
 #include "core/ground_map.h"
 #include "grass/ageing/patch_state.h"
 #include "landscape/cell_parts.h"
-#include "meadow/combing.h"
+#include "meadow/wind_lean.h"
 #include "place/cell_window.h"
 #include "place/withering.h"
 #include "scene/scene.h"
 
 namespace wold::meadow {
 
-/// Which texel stands on a cell of the terrain, and how. `key_frame` and `level` are indices into
+/// Which texel stands on a cell of the terrain, and how. `key_frame` and `lod` are indices into
 /// the scene's grass.key_frames and grass.levels; `snow` and `light` are those of PatchState;
 /// `turn` counts quarter-turns counter-clockwise, seen from above.
 struct CellChoice {
@@ -26,8 +26,8 @@ struct CellChoice {
   int snow = 0;
   int light = 0;
   int turn = 0;
-  int level = 0;
-  bool blades = false;  ///< drawn as a mesh of blades or points, not as the volume of `level`
+  int lod = 0;
+  bool blades = false;  ///< drawn as a mesh of blades or points, not as the volume of `lod`
 
   grass::PatchState state() const { return {key_frame, snow, light}; }
 };
@@ -38,19 +38,19 @@ constexpr double ground_tolerance_m = 0.01;
 /// Cell::reach of a cell that meets its neighbours `height_m` above the ground: where they lean
 /// away from each other both reach half as far beyond their squares as the gap between them is wide
 /// there.
-glm::dmat4 reach_to_neighbours(const Combing& combing, double patch_m,
-                               const landscape::Stance& stance, double height_m);
+glm::dmat4 reach_to_neighbours(const WindLean& wind_lean, double patch_m,
+                               const landscape::CellPose& pose, double height_m);
 
 /// How many of the four quarter-turns a level uses. A turn needs its own baked light and its own
 /// place in a renderer's memory, 200 MB for a volume of 254^3: 1 from 200 voxels per side on, 2
 /// from 50 on, else 4.
-int turns_of_level(int voxels_per_side);
+int turns_of_lod(int voxels_per_side);
 
 /// How many of them cells of a scene use of a level: a coat has one nap.
-int turns_of_level(const scene::Scene& scene, int level);
+int turns_of_lod(const scene::Scene& scene, int lod);
 
 /// Every cell with grass that can be seen, row by row: in the CellWindow, inside the picture, not
-/// behind a hill, not so far that far_share() paints it. `growth` is growth_map()'s; where it is
+/// behind a hill, not so far that far_fraction() paints it. `growth` is growth_map()'s; where it is
 /// thin, blades stand on as many cells as it says, while volumes are thinned in space.
 ///
 /// Variant and turn come by keyed choice, so that neighbours differ. Key frame, level of snow and
@@ -58,7 +58,7 @@ int turns_of_level(const scene::Scene& scene, int level);
 /// mean as much as these; variants pass from one to the next one after another, so that few pairs
 /// of variant and state are seen at once. The level is the coarsest whose voxels cover at most
 /// grass.pixels_per_voxel, with a keyed tenth of jitter, so that no ring shows where levels change.
-/// A cell has as many parts as ground_tolerance_m asks for. Only `level` (and with it the turns
+/// A cell has as many parts as ground_tolerance_m asks for. Only `lod` (and with it the turns
 /// allowed), `parts` and whether a cell is listed depend on the camera. Cells are drawn as
 /// render.grass asks: with "auto" as blades where even the finest level is too coarse. Frame from
 /// 1; throws InputError when the scene has no such frame.

@@ -45,51 +45,54 @@ glm::dvec3 in_cell(const glm::dvec3& sight, const glm::dvec2& gradient, const gl
 
 Meadow::Meadow(const scene::Scene& scene, const Heightfield& terrain,
                const place::Withering& withering, const place::View& view, int frame,
-               std::map<grass::PatchState, PatchLook> looks)
+               std::map<grass::PatchState, PatchAppearance> looks)
     : terrain_(terrain),
       withering_(withering),
       view_(view),
       frame_(frame),
-      combing_(scene, frame, withering.season()),
+      wind_lean_(scene, frame, withering.season()),
       key_frames_(scene::key_frames(scene)),
       snow_(snow_level(scene, withering, frame)),
       light_(light_level(scene, frame)),
       looks_(std::move(looks)) {}
 
-landscape::FarLook Meadow::look(const glm::dvec3& at_m) const {
+landscape::AggregateAppearance Meadow::look(const glm::dvec3& at_m) const {
   const glm::dvec2 gradient = terrain::gradient(terrain_, at_m.x, at_m.y);
   const glm::dvec3 direction =
-      in_cell(view_.line_of_sight(at_m), gradient, combing_.lean(glm::dvec2(at_m)));
+      in_cell(view_.line_of_sight(at_m), gradient, wind_lean_.lean(glm::dvec2(at_m)));
   const double weathering = withering_.at(glm::dvec2(at_m), frame_);
   const auto above = std::upper_bound(key_frames_.begin() + 1, key_frames_.end() - 1, weathering);
   const auto key = static_cast<int>(above - key_frames_.begin());
-  const double share = (weathering - *(above - 1)) / (*above - *(above - 1));
-  return thickened(mixed(at_key_frame(key - 1, direction), at_key_frame(key, direction), share),
+  const double fraction = (weathering - *(above - 1)) / (*above - *(above - 1));
+  return thickened(mixed(at_key_frame(key - 1, direction), at_key_frame(key, direction), fraction),
                    slope_factor(gradient));
 }
 
-landscape::FarLook Meadow::at_key_frame(int key_frame, const glm::dvec3& direction) const {
+landscape::AggregateAppearance Meadow::at_key_frame(int key_frame,
+                                                    const glm::dvec3& direction) const {
   const auto below = static_cast<int>(snow_);
-  const landscape::FarLook look = at_snow(key_frame, below, direction);
+  const landscape::AggregateAppearance look = at_snow(key_frame, below, direction);
   if (snow_ == below) return look;
   return mixed(look, at_snow(key_frame, below + 1, direction), snow_ - below);
 }
 
-landscape::FarLook Meadow::at_snow(int key_frame, int snow, const glm::dvec3& direction) const {
+landscape::AggregateAppearance Meadow::at_snow(int key_frame, int snow,
+                                               const glm::dvec3& direction) const {
   const auto before = static_cast<int>(light_);
-  const landscape::FarLook look = looks_.at({key_frame, snow, before}).along(direction);
+  const landscape::AggregateAppearance look = looks_.at({key_frame, snow, before}).along(direction);
   if (light_ == before) return look;
   return mixed(look, looks_.at({key_frame, snow, before + 1}).along(direction), light_ - before);
 }
 
-double far_share(const scene::Grass& grass, const place::View& view, const glm::dvec3& at_m) {
-  const double relative = view.pixels(grass.height_m, at_m) / std::max(grass.far_pixels, 1e-9);
-  return 1.0 - glm::smoothstep(place::least_standing, 1.25, relative);
+double far_fraction(const scene::Grass& grass, const place::View& view, const glm::dvec3& at_m) {
+  const double relative =
+      view.pixels(grass.height_m, at_m) / std::max(grass.far_field_below_pixels, 1e-9);
+  return 1.0 - glm::smoothstep(place::min_standing, 1.25, relative);
 }
 
-double far_share(const scene::Grass& grass, const place::CellWindow& window,
-                 const place::View& view, const glm::dvec3& at_m) {
-  return std::max(far_share(grass, view, at_m), window.outside_share(glm::dvec2(at_m)));
+double far_fraction(const scene::Grass& grass, const place::CellWindow& window,
+                    const place::View& view, const glm::dvec3& at_m) {
+  return std::max(far_fraction(grass, view, at_m), window.outside_fraction(glm::dvec2(at_m)));
 }
 
 bool has_far_field(const scene::Scene& scene, const Heightfield& terrain, const place::View& view) {
@@ -101,7 +104,7 @@ bool has_far_field(const scene::Scene& scene, const Heightfield& terrain, const 
       const glm::dvec2 at_m = glm::dvec2(i, j) * (terrain.size_m() / places);
       const glm::dvec3 place_m = place::above_ground(terrain, at_m, 0.0);
       if (view.may_see(place_m, terrain.size_m() / places) &&
-          far_share(grass, window, view, place_m) > 0.0)
+          far_fraction(grass, window, view, place_m) > 0.0)
         return true;
     }
   return false;
@@ -110,9 +113,9 @@ bool has_far_field(const scene::Scene& scene, const Heightfield& terrain, const 
 std::vector<grass::PatchState> far_states(const scene::Scene& scene,
                                           const place::Withering& withering, int frame) {
   const std::vector<double> keys = scene::key_frames(scene);
-  const auto [least, most] = withering.range(frame);
-  const auto first = std::upper_bound(keys.begin() + 1, keys.end() - 1, least) - 1;
-  const auto last = std::upper_bound(keys.begin() + 1, keys.end() - 1, most);
+  const auto [min, max] = withering.range(frame);
+  const auto first = std::upper_bound(keys.begin() + 1, keys.end() - 1, min) - 1;
+  const auto last = std::upper_bound(keys.begin() + 1, keys.end() - 1, max);
   const double snow = snow_level(scene, withering, frame);
   const double lit = light_level(scene, frame);
   std::vector<grass::PatchState> states;
@@ -129,25 +132,25 @@ void paint_far_grass(ColourMap& ground, const scene::Scene& scene, const Heightf
   const place::CellWindow window(scene);
   const scene::Grass meadow_grass = scene::mean_grass(scene);
   place::each_in_view(ground, terrain, view, [&](int i, int j, const glm::dvec3& at_m) {
-    const double share = far_share(meadow_grass, window, view, at_m);
+    const double fraction = far_fraction(meadow_grass, window, view, at_m);
     const double grown = growth.sample(at_m.x, at_m.y);
-    if (share <= 0.0 || (share >= 1.0 && grown <= 0.0)) return;
-    const landscape::FarLook look = thickened(meadow.look(at_m), grown);
+    if (fraction <= 0.0 || (fraction >= 1.0 && grown <= 0.0)) return;
+    const landscape::AggregateAppearance look = thickened(meadow.look(at_m), grown);
     const glm::vec3 grass = glm::vec3(look.radiance) * light.sample(at_m.x, at_m.y);
     const glm::vec3 seen = grass + static_cast<float>(look.transmittance) * ground.at(i, j);
-    ground.at(i, j) = glm::mix(ground.at(i, j), seen, static_cast<float>(share));
+    ground.at(i, j) = glm::mix(ground.at(i, j), seen, static_cast<float>(fraction));
   });
 }
 
-FactorMap standing_grass(const scene::Scene& scene, const Heightfield& terrain,
-                         const FactorMap& growth, const place::View& view) {
+FactorMap grass_extinction_factor(const scene::Scene& scene, const Heightfield& terrain,
+                                  const FactorMap& growth, const place::View& view) {
   const place::CellWindow window(scene);
   const scene::Grass grass = scene::mean_grass(scene);
   FactorMap factor(growth.samples(), growth.square());
   place::each_in_view(factor, terrain, view, [&](int i, int j, const glm::dvec3& at_m) {
     const glm::dvec2 gradient = terrain::gradient(terrain, at_m.x, at_m.y);
-    const double standing = 1.0 - far_share(grass, window, view, at_m);
-    factor.at(i, j) = growth.at(i, j) * static_cast<float>(standing * slope_factor(gradient));
+    const double unpainted = 1.0 - far_fraction(grass, window, view, at_m);
+    factor.at(i, j) = growth.at(i, j) * static_cast<float>(unpainted * slope_factor(gradient));
   });
   return factor;
 }

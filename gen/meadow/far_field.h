@@ -5,8 +5,8 @@
 
 #include "core/ground_map.h"
 #include "grass/ageing/patch_state.h"
-#include "meadow/combing.h"
-#include "meadow/patch_look.h"
+#include "meadow/patch_appearance.h"
+#include "meadow/wind_lean.h"
 #include "place/cell_window.h"
 #include "place/view.h"
 #include "place/withering.h"
@@ -15,12 +15,12 @@
 namespace wold::meadow {
 
 /// How far grass at a place is painted on the ground instead of standing on it: 0 near, 1 where it
-/// looks lower than three quarters of grass.far_pixels, rising smoothly from five quarters on, so
-/// that no line shows.
-double far_share(const scene::Grass& grass, const place::View& view, const glm::dvec3& at_m);
+/// looks lower than three quarters of grass.far_field_below_pixels, rising smoothly from five
+/// quarters on, so that no line shows.
+double far_fraction(const scene::Grass& grass, const place::View& view, const glm::dvec3& at_m);
 /// The same, and all of it outside the window in which cells are laid.
-double far_share(const scene::Grass& grass, const place::CellWindow& window,
-                 const place::View& view, const glm::dvec3& at_m);
+double far_fraction(const scene::Grass& grass, const place::CellWindow& window,
+                    const place::View& view, const glm::dvec3& at_m);
 
 /// Whether any of the terrain's grass is painted, seen so.
 bool has_far_field(const scene::Scene& scene, const Heightfield& terrain, const place::View& view);
@@ -34,31 +34,32 @@ class Meadow {
  public:
   /// `looks`: those of far_states(). The others have to outlive it.
   Meadow(const scene::Scene& scene, const Heightfield& terrain, const place::Withering& withering,
-         const place::View& view, int frame, std::map<grass::PatchState, PatchLook> looks);
+         const place::View& view, int frame, std::map<grass::PatchState, PatchAppearance> looks);
 
   /// The look along the line of sight to a place on the ground, of full growth under light 1: that
   /// of the two key frames around the weathering there, of the two levels around the snow and of
   /// the two lights around the frame's, sheared to the slope and combed.
-  landscape::FarLook look(const glm::dvec3& at_m) const;
+  landscape::AggregateAppearance look(const glm::dvec3& at_m) const;
 
  private:
   /// At a key frame, along a direction of the patch.
-  landscape::FarLook at_key_frame(int key_frame, const glm::dvec3& direction) const;
+  landscape::AggregateAppearance at_key_frame(int key_frame, const glm::dvec3& direction) const;
   /// And under a level of snow.
-  landscape::FarLook at_snow(int key_frame, int snow, const glm::dvec3& direction) const;
+  landscape::AggregateAppearance at_snow(int key_frame, int snow,
+                                         const glm::dvec3& direction) const;
 
   const Heightfield& terrain_;
   const place::Withering& withering_;
   const place::View& view_;
   int frame_;
-  Combing combing_;
+  WindLean wind_lean_;
   std::vector<double> key_frames_;
   double snow_;   ///< canopy_snow(), in levels
   double light_;  ///< light_of_frame()
-  std::map<grass::PatchState, PatchLook> looks_;
+  std::map<grass::PatchState, PatchAppearance> looks_;
 };
 
-/// Paints the far grass over the ground's radiance by its share: what the meadow shows along the
+/// Paints the far grass over the ground's radiance by its fraction: what the meadow shows along the
 /// line of sight, under the light there, over the ground.
 void paint_far_grass(ColourMap& ground, const scene::Scene& scene, const Heightfield& terrain,
                      const FactorMap& growth, const ColourMap& light, const place::View& view,
@@ -66,7 +67,7 @@ void paint_far_grass(ColourMap& ground, const scene::Scene& scene, const Heightf
 
 /// Factor on the extinction of the grass that stands: its growth without the far share, over the
 /// slope's cosine, which keeps the density per square metre of ground.
-FactorMap standing_grass(const scene::Scene& scene, const Heightfield& terrain,
-                         const FactorMap& growth, const place::View& view);
+FactorMap grass_extinction_factor(const scene::Scene& scene, const Heightfield& terrain,
+                                  const FactorMap& growth, const place::View& view);
 
 }  // namespace wold::meadow

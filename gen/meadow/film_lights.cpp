@@ -8,7 +8,7 @@
 #include "place/view.h"
 #include "scene/sun_path.h"
 #include "scene/winter.h"
-#include "sky/snow_in_air.h"
+#include "sky/precipitation.h"
 
 namespace wold::meadow {
 namespace {
@@ -31,15 +31,16 @@ void normalise(grass::Lighting& lighting) {
   for (glm::vec3& radiance : lighting.sky_radiance) radiance /= unit;
 }
 
-/// Adds `share` of the lighting under falling snow.
-void add(grass::Lighting& sum, const light::Daylight& day, const sky::SnowyAir& air, float share) {
-  sum.sun_irradiance += day.sun_irradiance() * static_cast<float>(air.sun_share()) * share;
+/// Adds `fraction` of the lighting under falling snow.
+void add(grass::Lighting& sum, const light::Daylight& day, const sky::PrecipitationMedium& air,
+         float fraction) {
+  sum.sun_irradiance += day.sun_irradiance() * static_cast<float>(air.sunlit_fraction()) * fraction;
   const auto& rings = grass::sky_rings();
   for (std::size_t ring = 0; ring < rings.size(); ++ring) {
     const double elevation = rings[ring].elevation;
     sum.sky_radiance[ring] +=
         air.sky_radiance(day.mean_sky_radiance(elevation), light::direction_of(0.0, elevation)) *
-        share;
+        fraction;
   }
 }
 
@@ -73,8 +74,9 @@ grass::Lighting lighting_at(const scene::Scene& scene, const place::Site& site, 
   for (std::size_t i = 0; i < weights.size(); ++i)
     if (weights[i] > 0.0F)
       add(lighting, day,
-          sky::SnowyAir(day, sky::falling_extinction_per_m(scene, site, static_cast<int>(i) + 1),
-                        mean_ground_albedo),
+          sky::PrecipitationMedium(
+              day, sky::falling_extinction_per_m(scene, site, static_cast<int>(i) + 1),
+              mean_ground_albedo),
           weights[i]);
   normalise(lighting);
   return lighting;
@@ -83,17 +85,17 @@ grass::Lighting lighting_at(const scene::Scene& scene, const place::Site& site, 
 /// How far the sun gets: by height in a season, whose hour of the day hardly changes.
 double sun_way_deg(const scene::Scene& scene) {
   constexpr int places = 32;
-  double least_deg = 90.0, most_deg = 0.0, turn_deg = 0.0;
+  double min_deg = 90.0, max_deg = 0.0, turn_deg = 0.0;
   scene::Sun before = scene::sun_at(scene, 0.0);
   for (int place = 0; place <= places; ++place) {
     const scene::Sun sun = scene::sun_at(scene, static_cast<double>(place) / places);
-    least_deg = std::min(least_deg, sun.elevation_deg);
-    most_deg = std::max(most_deg, sun.elevation_deg);
+    min_deg = std::min(min_deg, sun.elevation_deg);
+    max_deg = std::max(max_deg, sun.elevation_deg);
     turn_deg +=
         std::abs(sun.azimuth_deg - before.azimuth_deg) * math::cos(glm::radians(sun.elevation_deg));
     before = sun;
   }
-  const double climb_deg = most_deg - least_deg;
+  const double climb_deg = max_deg - min_deg;
   return scene::is_season(scene) ? climb_deg : math::hypot(climb_deg, turn_deg);
 }
 
@@ -101,8 +103,8 @@ double sun_way_deg(const scene::Scene& scene) {
 
 int light_count(const scene::Scene& scene) {
   if (!scene::sun_moves(scene)) return 1;
-  constexpr double most_step_deg = 10.0;
-  return 1 + static_cast<int>(std::ceil(sun_way_deg(scene) / most_step_deg));
+  constexpr double max_step_deg = 10.0;
+  return 1 + static_cast<int>(std::ceil(sun_way_deg(scene) / max_step_deg));
 }
 
 double light_of_frame(const scene::Scene& scene, int frame) {

@@ -33,10 +33,10 @@ ColourMap weathering_tint(const scene::Scene& scene, const place::Withering& wit
   const place::CellWindow window(scene);
   const std::vector<const CellChoice*> cells = shown_cells(choices, window);
   const std::vector<double> degrees = scene::key_frames(scene);
-  const double most_samples = place::is_large(scene) ? 2049.0 : 4097.0;
+  const double max_samples = place::is_large(scene) ? 2049.0 : 4097.0;
   const double step_m = scene.grass.patch_m / samples_per_cell;
   const double samples = std::round(window.square.size_m / step_m) + 1.0;
-  ColourMap tint(static_cast<int>(std::min(samples, most_samples)), window.square, glm::vec3(1.0F));
+  ColourMap tint(static_cast<int>(std::min(samples, max_samples)), window.square, glm::vec3(1.0F));
   parallel_for(static_cast<std::size_t>(tint.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < tint.samples(); ++i) {
@@ -46,10 +46,10 @@ ColourMap weathering_tint(const scene::Scene& scene, const place::Withering& wit
       const CellChoice* choice = cells[place_of(cell, window)];
       if (choice == nullptr) continue;
       const glm::vec3 shown = colour(degrees[static_cast<std::size_t>(choice->key_frame)],
-                                     choice->state().snow_share());
+                                     choice->state().snow_fraction());
       const glm::vec3 wanted = colour(withering.at(at_m, frame), snow);
-      constexpr glm::vec3 least(1e-3F);  // a channel may be empty
-      tint.at(i, j) = glm::clamp(glm::max(wanted, least) / glm::max(shown, least), 0.5F, 2.0F);
+      constexpr glm::vec3 min(1e-3F);  // a channel may be empty
+      tint.at(i, j) = glm::clamp(glm::max(wanted, min) / glm::max(shown, min), 0.5F, 2.0F);
     }
   });
   return tint;

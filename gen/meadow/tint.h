@@ -10,7 +10,7 @@
 
 namespace wold::meadow {
 
-/// The mean colour of grass (linear RGB) at a weathering degree in [0, 1] under the share, in
+/// The mean colour of grass (linear RGB) at a weathering degree in [0, 1] under the fraction, in
 /// [0, 1], of the snow it can carry.
 using GrassColour = std::function<glm::vec3(double weathering, double snow)>;
 

@@ -49,7 +49,7 @@ Ring ring_of(const Tubes& tubes, std::size_t number) {
 bool lets_light_through(const Tubes& tubes, std::size_t tube) {
   const auto first = tubes.transmittance.begin() + static_cast<std::ptrdiff_t>(tube) * tubes.rings;
   return std::any_of(first, first + tubes.rings,
-                     [](const glm::vec3& share) { return share != glm::vec3(0.0F); });
+                     [](const glm::vec3& fraction) { return fraction != glm::vec3(0.0F); });
 }
 
 void add_ribbon(const Tubes& tubes, std::size_t tube, Mesh& mesh) {
@@ -88,10 +88,10 @@ void add_tube(const Tubes& tubes, std::size_t tube, Mesh& mesh) {
     }
 }
 
-Image picture_of(const Tubes& tubes, const std::vector<glm::vec3>& shares) {
+Image picture_of(const Tubes& tubes, const std::vector<glm::vec3>& fractions) {
   Image picture(tubes.rings, static_cast<int>(tubes.count()), 3);
-  for (std::size_t i = 0; i < shares.size(); ++i)
-    std::copy_n(&shares[i].x, 3, picture.values.data() + 3 * i);
+  for (std::size_t i = 0; i < fractions.size(); ++i)
+    std::copy_n(&fractions[i].x, 3, picture.values.data() + 3 * i);
   return picture;
 }
 

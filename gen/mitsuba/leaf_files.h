@@ -20,7 +20,7 @@ Mesh leaf_mesh(const Tubes& tubes);
 
 /// Writes a mesh of blades below `folder`:
 ///   NAME.ply                leaf_mesh(), metres
-///   NAME_reflectance.exr    shares of light, per ring and tube
+///   NAME_reflectance.exr    fractions of light, per ring and tube
 ///   NAME_transmittance.exr
 /// The name says what is in them: what is there already stays. Throws FileError, and InputError
 /// where reflectance or transmittance is not known.

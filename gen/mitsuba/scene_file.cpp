@@ -171,11 +171,12 @@ std::string cell_text(const Landscape& landscape, const landscape::Cell& cell) {
   const glm::dvec3 at_m = seen_m + landscape.camera.eye_m;
   const auto files = texel_files(texel_name(volume), "../texels");
   const glm::dmat4 grid_place = seen_from_cell * box_matrix(glm::dvec3(0.0), size_m);
-  return medium_box(seen_from_cell * box_matrix(low_m, high_m),
-                    grid("sigma_t", files[0].generic_string(), grid_place) +
-                        grid("albedo", files[1].generic_string(), grid_place) +
-                        fmt::format("<float name=\"scale\" value=\"{}\"/>",
-                                    number(double{landscape.standing.sample(at_m.x, at_m.y)})));
+  return medium_box(
+      seen_from_cell * box_matrix(low_m, high_m),
+      grid("sigma_t", files[0].generic_string(), grid_place) +
+          grid("albedo", files[1].generic_string(), grid_place) +
+          fmt::format("<float name=\"scale\" value=\"{}\"/>",
+                      number(double{landscape.extinction_factor.sample(at_m.x, at_m.y)})));
 }
 
 /// Droplets swallow next to nothing of visible light.

@@ -111,8 +111,8 @@ std::string keys_text() {
     text += key_text(key, defaults);
   }
   for (const scene::TableArray& array : scene::table_arrays()) {
-    text += subsection(
-        fmt::format("[[{}]], once for each {}, at most {}", array.name, array.item, array.most));
+    text += subsection(fmt::format("[[{}]], once for each {}, at most {}", array.name, array.item,
+                                   array.max_items));
     array.append(defaults);
     for (const scene::Key& key : array.keys(0)) text += key_text(key, defaults);
   }

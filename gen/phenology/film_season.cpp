@@ -25,7 +25,7 @@ using std::chrono::sys_days;
 
 /// Snow and soil remember no more than this before the film; places that are ahead of the mean one
 /// need days after it.
-constexpr days most_before(366), most_after(31);
+constexpr days max_before(366), max_after(31);
 constexpr double hours_per_day = 24.0;
 /// Half the difference of day's and night's temperature, where only the mean is known.
 constexpr double diurnal_k = 4.0;
@@ -66,7 +66,7 @@ std::vector<weather::Day> table_days(const scene::Scene& scene) {
         "({:%Y-%m-%d}) to season.last ({:%Y-%m-%d})",
         file, all.front().date, all.back().date, first_of(scene), last_of(scene)));
   std::erase_if(all, [&](const weather::Day& day) {
-    return day.date < first_of(scene) - most_before || day.date > last_of(scene) + most_after;
+    return day.date < first_of(scene) - max_before || day.date > last_of(scene) + max_after;
   });
   return all;
 }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t days_per_year = 365;
 /// Where nothing grows in a year, the little that does must not count as a lush meadow.
-constexpr double least_greenest = 0.2;
+constexpr double min_greenest = 0.2;
 
 double mean_c(const weather::Day& day) { return 0.5 * (day.tmin_c + day.tmax_c); }
 
@@ -90,7 +90,7 @@ std::vector<double> greenness(std::span<const weather::Day> days,
   std::vector<double> green;
   for (const weather::Day& day : days) green.push_back(meadow.advance(day));
   if (days.size() < days_per_year) return green;
-  const double greenest = std::max(least_greenest, *std::max_element(green.begin(), green.end()));
+  const double greenest = std::max(min_greenest, *std::max_element(green.begin(), green.end()));
   for (double& value : green) value /= greenest;
   return green;
 }

@@ -39,7 +39,7 @@ class Fading {
   }
 
  private:
-  double lost_;            ///< share of the season's greatest greenness
+  double lost_;            ///< fraction of the season's greatest greenness
   double greatest_ = 1.0;  ///< of this season
   double palest_;          ///< since it was that
   double last_;
@@ -52,8 +52,8 @@ double chlorophyll_of(double weathering_degree) {
 }
 
 double weathering_degree_of(double chlorophyll) {
-  const double share = logistic(1.0) + chlorophyll * (logistic(0.0) - logistic(1.0));
-  return std::clamp(half_way + math::log(1.0 / share - 1.0) / steepness, 0.0, 1.0);
+  const double fraction = logistic(1.0) + chlorophyll * (logistic(0.0) - logistic(1.0));
+  return std::clamp(half_way + math::log(1.0 / fraction - 1.0) / steepness, 0.0, 1.0);
 }
 
 std::vector<double> weathering_degrees(std::span<const double> greenness) {

@@ -13,7 +13,7 @@ namespace wold::phenology {
 /// dead ones. The first day is held against the greenest there can be.
 std::vector<double> weathering_degrees(std::span<const double> greenness);
 
-/// Share of its chlorophyll that a meadow has at a weathering degree: 1 / (1 + exp(10 (wd -
+/// Fraction of its chlorophyll that a meadow has at a weathering degree: 1 / (1 + exp(10 (wd -
 /// 0.45))), rescaled to 1 at 0 and 0 at 1, the mean that models/ageing/chlorophyll's standard case
 /// is made for.
 double chlorophyll_of(double weathering_degree);

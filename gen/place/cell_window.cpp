@@ -10,9 +10,9 @@ namespace wold::place {
 namespace {
 
 /// Along a side; more cells than this squared no renderer places.
-constexpr int most_patches = 2000;
+constexpr int max_patches = 2000;
 
-constexpr double edge_share = 0.1;  ///< of half the window, where grass fades
+constexpr double edge_fraction = 0.1;  ///< of half the window, where grass fades
 
 glm::dvec2 way_end_m(const scene::Camera& camera) {
   if (camera.eye_end.size() < 2) return {camera.eye_m[0], camera.eye_m[1]};
@@ -22,9 +22,9 @@ glm::dvec2 way_end_m(const scene::Camera& camera) {
 /// So many cells hold the camera's way and all grass about it that stands, or as many as there may
 /// be.
 int wanted_cells(const scene::Scene& scene, double way_m) {
-  const double size_m = (way_m + 2.0 * farthest_standing_m(scene)) / (1.0 - edge_share);
+  const double size_m = (way_m + 2.0 * farthest_standing_m(scene)) / (1.0 - edge_fraction);
   const double cells = std::ceil(size_m / scene.grass.patch_m) + 2.0;
-  return static_cast<int>(std::min<double>(cells, most_patches));
+  return static_cast<int>(std::min<double>(cells, max_patches));
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ int cells_per_side(const scene::Scene& scene) {
   return static_cast<int>(std::floor(scene.terrain.size_m / scene.grass.patch_m + 1e-9));
 }
 
-bool is_large(const scene::Scene& scene) { return cells_per_side(scene) > most_patches; }
+bool is_large(const scene::Scene& scene) { return cells_per_side(scene) > max_patches; }
 
 CellWindow::CellWindow(const scene::Scene& scene)
     : per_side(cells_per_side(scene)),
@@ -55,9 +55,9 @@ CellWindow::CellWindow(const scene::Scene& scene)
   }
 }
 
-double CellWindow::outside_share(const glm::dvec2& at_m) const {
+double CellWindow::outside_fraction(const glm::dvec2& at_m) const {
   const glm::dvec2 inside_m = glm::min(at_m - open_low_m_, open_high_m_ - at_m);
-  const double relative = std::min(inside_m.x, inside_m.y) / (0.5 * edge_share * square.size_m);
+  const double relative = std::min(inside_m.x, inside_m.y) / (0.5 * edge_fraction * square.size_m);
   return relative >= 1.0 ? 0.0 : 1.0 - glm::smoothstep(0.0, 1.0, relative);
 }
 

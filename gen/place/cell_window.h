@@ -26,7 +26,7 @@ struct CellWindow {
 
   /// How far grass is painted for the window's sake: 1 outside, 0 within nine tenths of the way to
   /// its borders; those that are the terrain's do not count.
-  double outside_share(const glm::dvec2& at_m) const;
+  double outside_fraction(const glm::dvec2& at_m) const;
 
  private:
   glm::dvec2 open_low_m_;  ///< beyond which no cells are; infinite where the terrain ends

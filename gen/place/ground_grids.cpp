@@ -12,7 +12,7 @@ namespace {
 constexpr double finest_step_m = 0.03;
 constexpr double side_ratio = 0.25;
 constexpr double ahead = 0.3;  ///< of a square's side, from the eye to its middle
-constexpr int most_samples = 2049;
+constexpr int max_samples = 2049;
 
 /// Along a side, so that a step covers two and a half pixels at most where it is a fifth of the
 /// side away.
@@ -22,7 +22,7 @@ double needed_samples(const scene::Scene& scene) {
 }
 
 int picture_samples(const scene::Scene& scene) {
-  return static_cast<int>(std::clamp<double>(needed_samples(scene), 65, most_samples));
+  return static_cast<int>(std::clamp<double>(needed_samples(scene), 65, max_samples));
 }
 
 /// Level direction of view; none when the camera looks straight down.
@@ -39,10 +39,10 @@ GroundGrid whole_grid(const scene::Scene& scene) {
 }
 
 GroundGrid picture_grid(const scene::Scene& scene) {
-  constexpr double usual_step_m = 0.03, least_step_m = 0.005;
+  constexpr double usual_step_m = 0.03, min_step_m = 0.005;
   const double size_m = scene.terrain.size_m;
   const double samples = std::clamp<double>(
-      needed_samples(scene), map_samples(size_m, usual_step_m), map_samples(size_m, least_step_m));
+      needed_samples(scene), map_samples(size_m, usual_step_m), map_samples(size_m, min_step_m));
   return {{.size_m = size_m}, static_cast<int>(samples)};
 }
 
@@ -64,7 +64,7 @@ std::vector<GroundGrid> detail_grids(const scene::Scene& scene, const landscape:
 GroundGrid window_grid(const scene::Scene& scene) {
   constexpr double step_m = 0.05;
   const Square square = CellWindow(scene).square;
-  return {square, std::min(map_samples(square.size_m, step_m), most_samples)};
+  return {square, std::min(map_samples(square.size_m, step_m), max_samples)};
 }
 
 int cover_samples(const scene::Scene& scene) {

@@ -66,7 +66,7 @@ class Limits {
     constexpr double slope_strip_deg = 8.0;
     const double height_m = double{terrain_.sample(at_m.x, at_m.y)};
     const double height_strip_m = growth_.feature_m;
-    double p = growth_.share;
+    double p = growth_.cover;
     if (growth_.steepest_deg < 90.0)
       p *= below(terrain::slope_deg(terrain_, at_m.x, at_m.y), growth_.steepest_deg,
                  slope_strip_deg);
@@ -101,7 +101,7 @@ FactorMap growth_map(const scene::Scene& scene, const Heightfield& terrain) {
 
 FactorMap growth_map(const scene::Scene& scene, const Heightfield& terrain,
                      const GroundGrid& grid) {
-  const double shown = shown_share(scene.growth.feature_m, grid.step_m());
+  const double shown = shown_fraction(scene.growth.feature_m, grid.step_m());
   const Limits limits(scene.growth, terrain);
   const Fbm tufts{random_bits({scene.seed, key_of("growth"), 0, key_of("tufts")}), 6, 0.35};
   FactorMap map(grid.samples, grid.square);

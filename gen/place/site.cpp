@@ -99,22 +99,21 @@ scene::Scene at_time(scene::Scene scene, double time) {
 }  // namespace
 
 Snow::Snow(const scene::Scene& scene, const phenology::FilmSeason* season,
-           const Heightfield& terrain, const fs::path& folder, int most_samples)
+           const Heightfield& terrain, const fs::path& folder, int max_samples)
     : weather(scene, season),
       pictures(scene.seed),
       ground(
-          scene, terrain, [made = weather](double time_s) { return made.at(time_s); },
-          most_samples),
+          scene, terrain, [made = weather](double time_s) { return made.at(time_s); }, max_samples),
       large(large_cover(
           scene, terrain, [made = weather](double time_s) { return made.at(time_s); }, folder)) {}
 
 GroundGrid light_grid(const Heightfield& terrain, const GroundGrid& grid,
                       const std::optional<Sketch>& sketch) {
-  constexpr double least_samples = 17.0;
+  constexpr double min_samples = 17.0;
   const double step_m = std::max(grid.step_m(), terrain.step_m());
   double samples = std::ceil(grid.square.size_m / step_m - 1e-9) + 1.0;
   if (sketch) samples = std::min(samples, 1.0 * sketch->light_samples);
-  return {grid.square, static_cast<int>(std::max(samples, least_samples))};
+  return {grid.square, static_cast<int>(std::max(samples, min_samples))};
 }
 
 GroundPart ground_part(const scene::Scene& scene, const Site& site, const GroundGrid& grid) {
@@ -145,7 +144,7 @@ Site make_site(const scene::Scene& scene, const fs::path& snow_folder,
   if (scene::may_snow(scene) || scene::may_lie(scene))
     snow = std::make_shared<const Snow>(
         scene, season.get(), terrain, snow_folder,
-        sketch ? sketch->snow_samples : snow::SnowGround::usual_most_samples);
+        sketch ? sketch->snow_samples : snow::SnowGround::usual_max_samples);
   auto withering = std::make_shared<const Withering>(scene, terrain, season);
   Site site{std::move(terrain),
             std::move(growth),

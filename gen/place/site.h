@@ -23,7 +23,7 @@ struct Snow {
   /// `season`: the scene's, nullptr of one that is none. `folder`: see make_site(). Where it is not
   /// large, the ground has at most so many samples of snow along a side.
   Snow(const scene::Scene& scene, const phenology::FilmSeason* season, const Heightfield& terrain,
-       const std::filesystem::path& folder, int most_samples);
+       const std::filesystem::path& folder, int max_samples);
 
   snow::Weather weather;
   snow::FlakePictures pictures;
@@ -94,9 +94,9 @@ GroundGrid light_grid(const Heightfield& terrain, const GroundGrid& grid,
 /// Leaf area, one side, of the scene's tapering blades per area of ground.
 double leaf_area_index(const scene::Scene& scene);
 
-/// Share of the daylight that reaches the ground between the blades, (0, 1]: Beer and Lambert with
-/// the leaf area of the scene's tapering blades and Ross' G = 0.5, along a path 60 degrees off the
-/// vertical, the mean of a cosine-weighted hemisphere's secants (2).
+/// Fraction of the daylight that reaches the ground between the blades, (0, 1]: Beer and Lambert
+/// with the leaf area of the scene's tapering blades and Ross' G = 0.5, along a path 60 degrees off
+/// the vertical, the mean of a cosine-weighted hemisphere's secants (2).
 double canopy_transmittance(const scene::Scene& scene);
 
 }  // namespace wold::place

@@ -49,7 +49,7 @@ double pixels_per_radian(const scene::Scene& scene) {
 
 double farthest_standing_m(const scene::Scene& scene) {
   return pixels_per_radian(scene) * scene::mean_grass(scene).height_m /
-         (least_standing * scene.grass.far_pixels);
+         (min_standing * scene.grass.far_field_below_pixels);
 }
 
 View::View(const landscape::Camera& camera, int width_px, int height_px) : eye_m_(camera.eye_m) {

@@ -29,7 +29,7 @@ double pixels_per_radian(const scene::Scene& scene);
 
 /// How far from the eye grass stands at the farthest, not painted on the ground (far_field.h);
 /// infinite where none is.
-inline constexpr double least_standing = 0.75;  ///< of grass.far_pixels
+inline constexpr double min_standing = 0.75;  ///< of grass.far_field_below_pixels
 double farthest_standing_m(const scene::Scene& scene);
 
 /// What the camera sees: a pyramid, and how large things look.

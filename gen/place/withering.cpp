@@ -20,12 +20,12 @@ constexpr double days_per_m = 4.0 / 121.92;
 constexpr double days_per_night_k = 0.5 * days_per_m / snow::lapse_k_per_m;
 constexpr double days_of_twice_the_sun = 10.0;
 /// The field is cut at so many standard deviations.
-constexpr double most_deviations = 2.5;
+constexpr double max_deviations = 2.5;
 
 /// The terrain with few enough samples that its surroundings are soon found.
 Heightfield coarse(const Heightfield& terrain) {
-  constexpr int most_samples = 129;
-  Heightfield coarse(std::min(terrain.samples(), most_samples), terrain.square());
+  constexpr int max_samples = 129;
+  Heightfield coarse(std::min(terrain.samples(), max_samples), terrain.square());
   for (int j = 0; j < coarse.samples(); ++j)
     for (int i = 0; i < coarse.samples(); ++i) {
       const glm::dvec2 at_m = coarse.place_m(i, j);
@@ -58,8 +58,8 @@ glm::dvec3 equinox_sun(double latitude_deg) {
 /// Sunlight on a slope over that on level ground, less 1; at most twice as much counts.
 double more_sun(const glm::dvec2& gradient, const glm::dvec3& sun) {
   const glm::dvec3 normal = glm::normalize(glm::dvec3(-gradient, 1.0));
-  constexpr double least_level = 0.2;  // near the poles even slopes are not dry
-  return std::clamp(glm::dot(normal, sun) / std::max(sun.z, least_level) - 1.0, -1.0, 1.0);
+  constexpr double min_level = 0.2;  // near the poles even slopes are not dry
+  return std::clamp(glm::dot(normal, sun) / std::max(sun.z, min_level) - 1.0, -1.0, 1.0);
 }
 
 /// By how many days a place withers later than the mean one.
@@ -82,7 +82,7 @@ FactorMap delays_days(const scene::Scene& scene, const Heightfield& terrain) {
 
 /// How far the weathering degree may differ from place to place without a season.
 double amplitude(const scene::Ageing& ageing, double degree) {
-  return ageing.variation * 4.0 * degree * (1.0 - degree);
+  return ageing.age_spread * 4.0 * degree * (1.0 - degree);
 }
 
 }  // namespace
@@ -97,20 +97,20 @@ Withering::Withering(const scene::Scene& scene, const Heightfield& terrain,
     frame_days_.push_back(scene::season_days(scene.season, frame));
   spread_days_ = scene.season.spread_days;
   delay_days_ = delays_days(scene, coarse(terrain));
-  const auto [least, most] =
+  const auto [min, max] =
       std::minmax_element(delay_days_.values().begin(), delay_days_.values().end());
-  const double soil_days = most_deviations * spread_days_;
-  delays_days_ = {*least - soil_days, *most + soil_days};
+  const double soil_days = max_deviations * spread_days_;
+  delays_days_ = {*min - soil_days, *max + soil_days};
 }
 
 double Withering::noise(const glm::dvec2& at_m) const {
-  return fbm(at_m / ageing_.variation_feature_m, field_);
+  return fbm(at_m / ageing_.age_spread_feature_m, field_);
 }
 
 double Withering::at(const glm::dvec2& at_m, int frame) const {
   const auto index = static_cast<std::size_t>(frame - 1);
   if (season_) {
-    const double soil = std::clamp(noise(at_m), -most_deviations, most_deviations);
+    const double soil = std::clamp(noise(at_m), -max_deviations, max_deviations);
     return season_->weathering_at(frame_days_.at(index) - spread_days_ * soil -
                                   double{delay_days_.sample(at_m.x, at_m.y)});
   }
@@ -124,16 +124,16 @@ std::pair<double, double> Withering::range(int frame) const {
   if (season_) {
     const double from = frame_days_.at(index) - delays_days_.second;
     const double to = frame_days_.at(index) - delays_days_.first;
-    auto [least, most] = std::minmax({season_->weathering_at(from), season_->weathering_at(to)});
+    auto [min, max] = std::minmax({season_->weathering_at(from), season_->weathering_at(to)});
     for (int day = static_cast<int>(std::ceil(from)); day < to; ++day) {
-      least = std::min(least, season_->weathering_at(day));
-      most = std::max(most, season_->weathering_at(day));
+      min = std::min(min, season_->weathering_at(day));
+      max = std::max(max, season_->weathering_at(day));
     }
-    return {least, most};
+    return {min, max};
   }
   const double degree = ageing_.frames.at(index);
-  const double most = amplitude(ageing_, degree);
-  return {std::max(0.0, degree - most), std::min(1.0, degree + most)};
+  const double max = amplitude(ageing_, degree);
+  return {std::max(0.0, degree - max), std::min(1.0, degree + max)};
 }
 
 }  // namespace wold::place

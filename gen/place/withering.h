@@ -14,8 +14,8 @@ namespace wold::place {
 
 /// The weathering degree of a film's meadow, by place and frame.
 ///
-/// Without a season it is the frame's plus ageing.variation times a smooth keyed field, which fades
-/// to nothing for all-fresh and all-dry frames: the same spots wither first.
+/// Without a season it is the frame's plus ageing.age_spread times a smooth keyed field, which
+/// fades to nothing for all-fresh and all-dry frames: the same spots wither first.
 ///
 /// In a season places go through the same days earlier or later. By Hopkins' bioclimatic law (1920,
 /// Bioclimatics) autumn comes four days earlier for every 400 feet of height. What makes nights

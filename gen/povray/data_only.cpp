@@ -16,7 +16,7 @@ namespace wold::povray {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t most_shown = 40;
+constexpr std::size_t max_shown = 40;
 
 constexpr std::array<std::string_view, 3> directives = {"declare", "local", "version"};
 
@@ -173,7 +173,7 @@ void require_data_only_in(const fs::path& file) {
       "{}:{}: found \"{}\", expected numbers and names as wold writes them: the file was changed "
       "and is not given to POV-Ray. Remove it, and the same command makes it anew",
       file.string(), 1 + std::count(text.begin(), text.begin() + at, '\n'),
-      reader.rest().substr(0, std::min(most_shown, reader.rest().find('\n')))));
+      reader.rest().substr(0, std::min(max_shown, reader.rest().find('\n')))));
 }
 
 }  // namespace

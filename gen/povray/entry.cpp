@@ -41,7 +41,7 @@ const exporter::Exporter& entry() {
       // POV-Ray ends abruptly when a ray has passed some 240 surfaces and still sees more than
       // 1/255 of what is behind; where the average is less than half of them, no ray comes near
       // that.
-      .needs = {.most_flakes_on_a_ray = 110.0},
+      .needs = {.max_flakes_on_a_ray = 110.0},
       // Fitted to what examples/ write.
       .files = {.frame = 0.3e6,
                 .frame_terrain_sample = 55.0,

@@ -47,10 +47,10 @@ std::string write_grass_maps(const landscape::Landscape& scene, const fs::path& 
   const auto light_text = [&](const char* name, const ColourMap& light) {
     return map_text(name, light, vector(write_light(light, folder, name)));
   };
-  const FactorMap standing = continued(scene.standing);
-  std::string text =
-      map_text("standing", standing, number(write_factor(standing, folder / "standing.df3"))) +
-      light_text("light", continued(product(scene.light, scene.standing)));
+  const FactorMap extinction_factor = continued(scene.extinction_factor);
+  std::string text = map_text("standing", extinction_factor,
+                              number(write_factor(extinction_factor, folder / "standing.df3"))) +
+                     light_text("light", continued(product(scene.light, scene.extinction_factor)));
   if (!scene.blade_meshes.empty()) text += light_text("blade_light", continued(scene.light));
   return text;
 }
@@ -134,11 +134,11 @@ std::string place_text(const glm::dmat4& world_from_cell) {
 std::string cell_text(const landscape::Cell& cell, int volume) {
   const std::string place = place_text(cell.world_from_cell);
   if (cell.part.is_whole()) return fmt::format("Wold_cell({}, {})\n", volume, place);
-  const auto shares = [](const glm::dvec2& v) {
+  const auto fractions = [](const glm::dvec2& v) {
     return fmt::format("<{}, {}>", number(v.x), number(v.y));
   };
-  return fmt::format("Wold_part({}, {}, {}, {})\n", volume, place, shares(cell.part.low),
-                     shares(cell.part.high));
+  return fmt::format("Wold_part({}, {}, {}, {})\n", volume, place, fractions(cell.part.low),
+                     fractions(cell.part.high));
 }
 
 void write_cells(std::ostream& out, const landscape::Landscape& scene,

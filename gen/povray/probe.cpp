@@ -64,8 +64,8 @@ std::vector<std::string> command_line(const fs::path& program) {
 }
 
 bool is_bright(const Image& image, int x, int y) {
-  constexpr float least = 0.5F;
-  return image.pixel(x, y)[0] > least;
+  constexpr float min = 0.5F;
+  return image.pixel(x, y)[0] > min;
 }
 
 }  // namespace

@@ -20,11 +20,11 @@ struct Spot {
 };
 
 glm::dvec2 at_least(const glm::dvec2& half_px, double& opacity) {
-  constexpr double least_px = 0.6;
+  constexpr double min_px = 0.6;
   const double length_px = glm::length(half_px);
-  if (length_px >= least_px || length_px == 0.0) return half_px;
-  opacity *= length_px / least_px;
-  return half_px * (least_px / length_px);
+  if (length_px >= min_px || length_px == 0.0) return half_px;
+  opacity *= length_px / min_px;
+  return half_px * (min_px / length_px);
 }
 
 Spot spot_of(const Flake& flake, const landscape::Perspective& perspective) {

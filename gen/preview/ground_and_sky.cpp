@@ -38,9 +38,9 @@ class Distances {
     const auto [near_m, far_m] =
         std::minmax({coarse_m_[index(i, j)], coarse_m_[index(right, j)], coarse_m_[index(i, below)],
                      coarse_m_[index(right, below)]});
-    constexpr double most_ratio = 1.1;
-    const bool is_even = far_m < most_ratio * near_m;
-    return marched_m(x, y, is_even ? near_m / most_ratio : 0.0);
+    constexpr double max_ratio = 1.1;
+    const bool is_even = far_m < max_ratio * near_m;
+    return marched_m(x, y, is_even ? near_m / max_ratio : 0.0);
   }
 
  private:

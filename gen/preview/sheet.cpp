@@ -53,9 +53,9 @@ void draw_line(Image& picture, const glm::dvec2& from_px, const glm::dvec2& to_p
       const glm::dvec2 at(x + 0.5, y + 0.5);
       const double t = std::clamp(glm::dot(at - from_px, along) / square, 0.0, 1.0);
       const double away = glm::length(at - from_px - t * along);
-      const auto share = static_cast<float>(std::clamp(half_width_px + 0.5 - away, 0.0, 1.0));
+      const auto fraction = static_cast<float>(std::clamp(half_width_px + 0.5 - away, 0.0, 1.0));
       for (int c = 0; c < 3; ++c)
-        picture.pixel(x, y)[c] = std::lerp(picture.pixel(x, y)[c], colour[c], share);
+        picture.pixel(x, y)[c] = std::lerp(picture.pixel(x, y)[c], colour[c], fraction);
     }
 }
 

@@ -31,16 +31,17 @@ void paint_triangle(const std::array<Corner, 3>& corners, Canvas& canvas) {
   for (int y = static_cast<int>(low.y); y < high.y; ++y)
     for (int x = static_cast<int>(low.x); x < high.x; ++x) {
       const glm::dvec2 at(x + 0.5, y + 0.5);
-      const glm::dvec3 share = glm::dvec3(area(b, c, at), area(c, a, at), area(a, b, at)) / whole;
-      if (share.x < 0.0 || share.y < 0.0 || share.z < 0.0) continue;
-      const double depth_m =
-          share.x * corners[0].seen.z + share.y * corners[1].seen.z + share.z * corners[2].seen.z;
+      const glm::dvec3 fraction =
+          glm::dvec3(area(b, c, at), area(c, a, at), area(a, b, at)) / whole;
+      if (fraction.x < 0.0 || fraction.y < 0.0 || fraction.z < 0.0) continue;
+      const double depth_m = fraction.x * corners[0].seen.z + fraction.y * corners[1].seen.z +
+                             fraction.z * corners[2].seen.z;
       float& nearest = canvas.depth_at(x, y);
       if (depth_m >= nearest) continue;
       nearest = static_cast<float>(depth_m);
-      const glm::vec3 radiance = float(share.x) * corners[0].radiance +
-                                 float(share.y) * corners[1].radiance +
-                                 float(share.z) * corners[2].radiance;
+      const glm::vec3 radiance = float(fraction.x) * corners[0].radiance +
+                                 float(fraction.y) * corners[1].radiance +
+                                 float(fraction.z) * corners[2].radiance;
       std::copy_n(&radiance.x, 3, canvas.radiance.pixel(x, y));
     }
 }
@@ -53,12 +54,12 @@ void paint_quad(const Corner& a, const Corner& b, const Corner& c, const Corner&
   paint_triangle({a, c, d}, canvas);
 }
 
-constexpr int fewest_rings = 4;
-constexpr int most_rings = 7;
+constexpr int min_rings = 4;
+constexpr int max_rings = 7;
 
 /// At most that many of the rings of a tube, from the first to the last.
-std::vector<int> drawn_rings(int rings, int most) {
-  const int count = std::min(rings, most);
+std::vector<int> drawn_rings(int rings, int max) {
+  const int count = std::min(rings, max);
   std::vector<int> drawn;
   drawn.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) drawn.push_back(i * (rings - 1) / std::max(1, count - 1));
@@ -82,8 +83,8 @@ bool is_small(const Tubes& tubes, std::size_t tube, const glm::dmat4& world_from
 
 void paint_tubes(const Tubes& tubes, const glm::dmat4& world_from_cell, const LightAt& light,
                  const landscape::Perspective& perspective, Canvas& canvas) {
-  const std::vector<int> few = drawn_rings(tubes.rings, fewest_rings);
-  const std::vector<int> many = drawn_rings(tubes.rings, most_rings);
+  const std::vector<int> few = drawn_rings(tubes.rings, min_rings);
+  const std::vector<int> many = drawn_rings(tubes.rings, max_rings);
   const auto corners = static_cast<std::size_t>(tubes.corners);
   std::vector<Corner> tube(many.size() * corners);
   for (std::size_t t = 0; t < tubes.count(); ++t) {

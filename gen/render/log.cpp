@@ -27,9 +27,9 @@ Log::Log(const std::filesystem::path& path) : path_(path) {
 }
 
 void Log::add(std::string_view line) {
-  const bool was_full = bytes_ > most_bytes;
+  const bool was_full = bytes_ > max_bytes;
   bytes_ += line.size() + 1;
-  if (bytes_ <= most_bytes)
+  if (bytes_ <= max_bytes)
     file_ << line << std::endl;  // flushed: people watch it
   else if (!was_full)
     file_ << "... the rest is left out" << std::endl;

@@ -9,10 +9,10 @@
 namespace wold::render {
 
 /// The renderer's own words on disk, line by line as they come, with the last ones at hand. A
-/// renderer that never stops talking does not fill the disk: what is beyond most_bytes is left out.
+/// renderer that never stops talking does not fill the disk: what is beyond max_bytes is left out.
 class Log {
  public:
-  static constexpr std::size_t most_bytes = std::size_t{16} << 20;
+  static constexpr std::size_t max_bytes = std::size_t{16} << 20;
 
   /// Starts an empty file, and its folder. Throws FileError, also where a link lies in its place.
   explicit Log(const std::filesystem::path& path);

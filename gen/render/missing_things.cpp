@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/image.h"
-#include "render/shown_share.h"
+#include "render/shown_fraction.h"
 
 namespace wold::render {
 namespace {
@@ -23,10 +23,10 @@ std::string missing_things(const std::filesystem::path& picture, const ExpectedP
   if (expected.things.empty()) return {};
   const Image image = read_image(picture);
   for (const ExpectedThings& things : expected.things) {
-    const ShownShare shown = shown_share(image, expected, things);
-    if (shown.contrast < least_contrast || shown.share >= things.least_share) continue;
+    const ShownFraction shown = shown_fraction(image, expected, things);
+    if (shown.contrast < min_contrast || shown.fraction >= things.min_fraction) continue;
     return fmt::format("its picture shows {:.0f} % of the {} that should be there{}",
-                       100.0 * std::max(0.0, shown.share), things.name,
+                       100.0 * std::max(0.0, shown.fraction), things.name,
                        advice(renderer, things.name));
   }
   return {};

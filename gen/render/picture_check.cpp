@@ -12,7 +12,7 @@ namespace wold::render {
 namespace {
 
 // Half a step of 8 bit: less variation than that is one colour.
-constexpr double least_deviation = 0.5 / 255.0;
+constexpr double min_deviation = 0.5 / 255.0;
 
 /// Standard deviation of one channel over the pixels.
 double deviation(const Image& image, int channel) {
@@ -33,7 +33,7 @@ double deviation(const Image& image, int channel) {
 /// Whether the colour never changes; an alpha channel is not looked at.
 bool is_blank(const Image& image) {
   for (int channel = 0; channel < std::min(image.channels, 3); ++channel)
-    if (deviation(image, channel) > least_deviation) return false;
+    if (deviation(image, channel) > min_deviation) return false;
   return true;
 }
 

@@ -156,18 +156,18 @@ std::optional<ProcessEnd> run_to_end(const std::vector<std::string>& arguments,
                                      const std::function<bool()>& interrupted) {
   using Clock = std::chrono::steady_clock;
   Process process(arguments, folder, limits.memory_bytes);
-  double most_memory_bytes = 0.0;
+  double max_memory_bytes = 0.0;
   const auto deadline = Clock::now() + limits.time;
   while (!process.ended()) {
     hear(process.read(patience));
-    most_memory_bytes = std::max(most_memory_bytes, process.memory_bytes());
+    max_memory_bytes = std::max(max_memory_bytes, process.memory_bytes());
     if (interrupted()) throw InterruptedError();
     if (Clock::now() > deadline) return std::nullopt;
   }
   process.stop();
   for (std::string rest; !(rest = process.read({})).empty();) hear(rest);
   std::optional<ProcessEnd> end = process.ended();
-  if (end) end->most_memory_bytes = most_memory_bytes;
+  if (end) end->max_memory_bytes = max_memory_bytes;
   return end;
 }
 

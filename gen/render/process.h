@@ -17,7 +17,7 @@ struct ProcessEnd {
   int code = 0;
   int signal = 0;  ///< 0: none
   /// That the program was seen to have, without its children; of run_to_end().
-  double most_memory_bytes = 0.0;
+  double max_memory_bytes = 0.0;
 };
 
 /// What a program may take.

@@ -110,7 +110,7 @@ double render_to(const fs::path& output, const Job& job, Progress& progress,
     throw failure(job, log, problem);
   drop_notes(output);
   percent.reach(1.0);
-  return end.most_memory_bytes;
+  return end.max_memory_bytes;
 }
 
 /// Removes what a stopped renderer leaves beside its output, such as POV-Ray's state file.
@@ -145,14 +145,14 @@ double run(const Job& job, Progress& progress, const std::function<bool()>& inte
   std::error_code ignored;
   fs::remove(picture, ignored);
   progress.begin(fmt::format("{} frame {}", display_name(*job.program.kind), job.frame), 100);
-  double most_memory_bytes = 0.0;
+  double max_memory_bytes = 0.0;
   write_file_by_path(picture, [&](const fs::path& output) {
     require_writable(output);
     const Leftovers leftovers(output);
-    most_memory_bytes = render_to(output, job, progress, interrupted);
+    max_memory_bytes = render_to(output, job, progress, interrupted);
   });
   progress.end();
-  return most_memory_bytes;
+  return max_memory_bytes;
 }
 
 }  // namespace wold::render

@@ -18,8 +18,8 @@ std::string how_it_ended(const Answer& answer) {
 }
 
 std::string last_lines(const Answer& answer) {
-  constexpr std::size_t most = 8;
-  const std::size_t first = answer.lines.size() - std::min(most, answer.lines.size());
+  constexpr std::size_t max = 8;
+  const std::size_t first = answer.lines.size() - std::min(max, answer.lines.size());
   std::string text;
   for (std::size_t i = first; i < answer.lines.size(); ++i) text += "\n    " + answer.lines[i];
   return text;

@@ -22,10 +22,10 @@ void check_bounds(double low, double high) {
 
 /// The smallest of 1, 2, 5 times a power of ten that divides `range` into at most six parts.
 double round_step(double range) {
-  constexpr double most_steps = 6.0;
-  const double decade = math::pow(10.0, std::floor(math::log10(range / most_steps)));
+  constexpr double max_steps = 6.0;
+  const double decade = math::pow(10.0, std::floor(math::log10(range / max_steps)));
   for (const double factor : {1.0, 2.0, 5.0})
-    if (range <= most_steps * factor * decade * (1.0 + rounding)) return factor * decade;
+    if (range <= max_steps * factor * decade * (1.0 + rounding)) return factor * decade;
   return 10.0 * decade;
 }
 

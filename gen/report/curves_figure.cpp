@@ -94,9 +94,9 @@ Panel water_panel(const WitheringCurves& curves) {
 }
 
 double largest(const WitheringCurves& curves, const ValueOf& value_of) {
-  double most = 0.0;
-  for (const WitheredState& state : curves.states) most = std::max(most, value_of(state));
-  return most;
+  double max = 0.0;
+  for (const WitheredState& state : curves.states) max = std::max(max, value_of(state));
+  return max;
 }
 
 /// The two tissues by two of their properties, in the same pens everywhere.
@@ -109,9 +109,9 @@ std::vector<Line> tissue_lines(const WitheringCurves& curves, const ValueOf& mes
 Panel strain_panel(const WitheringCurves& curves) {
   const ValueOf mesophyll = [](const WitheredState& s) { return s.tissue.strain_mesophyll; };
   const ValueOf vein = [](const WitheredState& s) { return s.tissue.strain_vein; };
-  const double most = std::max(largest(curves, mesophyll), largest(curves, vein));
+  const double max = std::max(largest(curves, mesophyll), largest(curves, vein));
   return {"Shrinkage of the tissues", weathering_axis(),
-          chart::linear_axis("strain (share of volume lost)", 0.0, most),
+          chart::linear_axis("strain (share of volume lost)", 0.0, max),
           tissue_lines(curves, mesophyll, vein)};
 }
 
@@ -148,15 +148,15 @@ Line spectrum_line(const WitheringCurves& curves, const WitheredState& state) {
 }
 
 Panel spectra_panel(const WitheringCurves& curves) {
-  double most = 0.0;
+  double max = 0.0;
   std::vector<Line> lines;
   for (std::size_t i = 0; i < curves.states.size(); i += spectra_step) {
     lines.push_back(spectrum_line(curves, curves.states[i]));
-    for (const glm::dvec2& point : lines.back().points) most = std::max(most, point.y);
+    for (const glm::dvec2& point : lines.back().points) max = std::max(max, point.y);
   }
   return {"Reflectance, in the leaf's own colour",
           chart::linear_axis("wavelength (nm)", first_nm, last_nm, 50.0),
-          chart::linear_axis("reflectance", 0.0, most), std::move(lines), "degree:"};
+          chart::linear_axis("reflectance", 0.0, max), std::move(lines), "degree:"};
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace wold::report {
 
 /// The curves as columns, one row per weathering degree. Contents are relative to the fresh leaf,
-/// strains are shares of the volume lost, the colour is encoded sRGB from 0 to 1.
+/// strains are fractions of the volume lost, the colour is encoded sRGB from 0 to 1.
 std::vector<Column> withering_table(const grass::WitheringCurves& curves);
 
 }  // namespace wold::report

@@ -84,7 +84,7 @@ std::string lower_case(std::string text) {
 
 /// What the renderers warned of, each once.
 void read_log_warnings(const fs::path& out, ReportFacts& facts) {
-  constexpr std::size_t most = 20;
+  constexpr std::size_t max = 20;
   std::map<std::string, int> counts;
   for (const fs::path& path : files_below(out / "logs")) {
     std::istringstream lines(read_file(path));
@@ -93,13 +93,13 @@ void read_log_warnings(const fs::path& out, ReportFacts& facts) {
   }
   std::size_t shown = 0;
   for (const auto& [line, count] : counts) {
-    if (++shown > most) break;
+    if (++shown > max) break;
     facts.warnings.push_back(count == 1 ? fmt::format("Log: {}", line)
                                         : fmt::format("Logs, {} times: {}", count, line));
   }
-  if (counts.size() > most)
+  if (counts.size() > max)
     facts.warnings.push_back(
-        fmt::format("{} more kinds of warnings are in the logs.", counts.size() - most));
+        fmt::format("{} more kinds of warnings are in the logs.", counts.size() - max));
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ namespace wold::report {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double most_bytes = 20e6;  // of JPEG; base64 makes a third more of them
-constexpr std::size_t most_frames = 240;
+constexpr double max_bytes = 20e6;  // of JPEG; base64 makes a third more of them
+constexpr std::size_t max_frames = 240;
 
 /// From the best to the smallest.
 constexpr std::array forms = {PagePicture{1280, 85}, PagePicture{960, 82}, PagePicture{800, 78},
@@ -24,7 +24,7 @@ constexpr std::array forms = {PagePicture{1280, 85}, PagePicture{960, 82}, PageP
 
 /// Every so manieth frame, so that there are not too many.
 std::vector<int> thinned(const std::vector<int>& frames) {
-  const std::size_t step = (frames.size() + most_frames - 1) / most_frames;
+  const std::size_t step = (frames.size() + max_frames - 1) / max_frames;
   std::vector<int> some;
   for (std::size_t i = 0; i < frames.size(); i += step) some.push_back(frames[i]);
   return some;
@@ -66,7 +66,7 @@ double mean_bytes(const ReportFacts& facts, const PagePicture& form) {
 PagePicture form_for(const ReportFacts& facts, std::size_t frames) {
   const double pictures = static_cast<double>(frames * facts.pictures.size());
   for (const PagePicture& form : forms)
-    if (mean_bytes(facts, form) * pictures < most_bytes) return form;
+    if (mean_bytes(facts, form) * pictures < max_bytes) return form;
   return forms.back();
 }
 

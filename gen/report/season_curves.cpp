@@ -51,12 +51,12 @@ chart::Line line_of(std::span<const SeasonDay> days, const TimeScale& time, Valu
 }
 
 chart::Panel snow_panel(std::span<const SeasonDay> days, const TimeScale& time, Value value,
-                        const char* title, const char* axis, double least_range) {
-  double most = least_range;
-  for (const SeasonDay& day : days) most = std::max(most, day.*value);
+                        const char* title, const char* axis, double min_range) {
+  double max = min_range;
+  for (const SeasonDay& day : days) max = std::max(max, day.*value);
   return {title,
           time.axis(),
-          chart::linear_axis(axis, 0.0, most),
+          chart::linear_axis(axis, 0.0, max),
           {line_of(days, time, value, "", blue)}};
 }
 

@@ -27,7 +27,7 @@ std::string with_unit(const Key& key, const auto& value) {
 }
 
 MaybeFault count_fault(const ListRule& rule, std::size_t count) {
-  if (count >= rule.fewest && count <= rule.most) return std::nullopt;
+  if (count >= rule.min_items && count <= rule.max_items) return std::nullopt;
   return Fault{fmt::format("a list of {}", count)};
 }
 
@@ -75,10 +75,10 @@ bool is_path(const std::string& text) {
 /// "EPSG:" and a number.
 bool is_system(std::string_view text) {
   constexpr std::string_view authority = "EPSG:";
-  constexpr std::size_t most_digits = 6;
+  constexpr std::size_t max_digits = 6;
   if (!text.starts_with(authority)) return text.empty();
   const std::string_view digits = text.substr(authority.size());
-  return !digits.empty() && digits.size() <= most_digits &&
+  return !digits.empty() && digits.size() <= max_digits &&
          std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
 }
 

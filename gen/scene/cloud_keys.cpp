@@ -11,7 +11,7 @@ std::vector<Key> cloud_keys(std::size_t item) {
   return {
       bound(word("clouds.kind", "A veil, rolls and patches, heaps, or fibres."),
             ITEM_FIELD(clouds, kind)),
-      bound(list(Kind::files, "clouds.textures", "", {0, 0}, {.fewest = 0, .most = 16},
+      bound(list(Kind::files, "clouds.textures", "", {0, 0}, {.min_items = 0, .max_items = 16},
                  "Pictures of clouds, whose alpha or else luminance is the opacity; without any, "
                  "textures are made for the kind. Relative paths start at the scene file."),
             ITEM_FIELD(clouds, textures)),
@@ -24,7 +24,7 @@ std::vector<Key> cloud_keys(std::size_t item) {
       bound(automatic("clouds.cell", "m", {10, 100000},
                       "Side of the square that one texture covers; the layer's scale."),
             ITEM_FIELD(clouds, cell_m)),
-      bound(list(Kind::integers, "clouds.cells", "", {1, 64}, {.fewest = 2, .most = 2},
+      bound(list(Kind::integers, "clouds.cells", "", {1, 64}, {.min_items = 2, .max_items = 2},
                  "Cells to the east and to the north after which the layer repeats; the paper's m "
                  "and n."),
             ITEM_FIELD(clouds, cells)),
@@ -68,17 +68,19 @@ std::vector<Key> cloud_event_keys(std::size_t item) {
                  "The wind turns and shears the clouds, drift grows or falls, clouds gather or "
                  "dissipate, or their light changes colour."),
             ITEM_FIELD(cloud_events, kind)),
-      bound(integer("cloud_events.layer", "", {0, static_cast<double>(most_cloud_layers)},
+      bound(integer("cloud_events.layer", "", {0, static_cast<double>(max_cloud_layers)},
                     "To which [[clouds]] it happens, counted from 1; 0 is all."),
             ITEM_FIELD(cloud_events, layer)),
       bound(number("cloud_events.start", "s", {0, 1e9}, "When it begins, since the first frame."),
             ITEM_FIELD(cloud_events, start_s)),
       bound(number("cloud_events.duration", "s", {0.001, 1e9}, "How long it takes."),
             ITEM_FIELD(cloud_events, duration_s)),
-      bound(list(Kind::integers, "cloud_events.date", "", {1, 2999}, {.fewest = 0, .most = 3},
-                 "In a season: year, month and day on which it begins, instead of start."),
-            ITEM_FIELD(cloud_events, date)),
-      bound(list(Kind::integers, "cloud_events.until", "", {1, 2999}, {.fewest = 0, .most = 3},
+      bound(
+          list(Kind::integers, "cloud_events.date", "", {1, 2999}, {.min_items = 0, .max_items = 3},
+               "In a season: year, month and day on which it begins, instead of start."),
+          ITEM_FIELD(cloud_events, date)),
+      bound(list(Kind::integers, "cloud_events.until", "", {1, 2999},
+                 {.min_items = 0, .max_items = 3},
                  "In a season, with date: the day on which it has happened, instead of duration."),
             ITEM_FIELD(cloud_events, until)),
       bound(number("cloud_events.heading", "deg", {0, 360},
@@ -95,8 +97,8 @@ std::vector<Key> cloud_event_keys(std::size_t item) {
             ITEM_FIELD(cloud_events, factor)),
       bound(number("cloud_events.fraction", "", {0, 1},
                    "Gather, dissipate: how much of the way to the whole layer, or to a clear sky."),
-            ITEM_FIELD(cloud_events, by)),
-      bound(list(Kind::numbers, "cloud_events.colour", "", {0, 1}, {.fewest = 0, .most = 3},
+            ITEM_FIELD(cloud_events, fraction)),
+      bound(list(Kind::numbers, "cloud_events.colour", "", {0, 1}, {.min_items = 0, .max_items = 3},
                  "Light: its colour afterwards, linear red, green and blue, where [1, 1, 1] is a "
                  "clear day; an empty list takes it from sun_elevation."),
             ITEM_FIELD(cloud_events, colour)),

@@ -18,9 +18,9 @@ namespace {
 
 /// Soil creep reaches about a metre in steps of a sample: its work grows as samples^4 / size^2, to
 /// about 10^10 operations at this limit.
-constexpr double most_samples_per_root_m = 376.0;
+constexpr double max_samples_per_root_m = 376.0;
 /// Square metres of leaf per square metre of ground; dense turf has 10.
-constexpr double most_leaf_area = 50.0;
+constexpr double max_leaf_area = 50.0;
 Rule inside_terrain(const std::string& key, const std::array<double, 2>& place_m, double size_m) {
   const bool inside =
       place_m[0] >= 0.0 && place_m[0] <= size_m && place_m[1] >= 0.0 && place_m[1] <= size_m;
@@ -50,29 +50,29 @@ Rule date_is_a_day(const Sun& sun) {
 
 /// The sky's model needs a sun.
 Rule sun_is_up(const Sun& sun) {
-  constexpr double least_deg = 1.0;
+  constexpr double min_deg = 1.0;
   const bool dated = sun.date.size() == 3 && date_of(sun.date).ok();
   const double elevation_deg = dated ? sun_position(sun).elevation_deg : 90.0;
   return {
       {"sun.time", "sun.date", "sun.latitude", "sun.longitude"},
-      elevation_deg >= least_deg,
+      elevation_deg >= min_deg,
       fmt::format("sun.time: found {} h, when the sun stands at {:.1f} degrees, expected a time "
                   "when it is {} degree above the horizon at least",
-                  sun.time_h, elevation_deg, least_deg)};
+                  sun.time_h, elevation_deg, min_deg)};
 }
 
 /// A day has its own sun, and so has a season.
 Rule sun_ends_where_it_may(const Scene& scene) {
-  constexpr double least_deg = 1.0, most_deg = 90.0;
+  constexpr double min_deg = 1.0, max_deg = 90.0;
   const std::vector<double>& end = scene.sun.end;
   const bool dated = !scene.sun.date.empty() || is_season(scene);
-  const bool up = end.size() != 2 || (end[0] >= least_deg && end[0] <= most_deg);
+  const bool up = end.size() != 2 || (end[0] >= min_deg && end[0] <= max_deg);
   return {{"sun.end"},
           end.empty() || (up && !dated),
           dated ? "sun.end: found a place, but the sun stands where it stood on a day; expected no "
                   "sun.end, or neither sun.date nor season.first"
                 : fmt::format("sun.end: found a height of {} degrees, expected {} to {}",
-                              end.empty() ? 0.0 : end[0], least_deg, most_deg)};
+                              end.empty() ? 0.0 : end[0], min_deg, max_deg)};
 }
 
 Rule grows_somewhere(const Growth& growth) {
@@ -125,23 +125,23 @@ Rule patch_fits(const Scene& scene) {
 }
 
 Rule heights_are_coarse_enough(const Terrain& terrain) {
-  const int most = static_cast<int>(most_samples_per_root_m * std::sqrt(terrain.size_m));
+  const int max = static_cast<int>(max_samples_per_root_m * std::sqrt(terrain.size_m));
   return {
       {"terrain.samples", "terrain.size"},
-      terrain.samples <= most,
+      terrain.samples <= max,
       fmt::format("terrain.samples: found {}, expected at most {} on {} m (terrain.size): finer "
                   "heights take erosion minutes and show no more",
-                  terrain.samples, most, terrain.size_m)};
+                  terrain.samples, max, terrain.size_m)};
 }
 
 Rule blades_leave_room(const Scene& scene) {
   const Grass& grass = scene.grass;
   const double leaf_area = blade_area_m2(scene) / (grass.patch_m * grass.patch_m);
   return {{"grass.blades", "grass.patch", "grass.width", "grass.height"},
-          leaf_area <= most_leaf_area,
+          leaf_area <= max_leaf_area,
           fmt::format("grass.blades: found {} blades, {:.0f} m2 of leaf on each m2 of ground, "
                       "expected at most {} m2: fewer or smaller blades, or a larger grass.patch",
-                      grass.blades, leaf_area, most_leaf_area)};
+                      grass.blades, leaf_area, max_leaf_area)};
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 
 /// toml++ frees nested tables by recursion, so a text of a million "a.a.a" would overflow the
 /// stack. Every second dot of such a chain at least is counted here, those of numbers are not.
-constexpr std::size_t most_key_dots = 2000;
+constexpr std::size_t max_key_dots = 2000;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -41,7 +41,7 @@ InputError at(const SourcePosition& where, std::string message) {
 void refuse_unreasonable(std::string_view text, const SourcePosition& where) {
   if (text.size() > largest_text_bytes)
     throw at(where, fmt::format("too much text, expected at most {} bytes", largest_text_bytes));
-  if (key_dots(text) > most_key_dots)
+  if (key_dots(text) > max_key_dots)
     throw at(where, "tables nested far too deep; every key of a scene has at most one dot");
 }
 

@@ -52,16 +52,16 @@ std::string curve_text(const Key& key) {
   return fmt::format(
       "{}, or a list of {} to {} points [weathering degree, value], the degree rising from 0 to 1, "
       "values from {} to {}{}",
-      words_text(key), key.points.fewest, key.points.most, key.lowest, key.highest,
+      words_text(key), key.points.min_items, key.points.max_items, key.lowest, key.highest,
       order_text(key.points.order));
 }
 
 std::string list_text(const Key& key, const char* items) {
   const ListRule& rule = key.list;
-  std::string text =
-      rule.fewest == rule.most
-          ? fmt::format("{} {} {}", rule.fewest, items, range_text(key))
-          : fmt::format("a list of {} to {} {} {}", rule.fewest, rule.most, items, range_text(key));
+  std::string text = rule.min_items == rule.max_items
+                         ? fmt::format("{} {} {}", rule.min_items, items, range_text(key))
+                         : fmt::format("a list of {} to {} {} {}", rule.min_items, rule.max_items,
+                                       items, range_text(key));
   text += order_text(rule.order);
   if (rule.spans_range)
     text += fmt::format(", the first {} and the last {}", key.lowest, key.highest);
@@ -79,7 +79,8 @@ std::string expected(const Key& key) {
     case Kind::automatic:
       return fmt::format("a number {}, or \"{}\"", range_text(key), automatic_word);
     case Kind::files:
-      return fmt::format("a list of {} to {} paths of files", key.list.fewest, key.list.most);
+      return fmt::format("a list of {} to {} paths of files", key.list.min_items,
+                         key.list.max_items);
     case Kind::name:
       return "a file name of 1 to 64 letters, digits, '_', '-' and '.' that starts with a letter "
              "or digit";
@@ -97,8 +98,8 @@ std::string expected(const Key& key) {
     case Kind::curve:
       return curve_text(key);
     case Kind::curves:
-      return fmt::format("a list of {} to {} curves, each {}", key.list.fewest, key.list.most,
-                         curve_text(key));
+      return fmt::format("a list of {} to {} curves, each {}", key.list.min_items,
+                         key.list.max_items, curve_text(key));
   }
   return {};
 }

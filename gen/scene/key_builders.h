@@ -53,22 +53,22 @@ inline Key word(std::string name, std::vector<std::string> words, const char* do
 inline Key words(std::string name, std::vector<std::string> words, const char* doc) {
   Key key = word(std::move(name), std::move(words), doc);
   key.kind = Kind::words;
-  key.list = {.fewest = 1, .most = key.words.size()};
+  key.list = {.min_items = 1, .max_items = key.words.size()};
   return key;
 }
 
 inline Key curve(std::string name, std::vector<std::string> words, const char* doc) {
   Key key = plain(Kind::curve, std::move(name), "", {0, 1}, doc);
   key.words = std::move(words);
-  key.points = {.fewest = 2, .most = 1000};
+  key.points = {.min_items = 2, .max_items = 1000};
   return key;
 }
 
-inline Key rates(std::string name, std::vector<std::string> words, std::size_t most,
+inline Key rates(std::string name, std::vector<std::string> words, std::size_t max,
                  const char* doc) {
   Key key = curve(std::move(name), std::move(words), doc);
   key.kind = Kind::curves;
-  key.list = {.fewest = 0, .most = most};
+  key.list = {.min_items = 0, .max_items = max};
   key.points.order = Order::not_falling;
   return key;
 }

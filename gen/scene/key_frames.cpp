@@ -6,8 +6,8 @@
 namespace wold::scene {
 namespace {
 
-constexpr int fewest_steps = 12;
-constexpr int most_steps = 48;
+constexpr int min_steps = 12;
+constexpr int max_steps = 48;
 
 /// The least that the weathering degree changes by between two frames, where it changes at all.
 double shortest_step(const std::vector<double>& frames) {
@@ -23,7 +23,7 @@ double shortest_step(const std::vector<double>& frames) {
 std::vector<double> key_frames(const Scene& scene) {
   if (!scene.grass.key_frames.empty()) return scene.grass.key_frames;
   const double wanted = std::ceil(1.0 / shortest_step(scene.ageing.frames) - 1e-9);
-  const auto steps = static_cast<int>(std::clamp(wanted, double{fewest_steps}, double{most_steps}));
+  const auto steps = static_cast<int>(std::clamp(wanted, double{min_steps}, double{max_steps}));
   std::vector<double> degrees;
   for (int i = 0; i <= steps; ++i) degrees.push_back(static_cast<double>(i) / steps);
   return degrees;

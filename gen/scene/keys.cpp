@@ -10,8 +10,8 @@
 namespace wold::scene {
 namespace {
 
-constexpr ListRule pair = {.fewest = 2, .most = 2};
-constexpr ListRule colour = {.fewest = 3, .most = 3};
+constexpr ListRule pair = {.min_items = 2, .max_items = 2};
+constexpr ListRule colour = {.min_items = 3, .max_items = 3};
 
 Key renderer_key() {
   Key key = words("render.renderer", renderer_words(), "Who makes the pictures.");
@@ -47,7 +47,7 @@ std::vector<Key> terrain_keys() {
                   "does not say it or says another: 4326 is longitude and latitude; without "
                   "either, its coordinates are metres."),
             FIELD(terrain.system)),
-      bound(list(Kind::numbers, "terrain.centre", "", {-1e8, 1e8}, {.fewest = 0, .most = 2},
+      bound(list(Kind::numbers, "terrain.centre", "", {-1e8, 1e8}, {.min_items = 0, .max_items = 2},
                  "Middle of the square in the elevation model's own coordinates, east and north or "
                  "longitude and latitude; an empty list is the model's middle."),
             FIELD(terrain.centre)),
@@ -89,7 +89,7 @@ std::vector<Key> growth_keys() {
   return {
       bound(number("growth.cover", "", {0, 1},
                    "Share of the ground within the limits that is grown over."),
-            FIELD(growth.share)),
+            FIELD(growth.cover)),
       bound(number("growth.feature", "m", {0.1, 10000}, "Size of the bare patches."),
             FIELD(growth.feature_m)),
       bound(number("growth.steepest", "deg", {0, 90}, "Steepest slope on which grass grows."),
@@ -113,7 +113,7 @@ std::vector<Key> sun_keys() {
             FIELD(sun.elevation_deg)),
       bound(number("sun.azimuth", "deg", {0, 360}, "Where the sun stands, clockwise from north."),
             FIELD(sun.azimuth_deg)),
-      bound(list(Kind::integers, "sun.date", "", {1, 2999}, {.fewest = 0, .most = 3},
+      bound(list(Kind::integers, "sun.date", "", {1, 2999}, {.min_items = 0, .max_items = 3},
                  "Year, month and day: the sun stands where it stood then, not at sun.elevation "
                  "and sun.azimuth; an empty list is no day."),
             FIELD(sun.date)),
@@ -122,7 +122,7 @@ std::vector<Key> sun_keys() {
             FIELD(sun.latitude_deg)),
       bound(number("sun.longitude", "deg", {-180, 180}, "Where, east positive."),
             FIELD(sun.longitude_deg)),
-      bound(list(Kind::numbers, "sun.end", "deg", {0, 360}, {.fewest = 0, .most = 2},
+      bound(list(Kind::numbers, "sun.end", "deg", {0, 360}, {.min_items = 0, .max_items = 2},
                  "Where the sun has moved to in the last frame: height above the horizon, 1 at "
                  "least, and direction; an empty list is nowhere. Not with sun.date and not in a "
                  "season, whose sun has its own way."),
@@ -190,12 +190,13 @@ std::vector<Key> camera_keys() {
           FIELD(camera.target_height_m)),
       bound(number("camera.field_of_view", "deg", {5, 150}, "Horizontal angle of view."),
             FIELD(camera.field_of_view_deg)),
-      bound(list(Kind::numbers, "camera.eye_end", "m", {0, 200000}, {.fewest = 0, .most = 3},
-                 "Where the camera has moved to in the last frame: east, north and height above "
-                 "the ground; an empty list is nowhere."),
-            FIELD(camera.eye_end)),
-      bound(list(Kind::numbers, "camera.target_end", "m", {0, 200000}, {.fewest = 0, .most = 3},
-                 "Where it looks in the last frame, likewise."),
+      bound(
+          list(Kind::numbers, "camera.eye_end", "m", {0, 200000}, {.min_items = 0, .max_items = 3},
+               "Where the camera has moved to in the last frame: east, north and height above "
+               "the ground; an empty list is nowhere."),
+          FIELD(camera.eye_end)),
+      bound(list(Kind::numbers, "camera.target_end", "m", {0, 200000},
+                 {.min_items = 0, .max_items = 3}, "Where it looks in the last frame, likewise."),
             FIELD(camera.target_end)),
   };
 }

@@ -65,7 +65,8 @@ constexpr auto words_of(SnowfallStrength) {
 enum class Law { physical, paper };
 constexpr auto words_of(Law) { return std::array{"physical", "paper"}; }
 
-/// snowfall.crystal: what near flakes look like. `mixed` is a share of each that depends on size.
+/// snowfall.crystal: what near flakes look like. `mixed` is a fraction of each that depends on
+/// size.
 enum class CrystalChoice { mixed, dendrite, plate, column, aggregate };
 constexpr auto words_of(CrystalChoice) {
   return std::array{"mixed", "dendrite", "plate", "column", "aggregate"};

@@ -7,8 +7,15 @@ namespace wold::scene {
 namespace {
 
 constexpr std::array renamed = {
-    OldName{"growth.share", "growth.cover"},
+    OldName{"ageing.variation", "ageing.age_spread"},
+    OldName{"ageing.variation_feature", "ageing.age_spread_feature"},
+    OldName{"ageing.variety", "ageing.pigment_spread"},
+    OldName{"ageing.variety_feature", "ageing.pigment_spread_feature"},
     OldName{"cloud_events.by", "cloud_events.fraction"},
+    OldName{"grass.far_pixels", "grass.far_field_below_pixels"},
+    OldName{"grass.gloss", "grass.specular_exponent"},
+    OldName{"grass.proportion", "grass.points_per_voxel_face"},
+    OldName{"growth.share", "growth.cover"},
 };
 
 /// Where the number of an item stands in a key's name, "[1]" of "clouds[1].kind"; else empty.

@@ -57,11 +57,11 @@ void append_items(const Document& document, Reading& reading) {
   for (const Section& section : document.sections) {
     const TableArray* array = section.item ? find_array(section.name) : nullptr;
     if (array == nullptr) continue;
-    if (*section.item == array->most)
+    if (*section.item == array->max_items)
       reading.problems.push_back(
           {section.where, fmt::format("{}: found {} [[{}]], expected at most {}", array->name,
-                                      array->most + 1, array->name, array->most)});
-    if (*section.item >= array->most) continue;
+                                      array->max_items + 1, array->name, array->max_items)});
+    if (*section.item >= array->max_items) continue;
     array->append(reading.scene);
     reading.places.given[item_name(array->name, *section.item)] = section.where;
     for (const Key& key : item_keys(*array, *section.item)) reading.item_keys[key.name] = key;

@@ -31,13 +31,13 @@ std::vector<TableArray> all_arrays() {
   return {{"species", "kind of plant", most_species,
            [](const Scene& scene) { return scene.species.size(); },
            [](Scene& scene) { scene.species.emplace_back(); }, species_keys, take_common},
-          {"clouds", "layer of clouds", most_cloud_layers,
+          {"clouds", "layer of clouds", max_cloud_layers,
            [](const Scene& scene) { return scene.clouds.size(); },
            [](Scene& scene) { scene.clouds.emplace_back(); }, cloud_keys},
-          {"cloud_events", "event on the clouds' time line", most_cloud_events,
+          {"cloud_events", "event on the clouds' time line", max_cloud_events,
            [](const Scene& scene) { return scene.cloud_events.size(); },
            [](Scene& scene) { scene.cloud_events.emplace_back(); }, cloud_event_keys},
-          {"season_keys", "day of the season", most_season_keys,
+          {"season_keys", "day of the season", max_season_keys,
            [](const Scene& scene) { return scene.season_keys.size(); },
            [](Scene& scene) { scene.season_keys.emplace_back(); }, season_key_keys}};
 }

@@ -43,8 +43,8 @@ enum class Order { any, increasing, decreasing, not_falling };
 
 /// What a list must be, beyond the range of its items.
 struct ListRule {
-  std::size_t fewest = 1;
-  std::size_t most = 1;
+  std::size_t min_items = 1;
+  std::size_t max_items = 1;
   Order order = Order::any;
   bool spans_range = false;  ///< the first item is the lowest value, the last the highest
 };
@@ -69,9 +69,9 @@ struct Key {
 /// A table that may stand any number of times, as [[clouds]]: each is an item of a list of the
 /// scene and has the same keys.
 struct TableArray {
-  std::string name;      ///< "clouds"
-  std::string item;      ///< what one of them is: "layer of clouds"
-  std::size_t most = 1;  ///< items
+  std::string name;           ///< "clouds"
+  std::string item;           ///< what one of them is: "layer of clouds"
+  std::size_t max_items = 1;  ///< items
   std::function<std::size_t(const Scene&)> count;
   std::function<void(Scene&)> append;  ///< one more item, of defaults
   /// The keys of the item with that index, from 0: "clouds.kind", ...

@@ -50,7 +50,7 @@ struct Terrain {
 
 /// Where grass grows: each limit is a ragged border, a strip where it grows in patches.
 struct Growth {
-  double share = 1.0;          ///< of the ground within the limits that is grown over
+  double cover = 1.0;          ///< of the ground within the limits that is grown over
   double feature_m = 3.0;      ///< size of the bare patches
   double steepest_deg = 45.0;  ///< slope
   double lowest_m = -10000.0;
@@ -81,16 +81,17 @@ struct Plant {
 /// The meadow's patch and what it is drawn with. Its plant is that of the only species, or what
 /// [[species]] have in common.
 struct Grass : Plant {
-  double patch_m = 0.6;  ///< side of the tile
-  int blades = 400;      ///< per patch, of all species and samples together
-  double gloss = 24.0;   ///< Kajiya-Kay exponent p
+  double patch_m = 0.6;             ///< side of the tile
+  int blades = 400;                 ///< per patch, of all species and samples together
+  double specular_exponent = 24.0;  ///< Kajiya-Kay exponent p
   int variants = 4;
-  std::vector<int> levels = {254, 126, 62, 30};  ///< voxels per side, finest first
-  double proportion = 2.5;                       ///< points per unit optical depth of a voxel
-  std::vector<double> key_frames = {};           ///< weathering degrees; empty: see key_frames.h
+  std::vector<int> lods = {254, 126, 62, 30};  ///< voxels per side, finest first
+  double points_per_voxel_face = 2.5;          ///< points per unit optical depth of a voxel
+  std::vector<double> key_frames = {};         ///< weathering degrees; empty: see key_frames.h
   std::string from_texel = "";    ///< .vdb that points are sampled from; "": blades are scattered
   double pixels_per_voxel = 1.3;  ///< a level is fine enough when its voxel covers at most this
-  double far_pixels = 1.2;        ///< grass that looks lower than this is painted on the ground
+  double far_field_below_pixels =
+      1.2;  ///< grass that looks lower than this is painted on the ground
 
   bool operator==(const Grass&) const = default;
 };
@@ -118,11 +119,11 @@ struct Physiology {
   AgeingMotion motion = AgeingMotion::closed_form;
   double merge_distance_voxels = 0.1;  ///< points nearer than this become one
   double droop = 2.6;                  ///< omega: rad per sqrt(m) and unit of water lost
-  double turgor_support = 0.7;         ///< share of a fresh blade's stiffness, elastica
+  double turgor_support = 0.7;         ///< fraction of a fresh blade's stiffness, elastica
   double droop_spread = 0.3;           ///< of omega from blade to blade
   double onset_spread = 0.12;          ///< of a blade's own weathering degree
   double fresh_spread = 0.14;  ///< mean of the ages that single blades have in a fresh meadow
-  double litter = 0.12;        ///< share of dead blades of the year before in a fresh meadow
+  double litter = 0.12;        ///< fraction of dead blades of the year before in a fresh meadow
   double chlorophyll_ug_cm2 = 31.5;
   double carotenoid_ug_cm2 = 3.5;
   double brown_pigment = 0.6;  ///< of a dead leaf, PROSPECT's arbitrary unit
@@ -134,10 +135,10 @@ struct Physiology {
 /// How the meadow withers, place by place and frame by frame. Its physiology is that of the only
 /// species, or what [[species]] have in common.
 struct Ageing : Physiology {
-  double variation = 0.10;           ///< amplitude of the weathering field on the ground
-  double variation_feature_m = 7.0;  ///< its feature size
-  double variety = 0.3;              ///< of pigments on the ground, standard deviation of their log
-  double variety_feature_m = 4.0;    ///< its largest feature size
+  double age_spread = 0.10;           ///< amplitude of the weathering field on the ground
+  double age_spread_feature_m = 7.0;  ///< its feature size
+  double pigment_spread = 0.3;  ///< of pigments on the ground, standard deviation of their log
+  double pigment_spread_feature_m = 4.0;            ///< its largest feature size
   std::vector<double> frames = {0.0, 0.30, 0.917};  ///< weathering degree of each frame
 
   bool operator==(const Ageing&) const = default;
@@ -146,7 +147,7 @@ struct Ageing : Physiology {
 /// One kind of plant of a meadow.
 struct Species {
   std::string name = "grass";
-  double share = 1.0;  ///< of the patch's blades, relative to the other species' shares
+  double share = 1.0;   ///< of the patch's blades, relative to the other species' shares
   Plant plant;
   Physiology physiology;
 
@@ -215,10 +216,10 @@ struct Render {
 };
 
 /// The time that passes in the landscape; frame k, from 1, shows it at (k - 1) frame_seconds.
-struct Film {
+struct FilmTiming {
   double frame_seconds = 10.0;
 
-  bool operator==(const Film&) const = default;
+  bool operator==(const FilmTiming&) const = default;
 };
 
 /// What falls and how warm it is while the film lasts.
@@ -300,7 +301,7 @@ struct CloudLayer {
   std::optional<double> thickness_m;  ///< of the thickest clouds
   std::optional<double> cell_m;       ///< side of the square that a texture covers
   std::array<int, 2> cells = {8, 8};  ///< east and north; then the layer repeats
-  std::optional<double> cover;        ///< share of the sky that is covered
+  std::optional<double> cover;        ///< fraction of the sky that is covered
   std::optional<double> opacity;      ///< of the densest place
   double gathered = 1.0;              ///< at the film's start: 0 none of it is there, 1 all
   CloudRepeat repeat = CloudRepeat::blend;
@@ -326,7 +327,7 @@ struct CloudEvent {
   double speed_m_s = 10.0;               ///< wind: afterwards
   double shear = 1.0;                    ///< wind: how far it changes the clouds' shape
   double factor = 2.0;                   ///< faster, slower: of the speed
-  double by = 1.0;                       ///< gather, dissipate: share of the way to all, or to none
+  double fraction = 1.0;  ///< gather, dissipate: fraction of the way to all, or to none
   std::vector<double> colour = {0.7, 0.4, 0.4};  ///< light: afterwards; empty: of sun_elevation_deg
   double sun_elevation_deg = 5.0;
   CloudFade fade = CloudFade::optical;
@@ -345,7 +346,7 @@ struct Scene {
   Sun sun;
   Sky sky;
   Wind wind;
-  Film film;
+  FilmTiming film;
   Weather weather;
   Season season;
   std::vector<SeasonKey> season_keys;

@@ -17,9 +17,9 @@ using std::chrono::sys_days;
 using Numbers = std::vector<std::int64_t>;
 
 /// Seasons are shorter than this: snow is reckoned hour by hour.
-constexpr int most_days = 400;
+constexpr int max_days = 400;
 /// The sky's model needs a sun.
-constexpr double least_elevation_deg = 1.0;
+constexpr double min_elevation_deg = 1.0;
 
 bool is_day(const Numbers& date) { return date.size() == 3 && date_of(date).ok(); }
 
@@ -47,10 +47,10 @@ class Judge {
     judge_day("season.last", season.last);
     if (!is_day(season.first) || !is_day(season.last)) return;
     const auto days = (sys_days(date_of(season.last)) - sys_days(date_of(season.first))).count();
-    if (days < 1 || days > most_days)
+    if (days < 1 || days > max_days)
       add("season.last",
           fmt::format("found {}, expected a day after season.first ({}), at most {} later",
-                      season.last, season.first, most_days));
+                      season.last, season.first, max_days));
     judge_sun("season.first", season.first);
     judge_sun("season.last", season.last);
   }
@@ -64,10 +64,10 @@ class Judge {
     const Sun& sun = scene_.sun;
     const double elevation_deg =
         sun_position(date_of(date), sun.time_h, sun.latitude_deg, sun.longitude_deg).elevation_deg;
-    if (elevation_deg < least_elevation_deg)
+    if (elevation_deg < min_elevation_deg)
       add(key, fmt::format("found {}, when the sun stands at {:.1f} degrees at {} h (sun.time), "
                            "expected a time of day when it is {} degree above the horizon at least",
-                           date, elevation_deg, sun.time_h, least_elevation_deg));
+                           date, elevation_deg, sun.time_h, min_elevation_deg));
   }
 
   void judge_sources() const {

@@ -10,7 +10,7 @@
 namespace wold::scene {
 namespace {
 
-constexpr ListRule year_month_day = {.fewest = 0, .most = 3};
+constexpr ListRule year_month_day = {.min_items = 0, .max_items = 3};
 
 }  // namespace
 
@@ -38,7 +38,7 @@ std::vector<Key> season_keys() {
             FIELD(season.hollow_frost_k)),
       bound(number("season.spread", "days", {0, 30},
                    "Standard deviation of the days by which soil makes places wither earlier or "
-                   "later; such places have the size of ageing.variation_feature."),
+                   "later; such places have the size of ageing.age_spread_feature."),
             FIELD(season.spread_days)),
   };
 }

@@ -45,7 +45,7 @@ std::vector<Key> snowfall_keys() {
                     "is 30000, or the paper's 500, 1000 or 4000 for its motion. All others dim and "
                     "whiten the air."),
             FIELD(snowfall.flakes)),
-      bound(list(Kind::numbers, "snowfall.box", "m", {1, 1000}, {.fewest = 3, .most = 3},
+      bound(list(Kind::numbers, "snowfall.box", "m", {1, 1000}, {.min_items = 3, .max_items = 3},
                  "Paper: the box before the eye in which flakes fall, east, north and up."),
             FIELD(snowfall.box_m)),
       bound(

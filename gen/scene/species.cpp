@@ -7,7 +7,7 @@ namespace wold::scene {
 namespace {
 
 /// Standard deviations at which lengths of blades are cut.
-constexpr double most_deviations = 2.2;
+constexpr double max_deviations = 2.2;
 
 double sum_of_shares(const std::vector<Species>& species) {
   double sum = 0.0;
@@ -57,7 +57,7 @@ Grass mean_grass(const Scene& scene) {
 }
 
 double longest_blade_m(const Plant& plant) {
-  return plant.height_m * (1.0 + most_deviations * plant.height_spread);
+  return plant.height_m * (1.0 + max_deviations * plant.height_spread);
 }
 
 double blade_area_m2(const Scene& scene) {

@@ -9,9 +9,9 @@ namespace wold::scene {
 namespace {
 
 /// Texels are cubes of voxels in memory; taller ones than this many patches exhaust it.
-constexpr double most_patches_high = 4.0;
+constexpr double max_patches_high = 4.0;
 /// Standard deviations at which widths of blades are cut.
-constexpr double most_deviations = 2.2;
+constexpr double max_deviations = 2.2;
 
 /// The tables in which a species' keys stand.
 struct Tables {
@@ -72,18 +72,18 @@ Rule hair_moves_in_closed_form(const Judged& judged) {
 Rule blades_fit_the_patch(const Judged& judged) {
   const Plant& plant = judged.species.plant;
   const std::string& table = judged.in.plant;
-  return {{table + ".height", "grass.patch", table + ".height_spread"},
-          longest_blade_m(plant) <= most_patches_high * judged.patch_m,
-          fmt::format("{0}.height: found {1} m, with {0}.height_spread up to {2} m, expected at "
-                      "most {3} times grass.patch ({4} m)",
-                      table, plant.height_m, longest_blade_m(plant), most_patches_high,
-                      judged.patch_m)};
+  return {
+      {table + ".height", "grass.patch", table + ".height_spread"},
+      longest_blade_m(plant) <= max_patches_high * judged.patch_m,
+      fmt::format("{0}.height: found {1} m, with {0}.height_spread up to {2} m, expected at "
+                  "most {3} times grass.patch ({4} m)",
+                  table, plant.height_m, longest_blade_m(plant), max_patches_high, judged.patch_m)};
 }
 
 Rule blades_are_narrower_than_the_patch(const Judged& judged) {
   const Plant& plant = judged.species.plant;
   const std::string& table = judged.in.plant;
-  const double widest_m = plant.width_m * (1.0 + most_deviations * plant.width_spread);
+  const double widest_m = plant.width_m * (1.0 + max_deviations * plant.width_spread);
   return {{table + ".width", "grass.patch", table + ".width_spread"},
           widest_m < judged.patch_m,
           fmt::format("{0}.width: found {1} m, with {0}.width_spread up to {2:.3g} m, expected "

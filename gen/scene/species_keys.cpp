@@ -158,22 +158,22 @@ std::vector<Key> patch_keys() {
 
 std::vector<Key> texel_keys() {
   return {
-      bound(number("grass.gloss", "", {1, 1000},
+      bound(number("grass.specular_exponent", "", {1, 1000},
                    "Sharpness of the highlight (Kajiya and Kay's exponent p)."),
-            FIELD(grass.gloss)),
+            FIELD(grass.specular_exponent)),
       bound(integer("grass.variants", "", {1, 64}, "Different patches laid side by side."),
             FIELD(grass.variants)),
       bound(only(list(Kind::integers, "grass.levels", "voxels", {30, 254},
-                      {.fewest = 1, .most = 4, .order = Order::decreasing},
+                      {.min_items = 1, .max_items = 4, .order = Order::decreasing},
                       "Levels of detail: voxels along a side of the patch, finest first."),
                  {254, 126, 62, 30}),
-            FIELD(grass.levels)),
+            FIELD(grass.lods)),
       bound(
           number(
-              "grass.proportion", "", {0.1, 1000},
+              "grass.points_per_voxel_face", "", {0.1, 1000},
               "Points drawn per unit of a voxel's optical depth: the paper's best is 6; here each "
               "point spreads over more voxels, and 2.5 do."),
-          FIELD(grass.proportion)),
+          FIELD(grass.points_per_voxel_face)),
       bound(plain(Kind::file, "grass.from_texel", "", {0, 0},
                   "Volume (.vdb) that the points are sampled from instead of scattered blades: a "
                   "texel of Wold's, or any fog volume \"density\", fitted to the patch. Relative "
@@ -181,7 +181,7 @@ std::vector<Key> texel_keys() {
             FIELD(grass.from_texel)),
       bound(
           list(Kind::numbers, "grass.key_frames", "", {0, 1},
-               {.fewest = 0, .most = 64, .order = Order::increasing, .spans_range = true},
+               {.min_items = 0, .max_items = 64, .order = Order::increasing, .spans_range = true},
                "Weathering degrees for which patches are made; for one in between, each cell "
                "takes one of its two neighbours by chance. An empty list is 12 equal steps, or up "
                "to 48 for a film whose frames are nearer to each other."),
@@ -189,27 +189,27 @@ std::vector<Key> texel_keys() {
       bound(number("grass.pixels_per_voxel", "", {0.1, 16},
                    "A level is fine enough when its voxel covers at most this many pixels."),
             FIELD(grass.pixels_per_voxel)),
-      bound(number("grass.far_pixels", "px", {0, 100},
+      bound(number("grass.far_field_below_pixels", "px", {0, 100},
                    "Grass that looks lower than this is painted on the ground, in its own colour."),
-            FIELD(grass.far_pixels)),
+            FIELD(grass.far_field_below_pixels)),
   };
 }
 
 std::vector<Key> variation_keys() {
   return {
-      bound(number("ageing.variation", "", {0, 0.5},
+      bound(number("ageing.age_spread", "", {0, 0.5},
                    "How far the weathering degree differs from place to place."),
-            FIELD(ageing.variation)),
-      bound(number("ageing.variation_feature", "m", {0.1, 1000}, "Size of such places."),
-            FIELD(ageing.variation_feature_m)),
-      bound(number("ageing.variety", "", {0, 0.5},
+            FIELD(ageing.age_spread)),
+      bound(number("ageing.age_spread_feature", "m", {0.1, 1000}, "Size of such places."),
+            FIELD(ageing.age_spread_feature_m)),
+      bound(number("ageing.pigment_spread", "", {0, 0.5},
                    "How far chlorophyll and brown pigment differ from place to place, as a share, "
                    "with ageing.colour \"prospect\"."),
-            FIELD(ageing.variety)),
-      bound(number("ageing.variety_feature", "m", {0.1, 1000},
+            FIELD(ageing.pigment_spread)),
+      bound(number("ageing.pigment_spread_feature", "m", {0.1, 1000},
                    "Size of the largest such places; others are down to an eighth of it."),
-            FIELD(ageing.variety_feature_m)),
-      bound(list(Kind::numbers, "ageing.frames", "", {0, 1}, {.fewest = 1, .most = 10000},
+            FIELD(ageing.pigment_spread_feature_m)),
+      bound(list(Kind::numbers, "ageing.frames", "", {0, 1}, {.min_items = 1, .max_items = 10000},
                  "Weathering degree of each frame: 0 is fresh, 1 fully withered."),
             FIELD(ageing.frames)),
   };

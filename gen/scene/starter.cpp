@@ -60,8 +60,8 @@ void raise_mountain(Scene& scene) {
   terrain.talus_deg = 60.0;
   terrain.rock_slope_deg = 44.0;
   scene.growth.steepest_deg = 48.0;
-  scene.growth.share = 0.97;
-  scene.grass.levels = {126, 62, 30};
+  scene.growth.cover = 0.97;
+  scene.grass.lods = {126, 62, 30};
   scene.camera.eye_m = {24.0, 0.5};
   scene.camera.target_m = {24.5, 16.0};
   scene.camera.target_height_m = 1.5;
@@ -92,7 +92,7 @@ Starter mountain() {
           keys_of_mountains() + Names{"ageing.frames", "sun.elevation", "sun.azimuth"}};
 }
 
-CloudLayer heaps(double cover) {
+CloudLayer cumulus_layer(double cover) {
   CloudLayer layer;
   layer.kind = CloudKind::cumulus;
   layer.cover = cover;
@@ -120,7 +120,7 @@ Starter clouds() {
   scene.camera.target_m = {15.0, 20.0};
   scene.camera.target_height_m = 4.5;
   scene.camera.field_of_view_deg = 60.0;
-  scene.clouds = {heaps(0.5), fibres()};
+  scene.clouds = {cumulus_layer(0.5), fibres()};
   scene.clouds[0].gathered = 0.4;
   scene.cloud_events = {
       {.kind = CloudEventKind::gather, .layer = 1, .start_s = 12.0, .duration_s = 60.0}};
@@ -137,7 +137,7 @@ Starter snow() {
   constexpr double weathering = 0.3;
   Scene scene;
   scene.grass.key_frames = {0.0, weathering, 1.0};
-  scene.ageing.variation = 0.0;
+  scene.ageing.age_spread = 0.0;
   scene.ageing.frames = std::vector<double>(16, weathering);
   scene.film.frame_seconds = 900.0;
   scene.weather.temperature_c = -1.5;
@@ -152,7 +152,7 @@ Starter snow() {
   return {"snow",
           "Snow that falls for four hours, until ten centimetres lie.",
           scene,
-          {"grass.key_frames", "ageing.frames", "ageing.variation", "sun.elevation", "sun.azimuth",
+          {"grass.key_frames", "ageing.frames", "ageing.age_spread", "sun.elevation", "sun.azimuth",
            "wind.speed", "wind.heading", "film.frame_seconds", "weather.temperature",
            "weather.precipitation", "snowfall.crystal", "snow_cover.drifting", "camera.eye_height",
            "camera.target_height", "camera.field_of_view"}};
@@ -205,7 +205,7 @@ Starter season() {
   scene.sun.latitude_deg = 46.5;
   scene.sun.longitude_deg = 8.0;
   scene.film.frame_seconds = 4.0;
-  scene.clouds = {heaps(0.45)};
+  scene.clouds = {cumulus_layer(0.45)};
   return {"season", "From late summer to deep snow, three days from frame to frame.", scene,
           keys_of_mountains() + Names{"terrain.elevation",
                                       "terrain.centre",

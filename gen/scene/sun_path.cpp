@@ -11,13 +11,13 @@ SunPosition on_day(const Sun& sun, std::chrono::sys_days day) {
   return sun_position(day, sun.time_h, sun.latitude_deg, sun.longitude_deg);
 }
 
-/// A sun that stands there, `share` of the way from one place to another.
-Sun between(Sun sun, const SunPosition& from, const SunPosition& to, double share) {
+/// A sun that stands there, `fraction` of the way from one place to another.
+Sun between(Sun sun, const SunPosition& from, const SunPosition& to, double fraction) {
   const double turn_deg = std::remainder(to.azimuth_deg - from.azimuth_deg, 360.0);
   sun.date.clear();
   sun.end.clear();
-  sun.elevation_deg = std::lerp(from.elevation_deg, to.elevation_deg, share);
-  sun.azimuth_deg = from.azimuth_deg + turn_deg * share;
+  sun.elevation_deg = std::lerp(from.elevation_deg, to.elevation_deg, fraction);
+  sun.azimuth_deg = from.azimuth_deg + turn_deg * fraction;
   return sun;
 }
 

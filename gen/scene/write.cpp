@@ -110,9 +110,9 @@ std::string keys_markdown() {
     text += markdown_row(key, defaults);
   }
   for (const TableArray& array : table_arrays()) {
-    text += markdown_heading(
-        fmt::format("[[{}]], once for each {}, at most {}", array.name, array.item, array.most),
-        false);
+    text += markdown_heading(fmt::format("[[{}]], once for each {}, at most {}", array.name,
+                                         array.item, array.max_items),
+                             false);
     array.append(defaults);
     for (const Key& key : array.keys(0)) text += markdown_row(key, defaults);
   }

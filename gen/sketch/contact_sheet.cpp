@@ -176,10 +176,10 @@ class Preview {
 
   /// Grass at some of its key frames under `light`.
   std::vector<Tile> grass_row(const glm::vec3& light) const {
-    constexpr int most = 6;
+    constexpr int max = 6;
     const std::vector<double> key_frames = scene::key_frames(scene_);
-    const std::vector<int> shown = some_of(static_cast<int>(key_frames.size()), most);
-    const int width_px = preview::width_of_each(most);
+    const std::vector<int> shown = some_of(static_cast<int>(key_frames.size()), max);
+    const int width_px = preview::width_of_each(max);
     std::vector<Tile> row(shown.size());
     parallel_for(row.size(), [&](std::size_t i) {
       row[i] = {

@@ -25,9 +25,9 @@ namespace wold::sketch {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int most_samples = 289;  ///< of terrain and ground, along a side
+constexpr int max_samples = 289;  ///< of terrain and ground, along a side
 constexpr int hidden_sky_px = 64;
-constexpr double most_blades = 40000.0;  ///< that stand before the camera
+constexpr double max_blades = 40000.0;  ///< that stand before the camera
 constexpr int widest_of_large_px = 176;
 constexpr int voxels = 30;  ///< of the texel that far grass is looked up in
 
@@ -36,16 +36,16 @@ constexpr int voxels = 30;  ///< of the texel that far grass is looked up in
 double standing_pixels(const scene::Scene& scene) {
   const double half_angle = radians(0.5 * scene.camera.field_of_view_deg);
   const double blades_per_m2 = scene.grass.blades / (scene.grass.patch_m * scene.grass.patch_m);
-  const double radius_m = std::sqrt(most_blades / blades_per_m2 / half_angle);
+  const double radius_m = std::sqrt(max_blades / blades_per_m2 / half_angle);
   return scene::mean_grass(scene).height_m * place::pixels_per_radian(scene) / radius_m;
 }
 
 /// Some of the key frames: between two of them looks are mixed.
 std::vector<double> few_key_frames(const scene::Scene& scene) {
-  constexpr int most = 9;
+  constexpr int max = 9;
   const std::vector<double> all = scene::key_frames(scene);
   std::vector<double> few;
-  for (const int key : some_of(static_cast<int>(all.size()), most))
+  for (const int key : some_of(static_cast<int>(all.size()), max))
     few.push_back(all[static_cast<std::size_t>(key)]);
   return few;
 }
@@ -53,20 +53,20 @@ std::vector<double> few_key_frames(const scene::Scene& scene) {
 /// Light is smooth where grass scatters it, but mountains cast sharper shadows; snow lies smoothly.
 place::Sketch sketch_of(const scene::Scene& scene) {
   constexpr int smooth_samples = 97;
-  return {.ground_samples = most_samples,
-          .light_samples = place::is_large(scene) ? most_samples : smooth_samples,
+  return {.ground_samples = max_samples,
+          .light_samples = place::is_large(scene) ? max_samples : smooth_samples,
           .combed_samples = 97,
           .snow_samples = 129};
 }
 
 }  // namespace
 
-std::vector<int> some_of(int count, int most) {
-  const int steps = most - 1, number = std::min(count, most);
+std::vector<int> some_of(int count, int max) {
+  const int steps = max - 1, number = std::min(count, max);
   std::vector<int> some;
   some.reserve(static_cast<std::size_t>(number));
   for (int i = 0; i < number; ++i)  // to the nearest, halves down
-    some.push_back(count <= most ? i : (2 * i * (count - 1) + steps - 1) / (2 * steps));
+    some.push_back(count <= max ? i : (2 * i * (count - 1) + steps - 1) / (2 * steps));
   return some;
 }
 
@@ -76,11 +76,12 @@ scene::Scene simplified(scene::Scene scene, int width_px) {
   const double aspect = static_cast<double>(scene.render.size_px[1]) / scene.render.size_px[0];
   scene.render.size_px = {width_px, std::max(1, static_cast<int>(std::lround(aspect * width_px)))};
   scene.render.grass = scene::GrassForm::blades;
-  scene.terrain.samples = std::min(scene.terrain.samples, most_samples);
-  scene.grass.levels = {voxels};
+  scene.terrain.samples = std::min(scene.terrain.samples, max_samples);
+  scene.grass.lods = {voxels};
   scene.grass.key_frames = few_key_frames(scene);
   scene.grass.variants = std::min(scene.grass.variants, 2);
-  scene.grass.far_pixels = std::max(scene.grass.far_pixels, standing_pixels(scene));
+  scene.grass.far_field_below_pixels =
+      std::max(scene.grass.far_field_below_pixels, standing_pixels(scene));
   for (scene::CloudLayer& layer : scene.clouds) layer.body = scene::CloudBody::sheet;
   return scene;
 }
@@ -120,17 +121,17 @@ void PreviewFilm::make_looks(const std::vector<int>& frames) {
       demand[0][moments_.at(frame).at(state.key_frame)][0] = {0};
   SilentProgress silent;
   texels_.generate(demand, silent);
-  for (const auto& [state, levels] : demand[0]) looks_.emplace(state, far_look(state));
+  for (const auto& [state, lods] : demand[0]) looks_.emplace(state, far_appearance(state));
 }
 
-meadow::PatchLook PreviewFilm::far_look(const grass::PatchState& state) const {
+meadow::PatchAppearance PreviewFilm::far_appearance(const grass::PatchState& state) const {
   landscape::Volume volume;
   volume.vdb = texels_.volume_path(0, state, 0);
   volume.emission_grid = "emission_q0";
-  volume.voxels = {voxels, voxels, texels_.level_shape(0).height};
+  volume.voxels = {voxels, voxels, texels_.lod_shape(0).height};
   volume.voxel_m = scene_.grass.patch_m / voxels;
   constexpr int starts = 8;
-  return meadow::PatchLook(std::span(&volume, 1), starts);
+  return meadow::PatchAppearance(std::span(&volume, 1), starts);
 }
 
 Tubes PreviewFilm::blades(int variant, const grass::PatchState& state) const {
@@ -185,7 +186,7 @@ landscape::Landscape PreviewFilm::overview(int frame, const scene::Camera& camer
   scene.camera = camera;
   scene.render.size_px = {size_px.x, size_px.y};
   scene.sky.visual_range_m = 1e6;
-  scene.grass.far_pixels = 1e9;
+  scene.grass.far_field_below_pixels = 1e9;
   place::Site site = moments_.at(frame).site;
   site.sketch->sky_width_px = hidden_sky_px;
   landscape::Landscape landscape = assembled(scene, site, frame);

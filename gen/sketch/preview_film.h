@@ -11,14 +11,14 @@
 #include "grass/texel/time_varying_texel.h"
 #include "landscape/landscape.h"
 #include "meadow/cells.h"
-#include "meadow/patch_look.h"
+#include "meadow/patch_appearance.h"
 #include "place/site.h"
 #include "scene/scene.h"
 
 namespace wold::sketch {
 
-/// At most `most` of the whole numbers from 0 to count - 1: first, last and evenly between.
-std::vector<int> some_of(int count, int most);
+/// At most `max` of the whole numbers from 0 to count - 1: first, last and evenly between.
+std::vector<int> some_of(int count, int max);
 
 /// A scene that shows the same landscape with far less work: coarser, without volumes and with few
 /// key frames; grass stands as blades near the camera and is painted on the ground beyond.
@@ -56,7 +56,7 @@ class PreviewFilm {
 
   Tubes blades(int variant, const grass::PatchState& state) const;
   landscape::Landscape assembled(const scene::Scene& scene, const place::Site& site, int frame);
-  meadow::PatchLook far_look(const grass::PatchState& state) const;
+  meadow::PatchAppearance far_appearance(const grass::PatchState& state) const;
   void make_site(int frame, bool with_sky);
   void make_looks(const std::vector<int>& frames);
   void make_meshes(std::span<const meadow::CellChoice> cells);
@@ -65,7 +65,7 @@ class PreviewFilm {
   place::Site site_;
   grass::TimeVaryingTexel texels_;
   std::map<int, Moment> moments_;  ///< by frame
-  std::map<grass::PatchState, meadow::PatchLook> looks_;
+  std::map<grass::PatchState, meadow::PatchAppearance> looks_;
   std::map<std::pair<int, grass::PatchState>, landscape::BladeMesh> meshes_;
 };
 

@@ -49,10 +49,10 @@ landscape::CloudBox cloud_box(const cloud::LayerState& state, double pixel_m,
   each_filled(volume, [&](std::size_t i, const glm::dvec3& centre_m) {
     const glm::dvec3 way_m = centre_m - eye_m;
     const double distance_m = glm::length(way_m);
-    const double clear = clear_share(distance_m, std::max(way_m.z, 1.0), day.visual_range_m());
+    const double clear = clear_fraction(distance_m, std::max(way_m.z, 1.0), day.visual_range_m());
     source[i] = glm::mix(day.sky_radiance(way_m / distance_m), source[i] * colour,
                          static_cast<float>(clear));
-    volume.extinction_per_m[i] *= static_cast<float>(window.share(glm::dvec2(centre_m)));
+    volume.extinction_per_m[i] *= static_cast<float>(window.fraction(glm::dvec2(centre_m)));
   });
   return {{},
           volume.box.voxels,
@@ -66,7 +66,7 @@ landscape::CloudBox cloud_box(const cloud::LayerState& state, double pixel_m,
 
 }  // namespace
 
-double CloudWindow::share(const glm::dvec2& place_m) const {
+double CloudWindow::fraction(const glm::dvec2& place_m) const {
   constexpr double strip = 0.12;  // of the side
   const glm::dvec2 at = (place_m - south_west_m) / side_m;
   const glm::dvec2 inside = glm::min(at, 1.0 - at);

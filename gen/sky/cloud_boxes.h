@@ -21,7 +21,7 @@ struct CloudWindow {
 
   /// 1 inside, 0 outside, falling smoothly over a strip along the border: of the layer there that
   /// is volume.
-  double share(const glm::dvec2& place_m) const;
+  double fraction(const glm::dvec2& place_m) const;
 };
 
 /// The window of every layer of the state; none for those that are sheets or not above the eye.

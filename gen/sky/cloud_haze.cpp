@@ -7,11 +7,11 @@
 
 namespace wold::sky {
 
-double clear_share(double distance_m, double rise_m, double visual_range_m) {
+double clear_fraction(double distance_m, double rise_m, double visual_range_m) {
   constexpr double haze_height_m = 1200.0;
   const double relative = rise_m / haze_height_m;
   const double in_haze_m = distance_m * -math::expm1(-relative) / relative;
-  return 1.0 - light::haze_share(in_haze_m, visual_range_m);
+  return 1.0 - light::haze_fraction(in_haze_m, visual_range_m);
 }
 
 }  // namespace wold::sky

@@ -59,11 +59,11 @@ glm::vec3 CloudySky::irradiance() const {
 glm::vec3 CloudySky::clouded(glm::vec3 behind, const glm::vec3& haze,
                              const glm::dvec3& direction) const {
   if (direction.z <= 0.0) return behind;
-  for (const LayerSight& layer : layers_) {
+  for (const CloudLayerView& layer : layers_) {
     const SeenClouds seen = layer.along(direction);
     if (seen.distance_m <= 0.0) continue;
     const auto clear =
-        static_cast<float>(clear_share(seen.distance_m, layer.rise_m(), day_.visual_range_m()));
+        static_cast<float>(clear_fraction(seen.distance_m, layer.rise_m(), day_.visual_range_m()));
     behind = behind * seen.through + glm::mix(haze * (1.0F - seen.through), seen.sent, clear);
   }
   return behind;

@@ -10,11 +10,11 @@
 #include "landscape/landscape.h"
 #include "light/daylight.h"
 #include "sky/cloud_boxes.h"
-#include "sky/layer_sight.h"
+#include "sky/cloud_layer_view.h"
 
 namespace wold::sky {
 
-/// The sky as one eye sees it: the clear sky behind layers of cloud (LayerSight), the farthest
+/// The sky as one eye sees it: the clear sky behind layers of cloud (CloudLayerView), the farthest
 /// first, which sink into the haze with their distance.
 class CloudySky {
  public:
@@ -45,7 +45,7 @@ class CloudySky {
   glm::vec3 clouded(glm::vec3 behind, const glm::vec3& haze, const glm::dvec3& direction) const;
 
   const light::Daylight& day_;
-  std::vector<LayerSight> layers_;
+  std::vector<CloudLayerView> layers_;
 };
 
 /// The whole sphere, as Landscape::sky has it.

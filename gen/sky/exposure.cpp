@@ -52,13 +52,13 @@ double dusk_gain(double sun_elevation_deg, double highest_deg) {
 }
 
 double snow_gain(const light::Daylight& day, const ColourMap& light) {
-  constexpr double brightest_snow = 0.95, fresh_albedo = 0.95, burning_share = 0.05;
+  constexpr double brightest_snow = 0.95, fresh_albedo = 0.95, burning_fraction = 0.05;
   std::vector<float> luminances;
   luminances.reserve(light.values().size());
   for (const glm::vec3& value : light.values()) luminances.push_back(luminance(value));
   const auto limit =
       luminances.begin() +
-      static_cast<std::ptrdiff_t>(burning_share * static_cast<double>(luminances.size()));
+      static_cast<std::ptrdiff_t>(burning_fraction * static_cast<double>(luminances.size()));
   std::nth_element(luminances.begin(), limit, luminances.end(), std::greater<>());
   return std::min(metered_gain(day, Subject::snow),
                   brightest_snow * std::numbers::pi / (fresh_albedo * double{*limit}));

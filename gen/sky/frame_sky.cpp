@@ -49,20 +49,20 @@ FrameSky::FrameSky(const scene::Scene& scene, const place::Site& site, int frame
       sheets_(site.day, clouds_.value_or(cloud::CloudState{}), eye_m,
               std::numbers::pi / usual_sky_width_px) {}
 
-/// Share of the sunlight that passes the clouds. The frames of a season are days apart, and shadows
-/// that drift by from frame to frame would make it flicker: there it is the mean over what drifts
-/// by in as many frames as an eye sees in a second.
-FactorMap FrameSky::sun_share(const GroundGrid& grid) const {
+/// Fraction of the sunlight that passes the clouds. The frames of a season are days apart, and
+/// shadows that drift by from frame to frame would make it flicker: there it is the mean over what
+/// drifts by in as many frames as an eye sees in a second.
+FactorMap FrameSky::sunlit_fraction(const GroundGrid& grid) const {
   const auto at = [&](const cloud::CloudState& clouds) {
-    return cloud::sun_share(clouds, site_.terrain, site_.day.sun_direction(), grid);
+    return cloud::sunlit_fraction(clouds, site_.terrain, site_.day.sun_direction(), grid);
   };
   if (!site_.season) return at(*clouds_);
   constexpr int moments = 12, frames_apart = 2;
   FactorMap mean(grid.samples, grid.square, 0.0F);
   for (int moment = 0; moment < moments; ++moment) {
-    const FactorMap share = at(*clouds_of(scene_, site_, frame_, moment * frames_apart));
+    const FactorMap fraction = at(*clouds_of(scene_, site_, frame_, moment * frames_apart));
     for (std::size_t i = 0; i < mean.values().size(); ++i)
-      mean.values()[i] += share.values()[i] / moments;
+      mean.values()[i] += fraction.values()[i] / moments;
   }
   return mean;
 }
@@ -70,7 +70,7 @@ FactorMap FrameSky::sun_share(const GroundGrid& grid) const {
 ColourMap FrameSky::light(const terrain::GroundLight& clear) const {
   if (!clouds_) return clear.together();
   ColourMap light =
-      product(clear.sun, sun_share(GroundGrid{clear.sun.square(), clear.sun.samples()}));
+      product(clear.sun, sunlit_fraction(GroundGrid{clear.sun.square(), clear.sun.samples()}));
   const glm::vec3 sky_factor = sheets_.irradiance() / site_.day.sky_irradiance();
   for (std::size_t i = 0; i < light.values().size(); ++i)
     light.values()[i] += clear.sky.values()[i] * sky_factor;

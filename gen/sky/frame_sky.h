@@ -26,7 +26,7 @@ class FrameSky {
   Image unlit(const landscape::Camera& camera) const;
 
  private:
-  FactorMap sun_share(const GroundGrid& grid) const;
+  FactorMap sunlit_fraction(const GroundGrid& grid) const;
 
   const scene::Scene& scene_;
   const place::Site& site_;

@@ -27,12 +27,12 @@ void require_numbers(const Heightfield& terrain) {
 }
 
 /// The terrain with as many samples as snow is reckoned for.
-Heightfield coarsened(const Heightfield& terrain, int most_samples) {
+Heightfield coarsened(const Heightfield& terrain, int max_samples) {
   require_numbers(terrain);
-  if (terrain.samples() <= most_samples) return terrain;
-  Heightfield result(most_samples, terrain.size_m());
-  for (int j = 0; j < most_samples; ++j)
-    for (int i = 0; i < most_samples; ++i)
+  if (terrain.samples() <= max_samples) return terrain;
+  Heightfield result(max_samples, terrain.size_m());
+  for (int j = 0; j < max_samples; ++j)
+    for (int i = 0; i < max_samples; ++i)
       result.at(i, j) = terrain.sample(i * result.step_m(), j * result.step_m());
   return result;
 }
@@ -68,12 +68,12 @@ Snowpack first_pack(const scene::Scene& scene) {
 }
 
 SnowGround::SnowGround(const scene::Scene& scene, const Heightfield& terrain,
-                       WeatherFunction weather, int most_samples)
+                       WeatherFunction weather, int max_samples)
     : cover_(scene.snow_cover),
       seed_(scene.seed),
       weather_(std::move(weather)),
       first_(first_pack(scene)),
-      terrain_(coarsened(terrain, most_samples)),
+      terrain_(coarsened(terrain, max_samples)),
       mean_height_m_(mean(terrain_.values())),
       earlier_s_(scene.weather.earlier_h * seconds_per_hour),
       earlier_steps_(static_cast<std::size_t>(std::ceil(scene.weather.earlier_h))),
@@ -144,12 +144,12 @@ FactorMap SnowGround::white(const State& state, int samples) const {
     const double gamma = std::min(state.fallen_mm / cover_.white_after_mm, 1.0);
     return paper_white(terrain_.size_m(), gamma, samples, seed_);
   }
-  const FactorMap shares =
-      map_of(terrain_, [&](std::size_t i) { return cover_share(state.water_mm.values()[i]); });
+  const FactorMap fractions =
+      map_of(terrain_, [&](std::size_t i) { return cover_fraction(state.water_mm.values()[i]); });
   const std::lock_guard lock(mutex_);
   if (!patches_ || patches_->samples() != samples)
     patches_.emplace(terrain_, samples, cover_.feature_m, seed_);
-  return patches_->white_map(shares);
+  return patches_->white_map(fractions);
 }
 
 }  // namespace wold::snow

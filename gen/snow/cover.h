@@ -41,12 +41,12 @@ class SnowGround {
     double fallen_mm = 0.0;  ///< water of all snow so far, at the terrain's mean height
   };
 
-  static constexpr int usual_most_samples = 1025;
+  static constexpr int usual_max_samples = 1025;
 
   /// Snow is reckoned on at most that many samples along a side. Throws InputError when a height is
   /// no finite number.
   SnowGround(const scene::Scene& scene, const Heightfield& terrain, WeatherFunction weather,
-             int most_samples = usual_most_samples);
+             int max_samples = usual_max_samples);
 
   /// The state at a time since the first frame, after -earlier: from the beginning of the weather,
   /// an hour or less at a time, in a season three. Each step has its fixed place in time, so the
@@ -55,7 +55,7 @@ class SnowGround {
   /// are 0. May be called from several threads. Throws InputError when the weather is no number.
   State at(double time_s) const;
 
-  /// Share of the ground that is white, [0, 1], on a map of `samples` >= 2 along a side over the
+  /// Fraction of the ground that is white, [0, 1], on a map of `samples` >= 2 along a side over the
   /// same square: of cover "depth" where its snow lies, patch by patch; of "paper" where
   /// its noise has whitened the ground, at gamma = fallen_mm / white_after; of "none" nowhere.
   FactorMap white(const State& state, int samples) const;

@@ -75,9 +75,9 @@ void draw_branch(Canvas& canvas, const Draws& draws, const BranchRow& row, doubl
   canvas.stroke(foot, tip, width, 0.45 * width, 0.9);
   const int twigs = static_cast<int>(length / draws.between(0.06, 0.11, "twigs"));
   for (int twig = 1; twig < twigs; ++twig) {
-    const double share = static_cast<double>(twig) / twigs;
-    const double twig_length = 0.42 * length * (1.0 - share) + 0.015;
-    const glm::dvec2 at = glm::mix(foot, tip, share);
+    const double fraction = static_cast<double>(twig) / twigs;
+    const double twig_length = 0.42 * length * (1.0 - fraction) + 0.015;
+    const glm::dvec2 at = glm::mix(foot, tip, fraction);
     canvas.stroke(at, at + twig_length * along_arm, 0.6 * width, 0.3 * width, 0.7);
     canvas.stroke(at,
                   at + 0.6 * twig_length * direction(row.arm_angle + 2.0 * row.side * sixth_turn),

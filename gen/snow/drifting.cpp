@@ -23,33 +23,33 @@ struct Look {
 
 Look look_at(const glm::dvec2& to_samples, double step_m) {
   const glm::dvec2 low = glm::floor(to_samples);
-  const glm::dvec2 share = to_samples - low;
+  const glm::dvec2 fraction = to_samples - low;
   return {static_cast<int>(low.x),
           static_cast<int>(low.y),
-          static_cast<float>((1.0 - share.x) * (1.0 - share.y)),
-          static_cast<float>(share.x * (1.0 - share.y)),
-          static_cast<float>((1.0 - share.x) * share.y),
-          static_cast<float>(share.x * share.y),
+          static_cast<float>((1.0 - fraction.x) * (1.0 - fraction.y)),
+          static_cast<float>(fraction.x * (1.0 - fraction.y)),
+          static_cast<float>((1.0 - fraction.x) * fraction.y),
+          static_cast<float>(fraction.x * fraction.y),
           static_cast<float>(1.0 / (glm::length(to_samples) * step_m))};
 }
 
-/// Distances along a ray in samples: at least one, at most `most`.
-std::vector<double> distances(double most) {
+/// Distances along a ray in samples: at least one, at most `max`.
+std::vector<double> distances(double max) {
   std::vector<double> result;
-  for (double d = 1.0; result.empty() || d <= most; d += std::max(1.0, std::floor(d / 8.0)))
+  for (double d = 1.0; result.empty() || d <= max; d += std::max(1.0, std::floor(d / 8.0)))
     result.push_back(d);
   return result;
 }
 
 std::vector<Look> looks(const Heightfield& terrain, double heading_deg) {
-  const double most = std::min(farthest_shelter_m / terrain.step_m(), terrain.samples() - 1.0);
+  const double max = std::min(farthest_shelter_m / terrain.step_m(), terrain.samples() - 1.0);
   std::vector<Look> result;
   for (int off = -half_window_deg; off <= half_window_deg; off += ray_step_deg) {
     const double azimuth = glm::radians(heading_deg + 180.0 + off);
     // Whole directions stay on the grid's lines: a remainder of 1e-16 would look a column further.
     const auto rounded = [](double x) { return std::round(x * 1e9) * 1e-9; };
     const glm::dvec2 upwind(rounded(math::sin(azimuth)), rounded(math::cos(azimuth)));
-    for (double distance : distances(most))
+    for (double distance : distances(max))
       result.push_back(look_at(upwind * distance, terrain.step_m()));
   }
   return result;

@@ -21,11 +21,12 @@ inline constexpr std::array<scene::CrystalChoice, crystal_kinds> single_crystals
 /// 1500 m above the sea. Outside the diameters that were measured the nearest one's speed holds.
 double fall_speed_m_s(Crystal crystal, double diameter_mm);
 
-/// Shares of the crystals among flakes of a diameter; they sum to 1. When they are mixed, small
+/// Fractions of the crystals among flakes of a diameter; they sum to 1. When they are mixed, small
 /// flakes are plates and columns, large ones aggregates, some dendrites throughout.
-std::array<double, crystal_kinds> crystal_shares(scene::CrystalChoice choice, double diameter_mm);
+std::array<double, crystal_kinds> crystal_fractions(scene::CrystalChoice choice,
+                                                    double diameter_mm);
 
 /// The crystal that a uniform number in [0, 1) picks by those shares.
-Crystal picked_crystal(const std::array<double, crystal_kinds>& shares, double uniform);
+Crystal picked_crystal(const std::array<double, crystal_kinds>& fractions, double uniform);
 
 }  // namespace wold::snow

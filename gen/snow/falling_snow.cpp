@@ -35,7 +35,9 @@ Ball ball_about(const Frustum& frustum, double from_m, double to_m) {
   return {frustum.eye_m() + ahead_m * frustum.ahead(), std::max(to_corners_m, to_m - ahead_m)};
 }
 
-double drawn_share(double distance_m, double reach_m) { return math::exp(-distance_m / reach_m); }
+double drawn_fraction(double distance_m, double reach_m) {
+  return math::exp(-distance_m / reach_m);
+}
 
 /// Flakes per steradian that are drawn beyond a distance: n times the integral of r^2 k(r).
 double drawn_beyond(double distance_m, const NearField& field) {
@@ -53,7 +55,7 @@ std::vector<Shell> shells_of(const Frustum& frustum, const NearField& field,
     const Ball ball = ball_about(frustum, from_m, to_m);
     const double side_m = 2.0 * (ball.radius_m + farthest_own_way_m);
     const double number =
-        field.number_per_m3 * drawn_share(from_m, field.reach_m) * side_m * side_m * side_m;
+        field.number_per_m3 * drawn_fraction(from_m, field.reach_m) * side_m * side_m * side_m;
     shells.push_back({from_m,
                       to_m,
                       {ball.centre_m, side_m},
@@ -70,11 +72,11 @@ std::vector<Shell> shells_of(const Frustum& frustum, const NearField& field,
 class Picker {
  public:
   Picker(const FlakeMotion& motion, const FlakeMotion::Moment& moment, const Frustum& frustum,
-         const Lookout& lookout, double reach_m, const Shell& shell)
+         const FlakeCuller& culler, double reach_m, const Shell& shell)
       : motion_(motion),
         moment_(moment),
         frustum_(frustum),
-        lookout_(lookout),
+        culler_(culler),
         air_(FlakeMotion::air(shell.population, shell.cube, moment, frustum.eye_m())),
         from_m_(static_cast<float>(shell.from_m)),
         to_m_(static_cast<float>(shell.to_m)),
@@ -109,7 +111,7 @@ class Picker {
   /// Sees those that wait.
   void see(std::vector<SeenFlake>& seen) {
     motion_.fly(waiting_, moment_, flying_);
-    lookout_.see(
+    culler_.see(
         flying_, count_,
         [&](std::size_t i) {
           const glm::vec3 from_eye = flying_.from_eye.at(i);
@@ -188,13 +190,13 @@ class Picker {
         end);
   }
 
-  /// Of the shell's flakes the share exp(-(r - from) / reach) is drawn at a distance r.
+  /// Of the shell's flakes the fraction exp(-(r - from) / reach) is drawn at a distance r.
   float drawn_to_m(float deviate) const { return std::min(to_m_, from_m_ + reach_m_ * deviate); }
 
   const FlakeMotion& motion_;
   const FlakeMotion::Moment& moment_;
   const Frustum& frustum_;
-  const Lookout& lookout_;
+  const FlakeCuller& culler_;
   FlakeMotion::Air air_;
   float from_m_, to_m_, reach_m_, margin_m_;
   FlakeMotion::Drifting waiting_ = {};
@@ -256,30 +258,30 @@ SeenFlakes FallingSnow::at(double time_s, const SnowView& view, const Heightfiel
   const double rate_mm_h = what_ == Falling::rain
                                ? weather_.falling_rain_mm_h(time_s, view.eye_m.z)
                                : weather_.falling_snow_mm_h(time_s, view.eye_m.z);
-  constexpr double least_rate_mm_h = 1e-3;  // a flake in 2 m3, and none of them seen
-  if (!motion_ || rate_mm_h < least_rate_mm_h) return {};
+  constexpr double min_rate_mm_h = 1e-3;  // a flake in 2 m3, and none of them seen
+  if (!motion_ || rate_mm_h < min_rate_mm_h) return {};
   const Frustum frustum(view);
   const NearField field = field_of(rate_mm_h, frustum.solid_angle_sr());
   const FlakeMotion::Moment moment = motion_->moment(time_s, rate_mm_h);
   const FlakeLook look(pictures_, frustum, shutter_s_, what_);
-  const Lookout lookout(look, frustum, ground);
+  const FlakeCuller culler(look, frustum, ground);
   const std::vector<Shell> shells = shells_of(frustum, field, motion_->farthest_own_way_m(), key_);
   std::vector<Range> parts;
   const auto picker = [&](std::size_t shell) {
-    return Picker(*motion_, moment, frustum, lookout, field.reach_m, shells[shell]);
+    return Picker(*motion_, moment, frustum, culler, field.reach_m, shells[shell]);
   };
   for (std::size_t shell = 0; shell < shells.size(); ++shell) picker(shell).find(shell, parts);
-  Gathering gathering;
+  FlakeCollector collector;
   const std::vector<Range> tasks = gathered(parts);
-  gathering.add(tasks.size(), [&](std::size_t task, std::vector<SeenFlake>& seen) {
+  collector.add(tasks.size(), [&](std::size_t task, std::vector<SeenFlake>& seen) {
     Picker own = picker(tasks[task].of);
     for (std::uint64_t part = tasks[task].first; part < tasks[task].last; ++part)
       own.pick(parts[part].first, parts[part].last, seen);
     own.see(seen);
   });
   const FlakeLook whirled(pictures_, frustum, std::max(shutter_s_, whirl_shutter_s));
-  if (tornado_) gathering.add(*tornado_, time_s, whirled, frustum, ground);
-  return {gathering.farthest_first(view.eye_m), field.fog_extinction_per_m};
+  if (tornado_) collector.add(*tornado_, time_s, whirled, frustum, ground);
+  return {collector.farthest_first(view.eye_m), field.fog_extinction_per_m};
 }
 
 }  // namespace wold::snow

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/turns.h"
+#include "core/simd_turns.h"
 
 namespace wold::snow {
 namespace {
@@ -12,12 +12,12 @@ namespace {
 /// Flakes tilt to either side of facing the eye by up to 60 degrees and turn about their middle: an
 /// aggregate is no sheet, and is never seen edge on. Cosines of tilts 60 degrees sin(phase) have
 /// the mean J0(pi / 3).
-constexpr float most_tilt_turns = 1.0F / 6.0F;
+constexpr float max_tilt_turns = 1.0F / 6.0F;
 constexpr float mean_tilt_cosine = 0.74407F;
 
 constexpr float disc_area = 0.25F * std::numbers::pi_v<float>;  ///< of diameter 1
 
-constexpr float least_length = 1e-12F;  ///< instead of none, where one divides by lengths
+constexpr float min_length = 1e-12F;  ///< instead of none, where one divides by lengths
 
 std::size_t individual_of(std::uint64_t bits) {
   static_assert(FlakePictures::individuals == 4);
@@ -64,7 +64,7 @@ WOLD_LANES_WIDE void FlakeLook::draw_far(const FlakeLanes& flakes, Rectangles& d
     const float level2 = x * x + y * y;
     const float distance = std::sqrt(level2 + z * z);
     const float pixel = distance * pixel_angle;
-    const float ahead = 1.0F / greater(distance, least_length);
+    const float ahead = 1.0F / greater(distance, min_length);
     const float ahead_x = ahead * x, ahead_y = ahead * y, ahead_z = ahead * z;
 
     // A disc's sides are those of facing().
@@ -72,7 +72,7 @@ WOLD_LANES_WIDE void FlakeLook::draw_far(const FlakeLanes& flakes, Rectangles& d
     const float side = greater(wanted, pixel);
     const float level = std::sqrt(level2);
     const bool upright = !(level > 1e-6F * distance);
-    const float scale = 0.5F * side / greater(level, least_length);
+    const float scale = 0.5F * side / greater(level, min_length);
     const float disc_x = upright ? 0.5F * side : y * scale;
     const float disc_y = upright ? 0.0F : -x * scale;
     const float disc_opacity = wanted * wanted / (side * side);
@@ -87,7 +87,7 @@ WOLD_LANES_WIDE void FlakeLook::draw_far(const FlakeLanes& flakes, Rectangles& d
     const float way_length = std::sqrt(way_x * way_x + way_y * way_y + way_z * way_z);
     const float width = greater(diameter, pixel);
     const float length = width + way_length;
-    const float per_way = 0.5F / greater(way_length, least_length);
+    const float per_way = 0.5F / greater(way_length, min_length);
     const float across = width * per_way, along = length * per_way;
     const float streak_opacity =
         lesser(1.0F, streak_area * (diameter * diameter) / (width * length));
@@ -118,7 +118,7 @@ void FlakeLook::draw_crystal(const FlakeLanes& flakes, std::size_t lane, float s
   const glm::vec3 towards_eye = flakes.from_eye.at(lane) * (-1.0F / distance);
   const float pixel = distance * pixel_angle_;
   const auto [right, up] = facing(towards_eye);
-  const float tilt = most_tilt_turns * sine_of_turns(flakes.tilt_turns[lane]);
+  const float tilt = max_tilt_turns * sine_of_turns(flakes.tilt_turns[lane]);
   const float sine = sine_of_turns(flakes.spin_turns[lane]);
   const float cosine = cosine_of_turns(flakes.spin_turns[lane]);
   const glm::vec3 axis = cosine * right + sine * up;

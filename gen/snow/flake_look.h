@@ -6,7 +6,7 @@
 
 #include "snow/crystal_picture.h"
 #include "snow/flake_sizes.h"
-#include "snow/lanes.h"
+#include "snow/simd_lanes.h"
 #include "snow/snow_view.h"
 
 namespace wold::snow {

@@ -5,13 +5,13 @@
 #include <numbers>
 
 #include "core/random.h"
-#include "core/turns.h"
+#include "core/simd_turns.h"
 
 namespace wold::snow {
 namespace {
 
 /// They sway at 2 to 5 rad/s (Li 2024).
-constexpr float least_sway = 0.15F;  ///< of the widest of their size
+constexpr float min_sway = 0.15F;  ///< of the widest of their size
 constexpr double turns_per_rad = 0.5 / std::numbers::pi;
 constexpr double slowest_sway_per_s = 2.0 * turns_per_rad, sway_range_per_s = 3.0 * turns_per_rad;
 
@@ -53,10 +53,10 @@ std::uint32_t start_turn(std::uint64_t column, std::uint32_t in_column, int bits
 
 }  // namespace
 
-Population::Population(std::uint64_t key, std::uint64_t flakes, int most_bits)
+Population::Population(std::uint64_t key, std::uint64_t flakes, int max_bits)
     : key_(key), flakes_(flakes) {
-  constexpr std::uint64_t least_in_column = 64;
-  while (bits_ < most_bits && flakes >> (2 * (bits_ + 1)) >= least_in_column) ++bits_;
+  constexpr std::uint64_t min_in_column = 64;
+  while (bits_ < max_bits && flakes >> (2 * (bits_ + 1)) >= min_in_column) ++bits_;
   const std::uint64_t columns = std::uint64_t{1} << (2 * bits_);
   columns_per_flake_ =
       std::max<std::uint64_t>(1, (columns << 32) / std::max<std::uint64_t>(1, flakes));
@@ -162,7 +162,7 @@ WOLD_LANES_WIDE void FlakeMotion::add_sway(const Moment& moment, FlakeLanes& fla
     const std::uint64_t bits = flakes.bits[i];
     const float wide = field_of(bits, lean_bits, 10) * (1.0F / 1024.0F);
     const float height_m =
-        widest_sway_of_m(flakes.diameter[i]) * (least_sway + (1.0F - least_sway) * wide);
+        widest_sway_of_m(flakes.diameter[i]) * (min_sway + (1.0F - min_sway) * wide);
     constexpr auto slowest_rad_s = static_cast<float>(slowest_sway_per_s / turns_per_rad);
     constexpr auto step_rad_s = static_cast<float>(sway_range_per_s / turns_per_rad / rates);
     const float speed_m_s =
@@ -177,7 +177,7 @@ WOLD_LANES_WIDE void FlakeMotion::add_sway(const Moment& moment, FlakeLanes& fla
 }
 
 double FlakeMotion::farthest_own_way_m() const {
-  const float sway_m = what_ == Falling::rain ? 0.0F : farthest_sway_m(sways_most_m);
+  const float sway_m = what_ == Falling::rain ? 0.0F : farthest_sway_m(full_sway_m);
   return static_cast<double>(farthest_gust_m_ + sway_m);
 }
 

@@ -7,7 +7,7 @@
 
 #include "core/random.h"
 #include "snow/flake_sizes.h"
-#include "snow/lanes.h"
+#include "snow/simd_lanes.h"
 #include "snow/weather.h"
 #include "snow/wind_field.h"
 
@@ -23,8 +23,8 @@ struct PeriodicCube {
 /// them, at least 64: who sees little of a cube need not look at most of its flakes.
 class Population {
  public:
-  /// `most_bits`: k is no greater.
-  Population(std::uint64_t key, std::uint64_t flakes, int most_bits = 4);
+  /// `max_bits`: k is no greater.
+  Population(std::uint64_t key, std::uint64_t flakes, int max_bits = 4);
 
   std::uint64_t key() const { return key_; }
   std::uint64_t flakes() const { return flakes_; }
@@ -121,9 +121,9 @@ class FlakeMotion {
 
  private:
   /// Aggregates of a centimetre sway by 3 to 20 cm (Li 2024), smaller flakes by less.
-  static constexpr float widest_sway_m = 0.2F, sways_most_m = 0.01F;
+  static constexpr float widest_sway_m = 0.2F, full_sway_m = 0.01F;
   static float widest_sway_of_m(float diameter_m) {
-    return widest_sway_m * lesser(1.0F, diameter_m * (1.0F / sways_most_m));
+    return widest_sway_m * lesser(1.0F, diameter_m * (1.0F / full_sway_m));
   }
   /// Along two axes.
   static float farthest_sway_m(float diameter_m) {

@@ -13,10 +13,10 @@ namespace {
 
 /// Mean speed of flakes of a size.
 double mean_speed_m_s(scene::CrystalChoice choice, double diameter_mm) {
-  const auto shares = crystal_shares(choice, diameter_mm);
+  const auto fractions = crystal_fractions(choice, diameter_mm);
   double mean = 0.0;
   for (std::size_t i = 0; i < crystal_kinds; ++i)
-    mean += shares[i] * fall_speed_m_s(static_cast<Crystal>(i), diameter_mm);
+    mean += fractions[i] * fall_speed_m_s(static_cast<Crystal>(i), diameter_mm);
   return mean;
 }
 
@@ -53,12 +53,12 @@ FlakeSizes::FlakeSizes(double rate_mm_h, scene::CrystalChoice crystal) : FlakeSi
   std::array<double, crystal_kinds> owed = {};
   for (std::size_t rank = 0; rank < speeds_.size(); ++rank) {
     const double deviate = deviate_of(rank, speeds_.size());
-    const double diameter_mm = flake_diameter_mm(least_melted_mm + deviate / sizes.lambda_per_mm);
-    const auto shares = crystal_shares(crystal, diameter_mm);
-    for (std::size_t i = 0; i < crystal_kinds; ++i) owed[i] += shares[i];
-    const auto most = std::max_element(owed.begin(), owed.end());
-    *most -= 1.0;
-    crystals_[rank] = static_cast<Crystal>(most - owed.begin());
+    const double diameter_mm = flake_diameter_mm(min_melted_mm + deviate / sizes.lambda_per_mm);
+    const auto fractions = crystal_fractions(crystal, diameter_mm);
+    for (std::size_t i = 0; i < crystal_kinds; ++i) owed[i] += fractions[i];
+    const auto max = std::max_element(owed.begin(), owed.end());
+    *max -= 1.0;
+    crystals_[rank] = static_cast<Crystal>(max - owed.begin());
     set_speed(rank, factor * fall_speed_m_s(crystals_[rank], diameter_mm));
     deviates_[rank] = static_cast<float>(deviate);
   }
@@ -72,7 +72,7 @@ FlakeSizes FlakeSizes::raindrops(double heaviest_mm_h) {
   const double lambda_per_mm = marshall_palmer(heaviest_mm_h).lambda_per_mm;
   for (std::size_t rank = 0; rank < drops.speeds_.size(); ++rank) {
     const double deviate = deviate_of(rank, drops.speeds_.size());
-    drops.set_speed(rank, drop_speed_m_s(least_drop_mm + deviate / lambda_per_mm));
+    drops.set_speed(rank, drop_speed_m_s(min_drop_mm + deviate / lambda_per_mm));
     drops.deviates_[rank] = static_cast<float>(deviate);
   }
   return drops;
@@ -86,9 +86,8 @@ std::vector<float> FlakeSizes::diameters_m(double rate_mm_h) const {
   std::vector<float> diameters(deviates_.size());
   for (std::size_t rank = 0; rank < deviates_.size(); ++rank) {
     const double above_mm = static_cast<double>(deviates_[rank]) / lambda_per_mm;
-    diameters[rank] =
-        static_cast<float>(m_per_mm * (rain ? least_drop_mm + above_mm
-                                            : flake_diameter_mm(least_melted_mm + above_mm)));
+    diameters[rank] = static_cast<float>(
+        m_per_mm * (rain ? min_drop_mm + above_mm : flake_diameter_mm(min_melted_mm + above_mm)));
   }
   return diameters;
 }

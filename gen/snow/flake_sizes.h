@@ -16,16 +16,16 @@ enum class Falling : std::uint8_t { snow, rain };
 ///
 /// Melted diameters are 0.5 mm + e / Lambda, e = -log(1 - u) for the rank's u: Gunn and Marshall's
 /// above 0.5 mm. Crystals are dealt to the ranks in turn, so that of neighbours the shares are
-/// crystal_shares(). Speeds are Locatelli and Hobbs's times one factor for all, which makes the
+/// crystal_fractions(). Speeds are Locatelli and Hobbs's times one factor for all, which makes the
 /// water that falls be the rate: their speeds and Gunn and Marshall's numbers were measured in
 /// different snow, and the water in the air times the speeds is off from the rate by up to a fifth.
 ///
-/// Drops of rain are Marshall and Palmer's above least_drop_mm, at their terminal speeds. A drop
+/// Drops of rain are Marshall and Palmer's above min_drop_mm, at their terminal speeds. A drop
 /// falls as its size has it, so that none changes: when it rains less, fewer are there.
 class FlakeSizes {
  public:
   /// `rate_mm_h` is the one at which the water that falls is exactly that; > 0. `crystal` as in
-  /// crystal_shares().
+  /// crystal_fractions().
   FlakeSizes(double rate_mm_h, scene::CrystalChoice crystal);
 
   /// Drops of the heaviest rain; > 0.

@@ -36,12 +36,12 @@ void require_number(float height_m, const glm::ivec2& at) {
       at.y, height_m));
 }
 
-/// Values a share of the way from `before` to `after`.
+/// Values a fraction of the way from `before` to `after`.
 std::vector<float> between(const std::vector<float>& before, const std::vector<float>& after,
-                           float share) {
+                           float fraction) {
   std::vector<float> values(before.size());
   for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] = before[i] + share * (after[i] - before[i]);
+    values[i] = before[i] + fraction * (after[i] - before[i]);
   return values;
 }
 
@@ -122,7 +122,7 @@ std::filesystem::path LargeCover::picture(int hour, int level) const {
   return folder_ / fmt::format("hour_{:05}_level_{}.tif", hour, level);
 }
 
-void LargeCover::reckon(int hour) {
+void LargeCover::integrate(int hour) {
   constexpr int longest_pass_h = 24;
   if (hours_.contains(hour)) return;
   const auto later = hours_.upper_bound(hour);
@@ -173,11 +173,11 @@ void LargeCover::write_ground(const LargeGround& ground) {
     for (int y = 0; y < around.side; ++y)
       for (int x = 0; x < around.side; ++x)
         require_number(heights.at(x, y), around.first + glm::ivec2(x, y));
-    const FactorMap most_m = most_depths_m(heights);
+    const FactorMap max_m = max_depths_m(heights);
     around.each_of_tile([&](const glm::ivec2& at, std::size_t place) {
       const auto value = place_of(at, limits_.tile_samples) * 2;
       values[value] = heights.values()[place];
-      values[value + 1] = most_m.values()[place];
+      values[value + 1] = max_m.values()[place];
     });
   };
   images_.forget(folder_ / "ground.tif");
@@ -226,7 +226,7 @@ void LargeCover::pass(int from_hour, int to_hour) {
   for (int hour = from_hour < 0 ? to_hour : from_hour; hour < to_hour; hour += clock_.step_h)
     weather.push_back(weather_((hour + 0.5 * clock_.step_h) * seconds_per_hour - earlier_s_));
   for (const WeatherMoment& hour : weather) write_drift(drift_heading_deg(hour, cover_.drifting));
-  const auto reckon_tile = [&](const glm::ivec2& tile, std::span<float> values) {
+  const auto integrate_tile = [&](const glm::ivec2& tile, std::span<float> values) {
     const Window around = window(tile);
     SnowpackField lying = after(around, packs(around, from_hour), weather);
     const std::vector<std::vector<double>*> of_pack = channels_of(lying, channels());
@@ -236,7 +236,7 @@ void LargeCover::pass(int from_hour, int to_hour) {
         values[value++] = static_cast<float>((*channel)[place]);
     });
   };
-  write_tiled_image(picture(to_hour, 0), extent(0), limits_.tiles_at_a_time, reckon_tile);
+  write_tiled_image(picture(to_hour, 0), extent(0), limits_.tiles_at_a_time, integrate_tile);
   for (int level = 1; level < levels_; ++level)
     write_halved(images_, picture(to_hour, level - 1), extent(level - 1), picture(to_hour, level),
                  limits_.tiles_at_a_time);
@@ -246,10 +246,10 @@ void LargeCover::pass(int from_hour, int to_hour) {
 /// The packs of a window after hours of weather.
 SnowpackField LargeCover::after(const Window& window, SnowpackField packs,
                                 const std::vector<WeatherMoment>& hours) const {
-  auto [heights, most_m] = ground(window);
+  auto [heights, max_m] = ground(window);
   const HeightClasses classes(heights.values());
   const GroundRise rise = is_season_ ? GroundRise(heights) : GroundRise();
-  const SnowSlide slide(std::move(heights), std::move(most_m));
+  const SnowSlide slide(std::move(heights), std::move(max_m));
   slide.settle(packs);
   std::map<int, std::vector<float>> drifts;
   for (const WeatherMoment& hour : hours) {
@@ -288,8 +288,8 @@ SnowpackField LargeCover::packs(const Window& window, int hour) const {
 std::vector<CoverLevel> LargeCover::view(double time_s, const glm::dvec2& eye_m) {
   const double hours =
       std::max((time_s + earlier_s_) / seconds_per_hour, static_cast<double>(clock_.first_h));
-  reckon(step_at(hours));
-  reckon(step_at(hours) + clock_.step_h);
+  integrate(step_at(hours));
+  integrate(step_at(hours) + clock_.step_h);
   std::vector<CoverLevel> levels(static_cast<std::size_t>(levels_));
   parallel_for(levels.size(), [&](std::size_t level) {
     levels[level] = level_view(static_cast<int>(level), hours, eye_m);
@@ -318,12 +318,12 @@ CoverLevel LargeCover::level_view(int level, double hours, const glm::dvec2& eye
   result.first_m = (glm::dvec2(first) * scale + 0.5 * (scale - 1.0)) * step_m_;
 
   const int hour = step_at(hours);
-  const auto share = static_cast<float>((hours - hour) / clock_.step_h);
+  const auto fraction = static_cast<float>((hours - hour) / clock_.step_h);
   const CoverLevel& before = square(level, hour, first, result.side);
   const CoverLevel& after = square(level, hour + clock_.step_h, first, result.side);
-  result.depth_m = between(before.depth_m, after.depth_m, share);
-  result.white = between(before.white, after.white, share);
-  result.albedo = between(before.albedo, after.albedo, share);
+  result.depth_m = between(before.depth_m, after.depth_m, fraction);
+  result.white = between(before.white, after.white, fraction);
+  result.albedo = between(before.albedo, after.albedo, fraction);
   return result;
 }
 
@@ -337,7 +337,7 @@ const CoverLevel& LargeCover::square(int level, int hour, const glm::ivec2& firs
   images_.read(picture(hour, level), first, glm::ivec2(side), channels(), values);
   kept = {hour, first, {}};
   for (std::size_t i = 0; i < places; ++i) {
-    kept.lying.white.push_back(static_cast<float>(cover_share(values[i * of_pack])));
+    kept.lying.white.push_back(static_cast<float>(cover_fraction(values[i * of_pack])));
     kept.lying.depth_m.push_back(values[i * of_pack + 1]);
     kept.lying.albedo.push_back(static_cast<float>(visible_albedo(values[i * of_pack + 2])));
   }

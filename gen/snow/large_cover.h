@@ -34,7 +34,7 @@ struct CoverLevel {
   double step_m = 0.0;
   glm::dvec2 first_m = {};  ///< of sample (0, 0) from the terrain's south-western corner
   std::vector<float> depth_m;
-  std::vector<float> white;   ///< share of the ground
+  std::vector<float> white;   ///< fraction of the ground
   std::vector<float> albedo;  ///< of the snow, in visible light
 };
 
@@ -56,7 +56,7 @@ class LargeCover {
   /// as "hour_<hour since the weather began>_level_<l>.tif" with the channels water in mm, depth
   /// in m and age, in a season also what snowpack::SnowState holds and lacks in mm; a level has
   /// half the samples of the one before. First it writes, tile by tile, "ground.tif" with heights
-  /// and most_depths_m(), and later "drift_<heading>.tif" for each wind that comes. Rows of
+  /// and max_depths_m(), and later "drift_<heading>.tif" for each wind that comes. Rows of
   /// pictures go north. The scene's cover is "depth". Throws InputError for heights that are no
   /// numbers, FileError for the disk.
   LargeCover(const scene::Scene& scene, const LargeGround& ground, WeatherFunction weather,
@@ -65,7 +65,7 @@ class LargeCover {
   /// Brings the pictures of an hour of snow_clock(), since the weather began, to disk, from the
   /// latest earlier hour that is there, and removes those of all hours but it and the clock's one
   /// before. Throws InputError for weather that is no number, FileError for the disk.
-  void reckon(int hour);
+  void integrate(int hour);
 
   /// What lies about a place at a time since the first frame: squares of at most view_samples^2
   /// samples about it, each with twice the step of the one before, the last over the whole ground.

@@ -17,10 +17,10 @@ struct Drawable {
 };
 
 NearField shared(const Drawable& drawable, double solid_angle_sr, double flakes) {
-  constexpr double most_optical_depth = 0.05, depth_of_visibility = 3.912;
+  constexpr double max_optical_depth = 0.05, depth_of_visibility = 3.912;
   const double reach_m =
       std::min(math::cbrt(flakes / (2.0 * drawable.number_per_m3 * solid_angle_sr)),
-               most_optical_depth / drawable.extinction_per_m);
+               max_optical_depth / drawable.extinction_per_m);
   const double drawn_depth = drawable.extinction_per_m * reach_m;
   return {drawable.number_per_m3, reach_m,
           drawable.all_per_m * (1.0 - drawn_depth / depth_of_visibility)};
@@ -30,19 +30,19 @@ NearField shared(const Drawable& drawable, double solid_angle_sr, double flakes)
 
 NearField near_field(double rate_mm_h, double solid_angle_sr, double flakes) {
   const SizeDistribution sizes = gunn_marshall(rate_mm_h);
-  return shared({sizes.number_above_per_m3(least_melted_mm),
-                 sizes.extinction_above_per_m(seen_efficiency, least_melted_mm),
+  return shared({sizes.number_above_per_m3(min_melted_mm),
+                 sizes.extinction_above_per_m(seen_efficiency, min_melted_mm),
                  sizes.extinction_per_m(seen_efficiency)},
                 solid_angle_sr, flakes);
 }
 
 NearField near_rain(double rate_mm_h, double heaviest_mm_h, double solid_angle_sr, double drops) {
   const SizeDistribution sizes = marshall_palmer(rate_mm_h);
-  NearField field = shared({sizes.number_above_per_m3(least_drop_mm),
-                            rain_extinction_above_per_m(sizes, seen_efficiency, least_drop_mm),
+  NearField field = shared({sizes.number_above_per_m3(min_drop_mm),
+                            rain_extinction_above_per_m(sizes, seen_efficiency, min_drop_mm),
                             rain_extinction_above_per_m(sizes, seen_efficiency, 0.0)},
                            solid_angle_sr, drops);
-  field.number_per_m3 = marshall_palmer(heaviest_mm_h).number_above_per_m3(least_drop_mm);
+  field.number_per_m3 = marshall_palmer(heaviest_mm_h).number_above_per_m3(min_drop_mm);
   return field;
 }
 

@@ -10,7 +10,7 @@
 
 #include "core/elementary.h"
 #include "core/random.h"
-#include "core/turns.h"
+#include "core/simd_turns.h"
 #include "snow/size_distribution.h"
 
 namespace wold::snow {
@@ -27,7 +27,7 @@ double draw(std::uint64_t key, std::uint64_t purpose) {
 }
 
 /// Thirty-two bits as a number in [0, 1).
-double share_of(std::uint32_t bits) {
+double unit_fraction(std::uint32_t bits) {
   return 0.5 + static_cast<double>(static_cast<std::int32_t>(bits ^ 0x80000000U)) * 0x1p-32;
 }
 
@@ -54,11 +54,10 @@ PaperSnow::PaperSnow(const scene::Scene& scene, const Weather& weather,
       crystal_(scene.snowfall.crystal),
       asked_for_(scene.snowfall.flakes),
       shutter_s_(scene.snowfall.shutter_s) {
-  constexpr std::uint64_t most_of_the_papers = 4000;
+  constexpr std::uint64_t max_of_the_papers = 4000;
   if (scene.wind.field == scene::WindPattern::tornado)
-    tornado_.emplace(
-        scene, key_,
-        asked_for_ > 0.0 ? static_cast<std::uint64_t>(asked_for_) : most_of_the_papers);
+    tornado_.emplace(scene, key_,
+                     asked_for_ > 0.0 ? static_cast<std::uint64_t>(asked_for_) : max_of_the_papers);
 }
 
 PaperSnow::Moment PaperSnow::moment(double time_s) const {
@@ -82,9 +81,9 @@ WOLD_LANES_WIDE void PaperSnow::drift(std::uint64_t first, const Carried& carrie
     starts[i] = mixed(flakes.key[i] ^ key_of("start"));
   }
   for (std::size_t i = 0; i < lanes; ++i) {
-    const double v0_m_s = -(0.5 + 0.5 * share_of(low_half(starts[i])));
-    const double boxes =
-        share_of(high_half(starts[i])) + (v0_m_s - gravity_m_s2 * step_s) * by.per_m_s - by.bottom;
+    const double v0_m_s = -(0.5 + 0.5 * unit_fraction(low_half(starts[i])));
+    const double boxes = unit_fraction(high_half(starts[i])) +
+                         (v0_m_s - gravity_m_s2 * step_s) * by.per_m_s - by.bottom;
     // The whole number below, and as an integer the end of its bits when it is so raised.
     constexpr double rounder = 0x1.8p52;
     const double raised = (boxes - 0.5) + rounder;
@@ -95,8 +94,8 @@ WOLD_LANES_WIDE void PaperSnow::drift(std::uint64_t first, const Carried& carrie
   for (std::size_t i = 0; i < lanes; ++i)
     births[i] = mixed(flakes.key[i] ^ static_cast<std::uint64_t>(flakes.births[i]));
   for (std::size_t i = 0; i < lanes; ++i) {
-    flakes.x_m[i] = size_m.x * share_of(low_half(births[i]) + by.way.x);
-    flakes.y_m[i] = size_m.y * share_of(high_half(births[i]) + by.way.y);
+    flakes.x_m[i] = size_m.x * unit_fraction(low_half(births[i]) + by.way.x);
+    flakes.y_m[i] = size_m.y * unit_fraction(high_half(births[i]) + by.way.y);
   }
 }
 
@@ -106,10 +105,10 @@ PaperFlake PaperSnow::flake(const Drifting& drifting, std::size_t lane, const Mo
   PaperFlake flake;
   flake.start_assign = drifting.births[lane];
   const std::uint64_t looks = mixed(key ^ key_of("size")), turns = mixed(key ^ key_of("rot"));
-  flake.size_m = 0.006 + 0.01 * share_of(low_half(looks));
-  flake.colour.a = static_cast<float>(0.7 + 0.3 * share_of(high_half(looks)));
-  flake.rot_per_s = share_of(low_half(turns)) - 0.5;
-  flake.angle_turns = off_whole(share_of(high_half(turns)) + flake.rot_per_s * moment.time_s);
+  flake.size_m = 0.006 + 0.01 * unit_fraction(low_half(looks));
+  flake.colour.a = static_cast<float>(0.7 + 0.3 * unit_fraction(high_half(looks)));
+  flake.rot_per_s = unit_fraction(low_half(turns)) - 0.5;
+  flake.angle_turns = off_whole(unit_fraction(high_half(turns)) + flake.rot_per_s * moment.time_s);
 
   // Level winds alone: the height says when a flake is born again.
   const auto gust = wind_.own_gust(moment.gusts, mixed(key ^ key_of("vf")));
@@ -119,9 +118,9 @@ PaperFlake PaperSnow::flake(const Drifting& drifting, std::size_t lane, const Mo
       0.0};
   const std::uint64_t flutters = mixed(key ^ key_of("flutter"));
   const double flutter_per_s =
-      slowest_flutter_per_s + flutter_range_per_s * share_of(low_half(flutters));
-  const auto flutter =
-      static_cast<float>(off_whole(share_of(high_half(flutters)) + flutter_per_s * moment.time_s));
+      slowest_flutter_per_s + flutter_range_per_s * unit_fraction(low_half(flutters));
+  const auto flutter = static_cast<float>(
+      off_whole(unit_fraction(high_half(flutters)) + flutter_per_s * moment.time_s));
   const glm::dvec2 circle(cosine_of_turns(flutter), sine_of_turns(flutter));
   flake.vr_m_s = flutter_m_s * glm::dvec3(-circle.y, circle.x, 0.0);
 
@@ -171,7 +170,7 @@ Flake PaperSnow::shown(const PaperFlake& flake, std::uint64_t bits) const {
   return {flake.pos_m,
           flake.velocity_m_s(),
           flake.size_m,
-          picked_crystal(crystal_shares(crystal_, mm_per_m * flake.size_m),
+          picked_crystal(crystal_fractions(crystal_, mm_per_m * flake.size_m),
                          draw(bits, key_of("crystal"))),
           bits,
           flake.colour.a,
@@ -194,18 +193,18 @@ SeenFlakes PaperSnow::at(double time_s, const SnowView& view, const Heightfield&
                          (2.0 - (x * x + 2.0 * x + 2.0) * math::exp(-x));
   const double in_box = flakes_in_view(rate_mm_h) * box_m_.x * box_m_.y * box_m_.z / seen_m3;
 
-  const Lookout lookout(look, frustum, ground);
+  const FlakeCuller culler(look, frustum, ground);
   const auto margin_m = static_cast<float>(farthest_own_way_m());
   const Carried moved = carried(now, box);
   const glm::dvec3 low_from_eye_m = box.low_m - frustum.eye_m();
   std::vector<Range> parts;
   split(0, 0, static_cast<std::uint64_t>(std::llround(in_box)), parts);
-  Gathering gathering;
-  gathering.add(parts.size(), [&](std::size_t part, std::vector<SeenFlake>& seen) {
+  FlakeCollector collector;
+  collector.add(parts.size(), [&](std::size_t part, std::vector<SeenFlake>& seen) {
     FlakeLanes flakes = {};
     std::size_t count = 0;
     const auto see = [&] {
-      lookout.see(
+      culler.see(
           flakes, std::exchange(count, 0), [](std::size_t) { return true; }, seen);
     };
     Drifting drifting;
@@ -233,8 +232,8 @@ SeenFlakes PaperSnow::at(double time_s, const SnowView& view, const Heightfield&
     see();
   });
   const FlakeLook whirled(pictures_, frustum, std::max(shutter_s_, whirl_shutter_s));
-  if (tornado_) gathering.add(*tornado_, time_s, whirled, frustum, ground);
-  return {gathering.farthest_first(view.eye_m),
+  if (tornado_) collector.add(*tornado_, time_s, whirled, frustum, ground);
+  return {collector.farthest_first(view.eye_m),
           gunn_marshall(rate_mm_h).extinction_per_m(seen_efficiency)};
 }
 

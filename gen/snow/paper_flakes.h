@@ -7,8 +7,8 @@
 #include "core/ground_map.h"
 #include "scene/scene.h"
 #include "snow/crystal_picture.h"
-#include "snow/lanes.h"
 #include "snow/seen_flakes.h"
+#include "snow/simd_lanes.h"
 #include "snow/snow_view.h"
 #include "snow/tornado.h"
 #include "snow/weather.h"
@@ -52,8 +52,8 @@ class PaperSnow {
   PaperSnow(const scene::Scene& scene, const Weather& weather, const FlakePictures& pictures);
 
   /// As FallingSnow::at(). About as many as asked for are in view, or the paper's (figure 6): 500
-  /// at 0.4 mm/h, 1000 at 1.2, 4000 at 4 and linear between. The share that is drawn falls with the
-  /// distance (figure 3), to 1/e at the length of the box. All snow that falls is fog besides.
+  /// at 0.4 mm/h, 1000 at 1.2, 4000 at 4 and linear between. The fraction that is drawn falls with
+  /// the distance (figure 3), to 1/e at the length of the box. All snow that falls is fog besides.
   ///
   /// The eye stands at the middle of the box's back side, and on its ground, unless it is higher
   /// than half the box: then at half its height.

@@ -9,8 +9,8 @@
 namespace wold::snow {
 
 FactorMap paper_white(double size_m, double gamma, int samples, std::uint64_t seed) {
-  constexpr double most_dots = 4.0;  // in a texel, at gamma = 1
-  const double chance_of_hit = -math::expm1(-most_dots * gamma);
+  constexpr double max_dots = 4.0;  // in a texel, at gamma = 1
+  const double chance_of_hit = -math::expm1(-max_dots * gamma);
   FactorMap white(samples, size_m);
   parallel_for_blocks(white.values().size(), [&](std::size_t texel) {
     const RandomKey key{seed, key_of("snow cover"), texel, key_of("dot")};

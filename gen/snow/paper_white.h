@@ -14,9 +14,9 @@ namespace wold::snow {
 /// texel of the whole texture; phi = S_texture / S_scene is the facet's texture area over its area
 /// on the ground (steps 4 and 5). That is what phi is for: a facet has S_texture of the texels, so
 /// that each of them is hit by gamma phi S_scene / S_texture = gamma units of dots, 4 gamma in the
-/// mean, whatever the facet's size, slope and texture. By Poisson's law the share 1 - exp(-4 gamma)
-/// is white, 98 % at last. Facets, which only carry phi, leave no other trace; none of a terrain's
-/// hangs over (steps 2 and 3).
+/// mean, whatever the facet's size, slope and texture. By Poisson's law the fraction 1 - exp(-4
+/// gamma) is white, 98 % at last. Facets, which only carry phi, leave no other trace; none of a
+/// terrain's hangs over (steps 2 and 3).
 FactorMap paper_white(double size_m, double gamma, int samples, std::uint64_t seed);
 
 }  // namespace wold::snow

@@ -21,6 +21,6 @@ double rain_extinction_per_m(double rate_mm_h, double efficiency);
 double drop_speed_m_s(double diameter_mm);
 
 /// Smaller drops are never drawn.
-inline constexpr double least_drop_mm = 0.5;
+inline constexpr double min_drop_mm = 0.5;
 
 }  // namespace wold::snow

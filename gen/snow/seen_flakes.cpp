@@ -7,8 +7,8 @@
 
 namespace wold::snow {
 
-void Lookout::see_chosen(const FlakeLanes& flakes, Chosen chosen,
-                         std::vector<SeenFlake>& seen) const {
+void FlakeCuller::see_chosen(const FlakeLanes& flakes, Chosen chosen,
+                             std::vector<SeenFlake>& seen) const {
   const glm::dvec3& eye_m = frustum_.eye_m();
   std::size_t above = 0;
   for (std::size_t n = 0; n < chosen.count; ++n) {
@@ -23,11 +23,11 @@ void Lookout::see_chosen(const FlakeLanes& flakes, Chosen chosen,
   look_.see(flakes, chosen, seen.data() + before);
 }
 
-void Gathering::add(const Tornado& tornado, double time_s, const FlakeLook& look,
-                    const Frustum& frustum, const Heightfield& ground) {
+void FlakeCollector::add(const Tornado& tornado, double time_s, const FlakeLook& look,
+                         const Frustum& frustum, const Heightfield& ground) {
   const glm::dvec2 foot_m = tornado.foot_m(time_s);
   const auto ground_m = static_cast<double>(ground.sample(foot_m.x, foot_m.y));
-  const Lookout lookout(look, frustum, ground);
+  const FlakeCuller culler(look, frustum, ground);
   std::vector<Range> parts;
   split(0, 0, tornado.flakes(), parts);
   add(parts.size(), [&](std::size_t part, std::vector<SeenFlake>& seen) {
@@ -36,13 +36,13 @@ void Gathering::add(const Tornado& tornado, double time_s, const FlakeLook& look
       const std::size_t count = std::min<std::uint64_t>(lanes, parts[part].last - first);
       for (std::size_t i = 0; i < count; ++i)
         flakes.set(i, tornado.flake(first + i, time_s, ground_m), frustum.eye_m());
-      lookout.see(
+      culler.see(
           flakes, count, [](std::size_t) { return true; }, seen);
     }
   });
 }
 
-std::vector<SeenFlake> Gathering::farthest_first(const glm::dvec3& eye_m) const {
+std::vector<SeenFlake> FlakeCollector::farthest_first(const glm::dvec3& eye_m) const {
   std::vector<const SeenFlake*> flakes;
   for (const std::vector<SeenFlake>& part : parts_)
     for (const SeenFlake& flake : part) flakes.push_back(&flake);
@@ -62,8 +62,8 @@ std::vector<SeenFlake> Gathering::farthest_first(const glm::dvec3& eye_m) const 
 }
 
 void split(std::size_t of, std::uint64_t first, std::uint64_t last, std::vector<Range>& parts) {
-  constexpr std::uint64_t most = 128 * lanes;
-  for (; first < last; first += most) parts.push_back({of, first, std::min(last, first + most)});
+  constexpr std::uint64_t max = 128 * lanes;
+  for (; first < last; first += max) parts.push_back({of, first, std::min(last, first + max)});
 }
 
 }  // namespace wold::snow

@@ -8,7 +8,7 @@
 #include "core/ground_map.h"
 #include "core/parallel.h"
 #include "snow/flake_look.h"
-#include "snow/lanes.h"
+#include "snow/simd_lanes.h"
 #include "snow/snow_view.h"
 #include "snow/tornado.h"
 
@@ -24,9 +24,9 @@ inline constexpr float nearest_flake_m = 0.15F;  ///< nearer ones would hide the
 
 /// Puts how flakes look at the end of `seen`, of those that have any of them within the view, are
 /// not too near and above the ground.
-class Lookout {
+class FlakeCuller {
  public:
-  Lookout(const FlakeLook& look, const Frustum& frustum, const Heightfield& ground)
+  FlakeCuller(const FlakeLook& look, const Frustum& frustum, const Heightfield& ground)
       : look_(look), frustum_(frustum), ground_(ground) {}
 
   /// Of the flakes those below `end` that pass test(lane) as well.
@@ -57,7 +57,7 @@ class Lookout {
 };
 
 /// What is seen, in an order that does not depend on threads.
-class Gathering {
+class FlakeCollector {
  public:
   /// Adds what pick(part, seen) puts at the end of `seen`, for every part in [0, parts).
   template <class Pick>

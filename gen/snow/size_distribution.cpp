@@ -14,7 +14,7 @@ namespace {
 using std::numbers::pi;
 constexpr double holroyd_g_mm_per_cm3 = 0.17;
 
-/// Gamma(4, x) / 6: the share of the third moment of exp(-x) that lies above x.
+/// Gamma(4, x) / 6: the fraction of the third moment of exp(-x) that lies above x.
 double third_moment_above(double x) {
   return math::exp(-x) * (1.0 + x + x * x / 2.0 + x * x * x / 6.0);
 }

@@ -48,33 +48,33 @@ struct LowerNeighbours {
 
 }  // namespace
 
-double most_depth_m(double slope_deg) {
+double max_depth_m(double slope_deg) {
   constexpr double gentle_deg = 10.0;
   if (slope_deg < gentle_deg) return std::numeric_limits<double>::infinity();
   return 3178.4 * math::pow(slope_deg, -1.998);
 }
 
-FactorMap most_depths_m(const Heightfield& terrain) {
+FactorMap max_depths_m(const Heightfield& terrain) {
   FactorMap result(terrain.samples(), terrain.size_m());
   parallel_for(static_cast<std::size_t>(terrain.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < terrain.samples(); ++i)
       result.at(i, j) = static_cast<float>(
-          most_depth_m(terrain::slope_deg(terrain, i * terrain.step_m(), j * terrain.step_m())));
+          max_depth_m(terrain::slope_deg(terrain, i * terrain.step_m(), j * terrain.step_m())));
   });
   return result;
 }
 
 void SnowSlide::settle(SnowpackField& packs) const {
-  const std::vector<float>& most_m = most_m_.values();
+  const std::vector<float>& max_m = max_m_.values();
   const auto is_lower = [&](std::size_t a, std::size_t b) {
     const float a_m = terrain_.values()[a], b_m = terrain_.values()[b];
     return a_m != b_m ? a_m < b_m : a > b;
   };
   // Snow only ever comes from higher ground, so a place has all it gets when its turn comes.
   std::vector<std::size_t> heap, overfed;
-  for (std::size_t i = 0; i < most_m.size(); ++i)
-    if (packs.depth_m[i] > most_m[i]) heap.push_back(i);
+  for (std::size_t i = 0; i < max_m.size(); ++i)
+    if (packs.depth_m[i] > max_m[i]) heap.push_back(i);
   std::make_heap(heap.begin(), heap.end(), is_lower);
   while (!heap.empty()) {
     std::pop_heap(heap.begin(), heap.end(), is_lower);
@@ -95,29 +95,30 @@ void SnowSlide::shed(SnowpackField& packs, std::size_t from,
   LowerNeighbours below(terrain_, static_cast<int>(from % side), static_cast<int>(from / side));
   if (below.count == 0) return;
   below.add_snow(packs.depth_m[from], packs.depth_m);
-  const std::vector<float>& most_m = most_m_.values();
-  const double excess_m = packs.depth_m[from] - most_m[from];
+  const std::vector<float>& max_m = max_m_.values();
+  const double excess_m = packs.depth_m[from] - max_m[from];
   const double excess_mm = packs.water_mm[from] * excess_m / packs.depth_m[from];
-  const double excess_share = excess_m / packs.depth_m[from];
+  const double excess_fraction = excess_m / packs.depth_m[from];
   const double drop_m = below.drop_m();
   for (std::size_t n = 0; n < below.count; ++n) {
     const Neighbour& to = below.places[n];
-    const double share = to.drop_m / drop_m;
-    const double water_mm = packs.water_mm[to.index] + share * excess_mm;
+    const double fraction = to.drop_m / drop_m;
+    const double water_mm = packs.water_mm[to.index] + fraction * excess_mm;
     if (water_mm > 0.0)  // the surface is a mixture of both
-      packs.age[to.index] += (packs.age[from] - packs.age[to.index]) * share * excess_mm / water_mm;
+      packs.age[to.index] +=
+          (packs.age[from] - packs.age[to.index]) * fraction * excess_mm / water_mm;
     packs.water_mm[to.index] = water_mm;
     for (std::vector<double>* held : {&packs.liquid_mm, &packs.lacking_mm})
-      if (!held->empty()) (*held)[to.index] += share * excess_share * (*held)[from];
-    const double depth_m = packs.depth_m[to.index] + share * excess_m;
-    if (depth_m > most_m[to.index] && packs.depth_m[to.index] <= most_m[to.index])
+      if (!held->empty()) (*held)[to.index] += fraction * excess_fraction * (*held)[from];
+    const double depth_m = packs.depth_m[to.index] + fraction * excess_m;
+    if (depth_m > max_m[to.index] && packs.depth_m[to.index] <= max_m[to.index])
       overfed.push_back(to.index);
     packs.depth_m[to.index] = depth_m;
   }
   packs.water_mm[from] -= excess_mm;
   for (std::vector<double>* held : {&packs.liquid_mm, &packs.lacking_mm})
-    if (!held->empty()) (*held)[from] *= 1.0 - excess_share;
-  packs.depth_m[from] = most_m[from];
+    if (!held->empty()) (*held)[from] *= 1.0 - excess_fraction;
+  packs.depth_m[from] = max_m[from];
 }
 
 }  // namespace wold::snow

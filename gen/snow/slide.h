@@ -11,19 +11,19 @@ namespace wold::snow {
 /// How deep snow can lie on a slope, m, vertically: 3178.4 slope^-1.998 from 10 degrees on
 /// (Bernhardt and Schulz 2010, SnowSlide: A simple routine for calculating gravitational snow
 /// transport), infinite on gentler ground.
-double most_depth_m(double slope_deg);
+double max_depth_m(double slope_deg);
 
-/// most_depth_m() of every place of a terrain of finite heights.
-FactorMap most_depths_m(const Heightfield& terrain);
+/// max_depth_m() of every place of a terrain of finite heights.
+FactorMap max_depths_m(const Heightfield& terrain);
 
 /// Snow that slopes are too steep for slides to lower ground.
 class SnowSlide {
  public:
-  SnowSlide(Heightfield terrain, FactorMap most_depths_m)
-      : terrain_(std::move(terrain)), most_m_(std::move(most_depths_m)) {}
-  explicit SnowSlide(const Heightfield& terrain) : SnowSlide(terrain, most_depths_m(terrain)) {}
+  SnowSlide(Heightfield terrain, FactorMap max_depths_m)
+      : terrain_(std::move(terrain)), max_m_(std::move(max_depths_m)) {}
+  explicit SnowSlide(const Heightfield& terrain) : SnowSlide(terrain, max_depths_m(terrain)) {}
 
-  /// Moves what is above most_depth_m() from the highest place to the lowest, with its share of
+  /// Moves what is above max_depth_m() from the highest place to the lowest, with its fraction of
   /// the water: to those of the eight neighbours whose ground is lower, by how far the surface of
   /// snow drops to them; where it drops to none, by how far the ground does. After it no place is
   /// above its limit but pits of the ground and lowest places of the border, from where there is no
@@ -35,7 +35,7 @@ class SnowSlide {
   void shed(SnowpackField& packs, std::size_t from, std::vector<std::size_t>& overfed) const;
 
   Heightfield terrain_;
-  FactorMap most_m_;
+  FactorMap max_m_;
 };
 
 }  // namespace wold::snow

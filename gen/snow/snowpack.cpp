@@ -44,7 +44,7 @@ PackStep pack_step(const WeatherMoment& weather, double height_m, double hours,
   const double temperature_c = weather.temperature_c - lapse_k_per_m * height_m;
   const bool melts = temperature_c > 0.0;
   PackStep step;
-  step.snow_mm = weather.precipitation_mm_h * snow_share(temperature_c) * hours;
+  step.snow_mm = weather.precipitation_mm_h * snow_fraction(temperature_c) * hours;
   step.melt_mm = melt_mm_per_day / hours_per_day * std::max(temperature_c, 0.0) * hours;
   step.settled_kg_m3 = melts ? settled_melting_kg_m3 : settled_cold_kg_m3;
   step.unsettled = math::exp(-hours / settling_h);

@@ -17,10 +17,10 @@ struct PackStep {
   double snow_mm = 0.0;          ///< falls, as water
   double melt_mm = 0.0;          ///< melts at most
   double settled_kg_m3 = 300.0;  ///< density that packs tend to
-  double unsettled = 1.0;        ///< share of the way to it that remains
+  double unsettled = 1.0;        ///< fraction of the way to it that remains
   double fresh_m_per_mm = 0.01;  ///< depth of what fell, at the step's end
   double aged = 1.0;             ///< age that surfaces tend to
-  double unaged = 1.0;           ///< share of the way to it that remains
+  double unaged = 1.0;           ///< fraction of the way to it that remains
 };
 
 /// Density of fresh snow, kg/m3: 67.92 + 51.25 exp(T / 2.59), at most 120 (Hedstrom and Pomeroy
@@ -36,8 +36,8 @@ PackStep pack_step(const WeatherMoment& weather, double height_m, double hours,
                    double melt_mm_per_day);
 
 /// The pack after the step, with `drift` times as much snowfall as in the open. What melts leaves
-/// at once, with its share of the depth, and rain runs through: fallen water = more lying water +
-/// melted water.
+/// at once, with its fraction of the depth, and rain runs through: fallen water = more lying water
+/// + melted water.
 inline Snowpack advanced(const Snowpack& pack, const PackStep& step, double drift = 1.0) {
   const double fallen_mm = step.snow_mm * drift;
   const double whole_mm = pack.water_mm + fallen_mm;

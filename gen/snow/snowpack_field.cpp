@@ -7,8 +7,8 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "snow/lanes.h"
-#include "snowpack/snow_air.h"
+#include "snow/simd_lanes.h"
+#include "snowpack/snow_forcing.h"
 #include "terrain/relief.h"
 
 namespace wold::snow {
@@ -27,10 +27,10 @@ void require_numbers(const WeatherMoment& weather) {
 }  // namespace
 
 HeightClasses::HeightClasses(std::span<const float> heights_m) : of_place_(heights_m.size()) {
-  constexpr double most_classes = 65535.0;
+  constexpr double max_classes = 65535.0;
   const auto [low, high] = std::ranges::minmax(heights_m);
   low_m_ = std::floor(low);  // tiles of a ground have the same classes
-  class_m_ = std::max(1.0, (static_cast<double>(high) - low_m_) / most_classes);
+  class_m_ = std::max(1.0, (static_cast<double>(high) - low_m_) / max_classes);
   count_ = static_cast<std::size_t>(std::lround((high - low_m_) / class_m_)) + 1;
   parallel_for_blocks(of_place_.size(), [&](std::size_t place) {
     of_place_[place] =
@@ -85,9 +85,9 @@ void advance_by(const std::vector<PackStep>& steps, SnowpackField& packs,
 }
 
 /// For loops over places.
-inline snowpack::SnowStep step_at(const WeatherMoment& weather, const snowpack::SnowSky& sky,
+inline snowpack::SnowStep step_at(const WeatherMoment& weather, const snowpack::SkyForcing& sky,
                                   double hours, double height_m) {
-  const snowpack::SnowAir air = snowpack::snow_air(
+  const snowpack::SnowForcing air = snowpack::snow_forcing(
       weather.temperature_c, weather.precipitation_mm_h * hours, sky, lapse_k_per_m * height_m);
   return snowpack::snow_step(air, hours);
 }
@@ -99,7 +99,7 @@ struct PlaceLanes {
 };
 
 WOLD_LANES_WIDE void advance_lanes(PlaceLanes& at, const WeatherMoment& weather,
-                                   const snowpack::SnowSky& sky, double hours) {
+                                   const snowpack::SkyForcing& sky, double hours) {
   constexpr snowpack::SnowParameters parameters;
   for (std::size_t i = 0; i < lanes; ++i) {
     const snowpack::SnowStep step = step_at(weather, sky, hours, at.height_m[i]);

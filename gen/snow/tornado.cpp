@@ -6,7 +6,7 @@
 
 #include "core/elementary.h"
 #include "core/random.h"
-#include "core/turns.h"
+#include "core/simd_turns.h"
 
 namespace wold::snow {
 namespace {
@@ -15,7 +15,7 @@ constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double widening = 2.4849066;  ///< k = log 12
 constexpr double core = 0.6;            ///< r_c over the funnel's radius
 constexpr double updraught = 0.35;      ///< w over v_core
-constexpr double share_at_foot = 0.2;
+constexpr double fraction_at_foot = 0.2;
 
 /// v r_c / (v_core r), Burgers and Rott's angular speed, at a radius in units of the funnel's.
 double angular_speed(double radius) {
@@ -53,21 +53,21 @@ glm::dvec2 Tornado::foot_m(double time_s) const {
 
 Tornado::Whirl Tornado::rising(std::uint64_t i, double time_s) const {
   // Mostly about the radius where they are fastest, few inside, ragged outside.
-  const double share = 0.25 + 0.5 * std::sqrt(draw(i, key_of("radius"))) +
-                       0.6 * math::pow(draw(i, key_of("radius too")), 3.0);
+  const double fraction = 0.25 + 0.5 * std::sqrt(draw(i, key_of("radius"))) +
+                          0.6 * math::pow(draw(i, key_of("radius too")), 3.0);
   const double up_m_s = updraught * speed_m_s_ * (0.6 + 0.8 * draw(i, key_of("rise")));
   const double cycles = time_s * up_m_s / height_m_ + draw(i, key_of("start"));
   const double cycle = std::floor(cycles);
   const double s = cycles - cycle;
-  const double radius_m = share * foot_radius_m_ * math::exp(widening * s);
+  const double radius_m = fraction * foot_radius_m_ * math::exp(widening * s);
   // v / r = angular_speed v_core / r_c and ds / dt = w / H.
   const double per_height =
-      angular_speed(share) * speed_m_s_ / (core * foot_radius_m_) * height_m_ / up_m_s;
+      angular_speed(fraction) * speed_m_s_ / (core * foot_radius_m_) * height_m_ / up_m_s;
   const double angle =
       two_pi * draw(i ^ mixed(static_cast<std::uint64_t>(static_cast<std::int64_t>(cycle))),
                     key_of("angle")) +
       per_height * (1.0 - math::exp(-widening * s)) / widening;
-  const double ahead_m_s = angular_speed(share) * speed_m_s_ /
+  const double ahead_m_s = angular_speed(fraction) * speed_m_s_ /
                            (core * foot_radius_m_ * math::exp(widening * s)) * radius_m;
   return {radius_m,
           s * height_m_,
@@ -76,10 +76,10 @@ Tornado::Whirl Tornado::rising(std::uint64_t i, double time_s) const {
 }
 
 Tornado::Whirl Tornado::about_the_foot(std::uint64_t i, double time_s) const {
-  const double share = 1.0 + 4.0 * draw(i, key_of("radius")) * draw(i, key_of("radius too"));
-  const double radius_m = share * foot_radius_m_;
-  const double per_s = angular_speed(share) * speed_m_s_ / (core * foot_radius_m_);
-  const double top_m = 0.12 * height_m_ / share;
+  const double fraction = 1.0 + 4.0 * draw(i, key_of("radius")) * draw(i, key_of("radius too"));
+  const double radius_m = fraction * foot_radius_m_;
+  const double per_s = angular_speed(fraction) * speed_m_s_ / (core * foot_radius_m_);
+  const double top_m = 0.12 * height_m_ / fraction;
   const double phase = draw(i, key_of("start")) + 0.3 * time_s;
   const double bob =
       0.5 - 0.5 * static_cast<double>(cosine_of_turns(static_cast<float>(off_whole(phase))));
@@ -90,7 +90,7 @@ Tornado::Whirl Tornado::about_the_foot(std::uint64_t i, double time_s) const {
 }
 
 Flake Tornado::flake(std::uint64_t i, double time_s, double ground_m) const {
-  const bool at_foot = draw(i, key_of("place")) < share_at_foot;
+  const bool at_foot = draw(i, key_of("place")) < fraction_at_foot;
   const Whirl whirl = at_foot ? about_the_foot(i, time_s) : rising(i, time_s);
   const glm::dvec2 outwards(math::cos(whirl.angle), math::sin(whirl.angle));
   const glm::dvec2 ahead(-outwards.y, outwards.x);

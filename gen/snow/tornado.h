@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "scene/scene.h"
-#include "snow/lanes.h"
+#include "snow/simd_lanes.h"
 
 namespace wold::snow {
 
@@ -16,8 +16,8 @@ inline constexpr double whirl_shutter_s = 0.04;
 /// wanders; as high as 0.6 of the terrain is wide, from 10 to 120 m. Its radius grows exponentially
 /// with height, twelvefold.
 ///
-/// Flakes rise evenly and keep their share of the radius, so they move on helices that widen. They
-/// circle as in Burgers and Rott's vortex, v = 1.398 v_core (r_c / r) (1 - exp(-1.256 (r /
+/// Flakes rise evenly and keep their fraction of the radius, so they move on helices that widen.
+/// They circle as in Burgers and Rott's vortex, v = 1.398 v_core (r_c / r) (1 - exp(-1.256 (r /
 /// r_c)^2)), fastest at its core's radius r_c. Both make the angle a closed form: rising at w, at
 /// the height s H it has grown by the integral of v / r, proportional to (1 - exp(-k s)). What
 /// leaves at the top is replaced at the foot by another. A fifth of the flakes whirls about the

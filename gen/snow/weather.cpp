@@ -39,17 +39,18 @@ WeatherMoment of_keys(const scene::Scene& scene) {
           .falling_mm_h = scene.weather.precipitation_mm_h};
 }
 
-/// A share of the way from one to the other.
-std::optional<snowpack::SnowSky> between(const std::optional<snowpack::SnowSky>& a,
-                                         const std::optional<snowpack::SnowSky>& b, double share) {
+/// A fraction of the way from one to the other.
+std::optional<snowpack::SkyForcing> between(const std::optional<snowpack::SkyForcing>& a,
+                                            const std::optional<snowpack::SkyForcing>& b,
+                                            double fraction) {
   if (!a || !b) return {};
-  return snowpack::SnowSky{
-      .phase_c = std::lerp(a->phase_c, b->phase_c, share),
-      .clearness = std::lerp(a->clearness, b->clearness, share),
-      .sun_w_m2 = std::lerp(a->sun_w_m2, b->sun_w_m2, share),
-      .diffuse_w_m2 = std::lerp(a->diffuse_w_m2, b->diffuse_w_m2, share),
-      .slant_east_w_m2 = std::lerp(a->slant_east_w_m2, b->slant_east_w_m2, share),
-      .slant_north_w_m2 = std::lerp(a->slant_north_w_m2, b->slant_north_w_m2, share)};
+  return snowpack::SkyForcing{
+      .phase_c = std::lerp(a->phase_c, b->phase_c, fraction),
+      .clearness = std::lerp(a->clearness, b->clearness, fraction),
+      .sun_w_m2 = std::lerp(a->sun_w_m2, b->sun_w_m2, fraction),
+      .diffuse_w_m2 = std::lerp(a->diffuse_w_m2, b->diffuse_w_m2, fraction),
+      .slant_east_w_m2 = std::lerp(a->slant_east_w_m2, b->slant_east_w_m2, fraction),
+      .slant_north_w_m2 = std::lerp(a->slant_north_w_m2, b->slant_north_w_m2, fraction)};
 }
 
 /// How much water snow of that strength brings, in mm/h; none: as much as the weather does.
@@ -79,10 +80,10 @@ WeatherMoment with_strength(WeatherMoment moment, scene::SnowfallStrength streng
 
 /// The integral of |a + (b - a) x| for x in [0, share], times `duration_s`: the exact length of the
 /// way in a wind that changes evenly.
-double run_of(const glm::dvec2& a, const glm::dvec2& b, double share, double duration_s) {
+double run_of(const glm::dvec2& a, const glm::dvec2& b, double fraction, double duration_s) {
   const glm::dvec2 change = b - a;
   const double c = glm::length(change);
-  if (c <= 1e-9 * (glm::length(a) + glm::length(b))) return glm::length(a) * share * duration_s;
+  if (c <= 1e-9 * (glm::length(a) + glm::length(b))) return glm::length(a) * fraction * duration_s;
   // Along the change the wind is c x + s, across it h.
   const double s = glm::dot(a, change) / c;
   const double h = std::abs(a.x * change.y - a.y * change.x) / c;
@@ -90,21 +91,23 @@ double run_of(const glm::dvec2& a, const glm::dvec2& b, double share, double dur
     const double speed = math::hypot(along, h);
     return 0.5 * (along * speed + (h > 0.0 ? h * h * math::asinh(along / h) : 0.0));
   };
-  return (integral(s + c * share) - integral(s)) / c * duration_s;
+  return (integral(s + c * fraction) - integral(s)) / c * duration_s;
 }
 
 }  // namespace
 
-double snow_share(double temperature_c) { return std::clamp(1.0 - 0.5 * temperature_c, 0.0, 1.0); }
+double snow_fraction(double temperature_c) {
+  return std::clamp(1.0 - 0.5 * temperature_c, 0.0, 1.0);
+}
 
-double snow_share(const WeatherMoment& weather, double height_m) {
+double snow_fraction(const WeatherMoment& weather, double height_m) {
   const double cooler_k = lapse_k_per_m * height_m;
-  return weather.sky ? snowpack::snow_share(weather.sky->phase_c - cooler_k)
-                     : snow_share(weather.temperature_c - cooler_k);
+  return weather.sky ? snowpack::snow_fraction(weather.sky->phase_c - cooler_k)
+                     : snow_fraction(weather.temperature_c - cooler_k);
 }
 
 double snow_mm_h(const WeatherMoment& weather, double height_m) {
-  return weather.precipitation_mm_h * snow_share(weather, height_m);
+  return weather.precipitation_mm_h * snow_fraction(weather, height_m);
 }
 
 std::vector<Weather::Row> Weather::rows_of_table(const scene::Scene& scene) {
@@ -138,7 +141,8 @@ std::vector<Weather::Row> Weather::rows_of_season(const scene::Scene& scene,
   std::vector<Row> rows;
   for (std::size_t i = 0; i < days.size(); ++i) {
     const weather::Day& day = days[i];
-    const snowpack::DayAir air(day, days[std::min(i + 1, days.size() - 1)], scene.sun.latitude_deg);
+    const snowpack::DailyForcing air(day, days[std::min(i + 1, days.size() - 1)],
+                                     scene.sun.latitude_deg);
     const auto add = [&](double hour) {
       rows.push_back(
           {.time_s = (day_h * static_cast<double>(i) + hour) * seconds_per_hour,
@@ -194,16 +198,17 @@ Weather::Span Weather::span_at(double time_s) const {
 
 WeatherMoment Weather::at(double time_s) const {
   const Span span = span_at(time_s);
-  const glm::dvec2 wind = glm::mix(span.before.wind_m_s, span.after.wind_m_s, span.share);
+  const glm::dvec2 wind = glm::mix(span.before.wind_m_s, span.after.wind_m_s, span.fraction);
   const WeatherMoment& a = span.before.moment;
   const WeatherMoment& b = span.after.moment;
   const double speed = glm::length(wind);
-  return {.temperature_c = std::lerp(a.temperature_c, b.temperature_c, span.share),
-          .precipitation_mm_h = std::lerp(a.precipitation_mm_h, b.precipitation_mm_h, span.share),
-          .wind_speed_m_s = speed,
-          .wind_heading_deg = speed > 0.0 ? heading_deg(wind) : a.wind_heading_deg,
-          .sky = between(a.sky, b.sky, span.share),
-          .falling_mm_h = std::lerp(a.falling_mm_h, b.falling_mm_h, span.share)};
+  return {
+      .temperature_c = std::lerp(a.temperature_c, b.temperature_c, span.fraction),
+      .precipitation_mm_h = std::lerp(a.precipitation_mm_h, b.precipitation_mm_h, span.fraction),
+      .wind_speed_m_s = speed,
+      .wind_heading_deg = speed > 0.0 ? heading_deg(wind) : a.wind_heading_deg,
+      .sky = between(a.sky, b.sky, span.fraction),
+      .falling_mm_h = std::lerp(a.falling_mm_h, b.falling_mm_h, span.fraction)};
 }
 
 double Weather::snow_mm_h(double time_s, double height_m) const {
@@ -212,25 +217,25 @@ double Weather::snow_mm_h(double time_s, double height_m) const {
 
 double Weather::falling_snow_mm_h(double time_s, double height_m) const {
   const WeatherMoment now = at(time_s);
-  return now.falling_mm_h * snow_share(now, height_m);
+  return now.falling_mm_h * snow_fraction(now, height_m);
 }
 
 double Weather::falling_rain_mm_h(double time_s, double height_m) const {
   const WeatherMoment now = at(time_s);
-  return now.falling_mm_h * (1.0 - snow_share(now, height_m));
+  return now.falling_mm_h * (1.0 - snow_fraction(now, height_m));
 }
 
 glm::dvec2 Weather::wind_way_m(double time_s) const {
-  const auto [before, after, share, beyond_s] = span_at(time_s);
-  const double seconds = share * (after.time_s - before.time_s);
-  const glm::dvec2 mean = before.wind_m_s + 0.5 * share * (after.wind_m_s - before.wind_m_s);
+  const auto [before, after, fraction, beyond_s] = span_at(time_s);
+  const double seconds = fraction * (after.time_s - before.time_s);
+  const glm::dvec2 mean = before.wind_m_s + 0.5 * fraction * (after.wind_m_s - before.wind_m_s);
   return before.way_m + seconds * mean + beyond_s * before.wind_m_s;
 }
 
 double Weather::wind_run_m(double time_s) const {
-  const auto [before, after, share, beyond_s] = span_at(time_s);
+  const auto [before, after, fraction, beyond_s] = span_at(time_s);
   return before.run_m +
-         run_of(before.wind_m_s, after.wind_m_s, share, after.time_s - before.time_s) +
+         run_of(before.wind_m_s, after.wind_m_s, fraction, after.time_s - before.time_s) +
          beyond_s * before.moment.wind_speed_m_s;
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "scene/scene.h"
-#include "snowpack/snow_air.h"
+#include "snowpack/snow_forcing.h"
 
 namespace wold::phenology {
 class FilmSeason;
@@ -18,29 +18,29 @@ struct WeatherMoment {
   double temperature_c = 0.0;
   double precipitation_mm_h = 0.0;  ///< of water, snow or rain
   double wind_speed_m_s = 0.0;
-  double wind_heading_deg = 0.0;              ///< where it blows to, clockwise from north
-  std::optional<snowpack::SnowSky> sky = {};  ///< in a season
+  double wind_heading_deg = 0.0;                 ///< where it blows to, clockwise from north
+  std::optional<snowpack::SkyForcing> sky = {};  ///< in a season
   double falling_mm_h = 0.0;  ///< precipitation while it falls: in a season, for hours of a day
 };
 
 /// Temperature falls with height by the standard atmosphere's lapse rate.
 inline constexpr double lapse_k_per_m = 0.0065;
 
-/// Share of precipitation that is snow at an air temperature: 1 below 0, 0 above 2 degrees Celsius,
-/// linear between: half at 1 degree, where as much falls as snow as as rain. It is the rule for the
-/// temperature of the hour; snowpack::snow_share() is fitted to one of the day.
-double snow_share(double temperature_c);
+/// Fraction of precipitation that is snow at an air temperature: 1 below 0, 0 above 2 degrees
+/// Celsius, linear between: half at 1 degree, where as much falls as snow as as rain. It is the
+/// rule for the temperature of the hour; snowpack::snow_fraction() is fitted to one of the day.
+double snow_fraction(double temperature_c);
 
-/// Share of it at a height above the terrain's zero: by its temperature, in a season by the day's,
-/// snowpack::snow_share().
-double snow_share(const WeatherMoment& weather, double height_m);
+/// Fraction of it at a height above the terrain's zero: by its temperature, in a season by the
+/// day's, snowpack::snow_fraction().
+double snow_fraction(const WeatherMoment& weather, double height_m);
 
 /// Snow that comes to the ground at a height above the terrain's zero, in mm of water per hour.
 double snow_mm_h(const WeatherMoment& weather, double height_m);
 
 /// The scene's weather over time: constant as the keys of [weather], [wind] and [snowfall] say, or
 /// linear between the rows of weather.table; the wind as a vector. In a season it is that of the
-/// days from six to six, snowpack::DayAir's every hour and a half and linear in between,
+/// days from six to six, snowpack::DailyForcing's every hour and a half and linear in between,
 /// scene.weather.earlier being phenology::as_film()'s.
 ///
 /// The table is comma-separated values with a header; columns by name, in any order: hours
@@ -95,7 +95,7 @@ class Weather {
   struct Span {
     const Row& before;
     const Row& after;
-    double share = 0.0;     ///< of the way from one to the other
+    double fraction = 0.0;  ///< of the way from one to the other
     double beyond_s = 0.0;  ///< since the last row, or, negative, until the first
   };
   Span span_at(double time_s) const;

@@ -5,9 +5,9 @@
 namespace wold::snow {
 
 /// How wet the ground is at a time (since the first frame) and height, in [0, 1): 1 - exp(-w / 0.5
-/// mm), where w is the water that lies on it. Rain brings it, and a share of it that is the same in
-/// any time soaks away and dries, to 1/e in three hours: after t of rain R it is R 3 h (1 - exp(-t
-/// / 3 h)). Rain of the last day counts, as far as the weather had lasted.
+/// mm), where w is the water that lies on it. Rain brings it, and a fraction of it that is the same
+/// in any time soaks away and dries, to 1/e in three hours: after t of rain R it is R 3 h (1 -
+/// exp(-t / 3 h)). Rain of the last day counts, as far as the weather had lasted.
 double ground_wetness(const Weather& weather, double time_s, double height_m);
 
 /// Diffuse albedo of a rough surface of albedo `dry` in [0, 1] under a film of water: much of the

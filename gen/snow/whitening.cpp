@@ -14,10 +14,10 @@ namespace {
 
 /// Octaves of the noise, from patches to two steps of the map.
 Fbm patch_noise(double step_m, double feature_m, std::uint64_t seed) {
-  constexpr double most_octaves = 6.0;
+  constexpr double max_octaves = 6.0;
   const double octaves = std::floor(math::log2(std::max(feature_m / (2.0 * step_m), 1.0))) + 1.0;
   return {.key = random_bits({seed, key_of("snow cover"), 0, key_of("patches")}),
-          .octaves = static_cast<int>(std::min(octaves, most_octaves)),
+          .octaves = static_cast<int>(std::min(octaves, max_octaves)),
           .hurst = 0.7};
 }
 
@@ -51,7 +51,7 @@ FactorMap hollows(const Heightfield& terrain, double feature_m) {
   return result;
 }
 
-/// The share of all values that are lower, by counts in small intervals.
+/// The fraction of all values that are lower, by counts in small intervals.
 class Ranks {
  public:
   explicit Ranks(const std::vector<float>& values) : below_(intervals + 1, 0.0) {
@@ -77,7 +77,7 @@ class Ranks {
 
 }  // namespace
 
-double cover_share(double water_mm) {
+double cover_fraction(double water_mm) {
   constexpr double fresh_kg_m3 = 100.0, scale_m = 2.5 * 0.01;
   return math::tanh(water_mm / fresh_kg_m3 / scale_m);
 }
@@ -86,13 +86,13 @@ double white(double rank, double threshold, double ramp) {
   return std::clamp((threshold - rank) / ramp + 0.5, 0.0, 1.0);
 }
 
-double threshold(double share, double ramp) {
+double threshold(double fraction, double ramp) {
   // At low shares only part of the ramp reaches into [0, 1]: share = (t + ramp/2)^2 / (2 ramp), as
   // long as neither its middle part nor all ranks are in it.
   const double corner = std::min(0.5 * ramp, 0.5 / ramp);
-  if (share < corner) return std::sqrt(2.0 * ramp * share) - 0.5 * ramp;
-  if (share > 1.0 - corner) return 1.0 + 0.5 * ramp - std::sqrt(2.0 * ramp * (1.0 - share));
-  return ramp < 1.0 ? share : 0.5 + (share - 0.5) * ramp;
+  if (fraction < corner) return std::sqrt(2.0 * ramp * fraction) - 0.5 * ramp;
+  if (fraction > 1.0 - corner) return 1.0 + 0.5 * ramp - std::sqrt(2.0 * ramp * (1.0 - fraction));
+  return ramp < 1.0 ? fraction : 0.5 + (fraction - 0.5) * ramp;
 }
 
 WhitePatches::WhitePatches(const Heightfield& terrain, int samples, double feature_m,
@@ -131,14 +131,15 @@ WhitePatches::WhitePatches(const Heightfield& terrain, const GroundGrid& grid, d
                       [&](std::size_t i) { values[i] = static_cast<float>(ranks.of(values[i])); });
 }
 
-FactorMap WhitePatches::white_map(const FactorMap& shares) const {
+FactorMap WhitePatches::white_map(const FactorMap& fractions) const {
   FactorMap result(ranks_.samples(), ranks_.square());
   parallel_for(static_cast<std::size_t>(ranks_.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < ranks_.samples(); ++i) {
       const glm::dvec2 at_m = ranks_.place_m(i, j);
-      const double share = shares.sample(at_m.x, at_m.y);
-      result.at(i, j) = static_cast<float>(white(ranks_.at(i, j), threshold(share, ramp_), ramp_));
+      const double fraction = fractions.sample(at_m.x, at_m.y);
+      result.at(i, j) =
+          static_cast<float>(white(ranks_.at(i, j), threshold(fraction, ramp_), ramp_));
     }
   });
   return result;

@@ -5,7 +5,7 @@
 
 #include "core/elementary.h"
 #include "core/random.h"
-#include "core/turns.h"
+#include "core/simd_turns.h"
 
 namespace wold::snow {
 namespace {
@@ -14,7 +14,7 @@ constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double own_deviation = 0.5;  ///< over the whole; of the variance a quarter
 constexpr double shortest_common_m = 6.0, longest_common_m = 90.0;
 constexpr std::array<double, 2> own_lengths_m = {1.5, 4.0};
-constexpr std::array<double, 3> axis_share = {1.0, 1.0, 0.5};
+constexpr std::array<double, 3> axis_fraction = {1.0, 1.0, 0.5};
 
 /// The height of one of `waves` sines that together have a mean square of deviation^2.
 double wave_height(double deviation, std::size_t waves) {
@@ -33,12 +33,12 @@ WindField::WindField(const Weather& weather, double turbulence, std::uint64_t ke
     : weather_(weather),
       turbulence_(turbulence),
       own_heights_(wave_height(turbulence * own_deviation, own_lengths_m.size()) *
-                   glm::dvec3(axis_share[0], axis_share[1], axis_share[2])) {
+                   glm::dvec3(axis_fraction[0], axis_fraction[1], axis_fraction[2])) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t wave = 0; wave < common_waves; ++wave) {
-      const double share = static_cast<double>(wave) / (common_waves - 1);
+      const double fraction = static_cast<double>(wave) / (common_waves - 1);
       common_[axis][wave] = {
-          1.0 / (shortest_common_m * math::pow(longest_common_m / shortest_common_m, share)),
+          1.0 / (shortest_common_m * math::pow(longest_common_m / shortest_common_m, fraction)),
           random_uniform({key, key_of("gust"), wave, axis})};
     }
 }
@@ -51,9 +51,9 @@ Motion WindField::common(double time_s) const {
                    now.wind_speed_m_s * glm::dvec3(math::sin(heading), math::cos(heading), 0.0)};
   const double run_m = weather_.wind_run_m(time_s);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double height =
-        wave_height(axis_share[axis] * turbulence_ * std::sqrt(1.0 - own_deviation * own_deviation),
-                    common_waves);
+    const double height = wave_height(
+        axis_fraction[axis] * turbulence_ * std::sqrt(1.0 - own_deviation * own_deviation),
+        common_waves);
     for (const Wave& wave : common_[axis]) {
       const double phase = two_pi * off_whole(wave.per_m * run_m + wave.phase);
       const auto i = static_cast<glm::length_t>(axis);

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
-#include "snow/lanes.h"
+#include "snow/simd_lanes.h"
 #include "snow/weather.h"
 
 namespace wold::snow {

@@ -14,13 +14,13 @@ struct SnowParameters {
   double half_snow_c = -0.143;     ///< at which as much falls as snow as as rain
   double viscosity_pa_s = 4.61e7;  ///< of snow without density at 0 degrees (Anderson 1976: 3.7e7)
   double longwave_loss_w_m2 = 121.0;  ///< of snow under a clear sky, net
-  double chilled_share = 0.0927;      ///< of the surface's loss of heat that the pack feels
+  double chilled_fraction = 0.0927;   ///< of the surface's loss of heat that the pack feels
 
   double snow_span_c = 2.0;         ///< from all snow to all rain
   double exchange_w_m2_k = 6.0;     ///< of heat with the air, per degree
   double wet_softening = 5.0;       ///< viscosity of dry snow over that of wet
-  double held_water = 0.05;         ///< share of the ice's mass (Essery 2015)
-  double coldest_share = 0.03;      ///< heat that the ice can lack, over its heat of melting
+  double held_water = 0.05;         ///< fraction of the ice's mass (Essery 2015)
+  double coldest_fraction = 0.03;   ///< heat that the ice can lack, over its heat of melting
   double albedo_fresh = 0.85;       ///< Essery 2015, A factorial snowpack model
   double albedo_old = 0.5;          ///< the same
   double ageing_cold_h = 1000.0;    ///< the same
@@ -38,7 +38,7 @@ struct SnowState {
 };
 
 /// What the air does for some hours.
-struct SnowAir {
+struct SnowForcing {
   double temperature_c = 0.0;
   double snow_mm = 0.0;  ///< falls
   double rain_mm = 0.0;
@@ -67,13 +67,13 @@ struct SnowStep {
 inline constexpr double all_snow_c =
     SnowParameters{}.half_snow_c - 0.5 * SnowParameters{}.snow_span_c;
 
-/// Share of a day's precipitation that is snow, by a temperature of the day: half at half_snow_c,
-/// linear within snow_span_c about it. snow::snow_share() is the rule for the temperature of an
-/// hour.
-inline double snow_share(double temperature_c, const SnowParameters& parameters = {}) {
-  const double share =
+/// Fraction of a day's precipitation that is snow, by a temperature of the day: half at
+/// half_snow_c, linear within snow_span_c about it. snow::snow_fraction() is the rule for the
+/// temperature of an hour.
+inline double snow_fraction(double temperature_c, const SnowParameters& parameters = {}) {
+  const double fraction =
       0.5 - (temperature_c - parameters.half_snow_c) * (1.0 / parameters.snow_span_c);
-  return greater(lesser(share, 1.0), 0.0);
+  return greater(lesser(fraction, 1.0), 0.0);
 }
 
 /// Density of fresh snow: Pahaut 1976, as in Crocus, without wind.
@@ -81,7 +81,8 @@ inline double fresh_kg_m3(double temperature_c) {
   return greater(50.0, 109.0 + 6.0 * lesser(temperature_c, 0.0));
 }
 
-inline SnowStep snow_step(const SnowAir& air, double hours, const SnowParameters& parameters = {}) {
+inline SnowStep snow_step(const SnowForcing& air, double hours,
+                          const SnowParameters& parameters = {}) {
   constexpr double seconds_per_hour = 3600.0, melting_j_kg = 334e3, water_heat_j_kg_k = 4186.0;
   const double seconds = seconds_per_hour * hours;
   const double mm_per_w_m2 = seconds / melting_j_kg;
@@ -126,10 +127,10 @@ inline double sun_mm(const SnowStep& step, double rise_east, double rise_north) 
 /// weight above the middle, and crystals that round off. Surfaces age as Essery's (2015) albedo.
 inline double advance(SnowState& snow, const SnowStep& step, double drift, double sun_mm,
                       const SnowParameters& p) {
-  constexpr double least_ice_mm = 1e-6, densest_kg_m3 = 600.0, gravity_m_s2 = 9.81;
+  constexpr double min_ice_mm = 1e-6, densest_kg_m3 = 600.0, gravity_m_s2 = 9.81;
   const double fallen_mm = step.snow_mm * drift;
   const double whole_mm = snow.water_mm - snow.liquid_mm + fallen_mm;
-  const bool has_ice = whole_mm > least_ice_mm;
+  const bool has_ice = whole_mm > min_ice_mm;
 
   // a' = -(a - old) / ageing + (fresh - a) snowfall / renewing
   const double renewed = fallen_mm * (1.0 / p.renewing_mm);
@@ -138,7 +139,8 @@ inline double advance(SnowState& snow, const SnowStep& step, double drift, doubl
 
   const double albedo = p.albedo_fresh + (p.albedo_old - p.albedo_fresh) * age;
   const double heat_mm = (1.0 - albedo) * sun_mm + step.other_mm;
-  const double gain_mm = greater(heat_mm, 0.0), loss_mm = -p.chilled_share * lesser(heat_mm, 0.0);
+  const double gain_mm = greater(heat_mm, 0.0),
+               loss_mm = -p.chilled_fraction * lesser(heat_mm, 0.0);
   const double warming_mm = lesser(gain_mm, snow.lacking_mm);
   const double melt_mm = lesser(gain_mm - warming_mm, whole_mm);
   const double wet_mm = snow.liquid_mm + step.rain_mm + melt_mm;
@@ -148,7 +150,7 @@ inline double advance(SnowState& snow, const SnowStep& step, double drift, doubl
   const double lacking_mm = snow.lacking_mm - warming_mm + loss_mm - frozen_mm;
   const double water_mm = ice_mm + liquid_mm;
 
-  const bool stays = has_ice && ice_mm > least_ice_mm;
+  const bool stays = has_ice && ice_mm > min_ice_mm;
   const double out_mm = wet_mm - frozen_mm - liquid_mm + (stays ? 0.0 : water_mm);
   const double loose_m =
       (snow.depth_m + fallen_mm * step.fresh_m_per_mm) * (1.0 - melt_mm / whole_mm);
@@ -168,7 +170,7 @@ inline double advance(SnowState& snow, const SnowStep& step, double drift, doubl
   snow.depth_m = stays ? greater(settled_m, water_mm * (1.0 / densest_kg_m3)) : 0.0;
   snow.age = stays ? age : 0.0;
   snow.liquid_mm = stays ? liquid_mm : 0.0;
-  snow.lacking_mm = stays ? lesser(lacking_mm, p.coldest_share * ice_mm) : 0.0;
+  snow.lacking_mm = stays ? lesser(lacking_mm, p.coldest_fraction * ice_mm) : 0.0;
   return out_mm;
 }
 
@@ -184,7 +186,7 @@ class SnowLayer {
     return snow_.depth_m > 0.0 ? snow_.water_mm / snow_.depth_m : 0.0;
   }
 
-  using Air = SnowAir;
+  using Air = SnowForcing;
   /// Returns the water that leaves the pack, mm: snow and rain = more water + what left.
   double advance(const Air& air, double hours) {
     const SnowStep step = snow_step(air, hours, parameters_);

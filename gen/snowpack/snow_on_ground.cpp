@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "snowpack/snow_air.h"
+#include "snowpack/snow_forcing.h"
 
 namespace wold::snowpack {
 namespace {
 
-void advance_day(SnowLayer& layer, const DayAir& air, const SnowParameters& snow) {
+void advance_day(SnowLayer& layer, const DailyForcing& air, const SnowParameters& snow) {
   constexpr int day_h = 24;
   for (int hour = snow_day_h; hour < snow_day_h + day_h; hour += snow_step_h) {
     const double middle = hour + 0.5 * snow_step_h;
-    layer.advance(snow_air(air.temperature_c(middle), air.precipitation_mm_h() * snow_step_h,
-                           air.sky(middle), 0.0, snow),
+    layer.advance(snow_forcing(air.temperature_c(middle), air.precipitation_mm_h() * snow_step_h,
+                               air.sky(middle), 0.0, snow),
                   snow_step_h);
   }
 }
@@ -28,7 +28,7 @@ std::vector<SnowOnGround> snow_on_ground(std::span<const weather::Day> days,
   for (std::size_t i = 0; i < days.size(); ++i) {
     mornings.push_back({layer.depth_m(), layer.water_mm()});
     const weather::Day& next = days[std::min(i + 1, days.size() - 1)];
-    advance_day(layer, DayAir(days[i], next, level_latitude_deg), snow);
+    advance_day(layer, DailyForcing(days[i], next, level_latitude_deg), snow);
   }
   return mornings;
 }

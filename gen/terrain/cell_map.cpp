@@ -60,13 +60,13 @@ void CellMap::find_nodes() {
 /// degrees start anew: there the projection is asked for every place.
 bool CellMap::is_smooth() const {
   constexpr int checks = 16;
-  constexpr double most_cells = 0.01;
+  constexpr double max_cells = 0.01;
   for (int north = 0; north <= checks; ++north)
     for (int east = 0; east <= checks; ++east) {
       const glm::ivec2 half_steps = glm::ivec2(east, north) * (2 * samples_) / checks;
       const glm::dvec2 off = at(half_steps.x, half_steps.y) -
                              found({from_middle_m(half_steps.x), from_middle_m(half_steps.y)});
-      if (!(glm::length(off) < most_cells)) return false;
+      if (!(glm::length(off) < max_cells)) return false;
     }
   return true;
 }

@@ -35,9 +35,9 @@ CellBox cells_of(const CellMap& cells, const Part& part) {
       low = glm::min(low, cell);
       high = glm::max(high, cell);
     }
-  constexpr double most = 1e9;
-  return {glm::ivec2(glm::floor(glm::clamp(low - around, -most, most))),
-          glm::ivec2(glm::ceil(glm::clamp(high + around, -most, most)))};
+  constexpr double max = 1e9;
+  return {glm::ivec2(glm::floor(glm::clamp(low - around, -max, max))),
+          glm::ivec2(glm::ceil(glm::clamp(high + around, -max, max)))};
 }
 
 /// The stored value of a sample: between the raster's cells, or the mean of those around it up to
@@ -60,8 +60,8 @@ double resampled(const CellBlock& block, const CellMap& cells, const glm::ivec2&
 /// part, so that of a large raster few cells are there at a time.
 GDALDatasetUniquePtr stored_square(const Raster& raster, const CellMap& cells, int samples,
                                    double cells_per_step) {
-  constexpr double most_cells = 2048.0;  // along a part's side
-  const int side = static_cast<int>(std::clamp(most_cells / cells_per_step, 1.0, 64.0));
+  constexpr double max_cells = 2048.0;  // along a part's side
+  const int side = static_cast<int>(std::clamp(max_cells / cells_per_step, 1.0, 64.0));
   GDALDatasetUniquePtr square(GetGDALDriverManager()->GetDriverByName("MEM")->Create(
       "", samples, samples, 1, GDT_Float64, nullptr));
   if (!square) raster.fail(CPLGetLastErrorMsg());

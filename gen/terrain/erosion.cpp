@@ -46,14 +46,14 @@ void exchange(GroundMap<double>& heights_m, int stride, const Flow& flow_m) {
 
 void slide(GroundMap<double>& heights_m, double talus_deg, int steps) {
   // Below 1/8: a sample never gives more than its excess over all eight neighbours.
-  constexpr double share = 0.11;
+  constexpr double fraction = 0.11;
   const double slope = math::tan(radians(talus_deg));
   for (int step = 0; step < steps; ++step) {
     const int stride = 16 >> (5 * step / steps);
     const double stable_m = slope * stride * heights_m.step_m();
     exchange(heights_m, stride, [&](double drop_m, bool diagonal) {
       const double limit_m = stable_m * (diagonal ? std::numbers::sqrt2 : 1.0);
-      return share * (drop_m - std::clamp(drop_m, -limit_m, limit_m));
+      return fraction * (drop_m - std::clamp(drop_m, -limit_m, limit_m));
     });
   }
 }

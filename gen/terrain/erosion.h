@@ -9,7 +9,7 @@ namespace wold::terrain {
 // stays level. The same for any number of threads.
 
 /// Thermal erosion (Musgrave, Kolb and Mace 1989): what is steeper than the talus angle slides to
-/// the lower of two neighbours, diagonal ones included, a fixed share of the excess in each of
+/// the lower of two neighbours, diagonal ones included, a fixed fraction of the excess in each of
 /// `steps` exchanges. A fifth of them each spans 16, 8, 4, 2 and 1 grid steps, so that large slopes
 /// settle too.
 void slide(GroundMap<double>& heights_m, double talus_deg, int steps);

@@ -17,8 +17,8 @@ namespace {
 Heightfield real_place(const scene::Terrain& terrain, std::uint64_t seed) {
   Elevation place = read_elevation(terrain);
   const double feature_m = std::min(place.cell_m, terrain.relief_feature_m);
-  const double share = math::pow(feature_m / terrain.relief_feature_m, terrain.roughness);
-  add_fractal_relief(place.heights_m, terrain, seed, terrain.relief_m * share, feature_m);
+  const double fraction = math::pow(feature_m / terrain.relief_feature_m, terrain.roughness);
+  add_fractal_relief(place.heights_m, terrain, seed, terrain.relief_m * fraction, feature_m);
   return crept(std::move(place.heights_m));
 }
 

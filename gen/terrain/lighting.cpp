@@ -46,8 +46,8 @@ struct SkyPatches {
   static double azimuth_rad(int a) { return 2.0 * pi * a / azimuths; }
 };
 
-/// Share of a band of elevations that lies above the horizon; continuous, so nothing steps.
-double share_above(int band, double horizon) {
+/// Fraction of a band of elevations that lies above the horizon; continuous, so nothing steps.
+double fraction_above(int band, double horizon) {
   return std::clamp(band + 1.0 - horizon / SkyPatches::band_rad, 0.0, 1.0);
 }
 
@@ -60,14 +60,14 @@ glm::dvec4 sky_light(const Heightfield& terrain, const glm::dvec2& at_m, const g
     const glm::dvec2 towards(light::direction_of(SkyPatches::azimuth_rad(a), 0.0));
     const double horizon = horizon_rad(terrain, at_m, towards, 0.12);
     for (int b = 0; b < SkyPatches::bands; ++b, ++patch)
-      sum +=
-          patch->power * (std::max(0.0, glm::dot(up, patch->direction)) * share_above(b, horizon));
+      sum += patch->power *
+             (std::max(0.0, glm::dot(up, patch->direction)) * fraction_above(b, horizon));
   }
   return sum;
 }
 
-/// Share of the sun's disc that is seen, in [0, 1]. The disc is taken as 2 degrees wide: grass, not
-/// a sharp edge, casts the hill's shadow.
+/// Fraction of the sun's disc that is seen, in [0, 1]. The disc is taken as 2 degrees wide: grass,
+/// not a sharp edge, casts the hill's shadow.
 double sun_seen(const Heightfield& terrain, const glm::dvec2& at_m, const glm::dvec3& to_sun) {
   constexpr std::array<double, 3> offsets_deg = {-0.7, 0.0, 0.7};
   constexpr double half_width = 1.0 * radians_per_degree;
@@ -111,7 +111,7 @@ struct GroundColour {
   Fbm moisture;
   Fbm litter;
   Fbm border;
-  double wet_shown;  ///< shares of the details that the map shows
+  double wet_shown;  ///< fractions of the details that the map shows
   double litter_shown;
   double border_shown;
 
@@ -123,9 +123,9 @@ struct GroundColour {
         moisture{random_bits({seed, key_of("ground"), 0, key_of("moisture")}), 2, 0.8},
         litter{random_bits({seed, key_of("ground"), 0, key_of("litter")}), 3, 0.3},
         border{random_bits({seed, key_of("ground"), 0, key_of("border")}), 6, 0.95},
-        wet_shown(shown_share(moisture_m, step_m)),
-        litter_shown(shown_share(litter_m, step_m)),
-        border_shown(shown_share(border_m, step_m)) {}
+        wet_shown(shown_fraction(moisture_m, step_m)),
+        litter_shown(shown_fraction(litter_m, step_m)),
+        border_shown(shown_fraction(border_m, step_m)) {}
 
   /// Soil, darker where moist, with pale dry litter on it.
   glm::vec3 earth(const glm::dvec2& at_m) const {

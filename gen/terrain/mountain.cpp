@@ -15,7 +15,7 @@
 namespace wold::terrain {
 namespace {
 
-// Places and lengths here are shares of the map's side.
+// Places and lengths here are fractions of the map's side.
 constexpr glm::dvec2 summit(0.52, 0.62);
 constexpr double meadow_end = 0.15;
 constexpr double meadow_rise = 0.04;  // of the mountain's height
@@ -73,14 +73,14 @@ GroundMap<double> filled(int samples, double size_m, const Value& value) {
 /// Streams that cut while rock rises and slopes creep, in turns. Heights have no scale yet: the law
 /// is linear.
 void grow(GroundMap<double>& heights, std::uint64_t seed, double reach, int rounds) {
-  constexpr double creep_share = 1e-5;  // of the side squared, per reach
+  constexpr double creep_fraction = 1e-5;  // of the side squared, per reach
   const double side_m = heights.size_m();
   const double part = reach / rounds;
   const auto uplift = filled(heights.samples(), side_m,
                              [&](const glm::dvec2& at) { return part * rise(at, seed); });
   for (int round = 0; round < rounds; ++round) {
-    carve(heights, uplift, {.reach = part, .source_share = 1e-3, .steps = 3});
-    creep(heights, creep_share * part * side_m * side_m);
+    carve(heights, uplift, {.reach = part, .source_fraction = 1e-3, .steps = 3});
+    creep(heights, creep_fraction * part * side_m * side_m);
   }
 }
 
@@ -112,16 +112,16 @@ void raise_to(GroundMap<double>& heights_m, double height_m) {
 /// mountain; its body lifts them there. Then they cut a little more, on the final grid.
 GroundMap<double> massif(const scene::Terrain& terrain, std::uint64_t seed) {
   constexpr int coarse = 129;
-  constexpr double body_share = 0.5;
+  constexpr double body_fraction = 0.5;
   auto heights =
       filled(coarse, terrain.size_m, [&](const glm::dvec2& at) { return rise(at, seed); });
   grow(heights, seed, 40.0, 20);
-  raise_to(heights, 1.0 - body_share);
+  raise_to(heights, 1.0 - body_fraction);
   for (int j = 0; j < coarse; ++j)
     for (int i = 0; i < coarse; ++i)
-      heights.at(i, j) += body_share * body(glm::dvec2(i, j) / (coarse - 1.0), seed);
+      heights.at(i, j) += body_fraction * body(glm::dvec2(i, j) / (coarse - 1.0), seed);
   heights = refined(heights, seed, terrain.samples);
-  carve(heights, {.reach = terrain.streams, .source_share = 3e-4, .steps = 6});
+  carve(heights, {.reach = terrain.streams, .source_fraction = 3e-4, .steps = 6});
   return heights;
 }
 

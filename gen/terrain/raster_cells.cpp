@@ -31,13 +31,13 @@ void require_heights(const Raster& raster, const CellBox& box) {
   constexpr double lowest_m = -12000.0;
   constexpr double highest_m = 30000.0;
   constexpr double usual_void = -9999.0;  // it would pass for a depth of the sea
-  constexpr double most_cells = 1 << 30;
+  constexpr double max_cells = 1 << 30;
   const glm::ivec2 size = glm::max(box.end - box.first, 0);
-  if (1.0 * size.x * size.y > most_cells)
+  if (1.0 * size.x * size.y > max_cells)
     raster.fail(
         fmt::format("the square (terrain.size) covers {} x {} of its cells, expected {} "
                     "at most: take a smaller square or a coarser model",
-                    size.x, size.y, most_cells));
+                    size.x, size.y, max_cells));
   GDALRasterBand& band = *raster.dataset().GetRasterBand(1);
   const HeightScale scale = raster.height_scale();
   std::vector<double> values(static_cast<std::size_t>(size.x));

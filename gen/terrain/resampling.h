@@ -20,7 +20,7 @@ struct CellBlock {
 /// between the cells that are there; NaN in a void.
 double cubic_value(const CellBlock& block, const glm::dvec2& place);
 
-/// Mean of what lies between two corners, upper left and lower right, by the share of each cell;
+/// Mean of what lies between two corners, upper left and lower right, by the fraction of each cell;
 /// NaN when all of it is void.
 double mean_value(const CellBlock& block, const glm::dvec2& low, const glm::dvec2& high);
 

@@ -79,7 +79,8 @@ Rock::Rock(const glm::vec3& albedo, std::uint64_t seed, double step_m)
       bend_{random_bits({key_, key_of("bend"), 0, 0}), 4, 0.8},
       stain_{random_bits({key_, key_of("stain"), 0, 0}), 5, 0.5},
       to_beds_(beds(key_)) {
-  for (std::size_t i = 0; i < sizes.size(); ++i) shown_[i] = shown_share(sizes[i].block_m, step_m);
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+    shown_[i] = shown_fraction(sizes[i].block_m, step_m);
 }
 
 /// Bent, so that no joint is a straight line; a bed is half as thick as a block is wide.

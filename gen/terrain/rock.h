@@ -27,7 +27,7 @@ class Rock {
   struct Size {
     double block_m;
     double tilt;  ///< how far faces turn from the ground's
-    double dark;  ///< share of the light that joints take
+    double dark;  ///< fraction of the light that joints take
   };
   static constexpr std::array<Size, 4> sizes = {
       {{1.2, 0.42, 0.6}, {0.4, 0.26, 0.4}, {0.12, 0.16, 0.2}, {0.03, 0.14, 0.07}}};

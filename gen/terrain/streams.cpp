@@ -142,21 +142,21 @@ std::vector<double> drained(const Flood& flow) {
 
 /// One implicit step of reach `reach` along the flow, from the border upstream.
 void cut(GroundMap<double>& heights_m, const Grid& grid, const Flood& flow, double reach,
-         double source_share) {
+         double source_fraction) {
   // Leaves no level ground: enough for doubles, too little to be seen.
-  const double least_drop_m = 1e-7 * heights_m.step_m();
+  const double min_drop_m = 1e-7 * heights_m.step_m();
   const std::vector<double> samples = drained(flow);
   const double steps_per_side = grid.side() - 1.0;
   stop_if_asked();
   for (const int at : flow.order) {
     const auto k = static_cast<std::size_t>(at);
-    const double share = samples[k] / (steps_per_side * steps_per_side);
+    const double fraction = samples[k] / (steps_per_side * steps_per_side);
     const int to = flow.from[k];
-    const double speed =
-        reach * std::sqrt(std::max(share, source_share)) * steps_per_side / grid.distance(at, to);
+    const double speed = reach * std::sqrt(std::max(fraction, source_fraction)) * steps_per_side /
+                         grid.distance(at, to);
     const double below_m = heights_m.values()[static_cast<std::size_t>(to)];
     double& height_m = heights_m.values()[k];
-    height_m = std::max((height_m + speed * below_m) / (1.0 + speed), below_m + least_drop_m);
+    height_m = std::max((height_m + speed * below_m) / (1.0 + speed), below_m + min_drop_m);
   }
 }
 
@@ -184,7 +184,7 @@ void carve(GroundMap<double>& heights_m, const GroundMap<double>& uplift_m,
     lift(heights_m, grid, uplift_m, incision.steps);
     Flood flow = Flooding(heights_m.values(), grid).run();
     drain(heights_m.values(), grid, flow);
-    cut(heights_m, grid, flow, incision.reach / incision.steps, incision.source_share);
+    cut(heights_m, grid, flow, incision.reach / incision.steps, incision.source_fraction);
   }
 }
 

@@ -7,15 +7,17 @@ namespace wold::terrain {
 /// What streams do to the ground in a length of time, the stream-power law with n = 1, m = 0.5
 /// (Howard 1994): dz/dt = U - K sqrt(A) S, where A is the area that drains through a point and S
 /// the slope down to the steepest of the eight neighbours. It is linear in the heights and knows
-/// areas as shares of the map and lengths as shares of its side only.
+/// areas as fractions of the map and lengths as fractions of its side only.
 struct Incision {
   /// K t times the side: how many sides a notch travels upstream in the whole time where the whole
-  /// map drains; sqrt(share) of that where a share of it does. 1 cuts gorges into the lower slopes,
-  /// 10 reaches the crests; against uplift, 30 is near the steady state S = U / (K sqrt(A)).
+  /// map drains; sqrt(share) of that where a fraction of it does. 1 cuts gorges into the lower
+  /// slopes, 10 reaches the crests; against uplift, 30 is near the steady state S = U / (K
+  /// sqrt(A)).
   double reach = 1.0;
-  /// Where a smaller share of the map than this drains, the ground is slope rather than channel and
-  /// wears as if this share drained there: what slopes do must not depend on the samples' number.
-  double source_share = 2e-4;
+  /// Where a smaller fraction of the map than this drains, the ground is slope rather than channel
+  /// and wears as if this fraction drained there: what slopes do must not depend on the samples'
+  /// number.
+  double source_fraction = 2e-4;
   int steps = 20;  ///< that the time is cut into; implicit ones, stable at any length
 };
 

@@ -26,13 +26,13 @@ std::vector<Task> needed(Work& work, const StageTasks& stage) {
 /// Runs tasks under one heading; `in_order(count, body)` calls the body for each.
 template <class InOrder>
 void run_all(Work& work, const std::vector<Task>& tasks, const std::string& heading,
-             const RendererShare& share, Progress& progress, const InOrder& in_order) {
+             const RendererLimits& limits, Progress& progress, const InOrder& in_order) {
   if (tasks.empty()) return;
   work.prepare(tasks.front().stage, progress);
   progress.begin(heading, tasks.size() * TaskProgress::units);
   in_order(tasks.size(), [&](std::size_t i) {
     TaskProgress part(progress, text_of(tasks[i]));
-    work.run(tasks[i], share, part);
+    work.run(tasks[i], limits, part);
     part.finish();
   });
   progress.end();
@@ -63,14 +63,14 @@ std::size_t pictures_at_once(const Job& job, double bytes_each) {
 }
 
 /// What each of so many renderers may take; what is left is this process's.
-RendererShare renderer_share(const Job& job, std::size_t at_once) {
-  RendererShare share;
-  share.threads = at_once > 1 ? threads_of(job) / static_cast<int>(at_once) : job.threads;
-  if (job.memory_bytes <= 0.0) return share;
+RendererLimits renderer_limits(const Job& job, std::size_t at_once) {
+  RendererLimits limits;
+  limits.threads = at_once > 1 ? threads_of(job) / static_cast<int>(at_once) : job.threads;
+  if (job.memory_bytes <= 0.0) return limits;
   const double renderers = memory_for_renderers(job, at_once);
-  share.memory_bytes = renderers / static_cast<double>(at_once);
+  limits.memory_bytes = renderers / static_cast<double>(at_once);
   limit_own_memory(job.memory_bytes - renderers);
-  return share;
+  return limits;
 }
 
 void make_pictures(const Job& job, Work& work, std::vector<Task> tasks, double bytes_each,
@@ -80,7 +80,7 @@ void make_pictures(const Job& job, Work& work, std::vector<Task> tasks, double b
   if (tasks.empty()) return;
   work.forget_film();
   const std::size_t at_once = std::min(tasks.size(), pictures_at_once(job, bytes_each));
-  run_all(work, tasks, "pictures", renderer_share(job, at_once), progress,
+  run_all(work, tasks, "pictures", renderer_limits(job, at_once), progress,
           [&](std::size_t count, const std::function<void(std::size_t)>& body) {
             run_at_once(count, at_once, body);
           });

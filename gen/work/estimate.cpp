@@ -46,10 +46,10 @@ Estimate scenes(const Job& job, const StageTasks& stage, const film::FilmDemand&
 
 /// Of the frame that takes most.
 double picture_memory_bytes(const Job& job, const Stage& stage, const film::FilmDemand& demand) {
-  double most = 0.0;
+  double max = 0.0;
   for (const auto& [frame, shown] : demand.frames())
-    most = std::max(most, renderer_memory_bytes(job, stage.exporter->memory, shown));
-  return most;
+    max = std::max(max, renderer_memory_bytes(job, stage.exporter->memory, shown));
+  return max;
 }
 
 Estimate picture(const Job& job, const StageTasks& stage, const film::FilmDemand& demand) {
@@ -80,9 +80,9 @@ Estimate modelled(const Job& job, const StageTasks& stage, const film::FilmDeman
 std::vector<TaskRecord> records_of(const Stage& stage, const std::vector<int>& indices,
                                    const Work& work) {
   constexpr std::size_t enough = 16;
-  constexpr std::size_t most_looked_at = 1000;
+  constexpr std::size_t max_sampled = 1000;
   std::vector<TaskRecord> records;
-  for (std::size_t i = 0; i < std::min(indices.size(), most_looked_at); ++i)
+  for (std::size_t i = 0; i < std::min(indices.size(), max_sampled); ++i)
     if (auto record = work.records().read({stage, indices[i]});
         record && record->facts == work.scene_hash()) {
       records.push_back(std::move(*record));

@@ -35,15 +35,15 @@ double unlit_bytes(const VolumeSize& finest) {
 
 /// Texels of painted grass are of the coarsest level, in all variants.
 void add_painted(const scene::Scene& scene, const film::FilmDemand& demand,
-                 std::set<std::tuple<int, grass::PatchState, int>>& levels) {
-  const int coarsest = static_cast<int>(scene.grass.levels.size()) - 1;
+                 std::set<std::tuple<int, grass::PatchState, int>>& lods) {
+  const int coarsest = static_cast<int>(scene.grass.lods.size()) - 1;
   for (const auto& [frame, shown] : demand.frames()) {
     if (!shown.has_distance) continue;
     std::set<grass::PatchState> states;
     for (const film::ShownVolume& volume : shown.volumes) states.insert(volume.state);
     for (const grass::PatchState& state : states)
       for (int variant = 0; variant < scene.grass.variants; ++variant)
-        levels.insert({variant, state, coarsest});
+        lods.insert({variant, state, coarsest});
   }
 }
 
@@ -63,8 +63,8 @@ double frame_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
 
 }  // namespace
 
-VolumeSize volume_size(const scene::Grass& grass, int level, double weathering, double snow) {
-  const double side = grass.levels[static_cast<std::size_t>(level)];
+VolumeSize volume_size(const scene::Grass& grass, int lod, double weathering, double snow) {
+  const double side = grass.lods[static_cast<std::size_t>(lod)];
   const double voxel_m = grass.patch_m / side;
   const double bent_m =
       grass.height_m * std::max(1.15 - 0.62 * weathering, 0.73) * (1.0 - 0.5 * snow);
@@ -85,9 +85,9 @@ VolumeSize volume_size(const scene::Grass& grass, int level, double weathering, 
 VolumeSizes::VolumeSizes(const scene::Scene& scene)
     : grass_(scene::mean_grass(scene)), key_frames_(scene::key_frames(scene)) {}
 
-VolumeSize VolumeSizes::of(const grass::PatchState& state, int level) const {
-  return volume_size(grass_, level, key_frames_.at(static_cast<std::size_t>(state.key_frame)),
-                     state.snow_share());
+VolumeSize VolumeSizes::of(const grass::PatchState& state, int lod) const {
+  return volume_size(grass_, lod, key_frames_.at(static_cast<std::size_t>(state.key_frame)),
+                     state.snow_fraction());
 }
 
 double density_bytes(const scene::Scene& scene, double grids) {
@@ -108,16 +108,16 @@ double cloud_voxels(const scene::Scene& scene) {
 }
 
 double texel_bytes(const scene::Scene& scene, const film::FilmDemand& demand) {
-  std::set<std::tuple<int, grass::PatchState, int>> levels;
+  std::set<std::tuple<int, grass::PatchState, int>> lods;
   for (const film::ShownVolume& volume : demand.volumes())
-    levels.insert({volume.variant, volume.state, volume.level});
-  add_painted(scene, demand, levels);
+    lods.insert({volume.variant, volume.state, volume.lod});
+  add_painted(scene, demand, lods);
   std::set<film::BladePatchState> unlit;
   const VolumeSizes sizes(scene);
   double bytes = 0.0;
-  for (const auto& [variant, state, level] : levels) {
+  for (const auto& [variant, state, lod] : lods) {
     unlit.insert({variant, state.unlit()});
-    bytes += baked_bytes(sizes.of(state, level), meadow::turns_of_level(scene, level));
+    bytes += baked_bytes(sizes.of(state, lod), meadow::turns_of_lod(scene, lod));
   }
   for (const auto& [variant, state] : unlit) bytes += unlit_bytes(sizes.of(state, 0));
   return bytes;
@@ -132,7 +132,7 @@ double scene_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
   double shared = costs.shared_terrain_sample * squared(scene.terrain.samples);
   const VolumeSizes sizes(scene);
   for (const film::ShownVolume& volume : demand.volumes())
-    shared += volume_bytes(scene, costs, sizes.of(volume.state, volume.level));
+    shared += volume_bytes(scene, costs, sizes.of(volume.state, volume.lod));
   shared +=
       static_cast<double>(demand.patches().size()) * (costs.shared_blade * scene.grass.blades);
   constexpr double ground_pixel_bytes = 6.1;  // three half floats

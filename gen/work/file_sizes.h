@@ -18,13 +18,13 @@ struct VolumeSize {
 
 /// Of a patch at a level, withered to a degree in [0, 1], under a share in [0, 1] of the snow that
 /// it can carry: it gets lower and thinner.
-VolumeSize volume_size(const scene::Grass& grass, int level, double weathering, double snow);
+VolumeSize volume_size(const scene::Grass& grass, int lod, double weathering, double snow);
 
 /// Sizes of a scene's volumes, whose weathering degrees are the scene's key frames.
 class VolumeSizes {
  public:
   explicit VolumeSizes(const scene::Scene& scene);
-  VolumeSize of(const grass::PatchState& state, int level) const;
+  VolumeSize of(const grass::PatchState& state, int lod) const;
 
  private:
   scene::Grass grass_;

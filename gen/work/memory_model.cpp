@@ -20,16 +20,16 @@ double idle_bytes(const Job& job) { return 100.0 * megabyte + thread_bytes * thr
 /// Choosing cells and what is known of each; docs/measurements.md has the table that this follows.
 double cells_bytes(const scene::Scene& scene) {
   const double along_a_side = scene.terrain.size_m / scene.grass.patch_m;
-  constexpr double most_along_a_side = 320.0;  // of large terrains only what is near
-  return 0.18 * megabyte * math::pow(std::min(along_a_side, most_along_a_side), 1.54);
+  constexpr double max_along_a_side = 320.0;  // of large terrains only what is near
+  return 0.18 * megabyte * math::pow(std::min(along_a_side, max_along_a_side), 1.54);
 }
 
 /// Painting the ground and what else a frame needs; more where the ground's picture is large.
 double painting_bytes(const scene::Scene& scene) {
-  constexpr double usual = 100.0 * megabyte, least = 30.0 * megabyte, sample_bytes = 47.0;
+  constexpr double usual = 100.0 * megabyte, min = 30.0 * megabyte, sample_bytes = 47.0;
   if (place::is_large(scene)) return usual;
   const double along_a_side = place::picture_grid(scene).samples;
-  return std::max(usual, least + sample_bytes * along_a_side * along_a_side);
+  return std::max(usual, min + sample_bytes * along_a_side * along_a_side);
 }
 
 /// What a renderer reads for a frame.
@@ -43,7 +43,7 @@ double read_bytes(const scene::Scene& scene, const exporter::MemoryCosts& costs,
   const double voxel_bytes = costs.voxel + density_bytes(scene, costs.density_grids);
   const VolumeSizes sizes(scene);
   for (const film::ShownVolume& volume : shown.volumes) {
-    const VolumeSize size = sizes.of(volume.state, volume.level);
+    const VolumeSize size = sizes.of(volume.state, volume.lod);
     bytes += voxel_bytes * size.voxels + costs.filled_voxel * size.filled;
   }
   return bytes;
@@ -58,7 +58,7 @@ double scene_memory_bytes(const Job& job, int threads) {
 
 }  // namespace
 
-double voxels_of(const scene::Scene& scene) { return math::pow(scene.grass.levels.front(), 3.0); }
+double voxels_of(const scene::Scene& scene) { return math::pow(scene.grass.lods.front(), 3.0); }
 
 double texel_memory_bytes(const Job& job) {
   return idle_bytes(job) + 50.0 * megabyte + 15.0 * voxels_of(job.scene);

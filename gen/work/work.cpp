@@ -37,7 +37,7 @@ std::map<std::string_view, std::string> hashes_of_programs(exporter::Exporters e
   return hashes;
 }
 
-render::Job picture_job(const Job& job, const Task& task, const RendererShare& share,
+render::Job picture_job(const Job& job, const Task& task, const RendererLimits& limits,
                         Renderers& renderers) {
   const scene::Render& settings = job.scene.render;
   const std::string number = fmt::format("{:04}", task.index);
@@ -48,8 +48,8 @@ render::Job picture_job(const Job& job, const Task& task, const RendererShare& s
   picture.size_px = {settings.size_px[0], settings.size_px[1]};
   picture.samples = settings.samples;
   picture.device = scene::word_of(settings.device);
-  picture.threads = share.threads;
-  picture.memory_bytes = share.memory_bytes;
+  picture.threads = limits.threads;
+  picture.memory_bytes = limits.memory_bytes;
   picture.timeout = std::chrono::seconds(std::lround(settings.timeout_minutes * 60.0));
   picture.picture = picture_path(job, task);
   picture.expected =
@@ -80,8 +80,8 @@ bool may_make(const Stage& stage, const fs::path& name) {
 
 /// "camera.eye, camera.target and 3 more"
 std::string listed(const std::vector<std::string>& keys) {
-  constexpr std::size_t most = 4;
-  const std::size_t shown = std::min(keys.size(), most);
+  constexpr std::size_t max = 4;
+  const std::size_t shown = std::min(keys.size(), max);
   const std::string text =
       fmt::format("{}", fmt::join(keys.begin(), keys.begin() + static_cast<long>(shown), ", "));
   return shown == keys.size() ? text : fmt::format("{} and {} more", text, keys.size() - shown);
@@ -177,7 +177,7 @@ const Work::SceneHashes& Work::scene_hashes(int frame) {
   return hashes;
 }
 
-film::Film& Work::film() {
+film::FilmPipeline& Work::film() {
   if (!film_) film_.emplace(job_);
   return *film_;
 }
@@ -212,10 +212,10 @@ void Work::forget_film() {
   demand_found_ = false;
 }
 
-void Work::run(const Task& task, const RendererShare& share, Progress& progress) {
+void Work::run(const Task& task, const RendererLimits& limits, Progress& progress) {
   remove_damaged(task);
   const auto start = std::chrono::steady_clock::now();
-  const Made made = make(task, share, progress);
+  const Made made = make(task, limits, progress);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   TaskRecord record{source(task), facts_hash_, {}, took.count(), made.renderer_memory_bytes};
   for (const fs::path& file : made.files) {
@@ -229,7 +229,7 @@ void Work::run(const Task& task, const RendererShare& share, Progress& progress)
   scene_hashes_.erase(task.index);
 }
 
-Work::Made Work::make(const Task& task, const RendererShare& share, Progress& progress) {
+Work::Made Work::make(const Task& task, const RendererLimits& limits, Progress& progress) {
   switch (task.stage.step) {
     case Step::texels:
       return {film().make_texels(task.index - 1, progress)};
@@ -238,18 +238,18 @@ Work::Made Work::make(const Task& task, const RendererShare& share, Progress& pr
     case Step::scenes:
       return {film().make_frame(task.index, progress)};
     case Step::pictures:
-      return make_picture(task, share, progress);
+      return make_picture(task, limits, progress);
   }
   return {};
 }
 
-Work::Made Work::make_picture(const Task& task, const RendererShare& share, Progress& progress) {
+Work::Made Work::make_picture(const Task& task, const RendererLimits& limits, Progress& progress) {
   const Task scene_files = {Stage::scenes, task.index};
   if (const Verdict verdict = this->verdict(scene_files); verdict.need != Need::no)
     throw FileError(
         fmt::format("the task \"{}\" needs the files of \"{}\", which has to be run first: {}",
                     text_of(task), text_of(scene_files), verdict.why));
-  const render::Job picture = picture_job(job_, task, share, *renderers_);
+  const render::Job picture = picture_job(job_, task, limits, *renderers_);
   if (const auto& require = renderer_of(task.stage).require_data_only)
     require(picture.scene_folder, task.index);
   const double memory_bytes = render::run(picture, progress, interrupted);

@@ -28,7 +28,7 @@ struct Verdict {
 };
 
 /// What one renderer may take of the machine.
-struct RendererShare {
+struct RendererLimits {
   int threads = 0;            ///< 0: all
   double memory_bytes = 0.0;  ///< 0: no limit
 };
@@ -55,10 +55,10 @@ class Work {
   /// Gives back the memory of what run() needs for all but pictures; prepare() makes it anew.
   void forget_film();
 
-  /// Does a task, needed or not, and writes its record. `share` is what the renderer may take.
+  /// Does a task, needed or not, and writes its record. `limits` is what the renderer may take.
   /// Tasks of texels may run at the same time, and pictures. Throws FileError, also when what the
   /// task depends on has not been done, RendererError and InterruptedError.
-  void run(const Task& task, const RendererShare& share, Progress& progress);
+  void run(const Task& task, const RendererLimits& limits, Progress& progress);
 
   /// When all is done: says in DIR/scene.toml and DIR/manifest.json what is there. For a process
   /// that has the folder to itself. Throws FileError.
@@ -85,10 +85,10 @@ class Work {
   std::string picture_source(const Task& task);
   const SceneHashes& scene_hashes(int frame);
   Verdict outdated(const Task& task, const TaskRecord& record);
-  Made make(const Task& task, const RendererShare& share, Progress& progress);
-  Made make_picture(const Task& task, const RendererShare& share, Progress& progress);
+  Made make(const Task& task, const RendererLimits& limits, Progress& progress);
+  Made make_picture(const Task& task, const RendererLimits& limits, Progress& progress);
   void remove_damaged(const Task& task);
-  film::Film& film();
+  film::FilmPipeline& film();
 
   const Job& job_;
   Renderers* renderers_;
@@ -102,7 +102,7 @@ class Work {
   std::map<int, Verdict> scenes_;               ///< verdicts, by frame
   std::map<int, SceneHashes> scene_hashes_;     ///< by frame
   std::map<std::string, std::string> changes_;  ///< since facts of that hash, in words
-  std::optional<film::Film> film_;
+  std::optional<film::FilmPipeline> film_;
   std::optional<film::FilmDemand> demand_;
   bool demand_found_ = false;
 };

@@ -25,7 +25,7 @@
 
 /// Whether what counts has become slower: costs as multiples of something plain that is done in the
 /// same run, by turns, so that a slow or busy machine slows both. One thread and its processor
-/// time; medians. Exit status 1 when one is worse than `most_times` the figure on record
+/// time; medians. Exit status 1 when one is worse than `max_times` the figure on record
 /// (cost_ratios.toml), 77 where the build is not the one that is shipped.
 ///
 ///     cost_ratios            judges
@@ -33,7 +33,7 @@
 namespace wold {
 namespace {
 
-constexpr double most_times = 1.5;
+constexpr double max_times = 1.5;
 constexpr int rounds = 9;
 
 double median(std::vector<double> values) {
@@ -95,7 +95,8 @@ struct Patch {
         shape{254, 254, scene.grass.patch_m / 254},
         blades(grass::scatter_blades(scene.grass, scene.ageing,
                                      {scene.grass.patch_m, scene.grass.blades, scene.seed, 0})),
-        dynamics(model, blades, grass::sample_points(blades, shape, scene.grass.proportion, 1),
+        dynamics(model, blades,
+                 grass::sample_points(blades, shape, scene.grass.points_per_voxel_face, 1),
                  0.1 * shape.voxel_m) {
     dynamics.advance_to(0.0);
   }
@@ -180,15 +181,14 @@ double clouds_per_copy() {
 double texels_per_sorting() {
   const scene::Scene scene;
   const light::Daylight daylight(scene.sun, scene.sky);
-  grass::LevelTurns levels;
-  for (int level = 0; level < static_cast<int>(scene.grass.levels.size()); ++level)
-    levels[level] = {0};
+  grass::LodTurns lods;
+  for (int lod = 0; lod < static_cast<int>(scene.grass.lods.size()); ++lod) lods[lod] = {0};
   SilentProgress progress;
   const auto make = [&] {
     const test::TemporaryFolder folder("cost_ratios");
     const grass::TimeVaryingTexel texel(scene, {grass::make_lighting(daylight, {0.0, -1.0, 0.0})},
                                         folder.path());
-    texel.generate({{0, {{0, levels}, {6, levels}, {12, levels}}}}, progress);
+    texel.generate({{0, {{0, lods}, {6, lods}, {12, lods}}}}, progress);
   };
   Sorting sorting(4'000'000);
   return ratio(
@@ -207,9 +207,9 @@ constexpr Cost costs[] = {{"rasterise_per_copy", rasterise_per_copy},
                           {"texels_per_sorting", texels_per_sorting}};
 
 /// A second look at what is too slow: a busy moment is none twice in a row.
-double measured(const Cost& cost, double most) {
+double measured(const Cost& cost, double max) {
   const double first = cost.measure();
-  return first <= most ? first : std::min(first, cost.measure());
+  return first <= max ? first : std::min(first, cost.measure());
 }
 
 bool judge(const toml::table& on_record) {
@@ -217,8 +217,8 @@ bool judge(const toml::table& on_record) {
   fmt::print("{:20} {:>8} {:>10} {:>6}\n", "cost", "now", "on record", "times");
   for (const Cost& cost : costs) {
     const double record = on_record[cost.name].value<double>().value();
-    const double now = measured(cost, most_times * record);
-    const bool within = now <= most_times * record;
+    const double now = measured(cost, max_times * record);
+    const bool within = now <= max_times * record;
     fmt::print("{:20} {:8.2f} {:10.2f} {:6.2f} {}\n", cost.name, now, record, now / record,
                within ? "" : " TOO SLOW");
     good = good && within;

@@ -15,7 +15,7 @@
 #include "grass/optics/blade_picture.h"
 #include "grass/texel/baking.h"
 #include "grass/texel/columns.h"
-#include "grass/texel/levels.h"
+#include "grass/texel/lods.h"
 #include "grass/texel/samples.h"
 #include "grass/texel/time_varying_texel.h"
 #include "light/daylight.h"
@@ -45,11 +45,11 @@ std::vector<glm::dvec3> unfitted_directions(double elevation_deg) {
 /// difference of colours that is just noticeable (Mahy and others 1994, Color Research and
 /// Application 19:105: 2.3). Brightness is what the levels reach; it is worst from above, where
 /// coarser ones have lost more of the gaps between blades.
-constexpr double most_coverage = 0.02;
-constexpr double most_colour = 2.3;                                          // CIEDE2000
-constexpr std::array<double, 4> most_brightness = {0.06, 0.07, 0.08, 0.09};  ///< finest level first
+constexpr double max_coverage = 0.02;
+constexpr double max_colour = 2.3;                                          // CIEDE2000
+constexpr std::array<double, 4> max_brightness = {0.06, 0.07, 0.08, 0.09};  ///< finest level first
 
-/// What is seen of a patch: the share of the ground it covers, and its own mean radiance there.
+/// What is seen of a patch: the fraction of the ground it covers, and its own mean radiance there.
 struct Seen {
   double coverage = 0.0;
   glm::dvec3 radiance{0.0};
@@ -114,13 +114,12 @@ struct Sum {
 struct Sights {
   using ByElevation = std::array<Sum, elevations_deg.size()>;
   ByElevation blades;
-  std::array<ByElevation, most_brightness.size()> levels;
+  std::array<ByElevation, max_brightness.size()> lods;
 
   void add(const Sights& other) {
     for (std::size_t e = 0; e < elevations_deg.size(); ++e) {
       blades[e].add(other.blades[e]);
-      for (std::size_t level = 0; level < levels.size(); ++level)
-        levels[level][e].add(other.levels[level][e]);
+      for (std::size_t lod = 0; lod < lods.size(); ++lod) lods[lod][e].add(other.lods[lod][e]);
     }
   }
 };
@@ -135,10 +134,10 @@ class Meadow {
   Meadow()
       : model_(scene_),
         lighting_(make_lighting(light::Daylight(scene_.sun, scene_.sky), {0.0, -1.0, 0.0})),
-        look_{static_cast<float>(scene_.grass.gloss), scene_.grass.width_m},
+        look_{static_cast<float>(scene_.grass.specular_exponent), scene_.grass.width_m},
         shape_(
             TimeVaryingTexel(scene_, {lighting_}, std::filesystem::temp_directory_path()).shape()) {
-    if (scene_.grass.levels.size() != most_brightness.size())
+    if (scene_.grass.lods.size() != max_brightness.size())
       throw std::logic_error("the default scene has another number of levels than have bounds");
   }
 
@@ -150,25 +149,23 @@ class Meadow {
     });
     Sights all;
     for (const Sights& one : of_variant) all.add(one);
-    for (std::size_t level = 0; level < most_brightness.size(); ++level)
+    for (std::size_t lod = 0; lod < max_brightness.size(); ++lod)
       for (std::size_t e = 0; e < elevations_deg.size(); ++e)
-        judge(weathering, level, elevations_deg[e], all.blades[e].mean(),
-              all.levels[level][e].mean());
+        judge(weathering, lod, elevations_deg[e], all.blades[e].mean(), all.lods[lod][e].mean());
   }
 
   /// Prints the largest differences; whether all are within bounds.
   bool sum_up() const {
     fmt::print("\n{:>10} {:>18} {:>18} {:>18}\n", "voxels", "coverage", "colour", "brightness %");
     bool good = true;
-    for (std::size_t level = 0; level < most_brightness.size(); ++level) {
-      const Worst& worst = worst_[level];
-      const double brightness = most_brightness[level];
-      const bool within = worst.coverage <= most_coverage && worst.colour <= most_colour &&
+    for (std::size_t lod = 0; lod < max_brightness.size(); ++lod) {
+      const Worst& worst = worst_[lod];
+      const double brightness = max_brightness[lod];
+      const bool within = worst.coverage <= max_coverage && worst.colour <= max_colour &&
                           worst.brightness <= brightness;
       fmt::print("{:10} {:8.3f} of {:6.3f} {:8.2f} of {:6.2f} {:8.1f} of {:6.1f} {}\n",
-                 scene_.grass.levels[level], worst.coverage, most_coverage, worst.colour,
-                 most_colour, 100.0 * worst.brightness, 100.0 * brightness,
-                 within ? "" : " OUT OF BOUNDS");
+                 scene_.grass.lods[lod], worst.coverage, max_coverage, worst.colour, max_colour,
+                 100.0 * worst.brightness, 100.0 * brightness, within ? "" : " OUT OF BOUNDS");
       good = good && within;
     }
     return good;
@@ -178,32 +175,32 @@ class Meadow {
   Sights look_at(int variant, double weathering) const {
     const BladePatch patch = WitheringPatch(scene_, model_, variant).at(weathering);
     const Tubes tubes = blade_tubes(patch, model_, lighting_, look_);
-    const std::vector<VolumeData> levels = baked_levels(variant, weathering);
+    const std::vector<VolumeData> lods = baked_lods(variant, weathering);
     Sights sights;
     for (std::size_t e = 0; e < elevations_deg.size(); ++e)
       for (const glm::dvec3& direction : unfitted_directions(elevations_deg[e])) {
         sights.blades[e].add(blades_seen(patch, tubes, direction));
-        for (std::size_t level = 0; level < levels.size(); ++level)
-          sights.levels[level][e].add(texel_seen(levels[level], direction));
+        for (std::size_t lod = 0; lod < lods.size(); ++lod)
+          sights.lods[lod][e].add(texel_seen(lods[lod], direction));
       }
     return sights;
   }
 
-  std::vector<VolumeData> baked_levels(int variant, double weathering) const {
+  std::vector<VolumeData> baked_lods(int variant, double weathering) const {
     Samples samples(scene_, shape_, variant, model_);
     samples.advance_to(weathering);
-    return bake_levels(samples.texel(), samples.all(), lighting_, look_, scene_.grass.levels, {0});
+    return bake_lods(samples.texel(), samples.all(), lighting_, look_, scene_.grass.lods, {0});
   }
 
-  void judge(double weathering, std::size_t level, double elevation_deg, const Seen& blades,
+  void judge(double weathering, std::size_t lod, double elevation_deg, const Seen& blades,
              const Seen& texel) {
     const double apart = texel.coverage - blades.coverage;
     const double colour = colour_difference(lab(blades.radiance), lab(texel.radiance));
     const double brightness = luminance(texel.radiance) / luminance(blades.radiance) - 1.0;
     fmt::print("{:10.3f} {:6} {:9.0f} {:8.3f} {:8.3f} {:+8.3f} {:10.2f} {:+10.1f}\n", weathering,
-               scene_.grass.levels[level], elevation_deg, blades.coverage, texel.coverage, apart,
+               scene_.grass.lods[lod], elevation_deg, blades.coverage, texel.coverage, apart,
                colour, 100.0 * brightness);
-    Worst& worst = worst_[level];
+    Worst& worst = worst_[lod];
     worst.coverage = std::max(worst.coverage, std::abs(apart));
     worst.colour = std::max(worst.colour, colour);
     worst.brightness = std::max(worst.brightness, std::abs(brightness));
@@ -214,7 +211,7 @@ class Meadow {
   Lighting lighting_;
   FibreLook look_;
   TexelShape shape_;
-  std::array<Worst, most_brightness.size()> worst_;
+  std::array<Worst, max_brightness.size()> worst_;
 };
 
 }  // namespace

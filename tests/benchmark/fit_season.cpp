@@ -45,7 +45,7 @@ const std::vector<Unknown<SnowParameters>> snow_unknowns = {
     {"half_snow_c", &SnowParameters::half_snow_c, -1.0, 2.0},
     {"viscosity_pa_s", &SnowParameters::viscosity_pa_s, 1e7, 2e8},
     {"longwave_loss_w_m2", &SnowParameters::longwave_loss_w_m2, 0.0, 150.0},
-    {"chilled_share", &SnowParameters::chilled_share, 0.0, 1.0}};
+    {"chilled_share", &SnowParameters::chilled_fraction, 0.0, 1.0}};
 
 /// Differential evolution (Storn and Price 1997), half of the mutants drawn towards the best.
 template <typename Parameters>

@@ -41,7 +41,7 @@ struct Patch {
     // 254 voxels along the default patch: the same voxel for any number of blades.
     const double voxel_m = scene::Scene().grass.patch_m / 254;
     shape = {static_cast<int>(std::lround(scene.grass.patch_m / voxel_m)), 254, voxel_m};
-    points = sample_points(blades, shape, scene.grass.proportion, 1);
+    points = sample_points(blades, shape, scene.grass.points_per_voxel_face, 1);
   }
   PointDynamics dynamics(const AgeingModel& model) const {
     return {model, blades, points, 0.1 * shape.voxel_m};

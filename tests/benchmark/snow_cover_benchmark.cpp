@@ -81,7 +81,7 @@ void advance_a_day(benchmark::State& state) {
   const GroundRise rise(terrain);
   const FactorMap drift(1024, 4000.0, 1.1F);
   WeatherMoment weather = snowing(0.0);
-  if (in_season) weather.sky = snowpack::SnowSky{.phase_c = -1.0, .sun_w_m2 = 90.0};
+  if (in_season) weather.sky = snowpack::SkyForcing{.phase_c = -1.0, .sun_w_m2 = 90.0};
   const int step_h = in_season ? snowpack::snow_step_h : 1;
   SnowpackField packs(terrain.values().size(), fresh_pack(50.0));
   for (auto _ : state)
@@ -96,8 +96,8 @@ void advance_an_hour(benchmark::State& state) {
   const test::TemporaryFolder folder("cover_benchmark");
   LargeCover cover({}, large_ground(terrain), snowing, folder.path(), {});
   int hour = 1;
-  cover.reckon(hour);
-  for (auto _ : state) cover.reckon(++hour);
+  cover.integrate(hour);
+  for (auto _ : state) cover.integrate(++hour);
   state.counters["places"] = static_cast<double>(terrain.values().size());
   state.counters["peak_MB"] = peak_memory_mb();
 }
@@ -108,8 +108,8 @@ void advance_ten_hours(benchmark::State& state) {
   const test::TemporaryFolder folder("cover_benchmark");
   LargeCover cover({}, large_ground(terrain), snowing, folder.path(), {});
   int hour = 1;
-  cover.reckon(hour);
-  for (auto _ : state) cover.reckon(hour += 10);
+  cover.integrate(hour);
+  for (auto _ : state) cover.integrate(hour += 10);
   state.counters["s_per_hour"] = benchmark::Counter(
       10.0, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }

@@ -62,7 +62,7 @@ struct Sample {
     blades = scatter_blades(scene.grass, scene.ageing,
                             {scene.grass.patch_m, scene.grass.blades, scene.seed, 0});
     shape = {254, 254, scene.grass.patch_m / 254};
-    points = sample_points(blades, shape, scene.grass.proportion, 1);
+    points = sample_points(blades, shape, scene.grass.points_per_voxel_face, 1);
   }
   scene::Scene scene;
   std::vector<Blade> blades;
@@ -88,7 +88,8 @@ void texel_to_points(benchmark::State& state) {
   const Sample sample;
   Points points;
   measure(state, 0.22, [&] {
-    points = sample_points(sample.blades, sample.shape, sample.scene.grass.proportion, 1);
+    points =
+        sample_points(sample.blades, sample.shape, sample.scene.grass.points_per_voxel_face, 1);
   });
   state.counters["points"] = static_cast<double>(points.size());
 }
@@ -109,9 +110,9 @@ void point_step(benchmark::State& state) {
   Sample sample;
   sample.scene.ageing.motion = scene::AgeingMotion::points;
   sample.scene.ageing.droop_rule = scene::DroopRule::elastica;
-  const double proportion =
-      sample.scene.grass.proportion * 5000.0 / static_cast<double>(sample.points.size());
-  sample.points = sample_points(sample.blades, sample.shape, proportion, 1);
+  const double points_per_voxel_face =
+      sample.scene.grass.points_per_voxel_face * 5000.0 / static_cast<double>(sample.points.size());
+  sample.points = sample_points(sample.blades, sample.shape, points_per_voxel_face, 1);
   const AgeingModel model(sample.scene.ageing, sample.scene.grass.specular);
   PointDynamics dynamics(model, sample.blades, sample.points, 0.1 * sample.shape.voxel_m);
   const double step = 1.0 / BladeMotion::usual_steps;
@@ -144,13 +145,13 @@ void conversion_and_storage(benchmark::State& state) {
 /// Every variant, key frame and level of a scene, baked for one quarter-turn.
 TexelDemand everything(const scene::Scene& scene) {
   const scene::Grass& grass = scene.grass;
-  LevelTurns levels;
-  for (int level = 0; level < static_cast<int>(grass.levels.size()); ++level) levels[level] = {0};
+  LodTurns lods;
+  for (int lod = 0; lod < static_cast<int>(grass.lods.size()); ++lod) lods[lod] = {0};
   TexelDemand demand;
   for (int variant = 0; variant < grass.variants; ++variant)
     for (int key_frame = 0; key_frame < static_cast<int>(scene::key_frames(scene).size());
          ++key_frame)
-      demand[variant][key_frame] = levels;
+      demand[variant][key_frame] = lods;
   return demand;
 }
 

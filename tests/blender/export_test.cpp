@@ -217,11 +217,11 @@ TEST_F(BlenderExport, VolumesEndBelowTipsThatHardlyCount) {
   constexpr int tip = 6;
   ASSERT_GT(volume.voxels.z, tip);
   const auto radiance = read_vdb_grid(volume.vdb, volume.emission_grid);
-  const auto top_with = [&](float tip_share) {
+  const auto top_with = [&](float tip_fraction) {
     auto density = openvdb::FloatGrid::create(0.0F);
     density->setName("density");
     density->fill({openvdb::Coord(1), openvdb::Coord(10, 10, highest)}, 5.0F);
-    density->tree().setValue(openvdb::Coord(4, 4, tip), tip_share * 5.0F * 100 * highest);
+    density->tree().setValue(openvdb::Coord(4, 4, tip), tip_fraction * 5.0F * 100 * highest);
     write_vdb(volume.vdb, {density, radiance});
     fs::remove_all(folder / "out");
     export_frame(landscape, folder / "out");
@@ -258,9 +258,10 @@ TEST_F(BlenderExport, QuartersCoverTheirPartsOfTheVolumeAndNoOther) {
     for (auto at = density->cbeginValueOn(); at; ++at) {
       EXPECT_LT(*at, 1.0F);
       const openvdb::Vec3d voxel = at.getCoord().asVec3d();
-      const glm::dvec2 share = (glm::dvec2(voxel.x(), voxel.y()) - 0.5) / double(volume.voxels.x);
-      const bool inside = glm::all(glm::greaterThan(share, quarters[i].low)) &&
-                          glm::all(glm::lessThan(share, quarters[i].high));
+      const glm::dvec2 fraction =
+          (glm::dvec2(voxel.x(), voxel.y()) - 0.5) / double(volume.voxels.x);
+      const bool inside = glm::all(glm::greaterThan(fraction, quarters[i].low)) &&
+                          glm::all(glm::lessThan(fraction, quarters[i].high));
       if (*at > 0.0F) {
         EXPECT_EQ(is_in_hull(voxel), inside) << at.getCoord() << ", quarter " << i;
       }

@@ -199,7 +199,7 @@ TEST_F(BlenderRender, JointsOfCellsCannotBeSeen) {
     density.fill(box, 2.0F * extinction);
     emission.fill(box, openvdb::Vec3s(0.2F));
   });
-  landscape.standing.values().assign(landscape.standing.values().size(), 0.5F);
+  landscape.extinction_factor.values().assign(landscape.extinction_factor.values().size(), 0.5F);
   for (landscape::Cell& cell : landscape.cells) {
     glm::dmat4& m = cell.world_from_cell;
     m = glm::dmat4({1, 0, 0, 0}, {0, 1, slope, 0}, {0, 0, 1, 0},
@@ -216,7 +216,7 @@ TEST_F(BlenderRender, JointsOfCellsCannotBeSeen) {
     const glm::dvec3& from = eyes_m[static_cast<std::size_t>(number % 2)];
     if (number == 2) test::quarter_cells(landscape);
     // Rays cross twice as many joints, each of which may be off.
-    const double most_off = number < 2 ? 0.008 : 0.012;
+    const double max_off = number < 2 ? 0.008 : 0.012;
     landscape.camera = {from, {1.5, 1.6, 0.3}, from.z > 2.0 ? 30.0 : 34.0};
     ASSERT_EQ(run(), 0) << read_file(folder / "log");
     const Image picture = read_image(folder / "picture.png");
@@ -237,7 +237,7 @@ TEST_F(BlenderRender, JointsOfCellsCannotBeSeen) {
         ++inside;
         const double want = 2.0 * 0.2 * (1.0 - std::exp(-extinction * length));
         const double off = linear_of(picture.pixel(x, y)[1]) - want;
-        ASSERT_LT(std::abs(off), most_off) << "view " << number << ", pixel " << x << ", " << y;
+        ASSERT_LT(std::abs(off), max_off) << "view " << number << ", pixel " << x << ", " << y;
         error += off;
         squares += off * off;
       }
@@ -250,10 +250,10 @@ TEST_F(BlenderRender, JointsOfCellsCannotBeSeen) {
 /// What the renderer has held at once, by its own count, in MB.
 double peak_mb(const std::string& log) {
   static const std::regex peak(R"(\| Mem:[0-9.]+M, Peak:([0-9.]+)M \|)");
-  double most = 0.0;
+  double max = 0.0;
   for (std::sregex_iterator found(log.begin(), log.end(), peak), end; found != end; ++found)
-    most = std::max(most, std::stod((*found)[1]));
-  return most;
+    max = std::max(max, std::stod((*found)[1]));
+  return max;
 }
 
 // A volume of 126^3 takes 41 MB: as much whole, in quarters, in parts of them, and all at once, but

@@ -16,9 +16,9 @@ using std::chrono::milliseconds;
 
 class Killed : public TinyFilm {
  protected:
-  /// A moment within `most`, another one each time, the same in every run of the test.
-  void wait_at_most(milliseconds most) {
-    std::this_thread::sleep_for(milliseconds(random_() % static_cast<unsigned>(most.count())));
+  /// A moment within `max`, another one each time, the same in every run of the test.
+  void wait_at_most(milliseconds max) {
+    std::this_thread::sleep_for(milliseconds(random_() % static_cast<unsigned>(max.count())));
   }
 
   milliseconds time_of_a_run() const {

@@ -109,11 +109,11 @@ TEST_F(TinyFilmsMemory, WhatARefusalAsksForIsEnough) {
   const std::string render = "render tiny.toml --quiet --out out --memory ";
   const std::string refusal = wold(render + "1M").err;
   const std::regex needs("expected about ([0-9]+)M");
-  int most = 0;
+  int max = 0;
   for (std::sregex_iterator need(refusal.begin(), refusal.end(), needs), end; need != end; ++need)
-    most = std::max(most, std::stoi((*need)[1]));
-  ASSERT_GT(most, 100) << refusal;
-  const Result result = wold(render + std::to_string(most) + "M");
+    max = std::max(max, std::stoi((*need)[1]));
+  ASSERT_GT(max, 100) << refusal;
+  const Result result = wold(render + std::to_string(max) + "M");
   EXPECT_EQ(result.code, 0) << result.err;
   expect_undisturbed("out");
 }

@@ -15,14 +15,14 @@
 namespace wold::test {
 namespace {
 
-struct Film {
+struct ExampleFilm {
   const char* example;
   std::vector<int> frames;
   bool clear;  ///< the skyline stands out from the sky
 };
 
 /// For the names of tests, which would have the object's bytes else.
-void PrintTo(const Film& film, std::ostream* out) { *out << film.example; }
+void PrintTo(const ExampleFilm& film, std::ostream* out) { *out << film.example; }
 
 /// First row from the top, column by column, that is no longer sky: grass and rock are darker than
 /// what is above them. Where it lies between two rows is read off the brightness.
@@ -57,7 +57,7 @@ Image difference(const Image& a, const Image& b) {
   return picture;
 }
 
-class OneLook : public Program, public testing::WithParamInterface<Film> {
+class OneLook : public Program, public testing::WithParamInterface<ExampleFilm> {
  protected:
   void SetUp() override {
     Program::SetUp();
@@ -109,10 +109,10 @@ TEST_P(OneLook, BothRenderersShowTheSame) {
 
 // Weathering degrees 0, 0.30 and 0.917; clouds that have gathered; half-way into the snow.
 INSTANTIATE_TEST_SUITE_P(Landscape, OneLook,
-                         testing::Values(Film{"hillside", {1, 2, 3}, true},
-                                         Film{"mountain", {1, 2, 3}, true},
-                                         Film{"clouds", {45}, false},
-                                         Film{"first_snow", {24}, false}),
+                         testing::Values(ExampleFilm{"hillside", {1, 2, 3}, true},
+                                         ExampleFilm{"mountain", {1, 2, 3}, true},
+                                         ExampleFilm{"clouds", {45}, false},
+                                         ExampleFilm{"first_snow", {24}, false}),
                          [](const auto& test) { return std::string(test.param.example); });
 
 }  // namespace

@@ -17,7 +17,7 @@ class Preview : public Program {
   }
 };
 
-/// Mean colour of a box of a picture, in shares of its sides.
+/// Mean colour of a box of a picture, in fractions of its sides.
 glm::vec3 mean_colour(const Image& picture, glm::dvec2 low, glm::dvec2 high) {
   const glm::dvec2 size(picture.width, picture.height);
   glm::vec3 sum(0.0F);

@@ -43,7 +43,7 @@ class Report : public Program {
     return nlohmann::json::parse(result.out);
   }
 
-  /// A pixel of a screenshot, at shares of its width and height.
+  /// A pixel of a screenshot, at fractions of its width and height.
   void expect_colour(const std::string& screenshot, double x, double y, const Colour& want) const {
     const Image image = read_image(folder_ / screenshot);
     const float* pixel =

@@ -283,7 +283,7 @@ TEST_F(Tasks, TheOpenJobDescriptionMakesTheFilm) {
 class TwoAtOnce : public Tasks {
  protected:
   /// Renders with a script that counts how many of it are at work; the largest number seen.
-  int most_at_work(const std::string& options) const {
+  int max_at_work(const std::string& options) const {
     const std::string script = blender_played_by(
         "mkdir busy_$frame; n=0\n"
         "while [ $n -lt 20 ]; do ls -d busy_* | wc -l >> seen; sleep 0.1; n=$((n+1)); done\n"
@@ -292,19 +292,19 @@ class TwoAtOnce : public Tasks {
         wold("render small.toml --renderer blender --quiet --out out " + options, script);
     EXPECT_EQ(result.code, 0) << result.err;
     std::istringstream seen(read_file(folder_ / "seen"));
-    int most = 0;
-    for (int count = 0; seen >> count;) most = std::max(most, count);
+    int max = 0;
+    for (int count = 0; seen >> count;) max = std::max(max, count);
     fs::remove(folder_ / "seen");
     fs::remove_all(folder_ / "out");
-    return most;
+    return max;
   }
 };
 
 TEST_F(TwoAtOnce, PicturesWhereThereAreThreadsAndMemory) {
   if (sanitized) GTEST_SKIP() << "sanitized: limits of memory are not tested";
-  EXPECT_EQ(most_at_work("--threads 8 --memory 8G"), 2);
-  EXPECT_EQ(most_at_work("--threads 4 --memory 8G"), 1);
-  EXPECT_EQ(most_at_work("--threads 8 --memory 1600M"), 1);
+  EXPECT_EQ(max_at_work("--threads 8 --memory 8G"), 2);
+  EXPECT_EQ(max_at_work("--threads 4 --memory 8G"), 1);
+  EXPECT_EQ(max_at_work("--threads 8 --memory 1600M"), 1);
 }
 
 TEST_F(TwoAtOnce, TheSecondRenderOfAFolderWaitsForTheFirst) {

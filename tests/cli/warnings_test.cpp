@@ -49,11 +49,11 @@ TEST_F(Warnings, TexelsTooCoarseForTheCamera) {
 TEST_F(Warnings, FarCellsBelowAPixel) {
   // 0.32 m over some 298 m of 1170 pixels a radian.
   const std::string far = "[terrain]\nsize = 300\n[render]\nsize = [1218, 685]\n";
-  EXPECT_THAT(about(far, "--set grass.far_pixels=0 --set grass.height=0.1"),
+  EXPECT_THAT(about(far, "--set grass.far_field_below_pixels=0 --set grass.height=0.1"),
               AllOf(StartsWith("warning: grass 298 m away is 0.39 pixels high"),
-                    HasSubstr("set grass.far_pixels = 1.2")));
+                    HasSubstr("set grass.far_field_below_pixels = 1.2")));
   EXPECT_THAT(about(far), IsEmpty());
-  EXPECT_THAT(about("", "--set grass.far_pixels=0"), IsEmpty()) << "nothing is so far";
+  EXPECT_THAT(about("", "--set grass.far_field_below_pixels=0"), IsEmpty()) << "nothing is so far";
 }
 
 TEST_F(Warnings, CloudsThatJump) {

@@ -140,9 +140,9 @@ double opacity_half_way(CloudFade fade) {
   CloudState state = Clouds(scene, pixel_m).at(50.0);
   state.layers[0].next_map = state.layers[0].map;
   const Image image = composed(state, window);
-  float most = 0.0F;
-  for (std::size_t i = 3; i < image.values.size(); i += 4) most = std::max(most, image.values[i]);
-  return most;
+  float max = 0.0F;
+  for (std::size_t i = 3; i < image.values.size(); i += 4) max = std::max(max, image.values[i]);
+  return max;
 }
 
 TEST(Compose, OpticalDepthsFadeWithoutThePapersDip) {

@@ -20,9 +20,9 @@ TEST(Scattering, PhaseFunctionIsOneOverTheSphere) {
     const int steps = 20000;
     for (int i = 0; i < steps; ++i) {
       const double cosine = -1.0 + (i + 0.5) * 2.0 / steps;
-      const double share = henyey_greenstein(g, cosine) * 2.0 * pi * 2.0 / steps;
-      sum += share;
-      mean_cosine += share * cosine;
+      const double fraction = henyey_greenstein(g, cosine) * 2.0 * pi * 2.0 / steps;
+      sum += fraction;
+      mean_cosine += fraction * cosine;
     }
     EXPECT_NEAR(sum, 1.0, 1e-4);
     EXPECT_NEAR(mean_cosine, g, 1e-4);

@@ -27,8 +27,8 @@ TEST(Shadow, OfAVeilIsBeersLawAlongTheRay) {
   scene.clouds[0].textures = {(folder.path() / "veil.exr").string()};
   const CloudState state = Clouds(scene, 10.0).at(0.0);
   const glm::dvec3 sun = light::direction_of(1.0, 0.5);
-  const FactorMap share = sun_share(state, Heightfield(9, 42.0), sun, 5);
-  for (const float value : share.values()) EXPECT_NEAR(value, std::pow(0.5, 1.0 / sun.z), 1e-3);
+  const FactorMap fraction = sunlit_fraction(state, Heightfield(9, 42.0), sun, 5);
+  for (const float value : fraction.values()) EXPECT_NEAR(value, std::pow(0.5, 1.0 / sun.z), 1e-3);
 }
 
 TEST(Shadow, LiesAwayFromTheSunByHeightOverTangent) {
@@ -36,23 +36,24 @@ TEST(Shadow, LiesAwayFromTheSunByHeightOverTangent) {
   const Heightfield plain(9, 200.0, 100.0F);
   const glm::dvec3 overhead(0.0, 0.0, 1.0);
   const glm::dvec3 south_east = glm::normalize(glm::dvec3(0.4, -0.2, 0.9));
-  const FactorMap share = sun_share(state, plain, south_east, 21);
+  const FactorMap fraction = sunlit_fraction(state, plain, south_east, 21);
   // The same clouds overhead, as far north-west as 900 m of height take the shadow.
   CloudState moved = state;
   moved.layers[0].moment.way_m = glm::dvec2(-0.4, 0.2) * 1000.0;
-  const FactorMap under = sun_share(moved, plain, overhead, 21);
-  double least = 1.0;
-  for (std::size_t i = 0; i < share.values().size(); ++i) {
-    EXPECT_NEAR(share.values()[i], std::pow(under.values()[i], 1.0 / south_east.z), 1e-4);
-    least = std::min(least, static_cast<double>(share.values()[i]));
+  const FactorMap under = sunlit_fraction(moved, plain, overhead, 21);
+  double min = 1.0;
+  for (std::size_t i = 0; i < fraction.values().size(); ++i) {
+    EXPECT_NEAR(fraction.values()[i], std::pow(under.values()[i], 1.0 / south_east.z), 1e-4);
+    min = std::min(min, static_cast<double>(fraction.values()[i]));
   }
-  EXPECT_LT(least, 0.9);
+  EXPECT_LT(min, 0.9);
 }
 
 TEST(Shadow, PlacesAboveTheLayerHaveNone) {
   const CloudState state = Clouds(one_layer(), 10.0).at(0.0);
-  const FactorMap share = sun_share(state, Heightfield(9, 200.0, 2000.0F), {0.0, 0.0, 1.0}, 9);
-  for (const float value : share.values()) EXPECT_EQ(value, 1.0F);
+  const FactorMap fraction =
+      sunlit_fraction(state, Heightfield(9, 200.0, 2000.0F), {0.0, 0.0, 1.0}, 9);
+  for (const float value : fraction.values()) EXPECT_EQ(value, 1.0F);
 }
 
 }  // namespace

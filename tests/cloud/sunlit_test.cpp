@@ -55,8 +55,8 @@ TEST(Sunlit, DiffusesOverTheTransportPath) {
   const double depth = 0.05 * double{top_m};
   EXPECT_NEAR(seen(ranks, pixel_m, column(half_m + 20.0)), bright(depth), 1e-3);
   EXPECT_NEAR(seen(ranks, pixel_m, column(-half_m - 20.0)), 1.0, 1e-3);
-  const double share = 1.0 - 0.5 * std::pow(1.0 - 20.0 / half_m, 2);
-  EXPECT_NEAR(seen(ranks, pixel_m, column(20.0)), bright(share * depth), 0.02);
+  const double fraction = 1.0 - 0.5 * std::pow(1.0 - 20.0 / half_m, 2);
+  EXPECT_NEAR(seen(ranks, pixel_m, column(20.0)), bright(fraction * depth), 0.02);
   EXPECT_GT(seen(ranks, pixel_m, column(20.0)), bright(depth) + 0.025);
 }
 

@@ -80,9 +80,9 @@ TEST(Tiling, BlendingHasNoSeams) {
   for (int i = 0; i < 256; ++i)
     for (int j = 0; j < 256; ++j) {
       const bool border = j % 64 == 0;
-      const double share = border ? 1.0 / (4 * 256) : 1.0 / (252 * 256);
-      steps[border ? 0 : 1] += share * std::abs(map.at(j, i) - map.wrapped(j - 1, i));
-      steps[border ? 2 : 3] += share * std::abs(map.at(i, j) - map.wrapped(i, j - 1));
+      const double fraction = border ? 1.0 / (4 * 256) : 1.0 / (252 * 256);
+      steps[border ? 0 : 1] += fraction * std::abs(map.at(j, i) - map.wrapped(j - 1, i));
+      steps[border ? 2 : 3] += fraction * std::abs(map.at(i, j) - map.wrapped(i, j - 1));
     }
   EXPECT_NEAR(steps[0] / steps[1], 1.0, 0.2);
   EXPECT_NEAR(steps[2] / steps[3], 1.0, 0.2);
@@ -94,7 +94,7 @@ TEST(Tiling, BlendedCellsAreAllDifferent) {
   const auto cell_pixel = [&](int cell, int i) {
     return map.at(cell % 10 * 32 + i % 32, cell / 10 * 32 + i / 32) / 65536.0 - 0.5;
   };
-  double most = 0.0;
+  double max = 0.0;
   for (int a = 0; a < 100; ++a)
     for (int b = a + 1; b < 100; ++b) {
       double ab = 0.0, aa = 0.0, bb = 0.0;
@@ -103,9 +103,9 @@ TEST(Tiling, BlendedCellsAreAllDifferent) {
         aa += cell_pixel(a, i) * cell_pixel(a, i);
         bb += cell_pixel(b, i) * cell_pixel(b, i);
       }
-      most = std::max(most, ab / std::sqrt(aa * bb));
+      max = std::max(max, ab / std::sqrt(aa * bb));
     }
-  EXPECT_LT(most, 0.95);
+  EXPECT_LT(max, 0.95);
 }
 
 TEST(Tiling, AsInThePaperShowsOneTextureInEachCell) {

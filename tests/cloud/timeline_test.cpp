@@ -144,7 +144,7 @@ TEST(PaperDrift, GrowsByATenThousandthAndBySine) {
 
 TEST(Timeline, GathersAndDissipatesMonotonically) {
   scene::Scene scene =
-      one_layer({{.kind = CloudEventKind::gather, .start_s = 10, .duration_s = 10, .by = 0.5},
+      one_layer({{.kind = CloudEventKind::gather, .start_s = 10, .duration_s = 10, .fraction = 0.5},
                  {.kind = CloudEventKind::dissipate,
                   .start_s = 30,
                   .duration_s = 20,
@@ -170,7 +170,7 @@ TEST(Timeline, DaysOfASeasonAreOnTheCloudsClock) {
       one_layer({{.kind = CloudEventKind::dissipate,
                   .date = {2026, 9, 11},
                   .until = {2026, 9, 21},
-                  .by = 0.5},
+                  .fraction = 0.5},
                  {.kind = CloudEventKind::gather, .duration_s = 8.0, .date = {2026, 10, 1}}});
   scene.season.first = {2026, 9, 1};
   scene.season.last = {2026, 10, 11};
@@ -195,11 +195,11 @@ TEST(Timeline, TurnsFromShapeToShape) {
                   .fade = scene::CloudFade::paper}}),
       0, 1e3);
   ASSERT_EQ(timeline.shapes().size(), 3u);  // a wind without shear makes none
-  EXPECT_EQ(timeline.at(5.0).next_share, 0.0);
+  EXPECT_EQ(timeline.at(5.0).next_fraction, 0.0);
   EXPECT_EQ(timeline.at(15.0).shape, 0u);
   EXPECT_EQ(timeline.at(15.0).next_shape, 1u);
-  EXPECT_DOUBLE_EQ(timeline.at(15.0).next_share, 0.5);
-  EXPECT_DOUBLE_EQ(timeline.at(35.0).next_share, 1.0);
+  EXPECT_DOUBLE_EQ(timeline.at(15.0).next_fraction, 0.5);
+  EXPECT_DOUBLE_EQ(timeline.at(35.0).next_fraction, 1.0);
   EXPECT_EQ(timeline.at(45.0).shape, 1u);
   EXPECT_TRUE(timeline.at(45.0).shapes_by_alpha);
 }

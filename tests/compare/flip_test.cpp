@@ -30,9 +30,9 @@ TEST(Flip, OfBlackAndWhiteIsWhatTheFormulasGive) {
       std::pow(87.73 - 32.30 +
                    std::hypot(0.8773 * -86.18 - 0.3230 * 79.19, 0.8773 * 83.18 - 0.3230 * -107.86),
                0.7);
-  const double share = std::pow(100.0, 0.7) / largest;
-  EXPECT_NEAR(flip(flat(9, 7, {0, 0, 0}), flat(9, 7, {1, 1, 1})), 0.95 + 0.05 * (share - 0.4) / 0.6,
-              1e-4);
+  const double fraction = std::pow(100.0, 0.7) / largest;
+  EXPECT_NEAR(flip(flat(9, 7, {0, 0, 0}), flat(9, 7, {1, 1, 1})),
+              0.95 + 0.05 * (fraction - 0.4) / 0.6, 1e-4);
 }
 
 // What the authors' own program, FLIP.h 1.7, gives for these pictures.

@@ -30,7 +30,7 @@ TEST(CompareImages, AConstantOffsetIsTheRmse) {
   EXPECT_DOUBLE_EQ(metrics.rmse, 0.25);
   EXPECT_DOUBLE_EQ(metrics.mean_abs, 0.25);
   EXPECT_DOUBLE_EQ(metrics.max_error, 0.25);
-  EXPECT_DOUBLE_EQ(metrics.share_over_soft, 1.0);
+  EXPECT_DOUBLE_EQ(metrics.fraction_over_soft, 1.0);
   EXPECT_NEAR(metrics.psnr_db, 20.0 * std::log10(4.0), 1e-12);
   for (double shift : metrics.mean_shift) EXPECT_DOUBLE_EQ(shift, 0.25);
 }
@@ -41,7 +41,7 @@ TEST(CompareImages, OnePixelOff) {
   const ImageMetrics metrics = compare_images(got, filled(40, 30, 0.25F), soft);
   EXPECT_DOUBLE_EQ(metrics.max_error, 0.5);
   EXPECT_EQ(metrics.worst_px, glm::ivec2(7, 19));
-  EXPECT_DOUBLE_EQ(metrics.share_over_soft, 1.0 / 1200.0);
+  EXPECT_DOUBLE_EQ(metrics.fraction_over_soft, 1.0 / 1200.0);
   EXPECT_NEAR(metrics.rmse, 0.5 / std::sqrt(3600.0), 1e-15);
   EXPECT_DOUBLE_EQ(metrics.mean_shift[0], 0.0);
 }
@@ -100,13 +100,13 @@ TEST(CompareImages, OtherShapesAreNamed) {
 }
 
 TEST(ExceededLimits, ReachingALimitIsAllowed) {
-  const Limits limits{.rmse = 0.125, .soft = 0.125, .allowed_share = 0.25, .hard = 0.25};
+  const Limits limits{.rmse = 0.125, .soft = 0.125, .allowed_fraction = 0.25, .hard = 0.25};
   DifferenceSum sum(limits.soft);
   for (double difference : {0.25, 0.0, 0.0, 0.0}) {
     sum.add(difference, 0.0);
     sum.end_sample();
   }
-  EXPECT_DOUBLE_EQ(sum.result().share_over_soft, 0.25);
+  EXPECT_DOUBLE_EQ(sum.result().fraction_over_soft, 0.25);
   EXPECT_TRUE(exceeded(measures(sum.result(), limits)).empty());
   EXPECT_EQ(exceeded(measures(sum.result(), {0.124, 0.125, 0.24, 0.24})).size(), 3U);
 }
@@ -115,7 +115,7 @@ TEST(ExceededLimits, ADifferenceOfTheSoftLimitIsNotOverIt) {
   DifferenceSum sum(0.125);
   sum.add(0.125, 0.0);
   sum.end_sample();
-  EXPECT_EQ(sum.result().share_over_soft, 0.0);
+  EXPECT_EQ(sum.result().fraction_over_soft, 0.0);
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ TEST(CompareVdb, OneVoxelOffIsRelativeToTheLargestValue) {
   const VdbMetrics metrics = compared({.changed = 0.5F}, {});
   const GridMetrics& density = metrics.grids.front();
   EXPECT_NEAR(density.max_error, 0.25, 1e-7);
-  EXPECT_DOUBLE_EQ(density.share_over_soft, 1.0 / 512.0);
+  EXPECT_DOUBLE_EQ(density.fraction_over_soft, 1.0 / 512.0);
   EXPECT_NEAR(density.rmse, 0.25 / std::sqrt(512.0), 1e-7);
 }
 
@@ -65,7 +65,7 @@ TEST(CompareVdb, AVoxelActiveInOneFileCounts) {
     const GridMetrics grid =
         compared(in_got ? more : SampleVdb{}, in_got ? SampleVdb{} : more).grids[0];
     EXPECT_DOUBLE_EQ(grid.max_error, 1.0);
-    EXPECT_DOUBLE_EQ(grid.share_over_soft, 1.0 / 513.0);
+    EXPECT_DOUBLE_EQ(grid.fraction_over_soft, 1.0 / 513.0);
     EXPECT_EQ((in_got ? grid.got : grid.want).box_max, glm::ivec3(20, 7, 7));
   }
 }
@@ -75,8 +75,8 @@ TEST(CompareVdb, CountsVoxelsActiveInOneEvenWhenTheirValuesAgree) {
       compared({.extra_voxel = 1, .active_zeros = 3}, {.active_zeros = 5}).grids.front();
   EXPECT_EQ(grid.active_only_got, 1U);
   EXPECT_EQ(grid.active_only_want, 2U);
-  EXPECT_DOUBLE_EQ(grid.share_active_in_one, 3.0 / 518.0);
-  EXPECT_DOUBLE_EQ(grid.share_over_soft, 1.0 / 518.0);
+  EXPECT_DOUBLE_EQ(grid.fraction_active_in_one, 3.0 / 518.0);
+  EXPECT_DOUBLE_EQ(grid.fraction_over_soft, 1.0 / 518.0);
 }
 
 TEST(CompareVdb, MissingGridsAndOtherTransforms) {
@@ -93,7 +93,7 @@ TEST(VdbFacts, AreThoseOfTheGrids) {
   EXPECT_EQ(density.name, "density");
   EXPECT_EQ(density.box_max, glm::ivec3(7));
   EXPECT_EQ(density.voxel_m, glm::dvec3(0.25));
-  EXPECT_DOUBLE_EQ(density.least, 0.0);
+  EXPECT_DOUBLE_EQ(density.min, 0.0);
   EXPECT_DOUBLE_EQ(density.largest, 3.0);
   EXPECT_EQ(density.non_finite, 0U);
 }

@@ -24,16 +24,16 @@ TEST(RunAtOnce, OneByOneIsInOrderAndEndsWithTheFirstFailure) {
 }
 
 TEST(RunAtOnce, NeverMoreThanAllowedAndAll) {
-  std::atomic<int> now = 0, most = 0, done = 0;
+  std::atomic<int> now = 0, max = 0, done = 0;
   run_at_once(12, 3, [&](std::size_t) {
     const int busy = ++now;
-    for (int seen = most; busy > seen && !most.compare_exchange_weak(seen, busy);) {
+    for (int seen = max; busy > seen && !max.compare_exchange_weak(seen, busy);) {
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     --now;
     ++done;
   });
-  EXPECT_EQ(most, 3);
+  EXPECT_EQ(max, 3);
   EXPECT_EQ(done, 12);
 }
 

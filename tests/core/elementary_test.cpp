@@ -50,8 +50,8 @@ TEST_P(Elementary, IsWithinItsLastPlace) {
   const Case& one = GetParam();
   for (const Interval& interval : one.intervals)
     for (std::uint64_t i = 0; i < 20000; ++i) {
-      const double share = random_uniform({1, key_of(one.name), i, key_of("argument")});
-      const double x = interval.low + share * (interval.high - interval.low);
+      const double fraction = random_uniform({1, key_of(one.name), i, key_of("argument")});
+      const double x = interval.low + fraction * (interval.high - interval.low);
       ASSERT_LT(error_ulp(one.function(x), one.reference(x)), one.limit_ulp)
           << one.name << "(" << x << ")";
     }

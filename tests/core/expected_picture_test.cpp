@@ -19,7 +19,7 @@ TEST(ExpectedPicture, IsReadAsItWasWritten) {
   EXPECT_EQ(read.tiles, glm::ivec2(4, 2));
   ASSERT_EQ(read.things.size(), 2U);
   EXPECT_EQ(read.things[0].name, "grass");
-  EXPECT_EQ(read.things[0].least_share, 0.85);
+  EXPECT_EQ(read.things[0].min_fraction, 0.85);
   ASSERT_EQ(read.things[0].tiles.size(), 1U);
   EXPECT_EQ(read.things[0].tiles[0].tile, 3);
   EXPECT_EQ(read.things[0].tiles[0].with, glm::vec3(0.1F, 0.25F, 0.05F));

@@ -70,7 +70,8 @@ TEST(Expectation, GrassFollowsBeerAndLambert) {
 TEST(Expectation, ThinGrassIsThinner) {
   const test::TemporaryFolder folder("expectation_thin");
   landscape::Landscape meadow = level_meadow(folder.path());
-  std::fill(meadow.standing.values().begin(), meadow.standing.values().end(), 0.5F);
+  std::fill(meadow.extinction_factor.values().begin(), meadow.extinction_factor.values().end(),
+            0.5F);
   expect_meadow(meadow,
                 [](double sine) { return through(height_m, sine, 0.5 * double{fog.extinction}); });
 }

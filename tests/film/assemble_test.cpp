@@ -49,7 +49,7 @@ TEST(Assemble, CellsReferToTheirVolumes) {
       meadow::choose_cells(scene, terrain, site.growth, place::Withering(scene, terrain), 2);
   const auto name = [](const meadow::CellChoice& c) {
     return std::to_string(c.variant) + "/" + std::to_string(c.key_frame) + "/" +
-           std::to_string(c.turn) + "/" + std::to_string(c.level);
+           std::to_string(c.turn) + "/" + std::to_string(c.lod);
   };
   const landscape::Landscape landscape =
       assemble(scene, site, 2, choices,

@@ -22,7 +22,7 @@ scene::Scene tiny_film() {
   scene.terrain.size_m = 6.0;
   scene.terrain.samples = 33;
   scene.terrain.hill_height_m = 0.5;
-  scene.grass.levels = {16};
+  scene.grass.lods = {16};
   scene.grass.variants = 1;
   scene.camera.eye_m = {3.0, 0.5};
   scene.camera.target_m = {3.0, 4.0};
@@ -53,7 +53,7 @@ TEST(Exporters, AreThoseThatTheSceneAsksFor) {
 
 TEST(Exporters, AskTogetherForTheStrictestOfAll) {
   const std::array wanted = {exporters().front(), &test::file_only_exporter()};
-  EXPECT_EQ(exporter::needs_of_all(wanted).most_flakes_on_a_ray, 50.0);
+  EXPECT_EQ(exporter::needs_of_all(wanted).max_flakes_on_a_ray, 50.0);
   EXPECT_TRUE(exporter::needs_of_all(wanted).materials);
   EXPECT_TRUE(needs_of(wanted).materials);
   EXPECT_FALSE(needs_of({}).materials);
@@ -61,10 +61,10 @@ TEST(Exporters, AskTogetherForTheStrictestOfAll) {
 
 // Otherwise a scene's picture of one renderer would depend on whether another makes one, too.
 TEST(Exporters, LimitPicturesAlikeWhicheverAreWanted) {
-  const double all = needs_of(exporters()).most_flakes_on_a_ray;
+  const double all = needs_of(exporters()).max_flakes_on_a_ray;
   EXPECT_LT(all, 240.0);
   for (const exporter::Exporter* one : exporters())
-    EXPECT_EQ(needs_of(std::array{one}).most_flakes_on_a_ray, all) << one->name;
+    EXPECT_EQ(needs_of(std::array{one}).max_flakes_on_a_ray, all) << one->name;
 }
 
 TEST(Exporters, OneWithoutARendererGetsItsFiles) {

@@ -27,8 +27,8 @@ scene::Scene plain(double size_m) {
   scene.camera.eye_m = {size_m / 2.0, size_m / 2.0};
   scene.camera.target_m = {size_m / 2.0, size_m / 2.0 + 20.0};
   scene.render.size_px = {64, 36};
-  scene.growth.share = 0.0;
-  scene.grass.far_pixels = 0.0;
+  scene.growth.cover = 0.0;
+  scene.grass.far_field_below_pixels = 0.0;
   scene.sky.visual_range_m = 1e6;
   return scene;
 }
@@ -43,15 +43,15 @@ TEST(CellWindow, IsTheWholeTerrainWhereThatFits) {
     EXPECT_EQ(window.per_side, place::cells_per_side(scene));
     EXPECT_EQ(window.square.corner_m, glm::dvec2(0.0));
     EXPECT_EQ(window.square.size_m, size_m);
-    EXPECT_EQ(window.outside_share({0.0, size_m}), 0.0);
+    EXPECT_EQ(window.outside_fraction({0.0, size_m}), 0.0);
     EXPECT_TRUE(place::detail_grids(scene, {{1, 1, 1}, {1, 2, 1}, 60.0}).empty());
   }
 }
 
 TEST(CellWindow, HoldsAllGrassThatStandsAboutTheCamera) {
   scene::Scene scene = plain(50e3);
-  scene.growth.share = 1.0;
-  scene.grass.far_pixels = 1.2;
+  scene.growth.cover = 1.0;
+  scene.grass.far_field_below_pixels = 1.2;
   scene.camera.eye_m = {20e3, 10.0};  // at the southern border
   scene.camera.eye_end = {20030.0, 10.0, 1.6};
   const place::CellWindow window(scene);
@@ -60,26 +60,26 @@ TEST(CellWindow, HoldsAllGrassThatStandsAboutTheCamera) {
   const double reach_m = place::farthest_standing_m(scene);
   for (const glm::dvec2 at_m : {glm::dvec2(20e3, 0.0), glm::dvec2(20e3 - reach_m, 10.0),
                                 glm::dvec2(20030.0 + reach_m, 10.0)})
-    EXPECT_EQ(window.outside_share(at_m), 0.0) << at_m.x;
-  EXPECT_EQ(window.outside_share({20e3, window.square.size_m + 0.1}), 1.0);
-  EXPECT_EQ(window.outside_share({window.square.corner_m.x - 0.1, 1.0}), 1.0);
+    EXPECT_EQ(window.outside_fraction(at_m), 0.0) << at_m.x;
+  EXPECT_EQ(window.outside_fraction({20e3, window.square.size_m + 0.1}), 1.0);
+  EXPECT_EQ(window.outside_fraction({window.square.corner_m.x - 0.1, 1.0}), 1.0);
 }
 
 // A camera that would see farther than there are cells: grass thins out towards their border.
 TEST(CellWindow, GrassIsPaintedBeyondIt) {
-  scene::Scene scene = plain(4000.0);  // far_pixels 0: all grass stands
+  scene::Scene scene = plain(4000.0);  // far_field_below_pixels 0: all grass stands
   const Heightfield flat(17, 4000.0);
   const place::View view(place::resolved_camera(scene.camera, flat, 0.0), 64, 36);
   const place::CellWindow window(scene);
   ASSERT_EQ(window.per_side, 2000);
   double before = 0.0;
   for (double y_m = 2000.0; y_m < 4000.0; y_m += 5.0) {
-    const double share = meadow::far_share(scene.grass, window, view, {2000.0, y_m, 0.0});
-    EXPECT_GE(share, before);
-    EXPECT_LT(share - before, 0.2);
-    before = share;
+    const double fraction = meadow::far_fraction(scene.grass, window, view, {2000.0, y_m, 0.0});
+    EXPECT_GE(fraction, before);
+    EXPECT_LT(fraction - before, 0.2);
+    before = fraction;
   }
-  EXPECT_EQ(meadow::far_share(scene.grass, window, view, {2000.0, 2500.0, 0.0}), 0.0);
+  EXPECT_EQ(meadow::far_fraction(scene.grass, window, view, {2000.0, 2500.0, 0.0}), 0.0);
   EXPECT_EQ(before, 1.0);
 }
 
@@ -111,7 +111,7 @@ TEST(GroundDetails, AreNestedAndMoveByWholeSteps) {
 PatchLookup no_grass() {
   return {.volume = [](const meadow::CellChoice&) { return landscape::Volume{}; },
           .blades = [](const meadow::CellChoice&) { return landscape::BladeMesh{}; },
-          .far = [](const grass::PatchState&) { return meadow::PatchLook({}); }};
+          .far = [](const grass::PatchState&) { return meadow::PatchAppearance({}); }};
 }
 
 /// Mean over a square of a picture, at many places.
@@ -155,9 +155,9 @@ TEST(GroundDetails, ShowPatchesOfSnow) {
   const test::TemporaryFolder folder("snow_patches");
   const landscape::Landscape landscape = snowed_on(1.5, folder.path());
   for (const landscape::GroundDetail& detail : landscape.ground_details) {
-    const auto [least, most] = std::ranges::minmax(detail.map.values(), {},
-                                                   [](const glm::vec3& value) { return value.g; });
-    EXPECT_GT(most.g, 3.0F * least.g);
+    const auto [min, max] = std::ranges::minmax(detail.map.values(), {},
+                                                [](const glm::vec3& value) { return value.g; });
+    EXPECT_GT(max.g, 3.0F * min.g);
   }
 }
 
@@ -180,15 +180,15 @@ TEST(LargeTerrain, OfAHundredKilometresTakesBoundedMemory) {
   scene.camera.target_m = {50e3, 10e3};
   scene.snow_cover.initial_mm = 40.0;
   scene.weather.temperature_c = 7.0;
-  scene.weather.earlier_h = 120.0;  // all has melted below 670 m
-  scene.grass.far_pixels = 0.0;     // as many cells as there can be
+  scene.weather.earlier_h = 120.0;           // all has melted below 670 m
+  scene.grass.far_field_below_pixels = 0.0;  // as many cells as there can be
   const double before_mb = peak_memory_mb();
   const place::Site site = place::make_site(scene, folder.path());
   const std::vector<meadow::CellChoice> cells =
       meadow::choose_cells(scene, site.terrain, place::growth_of_cells(site), *site.withering, 1);
   const landscape::Landscape landscape = assemble(scene, site, 1, cells, no_grass(), needs_of({}));
-  const double most_mb = test::sanitized ? 1400.0 : 700.0;  // with their notes on what is allocated
-  EXPECT_LT(peak_memory_mb() - before_mb, most_mb);
+  const double max_mb = test::sanitized ? 1400.0 : 700.0;  // with their notes on what is allocated
+  EXPECT_LT(peak_memory_mb() - before_mb, max_mb);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "ground.tif"));
 
   // Below the snow line the ground is bare, high up it is white.

@@ -60,9 +60,10 @@ TEST(RequireFiles, IsContentWithFilesThatAreThere) {
 TEST(RequireTexelMemory, RefusesMorePointsThanTheMachineHolds) {
   EXPECT_EQ(said(require_texel_memory, ""), Messages{});
   // Points of a hundred gigabytes for each of the patches that are made at once.
-  const Messages messages = said(require_texel_memory,
-                                 "[grass]\nblades = 20000\nproportion = 1000\nvariants = 64\n"
-                                 "[render]\nthreads = 64\n");
+  const Messages messages =
+      said(require_texel_memory,
+           "[grass]\nblades = 20000\npoints_per_voxel_face = 1000\nvariants = 64\n"
+           "[render]\nthreads = 64\n");
   ASSERT_EQ(messages.size(), 1U);
   EXPECT_TRUE(messages[0].starts_with(
       "a.toml:3:1: grass.levels: found 254 voxels along a side and 2.5e+09 points in a patch, "

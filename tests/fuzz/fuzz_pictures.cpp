@@ -12,8 +12,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
   const fuzz::ScratchFile file(bytes, count);
   try {
     const ImageHeader header = read_image_header(file.path());
-    constexpr double most = 1 << 22;  // more is right, but slow here
-    if (1.0 * header.width * header.height * header.channels > most) return 0;
+    constexpr double max = 1 << 22;  // more is right, but slow here
+    if (1.0 * header.width * header.height * header.channels > max) return 0;
     const Image image = read_image(file.path());
     const auto numbers = static_cast<std::size_t>(image.width) *
                          static_cast<std::size_t>(image.height) *

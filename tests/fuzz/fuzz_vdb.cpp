@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
   const fuzz::ScratchFile file(bytes, count);
   try {
     for (const compare::GridFacts& grid : compare::vdb_facts(file.path()).grids)
-      if (grid.has_range && !(grid.least <= grid.largest)) std::abort();
+      if (grid.has_range && !(grid.min <= grid.largest)) std::abort();
   } catch (const FileError&) {
   }
   return 0;

@@ -41,7 +41,7 @@ double depth_of(const std::vector<Blade>& blades, const glm::dvec3& direction) {
   return area / direction.z / (patch_m * patch_m);
 }
 
-// Boolean model of independent grains: the share left free is exp(-mean cover).
+// Boolean model of independent grains: the fraction left free is exp(-mean cover).
 TEST(Coverage, OfIndependentBladesFollowsBeersLaw) {
   for (double elevation_deg : {90.0, 45.0, 20.0})
     for (std::uint64_t count : {500U, 2000U}) {

@@ -84,7 +84,7 @@ TEST(Mechanics, BladesLoseTheirStiffnessThenTheirWeight) {
     EXPECT_LT(relative_load(ageing, lost), relative_load(ageing, lost + 0.01));
   EXPECT_GT(relative_load(ageing, 0.4), 1.5);
   EXPECT_LT(relative_load(ageing, 1.0), relative_load(ageing, 0.2));
-  // Walls alone: the share of turgor sets how far a blade wilts.
+  // Walls alone: the fraction of turgor sets how far a blade wilts.
   scene::Ageing woody;
   woody.turgor_support = 0.0;
   EXPECT_NEAR(relative_load(ageing, 0.5) / relative_load(woody, 0.5),

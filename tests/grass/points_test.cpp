@@ -52,7 +52,7 @@ TEST(Voxelise, ACone) {
 }
 
 // The vein is what lies within 0.35 of the radius, an eighth of a section: where voxels are small
-// beside the blade, the area has that share of it.
+// beside the blade, the area has that fraction of it.
 TEST(Voxelise, AnEighthOfABladeIsVein) {
   Blade blade = test::straight_blade();
   blade.radius_m = 0.01F;

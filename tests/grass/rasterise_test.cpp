@@ -53,8 +53,8 @@ TEST(Rasterise, WeighsByTheGaussian) {
   const Texel texel = rasterise_points(loose_points({{0.055F, 0.055F, 0.045F}}), shape);
   ASSERT_EQ(texel.size(), 19U);
   const float largest = *std::max_element(texel.density.begin(), texel.density.end());
-  const float least = *std::min_element(texel.density.begin(), texel.density.end());
-  EXPECT_NEAR(least / largest, std::exp(-1.0 / 0.36), 1e-4);
+  const float min = *std::min_element(texel.density.begin(), texel.density.end());
+  EXPECT_NEAR(min / largest, std::exp(-1.0 / 0.36), 1e-4);
 }
 
 // A point a tenth of a voxel below the upper face is 0.6 voxels from the middle of the slice above
@@ -114,8 +114,8 @@ class OneVoxel {
   template <class Visit>
   void each_in_slice(int, const Visit& visit) const {
     for (std::size_t i = 0; i < all_.size(); ++i) {
-      const VoxelShare whole{0, all_[i].area_m2};
-      visit(i, std::span<const VoxelShare, 1>(&whole, 1));
+      const VoxelWeight whole{0, all_[i].area_m2};
+      visit(i, std::span<const VoxelWeight, 1>(&whole, 1));
     }
   }
   Moments moments(std::size_t which) const {

@@ -171,7 +171,7 @@ TEST(Samples, OneSteadySampleIsTheMeadowWithoutMingling) {
   scene.grass.mingle = {{"steady", {}}};
   const TimeVaryingTexel steady = made(scene, steady_folder.path());
   ASSERT_EQ(plain.shape(), steady.shape());
-  const glm::ivec3 size(30, 30, plain.level_shape(1).height);
+  const glm::ivec3 size(30, 30, plain.lod_shape(1).height);
   for (int k = 0; k < static_cast<int>(scene::key_frames(scene).size()); ++k) {
     const Texel a = read_texel(plain.texel_path(0, k));
     const Texel b = read_texel(steady.texel_path(0, k));

@@ -48,8 +48,8 @@ TEST(SourceRadiance, IsThatOfLightScatteredAgainAndAgain) {
     const Fibre fibre{{0.0F, 0.0F, 1.0F}, glm::vec3(albedo), 0.0F};
     return source_radiance(fibre, TurnedLight(lighting, 0), 1.0F, glm::vec3(0.3F), 24.0F).g;
   };
-  double again_and_again = 0.0, share = 0.8;
-  for (int times = 0; times < 60; ++times, share *= 0.45 * 0.8) again_and_again += share;
+  double again_and_again = 0.0, fraction = 0.8;
+  for (int times = 0; times < 60; ++times, fraction *= 0.45 * 0.8) again_and_again += fraction;
   EXPECT_NEAR(seen(0.8F) / seen(1e-4F), again_and_again / 1e-4, 1.0);
 }
 

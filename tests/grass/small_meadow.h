@@ -22,7 +22,7 @@ inline scene::Scene small_scene() {
   scene.grass.blades = 100;
   scene.grass.height_m = 0.2;
   scene.grass.variants = 2;
-  scene.grass.levels = {62, 30};
+  scene.grass.lods = {62, 30};
   scene.grass.key_frames = {0.0, 0.5, 1.0};
   scene.ageing.fresh_spread = 0.0;  // every blade is fresh at the beginning
   scene.ageing.litter = 0.0;

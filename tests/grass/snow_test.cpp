@@ -80,30 +80,30 @@ constexpr glm::dvec3 below{0.0, 0.0, -1.0};
 
 TEST(Snow, MeanOfTheLumpsIsTheShare) {
   for (int level = 0; level <= 40; ++level) {
-    const double share = level / 40.0;
+    const double fraction = level / 40.0;
     constexpr int ranks = 20000;
     double sum = 0.0;
     for (int i = 0; i < ranks; ++i) {
       const float rank = (static_cast<float>(i) + 0.5F) / ranks;
-      const float thickness = lump_thickness(share, rank);
-      EXPECT_GE(lump_thickness(std::min(share + 0.025, 1.0), rank), thickness);
+      const float thickness = lump_thickness(fraction, rank);
+      EXPECT_GE(lump_thickness(std::min(fraction + 0.025, 1.0), rank), thickness);
       sum += double{thickness};
     }
-    EXPECT_NEAR(sum / ranks, share, 1e-4);
+    EXPECT_NEAR(sum / ranks, fraction, 1e-4);
   }
 }
 
-// Level blades, wide enough for the thickest snow: mass per leaf area is the share of a sixth of
+// Level blades, wide enough for the thickest snow: mass per leaf area is the fraction of a sixth of
 // Hedstrom and Pomeroy's 6.0 (0.27 + 46 / density).
 TEST(Snow, LevelBladesCarryTheMassOfTheShare) {
-  for (const double share : {0.1, 0.25, 0.5, 0.8, 1.0}) {
+  for (const double fraction : {0.1, 0.25, 0.5, 0.8, 1.0}) {
     double snow_kg = 0.0;
     double leaf_m2 = 0.0;
     for (Blade blade : test::small_blades()) {
       blade.radius_m = 0.01F;
       blade.lean = static_cast<float>(test::pi / 2.0);
       BladePose pose;
-      pose.snow = static_cast<float>(share);
+      pose.snow = static_cast<float>(fraction);
       const BladeAxis axis(blade, pose);
       constexpr int steps = 200;
       for (int i = 0; i < steps; ++i) {
@@ -114,7 +114,7 @@ TEST(Snow, LevelBladesCarryTheMassOfTheShare) {
         leaf_m2 += 2.0 * double{blade.radius_m} * (1.0 - double{along});
       }
     }
-    EXPECT_NEAR(snow_kg / leaf_m2, share * 0.7008, 0.03 * 0.7008) << share;
+    EXPECT_NEAR(snow_kg / leaf_m2, fraction * 0.7008, 0.03 * 0.7008) << fraction;
   }
 }
 
@@ -146,7 +146,7 @@ TEST_P(SnowRule, BendsBladesForAsLongAsItLies) {
   dynamics.advance_to(0.2);
   const std::vector<glm::vec3> before = dynamics.points().position_m;
   const auto mean_tip_m = [&](double snow) {
-    dynamics.bear(snow);
+    dynamics.support_load(snow);
     double sum = 0.0;
     for (std::size_t i = 0; i < blades.size(); ++i) {
       const BladePose& pose = dynamics.poses()[i];
@@ -164,7 +164,7 @@ TEST_P(SnowRule, BendsBladesForAsLongAsItLies) {
   }
   EXPECT_LT(higher_m, 0.7 * free_m);
   EXPECT_GT(higher_m, 0.05 * free_m);
-  dynamics.bear(0.0);
+  dynamics.support_load(0.0);
   EXPECT_EQ(dynamics.points().position_m, before);
 }
 
@@ -174,7 +174,7 @@ TEST(Snow, WhitensFromAboveMoreThanFromBelow) {
   Meadow meadow(test::small_scene());
   double before = seen_albedo(meadow.samples.texel(), above).b;
   for (int level = 1; level <= snow_levels; ++level) {
-    meadow.samples.bear(PatchState(0, level).snow_share());
+    meadow.samples.support_load(PatchState(0, level).snow_fraction());
     const Texel texel = meadow.samples.texel();
     const double now = seen_albedo(texel, above).b;
     EXPECT_GT(now, before + 0.025) << level;
@@ -189,17 +189,19 @@ TEST(Snow, WhitensFromAboveMoreThanFromBelow) {
 TEST(Snow, TexelAndBladesShowTheSameColour) {
   Meadow meadow(test::small_scene());
   const WitheringPatch patch(meadow.scene, meadow.model, 0);
-  const auto difference = [&](const Texel& texel, double share, const glm::dvec3& direction) {
+  const auto difference = [&](const Texel& texel, double fraction, const glm::dvec3& direction) {
     return glm::length(seen_albedo(texel, direction) -
-                       seen_albedo(patch.at(0.2, share), meadow.model, direction)) /
+                       seen_albedo(patch.at(0.2, fraction), meadow.model, direction)) /
            std::sqrt(3.0);
   };
-  for (const double share : {0.0, 0.1, 0.25, 0.5, 1.0}) {
-    meadow.samples.bear(share);
+  for (const double fraction : {0.0, 0.1, 0.25, 0.5, 1.0}) {
+    meadow.samples.support_load(fraction);
     const Texel texel = meadow.samples.texel();
-    EXPECT_LT(difference(texel, share, direction_at(25.0 * test::degree, 0.3)), 0.025) << share;
-    EXPECT_LT(difference(texel, share, direction_at(45.0 * test::degree, 0.3)), 0.05) << share;
-    EXPECT_LT(difference(texel, share, above), 0.005 + 0.7 * share) << share;
+    EXPECT_LT(difference(texel, fraction, direction_at(25.0 * test::degree, 0.3)), 0.025)
+        << fraction;
+    EXPECT_LT(difference(texel, fraction, direction_at(45.0 * test::degree, 0.3)), 0.05)
+        << fraction;
+    EXPECT_LT(difference(texel, fraction, above), 0.005 + 0.7 * fraction) << fraction;
   }
 }
 

@@ -32,9 +32,9 @@ Texel meadow_texel() {
   return rasterise_points(dynamics.points(), test::small_shape());
 }
 
-SampledTexel sampled(const Texel& texel, double proportion = 6.0) {
+SampledTexel sampled(const Texel& texel, double points_per_voxel_face = 6.0) {
   scene::Grass grass;
-  grass.proportion = proportion;
+  grass.points_per_voxel_face = points_per_voxel_face;
   return sample_texel(texel, grass, scene::Ageing{}, 11);
 }
 

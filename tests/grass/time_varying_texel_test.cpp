@@ -88,9 +88,9 @@ TEST(TimeVaryingTexel, MakesOnlyWhatIsMissing) {
 
   // A lost file and two that end too early, one of them just before its end.
   fs::remove(folder.path() / "v0_k01_062.vdb");
-  const auto cut = [&](const std::string& name, double share) {
+  const auto cut = [&](const std::string& name, double fraction) {
     const std::string whole = read_file(folder.path() / name);
-    const double length = share * static_cast<double>(whole.size());
+    const double length = fraction * static_cast<double>(whole.size());
     write_file(folder.path() / name,
                std::string_view(whole).substr(0, static_cast<std::size_t>(length)));
   };
@@ -122,9 +122,9 @@ TEST(TimeVaryingTexel, FilesHoldWhatWasDemanded) {
   texel.generate(demand, progress);
   EXPECT_FALSE(fs::exists(texel.volume_path(0, 0, 0)));
   const fs::path path = texel.volume_path(0, 0, 1);
-  EXPECT_EQ(file_shape(path), texel.level_shape(1));
+  EXPECT_EQ(file_shape(path), texel.lod_shape(1));
   EXPECT_EQ(file_shape(texel.texel_path(0, 0)), texel.shape());
-  const glm::ivec3 size(30, 30, texel.level_shape(1).height);
+  const glm::ivec3 size(30, 30, texel.lod_shape(1).height);
   for (const char* grid : {"emission_q0", "emission_q3"}) {
     float brightest = 0.0F;
     for (const glm::vec3& value : read_dense_vectors(path, grid, glm::ivec3(1), size))

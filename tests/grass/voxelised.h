@@ -19,8 +19,8 @@ class BladeContributions {
     for (const Blade& blade : blades)
       for (const BladeVoxel& voxel : voxelise_blade(blade, shape)) {
         if (voxel.voxel.z >= shape.height) continue;
-        slices_[static_cast<std::size_t>(voxel.voxel.z)].push_back(shares_.size());
-        shares_.push_back(
+        slices_[static_cast<std::size_t>(voxel.voxel.z)].push_back(fractions_.size());
+        fractions_.push_back(
             {shape.linear(shape.wrapped(voxel.voxel.x), shape.wrapped(voxel.voxel.y), 0),
              voxel.area_m2});
         moments_.emplace_back(
@@ -30,20 +30,20 @@ class BladeContributions {
   }
   double area_m2() const {
     double sum = 0.0;
-    for (const VoxelShare& share : shares_) sum += double{share.area_m2};
+    for (const VoxelWeight& fraction : fractions_) sum += double{fraction.area_m2};
     return sum;
   }
 
   template <class Visit>
   void each_in_slice(int z, const Visit& visit) const {
     for (std::size_t which : slices_[static_cast<std::size_t>(z)])
-      visit(which, std::span<const VoxelShare, 1>(&shares_[which], 1));
+      visit(which, std::span<const VoxelWeight, 1>(&fractions_[which], 1));
   }
   const Moments& moments(std::size_t which) const { return moments_[which]; }
 
  private:
   std::vector<std::vector<std::size_t>> slices_;
-  std::vector<VoxelShare> shares_;
+  std::vector<VoxelWeight> fractions_;
   std::vector<Moments> moments_;
 };
 

@@ -78,7 +78,7 @@ int near_pairs(const Points& points, double distance_m) {
 // What a texel cannot tell apart, points within a tenth of its voxels, becomes one.
 TEST(Samples, MergeWhatTheTexelCannotTellApart) {
   scene::Scene scene = test::small_scene();
-  scene.grass.proportion = 12.0;
+  scene.grass.points_per_voxel_face = 12.0;
   const MeadowModel model(scene);
   const double near_m = 0.1 * test::small_shape().voxel_m;
   Samples samples(scene, test::small_shape(), 0, model);
@@ -130,7 +130,7 @@ TEST(PointTubes, OfOneSampleShadeAnothers) {
   EXPECT_GT(in_shadow, 3);
 }
 
-// A blade is a cone in the texel: the share of its area beyond `along` falls as 1 - along.
+// A blade is a cone in the texel: the fraction of its area beyond `along` falls as 1 - along.
 TEST(BladePatch, HasTheMeanAlbedoOfItsArea) {
   scene::Scene scene = test::small_scene();
   const MeadowModel model(scene);

@@ -48,7 +48,7 @@ TEST(SnowyGround, IsDarkWhereRainHasWettedIt) {
   rainy.weather.earlier_h = 1.0;
   const place::Site site = place::make_site(rainy);
   const SnowyGround ground(rainy, site, 1);
-  EXPECT_EQ(ground.white_share(), 0.0);
+  EXPECT_EQ(ground.white_fraction(), 0.0);
   const ColourMap wet = ground.reflectance();
   for (std::size_t i = 0; i < wet.values().size(); i += 97)
     for (int channel = 0; channel < 3; ++channel) {
@@ -110,7 +110,7 @@ TEST(SnowyGround, ThePapersWhiteningLeavesTheShapeAndHidesTheGrass) {
   EXPECT_EQ(ground.surface().values(), site.terrain.values());
   // 6 of white_after's 8 mm: three dots a texel, so that 1 - exp(-3) of it is white.
   EXPECT_NEAR(mean(ground.growth()), std::exp(-3.0), 0.02);
-  EXPECT_NEAR(mean(ground.standing(site.growth)), std::exp(-3.0), 0.02);
+  EXPECT_NEAR(mean(ground.extinction_factor(site.growth)), std::exp(-3.0), 0.02);
   EXPECT_NEAR((ground.mean_albedo() - 0.2) / (0.95 - 0.2), 1.0 - std::exp(-3.0), 0.02);
 }
 

@@ -40,12 +40,12 @@ TEST(FitToGround, LiesOnASlopeExactly) {
   const Heightfield slope =
       ground([](const glm::dvec2& at_m) { return 0.3 * at_m.x - 0.7 * at_m.y; });
   for (int turn = 0; turn < 4; ++turn) {
-    const Stance stance = {{3 + turn, 7}, turn, {0.0, 0.0}};
-    const GroundFit fit = fit_to_ground(slope, patch_m, stance, whole);
+    const CellPose pose = {{3 + turn, 7}, turn, {0.0, 0.0}};
+    const GroundFit fit = fit_to_ground(slope, patch_m, pose, whole);
     EXPECT_LT(fit.deviation_m, 1e-6);
     EXPECT_NEAR(glm::determinant(fit.world_from_cell), 1.0, 1e-12);
     EXPECT_EQ(fit.world_from_cell[2], glm::dvec4(0, 0, 1, 0));
-    const glm::dvec2 low_m = glm::dvec2(stance.cell) * patch_m;
+    const glm::dvec2 low_m = glm::dvec2(pose.cell) * patch_m;
     for (const glm::dvec2 corner : {glm::dvec2(0, 0), {1, 0}, {0, 1}, {1, 1}}) {
       const glm::dvec4 at_m = fit.world_from_cell * glm::dvec4(corner * patch_m, 0, 1);
       EXPECT_NEAR(at_m.z, slope.sample(at_m.x, at_m.y), 1e-6);
@@ -98,8 +98,8 @@ TEST(PartsOnGround, TileThePatchBetweenItsVoxels) {
   std::set<std::size_t> counts;
   for (const int voxels : {30, 62, 126, 254})
     for (int number = 0; number < 100; ++number) {
-      const Stance stance = {{number % 10, number / 10}, number % 4, {0.1, 0.0}};
-      const auto parts = parts_on_ground(bumps, patch_m, stance, voxels, 0.01);
+      const CellPose pose = {{number % 10, number / 10}, number % 4, {0.1, 0.0}};
+      const auto parts = parts_on_ground(bumps, patch_m, pose, voxels, 0.01);
       counts.insert(parts.size());
       std::set<std::string> names;
       double area = 0.0;
@@ -107,8 +107,8 @@ TEST(PartsOnGround, TileThePatchBetweenItsVoxels) {
         const glm::dvec2 size = placed.part.high - placed.part.low;
         area += size.x * size.y;
         names.insert(suffix_of(placed.part));
-        for (const double share : {placed.part.low.x, placed.part.low.y}) {
-          const double border = share * voxels;
+        for (const double fraction : {placed.part.low.x, placed.part.low.y}) {
+          const double border = fraction * voxels;
           EXPECT_NEAR(border, std::round(border), 1e-9);
           if (border > 0.0) {
             EXPECT_EQ(std::lround(border + 1.0) % ((voxels + 2) / 8), 0);
@@ -156,9 +156,9 @@ TEST(PartsOnGround, FollowTheGroundOfTheExamples) {
     for (const meadow::CellChoice& cell : in.cells)
       for (const PlacedPart& placed : cell.parts)
         for (std::uint64_t i = 25 * parts++, end = i + 25; i < end; ++i) {
-          const glm::dvec2 share(uniform(i, "x"), uniform(i, "y"));
+          const glm::dvec2 fraction(uniform(i, "x"), uniform(i, "y"));
           const glm::dvec2 in_cell_m =
-              glm::mix(placed.part.low, placed.part.high, share) * in.scene.grass.patch_m;
+              glm::mix(placed.part.low, placed.part.high, fraction) * in.scene.grass.patch_m;
           const glm::dvec4 at_m = placed.world_from_cell * glm::dvec4(in_cell_m, 0.0, 1.0);
           const double off_m = std::abs(at_m.z - in.terrain.sample(at_m.x, at_m.y));
           EXPECT_LE(off_m, 0.01 + 1e-5) << name << ", part " << parts;

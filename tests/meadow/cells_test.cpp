@@ -54,7 +54,7 @@ std::vector<CellChoice> choices_of(const scene::Scene& scene, int frame = 2) {
 // Cells are boxes that lean; where neighbours lean away from each other one saw the ground.
 TEST(Cells, LeaveNoGapsWhereTheyReach) {
   const scene::Scene scene = small_meadow();
-  const Combing combing(scene, 1);
+  const WindLean wind_lean(scene, 1);
   const Heightfield level(3, 12.0);
   const double patch_m = scene.grass.patch_m, height_m = scene.grass.height_m;
   double widest_m = 0.0;
@@ -62,11 +62,11 @@ TEST(Cells, LeaveNoGapsWhereTheyReach) {
     for (int j = 0; j < 23; ++j) {
       /// Both ends of the cell at a height.
       const auto ends_m = [&](const glm::ivec2& cell, double z) {
-        const landscape::Stance stance = {cell, cell.x + 2 * cell.y,
-                                          combing.lean((glm::dvec2(cell) + 0.5) * patch_m)};
+        const landscape::CellPose pose = {cell, cell.x + 2 * cell.y,
+                                          wind_lean.lean((glm::dvec2(cell) + 0.5) * patch_m)};
         const glm::dmat4 matrix =
-            landscape::fit_to_ground(level, patch_m, stance, {}).world_from_cell *
-            reach_to_neighbours(combing, patch_m, stance, height_m);
+            landscape::fit_to_ground(level, patch_m, pose, {}).world_from_cell *
+            reach_to_neighbours(wind_lean, patch_m, pose, height_m);
         const glm::dvec2 a(matrix * glm::dvec4(0, 0, z, 1));
         const glm::dvec2 b(matrix * glm::dvec4(patch_m, patch_m, z, 1));
         return std::pair(glm::min(a, b), glm::max(a, b));
@@ -117,10 +117,10 @@ TEST(Cells, NeighboursDiffer) {
   ASSERT_EQ(choices.size(), 24U * 24U);
   std::set<std::array<int, 3>> uses, all;
   for (const CellChoice& choice : choices) {
-    uses.insert({choice.level, choice.variant, choice.turn});
+    uses.insert({choice.lod, choice.variant, choice.turn});
     for (int variant = 0; variant < scene.grass.variants; ++variant)
-      for (int turn = 0; turn < turns_of_level(scene, choice.level); ++turn)
-        all.insert({choice.level, variant, turn});
+      for (int turn = 0; turn < turns_of_lod(scene, choice.lod); ++turn)
+        all.insert({choice.lod, variant, turn});
   }
   EXPECT_EQ(uses, all);
   EXPECT_GE(all.size(), 8U);
@@ -158,10 +158,10 @@ TEST(Cells, DependOnNothingButTheCell) {
   EXPECT_LT(seen.size(), all.size());
   for (const CellChoice& choice : seen) {
     const CellChoice& other = all.at({choice.cell.x, choice.cell.y});
-    const int voxels = scene.grass.levels[static_cast<std::size_t>(choice.level)];
+    const int voxels = scene.grass.lods[static_cast<std::size_t>(choice.lod)];
     EXPECT_EQ(choice.variant, other.variant);
     EXPECT_EQ(choice.key_frame, other.key_frame);
-    EXPECT_EQ(choice.turn, other.turn % turns_of_level(voxels));
+    EXPECT_EQ(choice.turn, other.turn % turns_of_lod(voxels));
   }
 }
 
@@ -174,19 +174,19 @@ TEST(Cells, LevelsAreAsFineAsThePixels) {
   std::set<int> levels;
   for (const CellChoice& choice :
        choose_cells(scene, terrain, grown(scene), place::Withering(scene, terrain), 1)) {
-    levels.insert(choice.level);
+    levels.insert(choice.lod);
     const glm::dvec4 centre =
         choice.parts.front().world_from_cell * glm::dvec4(0.25, 0.25, 0.14, 1);
     const double distance_m = glm::length(glm::dvec3(centre) - camera.eye_m);
     const auto pixels = [&](int level) {
-      return 0.5 / scene.grass.levels[static_cast<std::size_t>(level)] * pixels_per_radian /
+      return 0.5 / scene.grass.lods[static_cast<std::size_t>(level)] * pixels_per_radian /
              distance_m;
     };
-    if (choice.level > 0) {
-      EXPECT_LT(pixels(choice.level), 1.12);
+    if (choice.lod > 0) {
+      EXPECT_LT(pixels(choice.lod), 1.12);
     }
-    if (choice.level < 3) {
-      EXPECT_GT(pixels(choice.level + 1), 0.9);
+    if (choice.lod < 3) {
+      EXPECT_GT(pixels(choice.lod + 1), 0.9);
     }
   }
   EXPECT_GE(levels.size(), 3U);
@@ -200,7 +200,7 @@ TEST(Cells, AutoDrawsBladesWhereTheFinestLevelIsTooCoarse) {
   const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
   const place::View view(place::resolved_camera(scene.camera, terrain, 0.0),
                          scene.render.size_px[0], scene.render.size_px[1]);
-  const double voxel_m = scene.grass.patch_m / scene.grass.levels.front();
+  const double voxel_m = scene.grass.patch_m / scene.grass.lods.front();
   int blades = 0;
   for (const CellChoice& choice :
        choose_cells(scene, terrain, grown(scene), place::Withering(scene, terrain), 2)) {
@@ -253,7 +253,7 @@ TEST(Cells, KeepEveryBladeInThePicture) {
 TEST(Weathering, DithersAboutTheWantedDegree) {
   scene::Scene scene = from_above();
   scene.ageing.frames = {0.0, 0.375, 0.39, 1.0};
-  scene.ageing.variation = 0.0;
+  scene.ageing.age_spread = 0.0;
   const auto mean_degree = [&](int frame) {
     double sum = 0.0;
     const std::vector<CellChoice> choices = choices_of(scene, frame);
@@ -273,7 +273,7 @@ TEST(Weathering, DithersAboutTheWantedDegree) {
 // Each pair of variant and key frame is a volume in memory: one variant at most is between two.
 TEST(Weathering, VariantsPassToTheNextKeyFrameOneAfterTheOther) {
   scene::Scene scene = from_above();
-  scene.ageing.variation = 0.0;
+  scene.ageing.age_spread = 0.0;
   scene.ageing.frames = {0.34, 0.36, 0.375, 0.40};  // key frames at 0.333 and 0.417
   for (int frame = 1; frame <= 4; ++frame) {
     std::set<std::pair<int, int>> shown;
@@ -294,13 +294,13 @@ TEST(Weathering, VariesSmoothlyAndNotAtTheEnds) {
     EXPECT_EQ(withering.at(at_m, 1), 0.0);
     EXPECT_EQ(withering.at(at_m, 3), 1.0);
     const double here = withering.at(at_m, 2);
-    EXPECT_LE(std::abs(here - 0.5), scene.ageing.variation);
+    EXPECT_LE(std::abs(here - 0.5), scene.ageing.age_spread);
     const double step = withering.at(at_m + glm::dvec2(0.5, 0.0), 2) - here;
     step_squares += step * step / 200.0;
     largest = std::max(largest, std::abs(here - 0.5));
   }
-  EXPECT_GT(largest, 0.5 * scene.ageing.variation);
-  EXPECT_LT(std::sqrt(step_squares), 0.2 * scene.ageing.variation);  // between neighbouring cells
+  EXPECT_GT(largest, 0.5 * scene.ageing.age_spread);
+  EXPECT_LT(std::sqrt(step_squares), 0.2 * scene.ageing.age_spread);  // between neighbouring cells
 }
 
 TEST(Cells, RefuseAFrameThatDoesNotExist) {

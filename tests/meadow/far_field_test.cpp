@@ -45,13 +45,14 @@ landscape::Volume even_fog(const std::filesystem::path& folder) { return fog_of_
 /// Beer and Lambert.
 double through(double length_m) { return std::exp(-double{extinction} * length_m); }
 
-TEST(PatchLook, FollowsBeerAndLambert) {
+TEST(PatchAppearance, FollowsBeerAndLambert) {
   const test::TemporaryFolder folder("patch_look");
   const landscape::Volume fog = even_fog(folder.path());
-  const PatchLook look(std::span(&fog, 1));
+  const PatchAppearance look(std::span(&fog, 1));
   for (const double elevation_deg : {90.0, 40.0, 25.0, 8.0}) {
     const double elevation = elevation_deg * 3.14159265358979 / 180.0;
-    const landscape::FarLook seen = look.along({std::cos(elevation), 0.0, -std::sin(elevation)});
+    const landscape::AggregateAppearance seen =
+        look.along({std::cos(elevation), 0.0, -std::sin(elevation)});
     const double wanted = through(0.4 / std::sin(elevation));
     EXPECT_NEAR(seen.transmittance, wanted, 0.03 * wanted + 0.001) << elevation_deg;
     EXPECT_NEAR(seen.radiance.g, double{source.g} * (1.0 - wanted), 0.01 * double{source.g});
@@ -59,13 +60,13 @@ TEST(PatchLook, FollowsBeerAndLambert) {
 }
 
 // Along walls a fifth of the rays goes through nothing but fog; across them each meets some.
-TEST(PatchLook, IsThatFromItsAzimuth) {
+TEST(PatchAppearance, IsThatFromItsAzimuth) {
   const test::TemporaryFolder folder("walls");
   const double elevation = 25.0 * 3.14159265358979 / 180.0;
   const double way_m = 0.4 / std::sin(elevation);
   for (const int across : {0, 1}) {
     const landscape::Volume walls = fog_of_walls(folder.path(), 2, across);
-    const PatchLook look(std::span(&walls, 1));
+    const PatchAppearance look(std::span(&walls, 1));
     for (const double sign : {-1.0, 1.0}) {
       glm::dvec3 direction(0.0, 0.0, -std::sin(elevation));
       direction[across] = sign * std::cos(elevation);
@@ -76,9 +77,9 @@ TEST(PatchLook, IsThatFromItsAzimuth) {
   }
 }
 
-TEST(PatchLook, ThickenedTwiceIsTwoLayers) {
-  const landscape::FarLook once{glm::dvec3(0.3), 0.4};
-  const landscape::FarLook twice = thickened(once, 2.0);
+TEST(PatchAppearance, ThickenedTwiceIsTwoLayers) {
+  const landscape::AggregateAppearance once{glm::dvec3(0.3), 0.4};
+  const landscape::AggregateAppearance twice = thickened(once, 2.0);
   EXPECT_NEAR(twice.transmittance, 0.16, 1e-12);
   EXPECT_NEAR(twice.radiance.r, 0.3 + 0.4 * 0.3, 1e-12);
   EXPECT_EQ(thickened({glm::dvec3(0.0), 1.0}, 3.0).transmittance, 1.0);
@@ -100,17 +101,18 @@ TEST(FarField, TakesOverWhatStandsNoLonger) {
   const Heightfield ground(41, 400.0);
   const place::View view(place::resolved_camera(scene.camera, ground, 0.0), 960, 540);
   ASSERT_TRUE(has_far_field(scene, ground, view));
-  const FactorMap standing = standing_grass(scene, ground, FactorMap(801, 400.0, 1.0F), view);
-  EXPECT_EQ(standing.sample(200.0, 60.0), 1.0F);
-  EXPECT_EQ(standing.sample(200.0, 390.0), 0.0F);
+  const FactorMap extinction_factor =
+      grass_extinction_factor(scene, ground, FactorMap(801, 400.0, 1.0F), view);
+  EXPECT_EQ(extinction_factor.sample(200.0, 60.0), 1.0F);
+  EXPECT_EQ(extinction_factor.sample(200.0, 390.0), 0.0F);
   double farthest_m = 0.0;
   for (const CellChoice& cell :
        choose_cells(scene, ground, test::grown(scene), place::Withering(scene, ground), 1))
     farthest_m = std::max(farthest_m, cell.cell.y * scene.grass.patch_m);
   for (double y_m = 60.0; y_m < 390.0; y_m += 10.0) {
-    const double share = far_share(scene.grass, view, {200.0, y_m, 0.0});
-    EXPECT_NEAR(double{standing.sample(200.0, y_m)}, 1.0 - share, 0.01);
-    if (share < 0.99) {
+    const double fraction = far_fraction(scene.grass, view, {200.0, y_m, 0.0});
+    EXPECT_NEAR(double{extinction_factor.sample(200.0, y_m)}, 1.0 - fraction, 0.01);
+    if (fraction < 0.99) {
       EXPECT_GT(farthest_m, y_m - 1.0);
     }
   }
@@ -123,7 +125,7 @@ TEST(FarField, ShowsWhatTheVolumeWouldShow) {
   scene::Scene scene = plain_scene();
   const Heightfield flat(41, 400.0);
   const place::View view(place::resolved_camera(scene.camera, flat, 0.0), 960, 540);
-  std::map<grass::PatchState, PatchLook> looks;
+  std::map<grass::PatchState, PatchAppearance> looks;
   for (const grass::PatchState& state : far_states(scene, place::Withering(scene, flat), 2))
     looks.emplace(state, std::span(&fog, 1));
   const glm::vec3 bare(0.005F);
@@ -148,17 +150,18 @@ TEST(FarField, LeansAsTheGrassDoes) {
   scene.wind.lean_deg = 20.0;
   const Heightfield flat(41, 400.0);
   const glm::dvec3 at_m(200.0, 150.0, 0.0);
-  const glm::dvec2 lean = Combing(scene, 2).lean(glm::dvec2(at_m));
+  const glm::dvec2 lean = WindLean(scene, 2).lean(glm::dvec2(at_m));
   ASSERT_GT(std::abs(lean.x), 0.2);
   const place::Withering withering(scene, flat);
-  std::map<grass::PatchState, PatchLook> looks;
+  std::map<grass::PatchState, PatchAppearance> looks;
   for (const grass::PatchState& state : far_states(scene, withering, 2))
     looks.emplace(state, std::span(&walls, 1));
   const auto seen = [&](double sign) {
     const place::View view({at_m + 30.0 * glm::dvec3(sign * lean, 1.0), at_m, 55.0}, 960, 540);
     return Meadow(scene, flat, withering, view, 2, looks).look(at_m).transmittance;
   };
-  const double from_above = PatchLook(std::span(&walls, 1)).along({0.0, 0.0, -1.0}).transmittance;
+  const double from_above =
+      PatchAppearance(std::span(&walls, 1)).along({0.0, 0.0, -1.0}).transmittance;
   EXPECT_NEAR(seen(1.0), std::pow(from_above, std::sqrt(1.0 + glm::dot(lean, lean))), 1e-6);
   EXPECT_LT(seen(-1.0), seen(1.0) - 0.02);
 }
@@ -183,7 +186,7 @@ TEST(Haze, FollowsKoschmieder) {
   EXPECT_NEAR(haze.before(glm::vec3(1.0F), at_m).g - seen.g, left, 2e-3);
   const glm::vec3 air = day.haze_radiance({0.0, 1.0, 0.0}, 1.0 - left);
   EXPECT_NEAR(seen.g, (1.0 - left) * double{air.g}, 2e-3);
-  std::map<grass::PatchState, PatchLook> looks;
+  std::map<grass::PatchState, PatchAppearance> looks;
   for (const grass::PatchState& state : far_states(scene, place::Withering(scene, flat), 2))
     looks.emplace(state, std::span(&fog, 1));
   const place::Withering withering(scene, flat);
@@ -192,7 +195,7 @@ TEST(Haze, FollowsKoschmieder) {
   const glm::dvec3 far_m(200.0, 300.0, 0.0);
   const float factor =
       ground::veil_of_grass(light, flat, view, meadow, haze).sample(far_m.x, far_m.y).g;
-  const landscape::FarLook look = meadow.look(far_m);
+  const landscape::AggregateAppearance look = meadow.look(far_m);
   const auto grass = static_cast<float>(0.8 * look.radiance.g / (1.0 - look.transmittance));
   EXPECT_NEAR(factor * grass, haze.before(glm::vec3(grass), far_m).g, 1e-4F);
 }
@@ -207,8 +210,10 @@ TEST(FarField, SlopesKeepTheDensityPerSquareMetre) {
   for (int j = 0; j < 41; ++j)
     for (int i = 0; i < 41; ++i) slope.at(i, j) = static_cast<float>(0.75 * j * 0.5);
   const place::View view(place::resolved_camera(scene.camera, slope, 0.0), 960, 540);
-  const FactorMap standing = standing_grass(scene, slope, FactorMap(41, 20.0, 1.0F), view);
-  EXPECT_NEAR(standing.sample(10.0, 10.0), 1.25F, 1e-4F);  // a slope of 3 in 4: cosine 4 / 5
+  const FactorMap extinction_factor =
+      grass_extinction_factor(scene, slope, FactorMap(41, 20.0, 1.0F), view);
+  EXPECT_NEAR(extinction_factor.sample(10.0, 10.0), 1.25F,
+              1e-4F);  // a slope of 3 in 4: cosine 4 / 5
 }
 
 }  // namespace

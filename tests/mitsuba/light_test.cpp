@@ -39,7 +39,7 @@ class MitsubaLight : public testing::Test {
   static Landscape dark() {
     Landscape dark;
     dark.terrain = Heightfield(5, 4.0, -2.0F);
-    dark.standing = FactorMap(2, 4.0, 1.0F);
+    dark.extinction_factor = FactorMap(2, 4.0, 1.0F);
     dark.patch_m = 0.5;
     dark.unlit =
         landscape::Unlit{glm::vec3(0.0F), Image(32, 16, 3), ColourMap(5, 4.0, glm::vec3(0.0F))};

@@ -33,14 +33,14 @@ double mean(const FactorMap& map) {
          static_cast<double>(map.values().size());
 }
 
-// The noise is equalised: the area that is grown over is the share that was asked for.
+// The noise is equalised: the area that is grown over is the fraction that was asked for.
 TEST(Growth, CoversTheShareOfTheGround) {
   scene::Scene scene = flat_square(100.0);
   scene.growth.feature_m = 0.8;
   const Heightfield ground = plane(100.0, 0.0);
-  for (const double share : {0.0, 0.2, 0.5, 0.8, 1.0}) {
-    scene.growth.share = share;
-    EXPECT_NEAR(mean(growth_map(scene, ground)), share, 0.015) << share;
+  for (const double fraction : {0.0, 0.2, 0.5, 0.8, 1.0}) {
+    scene.growth.cover = fraction;
+    EXPECT_NEAR(mean(growth_map(scene, ground)), fraction, 0.015) << fraction;
   }
 }
 
@@ -87,7 +87,7 @@ TEST(Growth, DamagedMasksAreBlackThere) {
 TEST(Growth, DecidesWhichCellsStand) {
   scene::Scene scene = flat_square(30.0);
   scene.grass.patch_m = 0.5;
-  scene.grass.far_pixels = 0.0;
+  scene.grass.far_field_below_pixels = 0.0;
   scene.camera.eye_m = {15.0, 0.0};
   scene.camera.eye_height_m = 60.0;
   scene.camera.target_m = {15.0, 15.0};

@@ -46,9 +46,9 @@ double days_between(const Withering& withering, const glm::dvec2& early, const g
 TEST(Withering, ComesEarlierOnHighGround) {
   const Withering withering(even_season(), ground([](const glm::dvec2& at) { return 0.5 * at.x; }));
   EXPECT_NEAR(days_between(withering, {400.0, 256.0}, {400.0 - 2.0 * 121.92, 256.0}), 4.0, 1e-4);
-  const auto [least, most] = withering.range(middle);
-  EXPECT_LE(least, withering.at({0.0, 0.0}, middle));
-  EXPECT_GE(most, withering.at({512.0, 0.0}, middle));
+  const auto [min, max] = withering.range(middle);
+  EXPECT_LE(min, withering.at({0.0, 0.0}, middle));
+  EXPECT_GE(max, withering.at({512.0, 0.0}, middle));
 }
 
 // A slope of 45 degrees that faces the sun of 45 degrees gets 1.414 times as much as level ground,
@@ -77,7 +77,7 @@ TEST(Withering, ComesEarlierInTheDeepestHollow) {
 TEST(Withering, SoilSpreadsItAndItNeverGoesBack) {
   scene::Scene scene = even_season();
   scene.season.spread_days = 6.0;
-  scene.ageing.variation_feature_m = 5.0;
+  scene.ageing.age_spread_feature_m = 5.0;
   const Withering withering(scene, ground([](const glm::dvec2&) { return 0.0; }));
   double sum = 0.0, squares = 0.0;
   int places = 0;

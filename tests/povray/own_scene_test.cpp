@@ -71,7 +71,7 @@ struct FromAbove {
     landscape.camera = {{1.5, 1.5, 100.0}, {1.5, 1.501, 0.0}, 1.8};
   }
 
-  /// Share of the light that goes `depth_m` down into the fog, or as far back up.
+  /// Fraction of the light that goes `depth_m` down into the fog, or as far back up.
   double through(double depth_m) const { return std::exp(-double{fog.extinction} * depth_m); }
   /// What is seen of the fog over something of a radiance, `depth_m` below its top.
   double seen(double depth_m, double below) const {

@@ -215,9 +215,10 @@ TEST_F(Picture, LightAndGrowthFollowTheWorldNotTheCell) {
     for (int i = 0; i < scene.light.samples(); ++i)
       scene.light.at(i, j) = glm::vec3(static_cast<float>(i * step_m / 3.0), 1.0F,
                                        static_cast<float>(j * step_m / 3.0));
-  for (int j = 0; j < scene.standing.samples(); ++j)
-    for (int i = 0; i < scene.standing.samples(); ++i)
-      scene.standing.at(i, j) = static_cast<float>(0.5 + j * scene.standing.step_m() / 3.0);
+  for (int j = 0; j < scene.extinction_factor.samples(); ++j)
+    for (int i = 0; i < scene.extinction_factor.samples(); ++i)
+      scene.extinction_factor.at(i, j) =
+          static_cast<float>(0.5 + j * scene.extinction_factor.step_m() / 3.0);
   const glm::dmat4 quarter_turn({0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {0.5, 0, 0, 1});
   for (std::size_t cell = 0; cell < scene.cells.size(); cell += 2)
     scene.cells[cell].world_from_cell = scene.cells[cell].world_from_cell * quarter_turn;

@@ -63,9 +63,9 @@ TEST(Log, EndsWhereItHasGrownLongEnough) {
   const fs::path path = folder.path() / "render.log";
   Log log(path);
   const std::string line(4000, 'x');
-  for (std::size_t bytes = 0; bytes < 2 * Log::most_bytes; bytes += line.size()) log.add(line);
+  for (std::size_t bytes = 0; bytes < 2 * Log::max_bytes; bytes += line.size()) log.add(line);
   log.add("the last");
-  EXPECT_LE(fs::file_size(path), Log::most_bytes + 100);
+  EXPECT_LE(fs::file_size(path), Log::max_bytes + 100);
   EXPECT_TRUE(read_file(path).ends_with("the rest is left out\n"));
   EXPECT_TRUE(log.last_lines().ends_with("the last"));
 }

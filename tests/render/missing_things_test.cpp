@@ -5,7 +5,7 @@
 #include "core/colour.h"
 #include "core/error.h"
 #include "fake_renderer.h"
-#include "render/shown_share.h"
+#include "render/shown_fraction.h"
 
 namespace wold::test {
 namespace {
@@ -15,21 +15,21 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 /// Green things on brown ground, in the lower of two rows of four tiles; above them a white sky.
-ExpectedPicture expected_things(const char* name, double least_share = 0.85) {
-  ExpectedThings things{name, least_share, {}};
+ExpectedPicture expected_things(const char* name, double min_fraction = 0.85) {
+  ExpectedThings things{name, min_fraction, {}};
   for (int tile = 4; tile < 8; ++tile)
     things.tiles.push_back({tile, glm::vec3(0.1F, 0.3F, 0.05F), glm::vec3(0.12F, 0.08F, 0.05F)});
   return {{4, 2}, {things}};
 }
 
-/// What is seen if `share` of the pixels of each tile show the things.
-Image picture_with(const ExpectedPicture& expected, double share) {
+/// What is seen if `fraction` of the pixels of each tile show the things.
+Image picture_with(const ExpectedPicture& expected, double fraction) {
   Image picture(32, 18, 3);
   std::fill(picture.values.begin(), picture.values.end(), 1.0F);
   const ExpectedTile& tile = expected.things.front().tiles.front();
   for (int y = 9; y < 18; ++y)
     for (int x = 0; x < 32; ++x) {
-      const glm::vec3& colour = x % 8 < 8 * share ? tile.with : tile.without;
+      const glm::vec3& colour = x % 8 < 8 * fraction ? tile.with : tile.without;
       for (int c = 0; c < 3; ++c)
         picture.pixel(x, y)[c] = static_cast<float>(srgb_encoded(double{colour[c]}));
     }
@@ -39,8 +39,8 @@ Image picture_with(const ExpectedPicture& expected, double share) {
 /// A job whose Blender draws that picture.
 class MissingThings : public FakeRenderer {
  protected:
-  render::Job job_of(const ExpectedPicture& expected, double share) {
-    write_image(folder_ / "drawn.png", picture_with(expected, share), PixelFormat::uint8);
+  render::Job job_of(const ExpectedPicture& expected, double fraction) {
+    write_image(folder_ / "drawn.png", picture_with(expected, fraction), PixelFormat::uint8);
     play("cp \"$folder/drawn.png\" \"$out\"");
     render::Job job = this->job();
     job.expected = folder_ / "expected.json";
@@ -106,12 +106,13 @@ TEST_F(MissingThings, DamagedExpectationIsAFileErrorBeforeAnythingIsRendered) {
 }
 
 // By hand: of the change from `without` to `with`, the tiles have 0.5 in the mean of sRGB.
-TEST(ShownShare, IsTheShareOfTheChange) {
+TEST(ShownFraction, IsTheShareOfTheChange) {
   const ExpectedPicture expected{{2, 1}, {{"grass", 0.5, {{0, glm::vec3(1.0F), glm::vec3(0.0F)}}}}};
   Image picture(4, 2, 3);
   std::fill(picture.values.begin(), picture.values.end(), 0.5F);
-  const render::ShownShare shown = render::shown_share(picture, expected, expected.things.front());
-  EXPECT_NEAR(shown.share, 0.5, 1e-6);
+  const render::ShownFraction shown =
+      render::shown_fraction(picture, expected, expected.things.front());
+  EXPECT_NEAR(shown.fraction, 0.5, 1e-6);
   EXPECT_NEAR(shown.contrast, std::sqrt(0.5), 1e-6);
 }
 

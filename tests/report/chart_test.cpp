@@ -30,11 +30,11 @@ TEST(ChartAxis, TicksAreRoundNumbersThatEncloseTheValues) {
   EXPECT_THAT(tick_labels(linear_axis("", 2e-5, 3e-5)), testing::Contains("0.000020"));
   EXPECT_THAT(tick_labels(logarithmic_axis("", 5.0, 1430.0)),
               ElementsAre("1", "10", "100", "1000", "10000"));
-  for (const double most : {1e-9, 0.07, 0.99, 1.0, 3.7, 42.0, 8e12}) {
-    const Axis axis = linear_axis("", 0.0, most);
-    EXPECT_TRUE(is_on(axis, most)) << most;
-    EXPECT_GE(axis.ticks.size(), 3u) << most;
-    EXPECT_LE(axis.ticks.size(), 8u) << most;
+  for (const double max : {1e-9, 0.07, 0.99, 1.0, 3.7, 42.0, 8e12}) {
+    const Axis axis = linear_axis("", 0.0, max);
+    EXPECT_TRUE(is_on(axis, max)) << max;
+    EXPECT_GE(axis.ticks.size(), 3u) << max;
+    EXPECT_LE(axis.ticks.size(), 8u) << max;
   }
 }
 

@@ -25,7 +25,7 @@ TEST(CloudScene, ReadsLayersAndEventsInTheirOrder) {
   expected.clouds[1].cells = {3, 4};
   expected.clouds[1].cover = 0.25;
   expected.cloud_events = {
-      {.kind = CloudEventKind::gather, .layer = 2, .start_s = 10.0, .by = 0.5}};
+      {.kind = CloudEventKind::gather, .layer = 2, .start_s = 10.0, .fraction = 0.5}};
   EXPECT_EQ(scene, expected);
   EXPECT_EQ(parse_scene("clouds = [{kind = 'cirrus', base = 8000}]\n", "a.toml").clouds[0],
             expected.clouds[0]);

@@ -22,7 +22,7 @@ TEST(Parse, ReadsEveryKindOfValueAndKeepsOtherDefaults) {
   expected.name = "hill-1";
   expected.seed = 7;
   expected.grass.patch_m = 1.0;
-  expected.grass.levels = {126, 30};
+  expected.grass.lods = {126, 30};
   expected.ageing.water = {"cold", {}};
   expected.ageing.chlorophyll = {"", {{0.0, 1.0}, {0.5, 0.75}, {1.0, 0.0}}};
   expected.ageing.frames = {0.0, 0.5};

@@ -26,7 +26,7 @@ TEST(ResolvedToml, IsAFixedPointOfParsing) {
   scene.terrain.size_m = 123.0;
   scene.terrain.relief_m = 1.0 / 3.0;
   scene.terrain.relief_feature_m = 0.1 + 0.2;
-  scene.grass.levels = {30};
+  scene.grass.lods = {30};
   scene.grass.mingle = {{"late", {}}, {"", {{0.0, 0.1}, {0.4, 0.1}, {1.0, 0.75}}}, {"early", {}}};
   scene.grass.key_frames = {0.0, 1e-300, 1.0};
   scene.ageing.water = {"", {{0.0, 1.0}, {0.1, 0.7}, {1.0, 1e-7}}};

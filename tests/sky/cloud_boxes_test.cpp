@@ -45,7 +45,7 @@ TEST(CloudBoxes, ColumnsHaveTheLayersOpticalDepthInsideTheWindow) {
       const glm::dvec2 at_m = glm::dvec2(box.corner_m) + (glm::dvec2(i, j) + 0.5) * box.voxel_m;
       const double wanted =
           cloud::optical_depth_at(view.clouds.layers[0], view.clouds.pixel_m, at_m) *
-          view.windows[0]->share(at_m);
+          view.windows[0]->fraction(at_m);
       EXPECT_NEAR(std::exp(-depth), std::exp(-wanted), 1e-3);
       clouded += wanted > 0.1;
     }
@@ -74,8 +74,8 @@ TEST(CloudBoxes, WindowsStandStillUnderAMovingCamera) {
   const double moved = (after.south_west_m.x - before.south_west_m.x) / voxel_m;
   EXPECT_NEAR(moved, std::round(moved), 1e-9);
   EXPECT_NEAR(moved * voxel_m, 100.0, voxel_m);
-  EXPECT_EQ(after.share(after.south_west_m), 0.0);
-  EXPECT_EQ(after.share(after.south_west_m + after.side_m / 2.0), 1.0);
+  EXPECT_EQ(after.fraction(after.south_west_m), 0.0);
+  EXPECT_EQ(after.fraction(after.south_west_m + after.side_m / 2.0), 1.0);
 }
 
 // What is volume in the window is not there once more as a sheet.

@@ -54,7 +54,7 @@ struct Sky {
   Sky(const Sky&) = delete;
   Sky& operator=(const Sky&) = delete;
 
-  /// Share of the clear sky's green that comes through clouds on which nothing shines.
+  /// Fraction of the clear sky's green that comes through clouds on which nothing shines.
   double through(const glm::dvec3& direction) const {
     return static_cast<double>(seen.radiance(direction).g) /
            static_cast<double>(day.seen_radiance(direction).g);
@@ -178,7 +178,7 @@ TEST_F(CloudySkies, ShineAsOneCloudWhileShapesChange) {
 }
 
 // As much as 0.01 of optical depth scatters once by Henyey and Greenstein's law, and a little of
-// the diffuse light, at most a veil's share of a white card's radiance.
+// the diffuse light, at most a veil's fraction of a white card's radiance.
 TEST_F(CloudySkies, HaveASilverLining) {
   constexpr double depth = 0.01, g = 0.8, slant = 2.0;
   const double opacity = -std::expm1(-depth);
@@ -235,17 +235,17 @@ std::vector<double> line_of_sky(const CloudySky& sky, double north_m, double ste
 
 TEST_F(CloudySkies, MoveByMetresPerSecond) {
   constexpr double speed_m_s = 12.0, seconds = 20.0, step_m = 2.0;
-  constexpr int places = 700, most = 200;
+  constexpr int places = 700, max = 200;
   scene::Scene scene = one_layer();
   scene.clouds[0].speed_m_s = speed_m_s;
   scene.clouds[0].heading_deg = 90.0;
   const Sky before(scene, 0.0), after(scene, seconds);
-  std::vector<double> differences(most);
+  std::vector<double> differences(max);
   for (const double north_m : {-900.0, -300.0, 400.0, 800.0}) {
     const auto first = line_of_sky(before.seen, north_m, step_m, places);
     const auto last = line_of_sky(after.seen, north_m, step_m, places);
-    for (int shift = 0; shift < most; ++shift)
-      for (int i = most; i < places; ++i) {
+    for (int shift = 0; shift < max; ++shift)
+      for (int i = max; i < places; ++i) {
         const double d =
             last[static_cast<std::size_t>(i)] - first[static_cast<std::size_t>(i - shift)];
         differences[static_cast<std::size_t>(shift)] += d * d;

@@ -52,9 +52,9 @@ TEST(Drifting, MovesSnowAndMakesNone) {
   const FactorMap factor = drift_factor(hills, 75.0, 0.7);
   const auto& values = factor.values();
   EXPECT_NEAR(std::accumulate(values.begin(), values.end(), 0.0) / values.size(), 1.0, 1e-6);
-  const auto [least, most] = std::ranges::minmax(values);
-  EXPECT_LT(least, 0.7F);
-  EXPECT_GT(most, 1.1F);
+  const auto [min, max] = std::ranges::minmax(values);
+  EXPECT_LT(min, 0.7F);
+  EXPECT_GT(max, 1.1F);
   EXPECT_NEAR(drift_weight(15.0, 0.5), 1.0 + 0.5 * std::tanh(1.0), 1e-12);
 }
 

@@ -58,9 +58,9 @@ TEST(FallingSnow, IsAsManyFlakesAsAskedFor) {
   EXPECT_NEAR(static_cast<double>(seen_of(scene).flakes.size()), 5000.0, 300.0);
 }
 
-/// What is drawn between two distances, as a share of what there is by the size distribution.
-double drawn_share(const std::vector<SeenFlake>& flakes, double rate_mm_h, double from_m,
-                   double to_m) {
+/// What is drawn between two distances, as a fraction of what there is by the size distribution.
+double drawn_fraction(const std::vector<SeenFlake>& flakes, double rate_mm_h, double from_m,
+                      double to_m) {
   const Frustum frustum(level_view);
   double sum_m2 = 0.0;
   for (const SeenFlake& flake : flakes) {
@@ -70,11 +70,11 @@ double drawn_share(const std::vector<SeenFlake>& flakes, double rate_mm_h, doubl
   }
   const double volume_m3 =
       frustum.solid_angle_sr() / 3.0 * (std::pow(to_m, 3) - std::pow(from_m, 3));
-  return sum_m2 / volume_m3 / gunn_marshall(rate_mm_h).extinction_above_per_m(1.0, least_melted_mm);
+  return sum_m2 / volume_m3 / gunn_marshall(rate_mm_h).extinction_above_per_m(1.0, min_melted_mm);
 }
 
 /// Mean of exp(-r / reach) over a shell of space.
-double expected_share(double reach_m, double from_m, double to_m) {
+double expected_fraction(double reach_m, double from_m, double to_m) {
   const auto integral = [&](double r) {
     const double x = r / reach_m;
     return -std::pow(reach_m, 3) * std::exp(-x) * (x * x + 2.0 * x + 2.0);
@@ -99,8 +99,8 @@ TEST(FallingSnow, DrawnFlakesDimByTheirCrossSections) {
       const Frustum frustum(level_view);
       const double reach_m = near_field(rate_mm_h, frustum.solid_angle_sr(), 30000.0).reach_m;
       for (const double from_m : {1.0, 3.5, 10.0}) {
-        const double drawn = drawn_share(flakes, rate_mm_h, from_m, 3.0 * from_m) / frames;
-        const double expected = expected_share(reach_m, from_m, 3.0 * from_m);
+        const double drawn = drawn_fraction(flakes, rate_mm_h, from_m, 3.0 * from_m) / frames;
+        const double expected = expected_fraction(reach_m, from_m, 3.0 * from_m);
         EXPECT_NEAR(drawn, expected, 0.06 * expected) << rate_mm_h << " " << from_m;
       }
     }
@@ -113,8 +113,8 @@ TEST(FallingSnow, FlakesAndFogDimAsBeerAndLambertSay) {
     const double extinction = 0.5 * 4.982e-3 * std::pow(rate_mm_h, 1.05);
     const SeenFlakes seen = seen_of(snowy(rate_mm_h));
     const Frustum frustum(level_view);
-    for (const double share_of_visibility : {0.01, 0.1, 0.3, 1.0}) {
-      const double length_m = share_of_visibility * 3.912 / extinction;
+    for (const double fraction_of_visibility : {0.01, 0.1, 0.3, 1.0}) {
+      const double length_m = fraction_of_visibility * 3.912 / extinction;
       double depth = seen.fog_extinction_per_m * length_m;
       for (const SeenFlake& flake : seen.flakes) {
         const double distance_m = glm::distance(glm::dvec3(flake.centre_m), level_view.eye_m);
@@ -148,7 +148,7 @@ TEST(FlakeMotion, WaterThroughAPlaneIsTheRate) {
     const double side_m = 6.0;
     const PeriodicCube cube = {{0.0, 0.0, 0.0}, side_m};
     const auto flakes = static_cast<std::uint64_t>(
-        std::llround(sizes.number_above_per_m3(least_melted_mm) * std::pow(side_m, 3)));
+        std::llround(sizes.number_above_per_m3(min_melted_mm) * std::pow(side_m, 3)));
     const Population population(5, flakes);
     double water_kg = 0.0;
     const double step_s = 0.5, seconds = 6.0;
@@ -170,8 +170,8 @@ TEST(FlakeMotion, WaterThroughAPlaneIsTheRate) {
       }
     }
     const double x = 0.5 * sizes.lambda_per_mm;
-    const double share = std::exp(-x) * (1.0 + x + x * x / 2.0 + x * x * x / 6.0);
-    const double measured_mm_h = water_kg / (side_m * side_m * seconds / 3600.0) / share;
+    const double fraction = std::exp(-x) * (1.0 + x + x * x / 2.0 + x * x * x / 6.0);
+    const double measured_mm_h = water_kg / (side_m * side_m * seconds / 3600.0) / fraction;
     EXPECT_NEAR(measured_mm_h, rate_mm_h, 0.05 * rate_mm_h);
   }
 }

@@ -107,19 +107,19 @@ TEST(FlakeLook, NearFlakesTurn) {
 /// way to it.
 TEST(FlakeLook, PhysicalFlakesTumbleAndThePapersFaceTheEye) {
   for (const scene::Law motion : {scene::Law::physical, scene::Law::paper}) {
-    double most_deg = 0.0;
+    double max_deg = 0.0;
     for (const SeenFlake& flake : seen_at(motion, 10.0)) {
       if (!is_crystal(flake)) continue;
       const glm::dvec3 face =
           glm::normalize(glm::cross(glm::dvec3(flake.right_m), glm::dvec3(flake.up_m)));
       const glm::dvec3 to_eye = glm::normalize(view.eye_m - glm::dvec3(flake.centre_m));
       const double cosine = std::min(1.0, std::abs(glm::dot(face, to_eye)));
-      most_deg = std::max(most_deg, glm::degrees(std::acos(cosine)));
+      max_deg = std::max(max_deg, glm::degrees(std::acos(cosine)));
     }
     if (motion == scene::Law::paper)
-      EXPECT_LT(most_deg, 0.1);
+      EXPECT_LT(max_deg, 0.1);
     else
-      EXPECT_NEAR(most_deg, 60.0, 1.5);
+      EXPECT_NEAR(max_deg, 60.0, 1.5);
   }
 }
 

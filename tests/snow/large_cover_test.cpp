@@ -44,7 +44,7 @@ TEST(LargeCover, IsSnowGroundTileByTile) {
   LargeCover large(snowy_scene(), large_ground(terrain), stormy, folder.path(), small_tiles);
   const SnowGround whole(snowy_scene(), terrain, stormy);
   for (int hour : {0, 1, 30}) {
-    large.reckon(hour);
+    large.integrate(hour);
     const SnowGround::State state = whole.at(3600.0 * hour);
     std::vector<float> values(201 * 201 * 3);
     const std::string name = hour == 0 ? "hour_00000" : hour == 1 ? "hour_00001" : "hour_00030";
@@ -79,8 +79,8 @@ TEST(LargeCover, ShowsNearGroundFinelyAndAllOfItCoarsely) {
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x) {
       const glm::dvec2 at_m = near.first_m + glm::dvec2(x, y) * near.step_m;
-      const double white = 0.5 * (cover_share(before.water_mm.sample(at_m.x, at_m.y)) +
-                                  cover_share(after.water_mm.sample(at_m.x, at_m.y)));
+      const double white = 0.5 * (cover_fraction(before.water_mm.sample(at_m.x, at_m.y)) +
+                                  cover_fraction(after.water_mm.sample(at_m.x, at_m.y)));
       ASSERT_NEAR(near.white[y * 64 + x], white, 1e-5);
       ASSERT_NEAR(near.depth_m[y * 64 + x], depth_m(at_m), 1e-6);
     }
@@ -124,7 +124,7 @@ TEST(LargeCover, HoldsNoMoreGroundThanItsTiles) {
     read(first, side, heights_m);
   };
   const TemporaryFolder folder("large_cover");
-  LargeCover(snowy_scene(), ground, stormy, folder.path(), small_tiles).reckon(1);
+  LargeCover(snowy_scene(), ground, stormy, folder.path(), small_tiles).integrate(1);
   EXPECT_EQ(largest, 64 + 2 * (16 + 5));
 }
 
@@ -141,8 +141,8 @@ TEST(LargeCover, RefusesOrToleratesOddGround) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 
   const Heightfield cell(2, 30.0, 100.0F);
-  LargeCover least(snowy_scene(), large_ground(cell), stormy, folder.path(), small_tiles);
-  const auto levels = least.view(1800.0, {0.0, 0.0});
+  LargeCover min(snowy_scene(), large_ground(cell), stormy, folder.path(), small_tiles);
+  const auto levels = min.view(1800.0, {0.0, 0.0});
   ASSERT_EQ(levels.size(), 1U);
   EXPECT_EQ(levels[0].side, 2);
   EXPECT_GT(levels[0].white[3], 0.9F);

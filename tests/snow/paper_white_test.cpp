@@ -31,9 +31,9 @@ Facet facet(double side_m, double slope, double texture_area) {
 }
 
 /// The paper's steps for one facet: dots by number per m2 of ground fall on its texels at random;
-/// the share of these that is white.
-double white_share(const Facet& facet, double dots_per_m2, double texels_of_texture,
-                   std::mt19937& random) {
+/// the fraction of these that is white.
+double white_fraction(const Facet& facet, double dots_per_m2, double texels_of_texture,
+                      std::mt19937& random) {
   std::vector<char> texels(static_cast<std::size_t>(facet.texture_area * texels_of_texture));
   std::poisson_distribution<int> dots(dots_per_m2 * facet.ground_m2());
   std::uniform_int_distribution<std::size_t> anywhere(0, texels.size() - 1);
@@ -52,11 +52,11 @@ TEST(PaperWhite, IsWhatThePapersNoiseMakesOfFacetsOfAnyPhi) {
     for (const Facet& one : {facet(40.0, 0.0, 0.1), facet(40.0, 1.7, 0.1), facet(40.0, 0.0, 0.4),
                              facet(3.0, 0.0, 0.1), facet(1.0, 0.5, 0.8)}) {
       const double noise = gamma * one.phi_per_m2() * four_per_texel;
-      EXPECT_NEAR(white_share(one, noise, texels, random), expected, 0.015) << one.ground_m2();
+      EXPECT_NEAR(white_fraction(one, noise, texels, random), expected, 0.015) << one.ground_m2();
     }
     const Facet fine = facet(3.0, 0.0, 0.4), coarse = facet(6.0, 0.0, 0.1);
     const double same_noise = gamma * fine.phi_per_m2() * four_per_texel;
-    EXPECT_GT(white_share(coarse, same_noise, texels, random), expected + 0.08);
+    EXPECT_GT(white_fraction(coarse, same_noise, texels, random), expected + 0.08);
   }
 }
 

@@ -163,8 +163,8 @@ TEST(FallingRain, OfALighterHourIsMarshallAndPalmersToo) {
     there_above_2_mm += diameter_m > 0.002F ? 1.0 : 0.0;
   }
   const SizeDistribution at_20 = marshall_palmer(20.0), at_2 = marshall_palmer(2.0);
-  const double share = at_2.number_above_per_m3(0.5) / at_20.number_above_per_m3(0.5);
-  EXPECT_NEAR(there / all, share, 0.01 * share);
+  const double fraction = at_2.number_above_per_m3(0.5) / at_20.number_above_per_m3(0.5);
+  EXPECT_NEAR(there / all, fraction, 0.01 * fraction);
   const double large = at_2.number_above_per_m3(2.0) / at_2.number_above_per_m3(0.5);
   EXPECT_NEAR(there_above_2_mm / there, large, 0.08 * large);
 }

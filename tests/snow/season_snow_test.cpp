@@ -224,9 +224,9 @@ TEST_F(SeasonSnow, OfLargeGroundIsThatOfSmall) {
     const double begin_s =
         std::floor((time_s - this->time_s(40)) / step_s) * step_s + this->time_s(40);
     const auto before = whole.at(begin_s).depth_m, after = whole.at(begin_s + step_s).depth_m;
-    const double share = (time_s - begin_s) / step_s;
+    const double fraction = (time_s - begin_s) / step_s;
     for (std::size_t i = 0; i < before.values().size(); ++i) {
-      const double depth_m = std::lerp(before.values()[i], after.values()[i], share);
+      const double depth_m = std::lerp(before.values()[i], after.values()[i], fraction);
       ASSERT_NEAR(levels[0].depth_m[i], depth_m, 1e-5 * depth_m + 1e-6) << i;
     }
   }

@@ -67,14 +67,14 @@ TEST(FallSpeed, IsLocatelliAndHobbss) {
   EXPECT_EQ(fall_speed_m_s(Crystal::aggregate, 30.0), fall_speed_m_s(Crystal::aggregate, 10.0));
 }
 
-TEST(CrystalShares, SumToOneAndGrowIntoAggregates) {
+TEST(CrystalFractions, SumToOneAndGrowIntoAggregates) {
   for (const double diameter_mm : {0.5, 2.0, 3.0, 9.0}) {
-    const auto shares = crystal_shares(scene::CrystalChoice::mixed, diameter_mm);
-    EXPECT_NEAR(std::accumulate(shares.begin(), shares.end(), 0.0), 1.0, 1e-12);
+    const auto fractions = crystal_fractions(scene::CrystalChoice::mixed, diameter_mm);
+    EXPECT_NEAR(std::accumulate(fractions.begin(), fractions.end(), 0.0), 1.0, 1e-12);
   }
-  EXPECT_EQ(crystal_shares(scene::CrystalChoice::mixed, 1.0)[3], 0.0);
-  EXPECT_GT(crystal_shares(scene::CrystalChoice::mixed, 6.0)[3], 0.7);
-  EXPECT_EQ(crystal_shares(scene::CrystalChoice::column, 1.0)[1], 1.0);
+  EXPECT_EQ(crystal_fractions(scene::CrystalChoice::mixed, 1.0)[3], 0.0);
+  EXPECT_GT(crystal_fractions(scene::CrystalChoice::mixed, 6.0)[3], 0.7);
+  EXPECT_EQ(crystal_fractions(scene::CrystalChoice::column, 1.0)[1], 1.0);
 }
 
 /// Melted diameters of keyed flakes follow exp(-Lambda (d - 0.5 mm)): mean 1 / Lambda above 0.5 mm,
@@ -89,7 +89,7 @@ TEST(FlakeSizes, AreExponentialAboveTheLeast) {
   for (int i = 0; i < flakes; ++i) {
     const std::uint32_t rank = FlakeSizes::rank(mixed(static_cast<std::uint64_t>(i)));
     const double diameter_mm = 1e3 * static_cast<double>(diameters_m[rank]);
-    const double beyond_mm = std::cbrt(0.17 * diameter_mm * diameter_mm) - least_melted_mm;
+    const double beyond_mm = std::cbrt(0.17 * diameter_mm * diameter_mm) - min_melted_mm;
     sum += beyond_mm;
     above += beyond_mm > 1.0 / lambda ? 1 : 0;
   }

@@ -38,13 +38,13 @@ bool is_pit(const Heightfield& terrain, int i, int j) {
 
 TEST(SnowSlide, HasThePublishedLimits) {
   const auto across_slope_m = [](double slope_deg) {
-    return most_depth_m(slope_deg) * std::cos(glm::radians(slope_deg));
+    return max_depth_m(slope_deg) * std::cos(glm::radians(slope_deg));
   };
   EXPECT_NEAR(across_slope_m(30.0), 3.079, 5e-4);
   EXPECT_NEAR(across_slope_m(45.0), 1.118, 5e-4);
   EXPECT_NEAR(across_slope_m(60.0), 0.445, 5e-4);
   EXPECT_NEAR(across_slope_m(75.0), 0.1475, 5e-5);
-  EXPECT_TRUE(std::isinf(most_depth_m(9.99)));
+  EXPECT_TRUE(std::isinf(max_depth_m(9.99)));
 }
 
 TEST(SnowSlide, LeavesNoSlopeTooDeepAndLosesNothing) {
@@ -61,7 +61,7 @@ TEST(SnowSlide, LeavesNoSlopeTooDeepAndLosesNothing) {
       slid += deep_m != 2.5;
       if (is_pit(terrain, i, j)) continue;
       const double slope = terrain::slope_deg(terrain, i, j);
-      ASSERT_LE(deep_m, most_depth_m(slope) + 1e-6) << i << ' ' << j;
+      ASSERT_LE(deep_m, max_depth_m(slope) + 1e-6) << i << ' ' << j;
     }
   EXPECT_GT(slid, 1000);
 }

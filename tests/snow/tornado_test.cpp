@@ -61,8 +61,8 @@ TEST(Tornado, FlakesMoveOnHelicesAtTheirVelocities) {
   EXPECT_GT(compared, 480);
 }
 
-/// What rises keeps its share of a radius that grows twelvefold over the height: it goes outwards
-/// by r log(12) / H for each metre. The axis bends, which counts for nothing on the mean.
+/// What rises keeps its fraction of a radius that grows twelvefold over the height: it goes
+/// outwards by r log(12) / H for each metre. The axis bends, which counts for nothing on the mean.
 TEST(Tornado, FlakesGoOutwardsAsItWidens) {
   const Tornado whirl = tornado();
   double out_m_s = 0.0, expected_m_s = 0.0;

@@ -64,7 +64,7 @@ TEST(Weather, StrengthIsARateOfSnowHoweverWarm) {
   scene.snowfall.strength = scene::SnowfallStrength::blizzard;
   const WeatherMoment now = Weather(scene).at(0.0);
   EXPECT_EQ(now.precipitation_mm_h, 4.0);
-  EXPECT_EQ(snow_share(now.temperature_c), 1.0);
+  EXPECT_EQ(snow_fraction(now.temperature_c), 1.0);
   EXPECT_EQ(Weather(scene).heaviest_mm_h(), 4.0);
 }
 

@@ -27,7 +27,7 @@ inline const exporter::Exporter& file_only_exporter() {
             update_file(folder / "film.txt", fmt::format("{} frames\n", film.frames.size()));
           },
       .files_for_output_folder = {"film.txt"},
-      .needs = {.most_flakes_on_a_ray = 50.0, .materials = true},
+      .needs = {.max_flakes_on_a_ray = 50.0, .materials = true},
       .files = {.frame = 20.0}};
   return lines;
 }

@@ -96,7 +96,7 @@ landscape::Landscape synthetic_landscape(const SyntheticMeadow& meadow,
   scene.terrain = Heightfield(samples, size_m);
   scene.light = ColourMap(samples, size_m);
   scene.ground = ColourMap(samples, size_m);
-  scene.standing = FactorMap(samples, size_m, 1.0F);
+  scene.extinction_factor = FactorMap(samples, size_m, 1.0F);
   for (int j = 0; j < samples; ++j)
     for (int i = 0; i < samples; ++i) {
       const double x = i * scene.terrain.step_m();

@@ -66,8 +66,8 @@ TEST(CellMap, FollowsTheProjection) {
   const CellMap map([](const glm::dvec2& m) { return std::optional(curved(m)); }, samples, size_m);
   for (int j = 0; j <= 2 * samples; j += 3)
     for (int i = 0; i <= 2 * samples; i += 5) {
-      const glm::dvec2 share = (0.5 * glm::dvec2(i, j) - 0.5) / (samples - 1.0);
-      const glm::dvec2 off = map.at(i, j) - curved((share - 0.5) * size_m);
+      const glm::dvec2 fraction = (0.5 * glm::dvec2(i, j) - 0.5) / (samples - 1.0);
+      const glm::dvec2 off = map.at(i, j) - curved((fraction - 0.5) * size_m);
       EXPECT_LT(glm::length(off), 5e-4) << i << " " << j;
     }
 }

@@ -39,15 +39,15 @@ TEST(Rock, HasItsAlbedoOnTheMeanHoweverFine) {
 TEST(Rock, FacesTurnToTheSunAndAway) {
   const Rock rock(glm::vec3(1.0F), 5, 0.02);
   const glm::dvec3 up = glm::normalize(glm::dvec3(0.0, -1.0, 0.7));
-  const auto share = [&](double from, double to) {
+  const auto fraction = [&](double from, double to) {
     return mean(4000, [&](const glm::dvec3& place_m) {
       const double shade{rock.at(place_m, up, to_sun).g};
       return shade > from && shade <= to ? 1.0 : 0.0;
     });
   };
-  EXPECT_GT(share(1.2, 2.7), 0.1);
-  EXPECT_GT(share(0.0, 0.8), 0.1);
-  EXPECT_EQ(share(0.07, 2.7), 1.0);
+  EXPECT_GT(fraction(1.2, 2.7), 0.1);
+  EXPECT_GT(fraction(0.0, 0.8), 0.1);
+  EXPECT_EQ(fraction(0.07, 2.7), 1.0);
 }
 
 // A map's plan would be drawn out on a wall: nothing would change upwards.

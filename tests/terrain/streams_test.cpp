@@ -94,7 +94,7 @@ TEST(Streams, AreSteadyWhereSlopeFallsWithTheRootOfTheArea) {
   // Uplift U t and reach K t: S = U / (K sqrt(A)), with lengths in sides.
   GroundMap<double> heights_m = pitted_dome(65);
   const GroundMap<double> uplift_m(65, 100.0, 2000.0);
-  carve(heights_m, uplift_m, {.reach = 200.0, .source_share = 1e-9, .steps = 400});
+  carve(heights_m, uplift_m, {.reach = 200.0, .source_fraction = 1e-9, .steps = 400});
   const std::vector<Down> downs = drainage(heights_m);
   const std::vector<double> samples = counts(heights_m, downs);
   int inner = 0;
@@ -133,8 +133,8 @@ TEST(Streams, CutTheSameOnAFinerGrid) {
   GroundMap<double> coarse = pitted_dome(101);
   GroundMap<double> fine = pitted_dome(201);
   const double before = mean(fine);
-  carve(coarse, {.reach = 1.5, .source_share = 1e-3});
-  carve(fine, {.reach = 1.5, .source_share = 1e-3});
+  carve(coarse, {.reach = 1.5, .source_fraction = 1e-3});
+  carve(fine, {.reach = 1.5, .source_fraction = 1e-3});
   EXPECT_LT(mean(fine), 0.9 * before);
   EXPECT_NEAR(mean(fine) / mean(coarse), 1.0, 0.05);
 }

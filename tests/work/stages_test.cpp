@@ -16,7 +16,7 @@ Job job_of(std::vector<const exporter::Exporter*> exporters) {
   job.scene.terrain.size_m = 6.0;
   job.scene.terrain.samples = 33;
   job.scene.terrain.hill_height_m = 0.5;
-  job.scene.grass.levels = {16};
+  job.scene.grass.lods = {16};
   job.scene.grass.variants = 2;
   job.scene.camera.eye_m = {3.0, 0.5};
   job.scene.camera.target_m = {3.0, 4.0};

@@ -35,8 +35,8 @@ std::vector<ShippedCurve> shipped_curves(CurveKind kind, const scene::CurveChoic
   return curves;
 }
 
-/// Share of the fresh leaf's carotenoids; the paper's model keeps them all (section 3.2).
-double carotenoid_share(const scene::Physiology& ageing, double water) {
+/// Fraction of the fresh leaf's carotenoids; the paper's model keeps them all (section 3.2).
+double carotenoid_fraction(const scene::Physiology& ageing, double water) {
   if (ageing.colour == scene::ColourModel::paper) return 1.0;
   scene::Physiology unit = ageing;
   unit.carotenoid_ug_cm2 = 1.0;
@@ -70,7 +70,7 @@ class Withering {
     state.weathering = weathering;
     state.chlorophyll = chlorophyll_(weathering);
     state.water = water_(weathering);
-    state.carotenoid = carotenoid_share(ageing_, state.water);
+    state.carotenoid = carotenoid_fraction(ageing_, state.water);
     state.tissue = tissue_state(ageing_, 1.0 - state.water);
     state.tip_angle_deg = tip_angle_deg(blade_, model_.pose(blade_, weathering));
     state.srgb = encoded(colour_(weathering).reflectance);

@@ -31,7 +31,7 @@ float arc_at_radius(float droop, float radius_m) {
 std::variant<PaperAxis, ElasticaAxis, VeinAxis> axis_of(const Blade& blade, const BladePose& pose) {
   if (pose.vein) return VeinAxis(*pose.vein, blade.length_m * pose.length_scale);
   if (pose.rule == DroopRule::elastica)
-    return ElasticaAxis(std::max(blade.lean, least_lean), pose.load,
+    return ElasticaAxis(std::max(blade.lean, min_lean), pose.load,
                         blade.length_m * pose.length_scale);
   return PaperAxis(blade.lean, pose.droop);
 }
@@ -58,9 +58,9 @@ ElasticaAxis::ElasticaAxis(float lean, float load, float length_m)
                                   [](const ElasticaNode& node) { return node.place.y < 0.0; });
   if (below == nodes_.end()) return;
   const glm::dvec2 above = (below - 1)->place;
-  const double share = above.y / (above.y - below->place.y);
-  touch_ = (static_cast<double>(below - 1 - nodes_.begin()) + share) / elastica_segments;
-  touch_place_ = above.x + share * (below->place.x - above.x);
+  const double fraction = above.y / (above.y - below->place.y);
+  touch_ = (static_cast<double>(below - 1 - nodes_.begin()) + fraction) / elastica_segments;
+  touch_place_ = above.x + fraction * (below->place.x - above.x);
 }
 
 AxisPoint ElasticaAxis::at(float arc_m) const {
@@ -69,11 +69,11 @@ AxisPoint ElasticaAxis::at(float arc_m) const {
     return {{static_cast<float>(touch_place_ + along - touch_) * length_m_, 0.0F}, {1.0F, 0.0F}};
   const auto lower = std::min(static_cast<std::size_t>(along * elastica_segments),
                               std::size_t{elastica_segments} - 1);
-  const double share = along * elastica_segments - static_cast<double>(lower);
+  const double fraction = along * elastica_segments - static_cast<double>(lower);
   const ElasticaNode& from = nodes_[lower];
   const ElasticaNode& to = nodes_[lower + 1];
-  const double angle = from.angle + (to.angle - from.angle) * share;
-  return {glm::vec2(glm::mix(from.place, to.place, share)) * length_m_,
+  const double angle = from.angle + (to.angle - from.angle) * fraction;
+  return {glm::vec2(glm::mix(from.place, to.place, fraction)) * length_m_,
           {math::sin(angle), math::cos(angle)}};
 }
 
@@ -94,7 +94,7 @@ VeinAxis::VeinAxis(const VeinPlaces& places, float length_m)
 AxisPoint VeinAxis::at(float arc_m) const {
   const float place = std::clamp(arc_m / length_m_, 0.0F, 1.0F) * vein_segments;
   const auto lower = std::min(static_cast<std::size_t>(place), std::size_t{vein_segments} - 1);
-  const float share = place - static_cast<float>(lower);
+  const float fraction = place - static_cast<float>(lower);
   const auto segment = [&](std::size_t k) { return places_m_[k + 1] - places_m_[k]; };
   const auto at_joint = [&](std::size_t k) {
     if (k == 0) return segment(0);
@@ -102,8 +102,8 @@ AxisPoint VeinAxis::at(float arc_m) const {
     return segment(k - 1) + segment(k);
   };
   const glm::vec2 from = glm::normalize(at_joint(lower)), to = glm::normalize(at_joint(lower + 1));
-  return {glm::mix(places_m_[lower], places_m_[lower + 1], share),
-          glm::normalize(glm::mix(from, to, share))};
+  return {glm::mix(places_m_[lower], places_m_[lower + 1], fraction),
+          glm::normalize(glm::mix(from, to, fraction))};
 }
 
 BladeAxis::BladeAxis(const Blade& blade, const BladePose& pose) : axis_(axis_of(blade, pose)) {}

@@ -11,7 +11,7 @@ namespace wold::grass {
 
 /// Lean of the most upright elastic blades, rad: a leaf parts from its shoot, it does not stand on
 /// it like a column that waits to buckle (modelling choice, 5 degrees).
-inline constexpr float least_lean = 5.0F * std::numbers::pi_v<float> / 180.0F;
+inline constexpr float min_lean = 5.0F * std::numbers::pi_v<float> / 180.0F;
 
 /// A point of a blade's axis: place relative to the root and the unit tangent, both within the
 /// vertical plane of the blade: (along heading, up).

@@ -70,7 +70,7 @@ struct BladePose {
   float length_scale = 1.0F;     ///< of arc lengths
   float vein_width = 1.0F;       ///< of distances from the axis, vein tissue
   float mesophyll_width = 1.0F;  ///< the same, mesophyll tissue
-  float snow = 0.0F;             ///< share of the snow it can carry, 0 to 1
+  float snow = 0.0F;             ///< fraction of the snow it can carry, 0 to 1
   /// Its axis as Algorithm 1 has moved it; none: the closed form of the rule.
   std::shared_ptr<const VeinPlaces> vein = {};
 };

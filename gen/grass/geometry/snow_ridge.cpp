@@ -14,7 +14,7 @@ constexpr float pi = std::numbers::pi_v<float>;
 /// Sines of 10 and 50 degrees.
 constexpr float holds_none = 0.174F;
 constexpr float holds_all = 0.766F;
-/// Snow as thick as this share of the most covers a blade from edge to edge.
+/// Snow as thick as this fraction of the most covers a blade from edge to edge.
 constexpr float covering = 0.5F;
 /// Ranks over which the thickness of lumps falls from the most to nothing.
 constexpr double edge = 0.4;
@@ -62,14 +62,14 @@ float rank_of(const Blade& blade, float along, const AxisPoint& at) {
 
 float snow_held(float horizontal) { return glm::smoothstep(holds_none, holds_all, horizontal); }
 
-float lump_thickness(double share, float rank) {
+float lump_thickness(double fraction, float rank) {
   // Places are filled in the order of their rank, those of the next `edge` of ranks in part; the
   // mean of clamp((filled - rank) / edge, 0, 1) is filled^2 / (2 edge) up to the edge, mirrored at
   // the other end, and linear in between.
   const auto end = [](double rest) { return std::sqrt(2.0 * edge * rest); };
-  const double filled = share < 0.5 * edge         ? end(share)
-                        : share < 1.0 - 0.5 * edge ? share + 0.5 * edge
-                                                   : 1.0 + edge - end(1.0 - share);
+  const double filled = fraction < 0.5 * edge         ? end(fraction)
+                        : fraction < 1.0 - 0.5 * edge ? fraction + 0.5 * edge
+                                                      : 1.0 + edge - end(1.0 - fraction);
   return std::clamp(static_cast<float>((filled - double{rank}) / edge), 0.0F, 1.0F);
 }
 

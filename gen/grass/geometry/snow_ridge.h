@@ -22,15 +22,15 @@ inline constexpr double leaf_snow_kg_m2 = 0.16 * 6.0 * (0.27 + 46.0 / blade_snow
 /// 0.85 of the even).
 inline constexpr glm::vec3 snow_albedo{0.97F, 0.985F, 1.0F};
 
-/// Share of the snow that stays on a blade whose tangent has this horizontal part, the sine of its
-/// angle from the vertical: none up to 10 degrees, all from 50 degrees on (modelling choice: cold
-/// snow rests on slopes of up to 50 to 60 degrees, and clings).
+/// Fraction of the snow that stays on a blade whose tangent has this horizontal part, the sine of
+/// its angle from the vertical: none up to 10 degrees, all from 50 degrees on (modelling choice:
+/// cold snow rests on slopes of up to 50 to 60 degrees, and clings).
 float snow_held(float horizontal);
 
-/// Thickness of the snow at a place of a level blade, as a share of the most: `share` of what the
-/// canopy can carry lies in lumps. `rank`, uniform in [0, 1), says which places get it last. The
-/// mean over all ranks is `share`; it never falls as `share` grows.
-float lump_thickness(double share, float rank);
+/// Thickness of the snow at a place of a level blade, as a fraction of the most: `fraction` of what
+/// the canopy can carry lies in lumps. `rank`, uniform in [0, 1), says which places get it last.
+/// The mean over all ranks is `fraction`; it never falls as `fraction` grows.
+float lump_thickness(double fraction, float rank);
 
 /// Snow on a place of a blade: a ridge of elliptic section along its upper side.
 struct SnowRidge {

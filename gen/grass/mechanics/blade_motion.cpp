@@ -21,19 +21,19 @@ bool by_forces(const scene::Physiology& ageing) {
 }
 
 double clamp_angle(const Blade& blade, const scene::Physiology& ageing) {
-  return double{by_forces(ageing) ? std::max(blade.lean, least_lean) : blade.lean};
+  return double{by_forces(ageing) ? std::max(blade.lean, min_lean) : blade.lean};
 }
 
 double length_m(const Blade& blade, const scene::Physiology& ageing, double water_lost) {
   return double{blade.length_m} * double{blade_pose(blade, ageing, water_lost, 1.0).length_scale};
 }
 
-/// Droop by the paper's rule of a blade that lacks `water_lost` and has lacked `most_lost`.
+/// Droop by the paper's rule of a blade that lacks `water_lost` and has lacked `max_lost`.
 double paper_droop(const Blade& blade, const scene::Physiology& ageing, double water_lost,
-                   double most_lost) {
+                   double max_lost) {
   return double{blade.fresh_droop} +
-         double{blade.droop_rate} * (relieved_loss(most_lost, ageing.stiffening) -
-                                     recovered_loss(ageing, water_lost, most_lost));
+         double{blade.droop_rate} * (relieved_loss(max_lost, ageing.stiffening) -
+                                     recovered_loss(ageing, water_lost, max_lost));
 }
 
 VeinLoad load_of(const Blade& blade, const scene::Physiology& ageing, const Wall& wall,
@@ -42,7 +42,7 @@ VeinLoad load_of(const Blade& blade, const scene::Physiology& ageing, const Wall
   VeinLoad load;
   load.length_m = length_now_m;
   load.clamp = clamp_angle(blade, ageing);
-  load.wall_n_m2 = fresh * wall_stiffness(ageing, wall.most_lost);
+  load.wall_n_m2 = fresh * wall_stiffness(ageing, wall.max_lost);
   load.turgor_n_m2 = fresh * turgor_stiffness(ageing, water_lost);
   load.set = wall.set;
   return load;
@@ -56,14 +56,14 @@ void droop_at_once(VeinPoints& points, double length, double droop) {
   for (int i = 0; i < turning_steps; ++i) turn_vein(points, length, droop / turning_steps, step_s);
 }
 
-VeinState mixed(const VeinState& a, const VeinState& b, double share) {
+VeinState mixed(const VeinState& a, const VeinState& b, double fraction) {
   VeinState state;
-  const auto mix = [&](double from, double to) { return from + (to - from) * share; };
+  const auto mix = [&](double from, double to) { return from + (to - from) * fraction; };
   for (std::size_t k = 0; k < state.angle.size(); ++k) {
     state.angle[k] = mix(a.angle[k], b.angle[k]);
     state.wall.set[k] = mix(a.wall.set[k], b.wall.set[k]);
   }
-  state.wall.most_lost = mix(a.wall.most_lost, b.wall.most_lost);
+  state.wall.max_lost = mix(a.wall.max_lost, b.wall.max_lost);
   state.droop = mix(a.droop, b.droop);
   return state;
 }
@@ -77,7 +77,7 @@ BladeMotion::BladeMotion(const Blade& blade, const scene::Physiology& ageing, co
   const double length = length_m(blade, ageing, lost);
   points_ = straight_vein(clamp_angle(blade, ageing), length);
   weigh(points_, blade, relative_weight(lost));
-  last_.wall.most_lost = lost;
+  last_.wall.max_lost = lost;
   last_.droop = paper_droop(blade, ageing, lost, lost);
   if (by_forces(ageing))
     settle_vein(points_, load_of(blade, ageing, last_.wall, lost, length));
@@ -97,8 +97,8 @@ void BladeMotion::step() {
     dry(last_.wall, turns(points_, clamp_angle(blade_, *ageing_)), lost, ageing_->stiffening);
     step_vein(points_, load_of(blade_, *ageing_, last_.wall, lost, length), step_s);
   } else {
-    last_.wall.most_lost = std::max(last_.wall.most_lost, lost);
-    last_.droop = paper_droop(blade_, *ageing_, lost, last_.wall.most_lost);
+    last_.wall.max_lost = std::max(last_.wall.max_lost, lost);
+    last_.droop = paper_droop(blade_, *ageing_, lost, last_.wall.max_lost);
     turn_vein(points_, length, last_.droop - before_.droop, step_s);
   }
   last_.angle = points_.angle;

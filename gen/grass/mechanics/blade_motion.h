@@ -58,8 +58,8 @@ class BladeHistory {
   std::vector<VeinState> states_;
 };
 
-/// Places of the vein of a blade in a state, `water_lost` now, under the share `snow` of the snow
-/// it can carry (0 to 1), which leaves no trace.
+/// Places of the vein of a blade in a state, `water_lost` now, under the fraction `snow` of the
+/// snow it can carry (0 to 1), which leaves no trace.
 VeinPlaces vein_places(const Blade& blade, const scene::Physiology& ageing, const VeinState& state,
                        double water_lost, double length_m, double snow);
 

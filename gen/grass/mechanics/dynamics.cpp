@@ -65,12 +65,12 @@ double AgeingModel::local_age(double age, double along) {
 
 WaterLoss AgeingModel::water_loss(double age) const {
   const double now = 1.0 - water_(age);
-  double most = now;
+  double max = now;
   // Between its points the curve is monotone.
   for (const glm::dvec2& point : water_.points())
-    if (point.x < age) most = std::max(most, 1.0 - point.y);
+    if (point.x < age) max = std::max(max, 1.0 - point.y);
   constexpr double rounding = 1e-9;
-  return most - now > rounding ? WaterLoss(now, most) : WaterLoss(now);
+  return max - now > rounding ? WaterLoss(now, max) : WaterLoss(now);
 }
 
 BladePose AgeingModel::pose(const Blade& blade, double age, double snow) const {
@@ -133,7 +133,7 @@ void PointDynamics::advance_to(double weathering) {
   });
 }
 
-void PointDynamics::bear(double snow) {
+void PointDynamics::support_load(double snow) {
   parallel_for(blades_.size(), [&](std::size_t blade) { stand(blade, weathering_, snow); });
 }
 

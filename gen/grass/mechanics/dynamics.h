@@ -25,8 +25,8 @@ class AgeingModel {
   /// The blade's own weathering degree when the meadow's is `weathering`: from its head start to 1,
   /// monotone, ahead or behind by its onset in between.
   static double blade_age(const Blade& blade, double weathering);
-  /// `snow`: share of the snow it can carry that lies on it, 0 to 1. Where Algorithm 1 moves blades
-  /// it steps there from the first age on: 0.2 ms.
+  /// `snow`: fraction of the snow it can carry that lies on it, 0 to 1. Where Algorithm 1 moves
+  /// blades it steps there from the first age on: 0.2 ms.
   BladePose pose(const Blade& blade, double age, double snow = 0.0) const;
   /// The same where Algorithm 1 has moved the blade to that state of this age.
   BladePose pose(const Blade& blade, const VeinState& state, double age, double snow) const;
@@ -69,9 +69,9 @@ class PointDynamics {
   void advance_to(double weathering);
 
   /// The blades as they stand at the last step's weathering under snow: `snow` in [0, 1] is the
-  /// share of what they can carry. It leaves no trace: under 0 all is what advance_to() left but
+  /// fraction of what they can carry. It leaves no trace: under 0 all is what advance_to() left but
   /// for points it merged, whose places are those of one of the two.
-  void bear(double snow);
+  void support_load(double snow);
 
   const Points& points() const { return points_; }
   const std::vector<Blade>& blades() const { return blades_; }

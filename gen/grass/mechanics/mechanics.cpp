@@ -14,10 +14,10 @@ namespace wold::grass {
 namespace {
 
 // Young's moduli of the fresh tissues (modelling choice within the published ranges: whole blade
-// 0.1 to 1 GPa, mesophyll 1 to 10 MPa) and the share of the cross-section that is vein.
+// 0.1 to 1 GPa, mesophyll 1 to 10 MPa) and the fraction of the cross-section that is vein.
 constexpr double fresh_vein_pa = 0.5e9;
 constexpr double fresh_mesophyll_pa = 5e6;
-constexpr double vein_share = 0.1;
+constexpr double vein_fraction = 0.1;
 
 /// Of the whole fresh leaf, with the air in it (modelling choice).
 constexpr double leaf_kg_m3 = 800.0;
@@ -28,14 +28,14 @@ constexpr double snow_per_leaf = leaf_snow_kg_m2 / (leaf_kg_m3 * leaf_thickness_
 /// Polar angle beyond which snow turns no tip.
 constexpr double lowest_tip = radians(75.0);
 /// Water in a fresh leaf: 240 % of its dry mass (models/ageing/water_standard.toml).
-constexpr double water_mass_share = 240.0 / 340.0;
+constexpr double water_mass_fraction = 240.0 / 340.0;
 /// Water lost when turgor is gone; grasses lose it near a relative water content of 0.8 (modelling
 /// choice).
 constexpr double turgor_loss = 0.2;
 /// What remains of a blade's thickness without its water at the least: the walls.
 constexpr double thinnest = 0.1;
 
-/// Linear scale of a body that lost this share of its volume alike in all directions.
+/// Linear scale of a body that lost this fraction of its volume alike in all directions.
 double linear_scale(double volume_strain) { return math::cbrt(1.0 - volume_strain); }
 
 /// What remains of turgor, 1 to 0.
@@ -92,7 +92,7 @@ double fresh_stiffness_n_m2(const Blade& blade) {
   return fresh_mass_kg_m(blade) * gravity_m_s2 * length_m * length_m * length_m / fresh_load(blade);
 }
 
-double relative_weight(double water_lost) { return 1.0 - water_mass_share * water_lost; }
+double relative_weight(double water_lost) { return 1.0 - water_mass_fraction * water_lost; }
 
 double relative_snow_weight() { return snow_per_leaf; }
 
@@ -105,11 +105,11 @@ double turgor_stiffness(const scene::Physiology& ageing, double water_lost) {
   return ageing.turgor_support * turgor_left(water_lost) * relative_section(ageing, water_lost);
 }
 
-double recovered_loss(const scene::Physiology& ageing, double water_lost, double most_lost) {
+double recovered_loss(const scene::Physiology& ageing, double water_lost, double max_lost) {
   const auto sunk = [&](double lost) {
     return relieved_loss(std::min(lost, turgor_loss), ageing.stiffening);
   };
-  return ageing.turgor_support * (sunk(most_lost) - sunk(water_lost));
+  return ageing.turgor_support * (sunk(max_lost) - sunk(water_lost));
 }
 
 double relative_load(const scene::Physiology& ageing, double water_lost) {
@@ -141,8 +141,8 @@ BladePose blade_pose(const Blade& blade, const scene::Physiology& ageing, const 
                      double heaviest, double snow) {
   const double water_lost = lost.now;
   const TissueState tissue = tissue_state(ageing, water_lost);
-  const double vein = vein_share * tissue.modulus_vein_pa;
-  const double mesophyll = (1.0 - vein_share) * tissue.modulus_mesophyll_pa;
+  const double vein = vein_fraction * tissue.modulus_vein_pa;
+  const double mesophyll = (1.0 - vein_fraction) * tissue.modulus_mesophyll_pa;
   const double axial =
       (vein * tissue.strain_vein + mesophyll * tissue.strain_mesophyll) / (vein + mesophyll);
   BladePose pose;
@@ -151,8 +151,8 @@ BladePose blade_pose(const Blade& blade, const scene::Physiology& ageing, const 
       fresh_load(blade) *
       (heaviest + snow_per_leaf * snow / relative_stiffness(ageing, water_lost)));
   pose.droop = blade.fresh_droop +
-               blade.droop_rate * static_cast<float>(relieved_loss(lost.most, ageing.stiffening) -
-                                                     recovered_loss(ageing, lost.now, lost.most));
+               blade.droop_rate * static_cast<float>(relieved_loss(lost.max, ageing.stiffening) -
+                                                     recovered_loss(ageing, lost.now, lost.max));
   pose.droop = snowed_droop(blade, pose.droop, snow);
   pose.snow = static_cast<float>(snow);
   pose.length_scale = static_cast<float>(linear_scale(axial));

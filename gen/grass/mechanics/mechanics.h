@@ -7,7 +7,7 @@
 namespace wold::grass {
 
 /// Strains and stresses of the two tissues of a drying blade (paper 1 section 3.1). Strains are
-/// shares of the volume lost, positive for shrinkage; stresses and moduli in pascals.
+/// fractions of the volume lost, positive for shrinkage; stresses and moduli in pascals.
 struct TissueState {
   double modulus_vein_pa = 0.0;
   double modulus_mesophyll_pa = 0.0;
@@ -51,13 +51,13 @@ double relative_snow_weight();
 double wall_stiffness(const scene::Physiology& ageing, double water_lost);
 double turgor_stiffness(const scene::Physiology& ageing, double water_lost);
 
-/// What comes back of relieved_loss(most_lost), which moves blades by the paper's rule, when
-/// `water_lost` <= `most_lost` is all that is lacking again: of what sank while turgor went, the
+/// What comes back of relieved_loss(max_lost), which moves blades by the paper's rule, when
+/// `water_lost` <= `max_lost` is all that is lacking again: of what sank while turgor went, the
 /// share that turgor bears.
-double recovered_loss(const scene::Physiology& ageing, double water_lost, double most_lost);
+double recovered_loss(const scene::Physiology& ageing, double water_lost, double max_lost);
 
 /// The load after `water_lost` (0 to 1), that of the fresh blade being 1. Weight goes with the
-/// water; the walls stiffen as they dry, E(x) = E0 (1 + b x), turgor's share of the stiffness is
+/// water; the walls stiffen as they dry, E(x) = E0 (1 + b x), turgor's fraction of the stiffness is
 /// gone at the turgor loss point, and the blade grows thinner by the volume its soft tissue loses
 /// (Gardner and Ehlig 1965, Plant Physiology 40:705: leaves shrink in thickness, hardly in area).
 /// It rises while the blade wilts and falls as it dries.
@@ -67,7 +67,8 @@ double relative_load(const scene::Physiology& ageing, double water_lost);
 /// while limp sets as it dries: a fallen blade does not stand up again.
 Curve heaviest_load(const scene::Physiology& ageing, const Curve& water);
 
-/// The paper's droop c of a blade on which the share `snow` of the snow it can carry lies (0 to 1).
+/// The paper's droop c of a blade on which the fraction `snow` of the snow it can carry lies (0 to
+/// 1).
 ///
 /// Loads add up, and a small load turns the tip in proportion: with the droop c from the blade's
 /// own weight the snow's turns it by c sqrt(L) times the ratio of the weights. The way to
@@ -79,16 +80,16 @@ float snowed_droop(const Blade& blade, float droop, double snow);
 /// How much of its water a blade lacks, and the most that it has lacked: 0 to 1.
 struct WaterLoss {
   /// Of a blade that lacks the most it ever did.
-  WaterLoss(double lost) : now(lost), most(lost) {}
-  WaterLoss(double lost, double most_lost) : now(lost), most(most_lost) {}
+  WaterLoss(double lost) : now(lost), max(lost) {}
+  WaterLoss(double lost, double max_lost) : now(lost), max(max_lost) {}
   double now;
-  double most;
+  double max;
 };
 
 /// Shape of a blade after a loss of water: lengths follow the stiff veins and the mesophyll bonded
 /// to them, by their stiffness; widths follow each tissue's own strain; the paper's droop grows as
 /// support is lost, and of it only what turgor held comes back with water (recovered_loss()); the
-/// elastica's load is `heaviest` times the fresh one. The share `snow` of the
+/// elastica's load is `heaviest` times the fresh one. The fraction `snow` of the
 /// snow that it can carry (0 to 1) bends it further for as long as it lies.
 BladePose blade_pose(const Blade& blade, const scene::Physiology& ageing, const WaterLoss& lost,
                      double heaviest, double snow = 0.0);

@@ -5,8 +5,8 @@ namespace {
 
 /// Puts what a point stands for into another one of its blade and tissue.
 void merge_into(Points& points, std::uint32_t to, std::uint32_t from) {
-  const float share = points.area_m2[from] / (points.area_m2[to] + points.area_m2[from]);
-  const auto mean = [&](auto& values) { values[to] += (values[from] - values[to]) * share; };
+  const float fraction = points.area_m2[from] / (points.area_m2[to] + points.area_m2[from]);
+  const auto mean = [&](auto& values) { values[to] += (values[from] - values[to]) * fraction; };
   mean(points.side_m);
   mean(points.across_m);
   mean(points.position_m);

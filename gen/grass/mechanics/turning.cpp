@@ -29,8 +29,8 @@ Places drawn_together(const Places& stretched, double segment_m) {
       piece_m = glm::distance(stretched[piece], stretched[piece + 1]);
       ++piece;
     }
-    const double share = piece_m > 0.0 ? (wanted_m - begin_m) / piece_m : 0.0;
-    drawn[i] = glm::mix(stretched[piece - 1], stretched[piece], share);
+    const double fraction = piece_m > 0.0 ? (wanted_m - begin_m) / piece_m : 0.0;
+    drawn[i] = glm::mix(stretched[piece - 1], stretched[piece], fraction);
   }
   return drawn;
 }

@@ -10,7 +10,7 @@ std::array<double, vein_segments> turns(const VeinPoints& points, double clamp) 
   return turn;
 }
 
-double weight_share(double height_m, const VeinLoad& load) {
+double weight_fraction(double height_m, const VeinLoad& load) {
   return 1.0 + std::min(height_m, 0.0) / (ground_depth * load.length_m);
 }
 

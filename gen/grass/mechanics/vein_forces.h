@@ -31,7 +31,7 @@ std::array<double, vein_segments> turns(const VeinPoints& points, double clamp);
 
 /// Weight of a point less what the ground bears of it, over its mass times gravity: 1 above the
 /// ground, negative where it pushes more than the point weighs.
-double weight_share(double height_m, const VeinLoad& load);
+double weight_fraction(double height_m, const VeinLoad& load);
 /// Its integral from the ground up: energy over mass times gravity.
 double weighted_height_m(double height_m, const VeinLoad& load);
 

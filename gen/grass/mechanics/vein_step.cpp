@@ -14,7 +14,7 @@ using Angles = OfSegments<double>;
 /// Largest turn of a segment per iteration, rad, and the one that ends the iterations.
 constexpr double largest_turn = 0.3;
 constexpr double smallest_turn = 1e-8;
-constexpr int most_iterations = 100;
+constexpr int max_iterations = 100;
 
 /// The objective of a step at given angles: its value and, to second order, how it changes as
 /// segments turn and points move.
@@ -90,7 +90,7 @@ class Step {
     const glm::dvec2 off_m = place_m - aim_m_[i];
     to.value +=
         0.5 * inertia * glm::dot(off_m, off_m) + weight_n * weighted_height_m(place_m.y, load_);
-    to.force[i] = inertia * off_m + glm::dvec2(0.0, weight_n * weight_share(place_m.y, load_));
+    to.force[i] = inertia * off_m + glm::dvec2(0.0, weight_n * weight_fraction(place_m.y, load_));
     to.held[i] = {inertia, inertia + (place_m.y < 0.0 ? weight_n / depth_m : 0.0)};
   }
 
@@ -175,7 +175,7 @@ Angles newton_turn(const Objective& objective) {
 
 Angles minimum(const Step& step, Angles angle) {
   Objective now = step.at(angle);
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+  for (int iteration = 0; iteration < max_iterations; ++iteration) {
     Angles turn = newton_turn(now);
     Angles next;
     Objective then;
@@ -209,8 +209,8 @@ void step_vein(VeinPoints& points, const VeinLoad& load, double seconds) {
 void settle_vein(VeinPoints& points, const VeinLoad& load) {
   constexpr double seconds = 10.0;
   constexpr double still_m_s = 1e-6;
-  constexpr int most_steps = 100;
-  for (int i = 0; i < most_steps; ++i) {
+  constexpr int max_steps = 100;
+  for (int i = 0; i < max_steps; ++i) {
     step_vein(points, load, seconds);
     double fastest = 0.0;
     for (const glm::dvec2& velocity_m_s : points.velocity_m_s)

@@ -16,12 +16,12 @@ namespace wold::grass {
 /// besides, limp walls creep. So the turn k0 at which a joint rests follows its turn k,
 ///   dk0 = (b / (1 + b x) + wall_creep) (k - k0) dx,  x the most water lost so far.
 struct Wall {
-  double most_lost = 0.0;
+  double max_lost = 0.0;
   std::array<double, vein_segments> set{};  ///< k0 of each joint, rad
 };
 
-/// Share of its elastic turn by which a joint creeps per unit of water lost (modelling choice: the
-/// least with which a default meadow does not rise again by the weight that it loses; a single
+/// Fraction of its elastic turn by which a joint creeps per unit of water lost (modelling choice:
+/// the least with which a default meadow does not rise again by the weight that it loses; a single
 /// tip does by 1.2 % of its length at most).
 inline constexpr double wall_creep = 0.75;
 

@@ -18,7 +18,7 @@ class Shadows {
         picture_(pieces, patch_m, direction,
                  std::clamp(static_cast<int>(patch_m / pixel_m), 64, 4096)) {}
 
-  /// Share of a blade's width at a place that is not in shadow.
+  /// Fraction of a blade's width at a place that is not in shadow.
   float reaching(const BladePlace& place) const {
     const glm::vec3 across = glm::cross(place.fibre.tangent, direction_);
     const float sine = glm::length(across);
@@ -47,16 +47,17 @@ std::vector<glm::vec3> place_radiance(const BladePatch& patch, std::span<const B
     parallel_for(places.size(), [&](std::size_t i) { visit(i, shadows.reaching(places[i])); });
   };
   std::vector<float> sunlit(places.size());
-  each_place(light.sun, [&](std::size_t i, float share) { sunlit[i] = share; });
+  each_place(light.sun, [&](std::size_t i, float fraction) { sunlit[i] = fraction; });
   std::vector<glm::vec3> skylight(places.size(), glm::vec3(0.0F));
   for (const SkyDirection& sky : sky_directions(lighting))
-    each_place(sky.direction, [&](std::size_t i, float share) {
-      skylight[i] += sky.irradiance * (share * kajiya_kay_diffuse(places[i].fibre.tangent,
-                                                                  glm::vec3(sky.direction)));
+    each_place(sky.direction, [&](std::size_t i, float fraction) {
+      skylight[i] += sky.irradiance * (fraction * kajiya_kay_diffuse(places[i].fibre.tangent,
+                                                                     glm::vec3(sky.direction)));
     });
   std::vector<glm::vec3> radiance;
   for (std::size_t i = 0; i < places.size(); ++i)
-    radiance.push_back(source_radiance(places[i].fibre, light, sunlit[i], skylight[i], look.gloss));
+    radiance.push_back(
+        source_radiance(places[i].fibre, light, sunlit[i], skylight[i], look.specular_exponent));
   return radiance;
 }
 

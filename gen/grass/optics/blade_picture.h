@@ -30,7 +30,7 @@ class BladePicture {
   static std::vector<Piece> pieces_of(const BladePatch& patch);
 
   const std::vector<Pixel>& pixels() const { return pixels_; }
-  /// Share of the pixels that show a blade.
+  /// Fraction of the pixels that show a blade.
   double coverage() const;
   /// Whether another blade stands between the eye and a place on blade `blade`. A blade does not
   /// hide itself: a fibre of the Kajiya-Kay model does not shadow itself.

@@ -5,7 +5,7 @@
 
 namespace wold::grass {
 
-/// What a hair does with light when the share `wet`, in [0, 1], of it is under water.
+/// What a hair does with light when the fraction `wet`, in [0, 1], of it is under water.
 ///
 /// Dry, 5 % is reflected by the surface (refractive index 1.55) and the rest crosses the pigments
 /// (Beer and Lambert), half of it leaving forwards. Water darkens because light that the hair sends

@@ -32,9 +32,9 @@ constexpr double living_structure = 1.5;
 constexpr double straw_structure = 2.0;
 constexpr double straw_carotenoid = 0.2;
 
-/// Share of the leaf that has died, by its water: none above 48 % of the dry mass (colouring grass
-/// has 50 %, cured grass less than 30 %: Rothermel 1983, INT-143), all below 19 %.
-double dead_share(double water) {
+/// Fraction of the leaf that has died, by its water: none above 48 % of the dry mass (colouring
+/// grass has 50 %, cured grass less than 30 %: Rothermel 1983, INT-143), all below 19 %.
+double dead_fraction(double water) {
   const double t = std::clamp((0.20 - water) / (0.20 - 0.08), 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
 }
@@ -62,7 +62,7 @@ LeafShade paper_shade(const Observer& observer, const LeafSpectrum& leaf) {
 }  // namespace
 
 LeafContent withered_leaf(const scene::Physiology& ageing, double chlorophyll, double water) {
-  const double dead = dead_share(water);
+  const double dead = dead_fraction(water);
   LeafContent leaf;
   leaf.structure = std::lerp(living_structure, straw_structure, dead);
   leaf.chlorophyll_ug_cm2 = ageing.chlorophyll_ug_cm2 * chlorophyll;

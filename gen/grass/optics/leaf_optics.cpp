@@ -15,7 +15,7 @@ namespace {
 /// 112:3030).
 constexpr double incidence_deg = 40.0;
 
-/// Shares of light that a layer sends back and lets through.
+/// Fractions of light that a layer sends back and lets through.
 struct Layer {
   double reflectance;
   double transmittance;

@@ -16,7 +16,7 @@ struct LeafContent {
   double dry_g_cm2 = 0.0;  ///< dry mass per area; more than 0
 };
 
-/// What a leaf does with light, one value per wavelength, as shares of the incident light.
+/// What a leaf does with light, one value per wavelength, as fractions of the incident light.
 struct LeafSpectrum {
   std::vector<double> reflectance;
   std::vector<double> transmittance;

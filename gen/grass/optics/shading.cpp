@@ -87,10 +87,10 @@ float kajiya_kay_diffuse(const glm::vec3& tangent, const glm::vec3& light) {
 }
 
 float kajiya_kay_specular(const glm::vec3& tangent, const glm::vec3& light, const glm::vec3& view,
-                          float gloss) {
+                          float specular_exponent) {
   const float base = sine(tangent, light) * sine(tangent, view) -
                      glm::dot(tangent, light) * glm::dot(tangent, view);
-  return math::pow(std::max(base, 0.0F), gloss);
+  return math::pow(std::max(base, 0.0F), specular_exponent);
 }
 
 std::vector<glm::vec3> skylight(const Texel& texel, const VolumeData& occluder,
@@ -124,14 +124,14 @@ TurnedLight::TurnedLight(const Lighting& lighting, int turn)
       eye(turned_back(lighting.eye_direction, turn)) {}
 
 glm::vec3 source_radiance(const Fibre& fibre, const TurnedLight& light, float sunlit,
-                          const glm::vec3& skylight, float gloss) {
+                          const glm::vec3& skylight, float specular_exponent) {
   constexpr float per_sphere = 1.0F / (4.0F * std::numbers::pi_v<float>);
   const glm::vec3 towards(light.sun);
   const glm::vec3 direct = light.sun_irradiance * sunlit;
   const glm::vec3 received = direct * kajiya_kay_diffuse(fibre.tangent, towards) + skylight;
   const glm::vec3 scattered = fibre.albedo / (1.0F - recollision * fibre.albedo);
   const float highlight =
-      fibre.specular * kajiya_kay_specular(fibre.tangent, towards, light.eye, gloss);
+      fibre.specular * kajiya_kay_specular(fibre.tangent, towards, light.eye, specular_exponent);
   return per_sphere * (scattered * received + highlight * direct + fibre.specular * skylight);
 }
 
@@ -145,7 +145,7 @@ std::vector<glm::vec3> bake_emission(const Texel& texel, const std::vector<float
   std::vector<glm::vec3> emission(texel.size());
   for (std::size_t v = 0; v < texel.size(); ++v)
     emission[v] = source_radiance({texel.tangent[v], texel.albedo[v], texel.specular[v]}, light,
-                                  through[v], skylight[v], look.gloss);
+                                  through[v], skylight[v], look.specular_exponent);
   return emission;
 }
 

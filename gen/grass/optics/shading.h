@@ -43,7 +43,7 @@ float kajiya_kay_diffuse(const glm::vec3& tangent, const glm::vec3& light);
 /// Kajiya-Kay highlight (1989, eq. 14): (sin(t,l) sin(t,v) - cos(t,l) cos(t,v))^gloss for unit
 /// vectors that point away from the fibre; 1 on the mirror cone.
 float kajiya_kay_specular(const glm::vec3& tangent, const glm::vec3& light, const glm::vec3& view,
-                          float gloss);
+                          float specular_exponent);
 
 /// Sun and eye as a patch sees them that stands turned by quarter-turns (counter-clockwise from
 /// above). The sky is the same for all.
@@ -63,8 +63,8 @@ struct Fibre {
 
 /// Radiance that a fibre sends in every direction.
 ///
-/// `sunlit`: share of the sun that reaches it; `skylight`: the sky's irradiance that does, weighted
-/// by the diffuse response.
+/// `sunlit`: fraction of the sun that reaches it; `skylight`: the sky's irradiance that does,
+/// weighted by the diffuse response.
 ///
 /// The highlight is Kajiya-Kay's for the sun; the sky is so wide that its highlight is the same
 /// for every view.
@@ -74,11 +74,11 @@ struct Fibre {
 /// probability p: 1 / (1 - p albedo) (Smolander and Stenberg 2005), p = 0.45 for a canopy of leaf
 /// area index 2 to 3.
 glm::vec3 source_radiance(const Fibre& fibre, const TurnedLight& light, float sunlit,
-                          const glm::vec3& skylight, float gloss);
+                          const glm::vec3& skylight, float specular_exponent);
 
 /// Kajiya-Kay's exponent and the width of a blade, within which it does not shadow itself.
 struct FibreLook {
-  float gloss = 24.0F;
+  float specular_exponent = 24.0F;
   double width_m = 0.0;
 };
 

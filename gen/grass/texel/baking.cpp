@@ -3,7 +3,7 @@
 #include "core/parallel.h"
 #include "grass/texel/columns.h"
 #include "grass/texel/coverage.h"
-#include "grass/texel/levels.h"
+#include "grass/texel/lods.h"
 
 namespace wold::grass {
 namespace {
@@ -25,9 +25,9 @@ Transmittances blade_transmittances(std::span<const PointDynamics> samples, doub
 
 }  // namespace
 
-std::vector<VolumeData> bake_levels(const Texel& texel, std::span<const PointDynamics> samples,
-                                    const Lighting& lighting, const FibreLook& look,
-                                    std::span<const int> sides, const std::vector<int>& turns) {
+std::vector<VolumeData> bake_lods(const Texel& texel, std::span<const PointDynamics> samples,
+                                  const Lighting& lighting, const FibreLook& look,
+                                  std::span<const int> sides, const std::vector<int>& turns) {
   VolumeData mean{texel.shape, texel.voxel, texel.density, {}, {}};
   VolumeData fine = mean;
   fine.density = fitted_density(texel.shape, texel.voxel, texel.density,
@@ -44,16 +44,16 @@ std::vector<VolumeData> bake_levels(const Texel& texel, std::span<const PointDyn
   mean.turns = turns;
   mean.emission = fine.emission;
   const std::vector<glm::dvec3> radiance = radiances(fine);
-  std::vector<VolumeData> levels;
-  levels.push_back(std::move(fine));
+  std::vector<VolumeData> lods;
+  lods.push_back(std::move(fine));
   for (int side : sides.subspan(1)) {
     mean = coarser(mean, side);
-    VolumeData level = without_faint(mean);
-    level.density = fitted_density(level.shape, level.voxel, level.density, wanted);
-    match_radiances(level, radiance);
-    levels.push_back(std::move(level));
+    VolumeData lod = without_faint(mean);
+    lod.density = fitted_density(lod.shape, lod.voxel, lod.density, wanted);
+    match_radiances(lod, radiance);
+    lods.push_back(std::move(lod));
   }
-  return levels;
+  return lods;
 }
 
 }  // namespace wold::grass

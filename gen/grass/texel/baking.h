@@ -13,8 +13,8 @@ namespace wold::grass {
 /// samples it stands for, shaded for the given quarter-turns of the sun, and reduced to coarser
 /// levels, each fitted to the finest. One volume per entry of `sides` (finest first, the texel's
 /// own side).
-std::vector<VolumeData> bake_levels(const Texel& texel, std::span<const PointDynamics> samples,
-                                    const Lighting& lighting, const FibreLook& look,
-                                    std::span<const int> sides, const std::vector<int>& turns);
+std::vector<VolumeData> bake_lods(const Texel& texel, std::span<const PointDynamics> samples,
+                                  const Lighting& lighting, const FibreLook& look,
+                                  std::span<const int> sides, const std::vector<int>& turns);
 
 }  // namespace wold::grass

@@ -20,8 +20,8 @@ class WitheringPatch {
  public:
   WitheringPatch(const scene::Scene& scene, const MeadowModel& model, int variant);
 
-  /// The patch at a weathering degree of the meadow, in [0, 1], under the share `snow` in [0, 1] of
-  /// what its blades can carry.
+  /// The patch at a weathering degree of the meadow, in [0, 1], under the fraction `snow` in [0, 1]
+  /// of what its blades can carry.
   BladePatch at(double weathering, double snow = 0.0) const;
 
  private:

@@ -9,7 +9,7 @@ namespace wold::grass {
 
 std::vector<Fibre> representative_fibres(const BladePatch& patch, const MeadowModel& model,
                                          int count) {
-  // A cone has the share 1 - (1 - u)^2 of its area below u: these are the middles of thirds.
+  // A cone has the fraction 1 - (1 - u)^2 of its area below u: these are the middles of thirds.
   constexpr std::array<float, 3> places = {0.087F, 0.293F, 0.592F};
   const std::size_t step = std::max(
       std::size_t{1}, patch.blades.size() * places.size() / static_cast<std::size_t>(count));

@@ -62,7 +62,7 @@ class Footprint {
   }
 
   /// What the point's own slice gets.
-  std::array<VoxelShare, 9> own() const {
+  std::array<VoxelWeight, 9> own() const {
     const float before = middle_m2_ * below_[1];
     const float after = middle_m2_ * above_[1];
     return {{{line_[0] + column_[0], before * below_[0]},
@@ -76,8 +76,8 @@ class Footprint {
              {line_[2] + column_[2], after * above_[0]}}};
   }
   /// What the slices below and above it get.
-  std::array<VoxelShare, 5> below() const { return beside(middle_m2_ * below_[2]); }
-  std::array<VoxelShare, 5> above() const { return beside(middle_m2_ * above_[2]); }
+  std::array<VoxelWeight, 5> below() const { return beside(middle_m2_ * below_[2]); }
+  std::array<VoxelWeight, 5> above() const { return beside(middle_m2_ * above_[2]); }
 
  private:
   /// Weights of the neighbours in units of the middle one's, for a point `inside` its voxel:
@@ -88,7 +88,7 @@ class Footprint {
     above_ = short_exp(-k) * upwards;
     below_ = short_exp(-k) / upwards;
   }
-  std::array<VoxelShare, 5> beside(float m2) const {
+  std::array<VoxelWeight, 5> beside(float m2) const {
     return {{{line_[0] + column_[1], m2 * below_[1]},
              {line_[1] + column_[0], m2 * below_[0]},
              {line_[1] + column_[1], m2},

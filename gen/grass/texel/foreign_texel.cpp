@@ -43,9 +43,9 @@ openvdb::FloatGrid::Ptr density_of(const openvdb::GridPtrVec& grids, const Compl
   if (grid->getGridClass() == openvdb::GRID_LEVEL_SET)
     complaint.refuse("whose \"density\" is a level set", "a fog volume");
   if (!grid->hasUniformVoxels()) complaint.refuse("whose voxels are no cubes", "cubic voxels");
-  if (grid->activeVoxelCount() > most_texel_voxels)
+  if (grid->activeVoxelCount() > max_texel_voxels)
     complaint.refuse(fmt::format("with {} voxels", grid->activeVoxelCount()),
-                     fmt::format("at most {}", most_texel_voxels));
+                     fmt::format("at most {}", max_texel_voxels));
   grid->tree().voxelizeActiveTiles();
   return grid;
 }
@@ -77,9 +77,9 @@ Box box_of(const std::vector<Matter>& matter, double voxel_m, const Complaint& c
   for (const Matter& voxel : matter) bounds.expand(voxel.at);
   const openvdb::Coord size = bounds.dim();
   const int side = std::max(size.x(), size.y());
-  if (std::max(side, size.z()) > most_texel_side)
+  if (std::max(side, size.z()) > max_texel_side)
     complaint.refuse(fmt::format("of {} x {} x {} voxels", size.x(), size.y(), size.z()),
-                     fmt::format("at most {} along an edge", most_texel_side));
+                     fmt::format("at most {} along an edge", max_texel_side));
   return {bounds.min(), {side, size.z(), voxel_m}};
 }
 
@@ -91,7 +91,7 @@ Box stated_or_own_box(const std::vector<Matter>& matter, double voxel_m, const f
   const TexelShape stated = file_shape(path);
   const openvdb::Coord last =
       own.first + openvdb::Coord(own.shape.side, own.shape.side, own.shape.height);
-  const bool fits = stated.side <= most_texel_side && stated.height <= most_texel_side &&
+  const bool fits = stated.side <= max_texel_side && stated.height <= max_texel_side &&
                     std::min({own.first.x(), own.first.y(), own.first.z()}) >= 1 &&
                     last.z() <= stated.height + 1 && own.shape.side <= stated.side &&
                     std::max(last.x(), last.y()) <= 2 * stated.side && stated.voxel_m > 0.0;

@@ -7,8 +7,8 @@
 namespace wold::grass {
 
 /// Most voxels along an edge of a texel that is read, and most of them that hold matter.
-inline constexpr int most_texel_side = 1024;
-inline constexpr std::size_t most_texel_voxels = 20'000'000;
+inline constexpr int max_texel_side = 1024;
+inline constexpr std::size_t max_texel_voxels = 20'000'000;
 
 /// A texel from any .vdb: one that write_texel() wrote, or a fog volume of cubic voxels with a
 /// FloatGrid `density`, projected area per volume, z up. Its lowest voxels stand on the ground, its

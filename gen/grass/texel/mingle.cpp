@@ -31,8 +31,8 @@ class SampleContributions {
       auto i = static_cast<std::size_t>(std::lower_bound(voxel.begin(), voxel.end(), begin) -
                                         voxel.begin());
       for (; i < voxel.size() && voxel[i] < end; ++i) {
-        const VoxelShare whole{voxel[i] - begin, area_m2(sample, i)};
-        visit(first_[k] + i, std::span<const VoxelShare, 1>(&whole, 1));
+        const VoxelWeight whole{voxel[i] - begin, area_m2(sample, i)};
+        visit(first_[k] + i, std::span<const VoxelWeight, 1>(&whole, 1));
       }
     }
   }

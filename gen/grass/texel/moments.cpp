@@ -53,10 +53,10 @@ Vectors times_longest_column(const Dyads& d) {
           d.xz * x + d.yz * y + d.zz * z};
 }
 
-/// Scaled to length one; those not longer than `least` to nothing.
-Vectors normalised(const Vectors& v, float least) {
+/// Scaled to length one; those not longer than `min` to nothing.
+Vectors normalised(const Vectors& v, float min) {
   const Four squares = v.x * v.x + v.y * v.y + v.z * v.z;
-  const Four scale = squares > least * least ? 1.0F / sqrt(squares + tiny) : Four{};
+  const Four scale = squares > min * min ? 1.0F / sqrt(squares + tiny) : Four{};
   return {scale * v.x, scale * v.y, scale * v.z};
 }
 
@@ -77,8 +77,8 @@ void store(const Vectors& from, std::size_t count, glm::vec3* to) {
 }
 
 /// Up to four voxels.
-void write_four(std::span<const Moments> sums, std::span<const VoxelShare> areas, std::size_t begin,
-                Texel& texel) {
+void write_four(std::span<const Moments> sums, std::span<const VoxelWeight> areas,
+                std::size_t begin, Texel& texel) {
   std::array<Four, 4> a, b;
   for (std::size_t i = 0; i < 4; ++i) {
     const std::size_t voxel = std::min(i, sums.size() - 1);
@@ -99,7 +99,7 @@ void write_four(std::span<const Moments> sums, std::span<const VoxelShare> areas
 
 }  // namespace
 
-void write_means(std::span<const Moments> sums, std::span<const VoxelShare> areas,
+void write_means(std::span<const Moments> sums, std::span<const VoxelWeight> areas,
                  std::size_t begin, Texel& texel) {
   for (std::size_t at = 0; at < sums.size(); at += 4) {
     const std::size_t count = std::min<std::size_t>(4, sums.size() - at);

@@ -10,7 +10,7 @@
 namespace wold::grass {
 
 /// What a voxel of a slice gets of a bit of grass.
-struct VoxelShare {
+struct VoxelWeight {
   std::uint32_t ground;  ///< the voxel's place within its slice, y * side + x
   float area_m2;
 };
@@ -46,7 +46,7 @@ class Moments {
 /// t t^T, whose main axis, turned upwards, is the mean fibre: t and -t do not cancel. Normals point
 /// outwards and are averaged as vectors; where they come from both sides of a vein the mean is
 /// short, and zero, the vein's, is written.
-void write_means(std::span<const Moments> sums, std::span<const VoxelShare> areas,
+void write_means(std::span<const Moments> sums, std::span<const VoxelWeight> areas,
                  std::size_t begin, Texel& texel);
 
 }  // namespace wold::grass

@@ -66,7 +66,7 @@ RestPoint middle_of(const Blade& blade, const std::vector<BladeVoxel>& voxels) {
 }
 
 std::vector<RestPoint> sample_blade(const Blade& blade, std::uint64_t number,
-                                    const TexelShape& shape, double proportion,
+                                    const TexelShape& shape, double points_per_voxel_face,
                                     std::uint64_t seed) {
   const auto voxel_m = static_cast<float>(shape.voxel_m);
   const double face_m2 = shape.voxel_m * shape.voxel_m;
@@ -75,7 +75,7 @@ std::vector<RestPoint> sample_blade(const Blade& blade, std::uint64_t number,
   std::uint64_t draw = 0;
   const std::vector<BladeVoxel> voxels = voxelise_blade(blade, shape);
   for (const BladeVoxel& voxel : voxels) {
-    const double expected = proportion * double{voxel.area_m2} / face_m2;
+    const double expected = points_per_voxel_face * double{voxel.area_m2} / face_m2;
     const RandomKey key{seed, key_of("point"), (number << 32) | draw++, 0};
     const auto with = [&](std::uint64_t purpose) {
       return RandomKey{key.seed, key.kind, key.index, purpose};
@@ -89,9 +89,10 @@ std::vector<RestPoint> sample_blade(const Blade& blade, std::uint64_t number,
       const glm::vec3 place =
           (glm::vec3(voxel.voxel) + glm::vec3(axis(0), axis(1), axis(2))) * voxel_m;
       // Points drawn by chance stand for what a point stands for on average.
-      const double share = expected < 1.0 ? face_m2 / proportion : double{voxel.area_m2} / count;
+      const double fraction =
+          expected < 1.0 ? face_m2 / points_per_voxel_face : double{voxel.area_m2} / count;
       points.push_back(
-          at_rest(blade, place, static_cast<float>(share), voxel.normal == glm::vec3(0.0F)));
+          at_rest(blade, place, static_cast<float>(fraction), voxel.normal == glm::vec3(0.0F)));
     }
   }
   if (points.empty()) points.push_back(middle_of(blade, voxels));
@@ -114,11 +115,11 @@ void append(const std::vector<RestPoint>& from, Points& to) {
 
 }  // namespace
 
-Points sample_points(const std::vector<Blade>& blades, const TexelShape& shape, double proportion,
-                     std::uint64_t seed) {
+Points sample_points(const std::vector<Blade>& blades, const TexelShape& shape,
+                     double points_per_voxel_face, std::uint64_t seed) {
   std::vector<std::vector<RestPoint>> sampled(blades.size());
   parallel_for(blades.size(), [&](std::size_t i) {
-    sampled[i] = sample_blade(blades[i], i, shape, proportion, seed);
+    sampled[i] = sample_blade(blades[i], i, shape, points_per_voxel_face, seed);
   });
   Points points;
   points.blade_begin.push_back(0);

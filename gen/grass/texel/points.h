@@ -44,7 +44,7 @@ struct Points {
 /// inherits the frame of its own blade rather than a mean of blades that cross in its voxel. Num
 /// below one is drawn by chance; the area of what is left out is carried by the blade's others.
 /// Jitter that leaves the cone is pulled back to it, so that sampling does not thicken blades.
-Points sample_points(const std::vector<Blade>& blades, const TexelShape& shape, double proportion,
-                     std::uint64_t seed);
+Points sample_points(const std::vector<Blade>& blades, const TexelShape& shape,
+                     double points_per_voxel_face, std::uint64_t seed);
 
 }  // namespace wold::grass

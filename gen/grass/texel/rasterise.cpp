@@ -34,10 +34,10 @@ class PointContributions {
   template <class Visit>
   void each_in_slice(int z, const Visit& visit) const {
     const auto slice = static_cast<std::size_t>(z);
-    if (z > 0) each(slice - 1, [&](std::size_t i) { share(i, footprints_[i].above(), visit); });
-    each(slice, [&](std::size_t i) { share(i, footprints_[i].own(), visit); });
+    if (z > 0) each(slice - 1, [&](std::size_t i) { weigh(i, footprints_[i].above(), visit); });
+    each(slice, [&](std::size_t i) { weigh(i, footprints_[i].own(), visit); });
     if (slice + 2 < begin_.size())
-      each(slice + 1, [&](std::size_t i) { share(i, footprints_[i].below(), visit); });
+      each(slice + 1, [&](std::size_t i) { weigh(i, footprints_[i].below(), visit); });
   }
   const Moments& moments(std::size_t which) const { return moments_[which]; }
   double area_m2() const { return area_m2_; }
@@ -88,9 +88,9 @@ class PointContributions {
     for (std::size_t i = begin_[slice]; i < begin_[slice + 1]; ++i) body(i);
   }
   template <std::size_t Count, class Visit>
-  static void share(std::size_t which, const std::array<VoxelShare, Count>& shares,
+  static void weigh(std::size_t which, const std::array<VoxelWeight, Count>& weights,
                     const Visit& visit) {
-    visit(which, std::span<const VoxelShare, Count>(shares));
+    visit(which, std::span<const VoxelWeight, Count>(weights));
   }
 
   const Points& points_;

@@ -27,7 +27,7 @@ SampledTexel from_texel(const scene::Scene& scene, int variant, int sample) {
 SampledTexel scattered(const scene::Scene& scene, const TexelShape& shape, int variant,
                        int sample) {
   SampledTexel result{sample_blades(scene, variant, sample), {}};
-  result.points = sample_points(result.blades, shape, scene.grass.proportion,
+  result.points = sample_points(result.blades, shape, scene.grass.points_per_voxel_face,
                                 point_seed(scene.seed, variant, sample));
   return result;
 }
@@ -74,9 +74,9 @@ void Samples::advance_to(double weathering) {
   for (std::size_t i = 0; i < samples_.size(); ++i) samples_[i].advance_to(rates_[i](weathering));
 }
 
-void Samples::bear(double snow) {
+void Samples::support_load(double snow) {
   snow_ = snow;
-  for (PointDynamics& sample : samples_) sample.bear(snow);
+  for (PointDynamics& sample : samples_) sample.support_load(snow);
 }
 
 Texel Samples::texel() const {

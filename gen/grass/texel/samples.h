@@ -32,9 +32,9 @@ class Samples {
   /// the last one.
   void advance_to(double weathering);
 
-  /// Puts snow on all blades, the share `snow` in [0, 1] of what they can carry, until the next
+  /// Puts snow on all blades, the fraction `snow` in [0, 1] of what they can carry, until the next
   /// step.
-  void bear(double snow);
+  void support_load(double snow);
 
   /// The samples' texels and that of the snow on them, mingled.
   Texel texel() const;

@@ -4,10 +4,10 @@
 
 namespace wold::grass {
 
-std::vector<VoxelShare> SliceAreas::take_above(float least_m2) {
+std::vector<VoxelWeight> SliceAreas::take_above(float min_m2) {
   if (empty_) return {};
   empty_ = true;
-  VoxelShare* above = above_.get();
+  VoxelWeight* above = above_.get();
   for (std::size_t at = 0; at < touched_.size(); ++at) {
     if (touched_[at] == 0) continue;
     touched_[at] = 0;
@@ -16,15 +16,15 @@ std::vector<VoxelShare> SliceAreas::take_above(float least_m2) {
     // Writing every voxel down and stepping on behind the right ones leaves nothing to guess.
     for (std::uint32_t i = 0; i < stretch; ++i) {
       *above = {first + i, area_m2[i]};
-      above += area_m2[i] > least_m2 ? 1 : 0;
+      above += area_m2[i] > min_m2 ? 1 : 0;
     }
     std::fill_n(area_m2, stretch, 0.0F);
   }
   return {above_.get(), above};
 }
 
-void SliceMoments::start(std::span<const VoxelShare> voxels) {
-  for (const VoxelShare& voxel : voxels_) place_[voxel.ground] = 0;
+void SliceMoments::start(std::span<const VoxelWeight> voxels) {
+  for (const VoxelWeight& voxel : voxels_) place_[voxel.ground] = 0;
   voxels_ = voxels;
   for (std::uint32_t i = 0; i < voxels.size(); ++i) place_[voxels[i].ground] = i + 1;
   sums_.assign(voxels.size() + 1, Moments());

@@ -14,9 +14,9 @@ namespace wold::grass {
 /// Their area is up to half as large again as that of the ridges (snow_ridge.h), the more the
 /// better a ridge fills its voxels: a texel lets as much light through as fog of the same area, a
 /// third on the way through a solid body, and what is opaque hides the blade under it. So a texel
-/// of voxels of 2.4 mm shows the share of white that opaque blades show within 0.02 at an elevation
-/// of 25 degrees and 0.05 at 45 degrees. From straight above it shows less, 0.08 at a quarter of
-/// the most snow and 0.25 at the most: its extinction is the same from all sides.
+/// of voxels of 2.4 mm shows the fraction of white that opaque blades show within 0.02 at an
+/// elevation of 25 degrees and 0.05 at 45 degrees. From straight above it shows less, 0.08 at a
+/// quarter of the most snow and 0.25 at the most: its extinction is the same from all sides.
 Points snow_points(const std::vector<Blade>& blades, const std::vector<BladePose>& poses,
                    double step_m);
 

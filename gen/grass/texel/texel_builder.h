@@ -11,23 +11,23 @@ namespace wold::grass {
 
 /// The voxels of a slice that are kept.
 struct KeptSlice {
-  std::vector<VoxelShare> voxels;  ///< ascending
+  std::vector<VoxelWeight> voxels;  ///< ascending
   double area_m2 = 0.0;
   std::size_t begin = 0;  ///< place of the first one in the texel
 };
 
-/// The voxels denser than `least`, slice by slice.
+/// The voxels denser than `min`, slice by slice.
 template <class Contributions>
 std::vector<KeptSlice> voxels_above(const TexelShape& shape, const Contributions& contributions,
-                                    float least) {
-  const auto least_m2 = static_cast<float>(least * shape.voxel_volume_m3());
+                                    float min) {
+  const auto min_m2 = static_cast<float>(min * shape.voxel_volume_m3());
   std::vector<KeptSlice> slices(static_cast<std::size_t>(shape.height));
   const auto scratch = [&] { return SliceAreas(shape); };
   parallel_for_with_scratch(slices.size(), scratch, [&](std::size_t z, SliceAreas& areas) {
-    const auto add = [&](std::size_t, auto shares) { areas.add(shares); };
+    const auto add = [&](std::size_t, auto weights) { areas.add(weights); };
     contributions.each_in_slice(static_cast<int>(z), add);
-    slices[z].voxels = areas.take_above(least_m2);
-    for (const VoxelShare& voxel : slices[z].voxels) slices[z].area_m2 += double{voxel.area_m2};
+    slices[z].voxels = areas.take_above(min_m2);
+    for (const VoxelWeight& voxel : slices[z].voxels) slices[z].area_m2 += double{voxel.area_m2};
   });
   std::size_t begin = 0;
   for (KeptSlice& slice : slices) {
@@ -54,8 +54,8 @@ void write_densities(const KeptSlice& slice, int z, float per_area, Texel& texel
 /// proportion; when all are faint, all are kept. `area_m2` is that of all contributions together.
 ///
 /// Contributions has each_in_slice(z, visit), which calls visit(which, shares), a span of
-/// VoxelShare, for every bit that reaches the slice at height z, and moments(which). The slices are
-/// asked for twice, several at once; always in the same order, because sums depend on it.
+/// VoxelWeight, for every bit that reaches the slice at height z, and moments(which). The slices
+/// are asked for twice, several at once; always in the same order, because sums depend on it.
 template <class Contributions>
 Texel build_texel(const TexelShape& shape, const Contributions& contributions, double area_m2) {
   auto slices = voxels_above(shape, contributions, faintest_density(shape));
@@ -66,8 +66,8 @@ Texel build_texel(const TexelShape& shape, const Contributions& contributions, d
   parallel_for_with_scratch(slices.size(), scratch, [&](std::size_t z, SliceMoments& moments) {
     const KeptSlice& slice = slices[z];
     moments.start(slice.voxels);
-    const auto add = [&](std::size_t which, auto shares) {
-      moments.add(contributions.moments(which), shares);
+    const auto add = [&](std::size_t which, auto weights) {
+      moments.add(contributions.moments(which), weights);
     };
     contributions.each_in_slice(static_cast<int>(z), add);
     write_densities(slice, static_cast<int>(z), per_area, texel);

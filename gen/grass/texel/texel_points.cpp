@@ -15,9 +15,9 @@
 namespace wold::grass {
 namespace {
 
-constexpr double most_points = 20e6;
+constexpr double max_points = 20e6;
 /// Least rise of a tangent on its way to the ground: sine of 12 degrees.
-constexpr float least_rise = 0.208F;
+constexpr float min_rise = 0.208F;
 constexpr int ground_cells = 64;
 constexpr int headings = 8;
 
@@ -35,8 +35,8 @@ struct Drawn {
 glm::vec3 rising(const glm::vec3& tangent) {
   glm::vec3 up = tangent.z < 0.0F ? -tangent : tangent;
   const float level = glm::length(glm::vec2(up));
-  if (up.z >= least_rise || level == 0.0F) return up;
-  return {glm::vec2(up) * (std::sqrt(1.0F - least_rise * least_rise) / level), least_rise};
+  if (up.z >= min_rise || level == 0.0F) return up;
+  return {glm::vec2(up) * (std::sqrt(1.0F - min_rise * min_rise) / level), min_rise};
 }
 
 std::uint64_t blade_key(const glm::vec3& foot_m, const glm::vec3& tangent, float cell_m,
@@ -56,17 +56,19 @@ double optical_depth(const Texel& texel, std::size_t i) {
   return double{texel.density[i]} * texel.shape.voxel_m;
 }
 
-void refuse_too_many(const Texel& texel, double proportion) {
+void refuse_too_many(const Texel& texel, double points_per_voxel_face) {
   double expected = 0.0;
-  for (std::size_t i = 0; i < texel.size(); ++i) expected += proportion * optical_depth(texel, i);
-  if (expected > most_points)
+  for (std::size_t i = 0; i < texel.size(); ++i)
+    expected += points_per_voxel_face * optical_depth(texel, i);
+  if (expected > max_points)
     throw InputError(fmt::format(
         "grass.from_texel: found a texel of {:.2g} points, expected at most {:.2g}: a smaller "
-        "grass.proportion, or a thinner volume",
-        expected, most_points));
+        "grass.points_per_voxel_face, or a thinner volume",
+        expected, max_points));
 }
 
-std::vector<Drawn> draw_points(const Texel& texel, double proportion, std::uint64_t seed) {
+std::vector<Drawn> draw_points(const Texel& texel, double points_per_voxel_face,
+                               std::uint64_t seed) {
   const auto voxel_m = static_cast<float>(texel.shape.voxel_m);
   const auto patch_m = static_cast<float>(texel.shape.patch_m());
   const float cell_m = std::max(2.0F * voxel_m, patch_m / ground_cells);
@@ -76,7 +78,7 @@ std::vector<Drawn> draw_points(const Texel& texel, double proportion, std::uint6
     const auto uniform = [&](std::uint64_t purpose) {
       return random_uniform({seed, key_of("texel point"), texel.voxel[i], purpose});
     };
-    const double expected = proportion * optical_depth(texel, i);
+    const double expected = points_per_voxel_face * optical_depth(texel, i);
     const auto count = static_cast<std::uint64_t>(expected + uniform(0));
     for (std::uint64_t k = 0; k < count; ++k) {
       const auto place = [&](std::uint64_t axis) {
@@ -88,7 +90,7 @@ std::vector<Drawn> draw_points(const Texel& texel, double proportion, std::uint6
                          voxel_m;
       point.tangent = rising(texel.tangent[i]);
       point.foot_m = point.position_m - point.position_m.z / point.tangent.z * point.tangent;
-      point.area_m2 = static_cast<float>(face_m2 / proportion);
+      point.area_m2 = static_cast<float>(face_m2 / points_per_voxel_face);
       point.voxel = i;
       point.blade = blade_key(point.foot_m, point.tangent, cell_m, patch_m);
       drawn.push_back(point);
@@ -196,12 +198,12 @@ void append_blade(std::vector<Drawn>::const_iterator begin, std::vector<Drawn>::
 
 SampledTexel sample_texel(const Texel& texel, const scene::Grass& grass,
                           const scene::Physiology& ageing, std::uint64_t seed) {
-  refuse_too_many(texel, grass.proportion);
-  std::vector<Drawn> drawn = draw_points(texel, grass.proportion, seed);
+  refuse_too_many(texel, grass.points_per_voxel_face);
+  std::vector<Drawn> drawn = draw_points(texel, grass.points_per_voxel_face, seed);
   if (drawn.empty())
     throw InputError(
         "grass.from_texel: found a texel too thin to give a single point, expected a denser one, "
-        "or a larger grass.proportion");
+        "or a larger grass.points_per_voxel_face");
   keep_area(drawn, texel.area_m2());
   std::stable_sort(drawn.begin(), drawn.end(),
                    [](const Drawn& a, const Drawn& b) { return a.blade < b.blade; });

@@ -16,7 +16,7 @@
 #include "grass/geometry/meadow_samples.h"
 #include "grass/geometry/point_tubes.h"
 #include "grass/texel/baking.h"
-#include "grass/texel/levels.h"
+#include "grass/texel/lods.h"
 #include "grass/texel/samples.h"
 #include "grass/texel/texel_file.h"
 #include "scene/key_frames.h"
@@ -82,20 +82,20 @@ double tallest_m(const scene::Scene& scene) {
 }
 
 TexelShape finest_shape(const scene::Scene& scene) {
-  const int side = scene.grass.levels.front();
+  const int side = scene.grass.lods.front();
   const double voxel_m = scene.grass.patch_m / side;
   // Two voxels more: one for the point's footprint, one for the cone's width.
   return {side, static_cast<int>(std::ceil(tallest_m(scene) / voxel_m)) + 2, voxel_m};
 }
 
 FibreLook fibre_look(const scene::Scene& scene) {
-  return {static_cast<float>(scene.grass.gloss), scene::mean_grass(scene).width_m};
+  return {static_cast<float>(scene.grass.specular_exponent), scene::mean_grass(scene).width_m};
 }
 
 /// Every turn that any level wants, ascending.
-std::vector<int> all_turns(const LevelTurns& levels) {
+std::vector<int> all_turns(const LodTurns& lods) {
   std::set<int> turns;
-  for (const auto& level : levels) turns.insert(level.second.begin(), level.second.end());
+  for (const auto& lod : lods) turns.insert(lod.second.begin(), lod.second.end());
   return {turns.begin(), turns.end()};
 }
 
@@ -108,14 +108,14 @@ std::string described(const scene::Scene& scene, const Lighting& lighting) {
   relevant.grass = scene.grass;
   relevant.grass.key_frames = scene::key_frames(scene);
   relevant.grass.pixels_per_voxel = plain.grass.pixels_per_voxel;
-  relevant.grass.far_pixels = plain.grass.far_pixels;
+  relevant.grass.far_field_below_pixels = plain.grass.far_field_below_pixels;
   relevant.ageing = scene.ageing;
   relevant.species = scene.species;
   relevant.ageing.frames = plain.ageing.frames;
-  relevant.ageing.variation = plain.ageing.variation;
-  relevant.ageing.variation_feature_m = plain.ageing.variation_feature_m;
-  relevant.ageing.variety = plain.ageing.variety;
-  relevant.ageing.variety_feature_m = plain.ageing.variety_feature_m;
+  relevant.ageing.age_spread = plain.ageing.age_spread;
+  relevant.ageing.age_spread_feature_m = plain.ageing.age_spread_feature_m;
+  relevant.ageing.pigment_spread = plain.ageing.pigment_spread;
+  relevant.ageing.pigment_spread_feature_m = plain.ageing.pigment_spread_feature_m;
   const auto three = [](const auto& v) { return fmt::format(" {},{},{}", v.x, v.y, v.z); };
   relevant.grass.from_texel = plain.grass.from_texel;
   std::string text = texel_models() + scene::resolved_toml(relevant);
@@ -156,10 +156,10 @@ const Lighting& TimeVaryingTexel::lighting(const PatchState& state) const {
   return lights_.at(static_cast<std::size_t>(state.light));
 }
 
-TexelShape TimeVaryingTexel::level_shape(int level) const {
+TexelShape TimeVaryingTexel::lod_shape(int lod) const {
   TexelShape shape = shape_;
-  for (int coarser = 1; coarser <= level; ++coarser)
-    shape = coarse_shape(shape, scene_.grass.levels[static_cast<std::size_t>(coarser)]);
+  for (int coarser = 1; coarser <= lod; ++coarser)
+    shape = coarse_shape(shape, scene_.grass.lods[static_cast<std::size_t>(coarser)]);
   return shape;
 }
 
@@ -168,8 +168,8 @@ std::filesystem::path TimeVaryingTexel::texel_path(int variant, const PatchState
 }
 
 std::filesystem::path TimeVaryingTexel::volume_path(int variant, const PatchState& state,
-                                                    int level) const {
-  const int side = scene_.grass.levels[static_cast<std::size_t>(level)];
+                                                    int lod) const {
+  const int side = scene_.grass.lods[static_cast<std::size_t>(lod)];
   return folder_ / fmt::format("v{}_{}_{:03}.vdb", variant, state.name(), side);
 }
 
@@ -180,15 +180,14 @@ std::string TimeVaryingTexel::content(int variant, const PatchState& state) cons
                                   bases_.at(static_cast<std::size_t>(state.light)), snow));
 }
 
-std::string TimeVaryingTexel::volume_content(int variant, const PatchState& state, int level,
+std::string TimeVaryingTexel::volume_content(int variant, const PatchState& state, int lod,
                                              const std::set<int>& turns) const {
-  return content_hash(
-      fmt::format("{} {} {}", content(variant, state), level, fmt::join(turns, ",")));
+  return content_hash(fmt::format("{} {} {}", content(variant, state), lod, fmt::join(turns, ",")));
 }
 
 BladePatch TimeVaryingTexel::patch(int variant, const PatchState& state) const {
   return WitheringPatch(scene_, model_, variant)
-      .at(key_frames_[static_cast<std::size_t>(state.key_frame)], state.snow_share());
+      .at(key_frames_[static_cast<std::size_t>(state.key_frame)], state.snow_fraction());
 }
 
 Tubes TimeVaryingTexel::blades(int variant, const PatchState& state, double shadow_pixel_m) const {
@@ -200,7 +199,7 @@ Tubes TimeVaryingTexel::points(int variant, const PatchState& state) const {
   const auto now = static_cast<std::size_t>(state.key_frame);
   Samples samples(scene_, shape_, variant, model_);
   for (std::size_t step = 0; step <= now; ++step) samples.advance_to(key_frames_[step]);
-  if (state.snow > 0) samples.bear(state.snow_share());
+  if (state.snow > 0) samples.support_load(state.snow_fraction());
   return point_tubes(patch(variant, state), samples.all(), lighting(state), fibre_look(scene_),
                      shape_.voxel_m);
 }
@@ -210,22 +209,22 @@ void TimeVaryingTexel::add_leaf_shades(int variant, const PatchState& state, Tub
 }
 
 bool TimeVaryingTexel::is_current(int variant, const PatchState& state,
-                                  const LevelTurns& levels) const {
+                                  const LodTurns& lods) const {
   if (file_content(texel_path(variant, state)) != content(variant, state.unlit())) return false;
-  return std::all_of(levels.begin(), levels.end(), [&](const auto& level) {
-    return file_content(volume_path(variant, state, level.first)) ==
-           volume_content(variant, state, level.first, level.second);
+  return std::all_of(lods.begin(), lods.end(), [&](const auto& lod) {
+    return file_content(volume_path(variant, state, lod.first)) ==
+           volume_content(variant, state, lod.first, lod.second);
   });
 }
 
 StageTimes TimeVaryingTexel::generate(const TexelDemand& demand, Progress& progress) const {
   make_folder(folder_);
-  std::vector<std::pair<int, std::map<PatchState, LevelTurns>>> missing;
+  std::vector<std::pair<int, std::map<PatchState, LodTurns>>> missing;
   std::size_t count = 0;
   for (const auto& [variant, states] : demand) {
-    missing.emplace_back(variant, std::map<PatchState, LevelTurns>{});
-    for (const auto& [state, levels] : states)
-      if (!is_current(variant, state, levels)) missing.back().second[state] = levels;
+    missing.emplace_back(variant, std::map<PatchState, LodTurns>{});
+    for (const auto& [state, lods] : states)
+      if (!is_current(variant, state, lods)) missing.back().second[state] = lods;
     count += missing.back().second.size();
   }
   progress.begin("texels", count);
@@ -241,7 +240,7 @@ StageTimes TimeVaryingTexel::generate(const TexelDemand& demand, Progress& progr
 }
 
 StageTimes TimeVaryingTexel::generate_variant(int variant,
-                                              const std::map<PatchState, LevelTurns>& states,
+                                              const std::map<PatchState, LodTurns>& states,
                                               Progress& progress) const {
   StageTimes times;
   Samples samples = [&] {
@@ -259,7 +258,7 @@ StageTimes TimeVaryingTexel::generate_variant(int variant,
     for (; wanted != states.end() && wanted->first.key_frame == key_frame; ++wanted) {
       if (wanted->first.snow > 0) {
         const Stopwatch watch(times.dynamics);
-        samples.bear(wanted->first.snow_share());
+        samples.support_load(wanted->first.snow_fraction());
       }
       make_texel(variant, wanted->first, samples, wanted->second, times);
       progress.advance(1, texel_path(variant, wanted->first).stem().string());
@@ -269,7 +268,7 @@ StageTimes TimeVaryingTexel::generate_variant(int variant,
 }
 
 void TimeVaryingTexel::make_texel(int variant, const PatchState& state, const Samples& samples,
-                                  const LevelTurns& levels, StageTimes& times) const {
+                                  const LodTurns& lods, StageTimes& times) const {
   const scene::Grass& grass = scene_.grass;
   Texel texel;
   {
@@ -279,18 +278,18 @@ void TimeVaryingTexel::make_texel(int variant, const PatchState& state, const Sa
   std::vector<VolumeData> baked;
   {
     const Stopwatch watch(times.baking);
-    baked = bake_levels(texel, samples.all(), lighting(state), fibre_look(scene_), grass.levels,
-                        all_turns(levels));
+    baked = bake_lods(texel, samples.all(), lighting(state), fibre_look(scene_), grass.lods,
+                      all_turns(lods));
   }
   const Stopwatch watch(times.storing);
-  store(variant, state, texel, baked, levels);
+  store(variant, state, texel, baked, lods);
 }
 
 void TimeVaryingTexel::store(int variant, const PatchState& state, const Texel& texel,
-                             const std::vector<VolumeData>& baked, const LevelTurns& levels) const {
-  for (const auto& [level, turns] : levels)
-    write_volume(volume_path(variant, state, level), baked[static_cast<std::size_t>(level)], turns,
-                 volume_content(variant, state, level, turns));
+                             const std::vector<VolumeData>& baked, const LodTurns& lods) const {
+  for (const auto& [lod, turns] : lods)
+    write_volume(volume_path(variant, state, lod), baked[static_cast<std::size_t>(lod)], turns,
+                 volume_content(variant, state, lod, turns));
   const std::filesystem::path path = texel_path(variant, state);
   const std::string made_from = content(variant, state.unlit());
   if (file_content(path) != made_from) write_texel(path, texel, made_from);

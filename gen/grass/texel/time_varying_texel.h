@@ -21,9 +21,9 @@
 namespace wold::grass {
 
 /// Quarter-turns wanted of each level of one texel.
-using LevelTurns = std::map<int, std::set<int>>;
+using LodTurns = std::map<int, std::set<int>>;
 /// What a film needs: demand[variant][key frame and snow][level] = turns.
-using TexelDemand = std::map<int, std::map<PatchState, LevelTurns>>;
+using TexelDemand = std::map<int, std::map<PatchState, LodTurns>>;
 
 /// Seconds that the threads together spent in each step of making texels, for the benchmark.
 struct StageTimes {
@@ -54,7 +54,7 @@ class TimeVaryingTexel {
   /// Extent of the finest level: high enough for the tallest blade of any variant.
   const TexelShape& shape() const { return shape_; }
   /// Extent of a level of the scene.
-  TexelShape level_shape(int level) const;
+  TexelShape lod_shape(int lod) const;
 
   /// Makes what is demanded and not in the folder yet. Variants run in parallel, key frames in
   /// order, each under all the snow it is wanted with. Throws FileError; whole files stay, so a
@@ -71,25 +71,25 @@ class TimeVaryingTexel {
   /// What both were made from: equal for equal tubes.
   std::string content(int variant, const PatchState& state) const;
 
-  /// Files of generate(); `level` indexes the scene's levels.
+  /// Files of generate(); `lod` indexes the scene's levels.
   std::filesystem::path texel_path(int variant, const PatchState& state) const;
-  std::filesystem::path volume_path(int variant, const PatchState& state, int level) const;
+  std::filesystem::path volume_path(int variant, const PatchState& state, int lod) const;
 
   /// What a demanded level's file was made from: equal for equal files.
-  std::string volume_content(int variant, const PatchState& state, int level,
+  std::string volume_content(int variant, const PatchState& state, int lod,
                              const std::set<int>& turns) const;
 
  private:
   const Lighting& lighting(const PatchState& state) const;
   BladePatch patch(int variant, const PatchState& state) const;
-  bool is_current(int variant, const PatchState& state, const LevelTurns& levels) const;
-  StageTimes generate_variant(int variant, const std::map<PatchState, LevelTurns>& states,
+  bool is_current(int variant, const PatchState& state, const LodTurns& lods) const;
+  StageTimes generate_variant(int variant, const std::map<PatchState, LodTurns>& states,
                               Progress& progress) const;
   /// Texel and levels of the samples as they stand; adds to the times.
   void make_texel(int variant, const PatchState& state, const Samples& samples,
-                  const LevelTurns& levels, StageTimes& times) const;
+                  const LodTurns& lods, StageTimes& times) const;
   void store(int variant, const PatchState& state, const Texel& texel,
-             const std::vector<VolumeData>& baked, const LevelTurns& levels) const;
+             const std::vector<VolumeData>& baked, const LodTurns& lods) const;
 
   scene::Scene scene_;
   std::vector<double> key_frames_;  ///< weathering degrees

@@ -11,10 +11,10 @@ float faintest_density(const TexelShape& shape) {
 
 std::vector<std::uint32_t> visible_voxels(const std::vector<float>& density,
                                           const TexelShape& shape) {
-  const float least = faintest_density(shape);
+  const float min = faintest_density(shape);
   std::vector<std::uint32_t> kept;
   for (std::uint32_t i = 0; i < density.size(); ++i)
-    if (density[i] >= least) kept.push_back(i);
+    if (density[i] >= min) kept.push_back(i);
   if (!kept.empty()) return kept;
   kept.resize(density.size());
   std::iota(kept.begin(), kept.end(), 0U);

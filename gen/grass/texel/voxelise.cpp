@@ -11,7 +11,7 @@ namespace {
 
 constexpr float golden_angle = 2.39996323F;  // spreads the points of a disc evenly (Vogel 1979)
 constexpr float quarter_pi = std::numbers::pi_v<float> / 4.0F;
-/// Matter nearer to the axis than this share of the radius is vein.
+/// Matter nearer to the axis than this fraction of the radius is vein.
 constexpr float vein_radius = 0.35F;
 
 /// A bit of a blade: where, how much, how far off the axis (in units of the local radius).
@@ -40,10 +40,10 @@ void add_slice(const Blade& blade, const AxisFrame& frame, float arc_m, float sl
       std::max(3, static_cast<int>(std::ceil(12.0F * radius * radius / voxel_m / voxel_m)));
   const glm::vec3 centre = glm::vec3(blade.root_m, 0.0F) + frame.along * arc_m;
   for (int k = 0; k < count; ++k) {
-    const float share = std::sqrt((static_cast<float>(k) + 0.5F) / static_cast<float>(count));
+    const float weight = std::sqrt((static_cast<float>(k) + 0.5F) / static_cast<float>(count));
     const float turn = golden_angle * static_cast<float>(k);
     const glm::vec3 offset =
-        share * (math::cos(turn) * frame.across + math::sin(turn) * frame.side);
+        weight * (math::cos(turn) * frame.across + math::sin(turn) * frame.side);
     const glm::vec3 place = (centre + offset * radius) / voxel_m;
     const glm::ivec3 voxel(glm::floor(place));
     specks.push_back(

@@ -1,0 +1,65 @@
+#include "meadow/wind_lean.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/angle.h"
+#include "core/elementary.h"
+#include "core/random.h"
+#include "scene/calendar.h"
+
+namespace wold::meadow {
+namespace {
+
+/// Crests are longer than the way from one to the next.
+constexpr double crest_length = 2.2;
+
+/// Deviation of the direction from the wind's, degrees: gusts do not all come the same way.
+constexpr double turning_deg = 18.0;
+
+/// Unit, where the wind blows to; x is east.
+glm::dvec2 direction(double heading_deg) {
+  const double heading = heading_deg * radians_per_degree;
+  return {math::sin(heading), math::cos(heading)};
+}
+
+Fbm field(std::uint64_t seed, const char* purpose, int octaves) {
+  return {random_bits({seed, key_of("combing"), 0, key_of(purpose)}), octaves, 0.9};
+}
+
+/// A field's value with the tails cut, so that no blade is pressed flat.
+double tame(double value) { return std::clamp(value, -2.0, 2.0); }
+
+/// No wind of a season presses grass down farther.
+constexpr double max_deg = 40.0;
+
+phenology::WindChange week_before(const scene::Scene& scene, int frame,
+                                  const phenology::FilmSeason* known) {
+  if (!scene::is_season(scene)) return {};
+  return phenology::with_season(scene, known, [&](const phenology::FilmSeason& season) {
+    return season.week_of_wind(scene::season_days(scene.season, frame));
+  });
+}
+
+}  // namespace
+
+WindLean::WindLean(const scene::Scene& scene, int frame, const phenology::FilmSeason* season)
+    : wind_(scene.wind),
+      change_(week_before(scene, frame, season)),
+      waves_(field(scene.seed, "waves", 2)),
+      turns_(field(scene.seed, "turns", 2)) {}
+
+glm::dvec2 WindLean::lean(const glm::dvec2& at_m) const {
+  const glm::dvec2 along = direction(wind_.heading_deg);
+  const glm::dvec2 across(along.y, -along.x);
+  const glm::dvec2 place =
+      glm::dvec2(glm::dot(at_m, along), glm::dot(at_m, across) / crest_length) /
+      wind_.wave_length_m;
+  const double usual_deg = wind_.lean_deg + wind_.waves_deg * tame(fbm(place, waves_));
+  const double lean_deg = std::min(usual_deg * change_.speed_factor, std::max(usual_deg, max_deg));
+  const double turned_deg = turning_deg * tame(fbm(place / 2.0, turns_));
+  return math::tan(lean_deg * radians_per_degree) *
+         direction(wind_.heading_deg + turned_deg + change_.turned_rad / radians_per_degree);
+}
+
+}  // namespace wold::meadow

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+
+#include "core/noise.h"
+#include "phenology/film_season.h"
+#include "scene/scene.h"
+
+namespace wold::meadow {
+
+/// How the wind has combed the meadow: blades lean with it, more in some strips than in others,
+/// like waves that stand. The field is smooth, so that neighbouring patches lean nearly alike. In a
+/// season it leans with the wind of the week before, the more the faster that was; the waves keep
+/// their places.
+class WindLean {
+ public:
+  /// In a frame, from 1. `season`: the scene's, if it is one; nullptr makes it. Throws what
+  /// phenology::FilmSeason throws.
+  WindLean(const scene::Scene& scene, int frame, const phenology::FilmSeason* season = nullptr);
+
+  /// Metres to the east and north by which the grass at a place leans over per metre of height.
+  glm::dvec2 lean(const glm::dvec2& at_m) const;
+
+ private:
+  scene::Wind wind_;
+  phenology::WindChange change_;
+  Fbm waves_;
+  Fbm turns_;
+};
+
+}  // namespace wold::meadow

@@ -1,0 +1,140 @@
+#include "meadow/wind_lean.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <vector>
+
+#include "grass/texel/fibres.h"
+#include "meadow/cells.h"
+#include "meadow/lean_light.h"
+
+namespace wold::meadow {
+namespace {
+
+constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
+
+/// Leans of the grass at places farther apart than the waves are long.
+std::vector<glm::dvec2> leans(const scene::Scene& scene) {
+  const WindLean wind_lean(scene, 1);
+  std::vector<glm::dvec2> result;
+  for (int j = 0; j < 60; ++j)
+    for (int i = 0; i < 60; ++i)
+      result.push_back(wind_lean.lean(glm::dvec2(i, j) * (1.37 * scene.wind.wave_length_m)));
+  return result;
+}
+
+TEST(WindLean, LeansWithTheWindAsMuchAsAsked) {
+  scene::Scene scene;
+  scene.wind = {.heading_deg = 90.0, .lean_deg = 12.0, .waves_deg = 5.0, .wave_length_m = 4.0};
+  double sum_deg = 0.0;
+  double squares = 0.0;
+  glm::dvec2 sum(0.0);
+  const std::vector<glm::dvec2> all = leans(scene);
+  for (const glm::dvec2& lean : all) {
+    const double along = lean.x < 0.0 ? -glm::length(lean) : glm::length(lean);
+    const double lean_deg = std::atan(along) * degrees_per_radian;
+    sum_deg += lean_deg;
+    squares += (lean_deg - 12.0) * (lean_deg - 12.0);
+    sum += lean;
+  }
+  const auto count = static_cast<double>(all.size());
+  EXPECT_NEAR(sum_deg / count, 12.0, 0.4);
+  EXPECT_NEAR(std::sqrt(squares / count), 5.0, 0.5);
+  EXPECT_NEAR(std::atan2(sum.y, sum.x), 0.0, 2.0 / degrees_per_radian);  // to the east
+}
+
+TEST(WindLean, NeighboursLeanNearlyAlikeAndStillAirCombsNothing) {
+  scene::Scene scene;
+  const WindLean wind_lean(scene, 1);
+  const glm::dvec2 step(scene.grass.patch_m, 0.0);
+  for (int i = 0; i < 200; ++i) {
+    const glm::dvec2 at_m(0.173 * i, 0.31 * i);
+    EXPECT_LT(glm::distance(wind_lean.lean(at_m), wind_lean.lean(at_m + step)), 0.2);
+  }
+  scene.wind.lean_deg = scene.wind.waves_deg = 0.0;
+  EXPECT_EQ(WindLean(scene, 1).lean({3.3, 4.4}), glm::dvec2(0.0));
+}
+
+// In a season the mean lean follows the wind of the week before, and waves stay where they are.
+TEST(WindLean, FollowsTheSeasonsWind) {
+  scene::Scene scene;
+  scene.wind.heading_deg = 90.0;
+  scene.wind.speed_m_s = 2.0;
+  scene.wind.lean_deg = 12.0;
+  scene.wind.waves_deg = 3.0;
+  scene.season.first = {2026, 9, 1};
+  scene.season.last = {2026, 10, 1};
+  scene.season.frames = 31;
+  scene.season_keys = {{.date = {2026, 9, 11}, .wind_speed_m_s = 2.0, .wind_heading_deg = 90.0},
+                       {.date = {2026, 9, 12}, .wind_speed_m_s = 3.0, .wind_heading_deg = 180.0}};
+  const WindLean before(scene, 11), after(scene, 21);
+  for (int i = 0; i < 100; ++i) {
+    const glm::dvec2 at_m(0.73 * i, 0.31 * i);
+    const glm::dvec2 first = before.lean(at_m), last = after.lean(at_m);
+    EXPECT_NEAR(glm::dot(first, last), 0.0, 1e-9);
+    EXPECT_NEAR(std::atan(glm::length(last)), 1.5 * std::atan(glm::length(first)), 1e-9);
+  }
+}
+
+TEST(WindLean, TipsMoveAlongTheGround) {
+  Heightfield slope(2, 6.0);
+  slope.at(1, 0) = slope.at(1, 1) = 3.0F;  // z = x / 2
+  const glm::dvec2 lean(0.2, -0.1);
+  const glm::dmat4 matrix =
+      landscape::fit_to_ground(slope, 0.6, {{4, 5}, /*turn=*/1, lean}, {}).world_from_cell;
+  EXPECT_NEAR(glm::determinant(matrix), 1.0, 1e-12);
+  const glm::dvec3 up(matrix[2]);
+  EXPECT_EQ(glm::dvec2(up), lean);
+  EXPECT_NEAR(up.z, 1.0 + 0.5 * lean.x, 1e-6);
+}
+
+/// One upright fibre without gloss under a sun at 45 degrees in the south.
+grass::Lighting lighting() {
+  grass::Lighting light;
+  light.sun_direction = glm::normalize(glm::dvec3(0.0, -1.0, 1.0));
+  light.sun_irradiance = glm::vec3(0.8F);
+  light.sky_radiance.assign(grass::sky_rings().size(), glm::vec3(0.1F));
+  light.eye_direction = {0.0, -1.0, 0.0};
+  return light;
+}
+
+TEST(LeanLight, UprightGrassForTheBakedEyeStaysAsItIs) {
+  const LeanLight light({{glm::vec3(0, 0, 1), glm::vec3(0.3F), 0.2F}}, lighting(), 24.0F);
+  EXPECT_FLOAT_EQ(light.factor(glm::dvec2(0.0), lighting().eye_direction), 1.0F);
+}
+
+TEST(LeanLight, AFibreAlongTheSunsRaysGetsSkylightOnly) {
+  const LeanLight light({{glm::vec3(0, 0, 1), glm::vec3(0.3F), 0.0F}}, lighting(), 24.0F);
+  // Half of 0.8, times 4 / pi sin 45 degrees; half of a sky of 0.1 over the hemisphere.
+  const double sun = 0.4 * 4.0 / std::numbers::pi * std::sqrt(0.5);
+  const double sky = 0.5 * 0.1 * 2.0 * std::numbers::pi;
+  EXPECT_NEAR(light.factor({0.0, -1.0}, lighting().eye_direction), sky / (sky + sun), 1e-3);
+  EXPECT_GT(light.factor({0.0, 1.0}, lighting().eye_direction), 1.0F);  // across the rays
+}
+
+TEST(LeanLight, GlintsWhereItMirrorsTheSun) {
+  const LeanLight light({{glm::vec3(0, 0, 1), glm::vec3(0.3F), 0.5F}}, lighting(), 24.0F);
+  // An upright fibre mirrors a sun at 45 degrees to a cone 45 degrees below the horizontal.
+  const glm::dvec3 mirrored = glm::normalize(glm::dvec3(0.0, 1.0, -1.0));
+  EXPECT_GT(light.factor(glm::dvec2(0.0), mirrored),
+            1.2F * light.factor(glm::dvec2(0.0), lighting().eye_direction));
+}
+
+TEST(RepresentativeFibres, StandForTheWholePatch) {
+  const scene::Scene scene;
+  const grass::MeadowModel model(scene);
+  const grass::BladePatch patch = grass::WitheringPatch(scene, model, 0).at(0.4);
+  const auto mean = [](const std::vector<grass::Fibre>& fibres) {
+    glm::vec3 sum(0.0F);
+    for (const grass::Fibre& fibre : fibres) sum += fibre.albedo;
+    return sum / static_cast<float>(fibres.size());
+  };
+  const auto some = grass::representative_fibres(patch, model, 150);
+  EXPECT_NEAR(static_cast<double>(some.size()), 150.0, 30.0);
+  const glm::vec3 apart = mean(some) / grass::mean_albedo(patch, model) - 1.0F;
+  EXPECT_LT(glm::length(apart), 0.15F);
+}
+
+}  // namespace
+}  // namespace wold::meadow

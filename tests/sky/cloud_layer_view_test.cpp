@@ -1,0 +1,133 @@
+#include "sky/cloud_layer_view.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "scene/scene.h"
+
+namespace wold::sky {
+namespace {
+
+constexpr double deg = std::numbers::pi / 180.0;
+constexpr double pixel_m = 20.0;
+const glm::dvec3 eye_m(300.0, -200.0, 2.0);
+
+/// Heaps half-way gathered, 1200 m above the eye.
+scene::Scene cumulus_layer(double sun_azimuth_deg, double sun_elevation_deg) {
+  scene::Scene scene;
+  scene.clouds.resize(1);
+  scene.clouds[0].base_m = 1200.0 + eye_m.z;
+  scene.clouds[0].cells = {4, 4};
+  scene.clouds[0].gathered = 0.7;
+  scene.sun.azimuth_deg = sun_azimuth_deg;
+  scene.sun.elevation_deg = sun_elevation_deg;
+  return scene;
+}
+
+struct Sight {
+  light::Daylight day;
+  cloud::LayerState layer;
+  CloudLayerView seen;
+
+  explicit Sight(const scene::Scene& scene)
+      : day(scene.sun, scene.sky),
+        layer(cloud::Clouds(scene, pixel_m).at(10.0).layers[0]),
+        seen(layer, pixel_m, eye_m, day, 5e-4, std::nullopt) {}
+  Sight(const Sight&) = delete;
+  Sight& operator=(const Sight&) = delete;
+
+  /// Vertical optical depth of the layer where the line of sight meets its base.
+  double base_depth(const glm::dvec3& direction) const {
+    const glm::dvec2 place_m = glm::dvec2(eye_m) + glm::dvec2(direction) * (1200.0 / direction.z);
+    return cloud::optical_depth_at(layer, pixel_m, place_m);
+  }
+};
+
+/// Green that clouds send, of what they hide, over a white card's in the open.
+double brightness(const SeenClouds& clouds) {
+  return double{clouds.sent.g} / (1.0 - double{clouds.through}) * std::numbers::pi;
+}
+
+struct Mean {
+  double sum = 0.0;
+  int count = 0;
+  void add(double value) {
+    sum += value;
+    ++count;
+  }
+  double value() const { return sum / count; }
+};
+
+/// Every direction of a part of the sky, some minutes of arc apart.
+template <class Body>
+void for_directions(double azimuth_deg, double elevation_deg, double reach_deg, const Body& body) {
+  for (double a = -reach_deg; a <= reach_deg; a += 0.25)
+    for (double e = -reach_deg; e <= reach_deg; e += 0.25)
+      body(light::direction_of((azimuth_deg + a) * deg, (elevation_deg + e) * deg));
+}
+
+// "Every cloud has a silver lining": edges before the sun outshine what is opaque; away from it
+// they do not.
+TEST(CloudLayerView, EdgesShineAroundTheSun) {
+  const Sight sight(cumulus_layer(180.0, 25.0));
+  const auto edges_over_middles = [&](double azimuth_deg) {
+    Mean edges, middles;
+    for_directions(azimuth_deg, 25.0, 12.0, [&](const glm::dvec3& direction) {
+      const SeenClouds clouds = sight.seen.along(direction);
+      if (clouds.through > 0.2F && clouds.through < 0.8F) edges.add(brightness(clouds));
+      if (clouds.through < 0.02F) middles.add(brightness(clouds));
+    });
+    EXPECT_GT(edges.count, 50);
+    EXPECT_GT(middles.count, 50);
+    return edges.value() / middles.value();
+  };
+  const double around = edges_over_middles(180.0), aside = edges_over_middles(90.0);
+  EXPECT_GT(around, 2.0);
+  EXPECT_GT(around, 1.5 * aside) << aside;
+}
+
+// With the sun in the back, sides send back 0.4 to 0.9 of what falls on a plane that faces the
+// sun (Bohren 1987 has 0.7 for an optical depth of 23, and not all face it), and bases are dark.
+TEST(CloudLayerView, SidesAreSunlitAboveDarkBases) {
+  const Sight sight(cumulus_layer(0.0, 30.0));
+  Mean sides, bases;
+  for_directions(180.0, 22.0, 10.0, [&](const glm::dvec3& direction) {
+    const SeenClouds clouds = sight.seen.along(direction);
+    const double base = sight.base_depth(direction);
+    if (clouds.through > 0.02F) return;
+    if (base > 1.5) bases.add(brightness(clouds));
+    if (base <= 0.0) sides.add(brightness(clouds));
+  });
+  EXPECT_GT(bases.count, 100);
+  EXPECT_GT(sides.count, 100);
+  const double on_facing =
+      double{sight.day.sun_irradiance().g} + double{sight.day.sky_irradiance().g};
+  EXPECT_GT(sides.value(), 0.4 * on_facing);
+  EXPECT_LT(sides.value(), 0.9 * on_facing);
+  EXPECT_GT(sides.value(), 1.5 * bases.value());
+}
+
+// Where the base is open, clouds are seen all the same if they are heaps.
+TEST(CloudLayerView, OnlyDenseLayersHaveSides) {
+  scene::Scene scene = cumulus_layer(180.0, 30.0);
+  const auto seen_beside_bases = [&] {
+    const Sight sight(scene);
+    int count = 0;
+    for_directions(0.0, 30.0, 15.0, [&](const glm::dvec3& direction) {
+      count += sight.base_depth(direction) <= 0.0 && sight.seen.along(direction).through < 0.1F;
+    });
+    return count;
+  };
+  EXPECT_GT(seen_beside_bases(), 500);
+  scene.clouds[0].thickness_m = 50.0;
+  EXPECT_LT(seen_beside_bases(), 50);  // what is finer than the map
+  scene.clouds[0].thickness_m = 500.0;
+  scene.clouds[0].light = scene::Law::paper;
+  EXPECT_LT(seen_beside_bases(), 50);
+}
+
+}  // namespace
+}  // namespace wold::sky
