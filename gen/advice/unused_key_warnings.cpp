@@ -40,7 +40,7 @@ void warn_of_other_choices(const scene::Scene& scene, Keys& warnings) {
           fmt::format("{} changes nothing without {}", condition.key, condition.needs));
 }
 
-/// Keys of a layer that is moved as the paper has it, and of the events that happen to it.
+/// Keys of a layer that is moved as [Wang2010] has it, and of the events that happen to it.
 Keys unused_by_paper_motion(const scene::Scene& scene, std::size_t layer) {
   static const scene::CloudLayer usual;
   static const scene::CloudEvent usual_event;

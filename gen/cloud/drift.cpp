@@ -57,7 +57,7 @@ glm::dvec2 gusts(double deviation_m_s, std::uint64_t key, const Value& value) {
   return sum;
 }
 
-/// What an event adds to the paper's rate of drift while it lasts, in cells a frame.
+/// What an event adds to [Wang2010]'s rate of drift while it lasts, in cells a frame.
 double hurry_of(CloudEventKind kind) {
   constexpr double speed_increment = 0.01;
   if (kind == CloudEventKind::faster) return speed_increment;

@@ -58,7 +58,7 @@ class Drift {
   std::uint64_t key_;
 };
 
-/// The paper's motion (2.3, 2.5, 3), in cells: x_t from a keyed start in [0, 1) grows by 0.0001 a
+/// [Wang2010]'s motion (2.3, 2.5, 3), in cells: x_t from a keyed start in [0, 1) grows by 0.0001 a
 /// frame, which an opposing wind turns into a fall; while faster or slower lasts, 0.01 is added or
 /// taken away as well; y_t = sin x_t. East is x, north y.
 class PaperDrift {

@@ -32,8 +32,8 @@ std::vector<float> top_m_by_rank(const LayerState& state);
 double by_rank(const std::vector<float>& table, double rank);
 
 /// A layer's sheets, the further one first: one, or two while its shape changes. Two sheets whose
-/// optical depths are fractions of the layer's let through together what the layer does; the
-/// paper's fade has fractions of alpha, and thins out half-way. Full light is moment.light.
+/// optical depths are fractions of the layer's let through together what the layer does;
+/// [Wang2010]'s fade has fractions of alpha, and thins out half-way. Full light is moment.light.
 std::vector<Sheet> sheets_of(const LayerState& state, double pixel_m);
 
 }  // namespace wold::cloud

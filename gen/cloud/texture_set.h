@@ -30,7 +30,7 @@ inline constexpr int profile_steps = 4096;
 /// Steps of TextureSet::rank_per_field.
 inline constexpr int slope_steps = 128;
 
-/// Textures that procedural clouds choose from, as many as the paper has.
+/// Textures that procedural clouds choose from, as many as [Wang2010] has.
 inline constexpr int procedural_textures = 3;
 
 /// The layer's textures: its pictures, or made by the recipe with at most 512 pixels a side, keyed

@@ -34,7 +34,7 @@ class TriangleGrid {
   glm::dvec2 per_cell_;  ///< vertices along a row, and rows, per cell
 };
 
-/// The texture in every cell, one by chance of the key: seams and all (paper, 2.2).
+/// The texture in every cell, one by chance of the key: seams and all ([Wang2010], 2.2).
 LayerMap repeated_as_paper(const TextureSet& textures, const glm::ivec2& cells,
                            const glm::ivec2& size_px, std::uint64_t key);
 

@@ -18,13 +18,13 @@ struct Shape {
 /// What a layer is doing at one moment.
 struct LayerMoment {
   glm::dvec2 way_m = {};         ///< drifted, east and north, since the film's start
-  glm::dvec2 velocity_m_s = {};  ///< of that drift; not of the paper's, which is in cells a frame
+  glm::dvec2 velocity_m_s = {};  ///< of that drift; not of [Wang2010]'s, which is in cells a frame
   double amount = 1.0;           ///< gathered, from 0, none, to 1, the whole layer
-  bool amount_is_alpha = false;  ///< it multiplies alpha, as in the paper, not cover and depth
+  bool amount_is_alpha = false;  ///< it multiplies alpha, as in [Wang2010], not cover and depth
   std::size_t shape = 0;         ///< index into Timeline::shapes()
   std::size_t next_shape = 0;    ///< the one it is turning into
   double next_fraction = 0.0;    ///< of the next shape
-  bool shapes_by_alpha = false;  ///< they fade by alpha, as in the paper, not by optical depth
+  bool shapes_by_alpha = false;  ///< they fade by alpha, as in [Wang2010], not by optical depth
   glm::dvec3 light = glm::dvec3(1.0);  ///< colour of the light, linear; 1 on a clear day
 };
 

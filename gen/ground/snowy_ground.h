@@ -35,7 +35,7 @@ class SnowyGround {
   FactorMap growth() const;
 
   /// The fraction of grass that stands, under the snow: snow that has a depth buries it from below,
-  /// while the paper's, which has none, takes its place where it is white.
+  /// while [He2007]'s, which has none, takes its place where it is white.
   FactorMap extinction_factor(FactorMap extinction_factor) const;
 
   /// A part of a large terrain's ground as ground_part() has it, under the snow: less growth, and

@@ -42,7 +42,7 @@ Axis weathering_axis() { return chart::linear_axis("weathering degree", 0.0, 1.0
 
 SvgStroke bold(const char* colour) { return {.colour = colour, .width_px = bold_px}; }
 
-/// The dashes of paper 1, figure 9: the standard case is solid, cold is dash-dotted.
+/// The dashes of [TVT], figure 9: the standard case is solid, cold is dash-dotted.
 const char* dash_of(const std::string& name) {
   if (name == "standard") return "";
   return name == "cold" ? "8 3 2 3" : "6 3.5";

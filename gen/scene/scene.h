@@ -71,7 +71,7 @@ struct Plant {
   double width_spread = 0.25;
   double lean_deg = 14.0;  ///< mean angle from the vertical
   double lean_spread_deg = 8.0;
-  double bend = 1.0;             ///< droop of fresh blades, rad per sqrt(m); the paper's rule
+  double bend = 1.0;             ///< droop of fresh blades, rad per sqrt(m); [TVT]'s rule
   double keel_depth_m = 0.0011;  ///< of a mean blade's fold, edges to keel; the elastica's
   double specular = 0.12;        ///< Kajiya-Kay specular coefficient ms
 
@@ -147,7 +147,7 @@ struct Ageing : Physiology {
 /// One kind of plant of a meadow.
 struct Species {
   std::string name = "grass";
-  double share = 1.0;   ///< of the patch's blades, relative to the other species' shares
+  double share = 1.0;  ///< of the patch's blades, relative to the other species' shares
   Plant plant;
   Physiology physiology;
 
@@ -266,8 +266,8 @@ struct Snowfall {
   SnowfallStrength strength = SnowfallStrength::weather;
   Law motion = Law::physical;
   CrystalChoice crystal = CrystalChoice::mixed;
-  int flakes = 0;  ///< drawn in the picture, about; 0: 30000, or the paper's 500, 1000 or 4000
-  std::array<double, 3> box_m = {16.0, 16.0, 10.0};  ///< the paper's: east, north, up
+  int flakes = 0;  ///< drawn in the picture, about; 0: 30000, or [He2007]'s 500, 1000 or 4000
+  std::array<double, 3> box_m = {16.0, 16.0, 10.0};  ///< [He2007]'s: east, north, up
   double shutter_s = 0.003;                          ///< how long each picture is exposed
 
   bool operator==(const Snowfall&) const = default;
@@ -288,7 +288,7 @@ struct SnowCover {
   double drifting = 0.5;         ///< k of 1 + k tanh(Sx / 15 degrees)
   double melt_mm_per_day = 3.0;  ///< degree-day factor, per kelvin above 0 degrees Celsius
   double feature_m = 0.35;       ///< size of the first patches of white
-  double white_after_mm = 8.0;   ///< of water, of the paper's cover: gamma is 1
+  double white_after_mm = 8.0;   ///< of water, of [He2007]'s cover: gamma is 1
 
   bool operator==(const SnowCover&) const = default;
 };

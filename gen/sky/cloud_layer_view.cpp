@@ -41,7 +41,7 @@ double sample(const cloud::LayerMap& map, const glm::dvec2& place_px) {
   return map.sample(place_px.x / map.width(), place_px.y / map.height());
 }
 
-/// What the paper's events leave of a layer.
+/// What [Wang2010]'s events leave of a layer.
 double alpha_of(const cloud::LayerMoment& moment) {
   return moment.amount_is_alpha ? moment.amount : 1.0;
 }

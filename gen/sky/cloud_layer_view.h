@@ -31,7 +31,7 @@ struct SeenClouds {
 /// there on lines of sight are followed through the heaps of the layer's relief
 /// (cloud/cumulus_column.h), whose sides also have the light that falls on themselves. Sunlight
 /// that is still in the forward peak goes its way (forward_through()), which makes edges near the
-/// sun shine. A layer lit as the paper has it is as bright everywhere and has no sides.
+/// sun shine. A layer lit as [Wang2010] has it is as bright everywhere and has no sides.
 class CloudLayerView {
  public:
   /// `day` has to outlive it; the layer is above the eye, which makes out angles of finest_rad.

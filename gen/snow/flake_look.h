@@ -20,7 +20,7 @@ struct SeenFlake {
   float opacity = 1.0F;     ///< multiplies the picture's
 };
 
-/// Farther away flakes are white discs that do not turn (the paper, 2).
+/// Farther away flakes are white discs that do not turn ([He2007], 2).
 inline constexpr double textured_within_m = 3.5;
 
 /// How flakes look to a view.

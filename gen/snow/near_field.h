@@ -5,7 +5,7 @@ namespace wold::snow {
 /// How snow is shared between flakes that are drawn singly and a fog that stands for all others.
 ///
 /// At a distance r the fraction k(r) = exp(-r / reach) of the flakes above a least size is drawn
-/// (the paper, figure 3). With a homogeneous fog of extinction S (1 - T / 3.912), T the optical
+/// ([He2007], figure 3). With a homogeneous fog of extinction S (1 - T / 3.912), T the optical
 /// depth of all that is drawn and S that of the snow per metre, air of the length L has the optical
 /// depth
 ///   S L (1 - T / 3.912) + T (1 - exp(-L / reach)):

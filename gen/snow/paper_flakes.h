@@ -16,7 +16,7 @@
 
 namespace wold::snow {
 
-/// The paper's particle (2): its state at one time.
+/// [He2007]'s particle (2): its state at one time.
 struct PaperFlake {
   double size_m = 0.0;
   glm::vec4 colour{1.0F};  ///< with alpha
@@ -28,17 +28,17 @@ struct PaperFlake {
   double angle_turns = 0.0;
   std::int64_t start_assign = 0;  ///< how often a start at the top was assigned to it
 
-  /// V = V0 + Vf + Vr + g dt, with the paper's g dt as a speed that does not grow.
+  /// V = V0 + Vf + Vr + g dt, with [He2007]'s g dt as a speed that does not grow.
   glm::dvec3 velocity_m_s() const;
 };
 
-/// The box in which the paper's flakes fall.
+/// The box in which [He2007]'s flakes fall.
 struct PaperBox {
   glm::dvec3 low_m{0.0};
   glm::dvec3 size_m{1.0};
 };
 
-/// Snow as the paper has it: flakes in a box by the eye, moved by S += V dt, born again at the top
+/// Snow as [He2007] has it: flakes in a box by the eye, moved by S += V dt, born again at the top
 /// at a random place when they have reached the bottom, wrapped round at the sides.
 ///
 /// As velocities are constant, the wind's and the circle's of the flutter, the steps' sum is a
@@ -51,7 +51,7 @@ class PaperSnow {
   /// `pictures` has to outlive this.
   PaperSnow(const scene::Scene& scene, const Weather& weather, const FlakePictures& pictures);
 
-  /// As FallingSnow::at(). About as many as asked for are in view, or the paper's (figure 6): 500
+  /// As FallingSnow::at(). About as many as asked for are in view, or [He2007]'s (figure 6): 500
   /// at 0.4 mm/h, 1000 at 1.2, 4000 at 4 and linear between. The fraction that is drawn falls with
   /// the distance (figure 3), to 1/e at the length of the box. All snow that falls is fog besides.
   ///
@@ -102,7 +102,7 @@ class PaperSnow {
   std::uint64_t key_;
   glm::dvec3 box_m_;
   scene::CrystalChoice crystal_;
-  double asked_for_;  ///< 0: the paper's
+  double asked_for_;  ///< 0: [He2007]'s
   double shutter_s_;
 };
 

@@ -6,7 +6,7 @@
 
 namespace wold::snow {
 
-/// Where the ground's texture is white under the paper's growing noise (section 3), 0 or 1, on a
+/// Where the ground's texture is white under [He2007]'s growing noise (section 3), 0 or 1, on a
 /// map of `samples` >= 2 along a side, when the noise has the strength gamma in [0, 1]. The
 /// ground's shape stays as it is, and white texels stay white while gamma grows.
 ///

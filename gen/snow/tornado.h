@@ -12,7 +12,7 @@ namespace wold::snow {
 /// Wisps are drawn out along their way for at least so long.
 inline constexpr double whirl_shutter_s = 0.04;
 
-/// A funnel of whirling snow (the paper, figure 7) over the terrain's middle, about which it
+/// A funnel of whirling snow ([He2007], figure 7) over the terrain's middle, about which it
 /// wanders; as high as 0.6 of the terrain is wide, from 10 to 120 m. Its radius grows exponentially
 /// with height, twelvefold.
 ///

@@ -35,7 +35,7 @@ std::vector<ShippedCurve> shipped_curves(CurveKind kind, const scene::CurveChoic
   return curves;
 }
 
-/// Fraction of the fresh leaf's carotenoids; the paper's model keeps them all (section 3.2).
+/// Fraction of the fresh leaf's carotenoids; [TVT]'s model keeps them all (section 3.2).
 double carotenoid_fraction(const scene::Physiology& ageing, double water) {
   if (ageing.colour == scene::ColourModel::paper) return 1.0;
   scene::Physiology unit = ageing;
@@ -43,7 +43,7 @@ double carotenoid_fraction(const scene::Physiology& ageing, double water) {
   return withered_leaf(unit, 0.0, water).carotenoid_ug_cm2;
 }
 
-/// Seen from the root, as in the paper's turning of the points about it.
+/// Seen from the root, as in [TVT]'s turning of the points about it.
 double tip_angle_deg(const Blade& blade, const BladePose& pose) {
   const glm::vec2 tip = BladeAxis(blade, pose).at(blade.length_m * pose.length_scale).position_m;
   return degrees(math::atan2(double{tip.x}, double{tip.y}));

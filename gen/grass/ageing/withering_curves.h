@@ -30,7 +30,7 @@ struct ShippedCurve {
   std::vector<double> values;
 };
 
-/// What a scene's [ageing] makes of a leaf, as numbers to plot (paper 1, figures 9 and 10).
+/// What a scene's [ageing] makes of a leaf, as numbers to plot ([TVT], figures 9 and 10).
 struct WitheringCurves {
   std::vector<WitheredState> states;  ///< from 0 to 1 in steps of 0.01
   std::vector<double> wavelength_nm;

@@ -30,27 +30,27 @@ inline glm::vec3 on_patch_m(const Blade& blade, const AxisPoint& at) {
   return glm::vec3(blade.root_m, 0.0F) + from_plane(blade, at.position_m);
 }
 
-/// An axis by the paper's rule (paper 1, section 3.1).
+/// An axis by [TVT]'s rule ([TVT], section 3.1).
 ///
 /// A point at distance l turns about the root with omega_i = omega h_i^(1/2), so that after some
 /// time a point at radius r stands at the polar angle lean + c sqrt(r). Turning the points of a
 /// straight blade rigidly would stretch it; here the polar curve is kept and run through by arc
 /// length, for which it has a closed form:
 ///   s = 8 / (3 c^2) ((1 + c^2 r / 4)^(3/2) - 1).
-/// Speeds at c = 0 are the paper's, length is kept exactly, and the result does not depend on the
+/// Speeds at c = 0 are [TVT]'s, length is kept exactly, and the result does not depend on the
 /// number of time steps. What would sink below the ground lies on it.
 ///
 /// Against theory: to first order in the load B (elastica.h) a blade at `lean` sinks by
-/// B L sin(lean) (u^2 / 4 - u^3 / 6 + u^4 / 24), u = s / L, the paper's by c sqrt(L) L u^(3/2).
+/// B L sin(lean) (u^2 / 4 - u^3 / 6 + u^4 / 24), u = s / L, [TVT]'s by c sqrt(L) L u^(3/2).
 /// The tips agree for
 ///   c sqrt(L) = B sin(lean) / 8 / (1 - B cos(lean) / 7.8373)
 /// (the second factor: what the weight along the blade adds, up to Greenhill's load), within 2 % as
-/// long as the tip moves by less than 0.16 L. With c fitted to the tip, the paper's blade
+/// long as the tip moves by less than 0.16 L. With c fitted to the tip, [TVT]'s blade
 ///   - is off by 2 % of the tip's way (too low next to the root, too high next to the tip), at
 ///     leans of 10 to 20 degrees by 3 % at B = 5 and by 3.5 % at B = 10;
 ///   - turns its tip by 9/8 of the elastica's angle;
 ///   - bends infinitely at the root, where the elastica bends by B sin(lean) / 2 per length.
-/// So the paper's shapes are sound; what departs is how much blades of different lengths droop: one
+/// So [TVT]'s shapes are sound; what departs is how much blades of different lengths droop: one
 /// c for all turns the tip as sqrt(L), theory as L^3 for one section (as L where the section grows
 /// with the blade), and right over beyond Greenhill's load.
 class PaperAxis {

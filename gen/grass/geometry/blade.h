@@ -53,7 +53,7 @@ std::vector<Blade> scatter_blades(const scene::Plant& plant, const scene::Physio
 /// leans to the east.
 Blade mean_blade(const scene::Plant& plant, const scene::Physiology& physiology);
 
-/// How blades bow: turning about their roots (paper 1), or as elastic blades under their weight.
+/// How blades bow: turning about their roots ([TVT]), or as elastic blades under their weight.
 using scene::DroopRule;
 
 /// Segments between the points of a blade's vein that Algorithm 1 moves.
@@ -65,7 +65,7 @@ using VeinPlaces = std::array<glm::vec2, vein_segments + 1>;
 /// How far a blade has withered, and what it bears.
 struct BladePose {
   DroopRule rule = DroopRule::paper;
-  float droop = 0.0F;            ///< c of the paper's rule, rad / sqrt(m)
+  float droop = 0.0F;            ///< c of [TVT]'s rule, rad / sqrt(m)
   float load = 0.0F;             ///< B of the heavy elastica (elastica.h)
   float length_scale = 1.0F;     ///< of arc lengths
   float vein_width = 1.0F;       ///< of distances from the axis, vein tissue

@@ -7,7 +7,7 @@
 
 namespace wold::grass {
 
-/// A system of blades that is simulated by itself and mingled with the others (paper 1 section
+/// A system of blades that is simulated by itself and mingled with the others ([TVT] section
 /// 4.1): blades of one species that age at one rate.
 struct MeadowSample {
   int species = 0;                         ///< its place in scene::species_of()

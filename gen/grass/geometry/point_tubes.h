@@ -9,7 +9,7 @@
 
 namespace wold::grass {
 
-/// The point-based structure of a patch (paper 1, figure 7) as something a renderer can draw: an
+/// The point-based structure of a patch ([TVT], figure 7) as something a renderer can draw: an
 /// octahedron per point, along its tangent, that shows on average the area the point stands for,
 /// with the point's own material; those of the snow are among them, `snow_step_m` as in
 /// snow_points(). `patch` holds the same blades as `samples`, one sample after the other; they

@@ -13,7 +13,7 @@ namespace {
 
 /// A step of the weathering degree is hours: long beside a blade's swing.
 constexpr double step_s = 10.0;
-/// Steps in which the paper's law lets a straight blade droop at once.
+/// Steps in which [TVT]'s law lets a straight blade droop at once.
 constexpr int turning_steps = 32;
 
 bool by_forces(const scene::Physiology& ageing) {
@@ -28,7 +28,7 @@ double length_m(const Blade& blade, const scene::Physiology& ageing, double wate
   return double{blade.length_m} * double{blade_pose(blade, ageing, water_lost, 1.0).length_scale};
 }
 
-/// Droop by the paper's rule of a blade that lacks `water_lost` and has lacked `max_lost`.
+/// Droop by [TVT]'s rule of a blade that lacks `water_lost` and has lacked `max_lost`.
 double paper_droop(const Blade& blade, const scene::Physiology& ageing, double water_lost,
                    double max_lost) {
   return double{blade.fresh_droop} +

@@ -14,11 +14,11 @@ namespace wold::grass {
 struct VeinState {
   std::array<double, vein_segments> angle{};  ///< of its segments from the upward vertical, rad
   Wall wall;
-  double droop = 0.0;  ///< c of the paper's rule, rad / sqrt(m)
+  double droop = 0.0;  ///< c of [TVT]'s rule, rad / sqrt(m)
 };
 
 /// Algorithm 1 on one blade: its points from the first age on, in equal steps of its own weathering
-/// degree. By ageing.droop_rule they fall as the paper's law says or under the forces on them.
+/// degree. By ageing.droop_rule they fall as [TVT]'s law says or under the forces on them.
 ///
 /// A state depends on the age alone, whatever was asked for before: between two steps it is
 /// interpolated.

@@ -11,7 +11,7 @@ struct PointFrame {
   glm::vec3 normal;   ///< unit and across the tangent, or zero: vein tissue
 };
 
-/// The frame of a point that has moved to `position_m` (paper 1, section 2.3, figure 6a). The old
+/// The frame of a point that has moved to `position_m` ([TVT], section 2.3, figure 6a). The old
 /// tangent, prolonged down to the ground, meets it at the blade's foot; the new tangent points from
 /// that foot to the point's new place:
 ///   tx' = sx' - (sx - sz / tz tx),  ty' = sy' - (sy - sz / tz ty),  tz' = sz',  normalised.

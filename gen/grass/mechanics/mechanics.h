@@ -6,7 +6,7 @@
 
 namespace wold::grass {
 
-/// Strains and stresses of the two tissues of a drying blade (paper 1 section 3.1). Strains are
+/// Strains and stresses of the two tissues of a drying blade ([TVT] section 3.1). Strains are
 /// fractions of the volume lost, positive for shrinkage; stresses and moduli in pascals.
 struct TissueState {
   double modulus_vein_pa = 0.0;
@@ -20,11 +20,11 @@ struct TissueState {
 /// Deformation that has built up after `water_lost` (0 fresh to 1 dry) when every further bit of
 /// lost water deforms by the inverse of a stiffness that grows as E(x) = E0 (1 + b x):
 ///   S(x) = integral_0^x dx' / (1 + b x') = ln(1 + b x) / b.
-/// It slows down and comes to rest, as the paper asks of shrinkage; b = 0 gives S = x.
+/// It slows down and comes to rest, as [TVT] asks of shrinkage; b = 0 gives S = x.
 double relieved_loss(double water_lost, double stiffening);
 
-/// The tissues after `water_lost`. Initial strains are k dw (paper: eps0 = dV / V0 = k dw), slowed
-/// by relieved_loss; sigma = E eps. The paper prints Ev < Em but argues that veins resist more;
+/// The tissues after `water_lost`. Initial strains are k dw ([TVT]: eps0 = dV / V0 = k dw), slowed
+/// by relieved_loss; sigma = E eps. [TVT] prints Ev < Em but argues that veins resist more;
 /// here Ev > Em: 0.5 GPa along the fibres, 5 MPa in the mesophyll (Vincent 1982: fibres carry
 /// 90-95 % of the longitudinal stiffness).
 TissueState tissue_state(const scene::Physiology& ageing, double water_lost);
@@ -51,7 +51,7 @@ double relative_snow_weight();
 double wall_stiffness(const scene::Physiology& ageing, double water_lost);
 double turgor_stiffness(const scene::Physiology& ageing, double water_lost);
 
-/// What comes back of relieved_loss(max_lost), which moves blades by the paper's rule, when
+/// What comes back of relieved_loss(max_lost), which moves blades by [TVT]'s rule, when
 /// `water_lost` <= `max_lost` is all that is lacking again: of what sank while turgor went, the
 /// share that turgor bears.
 double recovered_loss(const scene::Physiology& ageing, double water_lost, double max_lost);
@@ -67,7 +67,7 @@ double relative_load(const scene::Physiology& ageing, double water_lost);
 /// while limp sets as it dries: a fallen blade does not stand up again.
 Curve heaviest_load(const scene::Physiology& ageing, const Curve& water);
 
-/// The paper's droop c of a blade on which the fraction `snow` of the snow it can carry lies (0 to
+/// [TVT]'s droop c of a blade on which the fraction `snow` of the snow it can carry lies (0 to
 /// 1).
 ///
 /// Loads add up, and a small load turns the tip in proportion: with the droop c from the blade's
@@ -87,7 +87,7 @@ struct WaterLoss {
 };
 
 /// Shape of a blade after a loss of water: lengths follow the stiff veins and the mesophyll bonded
-/// to them, by their stiffness; widths follow each tissue's own strain; the paper's droop grows as
+/// to them, by their stiffness; widths follow each tissue's own strain; [TVT]'s droop grows as
 /// support is lost, and of it only what turgor held comes back with water (recovered_loss()); the
 /// elastica's load is `heaviest` times the fresh one. The fraction `snow` of the
 /// snow that it can carry (0 to 1) bends it further for as long as it lies.

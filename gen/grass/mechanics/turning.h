@@ -4,7 +4,7 @@
 
 namespace wold::grass {
 
-/// One step of the paper's law of falling (section 3.1): every point turns about the root with
+/// One step of [TVT]'s law of falling (section 3.1): every point turns about the root with
 /// v = omega l, omega its droop per time times h^(1/2), h and l its distance from the root; `droop`
 /// is what the droop coefficient grows by, rad / sqrt(m), `seconds` the time it takes.
 ///

@@ -8,7 +8,7 @@
 
 namespace wold::grass {
 
-/// Points of Algorithm 1 (paper 1, section 2.3) along a blade's vein, from the root to the tip, at
+/// Points of Algorithm 1 ([TVT], section 2.3) along a blade's vein, from the root to the tip, at
 /// equal distances, within the blade's vertical plane: (along heading, up), the root at zero. What
 /// else a section of the blade has of points is bonded to it and rides along.
 struct VeinPoints {

@@ -53,7 +53,7 @@ LeafSpectrum opaque(std::vector<double> reflectance) {
   return {std::move(reflectance), std::move(transmittance)};
 }
 
-/// The paper's colours are so pale that only clamping keeps their tint.
+/// [TVT]'s colours are so pale that only clamping keeps their tint.
 LeafShade paper_shade(const Observer& observer, const LeafSpectrum& leaf) {
   const glm::vec3 rgb = glm::clamp(observer.linear_srgb(leaf.reflectance), 0.0, highest_albedo);
   return {rgb, glm::vec3(0.0F), rgb};

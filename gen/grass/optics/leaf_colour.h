@@ -20,15 +20,15 @@ struct LeafShade {
 LeafContent withered_leaf(const scene::Physiology& ageing, double chlorophyll, double water);
 
 /// The spectrum of a leaf that keeps these shares, at the wavelengths of `optics`, by the colour
-/// model that `ageing` names: "prospect" is the plate model of withered_leaf(); "paper" is the
-/// paper's subtraction of pigments (paper_reflectance()), which knows neither water nor
+/// model that `ageing` names: "prospect" is the plate model of withered_leaf(); "paper" is [TVT]'s
+/// subtraction of pigments (paper_reflectance()), which knows neither water nor
 /// transmittance, so that is 0; "melanin" is that of a hair (hair_spectrum()), which has no
 /// chlorophyll. Throws InputError when there is no such model.
 LeafSpectrum withered_spectrum(const scene::Physiology& ageing, const LeafOptics& optics,
                                double chlorophyll, double water);
 
 /// A leaf's colour over its own weathering degree, made once and looked up fast:
-/// withered_spectrum() under D65. The paper's albedo is its reflectance.
+/// withered_spectrum() under D65. [TVT]'s albedo is its reflectance.
 class LeafColour {
  public:
   /// Throws InputError when a curve of `ageing` is wrong and FileError when a model is missing.

@@ -29,7 +29,7 @@ LeafSpectra load_leaf_spectra();
 /// `first_nm` to `last_nm`, every 5 nm. Throws FileError.
 Observer load_observer(double first_nm, double last_nm);
 
-/// Reflectance by the grass paper's subtraction, R = L - [Pc C + (Pa Chl-a + Pb Chl-b)], with L = 1
+/// Reflectance by [TVT]'s subtraction, R = L - [Pc C + (Pa Chl-a + Pb Chl-b)], with L = 1
 /// (the light enters with the observer), pigments Pa : Pb : Pc = 27 : 9 : 4 as fractions of their
 /// sum, each spectrum divided by its own maximum, and both chlorophylls scaled by `chlorophyll` in
 /// [0, 1].

@@ -6,7 +6,7 @@
 
 namespace wold::grass {
 
-/// The sum of samples, paper 1 section 4.1, Algorithm 2: densities add up, so areas do, and every
+/// The sum of samples, [TVT] section 4.1, Algorithm 2: densities add up, so areas do, and every
 /// other attribute is the mean weighted by density, rho Psi = sum_i rho_i Psi_i. What a mean is for
 /// each attribute is said in texel_builder.h: tangents by their dyads, so that t and -t stay one
 /// fibre; a normal that cancels out is the vein's.

@@ -8,12 +8,12 @@
 
 namespace wold::grass {
 
-/// The point-based structure of paper 1 section 2.3. One array per attribute, points of a blade
+/// The point-based structure of [TVT] section 2.3. One array per attribute, points of a blade
 /// together and ascending along it.
 ///
-/// A point remembers its blade and its place on it (arc length, distances off the axis), which the
-/// paper recovers from position and tangent; remembered, it stays exact however far the blade
-/// bends. The paper's mass (equal for all) becomes the projected area the point stands for, so
+/// A point remembers its blade and its place on it (arc length, distances off the axis), which
+/// [TVT] recovers from position and tangent; remembered, it stays exact however far the blade
+/// bends. [TVT]'s mass (equal for all) becomes the projected area the point stands for, so
 /// that rounding Num to whole points loses nothing.
 struct Points {
   std::vector<std::uint32_t> blade_begin;  ///< first point of each blade, and the end

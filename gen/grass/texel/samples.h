@@ -10,7 +10,7 @@
 
 namespace wold::grass {
 
-/// Ageing rates wd_i = Mg_i(wd) of a meadow's samples, paper 1 section 4.1, in the order of
+/// Ageing rates wd_i = Mg_i(wd) of a meadow's samples, [TVT] section 4.1, in the order of
 /// samples_of(); the identity of one without a rate. Throws what load_curve() throws.
 std::vector<Curve> ageing_rates(const scene::Scene& scene);
 

@@ -40,7 +40,7 @@ struct TexelShape {
   bool operator==(const TexelShape&) const = default;
 };
 
-/// Texel of Kajiya and Kay (1989), paper 1 section 2.1: density, frame and reflectance per voxel.
+/// Texel of Kajiya and Kay (1989), [TVT] section 2.1: density, frame and reflectance per voxel.
 ///
 /// Only voxels that hold matter are kept, in ascending dense order, one array per attribute: a
 /// meadow fills a few per cent of its box, and every pass over it reads whole cache lines. OpenVDB

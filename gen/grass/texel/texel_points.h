@@ -12,7 +12,7 @@ struct SampledTexel {
   Points points;
 };
 
-/// Texel to points, the paper's own way (section 2.3): a voxel gives Num = proportion * rho points,
+/// Texel to points, [TVT]'s own way (section 2.3): a voxel gives Num = proportion * rho points,
 /// rho as its optical depth, at keyed random places in it, that inherit its frame. Areas are the
 /// texel's to the last one; Num below one is drawn by chance.
 ///

@@ -14,7 +14,7 @@ struct BladeVoxel {
   glm::vec3 normal{0.0F};  ///< unit, from the axis to the matter; zero where the vein runs
 };
 
-/// Voxelises a fresh, straight cone (paper 1 section 2.1), voxels in ascending (z, y, x).
+/// Voxelises a fresh, straight cone ([TVT] section 2.1), voxels in ascending (z, y, x).
 ///
 /// A convex body shows a quarter of its surface on average (Cauchy), a thin cone of diameter d
 /// therefore (pi / 4) d ds per length ds of its axis; the sum over the voxels is that of the cone.
