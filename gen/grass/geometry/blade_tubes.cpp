@@ -104,7 +104,7 @@ Tubes blade_tubes(const BladePatch& patch, const MeadowModel& model, const Light
   return tubes;
 }
 
-void add_leaf_shades(const BladePatch& patch, const AgeingModel& model, Tubes& tubes) {
+void add_leaf_shades(const BladePatch& patch, const MeadowModel& model, Tubes& tubes) {
   // Tubes of snow follow those of the blades.
   tubes.reflectance.assign(tubes.rings_of_all(), snow_albedo);
   tubes.transmittance.assign(tubes.rings_of_all(), glm::vec3(0.0F));
@@ -112,7 +112,8 @@ void add_leaf_shades(const BladePatch& patch, const AgeingModel& model, Tubes& t
   for (std::size_t i = 0; i < patch.blades.size(); ++i)
     for (int step = 0; step <= segments; ++step, ++ring) {
       const double along = static_cast<double>(step) / segments;
-      const LeafShade shade = model.shade(patch.blades[i], patch.ages[i], along);
+      const LeafShade shade =
+          model.of(patch.blades[i]).shade(patch.blades[i], patch.ages[i], along);
       tubes.reflectance[ring] = shade.reflectance;
       tubes.transmittance[ring] = shade.transmittance;
     }

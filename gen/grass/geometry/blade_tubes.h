@@ -20,6 +20,6 @@ Tubes blade_tubes(const BladePatch& patch, const MeadowModel& model, const Light
 
 /// Sets the reflectance and transmittance of a patch's blade_tubes(): AgeingModel::shade() of the
 /// leaf; snow sends back what it does not swallow.
-void add_leaf_shades(const BladePatch& patch, const AgeingModel& model, Tubes& tubes);
+void add_leaf_shades(const BladePatch& patch, const MeadowModel& model, Tubes& tubes);
 
 }  // namespace wold::grass
