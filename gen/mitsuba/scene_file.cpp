@@ -54,6 +54,10 @@ const glm::dmat4 unit_from_cube = box_matrix(glm::dvec3(0.5), glm::dvec3(1.0));
 /// Twice what a ray is lifted off a wall so far away, shared by the two walls of neighbours.
 double inset_m(double distance_m) { return 1e-4 * (1.0 + distance_m); }
 
+/// How far boxes of texels reach below their foot, in sides of their patch. A ray that left a box
+/// just above the ground would be lifted through the ground.
+constexpr double rooted_share = 0.1;
+
 std::string picture(const char* name, const std::string& file, const std::string& more = {}) {
   return fmt::format(
       "<texture name=\"{}\" type=\"bitmap\"><string name=\"filename\" value=\"{}\"/>"
@@ -166,7 +170,7 @@ std::string cell_text(const Landscape& landscape, const landscape::Cell& cell) {
   const glm::dvec2 middle = 0.5 * (cell.part.low + cell.part.high) * patch_m;
   const glm::dvec3 seen_m(seen_from_cell * glm::dvec4(middle, 0.0, 1.0));
   const glm::dvec3 inset(glm::dvec2(inset_m(glm::length(seen_m))), 0.0);
-  const glm::dvec3 low_m = glm::dvec3(cell.part.low * patch_m, 0.0) + inset;
+  const glm::dvec3 low_m = glm::dvec3(cell.part.low * patch_m, -rooted_share * patch_m) + inset;
   const glm::dvec3 high_m = glm::dvec3(cell.part.high * patch_m, size_m.z) - inset;
   const glm::dvec3 at_m = seen_m + landscape.camera.eye_m;
   const auto files = texel_files(texel_name(volume), "../texels");

@@ -13,7 +13,9 @@ namespace wold::mitsuba {
 /// they encode it as sRGB. `terrain`: name of the ground's file in the folder above.
 ///
 /// Cells of texels are boxes that stay apart by what rays are lifted: a ray that leaves one would
-/// miss the wall of its neighbour in the same place. Throws FileError where a number is not finite.
+/// miss the wall of its neighbour in the same place. They reach a tenth of their patch's side into
+/// the ground, where their grids are nothing. Throws FileError where a number is not
+/// finite.
 std::string scene_text(const landscape::Landscape& landscape, const std::string& terrain);
 
 /// Name of a cloud's file in the frame's folder.

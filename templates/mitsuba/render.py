@@ -6,8 +6,8 @@
 The Python needs the package mitsuba (3.5 or later). SCENE holds data only, nothing in it is run.
 EXR pictures are linear radiance as Mitsuba has it; others are exposed as wold exposes the frame
 and encoded as sRGB, so that they compare with those of other renderers. llvm_ad_rgb needs a newer
-LLVM than some systems have (DRJIT_LIBLLVM_PATH names one); scalar_rgb needs none: it is slow where
-leaves are drawn, and the faster one for volumes of grass.
+LLVM than some systems have (DRJIT_LIBLLVM_PATH names one) and minutes to begin with where a scene
+has many meshes of leaves or cells of texels; scalar_rgb needs neither.
 """
 
 import argparse
@@ -28,7 +28,7 @@ def main() -> None:
     parser.add_argument("scene", help="a frame's scene.xml")
     parser.add_argument("--out", required=True, help="the picture: .exr, .png or .jpg")
     parser.add_argument("--samples", type=int, default=0, help="per pixel; as the scene has it")
-    parser.add_argument("--variant", default="llvm_ad_rgb", help="of Mitsuba: scalar_rgb ...")
+    parser.add_argument("--variant", default="scalar_rgb", help="of Mitsuba: scalar_rgb ...")
     parser.add_argument("--seed", type=int, default=0)
     chosen = parser.parse_args()
     gain = exposure_gain(chosen.scene)

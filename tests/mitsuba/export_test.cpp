@@ -78,6 +78,18 @@ TEST_F(MitsubaExport, EveryCellIsABoxAndEveryBladeCellAnInstance) {
   EXPECT_THAT(text, testing::HasSubstr("<default name=\"exposure_gain\" value=\"4\"/>"));
 }
 
+TEST_F(MitsubaExport, CloudsThatAreGoneLeaveNoFile) {
+  landscape::Landscape cloudy = landscape;
+  cloudy.clouds = {{"cloud_1", {2, 2, 2}, 10.0, {0.0, 0.0, 50.0}, {}, {}}};
+  cloudy.clouds.front().extinction_per_m.assign(8, 0.01F);
+  export_frame(cloudy, folder.path() / "out");
+  const fs::path cloud = folder.path() / "out/data/frame_0001/cloud_1.vol";
+  EXPECT_TRUE(fs::exists(cloud));
+  EXPECT_THAT(scene(), testing::HasSubstr("value=\"cloud_1.vol\""));
+  export_frame(landscape, folder.path() / "out");
+  EXPECT_FALSE(fs::exists(cloud));
+}
+
 TEST_F(MitsubaExport, ALandscapeOfBakedLightAloneIsRefused) {
   landscape.unlit.reset();
   EXPECT_THROW(export_frame(landscape, folder.path() / "out"), InputError);
