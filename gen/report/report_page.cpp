@@ -81,6 +81,7 @@ std::string parameter_table(const std::string& title, const std::string& rows) {
 }
 
 std::string parameters_that_stand_once(const scene::Scene& scene) {
+  const scene::Scene defaults;
   std::string text, rows, table;
   const auto close = [&] {
     if (!rows.empty()) text += parameter_table(table.empty() ? "scene" : table, rows);
@@ -89,8 +90,7 @@ std::string parameters_that_stand_once(const scene::Scene& scene) {
   for (const scene::Key& key : scene::registry()) {
     if (scene::table_of(key.name) != table) close();
     table = scene::table_of(key.name);
-    rows +=
-        parameter(key, scene::toml_text(key.get(scene)), scene::toml_text(key.get(scene::Scene{})));
+    rows += parameter(key, scene::toml_text(key.get(scene)), scene::toml_text(key.get(defaults)));
   }
   close();
   return text;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <sstream>
 #include <string_view>
 
@@ -96,6 +97,18 @@ std::string resolved_toml(const Scene& scene) {
     table = table_of(key.name);
   }
   for (const TableArray& array : table_arrays()) text += array_text(array, scene);
+  return text;
+}
+
+std::string settings_text(const Scene& scene) {
+  std::string text;
+  const auto add = [&](const Key& key) {
+    text += fmt::format("{} = {}\n", key.name, toml_text(key.get(scene)));
+  };
+  std::ranges::for_each(registry(), add);
+  for (const TableArray& array : table_arrays())
+    for (std::size_t item = 0; item < array.count(scene); ++item)
+      std::ranges::for_each(item_keys(array, item), add);
   return text;
 }
 

@@ -7,6 +7,10 @@
 
 namespace wold::scene {
 
+/// Every key of the scene with its value, "grass.blades = 400", one a line and nothing else: what
+/// files that are made from a scene are told apart by. Words for people do not change it.
+std::string settings_text(const Scene& scene);
+
 /// The whole scene as TOML: every key with its value, its meaning and what it accepts. Parsing it
 /// gives an equal scene, and writing that gives the same text.
 std::string resolved_toml(const Scene& scene);

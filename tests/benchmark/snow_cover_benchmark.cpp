@@ -94,7 +94,8 @@ void advance_an_hour(benchmark::State& state) {
   const Heightfield& terrain = ground(static_cast<int>(state.range(0)));
   const ThreadLimit limit(static_cast<int>(state.range(1)));
   const test::TemporaryFolder folder("cover_benchmark");
-  LargeCover cover({}, large_ground(terrain), snowing, folder.path(), {});
+  const scene::Scene scene;
+  LargeCover cover(scene, large_ground(terrain), snowing, folder.path(), {});
   int hour = 1;
   cover.integrate(hour);
   for (auto _ : state) cover.integrate(++hour);
@@ -106,7 +107,8 @@ void advance_an_hour(benchmark::State& state) {
 void advance_ten_hours(benchmark::State& state) {
   const Heightfield& terrain = ground(static_cast<int>(state.range(0)));
   const test::TemporaryFolder folder("cover_benchmark");
-  LargeCover cover({}, large_ground(terrain), snowing, folder.path(), {});
+  const scene::Scene scene;
+  LargeCover cover(scene, large_ground(terrain), snowing, folder.path(), {});
   int hour = 1;
   cover.integrate(hour);
   for (auto _ : state) cover.integrate(hour += 10);
@@ -118,7 +120,8 @@ void advance_ten_hours(benchmark::State& state) {
 void view_frame(benchmark::State& state) {
   const int km = static_cast<int>(state.range(0));
   const test::TemporaryFolder folder("cover_benchmark");
-  LargeCover cover({}, large_ground(ground(km)), snowing, folder.path(), {});
+  const scene::Scene scene;
+  LargeCover cover(scene, large_ground(ground(km)), snowing, folder.path(), {});
   cover.view(0.0, {900.0, 900.0});
   int frame = 0;
   for (auto _ : state) {

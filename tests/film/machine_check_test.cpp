@@ -17,7 +17,7 @@ using Check = void (*)(const scene::Scene&, const scene::Places&);
 
 /// What a check says of a scene file "a.toml" of that text, which reads without a problem.
 Messages said(Check check, const std::string& text, const Messages& overrides = {}) {
-  const auto [scene, places] = scene::parse_located_scene(text, "a.toml", overrides);
+  const auto [scene, places, warnings] = scene::parse_located_scene(text, "a.toml", overrides);
   Messages messages;
   try {
     check(scene, places);

@@ -58,6 +58,21 @@ TEST(ResolvedToml, SaysRenderersInAWordWhereThereIsOne) {
   EXPECT_EQ(toml_text(renderers_value({"blender", "another"})), "[\"blender\", \"another\"]");
 }
 
+// What files are told apart by: every value counts, no word for people does.
+TEST(SettingsText, HasEveryKeyAndNoMeaning) {
+  Scene scene;
+  scene.species.resize(2);
+  const std::string text = settings_text(scene);
+  for (const Key& key : registry()) {
+    EXPECT_NE(("\n" + text).find("\n" + key.name + " = "), std::string::npos) << key.name;
+    EXPECT_EQ(text.find(key.doc), std::string::npos) << key.name;
+  }
+  scene.species[1].plant.height_m = 0.7;
+  const std::string other = settings_text(scene);
+  EXPECT_NE(other, text);
+  EXPECT_NE(other.find("\nspecies[2].height = 0.7\n"), std::string::npos);
+}
+
 TEST(ResolvedToml, HasEveryKeyWithItsMeaning) {
   Scene scene;
   scene.species.resize(1);

@@ -118,7 +118,7 @@ std::string described(const scene::Scene& scene, const Lighting& lighting) {
   relevant.ageing.pigment_spread_feature_m = plain.ageing.pigment_spread_feature_m;
   const auto three = [](const auto& v) { return fmt::format(" {},{},{}", v.x, v.y, v.z); };
   relevant.grass.from_texel = plain.grass.from_texel;
-  std::string text = texel_models() + scene::resolved_toml(relevant);
+  std::string text = texel_models() + scene::settings_text(relevant);
   text += three(lighting.sun_direction) + three(lighting.sun_irradiance) +
           three(lighting.eye_direction);
   for (const glm::vec3& radiance : lighting.sky_radiance) text += three(radiance);
@@ -129,7 +129,7 @@ std::string described(const scene::Scene& scene, const Lighting& lighting) {
 }  // namespace
 
 std::string texel_models() {
-  constexpr int version = 5;  // raise when the same scene and models give other texels
+  constexpr int version = 6;  // raise when the same scene and models give other texels
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(shipped_file("models")))
     if (entry.is_regular_file() && entry.path().parent_path().filename() != "cloud")
