@@ -95,12 +95,11 @@ def _bsdf_class():
                 if hasattr(callback, "put"):
                     callback.put(name, getattr(self, name), mi.ParamFlags.Differentiable)
                 else:
-                    callback.put_object(
-                        name, getattr(self, name), mi.ParamFlags.Differentiable
-                    )
+                    callback.put_object(name, getattr(self, name), mi.ParamFlags.Differentiable)
 
         def to_string(self):
-            return f"Bilambertian[reflectance={self.reflectance}, transmittance={self.transmittance}]"
+            both = f"reflectance={self.reflectance}, transmittance={self.transmittance}"
+            return f"Bilambertian[{both}]"
 
     return Bilambertian
 
