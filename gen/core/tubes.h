@@ -13,8 +13,8 @@ struct Tubes {
   int corners = 0;
   std::vector<glm::vec3> vertices_m;  ///< tube by tube, ring by ring, corner by corner
   std::vector<glm::vec3> radiance;    ///< tube by tube, ring by ring
-  /// Fractions of the light on a leaf that it sends back and lets through, likewise; empty where
-  /// only its radiance is known.
+  /// Fractions of the light on a leaf that it sends back and lets through, tube by tube, ring by
+  /// ring; empty where only its radiance is known.
   std::vector<glm::vec3> reflectance = {};
   std::vector<glm::vec3> transmittance = {};
 

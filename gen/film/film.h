@@ -64,8 +64,8 @@ void write_film_files(const Request& request);
 
 /// All that a request asks for: texels, pictures of clouds, scene files and what a film has once.
 /// Returns the frames' files, each once. For callers that need no tasks, records or locks of work/:
-/// nobody else may write into the folder meanwhile. Throws what Film does, and InputError where a
-/// frame is not one of the scene's and where machine_check.h has it.
+/// nobody else may write into the folder meanwhile. Throws what FilmPipeline does, and InputError
+/// where a frame is not one of the scene's and where machine_check.h has it.
 std::vector<std::filesystem::path> make_film(const Request& request, Progress& progress);
 
 }  // namespace wold::film

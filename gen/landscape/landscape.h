@@ -33,7 +33,8 @@ struct Volume {
   glm::ivec3 voxels{0};       ///< active box (N, N, height)
   double voxel_m = 0.0;       ///< side; N * voxel_m is the patch
   /// The same patch without light, the .vdb of the finest volume: `density` (1/m) and `albedo`
-  /// (Vec3SGrid, of single scattering), placed likewise. Empty where Landscape::unlit is.
+  /// (Vec3SGrid, of single scattering), placed as `density` of `vdb` is. Empty where
+  /// Landscape::unlit is.
   std::filesystem::path texel = {};
 };
 
@@ -188,7 +189,7 @@ struct Landscape {
   std::vector<BladeMesh> blade_meshes;
   std::vector<BladeCell> blade_cells;  ///< where no volume stands
   ColourMap light;                     ///< multiplies the radiance of all grass, by world x and y
-  FactorMap extinction_factor;         ///< multiplies the extinction of the volumes, likewise
+  FactorMap extinction_factor;         ///< multiplies volumes' extinction, by world x and y
   ColourMap ground;                    ///< radiance of the bare ground, by world x and y
   std::vector<GroundDetail> ground_details;  ///< coarse to fine, each inside the one before
   Image sky;                     ///< radiance by direction, 3 channels: column c looks to azimuth

@@ -49,7 +49,8 @@ class Work {
   /// Without doing or writing anything.
   Verdict verdict(const Task& task);
 
-  /// Has to be called before run(): what tasks share is made here. Throws what Film does.
+  /// Has to be called before run(): what tasks share is made here. Throws what film::FilmPipeline
+  /// does.
   void prepare(const Stage& stage, Progress& progress);
 
   /// Gives back the memory of what run() needs for all but pictures; prepare() makes it anew.
