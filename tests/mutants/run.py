@@ -19,7 +19,8 @@ FAULT_KEYS = {"name", "file", "find", "replace", "breaks"}
 class Mutant:
     """A fault: `find`, which is once in `file`, is replaced.
 
-    `programs` are the test programs that may see it, `tests` is a filter of GoogleTest for them.
+    `programs` are the test programs that may see it, the likeliest first. They are built and run
+    one after the other until one has seen it. `tests` is a filter of GoogleTest for them.
     """
 
     room: str
@@ -85,12 +86,8 @@ class Copy:
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         return done.returncode == 0, done.stdout
 
-    def test(self, programs, tests, most_seconds):
+    def test(self, program, tests, most_seconds):
         """The first test that fails, "" when none does."""
-        failed = (self.test_one(program, tests, most_seconds) for program in programs)
-        return next((test for test in failed if test), "")
-
-    def test_one(self, program, tests, most_seconds):
         command = [
             self.build_folder / f"test_{program}",
             f"--gtest_filter={tests}",
@@ -123,14 +120,17 @@ def try_mutant(copy, mutant, usual_seconds):
         return "not found", f"its text is {count} times in {mutant.file}, expected once"
     path.write_text(text.replace(mutant.find, mutant.replace))
     try:
-        built, log = copy.build(mutant.programs)
-        if not built:
-            errors = [line for line in log.splitlines() if "error" in line]
-            return "did not build", errors[0] if errors else log.splitlines()[-1]
-        by = copy.test(mutant.programs, mutant.tests, 30 + 5 * usual_seconds)
+        for program in mutant.programs:
+            built, log = copy.build([program])
+            if not built:
+                errors = [line for line in log.splitlines() if "error" in line]
+                return "did not build", errors[0] if errors else log.splitlines()[-1]
+            by = copy.test(program, mutant.tests, 30 + 5 * usual_seconds[program, mutant.tests])
+            if by:
+                return "caught", by
     finally:
         path.write_text(text)
-    return ("caught", by) if by else ("survived", mutant.breaks)
+    return "survived", mutant.breaks
 
 
 def usual_seconds(copy, mutants):
@@ -140,13 +140,13 @@ def usual_seconds(copy, mutants):
     if not built:
         sys.exit(f"error: the copy does not build without a fault:\n{log[-4000:]}")
     seconds = {}
-    for room, programs, tests in sorted({(m.room, m.programs, m.tests) for m in mutants}):
+    for program, tests in sorted({(one, m.tests) for m in mutants for one in m.programs}):
         begin = time.monotonic()
-        failed = copy.test(programs, tests, 3600)
+        failed = copy.test(program, tests, 3600)
         if failed:
-            sys.exit(f"error: tests of {room} fail without a fault: {failed}")
-        seconds[room, tests] = time.monotonic() - begin
-        print(f"{room} passes in {seconds[room, tests]:.0f} s", file=sys.stderr, flush=True)
+            sys.exit(f"error: tests of {program} fail without a fault: {failed}")
+        seconds[program, tests] = time.monotonic() - begin
+        print(f"{program} passes in {seconds[program, tests]:.0f} s", file=sys.stderr, flush=True)
     return seconds
 
 
@@ -182,7 +182,7 @@ def try_all(copy, mutants):
     # Those of a file together: it is compiled once for each, and once more at the end.
     for mutant in sorted(mutants, key=lambda one: (one.room, one.file)):
         begin = time.monotonic()
-        state, why = try_mutant(copy, mutant, seconds[mutant.room, mutant.tests])
+        state, why = try_mutant(copy, mutant, seconds)
         print_row(mutant.full_name, state, why, round(time.monotonic() - begin))
         states.append((mutant.room, state))
     return print_sums(states)
