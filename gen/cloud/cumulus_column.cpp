@@ -17,11 +17,17 @@ double eroded(double profile, double t, double billow) {
   return std::max(0.0, profile - depth * bites * (1.0 - billow));
 }
 
-double side_field(double t, double billow) {
-  constexpr double depth = 1.3;
-  const double bites = std::min(0.8 + std::max(t, 0.0), 1.0);
+double heap_field(double height, double top, double billow) {
+  constexpr double lowest_billow = 0.4;  // hardly any place is less
+  constexpr double lowered = 0.38;       // of the thickness, where no head is
+  constexpr double depth = 0.7;
+  constexpr double soft_base = 0.12, base_depth = 0.8;
+  const double bite = std::min((1.0 - billow) / (1.0 - lowest_billow), 1.0);
+  const double left = top - lowered * bite;
+  if (left <= 0.0) return std::max(left / lowered - 0.2, -1.0);
+  const double t = height / left;
   const double column = t < 1.0 ? std::sqrt(1.0 - std::max(t, 0.0)) : 1.0 - t;
-  return column - depth * bites * (1.0 - billow);
+  return std::min(column - depth * bite, height / soft_base - base_depth * bite);
 }
 
 Billows::Billows(const LayerState& state)
@@ -42,7 +48,7 @@ double Billows::in_box(const glm::dvec3& place) const {
 }
 
 double Billows::fine_at(const glm::dvec3& place_m, double footprint_m) const {
-  constexpr double mean = 0.5;
+  constexpr double mean = 0.7;
   const glm::dvec3 place = (place_m - origin_m_) * per_m_;
   const auto octave = [&](double times, double weight) {
     const double billow_cell_m = 0.5 / (per_m_.z * BillowBox::billow_cells * times);
@@ -50,7 +56,7 @@ double Billows::fine_at(const glm::dvec3& place_m, double footprint_m) const {
     if (shown <= 0.0) return weight * mean;
     return weight * std::lerp(mean, in_box(place * times), shown);
   };
-  return octave(1.0, 0.6) + octave(4.0, 0.28) + octave(16.0, 0.12);
+  return octave(1.0, 0.5) + octave(4.0, 0.3) + octave(16.0, 0.2);
 }
 
 }  // namespace wold::cloud

@@ -16,9 +16,11 @@ double column_profile(double t);
 /// at the flat base.
 double eroded(double profile, double t, double billow);
 
-/// Signed field of a heap whose sides are seen, above 0 inside; its slope is the surface's. Space
-/// between heads bites into it from the base on.
-double side_field(double t, double billow);
+/// Signed field of a heap as it is seen, above 0 inside. `height`, over the base, and `top` of the
+/// column there are fractions of the layer's thickness. Between heads, of which `billow` in [0, 1]
+/// is Billows::fine_at(), the top lies lower and space bites into the sides, and less deep into the
+/// flat base.
+double heap_field(double height, double top, double billow);
 
 /// Round heads in a layer, that drift with it and repeat with its period: a quarter of the
 /// thickness wide, with smaller ones on them.

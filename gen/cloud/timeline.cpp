@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/random.h"
-#include "light/sunlight.h"
+#include "light/atmosphere.h"
 #include "scene/calendar.h"
 #include "scene/cloud_consistency.h"
 
@@ -56,9 +56,8 @@ glm::dvec3 colour_of(const CloudEvent& event, double turbidity) {
 }  // namespace
 
 glm::dvec3 sunlight_colour(double sun_elevation_deg, double turbidity) {
-  const glm::dvec3 relative =
-      light::direct_sunlight_klx(glm::radians(sun_elevation_deg), turbidity) /
-      light::direct_sunlight_klx(glm::radians(90.0), turbidity);
+  const glm::dvec3 relative = light::sunlight_klx(glm::radians(sun_elevation_deg), turbidity) /
+                              light::sunlight_klx(glm::radians(90.0), turbidity);
   const glm::dvec3 positive = glm::max(relative, glm::dvec3(0.0));
   return positive / std::max({positive.r, positive.g, positive.b});
 }

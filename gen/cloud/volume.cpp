@@ -113,9 +113,20 @@ CloudVolume lifted(const LayerState& state, double pixel_m, const glm::dvec2& so
   return volume;
 }
 
-CloudLight cloud_light(const light::Daylight& day, const glm::dvec3& eye_m) {
-  return {day.sun_direction(), day.sun_irradiance(), day.sky_irradiance(),
+CloudLight cloud_light(const light::Daylight& day, double height_m, const glm::dvec3& eye_m) {
+  return {day.sun_direction(), day.sun_irradiance_at(height_m), day.sky_irradiance(),
           glm::vec3(static_cast<float>(ground_albedo)), eye_m};
+}
+
+glm::vec3 source_at(const ForwardTable& forward, double asymmetry, const DepthsAround& depths,
+                    const glm::dvec3& from_eye, const CloudLight& light) {
+  const double sun = sun_source(forward, asymmetry, depths.to_sun, depths.from_sun,
+                                glm::dot(from_eye, light.sun_direction));
+  const double sky = radiance_of(two_stream(asymmetry, depths.up, depths.down), from_eye.z);
+  const double ground = radiance_of(two_stream(asymmetry, depths.down, depths.up), -from_eye.z);
+  return static_cast<float>(sun) * light.sun_irradiance +
+         static_cast<float>(sky) * light.sky_irradiance +
+         static_cast<float>(ground) * light.ground_irradiance;
 }
 
 std::vector<glm::vec3> source_radiance(const CloudVolume& volume, const CloudLight& light) {
@@ -131,15 +142,10 @@ std::vector<glm::vec3> source_radiance(const CloudVolume& volume, const CloudLig
     for (int x = 0; x < box.voxels.x; ++x) {
       const std::size_t i =
           row * static_cast<std::size_t>(box.voxels.x) + static_cast<std::size_t>(x);
-      const glm::dvec3 from_eye = glm::normalize(centre_m(box, x, y, z) - light.eye_m);
-      const double to_sun = k * depths.to_sun[i], up = k * depths.up[i], down = k * depths.down[i];
-      const double sun = sun_source(forward, g, to_sun, k * depths.from_sun[i],
-                                    glm::dot(from_eye, light.sun_direction));
-      const double sky = radiance_of(two_stream(g, up, down), from_eye.z);
-      const double ground = radiance_of(two_stream(g, down, up), -from_eye.z);
-      source[i] = static_cast<float>(sun) * light.sun_irradiance +
-                  static_cast<float>(sky) * light.sky_irradiance +
-                  static_cast<float>(ground) * light.ground_irradiance;
+      const DepthsAround around = {k * depths.to_sun[i], k * depths.from_sun[i], k * depths.up[i],
+                                   k * depths.down[i]};
+      source[i] = source_at(forward, g, around,
+                            glm::normalize(centre_m(box, x, y, z) - light.eye_m), light);
     }
   });
   return source;

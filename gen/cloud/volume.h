@@ -49,15 +49,26 @@ struct CloudLight {
   glm::dvec3 eye_m = {};                       ///< who looks at it
 };
 
-/// The light of a scene's day on its clouds: the ground sends up a fifth of what falls on it.
-CloudLight cloud_light(const light::Daylight& day, const glm::dvec3& eye_m);
+/// The light of a scene's day on its clouds, at a height: the ground sends up a fifth of what falls
+/// on it.
+CloudLight cloud_light(const light::Daylight& day, double height_m, const glm::dvec3& eye_m);
+
+/// Optical depths of the droplets between a place and the outside of its cloud.
+struct DepthsAround {
+  double to_sun = 0.0, from_sun = 0.0;  ///< towards the sun, and the other way
+  double up = 0.0, down = 0.0;
+};
+
+/// Radiance that a place in a cloud sends per unit of optical depth along a unit direction from the
+/// eye. Free of noise: sunlight that still goes roughly its way comes by `forward`, a table of
+/// forward_source(), which makes thin edges shine around the sun; the rest of it, the sky's and the
+/// ground's light by two-stream diffusion along their ways.
+glm::vec3 source_at(const ForwardTable& forward, double asymmetry, const DepthsAround& depths,
+                    const glm::dvec3& from_eye, const CloudLight& light);
 
 /// Radiance that each voxel sends to the eye per unit of optical depth: along a ray, radiance gains
-/// extinction * source * ds. Free of noise: sunlight that still goes roughly its way comes by
-/// forward_source(), which makes thin edges shine around the sun, the rest of it, the sky's and the
-/// ground's light by two-stream diffusion along their ways. Optical depths
-/// on the way to the sun are swept from plane to plane. The layer's own colour of light is not in
-/// it.
+/// extinction * source * ds. It is source_at() of the voxel's middle. Optical depths on the way to
+/// the sun are swept from plane to plane. The layer's own colour of light is not in it.
 std::vector<glm::vec3> source_radiance(const CloudVolume& volume, const CloudLight& light);
 
 }  // namespace wold::cloud

@@ -10,40 +10,12 @@
 #include "core/elementary.h"
 #include "core/error.h"
 #include "core/parallel.h"
-#include "light/sunlight.h"
 #include "scene/sun_position.h"
 
 namespace wold::light {
 namespace {
 
 using std::numbers::pi;
-
-/// Perez' distribution (Perez, Seals and Michalsky 1993): zenith angle by its cosine, angle to the
-/// sun in radians.
-double perez(const std::array<double, 5>& shape, double cos_zenith, double from_sun_rad) {
-  const auto& [a, b, c, d, e] = shape;
-  const double cos_from_sun = math::cos(from_sun_rad);
-  return (1.0 + a * math::exp(b / std::max(cos_zenith, 1e-3))) *
-         (1.0 + c * math::exp(d * from_sun_rad) + e * cos_from_sun * cos_from_sun);
-}
-
-/// Zenith luminance in kcd/m2 (Preetham 1999, appendix A.2).
-double zenith_luminance(double t, double sun_zenith_rad) {
-  const double chi = (4.0 / 9.0 - t / 120.0) * (pi - 2.0 * sun_zenith_rad);
-  return (4.0453 * t - 4.9710) * math::tan(chi) - 0.2155 * t + 2.4192;
-}
-
-double zenith_x(double t, double s) {
-  return ((0.00166 * s - 0.00375) * s + 0.00209) * s * t * t +
-         (((-0.02903 * s + 0.06377) * s - 0.03202) * s + 0.00394) * t +
-         ((0.11693 * s - 0.21196) * s + 0.06052) * s + 0.25886;
-}
-
-double zenith_y(double t, double s) {
-  return ((0.00275 * s - 0.00610) * s + 0.00317) * s * t * t +
-         (((-0.04214 * s + 0.08970) * s - 0.04153) * s + 0.00516) * t +
-         ((0.15346 * s - 0.26756) * s + 0.06670) * s + 0.26688;
-}
 
 void check(const scene::SunPosition& sun, const scene::Sky& sky) {
   if (!(sun.elevation_deg > 0.0 && sun.elevation_deg <= 90.0))
@@ -103,24 +75,13 @@ Daylight::Daylight(const scene::Sun& scene_sun, const scene::Sky& sky)
     : visual_range_m_(sky.visual_range_m) {
   const scene::SunPosition sun = scene::sun_position(scene_sun);
   check(sun, sky);
-  const double t = sky.turbidity;
-  const double sun_zenith_rad = (90.0 - sun.elevation_deg) * radians_per_degree;
-  sun_direction_ =
-      direction_of(sun.azimuth_deg * radians_per_degree, sun.elevation_deg * radians_per_degree);
-  perez_[0].shape = {0.1787 * t - 1.4630, -0.3554 * t + 0.4275, -0.0227 * t + 5.3251,
-                     0.1206 * t - 2.5771, -0.0670 * t + 0.3703};
-  perez_[1].shape = {-0.0193 * t - 0.2592, -0.0665 * t + 0.0008, -0.0004 * t + 0.2125,
-                     -0.0641 * t - 0.8989, -0.0033 * t + 0.0452};
-  perez_[2].shape = {-0.0167 * t - 0.2608, -0.0950 * t + 0.0092, -0.0079 * t + 0.2102,
-                     -0.0441 * t - 1.6537, -0.0109 * t + 0.0529};
-  const std::array<double, 3> zenith = {zenith_luminance(t, sun_zenith_rad),
-                                        zenith_x(t, sun_zenith_rad), zenith_y(t, sun_zenith_rad)};
-  for (std::size_t k = 0; k < 3; ++k)
-    perez_[k].scale = zenith[k] / perez(perez_[k].shape, 1.0, sun_zenith_rad);
-  balance(sun.elevation_deg * radians_per_degree, t);
+  const double elevation_rad = radians(sun.elevation_deg);
+  sun_direction_ = direction_of(radians(sun.azimuth_deg), elevation_rad);
+  atmosphere_ = std::make_shared<const Atmosphere>(elevation_rad, sky.turbidity);
+  balance();
 }
 
-void Daylight::balance(double sun_elevation_rad, double turbidity) {
+void Daylight::balance() {
   constexpr int azimuths = 72;
   std::array<glm::dvec3, 91> mean_klx{};
   glm::dvec3 sky_klx(0.0);
@@ -132,8 +93,7 @@ void Daylight::balance(double sun_elevation_rad, double turbidity) {
           above_horizon(direction_of(2.0 * pi * k / azimuths, elevation_rad)) / (1.0 * azimuths);
     sky_klx += mean * (pi * math::sin(2.0 * elevation_rad) * radians_per_degree);
   }
-  const glm::dvec3 sun_klx =
-      glm::max(direct_sunlight_klx(sun_elevation_rad, turbidity), glm::dvec3(0.0));
+  const glm::dvec3 sun_klx = glm::max(atmosphere_->sun_klx(), glm::dvec3(0.0));
   unit_ = sky_klx + sun_klx * sun_direction_.z;
   sun_irradiance_ = glm::vec3(sun_klx / unit_);
   sky_irradiance_ = glm::vec3(sky_klx / unit_);
@@ -141,18 +101,18 @@ void Daylight::balance(double sun_elevation_rad, double turbidity) {
     mean_by_degree_[degree] = glm::vec3(mean_klx[degree] / unit_);
 }
 
+glm::vec3 Daylight::sun_irradiance_at(double height_m) const {
+  return glm::vec3(glm::max(atmosphere_->sun_klx(height_m), glm::dvec3(0.0)) / unit_);
+}
+
 glm::dvec3 Daylight::above_horizon(const glm::dvec3& direction) const {
-  // The fit of x and y turns pink in the last degrees, which clear skies do not: there they keep
-  // the colour they have at about 9 degrees.
-  constexpr double lowest_coloured = 0.15;
+  const double elevation_rad = math::asin(std::clamp(direction.z, 0.0, 1.0));
+  const glm::dvec2 level(direction), sun_level(sun_direction_);
+  const double lengths = glm::length(level) * glm::length(sun_level);
   const double from_sun_rad =
-      math::acos(std::clamp(glm::dot(direction, sun_direction_), -1.0, 1.0));
-  const auto value = [&](std::size_t k, double cos_zenith) {
-    return perez_[k].scale * perez(perez_[k].shape, cos_zenith, from_sun_rad);
-  };
-  const double coloured = std::max(direction.z, lowest_coloured);
-  const glm::dvec3 rgb =
-      rgb_from_xyY(value(1, coloured), value(2, coloured), value(0, direction.z));
+      lengths > 0.0 ? math::acos(std::clamp(glm::dot(level, sun_level) / lengths, -1.0, 1.0)) : 0.0;
+  const glm::dvec3 rgb = atmosphere_->sky_kcd_m2(
+      elevation_rad, from_sun_rad, std::clamp(glm::dot(direction, sun_direction_), -1.0, 1.0));
   return glm::max(rgb, glm::dvec3(0.0));
 }
 

@@ -2,17 +2,18 @@
 
 #include <array>
 #include <glm/glm.hpp>
+#include <memory>
 
 #include "core/image.h"
+#include "light/atmosphere.h"
 #include "scene/scene.h"
 
 namespace wold::light {
 
 /// Sun and clear sky over open, flat ground.
 ///
-/// Sky: Preetham, Shirley and Smits 1999, "A practical analytic model for daylight". Sun: Planck's
-/// law at 5778 K dimmed by Rayleigh scattering and Angstrom's aerosol (Iqbal 1983, as in Preetham's
-/// appendix), against the sky's absolute luminance by 130 klx above the atmosphere.
+/// Both are of one Atmosphere: what its air scatters towards the eye, and what it leaves of the
+/// sun.
 ///
 /// Unit: everything is divided, channel by channel, by the total irradiance of a horizontal plane,
 /// so that sun and sky together give it exactly (1, 1, 1). That is what a camera does that is
@@ -29,6 +30,8 @@ class Daylight {
   const glm::dvec3& sun_direction() const { return sun_direction_; }
   /// Irradiance by the sun alone on a plane that faces it.
   const glm::vec3& sun_irradiance() const { return sun_irradiance_; }
+  /// The same at a height above the sea, >= 0: the lower the sun, the more of it is left up there.
+  glm::vec3 sun_irradiance_at(double height_m) const;
   /// Distance at which dark things vanish in the haze, as Koschmieder's.
   double visual_range_m() const { return visual_range_m_; }
   /// Irradiance by the sky alone on a horizontal plane.
@@ -60,14 +63,9 @@ class Daylight {
 
  private:
   glm::dvec3 above_horizon(const glm::dvec3& direction) const;
-  void balance(double sun_elevation_rad, double turbidity);
+  void balance();
 
-  /// One of luminance (kcd/m2), x and y: zenith value over Perez' F there, and his A..E.
-  struct Perez {
-    double scale = 0.0;
-    std::array<double, 5> shape{};
-  };
-  std::array<Perez, 3> perez_;
+  std::shared_ptr<const Atmosphere> atmosphere_;
   glm::dvec3 sun_direction_;
   double visual_range_m_;
   glm::dvec3 unit_ = glm::dvec3(1.0);  ///< klx of horizontal irradiance that count as 1

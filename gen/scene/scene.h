@@ -169,7 +169,7 @@ struct Sun {
 };
 
 struct Sky {
-  double turbidity = 3.0;        ///< Preetham's T: 2 very clear, 10 hazy
+  double turbidity = 2.5;        ///< Preetham's T: 2 very clear, 10 hazy
   double visual_range_m = 25e3;  ///< Koschmieder's, at which black things vanish in haze
 
   bool operator==(const Sky&) const = default;

@@ -54,21 +54,11 @@ double CumulusCells::top_m(const glm::dvec2& place_m) const {
 double CumulusCells::field(const glm::dvec3& place_m, double footprint_m) const {
   const double top = top_m(glm::dvec2(place_m));
   if (top <= 0.0) return -1.0;
-  const double t = (place_m.z - layer_->base_m) / top;
+  const double height = (place_m.z - layer_->base_m) / layer_->thickness_m;
+  const double column = top / layer_->thickness_m;
   // Above its top it does not matter how a heap is bitten into.
-  if (t >= 1.0) return std::max(0.5 - t, -1.0);
-  return cloud::side_field(t, billows_.fine_at(place_m, footprint_m));
-}
-
-glm::dvec3 CumulusCells::normal(const glm::dvec3& place_m, double footprint_m) const {
-  const double step_m = std::max(0.04 * layer_->thickness_m, footprint_m);
-  const auto at = [&](const glm::dvec3& away) {
-    return field(place_m + away * step_m, 0.5 * step_m);
-  };
-  const double here = at(glm::dvec3(0.0));
-  const glm::dvec3 out(here - at({1, 0, 0}), here - at({0, 1, 0}), here - at({0, 0, 1}));
-  const double length = glm::length(out);
-  return length > 0.0 ? out / length : glm::dvec3(0.0, 0.0, 1.0);
+  if (height >= column) return std::max((column - height) / column - 0.5, -1.0);
+  return std::max(cloud::heap_field(height, column, billows_.fine_at(place_m, footprint_m)), -1.0);
 }
 
 double CumulusCells::depth_to_sun(const glm::dvec3& place_m) const {

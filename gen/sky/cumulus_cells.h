@@ -20,11 +20,8 @@ class CumulusCells {
   double top_m(const glm::dvec2& place_m) const;
   double highest_m() const { return highest_m_; }
 
-  /// side_field(), at least -1; heads finer than footprint_m are evened out.
+  /// cloud::heap_field(), at least -1; heads finer than footprint_m are evened out.
   double field(const glm::dvec3& place_m, double footprint_m) const;
-
-  /// Unit vector out of the heap that is there.
-  glm::dvec3 normal(const glm::dvec3& place_m, double footprint_m) const;
 
   /// Optical depth of the droplets between the place and the sun.
   double depth_to_sun(const glm::dvec3& place_m) const;

@@ -32,8 +32,12 @@ double card_exposure(Subject subject) {
 /// camera stops opening. A low sun lights the sky more than the ground.
 constexpr double brightest_sky = 0.9;
 
+/// Mean radiance of a sky with clouds in the light of a low sun, over the irradiance of what faces
+/// the sun at their height: they have more of it than the ground.
+constexpr double lit_clouds = 0.15, cloud_height_m = 1500.0;
+
 /// Of a level plane by sun and clear sky, as measured: 0.8 klx + 15.5 klx sin^0.5 and 128 klx
-/// exp(-0.21 / sin) sin. Preetham's sky is too bright by far while the sun is low.
+/// exp(-0.21 / sin) sin.
 double clear_illuminance_klx(double sun_elevation_deg) {
   const double sine = math::sin(glm::radians(sun_elevation_deg));
   return 0.8 + 15.5 * std::sqrt(sine) + 128.0 * math::exp(-0.21 / sine) * sine;
@@ -43,7 +47,9 @@ double clear_illuminance_klx(double sun_elevation_deg) {
 
 double metered_gain(const light::Daylight& day, Subject subject) {
   constexpr double elevation_rad = radians(20.0);
-  const double sky = luminance(day.mean_sky_radiance(elevation_rad));
+  double sky = luminance(day.mean_sky_radiance(elevation_rad));
+  if (subject == Subject::clouds)
+    sky = std::max(sky, lit_clouds * luminance(day.sun_irradiance_at(cloud_height_m)));
   return std::min(card_exposure(subject) * std::numbers::pi, brightest_sky / sky);
 }
 

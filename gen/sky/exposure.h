@@ -10,7 +10,7 @@ enum class Subject { meadow, clouds, snow };
 
 /// Factor on every radiance as a camera's meter sets it: pi times how a white card in the open is
 /// exposed, 1.6 for grass, 1.2 with clouds, 0.95 with snow; less with a low sun, so that the sky at
-/// 20 degrees of elevation comes out as 0.9 at most.
+/// 20 degrees of elevation, and clouds that are lit there, come out as 0.9 at most.
 double metered_gain(const light::Daylight& day, Subject subject);
 
 /// The same for snow on slopes that are lit so: less where one in twenty would burn out, as slopes

@@ -81,7 +81,7 @@ void lift_and_light(benchmark::State& state) {
   for (auto _ : state) {
     const CloudVolume volume =
         lifted(layer, clouds.pixel_m, {0.0, 0.0}, layer.layer->period_m, {256, 256, 64});
-    benchmark::DoNotOptimize(source_radiance(volume, cloud_light(day, {0.0, 0.0, 2.0})));
+    benchmark::DoNotOptimize(source_radiance(volume, cloud_light(day, 0.0, {0.0, 0.0, 2.0})));
   }
 }
 

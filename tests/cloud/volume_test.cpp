@@ -176,7 +176,7 @@ TEST(Light, IsNeverNegativeOrEndless) {
   for (const double elevation : {1.0, 20.0, 90.0}) {
     sun.elevation_deg = elevation;
     const light::Daylight day(sun, scene::Sky{});
-    for (const glm::vec3& value : source_radiance(volume, cloud_light(day, {0.0, 0.0, 2.0})))
+    for (const glm::vec3& value : source_radiance(volume, cloud_light(day, 0.0, {0.0, 0.0, 2.0})))
       for (int c = 0; c < 3; ++c) {
         EXPECT_GE(value[c], 0.0F);
         EXPECT_LT(value[c], 10.0F * glm::max(1.0F, day.sun_irradiance()[c]));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "scene/scene.h"
 
@@ -87,6 +88,28 @@ TEST(CloudLayerView, EdgesShineAroundTheSun) {
   const double around = edges_over_middles(180.0), aside = edges_over_middles(90.0);
   EXPECT_GT(around, 2.0);
   EXPECT_GT(around, 1.5 * aside) << aside;
+}
+
+// At sunset clouds have more light, and redder, on what is turned to the sun than within.
+TEST(CloudLayerView, GlowTowardsASunThatSets) {
+  const Sight sight(cumulus_layer(0.0, 3.0));
+  Mean bright, dark, red_of_bright, red_of_dark;
+  std::vector<glm::vec3> seen;
+  for_directions(180.0, 22.0, 10.0, [&](const glm::dvec3& direction) {
+    const SeenClouds clouds = sight.seen.along(direction);
+    if (clouds.through < 0.02F) seen.push_back(clouds.sent);
+  });
+  ASSERT_GT(seen.size(), 200U);
+  std::ranges::sort(seen, {}, &glm::vec3::g);
+  for (std::size_t i = 0; i < seen.size() / 5; ++i) {
+    const glm::vec3 &darker = seen[i], &brighter = seen[seen.size() - 1 - i];
+    dark.add(double{darker.g});
+    bright.add(double{brighter.g});
+    red_of_dark.add(double{darker.r / darker.b});
+    red_of_bright.add(double{brighter.r / brighter.b});
+  }
+  EXPECT_GT(bright.value(), 2.0 * dark.value());
+  EXPECT_GT(red_of_bright.value(), 1.3 * red_of_dark.value());
 }
 
 // With the sun in the back, sides send back 0.4 to 0.9 of what falls on a plane that faces the

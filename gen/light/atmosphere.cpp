@@ -1,0 +1,244 @@
+#include "light/atmosphere.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/elementary.h"
+#include "core/parallel.h"
+#include "light/air.h"
+#include "light/air_columns.h"
+
+namespace wold::light {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double eye_height_m = 2.0;
+constexpr double ground_albedo = 0.2;  // meadows, woods and fields
+
+// The table of lines of sight: elevations close to each other at the horizon.
+constexpr int elevations = 72, azimuths = 25;
+
+double elevation_of(int step) {
+  const double part = static_cast<double>(step) / (elevations - 1);
+  return 0.5 * pi * part * part * part;
+}
+
+/// A place on a way through the air, and how the sun stands there.
+struct Place {
+  double height_m;
+  double sun_cosine;  ///< of its zenith angle
+};
+
+/// A straight way from a height: `up` is the cosine of its zenith angle, `to_sun` of its angle to
+/// the sun, `sun_up` of the sun's zenith angle where it begins.
+struct Way {
+  double height_m, up, to_sun, sun_up;
+
+  Place at(double length_m) const {
+    const double radius_m = ground_radius_m + height_m;
+    const double there_m =
+        std::sqrt(radius_m * radius_m + length_m * length_m + 2.0 * radius_m * up * length_m);
+    return {std::max(there_m - ground_radius_m, 0.0),
+            std::clamp((radius_m * sun_up + length_m * to_sun) / there_m, -1.0, 1.0)};
+  }
+};
+
+/// What scattering needs to know of the air and of the sun's light in it.
+struct LitAir {
+  Air air;
+  const AirColumns& columns;
+
+  /// The fraction of the sun's light that arrives.
+  Spectrum sunlight(const Place& place) const {
+    const auto way = columns.to_space_m(place.height_m, place.sun_cosine);
+    return way ? air.transmittance(*way) : Spectrum{};
+  }
+};
+
+/// The same for every air: made when it is first asked for.
+const AirColumns& air_columns() {
+  static const AirColumns columns;
+  return columns;
+}
+
+/// Goes along a way in steps: visit(place, its air's amounts, transmittance to it, step as seen
+/// through itself). Returns the transmittance to the end.
+template <class Visit>
+Spectrum go_along(const Air& air, const Way& way, double length_m, int steps, const Visit& visit) {
+  Spectrum through;
+  through.fill(1.0);
+  for (int i = 0; i < steps; ++i) {
+    const double from = 1.0 * i / steps, to = (i + 1.0) / steps;
+    const double begin_m = from * from * length_m, step_m = to * to * length_m - begin_m;
+    const Place place = way.at(begin_m + 0.5 * step_m);
+    const AirAmounts amounts = air_at(place.height_m);
+    const Spectrum extinction = air.extinction_per_m(amounts);
+    Spectrum seen_m;
+    for (std::size_t w = 0; w < wavelengths; ++w) {
+      const double hidden = -math::expm1(-extinction[w] * step_m);
+      seen_m[w] = extinction[w] > 0.0 ? through[w] * hidden / extinction[w] : step_m * through[w];
+      through[w] *= 1.0 - hidden;
+    }
+    visit(place, amounts, seen_m);
+  }
+  return through;
+}
+
+/// Light that was scattered more than once, per unit of the sun's: tabulated by height and by the
+/// sun's elevation, as far as it changes along lines of sight from one place.
+class OftenScattered {
+ public:
+  OftenScattered(const LitAir& lit, double sun_elevation_rad)
+      : lowest_sun_rad_(sun_elevation_rad - 0.5 * suns_rad), values_(std::size_t{heights} * suns) {
+    parallel_for(values_.size(), [&](std::size_t i) {
+      const double sun_rad =
+          lowest_sun_rad_ + suns_rad * static_cast<double>(i % suns) / (suns - 1);
+      values_[i] = at_place(lit, {height_of(static_cast<int>(i / suns)), math::sin(sun_rad)});
+    });
+  }
+
+  Spectrum at(const Place& place) const {
+    const double row = std::sqrt(std::clamp(place.height_m / air_top_m, 0.0, 1.0)) * (heights - 1);
+    const double sun_rad = math::asin(place.sun_cosine);
+    const double column = std::clamp((sun_rad - lowest_sun_rad_) / suns_rad, 0.0, 1.0) * (suns - 1);
+    const int i = std::min(static_cast<int>(row), heights - 2);
+    const int j = std::min(static_cast<int>(column), suns - 2);
+    const double u = row - i, v = column - j;
+    const auto value = [&](int k, int l) -> const Spectrum& {
+      return values_[static_cast<std::size_t>(k) * suns + static_cast<std::size_t>(l)];
+    };
+    Spectrum mean;
+    for (std::size_t w = 0; w < wavelengths; ++w)
+      mean[w] = std::lerp(std::lerp(value(i, j)[w], value(i, j + 1)[w], v),
+                          std::lerp(value(i + 1, j)[w], value(i + 1, j + 1)[w], v), u);
+    return mean;
+  }
+
+ private:
+  static constexpr int heights = 12, suns = 13;
+  static constexpr double suns_rad = 0.42;  // 12 degrees to each side: 1300 km
+
+  static double height_of(int step) {
+    const double part = static_cast<double>(step) / (heights - 1);
+    return part * part * air_top_m;
+  }
+  /// Radiance of the second time, and the fraction of light that comes back from all around each
+  /// time more: their sum has no end (Hillaire 2020, equations 5 to 10).
+  static Spectrum at_place(const LitAir& lit, const Place& place) {
+    constexpr int rings = 8, sides = 6, steps = 16;
+    Spectrum second{}, again{};
+    for (int ring = 0; ring < rings; ++ring)
+      for (int side = 0; side < sides; ++side)
+        add_from(lit, way_of(place, (ring + 0.5) * 2.0 / rings - 1.0, (side + 0.5) * pi / sides),
+                 steps, second, again);
+    constexpr double directions = rings * sides;
+    Spectrum sum;
+    for (std::size_t w = 0; w < wavelengths; ++w)
+      sum[w] = second[w] / directions / (1.0 - again[w] / directions);
+    return sum;
+  }
+
+  static Way way_of(const Place& place, double up, double from_sun_rad) {
+    const double level = std::sqrt(1.0 - up * up);
+    const double sun_level = std::sqrt(1.0 - place.sun_cosine * place.sun_cosine);
+    return {place.height_m, up, up * place.sun_cosine + level * sun_level * math::cos(from_sun_rad),
+            place.sun_cosine};
+  }
+
+  static void add_from(const LitAir& lit, const Way& way, int steps, Spectrum& second,
+                       Spectrum& again) {
+    constexpr double even = 0.25 / pi;
+    const WayEnd end = way_end(way.height_m, way.up);
+    const Spectrum through =
+        go_along(lit.air, way, end.length_m, steps,
+                 [&](const Place& place, const AirAmounts& amounts, const Spectrum& seen_m) {
+                   const Spectrum sunlight = lit.sunlight(place);
+                   const Spectrum molecules = lit.air.molecules_scattering_per_m(amounts);
+                   const Spectrum aerosol = lit.air.aerosol_scattering_per_m(amounts);
+                   for (std::size_t w = 0; w < wavelengths; ++w) {
+                     const double scattered = (molecules[w] + aerosol[w]) * seen_m[w];
+                     second[w] += even * scattered * sunlight[w];
+                     again[w] += scattered;
+                   }
+                 });
+    if (!end.on_ground) return;
+    const Place there = way.at(end.length_m);
+    const Spectrum sunlight = lit.sunlight({0.0, there.sun_cosine});
+    const double lit_fraction = std::max(there.sun_cosine, 0.0) * ground_albedo / pi;
+    for (std::size_t w = 0; w < wavelengths; ++w)
+      second[w] += through[w] * lit_fraction * sunlight[w];
+  }
+
+  double lowest_sun_rad_;
+  std::vector<Spectrum> values_;
+};
+
+/// What a line of sight gains of light per unit of the sun's, by kind of scattering.
+struct GainedSpectra {
+  Spectrum molecules{}, aerosol{}, often{};
+};
+
+GainedSpectra gained_along(const LitAir& lit, const OftenScattered& often, const Way& way) {
+  constexpr int steps = 40;
+  GainedSpectra gained;
+  go_along(lit.air, way, way_end(way.height_m, way.up).length_m, steps,
+           [&](const Place& place, const AirAmounts& amounts, const Spectrum& seen_m) {
+             const Spectrum sunlight = lit.sunlight(place), around = often.at(place);
+             const Spectrum molecules = lit.air.molecules_scattering_per_m(amounts);
+             const Spectrum aerosol = lit.air.aerosol_scattering_per_m(amounts);
+             for (std::size_t w = 0; w < wavelengths; ++w) {
+               gained.molecules[w] += molecules[w] * seen_m[w] * sunlight[w];
+               gained.aerosol[w] += aerosol[w] * seen_m[w] * sunlight[w];
+               gained.often[w] += (molecules[w] + aerosol[w]) * seen_m[w] * around[w];
+             }
+           });
+  return gained;
+}
+
+}  // namespace
+
+glm::dvec3 sunlight_klx(double sun_elevation_rad, double turbidity, double height_m) {
+  const LitAir lit{Air(turbidity), air_columns()};
+  return SunSpectrum().klx(lit.sunlight({height_m, math::sin(sun_elevation_rad)}));
+}
+
+Atmosphere::Atmosphere(double sun_elevation_rad, double turbidity)
+    : gained_(std::size_t{elevations} * azimuths),
+      sun_elevation_rad_(sun_elevation_rad),
+      turbidity_(turbidity) {
+  const LitAir lit{Air(turbidity), air_columns()};
+  const OftenScattered often(lit, sun_elevation_rad);
+  const SunSpectrum sun;
+  const double sun_up = math::sin(sun_elevation_rad), sun_level = math::cos(sun_elevation_rad);
+  parallel_for(std::size_t{elevations}, [&](std::size_t row) {
+    const double elevation_rad = elevation_of(static_cast<int>(row));
+    const double up = math::sin(elevation_rad), level = math::cos(elevation_rad);
+    for (int i = 0; i < azimuths; ++i) {
+      const double to_sun = up * sun_up + level * sun_level * math::cos(pi * i / (azimuths - 1));
+      const GainedSpectra gained = gained_along(lit, often, {eye_height_m, up, to_sun, sun_up});
+      gained_[row * azimuths + static_cast<std::size_t>(i)] = {
+          sun.klx(gained.molecules), sun.klx(gained.aerosol), sun.klx(gained.often)};
+    }
+  });
+}
+
+glm::dvec3 Atmosphere::sky_kcd_m2(double elevation_rad, double from_sun_rad, double cosine) const {
+  const double row =
+      math::cbrt(std::clamp(elevation_rad / (0.5 * pi), 0.0, 1.0)) * (elevations - 1);
+  const double column = std::clamp(from_sun_rad / pi, 0.0, 1.0) * (azimuths - 1);
+  const int i = std::min(static_cast<int>(row), elevations - 2);
+  const int j = std::min(static_cast<int>(column), azimuths - 2);
+  const double u = row - i, v = column - j;
+  const auto value = [&](int k, int l) {
+    const Gained& gained =
+        gained_[static_cast<std::size_t>(k) * azimuths + static_cast<std::size_t>(l)];
+    return gained.molecules * rayleigh_phase(cosine) + gained.aerosol * aerosol_phase(cosine) +
+           gained.often;
+  };
+  return glm::mix(glm::mix(value(i, j), value(i, j + 1), v),
+                  glm::mix(value(i + 1, j), value(i + 1, j + 1), v), u);
+}
+
+}  // namespace wold::light

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace wold::light {
+
+/// Illuminance in klx, as linear sRGB, of a plane that faces the sun at a height above the sea, in
+/// metres; 0 where the earth is in the way. sun_elevation_rad in [-pi/2, pi/2]; turbidity as Air's.
+glm::dvec3 sunlight_klx(double sun_elevation_rad, double turbidity, double height_m = 0.0);
+
+/// The clear sky over sea level and the sun through it, from dusk to noon, by scattering in a round
+/// earth's air (air.h).
+///
+/// Light that was scattered once is summed along lines of sight by wavelength; what was scattered
+/// more often comes to every place from all sides alike (Hillaire 2020, A scalable and production
+/// ready sky and atmosphere rendering technique, section 5.5). Tabulated for one height of the sun:
+/// what lines of sight gain, without the phase functions, which hardly changes from one to the
+/// next. Colours are linear sRGB; luminances may leave the gamut.
+class Atmosphere {
+ public:
+  /// sun_elevation_rad from -10 degrees on; turbidity as Air's.
+  Atmosphere(double sun_elevation_rad, double turbidity);
+
+  /// sunlight_klx() at a height.
+  glm::dvec3 sun_klx(double height_m = 0.0) const {
+    return sunlight_klx(sun_elevation_rad_, turbidity_, height_m);
+  }
+
+  /// Luminance in kcd/m2 from an elevation in [0, pi/2], at `from_sun_rad` in [0, pi] of azimuth
+  /// from the sun. `cosine`: of the angle between that direction and the sun.
+  glm::dvec3 sky_kcd_m2(double elevation_rad, double from_sun_rad, double cosine) const;
+
+ private:
+  /// What a line of sight gains from each kind of scattering.
+  struct Gained {
+    glm::dvec3 molecules{0.0}, aerosol{0.0}, often{0.0};
+  };
+  std::vector<Gained> gained_;  ///< azimuths of one elevation after the other
+  double sun_elevation_rad_;
+  double turbidity_;
+};
+
+}  // namespace wold::light
