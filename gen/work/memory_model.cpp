@@ -6,6 +6,7 @@
 #include "core/elementary.h"
 #include "place/cell_window.h"
 #include "place/ground_grids.h"
+#include "scene/winter.h"
 #include "work/file_sizes.h"
 
 namespace wold::work {
@@ -32,6 +33,14 @@ double painting_bytes(const scene::Scene& scene) {
   return std::max(usual, min + sample_bytes * along_a_side * along_a_side);
 }
 
+/// The sky as the camera sees it, where there are clouds or snow in it: a little larger than the
+/// picture, in single precision, and its file as it is written.
+double backdrop_bytes(const scene::Scene& scene) {
+  constexpr double pixel_bytes = 15.0;
+  if (scene.clouds.empty() && !scene::may_snow(scene)) return 0.0;
+  return pixel_bytes * scene.render.size_px[0] * scene.render.size_px[1];
+}
+
 /// What a renderer reads for a frame.
 double read_bytes(const scene::Scene& scene, const exporter::MemoryCosts& costs,
                   const film::FrameDemand& shown) {
@@ -53,7 +62,7 @@ double scene_memory_bytes(const Job& job, int threads) {
   constexpr double cloud_voxel_bytes = 24.0;
   return idle_bytes(job) + painting_bytes(job.scene) + cells_bytes(job.scene) +
          (20.0 + 16.0 * threads) * voxels_of(job.scene) +
-         cloud_voxel_bytes * cloud_voxels(job.scene);
+         cloud_voxel_bytes * cloud_voxels(job.scene) + backdrop_bytes(job.scene);
 }
 
 }  // namespace

@@ -25,13 +25,16 @@ struct ExampleFilm {
 void PrintTo(const ExampleFilm& film, std::ostream* out) { *out << film.example; }
 
 /// First row from the top, column by column, that is no longer sky: grass and rock are darker than
-/// what is above them. Where it lies between two rows is read off the brightness.
+/// the sky at its brightest, which is at the horizon. Where it lies between two rows is read off
+/// the brightness.
 std::vector<double> skyline(const Image& picture) {
   const auto blue = [&](int x, int y) { return double{picture.pixel(x, y)[2]}; };
   std::vector<double> rows;
   for (int x = 0; x < picture.width; ++x) {
     int y = 2;
-    while (y + 2 < picture.height && blue(x, y + 1) > 0.8 * blue(x, 0)) ++y;
+    double brightest = std::max({blue(x, 0), blue(x, 1), blue(x, 2)});
+    while (y + 2 < picture.height && blue(x, y + 1) > 0.8 * brightest)
+      brightest = std::max(brightest, blue(x, ++y));
     const double sky = blue(x, y - 2);
     const double land = blue(x, y + 2);
     rows.push_back(y + std::clamp((blue(x, y) - land) / std::max(sky - land, 1e-3), 0.0, 1.0));
