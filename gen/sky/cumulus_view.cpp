@@ -32,10 +32,16 @@ struct CumulusView::Passed {
   double transmittance = 1.0;
   glm::vec3 sent{0.0F};
   glm::vec3 source{0.0F};  ///< of the place that was lit last
-  double lit_at = 2.0;     ///< the transmittance there
+  double lit_at = 2.0;     ///< the transmittance there; above 1 where none was lit yet
   double weighed_m = 0.0;  ///< distances by how much is seen there
 
   bool is_done() const { return transmittance < nothing_left; }
+
+  /// Whether the light there may differ from that of the place that was lit last, and shows.
+  bool wants_light() const {
+    constexpr double deeper = 0.55, hardly_seen = 0.15;
+    return lit_at > 1.0 || (transmittance > hardly_seen && transmittance < deeper * lit_at);
+  }
 };
 
 CumulusView::CumulusView(const cloud::LayerState& state, std::vector<cloud::Sheet> sheets,
@@ -109,7 +115,7 @@ double CumulusView::surface_between(const Ray& ray, double outside_m, double ins
 /// Follows the line of sight through a heap: steps are short at the surface that is met and grow
 /// inward. Light changes little on the way through what is as thin as that.
 void CumulusView::pass_heap(const Ray& ray, double from_m, double to_m, Passed& passed) const {
-  constexpr double growth = 1.3, lit_again = 0.6;
+  constexpr double growth = 1.3;
   const double first_m = std::max(0.25 / layer_->droplets.extinction_per_m, ray.footprint_m);
   double step_m = passed.transmittance > 0.9 ? first_m : 2.0 * first_m;
   for (double at_m = from_m; at_m < to_m && !passed.is_done(); step_m *= growth) {
@@ -120,7 +126,7 @@ void CumulusView::pass_heap(const Ray& ray, double from_m, double to_m, Passed& 
     const double seen = window_ ? 1.0 - window_->fraction(glm::dvec2(place_m)) : 1.0;
     const double depth = seen * extinction_per_m(place_m, ray.footprint_m) * length_m;
     if (depth <= 0.0) continue;
-    if (passed.transmittance < lit_again * passed.lit_at) {
+    if (passed.wants_light()) {
       passed.source = source(place_m, ray.direction);
       passed.lit_at = passed.transmittance;
     }
