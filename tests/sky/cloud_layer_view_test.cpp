@@ -86,7 +86,7 @@ TEST(CloudLayerView, EdgesShineAroundTheSun) {
     return edges.value() / middles.value();
   };
   const double around = edges_over_middles(180.0), aside = edges_over_middles(90.0);
-  EXPECT_GT(around, 2.0);
+  EXPECT_GT(around, 3.0);
   EXPECT_GT(around, 1.5 * aside) << aside;
 }
 
