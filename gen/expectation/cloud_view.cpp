@@ -13,7 +13,9 @@ namespace {
 std::pair<double, double> inside_m(const landscape::CloudBox& cloud, const glm::dvec3& eye_m,
                                    const glm::dvec3& direction, double end_m) {
   const glm::dvec3 low = (cloud.corner_m - eye_m) / direction;
-  const glm::dvec3 high = low + glm::dvec3(cloud.voxels) * cloud.voxel_m / direction;
+  // Not from `low`: along an axis both are infinite.
+  const glm::dvec3 high =
+      (cloud.corner_m + glm::dvec3(cloud.voxels) * cloud.voxel_m - eye_m) / direction;
   const glm::dvec3 in = glm::min(low, high);
   const glm::dvec3 out = glm::max(low, high);
   return {std::max({in.x, in.y, in.z, 0.0}), std::min({out.x, out.y, out.z, end_m})};
