@@ -42,7 +42,7 @@ struct Layer {
   std::optional<ForwardTable> forward;    ///< forward_through() of its droplets
 };
 
-/// Height of a layer's middle above the terrain's zero.
+/// Height of a layer's middle above the terrain's zero, metres.
 inline double middle_m(const Layer& layer) { return layer.base_m + 0.5 * layer.thickness_m; }
 
 /// A shape of a layer over its whole period.

@@ -19,9 +19,10 @@ double eroded(double profile, double t, double billow) {
 
 double heap_field(double height, double top, double billow) {
   constexpr double lowest_billow = 0.4;  // hardly any place is less
-  constexpr double lowered = 0.38;       // of the thickness, where no head is
-  constexpr double depth = 0.7;
-  constexpr double soft_base = 0.12, base_depth = 0.8;
+  constexpr double lowered = 0.38;       // of the thickness: the top where no head is
+  constexpr double depth = 0.7;          // of the field: how far space bites into the sides
+  constexpr double base_depth = 0.8;     // of the field: and into the base
+  constexpr double soft_base = 0.12;     // of the thickness: over it the base becomes dense
   const double bite = std::min((1.0 - billow) / (1.0 - lowest_billow), 1.0);
   const double left = top - lowered * bite;
   if (left <= 0.0) return std::max(left / lowered - 0.2, -1.0);
@@ -48,7 +49,7 @@ double Billows::in_box(const glm::dvec3& place) const {
 }
 
 double Billows::fine_at(const glm::dvec3& place_m, double footprint_m) const {
-  constexpr double mean = 0.7;
+  constexpr double mean = 0.7;  // of BillowBox
   const glm::dvec3 place = (place_m - origin_m_) * per_m_;
   const auto octave = [&](double times, double weight) {
     const double billow_cell_m = 0.5 / (per_m_.z * BillowBox::billow_cells * times);

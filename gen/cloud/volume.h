@@ -49,14 +49,14 @@ struct CloudLight {
   glm::dvec3 eye_m = {};                       ///< who looks at it
 };
 
-/// The light of a scene's day on its clouds, at a height: the ground sends up a fifth of what falls
-/// on it.
+/// The light of a scene's day on clouds at a height above the sea, in metres, for an eye: the
+/// ground sends up a fifth of what falls on it.
 CloudLight cloud_light(const light::Daylight& day, double height_m, const glm::dvec3& eye_m);
 
 /// Optical depths of the droplets between a place and the outside of its cloud.
 struct DepthsAround {
   double to_sun = 0.0, from_sun = 0.0;  ///< towards the sun, and the other way
-  double up = 0.0, down = 0.0;
+  double up = 0.0, down = 0.0;          ///< towards the zenith, and the ground
 };
 
 /// Radiance that a place in a cloud sends per unit of optical depth along a unit direction from the

@@ -10,6 +10,8 @@ namespace wold::light {
 /// One number for each of the wavelengths 400, 420 ... 700 nm.
 inline constexpr std::size_t wavelengths = 16;
 using Spectrum = std::array<double, wavelengths>;
+
+/// The wavelength of a number below `wavelengths`.
 double wavelength_nm(std::size_t number);
 
 /// Amounts of the three: densities at a height over those at sea level, of ozone over those where
@@ -32,33 +34,37 @@ AirAmounts air_at(double height_m);
 /// (Serdyuchenko et al. 2014, at 233 K).
 class Air {
  public:
+  /// A turbidity of at least 1: with less there would be less than no aerosol.
   explicit Air(double turbidity);
 
-  /// Extinction and scattering, 1/m, where the air has these amounts.
+  /// Extinction, 1/m, by wavelength where the air has these densities.
   Spectrum extinction_per_m(const AirAmounts& at) const;
+  /// Scattering by molecules alone, 1/m, and by aerosol alone, where the air has these densities.
   Spectrum molecules_scattering_per_m(const AirAmounts& at) const;
   Spectrum aerosol_scattering_per_m(const AirAmounts& at) const;
 
-  /// Of a way that has these amounts.
+  /// Fraction of light that comes through on a way with these amounts, in metres.
   Spectrum transmittance(const AirAmounts& on_way_m) const;
 
  private:
   Spectrum molecules_per_m_, aerosol_per_m_, ozone_per_m_;
 };
 
-/// Fraction of light that molecules scatter per steradian at an angle to its way, over all angles
-/// 1.
+/// Fraction of the light they scatter that molecules send into a steradian at an angle of that
+/// cosine to its way: 1 over all angles.
 double rayleigh_phase(double cosine);
 
-/// Likewise aerosol (Cornette and Shanks 1992; mean cosine 0.72, of continental aerosol).
+/// Fraction of the light it scatters that continental aerosol sends into a steradian at an angle of
+/// that cosine to its way: 1 over all angles (Cornette and Shanks 1992, with an asymmetry of 0.72).
 double aerosol_phase(double cosine);
 
-/// Luminous irradiance above the air by a plane that faces the sun, klx in all: of this spectrum as
-/// linear sRGB. The sun's own spectrum is Planck's at 5778 K.
+/// Colours of sunlight that was weakened by wavelength. Above the air the sun has Planck's spectrum
+/// at 5778 K and lights a plane that faces it with 130 klx.
 class SunSpectrum {
  public:
   SunSpectrum();
-  /// `fraction`: of the sun's light at each wavelength.
+  /// Illuminance in klx, as linear sRGB, of a plane that faces the sun where these fractions of its
+  /// light arrive.
   glm::dvec3 klx(const Spectrum& fraction) const;
 
  private:

@@ -49,11 +49,6 @@ double cosine_of(double radius_m, double length_m) {
   return std::clamp(cosine, -1.0, 1.0);
 }
 
-double height_along(double radius_m, double cosine, double length_m) {
-  const double here = squared(radius_m) + squared(length_m) + 2.0 * radius_m * cosine * length_m;
-  return std::sqrt(here) - ground_radius_m;
-}
-
 /// By the midpoint rule over steps that grow with the square of their number, as the air thins.
 AirAmounts summed(double radius_m, double cosine, double length_m) {
   constexpr int steps = 96;
@@ -61,7 +56,7 @@ AirAmounts summed(double radius_m, double cosine, double length_m) {
   for (int i = 0; i < steps; ++i) {
     const double from = squared(1.0 * i / steps), to = squared((i + 1.0) / steps);
     const AirAmounts at =
-        air_at(std::max(height_along(radius_m, cosine, 0.5 * (from + to) * length_m), 0.0));
+        air_at(height_along_m(radius_m - ground_radius_m, cosine, 0.5 * (from + to) * length_m));
     const double step_m = (to - from) * length_m;
     sum.molecules += at.molecules * step_m;
     sum.aerosol += at.aerosol * step_m;
@@ -76,6 +71,12 @@ AirAmounts mixed(const AirAmounts& a, const AirAmounts& b, double fraction) {
 }
 
 }  // namespace
+
+double height_along_m(double height_m, double cosine, double length_m) {
+  const double radius_m = ground_radius_m + height_m;
+  const double here = squared(radius_m) + squared(length_m) + 2.0 * radius_m * cosine * length_m;
+  return std::max(std::sqrt(here) - ground_radius_m, 0.0);
+}
 
 WayEnd way_end(double height_m, double cosine) {
   const double radius_m = ground_radius_m + height_m;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/elementary.h"
+#include "core/interpolation.h"
 #include "core/parallel.h"
 #include "light/air.h"
 #include "light/air_columns.h"
@@ -37,11 +38,9 @@ struct Way {
   double height_m, up, to_sun, sun_up;
 
   Place at(double length_m) const {
-    const double radius_m = ground_radius_m + height_m;
-    const double there_m =
-        std::sqrt(radius_m * radius_m + length_m * length_m + 2.0 * radius_m * up * length_m);
-    return {std::max(there_m - ground_radius_m, 0.0),
-            std::clamp((radius_m * sun_up + length_m * to_sun) / there_m, -1.0, 1.0)};
+    const double there_m = height_along_m(height_m, up, length_m);
+    const double along_sun_m = (ground_radius_m + height_m) * sun_up + length_m * to_sun;
+    return {there_m, std::clamp(along_sun_m / (ground_radius_m + there_m), -1.0, 1.0)};
   }
 };
 
@@ -63,8 +62,8 @@ const AirColumns& air_columns() {
   return columns;
 }
 
-/// Goes along a way in steps: visit(place, its air's amounts, transmittance to it, step as seen
-/// through itself). Returns the transmittance to the end.
+/// Goes along a way in steps: visit(place, its air's densities, the step's length in metres as it
+/// is seen from the beginning, by wavelength). Returns the transmittance to the end.
 template <class Visit>
 Spectrum go_along(const Air& air, const Way& way, double length_m, int steps, const Visit& visit) {
   Spectrum through;
@@ -111,8 +110,8 @@ class OftenScattered {
     };
     Spectrum mean;
     for (std::size_t w = 0; w < wavelengths; ++w)
-      mean[w] = std::lerp(std::lerp(value(i, j)[w], value(i, j + 1)[w], v),
-                          std::lerp(value(i + 1, j)[w], value(i + 1, j + 1)[w], v), u);
+      mean[w] = bilinear(value(i, j)[w], value(i, j + 1)[w], value(i + 1, j)[w],
+                         value(i + 1, j + 1)[w], v, u);
     return mean;
   }
 
@@ -124,6 +123,7 @@ class OftenScattered {
     const double part = static_cast<double>(step) / (heights - 1);
     return part * part * air_top_m;
   }
+
   /// Radiance of the second time, and the fraction of light that comes back from all around each
   /// time more: their sum has no end (Hillaire 2020, equations 5 to 10).
   static Spectrum at_place(const LitAir& lit, const Place& place) {
@@ -237,8 +237,7 @@ glm::dvec3 Atmosphere::sky_kcd_m2(double elevation_rad, double from_sun_rad, dou
     return gained.molecules * rayleigh_phase(cosine) + gained.aerosol * aerosol_phase(cosine) +
            gained.often;
   };
-  return glm::mix(glm::mix(value(i, j), value(i, j + 1), v),
-                  glm::mix(value(i + 1, j), value(i + 1, j + 1), v), u);
+  return bilinear(value(i, j), value(i, j + 1), value(i + 1, j), value(i + 1, j + 1), v, u);
 }
 
 }  // namespace wold::light

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -20,10 +19,10 @@ glm::dvec3 sunlight_klx(double sun_elevation_rad, double turbidity, double heigh
 /// next. Colours are linear sRGB; luminances may leave the gamut.
 class Atmosphere {
  public:
-  /// sun_elevation_rad from -10 degrees on; turbidity as Air's.
+  /// sun_elevation_rad from -10 to 90 degrees; turbidity as Air's.
   Atmosphere(double sun_elevation_rad, double turbidity);
 
-  /// sunlight_klx() at a height.
+  /// sunlight_klx() of its sun at a height above the sea, in metres.
   glm::dvec3 sun_klx(double height_m = 0.0) const {
     return sunlight_klx(sun_elevation_rad_, turbidity_, height_m);
   }

@@ -30,7 +30,8 @@ class Daylight {
   const glm::dvec3& sun_direction() const { return sun_direction_; }
   /// Irradiance by the sun alone on a plane that faces it.
   const glm::vec3& sun_irradiance() const { return sun_irradiance_; }
-  /// The same at a height above the sea, >= 0: the lower the sun, the more of it is left up there.
+  /// Irradiance by the sun alone on a plane that faces it at a height above the sea, in metres;
+  /// below the sea as at it. The lower the sun, the more of it is left up there.
   glm::vec3 sun_irradiance_at(double height_m) const;
   /// Distance at which dark things vanish in the haze, as Koschmieder's.
   double visual_range_m() const { return visual_range_m_; }

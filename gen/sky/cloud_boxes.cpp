@@ -44,8 +44,8 @@ landscape::CloudBox cloud_box(const cloud::LayerState& state, double pixel_m,
                               const glm::dvec3& eye_m) {
   cloud::CloudVolume volume = cloud::lifted(state, pixel_m, window.south_west_m,
                                             glm::dvec2(window.side_m), cloud_box_voxels);
-  std::vector<glm::vec3> source = cloud::source_radiance(
-      volume, cloud::cloud_light(day, std::max(cloud::middle_m(*state.layer), 0.0), eye_m));
+  std::vector<glm::vec3> source =
+      cloud::source_radiance(volume, cloud::cloud_light(day, cloud::middle_m(*state.layer), eye_m));
   const glm::vec3 colour(state.moment.light);
   each_filled(volume, [&](std::size_t i, const glm::dvec3& centre_m) {
     const glm::dvec3 way_m = centre_m - eye_m;

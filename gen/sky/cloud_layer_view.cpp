@@ -39,10 +39,11 @@ CloudLayerView::CloudLayerView(const cloud::LayerState& state, double pixel_m,
       pixel_m_(pixel_m),
       way_m_(state.moment.way_m),
       colour_(state.moment.light),
-      sun_irradiance_(day.sun_irradiance_at(std::max(cloud::middle_m(*state.layer), 0.0))),
+      sun_irradiance_(day.sun_irradiance_at(cloud::middle_m(*state.layer))),
       sheets_(cloud::sheets_of(state, pixel_m)),
       window_(window) {
-  if (layer_->has_relief) cumulus_.emplace(state, sheets_, eye_m, day, finest_rad, window);
+  if (layer_->has_relief && layer_->cover < 1.0)
+    cumulus_.emplace(state, sheets_, eye_m, day, finest_rad, window);
 }
 
 SeenClouds CloudLayerView::along(const glm::dvec3& direction) const {

@@ -16,13 +16,14 @@ namespace wold::sky {
 
 /// A layer of clouds as an eye below it sees it, on a sphere around the earth.
 ///
-/// Heaps, which are of layers with relief, are bodies (CumulusView). Another layer is a sheet: a
-/// line of sight that meets it lets through exp(-tau / mu), tau the layer's vertical optical depth
-/// and mu the cosine between line of sight and vertical there. It has what two-stream diffusion
-/// leaves of the light that falls on its top (cloud/sunlit.h). Sunlight that is still in the
-/// forward peak goes its way (forward_through()), which makes edges near the sun shine. Where an
-/// eye makes out more than a layer's map has, the layer's detail is seen as well. A layer lit as
-/// [Wang2010] has it is as bright everywhere.
+/// Heaps are bodies (CumulusView): layers with relief and with gaps between them. Another layer, a
+/// veil or one that is closed and shows its base alone, is a sheet: a line of sight that meets it
+/// lets through exp(-tau / mu), tau the layer's vertical optical depth and mu the cosine between
+/// line of sight and vertical there. It has what two-stream diffusion leaves of the light that
+/// falls on its top (cloud/sunlit.h). Sunlight that is still in the forward peak goes its way
+/// (forward_through()), which makes edges near the sun shine. Where an eye makes out more than a
+/// layer's map has, the layer's detail is seen as well. A layer lit as [Wang2010] has it is as
+/// bright everywhere.
 class CloudLayerView {
  public:
   /// `day` has to outlive it; the layer is above the eye, which makes out angles of finest_rad.
@@ -53,7 +54,7 @@ class CloudLayerView {
   glm::vec3 colour_;                    ///< of the layer's light
   glm::vec3 sun_irradiance_;            ///< of a plane up there that faces the sun
   std::vector<cloud::Sheet> sheets_;    ///< its shapes
-  std::optional<CumulusView> cumulus_;  ///< of one with relief
+  std::optional<CumulusView> cumulus_;  ///< of one with heaps
   std::optional<CloudWindow> window_;
 };
 

@@ -48,10 +48,8 @@ CumulusView::CumulusView(const cloud::LayerState& state, std::vector<cloud::Shee
                          const glm::dvec3& eye_m, const light::Daylight& day, double finest_rad,
                          const std::optional<CloudWindow>& window)
     : layer_(state.layer),
-      light_(cloud::cloud_light(day, std::max(cloud::middle_m(*state.layer), 0.0), eye_m)),
-      eye_m_(eye_m),
+      light_(cloud::cloud_light(day, cloud::middle_m(*state.layer), eye_m)),
       finest_rad_(finest_rad),
-      rise_m_(state.layer->base_m - eye_m.z),
       colour_(state.moment.light),
       alpha_(state.moment.amount_is_alpha ? static_cast<float>(state.moment.amount) : 1.0F),
       cells_(state, std::move(sheets)),
@@ -59,8 +57,9 @@ CumulusView::CumulusView(const cloud::LayerState& state, std::vector<cloud::Shee
       window_(window) {}
 
 CumulusView::Ray CumulusView::ray_along(const glm::dvec3& direction) const {
-  const double base_m = crossing(direction.z, rise_m_).distance_m;
-  const double top_m = crossing(direction.z, rise_m_ + cells_.highest_m()).distance_m;
+  const double rise_m = layer_->base_m - light_.eye_m.z;
+  const double base_m = crossing(direction.z, rise_m).distance_m;
+  const double top_m = crossing(direction.z, rise_m + cells_.highest_m()).distance_m;
   return {direction, base_m, top_m, finest_rad_ * base_m};
 }
 
@@ -97,7 +96,7 @@ SeenClouds CumulusView::along(const glm::dvec3& direction) const {
 /// The place of a distance along the ray, on the layer's flat earth.
 glm::dvec3 CumulusView::place_on(const Ray& ray, double at_m) const {
   const double height_fraction = (at_m - ray.base_m) / ray.length_m();
-  return {glm::dvec2(eye_m_) + glm::dvec2(ray.direction) * at_m,
+  return {glm::dvec2(light_.eye_m) + glm::dvec2(ray.direction) * at_m,
           layer_->base_m + height_fraction * cells_.highest_m()};
 }
 

@@ -28,9 +28,9 @@ namespace wold::sky {
 /// of the layer's maps.
 class CumulusView {
  public:
-  /// The layer is above the eye, which makes out angles of finest_rad.
-  /// What of the layer stands as a volume in its window is left out. `sheets`: the layer's at that
-  /// moment.
+  /// The layer is above the eye, which makes out angles of finest_rad. What of the layer stands as
+  /// a volume in its window is left out. `sheets`: the layer's at that moment. Throws
+  /// std::bad_optional_access where the layer has no heads.
   CumulusView(const cloud::LayerState& state, std::vector<cloud::Sheet> sheets,
               const glm::dvec3& eye_m, const light::Daylight& day, double finest_rad,
               const std::optional<CloudWindow>& window);
@@ -56,9 +56,7 @@ class CumulusView {
 
   std::shared_ptr<const cloud::Layer> layer_;
   cloud::CloudLight light_;
-  glm::dvec3 eye_m_;
   double finest_rad_;
-  double rise_m_;     ///< of the base over the eye
   glm::vec3 colour_;  ///< of the layer's light
   float alpha_;       ///< what [Wang2010]'s events leave of its opacity
   CumulusCells cells_;

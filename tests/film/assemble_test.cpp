@@ -105,10 +105,10 @@ TEST(Assemble, ExposesSnowUnderCloudsAsInTheSun) {
   scene.clouds[0].kind = scene::CloudKind::stratus;
   scene.clouds[0].cover = 1.0;
   const landscape::Landscape clouded = shown(scene);
-  const double of_card = 0.95 * std::numbers::pi;              // white, on level ground in the open
-  EXPECT_LT(clear.exposure_gain, 0.8 * of_card);               // slopes face the low sun
-  EXPECT_NEAR(clouded.exposure_gain, of_card, 0.2 * of_card);  // the sun comes through breaks
-  EXPECT_LT(mean_shown(clouded), 1.1 * mean_shown(clear));
+  const double of_card = 0.95 * std::numbers::pi;  // white, on level ground in the open
+  EXPECT_LT(clear.exposure_gain, 0.8 * of_card);   // slopes face the low sun
+  EXPECT_NEAR(clouded.exposure_gain, of_card, 1e-6);
+  EXPECT_LT(mean_shown(clouded), mean_shown(clear));  // it is dim nevertheless
   EXPECT_GT(mean_shown(clouded), 0.5 * mean_shown(clear));
 }
 
