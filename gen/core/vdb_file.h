@@ -1,8 +1,8 @@
 #pragma once
 
-#include <openvdb/openvdb.h>
-
 #include <filesystem>
+
+#include "core/vdb.h"
 
 namespace wold {
 

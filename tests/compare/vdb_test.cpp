@@ -1,10 +1,10 @@
 #include "compare/vdb.h"
 
 #include <gtest/gtest.h>
-#include <openvdb/openvdb.h>
 
 #include <cmath>
 
+#include "core/vdb.h"
 #include "scratch_folder.h"
 #include "vdb_samples.h"
 

@@ -1,10 +1,10 @@
 #include "meadow/far_field.h"
 
 #include <gtest/gtest.h>
-#include <openvdb/openvdb.h>
 
 #include <cmath>
 
+#include "core/vdb.h"
 #include "core/vdb_file.h"
 #include "ground/haze.h"
 #include "meadow/cells.h"

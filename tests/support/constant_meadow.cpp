@@ -1,10 +1,9 @@
 #include "support/constant_meadow.h"
 
-#include <openvdb/openvdb.h>
-
 #include <algorithm>
 
 #include "core/files.h"
+#include "core/vdb.h"
 #include "core/vdb_file.h"
 #include "support/synthetic_landscape.h"
 
