@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "grass/optics/light_under_grass.h"
 #include "grass/texel/fibres.h"
 #include "meadow/canopy_snow.h"
 #include "meadow/film_lights.h"
@@ -82,7 +83,9 @@ LitGround::LitGround(const scene::Scene& scene, const place::Site& site,
       snow_(meadow::canopy_snow(scene, frame_, site.season.get())),
       model_(scene),
       patch_(scene, model_, /*variant=*/0),
-      combed_(lean_light(scene, site, frame_, patch_.at(landscape.weathering, snow_), model_)) {
+      combed_(lean_light(scene, site, frame_, patch_.at(landscape.weathering, snow_), model_)),
+      under_grass_(grass::light_under_grass(patch_.at(landscape.weathering, snow_), model_,
+                                            meadow::frame_lighting(scene, site, frame_))) {
   if (scene.ageing.pigment_spread > 0.0)
     pigment_spread_.emplace(scene, patch_, snow_, meadow::frame_lighting(scene, site, frame_));
   if (shows_distance(scene, site, frame_))
@@ -91,7 +94,7 @@ LitGround::LitGround(const scene::Scene& scene, const place::Site& site,
 }
 
 ColourMap LitGround::on_grass(const ColourMap& light, const GroundGrid& grid) const {
-  const FactorMap combed = place::is_large(scene_) || site_.sketch
+  const ColourMap combed = place::is_large(scene_) || site_.sketch
                                ? meadow::lean_light_map(combed_, wind_lean_, site_.terrain, view_,
                                                         combed_grid(grid, site_.sketch))
                                : meadow::lean_light_map(combed_, wind_lean_, site_.terrain, view_);
@@ -111,7 +114,8 @@ ColourMap LitGround::painted(ColourMap ground, const FactorMap& growth,
 }
 
 landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const GroundGrid& grid) const {
-  const place::GroundPart part = ground.covered(place::ground_part(scene_, site_, grid));
+  const place::GroundPart part =
+      ground.covered(place::ground_part(scene_, site_, grid), under_grass_);
   const ColourMap light = illuminate_(part.light);
   return {painted(product(part.reflectance, light), part.growth, on_grass(light, grid))
               .at_corner(glm::dvec2(0.0)),
@@ -127,7 +131,8 @@ ColourMap LitGround::light_in_window() const {
 void LitGround::show(const SnowyGround& ground, const ColourMap& light,
                      landscape::Landscape& landscape) const {
   ColourMap grass_light = on_grass(light, place::whole_grid(scene_));
-  landscape.ground = painted(product(ground.reflectance(), light), ground.growth(), grass_light);
+  landscape.ground =
+      painted(product(ground.reflectance(under_grass_), light), ground.growth(), grass_light);
   for (const GroundGrid& grid : place::detail_grids(scene_, landscape.camera))
     landscape.ground_details.push_back(detail(ground, grid));
 

@@ -65,6 +65,7 @@ class LitGround {
   grass::MeadowModel model_;
   grass::WitheringPatch patch_;
   meadow::LeanLight combed_;
+  glm::vec3 under_grass_;  ///< fraction of the light that reaches the ground where grass grows
   std::optional<meadow::PigmentSpread> pigment_spread_;  ///< of colour, if any
   std::optional<meadow::Meadow> meadow_;  ///< as it looks from afar, where it is seen so
 };

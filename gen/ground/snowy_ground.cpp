@@ -98,6 +98,41 @@ class Grain {
 /// Old snow loses its red first; shadows and depth make it blue (Wiscombe and Warren 1980).
 glm::vec3 snow_albedo(float albedo) { return albedo * glm::vec3(0.985F, 1.0F, 1.015F); }
 
+/// The fraction of the light that reaches the ground where grass grows thinner: a power of that
+/// under a closed meadow, from a table.
+class PartlyUnderGrass {
+ public:
+  explicit PartlyUnderGrass(const glm::vec3& under_grass) {
+    for (std::size_t k = 0; k < powers_.size(); ++k)
+      for (int c = 0; c < 3; ++c)
+        powers_[k][c] = static_cast<float>(
+            math::pow(double{under_grass[c]}, static_cast<double>(k) / (powers_.size() - 1.0)));
+  }
+  /// growth in [0, 1].
+  glm::vec3 operator()(double growth) const {
+    const double place = std::clamp(growth, 0.0, 1.0) * (powers_.size() - 1.0);
+    const auto below = std::min(static_cast<std::size_t>(place), powers_.size() - 2);
+    return glm::mix(powers_[below], powers_[below + 1],
+                    static_cast<float>(place - static_cast<double>(below)));
+  }
+
+ private:
+  std::array<glm::vec3, 65> powers_{};
+};
+
+/// Bare ground in the shade of the grass that grows on it.
+ColourMap shaded(ColourMap bare, const FactorMap& growth, const glm::vec3& under_grass) {
+  const PartlyUnderGrass light(under_grass);
+  parallel_for(static_cast<std::size_t>(bare.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < bare.samples(); ++i) {
+      const glm::dvec2 at_m = bare.place_m(i, j);
+      bare.at(i, j) *= light(double{growth.sample(at_m.x, at_m.y)});
+    }
+  });
+  return bare;
+}
+
 bool is_paper(const scene::Scene& scene) {
   return scene.snow_cover.cover == scene::CoverModel::paper;
 }
@@ -170,36 +205,27 @@ FactorMap SnowyGround::white(const GroundGrid& grid) const {
   return snow::WhitePatches(site_.terrain, grid, feature_m, scene_.seed).white_map(fractions);
 }
 
-ColourMap SnowyGround::reflectance() const {
+ColourMap SnowyGround::reflectance(const glm::vec3& under_grass) const {
   ColourMap bare = wetted(site_.ground_reflectance);
-  if (is_bare()) return bare;
-  return reflectance(bare, site_.growth, *white_, place::canopy_transmittance(scene_));
+  return is_bare() ? shaded(std::move(bare), site_.growth, under_grass)
+                   : reflectance(std::move(bare), site_.growth, *white_, under_grass);
 }
 
 ColourMap SnowyGround::albedo() const {
-  const double under_grass = place::canopy_transmittance(scene_);
-  ColourMap bare = site_.ground_reflectance;
-  parallel_for(static_cast<std::size_t>(bare.samples()), [&](std::size_t row) {
-    const int j = static_cast<int>(row);
-    for (int i = 0; i < bare.samples(); ++i) {
-      const glm::dvec2 at_m = bare.place_m(i, j);
-      const double grown{site_.growth.sample(at_m.x, at_m.y)};
-      bare.at(i, j) /= static_cast<float>(math::pow(under_grass, grown));
-    }
-  });
-  bare = wetted(std::move(bare));
-  if (!is_bare()) bare = reflectance(bare, site_.growth, *white_, /*under_grass=*/1.0);
-  for (glm::vec3& value : bare.values())
+  ColourMap albedo = reflectance(glm::vec3(1.0F));
+  for (glm::vec3& value : albedo.values())
     value = glm::min(std::numbers::pi_v<float> * value, glm::vec3(1.0F));
-  return bare;
+  return albedo;
 }
 
-place::GroundPart SnowyGround::covered(place::GroundPart part) const {
+place::GroundPart SnowyGround::covered(place::GroundPart part, const glm::vec3& under_grass) const {
   part.reflectance = wetted(std::move(part.reflectance));
-  if (is_bare()) return part;
-  part.reflectance = reflectance(part.reflectance, part.growth,
-                                 white({part.reflectance.square(), part.reflectance.samples()}),
-                                 place::canopy_transmittance(scene_));
+  if (is_bare()) {
+    part.reflectance = shaded(std::move(part.reflectance), part.growth, under_grass);
+    return part;
+  }
+  const FactorMap of_part = white({part.reflectance.square(), part.reflectance.samples()});
+  part.reflectance = reflectance(std::move(part.reflectance), part.growth, of_part, under_grass);
   part.growth = above_snow(std::move(part.growth));
   return part;
 }
@@ -236,18 +262,20 @@ FactorMap SnowyGround::extinction_factor(FactorMap extinction_factor) const {
                                         : extinction_factor;
 }
 
-ColourMap SnowyGround::reflectance(const ColourMap& bare, const FactorMap& growth,
-                                   const FactorMap& white_fraction, double under_grass) const {
+ColourMap SnowyGround::reflectance(ColourMap bare, const FactorMap& growth,
+                                   const FactorMap& white_fraction,
+                                   const glm::vec3& under_grass) const {
+  bare = shaded(std::move(bare), growth, under_grass);
   ColourMap map(white_fraction.samples(), white_fraction.square());
   const Grain grain(scene_.seed, map.step_m());
+  const PartlyUnderGrass light(under_grass);
   const glm::vec3 snow = snow_albedo(albedo_) / std::numbers::pi_v<float>;
   parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < map.samples(); ++i) {
       const glm::dvec2 at_m = map.place_m(i, j);
       const double shade = shading_under_grass * grass_above(at_m) * growth.sample(at_m.x, at_m.y);
-      const glm::vec3 white =
-          snow * (grain.at(at_m) * static_cast<float>(math::pow(under_grass, shade)));
+      const glm::vec3 white = snow * grain.at(at_m) * light(shade);
       map.at(i, j) = glm::mix(bare.sample(at_m.x, at_m.y), white, white_fraction.at(i, j));
     }
   });

@@ -26,7 +26,8 @@ class SnowyGround {
   /// What the surface makes of the light that falls on it, radiance over irradiance: bare ground as
   /// Site has it, darker where rain has wetted it, and snow, darker where grass still stands over
   /// it.
-  ColourMap reflectance() const;
+  /// `under_grass`: fraction of the light that reaches the ground where grass grows.
+  ColourMap reflectance(const glm::vec3& under_grass) const;
 
   /// Its albedo, in the shade of no grass.
   ColourMap albedo() const;
@@ -39,8 +40,9 @@ class SnowyGround {
   FactorMap extinction_factor(FactorMap extinction_factor) const;
 
   /// A part of a large terrain's ground as ground_part() has it, under the snow: less growth, and
-  /// reflectance likewise. Its light stays: snow changes no slope as long as the terrain's steps.
-  place::GroundPart covered(place::GroundPart part) const;
+  /// the reflectance() under that. Its light stays: snow changes no slope as long as the terrain's
+  /// steps.
+  place::GroundPart covered(place::GroundPart part, const glm::vec3& under_grass) const;
 
   /// Mean fraction of the ground that is white.
   double white_fraction() const;
@@ -56,9 +58,9 @@ class SnowyGround {
   float grass_above(const glm::dvec2& at_m) const;
   FactorMap above_snow(FactorMap growth) const;
   FactorMap white(const GroundGrid& grid) const;
-  /// `under_grass`: fraction of the light that comes through grass to the snow and back.
-  ColourMap reflectance(const ColourMap& bare, const FactorMap& growth, const FactorMap& white,
-                        double under_grass) const;
+  /// Bare ground with its growth, under that snow and in the shade of that grass.
+  ColourMap reflectance(ColourMap bare, const FactorMap& growth, const FactorMap& white,
+                        const glm::vec3& under_grass) const;
   /// Bare ground after rain.
   ColourMap wetted(ColourMap bare) const;
 

@@ -20,7 +20,7 @@ constexpr double mean_ground_albedo = 0.5;
 glm::vec3 irradiance(const grass::Lighting& lighting) {
   glm::vec3 sum = lighting.sun_irradiance * static_cast<float>(lighting.sun_direction.z);
   for (const grass::SkyDirection& sky : grass::sky_directions(lighting))
-    sum += sky.irradiance * static_cast<float>(sky.direction.z);
+    sum += sky.irradiance() * static_cast<float>(sky.direction.z);
   return sum;
 }
 
@@ -65,8 +65,9 @@ grass::Lighting lighting_at(const scene::Scene& scene, const place::Site& site, 
   const light::Daylight day =
       lights > 1 ? light::Daylight(scene::sun_at(scene, light / (lights - 1)), scene.sky)
                  : site.day;
-  grass::Lighting lighting =
-      grass::make_lighting(day, place::film_eye_direction(scene, site.terrain));
+  const auto& soil = scene.terrain.ground_albedo;
+  grass::Lighting lighting = grass::make_lighting(
+      day, place::film_eye_direction(scene, site.terrain), glm::vec3(soil[0], soil[1], soil[2]));
   if (!scene::may_snow(scene)) return lighting;
   lighting.sun_irradiance = glm::vec3(0.0F);
   lighting.sky_radiance.assign(grass::sky_rings().size(), glm::vec3(0.0F));

@@ -14,45 +14,74 @@ grass::Fibre leaning(grass::Fibre fibre, const glm::vec2& lean) {
   return fibre;
 }
 
+constexpr float sunlit = 0.5F;
+
+/// Half of the sky, and what fibres scatter again: the fraction p of what one scatters meets
+/// another (photon recollision, Smolander and Stenberg 2005), 0.45 for a canopy of leaf area index
+/// 2 to 3.
+grass::DiffuseLight typical_light(const std::vector<grass::Fibre>& fibres,
+                                  const grass::Lighting& lighting) {
+  constexpr float recollision = 0.45F;
+  const grass::TurnedLight light(lighting, /*turn=*/0);
+  grass::DiffuseLight diffuse;
+  for (const grass::SkyDirection& sky : grass::sky_directions(lighting))
+    diffuse.add(glm::vec3(sky.direction), 0.5F * sky.irradiance());
+  glm::vec3 albedo(0.0F), taken(0.0F);
+  for (const grass::Fibre& fibre : fibres) {
+    albedo += fibre.albedo / static_cast<float>(fibres.size());
+    taken += (sunlit * light.sun_irradiance *
+                  grass::kajiya_kay_diffuse(fibre.tangent, glm::vec3(light.sun)) +
+              grass::leaf_share(diffuse, fibre.tangent, light.eye).taken) /
+             static_cast<float>(fibres.size());
+  }
+  diffuse.add_even(recollision * albedo / (1.0F - recollision * albedo) * taken);
+  return diffuse;
+}
+
 }  // namespace
 
 LeanLight::LeanLight(std::vector<grass::Fibre> fibres, grass::Lighting lighting,
                      float specular_exponent)
     : fibres_(std::move(fibres)),
       lighting_(std::move(lighting)),
-      skylight_(0.0F),
+      diffuse_(typical_light(fibres_, lighting_)),
       specular_exponent_(specular_exponent) {
-  for (const grass::SkyDirection& sky : grass::sky_directions(lighting_))
-    skylight_ += 0.5F * sky.irradiance;
-  upright_ = radiance(glm::dvec2(0.0), lighting_.eye_direction);
+  const grass::TurnedLight light(lighting_, /*turn=*/0);
+  upright_ = glm::vec3(0.0F);
+  for (const grass::Fibre& fibre : fibres_)
+    upright_ += grass::source_radiance(fibre, light, sunlit, diffuse_, specular_exponent_) /
+                static_cast<float>(fibres_.size());
 }
 
 glm::vec3 LeanLight::radiance(const glm::dvec2& lean, const glm::dvec3& to_eye) const {
-  constexpr float sunlit = 0.5F;
   grass::TurnedLight light(lighting_, /*turn=*/0);
   light.eye = glm::vec3(to_eye);
   glm::vec3 sum(0.0F);
-  for (const grass::Fibre& fibre : fibres_)
-    sum += grass::source_radiance(leaning(fibre, glm::vec2(lean)), light, sunlit, skylight_,
-                                  specular_exponent_);
-  return sum;
+  float shown = 0.0F;
+  for (const grass::Fibre& upright : fibres_) {
+    const grass::Fibre fibre = leaning(upright, glm::vec2(lean));
+    const float sine = grass::kajiya_kay_diffuse(fibre.tangent, light.eye);
+    sum += sine * grass::source_radiance(fibre, light, sunlit, diffuse_, specular_exponent_);
+    shown += sine;
+  }
+  return sum / shown;
 }
 
-float LeanLight::factor(const glm::dvec2& lean, const glm::dvec3& to_eye) const {
-  return luminance(radiance(lean, to_eye)) / luminance(upright_);
+glm::vec3 LeanLight::factor(const glm::dvec2& lean, const glm::dvec3& to_eye) const {
+  return radiance(lean, to_eye) / glm::max(upright_, 1e-6F);
 }
 
-FactorMap lean_light_map(const LeanLight& light, const WindLean& wind_lean,
+ColourMap lean_light_map(const LeanLight& light, const WindLean& wind_lean,
                          const Heightfield& terrain, const place::View& view) {
   constexpr double step_m = 0.4;
   return lean_light_map(light, wind_lean, terrain, view,
                         {{.size_m = terrain.size_m()}, map_samples(terrain.size_m(), step_m)});
 }
 
-FactorMap lean_light_map(const LeanLight& light, const WindLean& wind_lean,
+ColourMap lean_light_map(const LeanLight& light, const WindLean& wind_lean,
                          const Heightfield& terrain, const place::View& view,
                          const GroundGrid& grid) {
-  FactorMap map(grid.samples, grid.square, 1.0F);
+  ColourMap map(grid.samples, grid.square, glm::vec3(1.0F));
   place::each_in_view(map, terrain, view, [&](int i, int j, const glm::dvec3& at_m) {
     map.at(i, j) = light.factor(wind_lean.lean(glm::dvec2(at_m)), -view.line_of_sight(at_m));
   });

@@ -53,9 +53,8 @@ GroundPart lit_part(const scene::Scene& scene, const Heightfield& terrain,
                     const std::optional<Sketch>& sketch, FactorMap growth) {
   terrain::GroundLight light =
       terrain::ground_light(terrain, day, light_grid(terrain, grid, sketch));
-  ColourMap reflectance =
-      terrain::ground_reflectance(terrain, day.sun_direction(), scene.terrain, scene.seed, growth,
-                                  canopy_transmittance(scene), grid);
+  ColourMap reflectance = terrain::ground_reflectance(terrain, day.sun_direction(), scene.terrain,
+                                                      scene.seed, growth, grid);
   return {std::move(growth), std::move(light), std::move(reflectance)};
 }
 
@@ -74,9 +73,8 @@ GroundPart whole_ground(const scene::Scene& scene, const Heightfield& terrain,
                         const std::optional<Sketch>& sketch, FactorMap growth) {
   if (grid) return lit_part(scene, terrain, day, *grid, sketch, std::move(growth));
   terrain::GroundLight light = terrain::ground_light(terrain, day);
-  ColourMap reflectance =
-      terrain::ground_reflectance(terrain, day.sun_direction(), scene.terrain, scene.seed, growth,
-                                  canopy_transmittance(scene), picture_grid(scene));
+  ColourMap reflectance = terrain::ground_reflectance(terrain, day.sun_direction(), scene.terrain,
+                                                      scene.seed, growth, picture_grid(scene));
   return {std::move(growth), std::move(light), std::move(reflectance)};
 }
 
@@ -179,12 +177,6 @@ Site site_of_frame(const scene::Scene& scene, const Site& site, int frame) {
 double leaf_area_index(const scene::Scene& scene) {
   const double patch_m = scene.grass.patch_m;
   return scene::blade_area_m2(scene) / (patch_m * patch_m);
-}
-
-double canopy_transmittance(const scene::Scene& scene) {
-  constexpr double ross = 0.5;
-  constexpr double mean_slant_cosine = 0.5;
-  return math::exp(-ross * leaf_area_index(scene) / mean_slant_cosine);
 }
 
 }  // namespace wold::place

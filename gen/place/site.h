@@ -94,9 +94,4 @@ GroundGrid light_grid(const Heightfield& terrain, const GroundGrid& grid,
 /// Leaf area, one side, of the scene's tapering blades per area of ground.
 double leaf_area_index(const scene::Scene& scene);
 
-/// Fraction of the daylight that reaches the ground between the blades, (0, 1]: Beer and Lambert
-/// with the leaf area of the scene's tapering blades and Ross' G = 0.5, along a path 60 degrees off
-/// the vertical, the mean of a cosine-weighted hemisphere's secants (2).
-double canopy_transmittance(const scene::Scene& scene);
-
 }  // namespace wold::place

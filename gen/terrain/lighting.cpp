@@ -198,8 +198,7 @@ GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day,
 
 ColourMap ground_reflectance(const Heightfield& terrain, const glm::dvec3& sun_direction,
                              const scene::Terrain& look, std::uint64_t seed,
-                             const FactorMap& growth, double canopy_transmittance,
-                             const GroundGrid& grid) {
+                             const FactorMap& growth, const GroundGrid& grid) {
   ColourMap map(grid.samples, grid.square);
   const GroundColour colour(look, seed, grid.step_m());
   parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
@@ -207,10 +206,9 @@ ColourMap ground_reflectance(const Heightfield& terrain, const glm::dvec3& sun_d
     for (int i = 0; i < map.samples(); ++i) {
       const glm::dvec2 at_m = map.place_m(i, j);
       const float grown = growth.sample(at_m.x, at_m.y);
-      const double under_grass = math::pow(canopy_transmittance, double{grown});
       const glm::dvec3 place_m(at_m, terrain.sample(at_m.x, at_m.y));
       map.at(i, j) = colour.albedo(place_m, normal(terrain, at_m.x, at_m.y), sun_direction, grown) *
-                     static_cast<float>(under_grass / pi);
+                     static_cast<float>(1.0 / pi);
     }
   });
   return map;

@@ -30,12 +30,9 @@ GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day,
 ///
 /// The albedo varies about terrain.ground_albedo: moist hollows and litter (keyed fBm), detail down
 /// to the grid's step, what is smaller shows its mean; beyond terrain.rock_slope it turns to rock,
-/// whose relief the sun shows. Where grass stands, `growth` in [0, 1], the fraction
-/// `canopy_transmittance` of the light comes through to the ground and back, its power of `growth`
-/// where it stands thinner.
+/// whose relief the sun shows. Where grass grows, `growth` in [0, 1], the ground is soil.
 ColourMap ground_reflectance(const Heightfield& terrain, const glm::dvec3& sun_direction,
                              const scene::Terrain& look, std::uint64_t seed,
-                             const FactorMap& growth, double canopy_transmittance,
-                             const GroundGrid& grid);
+                             const FactorMap& growth, const GroundGrid& grid);
 
 }  // namespace wold::terrain

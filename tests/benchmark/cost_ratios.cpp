@@ -186,8 +186,8 @@ double texels_per_sorting() {
   SilentProgress progress;
   const auto make = [&] {
     const test::TemporaryFolder folder("cost_ratios");
-    const grass::TimeVaryingTexel texel(scene, {grass::make_lighting(daylight, {0.0, -1.0, 0.0})},
-                                        folder.path());
+    const grass::TimeVaryingTexel texel(
+        scene, {grass::make_lighting(daylight, {0.0, -1.0, 0.0}, glm::vec3(0.1F))}, folder.path());
     texel.generate({{0, {{0, lods}, {6, lods}, {12, lods}}}}, progress);
   };
   Sorting sorting(4'000'000);

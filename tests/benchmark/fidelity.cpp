@@ -133,7 +133,8 @@ class Meadow {
  public:
   Meadow()
       : model_(scene_),
-        lighting_(make_lighting(light::Daylight(scene_.sun, scene_.sky), {0.0, -1.0, 0.0})),
+        lighting_(make_lighting(light::Daylight(scene_.sun, scene_.sky), {0.0, -1.0, 0.0},
+                                glm::vec3(0.0F))),
         look_{static_cast<float>(scene_.grass.specular_exponent), scene_.grass.width_m},
         shape_(
             TimeVaryingTexel(scene_, {lighting_}, std::filesystem::temp_directory_path()).shape()) {

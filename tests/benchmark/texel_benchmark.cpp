@@ -163,7 +163,8 @@ void whole_time_varying_texel(benchmark::State& state) {
   const scene::Scene scene;
   const light::Daylight daylight(scene.sun, scene.sky);
   const Scratch scratch;
-  const TimeVaryingTexel texel(scene, {make_lighting(daylight, {0.0, -1.0, 0.0})}, scratch.path());
+  const TimeVaryingTexel texel(scene, {make_lighting(daylight, {0.0, -1.0, 0.0}, glm::vec3(0.1F))},
+                               scratch.path());
   SilentProgress progress;
   StageTimes times;
   double cpu_s = 0.0;

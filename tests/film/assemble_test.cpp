@@ -222,14 +222,13 @@ TEST(WeatheringTint, RestoresTheWantedColour) {
   EXPECT_EQ(light.at(40, 40), tint.at(40, 40) * 2.0F);
 }
 
-TEST(CanopyTransmittance, IsBeersLaw) {
-  scene::Scene scene;  // 900 blades of 1 m x 0.01 m halved, on 1.5 m2: leaf area index 3
+TEST(LeafAreaIndex, IsThatOfTaperingBlades) {
+  scene::Scene scene;  // 900 blades of 1 m x 0.01 m halved, on 1.5 m2
   scene.grass.patch_m = std::sqrt(1.5);
   scene.grass.blades = 900;
   scene.grass.height_m = 1.0;
   scene.grass.width_m = 0.01;
-  EXPECT_NEAR(place::canopy_transmittance(scene), 0.22313 * 0.22313,
-              1e-5);  // exp(-G LAI) along twice
+  EXPECT_NEAR(place::leaf_area_index(scene), 3.0, 1e-5);
 }
 
 }  // namespace

@@ -219,6 +219,7 @@ Points four_points() {
   points.tangent.resize(4);
   points.normal.resize(4);
   points.albedo.resize(4);
+  points.transmittance.resize(4);
   points.specular.resize(4);
   points.area_m2 = points.rest_area_m2;
   return points;

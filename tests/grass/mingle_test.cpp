@@ -25,7 +25,7 @@ Texel patch(std::uint64_t seed, double weathering) {
 /// A texel of one voxel that is easily seen.
 Texel one_voxel(float density, const glm::vec3& tangent, const glm::vec3& normal,
                 const glm::vec3& albedo, float specular) {
-  return {{1, 1, 1.0}, {0}, {density}, {tangent}, {normal}, {albedo}, {specular}};
+  return {{1, 1, 1.0}, {0}, {density}, {tangent}, {normal}, {albedo}, {0.5F * albedo}, {specular}};
 }
 
 constexpr glm::vec3 up(0.0F, 0.0F, 1.0F);

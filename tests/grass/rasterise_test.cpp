@@ -21,6 +21,7 @@ Points loose_points(const std::vector<glm::vec3>& places_m) {
   points.tangent.assign(count, glm::normalize(glm::vec3(1.0F, -2.0F, 3.0F)));
   points.normal.assign(count, glm::normalize(glm::vec3(2.0F, 1.0F, 0.0F)));
   points.albedo.assign(count, {0.3F, 0.2F, 0.1F});
+  points.transmittance.assign(count, {0.1F, 0.15F, 0.05F});
   points.specular.assign(count, 0.12F);
   points.area_m2.assign(count, 2e-6F);
   return points;
@@ -78,6 +79,7 @@ TEST(Rasterise, ConstantFieldStaysConstant) {
   ASSERT_GT(texel.size(), 100U);
   for (std::size_t i = 0; i < texel.size(); ++i) {
     EXPECT_LT(glm::distance(texel.albedo[i], points.albedo[0]), 1e-6F);
+    EXPECT_LT(glm::distance(texel.transmittance[i], points.transmittance[0]), 1e-6F);
     EXPECT_NEAR(texel.specular[i], 0.12F, 1e-6F);
     EXPECT_GT(glm::dot(texel.tangent[i], points.tangent[0]), 1.0F - 1e-6F);
     EXPECT_GT(glm::dot(texel.normal[i], points.normal[0]), 1.0F - 1e-6F);
@@ -120,7 +122,7 @@ class OneVoxel {
   }
   Moments moments(std::size_t which) const {
     const Bit& bit = all_[which];
-    return {bit.tangent, bit.normal, bit.albedo, bit.specular};
+    return {bit.tangent, bit.normal, bit.albedo, 0.25F * bit.albedo, bit.specular};
   }
 
  private:

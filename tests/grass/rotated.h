@@ -47,6 +47,7 @@ inline Texel quarter_turned(const Texel& texel) {
     result.tangent.push_back(quarter_turned(texel.tangent[from]));
     result.normal.push_back(quarter_turned(texel.normal[from]));
     result.albedo.push_back(texel.albedo[from]);
+    result.transmittance.push_back(texel.transmittance[from]);
     result.specular.push_back(texel.specular[from]);
   }
   return result;

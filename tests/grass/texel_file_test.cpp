@@ -46,7 +46,7 @@ TEST(TexelFile, VoxelsLieWhereTheyAre) {
   texel.voxel = {texel.shape.linear(3, 4, 5)};
   texel.density = {100.0F};
   texel.tangent = {{0.0F, 0.0F, 1.0F}};
-  texel.normal = texel.albedo = {glm::vec3(0.0F)};
+  texel.normal = texel.albedo = texel.transmittance = {glm::vec3(0.0F)};
   texel.specular = {0.0F};
   write_texel(path, texel, "x");
   const auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(read_vdb_grid(path, "density"));

@@ -25,7 +25,7 @@ class BladeContributions {
              voxel.area_m2});
         moments_.emplace_back(
             glm::vec3(blade.heading * math::sin(blade.lean), math::cos(blade.lean)), voxel.normal,
-            albedo, specular);
+            albedo, 0.5F * albedo, specular);
       }
   }
   double area_m2() const {

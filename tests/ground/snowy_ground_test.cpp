@@ -22,6 +22,9 @@ scene::Scene snowed_in(double water_mm) {
   return scene;
 }
 
+/// Grass that keeps no light from the ground.
+constexpr glm::vec3 in_the_open(1.0F);
+
 template <class Meaning>
 double mean(const GroundMap<float, Meaning>& map) {
   double sum = 0.0;
@@ -35,9 +38,24 @@ TEST(SnowyGround, WithoutSnowIsTheSites) {
   EXPECT_EQ(site.snow, nullptr);
   const SnowyGround ground(scene, site, 1);
   EXPECT_EQ(ground.surface().values(), site.terrain.values());
-  EXPECT_EQ(ground.reflectance().values(), site.ground_reflectance.values());
+  EXPECT_EQ(ground.reflectance(in_the_open).values(), site.ground_reflectance.values());
   EXPECT_EQ(ground.growth().values(), site.growth.values());
   EXPECT_EQ(&ground.light(), &site.light);
+}
+
+// Where grass grows the ground has what comes through it, where none does all of the light.
+TEST(SnowyGround, IsDarkUnderGrass) {
+  const scene::Scene scene = snowed_in(0.0);
+  place::Site site = place::make_site(scene);
+  for (std::size_t i = 0; i < site.growth.values().size(); ++i)
+    site.growth.values()[i] = i < site.growth.values().size() / 2 ? 0.0F : 1.0F;
+  const SnowyGround ground(scene, site, 1);
+  const ColourMap open = ground.reflectance(in_the_open);
+  const ColourMap shaded = ground.reflectance({0.1F, 0.4F, 0.2F});
+  const auto ratio = [&](int i, int j) { return shaded.at(i, j) / open.at(i, j); };
+  const int last = open.samples() - 1;
+  EXPECT_LT(glm::distance(ratio(last / 2, 0), glm::vec3(1.0F)), 1e-5F);
+  EXPECT_LT(glm::distance(ratio(last / 2, last), glm::vec3(0.1F, 0.4F, 0.2F)), 1e-5F);
 }
 
 // An hour of rain leaves bare ground about half as bright, and no snow.
@@ -49,7 +67,7 @@ TEST(SnowyGround, IsDarkWhereRainHasWettedIt) {
   const place::Site site = place::make_site(rainy);
   const SnowyGround ground(rainy, site, 1);
   EXPECT_EQ(ground.white_fraction(), 0.0);
-  const ColourMap wet = ground.reflectance();
+  const ColourMap wet = ground.reflectance(in_the_open);
   for (std::size_t i = 0; i < wet.values().size(); i += 97)
     for (int channel = 0; channel < 3; ++channel) {
       const float dry = site.ground_reflectance.values()[i][channel];
@@ -92,7 +110,7 @@ TEST(SnowyGround, DeepSnowIsAllThatIsSeen) {
   const scene::Scene scene = snowed_in(60.0);
   const place::Site site = place::make_site(scene);
   const SnowyGround ground(scene, site, 1);
-  const ColourMap map = ground.reflectance();
+  const ColourMap map = ground.reflectance(in_the_open);
   for (const glm::vec3& reflectance : map.values()) {
     EXPECT_GT(reflectance.g * std::numbers::pi_v<float>, 0.8F);
     EXPECT_LT(reflectance.g * std::numbers::pi_v<float>, 0.97F);

@@ -166,7 +166,7 @@ TEST_P(FilmLights, OfTwoFramesAreLights) {
   for (const grass::Lighting& lighting : lights) {
     glm::vec3 sum = lighting.sun_irradiance * static_cast<float>(lighting.sun_direction.z);
     for (const grass::SkyDirection& sky : grass::sky_directions(lighting))
-      sum += sky.irradiance * static_cast<float>(sky.direction.z);
+      sum += sky.irradiance() * static_cast<float>(sky.direction.z);
     EXPECT_NEAR(sum.g, 1.0F, 1e-4F);
   }
 }

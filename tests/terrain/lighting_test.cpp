@@ -120,14 +120,14 @@ TEST(GroundReflectance, IsLambertsOnAverage) {
   const scene::Terrain shape;
   const ColourMap reflectance =
       ground_reflectance(ground(20.0, 51, [](double) { return 0.0; }), {0.0, 0.6, 0.8}, shape, 9,
-                         FactorMap(2, 20.0, 1.0F), 0.5, every_3_cm);
+                         FactorMap(2, 20.0, 1.0F), every_3_cm);
   glm::dvec3 mean(0.0);
   for (const glm::vec3& value : reflectance.values()) {
     EXPECT_GT(value.r, 0.0F);
     mean += glm::dvec3(value) / static_cast<double>(reflectance.values().size());
   }
   for (std::size_t c = 0; c < 3; ++c) {
-    const double want = shape.ground_albedo[c] * 0.5 / pi;
+    const double want = shape.ground_albedo[c] / pi;
     EXPECT_NEAR(mean[static_cast<glm::length_t>(c)], want, 0.08 * want);
   }
 }
@@ -139,7 +139,7 @@ TEST(GroundReflectance, GrassStandsOnSoil) {
   const Heightfield steep = ground(20.0, 51, [](double y) { return 2.0 * y; });
   const auto blue_over_red = [&](float growth) {
     const glm::vec3 at = middle(ground_reflectance(steep, {0.0, 0.6, 0.8}, shape, 9,
-                                                   FactorMap(2, 20.0, growth), 0.5, every_3_cm));
+                                                   FactorMap(2, 20.0, growth), every_3_cm));
     return at.b / std::max(at.r, 1e-6F);
   };
   EXPECT_LT(blue_over_red(1.0F), 1.0F);

@@ -20,10 +20,12 @@ void append_places(const Points& points, std::uint32_t first_blade,
   for (std::uint32_t blade = 0; blade < points.blades(); ++blade)
     for (std::uint32_t i = points.blade_begin[blade]; i < points.blade_begin[blade + 1]; ++i)
       if (points.area_m2[i] > 0.0F)
-        places.push_back({first_blade + blade,
-                          points.position_m[i],
-                          octahedron_reach_m(points.area_m2[i]),
-                          {points.tangent[i], points.albedo[i], points.specular[i]}});
+        places.push_back(
+            {first_blade + blade,
+             points.position_m[i],
+             octahedron_reach_m(points.area_m2[i]),
+             points.area_m2[i],
+             {points.tangent[i], points.albedo[i], points.transmittance[i], points.specular[i]}});
 }
 
 /// Tip, waist and tip.

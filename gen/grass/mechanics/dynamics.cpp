@@ -157,7 +157,9 @@ PointDynamics::WitheredBlade PointDynamics::apply_forces(std::size_t number, dou
     const float along = static_cast<float>(i) / WitheredBlade::steps;
     const auto place = static_cast<std::size_t>(i);
     now.axis[place] = axis.at(length_m * along);
-    now.albedo[place] = model_.albedo(blade, age, double{along});
+    const LeafShade shade = model_.shade(blade, age, double{along});
+    now.albedo[place] = shade.albedo;
+    now.transmittance[place] = shade.transmittance;
   }
   now.specular = model_.specular(age);
   return now;
@@ -233,6 +235,8 @@ void PointDynamics::update_material(std::size_t number, const WitheredBlade& now
   for (std::uint32_t i = points_.blade_begin[number]; i < points_.blade_begin[number + 1]; ++i) {
     const Between between(points_.arc_m[i] / length_m);
     points_.albedo[i] = between.mix(now.albedo[between.lower], now.albedo[between.lower + 1]);
+    points_.transmittance[i] =
+        between.mix(now.transmittance[between.lower], now.transmittance[between.lower + 1]);
     points_.specular[i] = now.specular;
   }
 }

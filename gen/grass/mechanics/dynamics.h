@@ -85,6 +85,7 @@ class PointDynamics {
     static constexpr int steps = 64;
     std::array<AxisPoint, steps + 1> axis;
     std::array<glm::vec3, steps + 1> albedo;
+    std::array<glm::vec3, steps + 1> transmittance;
     float specular = 0.0F;
   };
   struct Between;

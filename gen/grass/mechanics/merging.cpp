@@ -11,6 +11,7 @@ void merge_into(Points& points, std::uint32_t to, std::uint32_t from) {
   mean(points.across_m);
   mean(points.position_m);
   mean(points.albedo);
+  mean(points.transmittance);
   mean(points.specular);
   points.rest_area_m2[to] += points.rest_area_m2[from];
   points.area_m2[to] += points.area_m2[from];

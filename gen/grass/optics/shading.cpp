@@ -6,14 +6,13 @@
 
 #include "core/elementary.h"
 #include "core/parallel.h"
+#include "grass/optics/leaf_phase.h"
 #include "grass/texel/columns.h"
-#include "grass/texel/voxel_set.h"
 
 namespace wold::grass {
 namespace {
 
 using std::numbers::pi;
-constexpr float recollision = 0.45F;
 
 /// A world direction as the texel sees it that stands turned by `turn` quarter-turns.
 glm::dvec3 turned_back(const glm::dvec3& direction, int turn) {
@@ -38,21 +37,6 @@ std::vector<SkyRing> make_rings() {
   return rings;
 }
 
-/// For every voxel of the texel the voxel of the volume that its centre lies in.
-std::vector<std::uint32_t> places_in(const Texel& texel, const VolumeData& volume) {
-  VoxelSet set(volume.shape);
-  for (std::uint32_t voxel : volume.voxel) set.insert(voxel);
-  set.number_members();
-  const float scale = static_cast<float>(volume.shape.side) / static_cast<float>(texel.shape.side);
-  std::vector<std::uint32_t> places(texel.size());
-  for (std::size_t i = 0; i < texel.size(); ++i) {
-    const glm::vec3 centre = glm::vec3(texel.shape.coordinates(texel.voxel[i])) + 0.5F;
-    const glm::ivec3 at(centre * scale);
-    places[i] = set.place(volume.shape.linear(at.x, at.y, at.z));
-  }
-  return places;
-}
-
 /// Slices of the texel on the way to the light that hold the blade itself: half its width.
 int own_slices(const FibreLook& look, const glm::dvec3& light, const TexelShape& shape) {
   return static_cast<int>(std::lround(0.5 * look.width_m * light.z / shape.voxel_m)) + 1;
@@ -69,14 +53,16 @@ std::vector<SkyDirection> sky_directions(const Lighting& lighting) {
   std::vector<SkyDirection> directions;
   for (std::size_t ring = 0; ring < sky_rings().size(); ++ring)
     for (int i = 0; i < 4; ++i)
-      directions.push_back(
-          {direction_at(sky_rings()[ring].elevation, pi / 4.0 + pi / 2.0 * i),
-           lighting.sky_radiance[ring] * static_cast<float>(sky_rings()[ring].solid_angle)});
+      directions.push_back({direction_at(sky_rings()[ring].elevation, pi / 4.0 + pi / 2.0 * i),
+                            static_cast<float>(sky_rings()[ring].solid_angle),
+                            lighting.sky_radiance[ring]});
   return directions;
 }
 
-Lighting make_lighting(const light::Daylight& daylight, const glm::dvec3& eye_direction) {
-  Lighting lighting{daylight.sun_direction(), daylight.sun_irradiance(), {}, eye_direction};
+Lighting make_lighting(const light::Daylight& daylight, const glm::dvec3& eye_direction,
+                       const glm::vec3& ground_albedo) {
+  Lighting lighting{
+      daylight.sun_direction(), daylight.sun_irradiance(), {}, eye_direction, ground_albedo};
   for (const SkyRing& ring : sky_rings())
     lighting.sky_radiance.push_back(daylight.mean_sky_radiance(ring.elevation));
   return lighting;
@@ -93,29 +79,28 @@ float kajiya_kay_specular(const glm::vec3& tangent, const glm::vec3& light, cons
   return math::pow(std::max(base, 0.0F), specular_exponent);
 }
 
-std::vector<glm::vec3> skylight(const Texel& texel, const VolumeData& occluder,
-                                const Lighting& lighting, const FibreLook& look) {
-  const VoxelRows voxels(occluder.shape, occluder.voxel);
-  const std::vector<std::uint32_t> place = places_in(texel, occluder);
+std::vector<DiffuseLight> skylight(const VolumeData& volume, const Lighting& lighting,
+                                   const FibreLook& look) {
+  const VoxelRows voxels(volume.shape, volume.voxel);
   const std::vector<SkyDirection> sky = sky_directions(lighting);
   std::vector<std::vector<float>> through(sky.size());
   parallel_for(sky.size(), [&](std::size_t i) {
-    through[i] = voxel_transmittance(voxels, occluder.density, sky[i].direction,
-                                     own_slices(look, sky[i].direction, occluder.shape));
+    through[i] = voxel_transmittance(voxels, volume.density, sky[i].direction,
+                                     own_slices(look, sky[i].direction, volume.shape));
   });
-  std::vector<glm::vec3> sum(texel.size(), glm::vec3(0.0F));
-  // Some voxels at a time, so that their sums stay in the processor's cache for all directions.
-  constexpr std::size_t block = 4096;
-  parallel_for((texel.size() + block - 1) / block, [&](std::size_t b) {
-    const std::size_t end = std::min(texel.size(), (b + 1) * block);
-    for (std::size_t i = 0; i < sky.size(); ++i) {
-      const glm::vec3 towards(sky[i].direction);
-      for (std::size_t v = b * block; v < end; ++v)
-        sum[v] += sky[i].irradiance *
-                  (through[i][place[v]] * kajiya_kay_diffuse(texel.tangent[v], towards));
-    }
+  std::vector<DiffuseLight> light(volume.size());
+  parallel_for(light.size(), [&](std::size_t v) {
+    for (std::size_t i = 0; i < sky.size(); ++i)
+      light[v].add(glm::vec3(sky[i].direction), through[i][v] * sky[i].irradiance());
   });
-  return sum;
+  return light;
+}
+
+std::vector<float> sunlit_fractions(const VolumeData& volume, const Lighting& lighting,
+                                    const FibreLook& look, int turn) {
+  const glm::dvec3 sun = TurnedLight(lighting, turn).sun;
+  return voxel_transmittance(VoxelRows(volume.shape, volume.voxel), volume.density, sun,
+                             own_slices(look, sun, volume.shape));
 }
 
 TurnedLight::TurnedLight(const Lighting& lighting, int turn)
@@ -123,30 +108,34 @@ TurnedLight::TurnedLight(const Lighting& lighting, int turn)
       sun_irradiance(lighting.sun_irradiance),
       eye(turned_back(lighting.eye_direction, turn)) {}
 
+float highlight_albedo(float specular_exponent) {
+  // The integral of cos^p from -pi / 2 to pi / 2, within 1 % for p of 4 or more.
+  const float lobe = std::sqrt(2.0F * std::numbers::pi_v<float> / (specular_exponent + 0.5F));
+  return std::numbers::pi_v<float> / 8.0F * lobe;
+}
+
 glm::vec3 source_radiance(const Fibre& fibre, const TurnedLight& light, float sunlit,
-                          const glm::vec3& skylight, float specular_exponent) {
+                          const DiffuseLight& diffuse, float specular_exponent) {
   constexpr float per_sphere = 1.0F / (4.0F * std::numbers::pi_v<float>);
   const glm::vec3 towards(light.sun);
   const glm::vec3 direct = light.sun_irradiance * sunlit;
-  const glm::vec3 received = direct * kajiya_kay_diffuse(fibre.tangent, towards) + skylight;
-  const glm::vec3 scattered = fibre.albedo / (1.0F - recollision * fibre.albedo);
-  const float highlight =
-      fibre.specular * kajiya_kay_specular(fibre.tangent, towards, light.eye, specular_exponent);
-  return per_sphere * (scattered * received + highlight * direct + fibre.specular * skylight);
+  const glm::vec3 sunlight = direct * kajiya_kay_diffuse(fibre.tangent, towards);
+  const LeafPhase phase = leaf_phase(fibre.tangent, towards, light.eye);
+  const LeafShare share = leaf_share(diffuse, fibre.tangent, light.eye);
+  // The highlight cannot send more than the leaf reflects.
+  const glm::vec3 reflectance = fibre.albedo - fibre.transmittance;
+  const glm::vec3 mirrored =
+      glm::min(glm::vec3(fibre.specular * highlight_albedo(specular_exponent)), reflectance);
+  const float mirror = kajiya_kay_specular(fibre.tangent, towards, light.eye, specular_exponent) /
+                       highlight_albedo(specular_exponent);
+  return per_sphere * ((reflectance - mirrored) * (phase.reflected * sunlight + share.reflected) +
+                       fibre.transmittance * (phase.transmitted * sunlight + share.transmitted) +
+                       mirrored * (mirror * direct + share.taken));
 }
 
-std::vector<glm::vec3> bake_emission(const Texel& texel, const std::vector<float>& density,
-                                     const std::vector<glm::vec3>& skylight,
-                                     const Lighting& lighting, const FibreLook& look, int turn) {
-  const TurnedLight light(lighting, turn);
-  const std::vector<float> through =
-      voxel_transmittance(VoxelRows(texel.shape, texel.voxel), density, light.sun,
-                          own_slices(look, light.sun, texel.shape));
-  std::vector<glm::vec3> emission(texel.size());
-  for (std::size_t v = 0; v < texel.size(); ++v)
-    emission[v] = source_radiance({texel.tangent[v], texel.albedo[v], texel.specular[v]}, light,
-                                  through[v], skylight[v], look.specular_exponent);
-  return emission;
+glm::vec3 scattered_sunlight(const Fibre& fibre, const TurnedLight& light, float sunlit) {
+  const float taken = sunlit * kajiya_kay_diffuse(fibre.tangent, glm::vec3(light.sun));
+  return fibre.albedo * light.sun_irradiance * (taken / (4.0F * std::numbers::pi_v<float>));
 }
 
 }  // namespace wold::grass

@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "grass/optics/diffuse_light.h"
 #include "grass/texel/texel.h"
 #include "grass/texel/volume_data.h"
 #include "light/daylight.h"
@@ -15,7 +16,8 @@ struct Lighting {
   glm::dvec3 sun_direction;  ///< unit, towards the sun
   glm::vec3 sun_irradiance;
   std::vector<glm::vec3> sky_radiance;  ///< mean per ring of sky_rings()
-  glm::dvec3 eye_direction;             ///< unit, towards the camera, for the highlight
+  glm::dvec3 eye_direction;             ///< unit, towards the camera
+  glm::vec3 ground_albedo{0.0F};        ///< of the bare ground that the grass stands on
 };
 
 /// A ring of sky directions: elevation in radians, and the solid angle of each of its directions.
@@ -27,14 +29,20 @@ struct SkyRing {
 /// sum is the same for every quarter-turn of the texel.
 const std::vector<SkyRing>& sky_rings();
 
-/// One of the directions the sky is sampled by, unit, and the irradiance across it.
+/// One of the directions the sky is sampled by, unit, the solid angle that it stands for, and the
+/// mean radiance there.
 struct SkyDirection {
   glm::dvec3 direction;
-  glm::vec3 irradiance;
+  float solid_angle;
+  glm::vec3 radiance;
+
+  /// Across the direction.
+  glm::vec3 irradiance() const { return solid_angle * radiance; }
 };
 std::vector<SkyDirection> sky_directions(const Lighting& lighting);
 
-Lighting make_lighting(const light::Daylight& daylight, const glm::dvec3& eye_direction);
+Lighting make_lighting(const light::Daylight& daylight, const glm::dvec3& eye_direction,
+                       const glm::vec3& ground_albedo);
 
 /// Kajiya-Kay diffuse response: sine of the angle between fibre and light, scaled to a mean of 1
 /// over all directions (the mean sine is pi / 4), so that shading keeps energy.
@@ -56,25 +64,28 @@ struct TurnedLight {
 
 /// A bit of a blade, as Kajiya and Kay shade it.
 struct Fibre {
-  glm::vec3 tangent;  ///< unit
-  glm::vec3 albedo;
+  glm::vec3 tangent;        ///< unit
+  glm::vec3 albedo;         ///< reflectance and transmittance together
+  glm::vec3 transmittance;  ///< what leaves on the side that the light does not fall on
   float specular;
 };
 
-/// Radiance that a fibre sends in every direction.
+/// The fraction of the light that a fibre takes which its highlight sends on, for a coefficient of
+/// 1: pi / 8 times the integral of cos^p over the angle from the mirror cone.
+float highlight_albedo(float specular_exponent);
+
+/// Radiance that a fibre sends to the eye.
 ///
-/// `sunlit`: fraction of the sun that reaches it; `skylight`: the sky's irradiance that does,
-/// weighted by the diffuse response.
+/// `sunlit`: fraction of the sun that reaches it; `diffuse`: all other light that does.
 ///
-/// The highlight is Kajiya-Kay's for the sun; the sky is so wide that its highlight is the same
-/// for every view.
-///
-/// Fibres intercept the sun by the diffuse response and scatter alike in all directions: albedo /
-/// (4 pi) of it. Light scattered again by other fibres is added by the photon recollision
-/// probability p: 1 / (1 - p albedo) (Smolander and Stenberg 2005), p = 0.45 for a canopy of leaf
-/// area index 2 to 3.
+/// Fibres take light by the diffuse response and scatter it as leaves that are turned about their
+/// axis by any angle (leaf_phase()). The highlight is a part of what they reflect: what it sends is
+/// taken from the rest.
 glm::vec3 source_radiance(const Fibre& fibre, const TurnedLight& light, float sunlit,
-                          const glm::vec3& skylight, float specular_exponent);
+                          const DiffuseLight& diffuse, float specular_exponent);
+
+/// Radiance of the sun's light that a fibre scatters, the mean over all directions.
+glm::vec3 scattered_sunlight(const Fibre& fibre, const TurnedLight& light, float sunlit);
 
 /// Kajiya-Kay's exponent and the width of a blade, within which it does not shadow itself.
 struct FibreLook {
@@ -82,17 +93,13 @@ struct FibreLook {
   double width_m = 0.0;
 };
 
-/// Scattered skylight per voxel of the texel: integral of radiance * transmittance * diffuse
-/// response over the sky, without albedo. Skylight is smooth: its transmittance is taken from
-/// `occluder`, a coarser volume of the same patch.
-std::vector<glm::vec3> skylight(const Texel& texel, const VolumeData& occluder,
-                                const Lighting& lighting, const FibreLook& look);
+/// The sky's light on each voxel of a volume, through the others.
+std::vector<DiffuseLight> skylight(const VolumeData& volume, const Lighting& lighting,
+                                   const FibreLook& look);
 
-/// Source radiance per voxel, for a texel that stands turned by `turn` quarter-turns: sunlight
-/// through the tiled texel and skylight, scattered by its fibres. `density`: the extinction per
-/// voxel of the texel that shadows it.
-std::vector<glm::vec3> bake_emission(const Texel& texel, const std::vector<float>& density,
-                                     const std::vector<glm::vec3>& skylight,
-                                     const Lighting& lighting, const FibreLook& look, int turn);
+/// Fraction of the sun that reaches each voxel of a volume that stands turned by `turn`
+/// quarter-turns.
+std::vector<float> sunlit_fractions(const VolumeData& volume, const Lighting& lighting,
+                                    const FibreLook& look, int turn);
 
 }  // namespace wold::grass

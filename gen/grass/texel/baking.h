@@ -17,4 +17,9 @@ std::vector<VolumeData> bake_lods(const Texel& texel, std::span<const PointDynam
                                   const Lighting& lighting, const FibreLook& look,
                                   std::span<const int> sides, const std::vector<int>& turns);
 
+/// Source radiance per voxel of a texel that stands turned by `turn` quarter-turns, sunlight and
+/// all other light through the tiled texel and scattered by it. `density`: its extinction.
+std::vector<glm::vec3> bake_emission(const Texel& texel, const std::vector<float>& density,
+                                     const Lighting& lighting, const FibreLook& look, int turn);
+
 }  // namespace wold::grass

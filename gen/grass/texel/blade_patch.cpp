@@ -44,14 +44,16 @@ SeenPlace seen_place(const BladePatch& patch, const MeadowModel& meadow, std::si
   const Blade& blade = patch.blades[i];
   const AgeingModel& model = meadow.of(blade);
   const BladePose& pose = patch.poses[i];
-  const SeenPlace leaf{model.albedo(blade, patch.ages[i], along), model.specular(patch.ages[i])};
+  const LeafShade shade = model.shade(blade, patch.ages[i], along);
+  const SeenPlace leaf{shade.albedo, shade.transmittance, model.specular(patch.ages[i])};
   const SnowRidge ridge = snow_ridge(blade, pose, static_cast<float>(along), at);
   if (ridge.half_height_m <= 0.0F) return leaf;
   const float radius_m = blade.radius_m * pose.mesophyll_width * (1.0F - static_cast<float>(along));
   const float covered = std::min(ridge.half_width_m / radius_m, 1.0F);
   const float leaf_m = std::numbers::pi_v<float> / 2.0F * radius_m * (1.0F - 0.5F * covered);
   const float snow = ridge.area_m() / (ridge.area_m() + leaf_m);
-  return {glm::mix(leaf.albedo, snow_albedo, snow), leaf.specular * (1.0F - snow)};
+  return {glm::mix(leaf.albedo, snow_albedo, snow), leaf.transmittance * (1.0F - snow),
+          leaf.specular * (1.0F - snow)};
 }
 
 glm::vec3 mean_albedo(const BladePatch& patch, const MeadowModel& model) {

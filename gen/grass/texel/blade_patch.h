@@ -36,6 +36,7 @@ class WitheringPatch {
 /// What is seen of a place of a blade.
 struct SeenPlace {
   glm::vec3 albedo;
+  glm::vec3 transmittance;  ///< what of it leaves on the other side
   float specular;
 };
 

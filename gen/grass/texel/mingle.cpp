@@ -43,7 +43,7 @@ class SampleContributions {
     const Texel& sample = samples_[k];
     const std::size_t voxel = which - first_[k];
     return {sample.tangent[voxel], sample.normal[voxel], sample.albedo[voxel],
-            sample.specular[voxel]};
+            sample.transmittance[voxel], sample.specular[voxel]};
   }
 
  private:

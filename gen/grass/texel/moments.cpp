@@ -88,6 +88,7 @@ void write_four(std::span<const Moments> sums, std::span<const VoxelWeight> area
     const Four reflectance = per_area * sums[voxel].four(2);
     texel.albedo[begin + voxel] = first_three(reflectance);
     texel.specular[begin + voxel] = reflectance[3];
+    texel.transmittance[begin + voxel] = first_three(per_area * sums[voxel].four(3));
   }
   transpose(a);
   transpose(b);

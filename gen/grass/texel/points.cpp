@@ -129,6 +129,7 @@ Points sample_points(const std::vector<Blade>& blades, const TexelShape& shape,
   points.tangent.resize(count);
   points.normal.resize(count);
   points.albedo.resize(count);
+  points.transmittance.resize(count);
   points.specular.resize(count);
   points.area_m2 = points.rest_area_m2;
   return points;

@@ -26,12 +26,13 @@ struct Points {
   std::vector<std::uint8_t> vein;  ///< 1: vein tissue, 0: mesophyll
 
   // Now.
-  std::vector<glm::vec3> position_m;  ///< on the patch, not wrapped
-  std::vector<glm::vec3> tangent;     ///< unit
-  std::vector<glm::vec3> normal;      ///< unit; zero for vein tissue
-  std::vector<glm::vec3> albedo;      ///< md
-  std::vector<float> specular;        ///< ms
-  std::vector<float> area_m2;         ///< zero once merged into another point
+  std::vector<glm::vec3> position_m;     ///< on the patch, not wrapped
+  std::vector<glm::vec3> tangent;        ///< unit
+  std::vector<glm::vec3> normal;         ///< unit; zero for vein tissue
+  std::vector<glm::vec3> albedo;         ///< md
+  std::vector<glm::vec3> transmittance;  ///< what of it leaves on the other side
+  std::vector<float> specular;           ///< ms
+  std::vector<float> area_m2;            ///< zero once merged into another point
 
   std::size_t size() const { return arc_m.size(); }
   std::size_t blades() const { return blade_begin.empty() ? 0 : blade_begin.size() - 1; }

@@ -80,7 +80,7 @@ class PointContributions {
   void put(std::uint32_t p, std::size_t i) {
     std::construct_at(&footprints_[i], points_.position_m[p], points_.area_m2[p], shape_);
     std::construct_at(&moments_[i], points_.tangent[p], points_.normal[p], points_.albedo[p],
-                      points_.specular[p]);
+                      points_.transmittance[p], points_.specular[p]);
   }
 
   template <class Body>

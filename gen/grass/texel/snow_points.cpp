@@ -87,6 +87,7 @@ Points snow_points(const std::vector<Blade>& blades, const std::vector<BladePose
   points.vein.resize(points.size());
   points.rest_area_m2 = points.area_m2;
   points.albedo.assign(points.size(), snow_albedo);
+  points.transmittance.resize(points.size());
   points.specular.resize(points.size());
   return points;
 }

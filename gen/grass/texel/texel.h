@@ -47,12 +47,13 @@ struct TexelShape {
 /// grids are made of it where it goes to disk (texel_file.h).
 struct Texel {
   TexelShape shape;
-  std::vector<std::uint32_t> voxel;  ///< dense position
-  std::vector<float> density;        ///< mean projected area per volume, 1/m
-  std::vector<glm::vec3> tangent;    ///< unit, along the blade; t and -t are the same fibre
-  std::vector<glm::vec3> normal;     ///< unit, from the vein outwards; zero on the vein
-  std::vector<glm::vec3> albedo;     ///< diffuse coefficient md, linear RGB
-  std::vector<float> specular;       ///< specular coefficient ms
+  std::vector<std::uint32_t> voxel;      ///< dense position
+  std::vector<float> density;            ///< mean projected area per volume, 1/m
+  std::vector<glm::vec3> tangent;        ///< unit, along the blade; t and -t are the same fibre
+  std::vector<glm::vec3> normal;         ///< unit, from the vein outwards; zero on the vein
+  std::vector<glm::vec3> albedo;         ///< diffuse coefficient md, linear RGB
+  std::vector<glm::vec3> transmittance;  ///< what of the albedo leaves on the other side
+  std::vector<float> specular;           ///< specular coefficient ms
 
   std::size_t size() const { return voxel.size(); }
   /// Projected area of everything in the texel, m^2.

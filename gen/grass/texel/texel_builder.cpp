@@ -16,10 +16,11 @@ Texel texel_for(const TexelShape& shape, const std::vector<KeptSlice>& slices) {
   Texel texel;
   texel.shape = shape;
   // New memory is slow when it is touched for the first time.
-  const std::array<std::function<void()>, 6> resize{
-      [&] { texel.tangent.resize(size); },  [&] { texel.normal.resize(size); },
-      [&] { texel.albedo.resize(size); },   [&] { texel.voxel.resize(size); },
-      [&] { texel.specular.resize(size); }, [&] { texel.density.resize(size); }};
+  const std::array<std::function<void()>, 7> resize{
+      [&] { texel.tangent.resize(size); },       [&] { texel.normal.resize(size); },
+      [&] { texel.transmittance.resize(size); }, [&] { texel.albedo.resize(size); },
+      [&] { texel.voxel.resize(size); },         [&] { texel.specular.resize(size); },
+      [&] { texel.density.resize(size); }};
   parallel_for(resize.size(), [&](std::size_t i) { resize[i](); });
   return texel;
 }

@@ -147,6 +147,7 @@ void write_texel(const fs::path& path, const Texel& texel, const std::string& co
              make_grid<Vec3SGrid>("tangent", shape, shared, texel.tangent),
              make_grid<Vec3SGrid>("normal", shape, shared, texel.normal),
              make_grid<Vec3SGrid>("albedo", shape, shared, texel.albedo),
+             make_grid<Vec3SGrid>("transmittance", shape, shared, texel.transmittance),
              make_grid<FloatGrid>("specular", shape, shared, texel.specular)},
             file_metadata(shape, content));
 }
@@ -163,6 +164,7 @@ Texel read_texel(const fs::path& path) {
   read_values<openvdb::Vec3SGrid>(*grids, "tangent", texel, texel.tangent, path);
   read_values<openvdb::Vec3SGrid>(*grids, "normal", texel, texel.normal, path);
   read_values<openvdb::Vec3SGrid>(*grids, "albedo", texel, texel.albedo, path);
+  read_values<openvdb::Vec3SGrid>(*grids, "transmittance", texel, texel.transmittance, path);
   read_values<openvdb::FloatGrid>(*grids, "specular", texel, texel.specular, path);
   return texel;
 }

@@ -10,10 +10,10 @@
 namespace wold::grass {
 
 /// The time-varying texel on disk, one file per key frame: FloatGrids `density` and `specular`,
-/// Vec3SGrids `tangent`, `normal` and `albedo`, all of one topology, half precision. Index
-/// (1, 1, 1) is the first voxel, which leaves the one-voxel border that renderers need; the grids'
-/// transform puts its centre at half a voxel. File metadata: `content` (the given hash), `side`,
-/// `height`, `voxel_m`. Throws FileError.
+/// Vec3SGrids `tangent`, `normal`, `albedo` and `transmittance`, all of one topology, half
+/// precision. Index (1, 1, 1) is the first voxel, which leaves the one-voxel border that renderers
+/// need; the grids' transform puts its centre at half a voxel. File metadata: `content` (the given
+/// hash), `side`, `height`, `voxel_m`. Throws FileError.
 void write_texel(const std::filesystem::path& path, const Texel& texel, const std::string& content);
 
 /// Reads what write_texel() wrote; values come back with half precision. Throws FileError.

@@ -224,6 +224,7 @@ SampledTexel sample_texel(const Texel& texel, const scene::Grass& grass,
   points.tangent.resize(points.size());
   points.normal.resize(points.size());
   points.albedo.resize(points.size());
+  points.transmittance.resize(points.size());
   points.specular.resize(points.size());
   points.area_m2 = points.rest_area_m2;
   return sampled;

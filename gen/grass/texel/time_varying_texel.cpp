@@ -120,7 +120,7 @@ std::string described(const scene::Scene& scene, const Lighting& lighting) {
   relevant.grass.from_texel = plain.grass.from_texel;
   std::string text = texel_models() + scene::settings_text(relevant);
   text += three(lighting.sun_direction) + three(lighting.sun_irradiance) +
-          three(lighting.eye_direction);
+          three(lighting.eye_direction) + three(lighting.ground_albedo);
   for (const glm::vec3& radiance : lighting.sky_radiance) text += three(radiance);
   if (!scene.grass.from_texel.empty()) text += content_hash(read_file(scene.grass.from_texel));
   return text;
@@ -129,7 +129,7 @@ std::string described(const scene::Scene& scene, const Lighting& lighting) {
 }  // namespace
 
 std::string texel_models() {
-  constexpr int version = 6;  // raise when the same scene and models give other texels
+  constexpr int version = 7;  // raise when the same scene and models give other texels
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(shipped_file("models")))
     if (entry.is_regular_file() && entry.path().parent_path().filename() != "cloud")
