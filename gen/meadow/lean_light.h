@@ -19,7 +19,7 @@ class LeanLight {
   LeanLight(std::vector<grass::Fibre> fibres, grass::Lighting lighting, float specular_exponent);
 
   /// Luminance that leaning fibres send to an eye, over that of upright ones to the baked eye. Both
-  /// in half the sun and half the sky. `lean` is Combing's, `to_eye` unit.
+  /// in half the sun and half the sky. `lean` is WindLean's, `to_eye` unit.
   float factor(const glm::dvec2& lean, const glm::dvec3& to_eye) const;
 
   /// Radiance of the upright ones, all together, to the baked eye.
