@@ -61,6 +61,17 @@ def bad_paths(text: str) -> list[str]:
     ]
 
 
+def bad_headers(page: Path, text: str) -> list[str]:
+    """Headers in a room's README that neither the room nor another one has."""
+    if page.parent.parent != ROOT / "gen":
+        return []
+    return [
+        f"no such header: {name}"
+        for name in re.findall(r"`([\w/]+\.h)`", text)
+        if not any(page.parent.rglob(name)) and not (ROOT / "gen" / name).exists()
+    ]
+
+
 @cache
 def help_of(wold: str, command: str) -> str:
     words = [wold, command, "--help"] if command else [wold, "--help"]
@@ -175,7 +186,7 @@ def faults(wold: str) -> list[str]:
     for page in PAGES:
         text = read(page)
         found = bad_links(page, text) + bad_paths(text) + bad_commands(wold, text)
-        found += bad_keys(page, text)
+        found += bad_keys(page, text) + bad_headers(page, text)
         bad += [f"{page.relative_to(ROOT)}: {fault}" for fault in found]
     lines = read(ROOT / "README.md").count("\n")
     if lines > LONGEST_README:

@@ -6,6 +6,7 @@
 A library may include itself, what its line of the table names, and what that hands on PUBLIC. A
 header may include only what its own library hands on PUBLIC. The arrows of the table make no
 circle, and there is none that no include needs, but for those to core, which every library has.
+No function of physics takes the whole scene: it takes a part (scene/parts.h).
 Prints each line that breaks a rule; the exit status is 1 when there is one.
 """
 
@@ -30,6 +31,9 @@ FOREIGN = {
     "xxhash.h": "${XXHASH_LIBRARY}",
     "zip.h": "${ZIP_LIBRARY}",
 }
+# Phenomena by themselves: what they know of a scene is in their signatures.
+PHYSICS = ("weather", "snowpack", "phenology", "light", "terrain", "grass", "cloud", "snow")
+WHOLE_SCENE = re.compile(r"\bscene::Scene\s*&")
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]', re.MULTILINE)
 
 
@@ -139,10 +143,22 @@ def superfluous(name: str, table: dict[str, Library], needed: dict[str, set[str]
     ]
 
 
+def takers_of_whole_scenes(gen: pathlib.Path) -> list[str]:
+    """Lines of physics that take a whole scene."""
+    return [
+        f"{path.relative_to(gen)}:{number}: takes the whole scene"
+        for room in PHYSICS
+        for path in sorted((gen / room).rglob("*"))
+        if path.suffix in (".h", ".cpp")
+        for number, line in enumerate(path.read_text().splitlines(), 1)
+        if WHOLE_SCENE.search(line)
+    ]
+
+
 def faults(gen: pathlib.Path) -> list[str]:
     """All that breaks a rule in a folder of libraries."""
     table = read_table((gen / "CMakeLists.txt").read_text())
-    found = circles(table)
+    found = circles(table) + takers_of_whole_scenes(gen)
     for folder in sorted(path.name for path in gen.iterdir() if path.is_dir()):
         if folder not in table:
             found.append(f"{folder}: not in the table")

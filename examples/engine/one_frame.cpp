@@ -15,10 +15,12 @@ int main(int count, char** words) {
   }
   try {
     const wold::scene::Scene scene = wold::scene::read_scene(words[1], {});
-    const wold::film::Request request{.scene = wold::phenology::as_film(scene),
+    const auto season = wold::phenology::film_season(scene);
+    const wold::film::Request request{.scene = wold::phenology::as_film(scene, season.get()),
                                       .frames = {std::stoi(words[2])},
                                       .out = words[3],
-                                      .exporters = wold::film::wanted_exporters(scene)};
+                                      .exporters = wold::film::wanted_exporters(scene),
+                                      .season = season};
     wold::SilentProgress progress;
     for (const auto& file : wold::film::make_film(request, progress))
       std::cout << file.string() << '\n';

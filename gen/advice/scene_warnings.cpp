@@ -23,8 +23,9 @@ using Warnings = std::vector<std::string>;
 constexpr std::size_t min_film_frames = 8;
 
 /// The longest way that a layer drifts from one frame to the next.
-double longest_step_m(const scene::Scene& scene, std::size_t layer, double cell_m) {
-  const cloud::Timeline timeline(scene, layer, cell_m);
+double longest_step_m(const scene::Scene& scene, const phenology::FilmSeason* season,
+                      std::size_t layer, double cell_m) {
+  const cloud::Timeline timeline(scene, layer, cell_m, season);
   double longest_m = 0.0;
   glm::dvec2 before_m = timeline.at(0.0).way_m;
   for (std::size_t frame = 1; frame < scene.ageing.frames.size(); ++frame) {
@@ -36,13 +37,14 @@ double longest_step_m(const scene::Scene& scene, std::size_t layer, double cell_
   return longest_m;
 }
 
-void warn_of_jumping_clouds(const scene::Scene& scene, Warnings& warnings) {
+void warn_of_jumping_clouds(const scene::Scene& scene, const phenology::FilmSeason* season,
+                            Warnings& warnings) {
   constexpr double smooth = 0.1;  // of a cell
   if (scene.ageing.frames.size() < min_film_frames) return;
   for (std::size_t i = 0; i < scene.clouds.size(); ++i) {
     const scene::CloudLayer& layer = scene.clouds[i];
     const double cell_m = layer.cell_m.value_or(cloud::recipe_of(layer.kind).cell_m);
-    const double step_m = longest_step_m(scene, i, cell_m);
+    const double step_m = longest_step_m(scene, season, i, cell_m);
     if (step_m <= cell_m) continue;
     const double slower = smooth * cell_m / step_m;
     warnings.push_back(fmt::format(
@@ -134,9 +136,9 @@ void warn_of_late_table(const scene::Scene& scene, Warnings& warnings) {
 
 }  // namespace
 
-Warnings scene_warnings(const scene::Scene& film) {
+Warnings scene_warnings(const scene::Scene& film, const phenology::FilmSeason* season) {
   Warnings warnings = grass_warnings(film);
-  warn_of_jumping_clouds(film, warnings);
+  warn_of_jumping_clouds(film, season, warnings);
   warn_of_lost_snow(film, warnings);
   warn_of_streaks(film, warnings);
   warn_of_unseen_tornado(film, warnings);

@@ -1,7 +1,6 @@
 #include "cli/commands.h"
 #include "cli/warnings.h"
 #include "console/output.h"
-#include "phenology/film_season.h"
 #include "scene/parse.h"
 #include "scene/write.h"
 
@@ -10,7 +9,8 @@ namespace wold::cli {
 ExitCode run_check(const std::filesystem::path& scene, const std::vector<std::string>& overrides) {
   const scene::LocatedScene read = scene::read_located_scene(scene, overrides);
   print_warnings(read.warnings);
-  print_warnings(phenology::as_film(read.scene));
+  const auto season = phenology::film_season(read.scene);
+  print_warnings(phenology::as_film(read.scene, season.get()), season.get());
   console::print_data(scene::resolved_toml(read.scene));
   return ExitCode::done;
 }

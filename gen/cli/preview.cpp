@@ -31,18 +31,20 @@ fs::path file_of(const PreviewOptions& options, const scene::Scene& scene) {
 ExitCode run_preview(const PreviewOptions& options, Progress& progress) {
   const scene::LocatedScene read = scene::read_located_scene(options.scene, options.overrides);
   film::require_files(read.scene, read.places);
-  const scene::Scene scene = phenology::as_film(read.scene);
+  const auto season = phenology::film_season(read.scene);
+  const scene::Scene scene = phenology::as_film(read.scene, season.get());
   const fs::path file = file_of(options, scene);
   work::require_no_input(file, work::input_files(options.scene, scene));
   print_warnings(read.warnings);
-  print_warnings(scene);
+  print_warnings(scene, season.get());
   if (file.has_parent_path()) make_folder(file.parent_path());
   const ThreadLimit limit(scene.render.threads);
   const film::ScratchFolder scratch(temporary_name(file.parent_path() / "preview_work"));
   if (!sketch::has_labels())
     console::print_message(
         "labels are left out: DejaVu Sans is missing; apt-get install fonts-dejavu-core");
-  write_image(file, sketch::contact_sheet(scene, scratch.path(), progress), PixelFormat::uint8);
+  write_image(file, sketch::contact_sheet(scene, season, scratch.path(), progress),
+              PixelFormat::uint8);
   console::print_data(file.string() + "\n");
   return ExitCode::done;
 }

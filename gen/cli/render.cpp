@@ -61,7 +61,7 @@ void say_who_has_no_renderer(const work::Job& job, Progress& progress) {
 ExitCode run_generate(const work::RenderOptions& options, Progress& progress) {
   const work::Job job = work::plan_job(options);
   print_warnings(job.text_warnings);
-  print_warnings(job.scene);
+  print_warnings(job.scene, job.season.get());
   if (options.dry_run)
     print_plan(job, /*with_pictures=*/false);
   else
@@ -72,7 +72,7 @@ ExitCode run_generate(const work::RenderOptions& options, Progress& progress) {
 ExitCode run_render(const work::RenderOptions& options, Progress& progress) {
   const work::Job job = work::plan_job(options);
   print_warnings(job.text_warnings);
-  print_warnings(job.scene);
+  print_warnings(job.scene, job.season.get());
   if (options.dry_run) {
     print_plan(job, /*with_pictures=*/true);
     return ExitCode::done;

@@ -7,8 +7,8 @@
 
 namespace wold::cli {
 
-void print_warnings(const scene::Scene& film) {
-  for (const std::string& warning : advice::scene_warnings(film))
+void print_warnings(const scene::Scene& film, const phenology::FilmSeason* season) {
+  for (const std::string& warning : advice::scene_warnings(film, season))
     console::print_message(fmt::format("warning: {}", warning));
 }
 

@@ -163,14 +163,14 @@ struct Clouds::LayerHistory {
   }
 };
 
-Clouds::Clouds(const scene::Scene& scene, double pixel_m, const phenology::FilmSeason* season)
+Clouds::Clouds(const scene::CloudsPart& part, double pixel_m, const phenology::FilmSeason* season)
     : pixel_m_(pixel_m),
-      frame_seconds_(scene.film.frame_seconds),
-      sun_direction_(direction_to(scene.sun)) {
-  for (std::size_t i = 0; i < scene.clouds.size(); ++i) {
-    const scene::CloudLayer& described = scene.clouds[i];
+      frame_seconds_(part.frame_seconds),
+      sun_direction_(direction_to(part.sun)) {
+  for (std::size_t i = 0; i < part.layers.size(); ++i) {
+    const scene::CloudLayer& described = part.layers[i];
     const Recipe recipe = recipe_of(described.kind);
-    const std::uint64_t key = random_bits({scene.seed, key_of("cloud layer"), i});
+    const std::uint64_t key = random_bits({part.seed, key_of("cloud layer"), i});
     const double cell_m = cell_m_of(described, recipe);
     const glm::ivec2 cells(described.cells[0], described.cells[1]);
     const glm::ivec2 period_px = period_px_of(cells, cell_m, pixel_m, i);
@@ -186,7 +186,7 @@ Clouds::Clouds(const scene::Scene& scene, double pixel_m, const phenology::FilmS
                          described.repeat == scene::CloudRepeat::paper,
                          key,
                          pixel_m,
-                         Timeline(scene, i, cell_m, season),
+                         Timeline(part, i, cell_m, season),
                          {},
                          {}}));
   }
@@ -194,12 +194,12 @@ Clouds::Clouds(const scene::Scene& scene, double pixel_m, const phenology::FilmS
                            [](const auto& film) { return film->layer->base_m; });
 }
 
-double Clouds::usual_pixel_m(const scene::Scene& scene) {
-  const double sharpness = std::ranges::any_of(scene.clouds, is_all_in_its_map) ? 2.0 : 1.0;
+double Clouds::usual_pixel_m(const std::vector<scene::CloudLayer>& layers) {
+  const double sharpness = std::ranges::any_of(layers, is_all_in_its_map) ? 2.0 : 1.0;
   const double usual_period_px = 2048.0 * sharpness;
   const double usual_cell_px = 256.0 * sharpness;
   double pixel_m = 0.0, smallest_cell_m = 0.0;
-  for (const scene::CloudLayer& layer : scene.clouds) {
+  for (const scene::CloudLayer& layer : layers) {
     const double cell_m = cell_m_of(layer, recipe_of(layer.kind));
     pixel_m =
         std::max(pixel_m, std::max(layer.cells[0], layer.cells[1]) * cell_m / usual_period_px);

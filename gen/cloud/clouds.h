@@ -12,7 +12,7 @@
 #include "cloud/sunlit.h"
 #include "cloud/tiling.h"
 #include "cloud/timeline.h"
-#include "scene/scene.h"
+#include "scene/parts.h"
 
 /// The clouds of a scene: what they are at any frame. A caller makes `Clouds` once, asks it for the
 /// `CloudState` of a frame, and has that composed into one picture of the sky or takes each layer's
@@ -73,13 +73,14 @@ class Clouds {
   /// Makes or reads all textures. pixel_m: side of the maps' pixels, > 0; layers' cells are
   /// stretched, by less than a pixel per period, so that a period is a whole number of them. Throws
   /// FileError for bad pictures, InputError when a layer's period would have more than 16384 pixels
-  /// along a side. `season`: the scene's, if it is one; without it each layer makes it for itself.
-  Clouds(const scene::Scene& scene, double pixel_m, const phenology::FilmSeason* season = nullptr);
+  /// along a side. `season`: phenology::film_season() of the scene, nullptr where that is none.
+  Clouds(const scene::CloudsPart& part, double pixel_m,
+         const phenology::FilmSeason* season = nullptr);
 
   /// A pixel's side with which the longest period has 2048 pixels, but no finer than a 256th of
   /// the smallest cell: what is smaller, Layer::detail has. It has half that side where a layer is
   /// a volume or has pictures, which are without detail; 0 without clouds.
-  static double usual_pixel_m(const scene::Scene& scene);
+  static double usual_pixel_m(const std::vector<scene::CloudLayer>& layers);
 
   /// `frame` >= 1, alone: no other frame is needed. Maps are made when they are first used.
   /// sun_direction, of unit length: the scene's or that of the frame.

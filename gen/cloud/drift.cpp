@@ -58,7 +58,7 @@ glm::dvec2 gusts(double deviation_m_s, std::uint64_t key, const Value& value) {
 }
 
 /// What an event adds to [Wang2010]'s rate of drift while it lasts, in cells a frame.
-double hurry_of(CloudEventKind kind) {
+double boost_of(CloudEventKind kind) {
   constexpr double speed_increment = 0.01;
   if (kind == CloudEventKind::faster) return speed_increment;
   return kind == CloudEventKind::slower ? -speed_increment : 0.0;
@@ -110,20 +110,6 @@ std::vector<DriftSegment> in_winds(const std::vector<DriftSegment>& segments,
   return parts;
 }
 
-/// Day by day.
-std::vector<WindNow> winds_of(const scene::Scene& scene, const phenology::FilmSeason& season) {
-  const double days = scene::season_days(scene.season, scene.season.frames);
-  const double last_s = (scene.season.frames - 1) * scene.film.frame_seconds;
-  std::vector<WindNow> winds;
-  for (int day = 0; day <= days; ++day) {
-    const phenology::WindChange wind = season.wind(day);
-    winds.push_back(
-        {last_s * day / days, wind.speed_factor,
-         winds.empty() ? wind.turned_rad : nearest_turn(winds.back().turned_rad, wind.turned_rad)});
-  }
-  return winds;
-}
-
 }  // namespace
 
 glm::dvec2 way_m(const DriftSegment& segment, double seconds) {
@@ -157,10 +143,19 @@ glm::dvec2 gust_velocity_m_s(double deviation_m_s, double time_s, std::uint64_t 
                [&](const Wave& wave) { return math::cos(wave.per_s * time_s + wave.phase); });
 }
 
-std::vector<WindNow> season_winds(const scene::Scene& scene, const phenology::FilmSeason* known) {
-  if (!scene::is_season(scene)) return {};
-  return phenology::with_season(
-      scene, known, [&](const phenology::FilmSeason& season) { return winds_of(scene, season); });
+std::vector<WindNow> season_winds(const scene::CloudsPart& part,
+                                  const phenology::FilmSeason* season) {
+  if (season == nullptr) return {};
+  const double days = scene::season_days(part.season, part.season.frames);
+  const double last_s = (part.season.frames - 1) * part.frame_seconds;
+  std::vector<WindNow> winds;
+  for (int day = 0; day <= days; ++day) {
+    const phenology::WindChange wind = season->wind(day);
+    winds.push_back(
+        {last_s * day / days, wind.speed_factor,
+         winds.empty() ? wind.turned_rad : nearest_turn(winds.back().turned_rad, wind.turned_rad)});
+  }
+  return winds;
 }
 
 Drift::Drift(const scene::CloudLayer& layer, const std::vector<scene::CloudEvent>& in_order,
@@ -215,7 +210,7 @@ PaperDrift::PaperDrift(const std::vector<scene::CloudEvent>& in_order, double fr
   double rate = 1e-4;
   for (const scene::CloudEvent& event : in_order) {
     if (event.kind == CloudEventKind::wind) rate = -rate;
-    rates_.push_back({event.start_s, rate + hurry_of(event.kind)});
+    rates_.push_back({event.start_s, rate + boost_of(event.kind)});
     rates_.push_back({event.start_s + event.duration_s, rate});
   }
 }

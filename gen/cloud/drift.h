@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/parts.h"
 
 /// Where a layer has drifted to. Every motion is a closed form of time: no frame needs another.
 namespace wold::phenology {
@@ -40,8 +40,9 @@ struct WindNow {
 };
 
 /// The season's wind on the clouds' clock, day by day from 0; none of a scene that is no season.
-/// `season`: the scene's, if it is one; nullptr makes it. Throws what phenology::FilmSeason throws.
-std::vector<WindNow> season_winds(const scene::Scene& scene, const phenology::FilmSeason* season);
+/// `season`: phenology::film_season() of the scene, nullptr where that is none.
+std::vector<WindNow> season_winds(const scene::CloudsPart& part,
+                                  const phenology::FilmSeason* season);
 
 /// How one layer drifts through its wind, faster and slower events, in a season with its wind.
 class Drift {

@@ -16,12 +16,12 @@ using scene::CloudEventKind;
 using scene::CloudFade;
 
 /// The events that change this of the layer, by their start.
-std::vector<CloudEvent> changes(const scene::Scene& scene, std::size_t layer,
+std::vector<CloudEvent> changes(const scene::CloudsPart& part, std::size_t layer,
                                 scene::CloudChange change) {
   std::vector<CloudEvent> found;
-  for (const CloudEvent& event : scene.cloud_events)
+  for (const CloudEvent& event : part.events)
     if (scene::happens_to(event, layer) && scene::change_of(event) == change)
-      found.push_back(scene::on_clock(scene, event));
+      found.push_back(scene::on_clock(part.season, part.frame_seconds, event));
   std::ranges::stable_sort(found, {}, &CloudEvent::start_s);
   return found;
 }
@@ -44,8 +44,8 @@ double amount_after(const CloudEvent& event, double before) {
                                               : before * (1.0 - event.fraction);
 }
 
-std::uint64_t layer_key(const scene::Scene& scene, std::size_t layer) {
-  return random_bits({scene.seed, key_of("cloud layer"), layer, key_of("drift")});
+std::uint64_t layer_key(const scene::CloudsPart& part, std::size_t layer) {
+  return random_bits({part.seed, key_of("cloud layer"), layer, key_of("drift")});
 }
 
 glm::dvec3 colour_of(const CloudEvent& event, double turbidity) {
@@ -62,23 +62,23 @@ glm::dvec3 sunlight_colour(double sun_elevation_deg, double turbidity) {
   return positive / std::max({positive.r, positive.g, positive.b});
 }
 
-Timeline::Timeline(const scene::Scene& scene, std::size_t layer, double cell_m,
+Timeline::Timeline(const scene::CloudsPart& part, std::size_t layer, double cell_m,
                    const phenology::FilmSeason* season)
-    : winds_(shearing(changes(scene, layer, scene::CloudChange::drift))),
-      amounts_(changes(scene, layer, scene::CloudChange::amount)),
-      lights_(changes(scene, layer, scene::CloudChange::light)),
+    : winds_(shearing(changes(part, layer, scene::CloudChange::drift))),
+      amounts_(changes(part, layer, scene::CloudChange::amount)),
+      lights_(changes(part, layer, scene::CloudChange::light)),
       shapes_({Shape{}}),
-      gathered_(scene.clouds.at(layer).gathered),
+      gathered_(part.layers.at(layer).gathered),
       cell_m_(cell_m),
-      drift_(scene.clouds[layer], changes(scene, layer, scene::CloudChange::drift),
-             layer_key(scene, layer), season_winds(scene, season)) {
+      drift_(part.layers[layer], changes(part, layer, scene::CloudChange::drift),
+             layer_key(part, layer), season_winds(part, season)) {
   for (const CloudEvent& event : lights_)
-    light_colours_.push_back(colour_of(event, scene.sky.turbidity));
+    light_colours_.push_back(colour_of(event, part.turbidity));
   for (const CloudEvent& event : winds_)
     shapes_.push_back({glm::radians(event.heading_deg), event.shear});
-  if (scene.clouds[layer].motion == scene::Law::paper)
-    paper_drift_.emplace(changes(scene, layer, scene::CloudChange::drift), scene.film.frame_seconds,
-                         layer_key(scene, layer));
+  if (part.layers[layer].motion == scene::Law::paper)
+    paper_drift_.emplace(changes(part, layer, scene::CloudChange::drift), part.frame_seconds,
+                         layer_key(part, layer));
 }
 
 LayerMoment Timeline::at(double time_s) const {

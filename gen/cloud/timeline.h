@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cloud/drift.h"
-#include "scene/scene.h"
+#include "scene/parts.h"
 
 namespace wold::cloud {
 
@@ -32,8 +32,8 @@ struct LayerMoment {
 class Timeline {
  public:
   /// `layer` counts from 0; cell_m is the side of its cells.
-  /// `season`: the scene's, if it is one; without it the time line makes it for itself.
-  Timeline(const scene::Scene& scene, std::size_t layer, double cell_m,
+  /// `season`: phenology::film_season() of the scene, nullptr where that is none.
+  Timeline(const scene::CloudsPart& part, std::size_t layer, double cell_m,
            const phenology::FilmSeason* season = nullptr);
 
   /// time_s >= 0, since the first frame.

@@ -142,9 +142,11 @@ landscape::Daylight open_daylight(const light::Daylight& day, double sunlit_frac
 
 }  // namespace
 
-landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site, int frame,
+landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site,
+                              const meadow::FrameGrass& now,
                               std::span<const meadow::CellChoice> choices,
                               const PatchLookup& lookup, const landscape::Needs& needs) {
+  const int frame = now.frame;
   landscape::Landscape landscape;
   landscape.frame = frame;
   landscape.weathering = scene.ageing.frames.at(static_cast<std::size_t>(frame - 1));
@@ -169,7 +171,7 @@ landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site
   const ColourMap light = illuminate(ground.light());
   landscape.exposure_gain =
       gain(scene, site.day, ground, light) * dusk(scene, frame) * math::exp2(scene.render.exposure);
-  ground::LitGround(scene, site, landscape, choices, lookup.far, illuminate)
+  ground::LitGround(scene, site, now, landscape, choices, lookup.far, illuminate)
       .show(ground, light, landscape);
   sky.show(landscape, overcast_per_m > 0.0);
   if (overcast_per_m > 0.0) sky::add_precipitation(scene, site, air, needs, landscape);

@@ -7,6 +7,7 @@
 #include "landscape/landscape.h"
 #include "landscape/needs.h"
 #include "meadow/cells.h"
+#include "meadow/frame_grass.h"
 #include "meadow/patch_appearance.h"
 #include "place/site.h"
 #include "scene/scene.h"
@@ -23,13 +24,14 @@ struct PatchLookup {
   std::function<meadow::PatchAppearance(const grass::PatchState&)> far = {};
 };
 
-/// One frame (from 1) as the exporters want it: `choices` are choose_cells', `lookup` is called
+/// One frame as the exporters want it: `choices` are choose_cells', `lookup` is called
 /// once for each different volume and for each different part of a mesh, in ascending order, and
 /// what it gives, or the part of it, are the landscape's in that order.
 /// `site` is site_of_frame()'s. exposure_gain is metered_gain() (exposure.h), or towards
 /// snow_gain() in a season, times dusk_gain() where the sun moves within a day, times 2^exposure.
 /// `needs` is needs_of() (exporters.h).
-landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site, int frame,
+landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site,
+                              const meadow::FrameGrass& now,
                               std::span<const meadow::CellChoice> choices,
                               const PatchLookup& lookup, const landscape::Needs& needs);
 

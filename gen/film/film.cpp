@@ -61,30 +61,31 @@ void write_film_files(const Request& request) {
 FilmPipeline::FilmPipeline(const Request& request)
     : request_(request),
       snow_(request.out / "snow"),
-      site_(place::make_site(request.scene, snow_.path(), {}, request.season)),
+      site_(place::make_site(request.scene, request.season, snow_.path())),
       texels_(request.scene, meadow::film_lights(request.scene, site_), request.out / "texels") {}
 
 void FilmPipeline::find_demand(Progress& progress) {
   progress.begin("cells", request_.frames.size());
   for (const int frame : request_.frames) {
-    const std::vector<meadow::CellChoice> cells = cells_of(frame);
+    const meadow::FrameGrass now = meadow::frame_grass(request_.scene, site_, frame);
+    const std::vector<meadow::CellChoice> cells = cells_of(now);
     for (const meadow::CellChoice& cell : cells)
       if (!cell.blades) demand(cell.variant, cell.state(), cell.lod);
-    demand_far_field(frame);
+    demand_far_field(now);
     progress.advance(1, fmt::format("frame {}: {} cells", frame, cells.size()));
   }
   progress.end();
 }
 
-std::vector<meadow::CellChoice> FilmPipeline::cells_of(int frame) const {
+std::vector<meadow::CellChoice> FilmPipeline::cells_of(const meadow::FrameGrass& now) const {
   return meadow::choose_cells(request_.scene, site_.terrain, place::growth_of_cells(site_),
-                              *site_.withering, frame);
+                              *site_.withering, now);
 }
 
-void FilmPipeline::demand_far_field(int frame) {
+void FilmPipeline::demand_far_field(const meadow::FrameGrass& now) {
   const scene::Scene& scene = request_.scene;
-  if (!ground::shows_distance(scene, site_, frame)) return;
-  for (const grass::PatchState& state : meadow::far_states(scene, *site_.withering, frame))
+  if (!ground::shows_distance(scene, site_, now.frame)) return;
+  for (const grass::PatchState& state : meadow::far_states(scene, *site_.withering, now))
     for (int variant = 0; variant < scene.grass.variants; ++variant)
       demand(variant, state, coarsest_lod(scene.grass));
 }
@@ -169,9 +170,10 @@ std::vector<fs::path> FilmPipeline::make_frame(int frame, Progress& progress) {
       [&](const grass::PatchState& state) { return far_appearance(state); }};
   const std::vector<const exporter::Exporter*>& exporters = request_.exporters;
   progress.begin(fmt::format("scene files of frame {}", frame), 1 + exporters.size());
+  const meadow::FrameGrass now = meadow::frame_grass(request_.scene, site_, frame);
   const landscape::Landscape landscape =
-      assemble(request_.scene, place::site_of_frame(request_.scene, site_, frame), frame,
-               cells_of(frame), lookup, needs_of(exporters));
+      assemble(request_.scene, place::site_of_frame(request_.scene, site_, frame), now,
+               cells_of(now), lookup, needs_of(exporters));
   progress.advance(1, fmt::format("frame {}", frame));
   check_frame(request_, landscape, progress);
   const exporter::FilmSettings film = film_settings(request_.scene);

@@ -11,6 +11,7 @@
 #include "grass/texel/time_varying_texel.h"
 #include "landscape/landscape.h"
 #include "meadow/cells.h"
+#include "meadow/frame_grass.h"
 #include "meadow/patch_appearance.h"
 #include "place/site.h"
 
@@ -42,8 +43,8 @@ class FilmPipeline {
   std::vector<std::filesystem::path> make_frame(int frame, Progress& progress);
 
  private:
-  std::vector<meadow::CellChoice> cells_of(int frame) const;
-  void demand_far_field(int frame);
+  std::vector<meadow::CellChoice> cells_of(const meadow::FrameGrass& now) const;
+  void demand_far_field(const meadow::FrameGrass& now);
   void demand(int variant, const grass::PatchState& state, int lod);
   landscape::Volume volume(const meadow::CellChoice& cell) const;
   landscape::BladeMesh blades(const meadow::CellChoice& cell);

@@ -38,12 +38,15 @@ class Ground {
         growth_(place::is_large(scene)
                     ? place::growth_map(scene, terrain_, place::window_grid(scene))
                     : place::growth_map(scene, terrain_)),
-        withering_(scene, terrain_, std::move(season)) {}
+        withering_(scene, terrain_, season),
+        weather_(scene, season.get()),
+        season_(std::move(season)) {}
 
   FrameDemand demand(int frame) const {
     FrameDemand demand;
+    const meadow::FrameGrass now = meadow::frame_grass(scene_, season_.get(), weather_, frame);
     for (const meadow::CellChoice& cell :
-         meadow::choose_cells(scene_, terrain_, growth_, withering_, frame)) {
+         meadow::choose_cells(scene_, terrain_, growth_, withering_, now)) {
       demand.parts += cell.parts.size();
       if (cell.blades)
         demand.patches.insert({cell.variant, cell.state()});
@@ -66,6 +69,8 @@ class Ground {
   Heightfield terrain_;
   FactorMap growth_;
   place::Withering withering_;
+  snow::Weather weather_;
+  std::shared_ptr<const phenology::FilmSeason> season_;
 };
 
 /// The states on the straight way from one to another, without the first.

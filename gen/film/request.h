@@ -16,7 +16,7 @@ struct Request {
   std::vector<int> frames;                           ///< from 1, rising, all within the scene
   std::filesystem::path out;                         ///< the output folder
   std::vector<const exporter::Exporter*> exporters;  ///< who writes scene files: wanted_exporters()
-  /// The scene's, if it is one; without it whoever needs the season makes it.
+  /// phenology::film_season() of the scene, nullptr where that is none.
   std::shared_ptr<const phenology::FilmSeason> season = {};
 };
 

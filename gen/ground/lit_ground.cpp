@@ -7,7 +7,6 @@
 #include "core/parallel.h"
 #include "grass/optics/light_under_grass.h"
 #include "grass/texel/fibres.h"
-#include "meadow/canopy_snow.h"
 #include "meadow/film_lights.h"
 #include "meadow/tint.h"
 #include "place/cell_window.h"
@@ -40,7 +39,7 @@ meadow::GrassColour grass_colour(const grass::WitheringPatch& patch,
   };
 }
 
-/// What combing does to the light of the frame's grass.
+/// What its lean does to the light of the frame's grass.
 meadow::LeanLight lean_light(const scene::Scene& scene, const place::Site& site, int frame,
                              const grass::BladePatch& patch, const grass::MeadowModel& model) {
   constexpr int fibres = 150;
@@ -49,18 +48,18 @@ meadow::LeanLight lean_light(const scene::Scene& scene, const place::Site& site,
           static_cast<float>(scene.grass.specular_exponent)};
 }
 
-/// The grid of what combing does, on a part of the ground of a large terrain or a sketch: it costs
-/// much.
-GroundGrid combed_grid(const GroundGrid& grid, const std::optional<place::Sketch>& sketch) {
+/// The grid of what lean does to light, on a part of the ground of a large terrain or a sketch: it
+/// costs much.
+GroundGrid lean_light_grid(const GroundGrid& grid, const std::optional<place::Sketch>& sketch) {
   constexpr int usual = 513;
-  return {grid.square, std::min(grid.samples, sketch ? sketch->combed_samples : usual)};
+  return {grid.square, std::min(grid.samples, sketch ? sketch->lean_light_samples : usual)};
 }
 
 std::map<grass::PatchState, meadow::PatchAppearance> far_appearances(
-    const scene::Scene& scene, const place::Site& site, int frame,
+    const scene::Scene& scene, const place::Site& site, const meadow::FrameGrass& now,
     const std::function<meadow::PatchAppearance(const grass::PatchState&)>& far) {
   std::map<grass::PatchState, meadow::PatchAppearance> looks;
-  for (const grass::PatchState& state : meadow::far_states(scene, *site.withering, frame))
+  for (const grass::PatchState& state : meadow::far_states(scene, *site.withering, now))
     looks.emplace(state, far(state));
   return looks;
 }
@@ -68,7 +67,7 @@ std::map<grass::PatchState, meadow::PatchAppearance> far_appearances(
 }  // namespace
 
 LitGround::LitGround(const scene::Scene& scene, const place::Site& site,
-                     const landscape::Landscape& landscape,
+                     const meadow::FrameGrass& now, const landscape::Landscape& landscape,
                      std::span<const meadow::CellChoice> choices,
                      const std::function<meadow::PatchAppearance(const grass::PatchState&)>& far,
                      Illuminate illuminate)
@@ -76,33 +75,34 @@ LitGround::LitGround(const scene::Scene& scene, const place::Site& site,
       site_(site),
       choices_(choices),
       illuminate_(std::move(illuminate)),
-      frame_(landscape.frame),
+      now_(now),
       view_(landscape.camera, landscape.width_px, landscape.height_px),
       haze_(site.day, landscape.camera.eye_m),
-      wind_lean_(scene, landscape.frame, site.season.get()),
-      snow_(meadow::canopy_snow(scene, frame_, site.season.get())),
       model_(scene),
       patch_(scene, model_, /*variant=*/0),
-      combed_(lean_light(scene, site, frame_, patch_.at(landscape.weathering, snow_), model_)),
-      under_grass_(grass::light_under_grass(patch_.at(landscape.weathering, snow_), model_,
-                                            meadow::frame_lighting(scene, site, frame_))) {
+      lean_light_(
+          lean_light(scene, site, now.frame, patch_.at(landscape.weathering, now.snow), model_)),
+      under_grass_(grass::light_under_grass(patch_.at(landscape.weathering, now.snow), model_,
+                                            meadow::frame_lighting(scene, site, now.frame))) {
   if (scene.ageing.pigment_spread > 0.0)
-    pigment_spread_.emplace(scene, patch_, snow_, meadow::frame_lighting(scene, site, frame_));
-  if (shows_distance(scene, site, frame_))
-    meadow_.emplace(scene, site.terrain, *site.withering, view_, frame_,
-                    far_appearances(scene, site, frame_, far));
+    pigment_spread_.emplace(scene, patch_, now.snow,
+                            meadow::frame_lighting(scene, site, now.frame));
+  if (shows_distance(scene, site, now.frame))
+    meadow_.emplace(scene, site.terrain, *site.withering, view_, now,
+                    far_appearances(scene, site, now, far));
 }
 
 ColourMap LitGround::on_grass(const ColourMap& light, const GroundGrid& grid) const {
-  const ColourMap combed = place::is_large(scene_) || site_.sketch
-                               ? meadow::lean_light_map(combed_, wind_lean_, site_.terrain, view_,
-                                                        combed_grid(grid, site_.sketch))
-                               : meadow::lean_light_map(combed_, wind_lean_, site_.terrain, view_);
-  const ColourMap on_combed = product(light, combed);
-  if (!pigment_spread_) return on_combed;
-  return product(on_combed, meadow::pigment_spread_map(*pigment_spread_, *site_.withering, frame_,
-                                                       site_.terrain, view_,
-                                                       {light.square(), light.samples()}));
+  const ColourMap leaning =
+      place::is_large(scene_) || site_.sketch
+          ? meadow::lean_light_map(lean_light_, now_.wind_lean, site_.terrain, view_,
+                                   lean_light_grid(grid, site_.sketch))
+          : meadow::lean_light_map(lean_light_, now_.wind_lean, site_.terrain, view_);
+  const ColourMap on_leaning = product(light, leaning);
+  if (!pigment_spread_) return on_leaning;
+  return product(on_leaning, meadow::pigment_spread_map(*pigment_spread_, *site_.withering,
+                                                        now_.frame, site_.terrain, view_,
+                                                        {light.square(), light.samples()}));
 }
 
 ColourMap LitGround::painted(ColourMap ground, const FactorMap& growth,
@@ -137,9 +137,10 @@ void LitGround::show(const SnowyGround& ground, const ColourMap& light,
     landscape.ground_details.push_back(detail(ground, grid));
 
   if (place::is_large(scene_)) grass_light = light_in_window();
-  landscape.light = product(
-      grass_light, meadow::weathering_tint(scene_, *site_.withering, frame_, choices_, snow_,
-                                           grass_colour(patch_, model_, snow_, choices_)));
+  landscape.light =
+      product(grass_light,
+              meadow::weathering_tint(scene_, *site_.withering, now_.frame, choices_, now_.snow,
+                                      grass_colour(patch_, model_, now_.snow, choices_)));
   landscape.extinction_factor = ground.extinction_factor(
       meadow::grass_extinction_factor(scene_, site_.terrain, place::growth_of_cells(site_), view_));
   if (meadow_)

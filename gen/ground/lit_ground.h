@@ -13,9 +13,9 @@
 #include "landscape/landscape.h"
 #include "meadow/cells.h"
 #include "meadow/far_field.h"
+#include "meadow/frame_grass.h"
 #include "meadow/lean_light.h"
 #include "meadow/pigment_spread.h"
-#include "meadow/wind_lean.h"
 #include "place/site.h"
 #include "place/view.h"
 #include "scene/scene.h"
@@ -31,9 +31,9 @@ using Illuminate = std::function<ColourMap(const terrain::GroundLight& clear)>;
 /// The ground of one frame with what is painted on it, and the light on the grass that stands.
 class LitGround {
  public:
-  /// Frame, weathering, camera and size of the picture are `landscape`'s. `far` is called as
+  /// Weathering, camera and size of the picture are `landscape`'s. `far` is called as
   /// PatchLookup's. Scene, site and choices have to outlive it.
-  LitGround(const scene::Scene& scene, const place::Site& site,
+  LitGround(const scene::Scene& scene, const place::Site& site, const meadow::FrameGrass& now,
             const landscape::Landscape& landscape, std::span<const meadow::CellChoice> choices,
             const std::function<meadow::PatchAppearance(const grass::PatchState&)>& far,
             Illuminate illuminate);
@@ -57,14 +57,12 @@ class LitGround {
   const place::Site& site_;
   std::span<const meadow::CellChoice> choices_;
   Illuminate illuminate_;
-  int frame_;
+  meadow::FrameGrass now_;
   place::View view_;
   Haze haze_;
-  meadow::WindLean wind_lean_;
-  double snow_;  ///< canopy_snow()
   grass::MeadowModel model_;
   grass::WitheringPatch patch_;
-  meadow::LeanLight combed_;
+  meadow::LeanLight lean_light_;
   glm::vec3 under_grass_;  ///< fraction of the light that reaches the ground where grass grows
   std::optional<meadow::PigmentSpread> pigment_spread_;  ///< of colour, if any
   std::optional<meadow::Meadow> meadow_;  ///< as it looks from afar, where it is seen so

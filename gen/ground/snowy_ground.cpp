@@ -142,8 +142,8 @@ bool is_paper(const scene::Scene& scene) {
 SnowyGround::SnowyGround(const scene::Scene& scene, const place::Site& site, int frame)
     : scene_(scene), site_(site), grass_(scene::mean_grass(scene)), surface_(site.terrain) {
   if (!site.snow) return;
-  wetness_ = snow::ground_wetness(site.snow->weather, scene::time_s(scene, frame),
-                                  mean(site.terrain.values()));
+  wetness_ =
+      snow::ground_wetness(*site.weather, scene::time_s(scene, frame), mean(site.terrain.values()));
   if (site.snow->large) {
     lay_about_the_camera(frame);
   } else if (!place::is_large(scene) || is_paper(scene)) {

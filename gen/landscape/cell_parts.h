@@ -13,7 +13,7 @@ namespace wold::landscape {
 struct CellPose {
   glm::ivec2 cell{0};    ///< column (east) and row (north), from 0
   int turn = 0;          ///< quarter-turns counter-clockwise, seen from above
-  glm::dvec2 lean{0.0};  ///< of what stands on it, along the ground (see Combing)
+  glm::dvec2 lean{0.0};  ///< of what stands on it, along the ground (see meadow::WindLean)
 };
 
 /// Where x of a cell points to after so many quarter-turns.

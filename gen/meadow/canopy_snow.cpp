@@ -8,7 +8,6 @@
 #include "place/site.h"
 #include "scene/species.h"
 #include "scene/winter.h"
-#include "snow/weather.h"
 
 namespace wold::meadow {
 namespace {
@@ -53,12 +52,11 @@ double intercepted_fraction(double leaf_area_index, double fraction,
   return std::clamp(fraction, 0.0, 1.0);
 }
 
-double canopy_snow(const scene::Scene& scene, int frame, const phenology::FilmSeason* season) {
+double canopy_snow(const scene::Scene& scene, const snow::Weather& weather, int frame) {
   if (scene.snow_cover.cover != scene::CoverModel::depth || scene::has_hair(scene)) return 0.0;
   const double leaf_area = place::leaf_area_index(scene);
   const double caught_per_mm = canopy_cover(leaf_area) / canopy_capacity_mm(leaf_area);
   const double initial = -math::expm1(-caught_per_mm * scene.snow_cover.initial_mm);
-  const snow::Weather weather(scene, season);
   const auto on_canopy = [&](double time_s) {
     return CanopyWeather{weather.at(time_s).temperature_c, weather.snow_mm_h(time_s, 0.0)};
   };

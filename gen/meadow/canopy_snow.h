@@ -3,10 +3,7 @@
 #include <functional>
 
 #include "scene/scene.h"
-
-namespace wold::phenology {
-class FilmSeason;
-}
+#include "snow/weather.h"
 
 namespace wold::meadow {
 
@@ -42,8 +39,7 @@ double intercepted_fraction(double leaf_area_index, double fraction,
 /// The fraction of the snow that the scene's grass can carry which lies on it in a frame (from 1),
 /// in [0, 1]: of the weather at the terrain's zero since it began. Snow that lay on the ground then
 /// (snow_cover.initial) had just fallen. 0 where snow_cover.cover is not "depth" and for fur.
-/// `season`: the scene's, if it is one; nullptr makes it. Throws what snow::Weather throws.
-double canopy_snow(const scene::Scene& scene, int frame,
-                   const phenology::FilmSeason* season = nullptr);
+/// `weather`: that of the scene's film.
+double canopy_snow(const scene::Scene& scene, const snow::Weather& weather, int frame);
 
 }  // namespace wold::meadow

@@ -1,21 +1,15 @@
 #include "meadow/cells.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
 
-#include "core/error.h"
 #include "core/noise.h"
 #include "core/parallel.h"
 #include "core/random.h"
-#include "meadow/canopy_snow.h"
 #include "meadow/far_field.h"
-#include "meadow/film_lights.h"
-#include "meadow/wind_lean.h"
 #include "place/ground_grids.h"
 #include "place/view.h"
 #include "scene/key_frames.h"
@@ -205,7 +199,7 @@ Grown grown_in(const FactorMap& growth, const glm::ivec2& cell, double patch_m) 
 /// What cells show of a frame.
 struct Showing {
   double snow;   ///< level of PatchState, not whole
-  double light;  ///< light_of_frame()
+  double light;  ///< FrameGrass's
 };
 
 /// All of the choice but where the cell stands.
@@ -228,12 +222,6 @@ CellChoice choose_cell(const scene::Scene& scene, const glm::ivec2& cell, const 
 
 int voxels_of(const scene::Scene& scene, const CellChoice& choice) {
   return scene.grass.lods[static_cast<std::size_t>(choice.lod)];
-}
-
-void check_frame(const scene::Scene& scene, int frame) {
-  const std::size_t frames = scene.ageing.frames.size();
-  if (frame < 1 || static_cast<std::size_t>(frame) > frames)
-    throw InputError(fmt::format("frame {} does not exist: the scene has {}", frame, frames));
 }
 
 }  // namespace
@@ -270,22 +258,18 @@ int turns_of_lod(const scene::Scene& scene, int lod) {
 
 std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfield& terrain,
                                      const FactorMap& growth, const place::Withering& withering,
-                                     int frame) {
-  check_frame(scene, frame);
+                                     const FrameGrass& now) {
   const place::CellWindow window(scene);
   const std::vector<Texel> texels = choose_texels(scene, window);
   const landscape::Camera camera =
-      place::resolved_camera(scene.camera, terrain, place::time_of_frame(scene, frame));
+      place::resolved_camera(scene.camera, terrain, place::time_of_frame(scene, now.frame));
   const Sight sight(scene, terrain, camera);
   std::optional<Heightfield> mesh;
   if (place::is_large(scene)) mesh = terrain::mesh_heights(terrain, place::window_grid(scene));
   const Heightfield& ground = mesh ? *mesh : terrain;
-  const WindLean wind_lean(scene, frame, withering.season());
   const std::vector<double> key_frames = scene::key_frames(scene);
   const scene::Grass grass = scene::mean_grass(scene);
-  const Showing showing = {
-      grass::PatchState::level_of(canopy_snow(scene, frame, withering.season())),
-      light_of_frame(scene, frame)};
+  const Showing showing = {grass::PatchState::level_of(now.snow), now.light};
   const auto side = static_cast<std::size_t>(window.per_side);
   std::vector<std::vector<CellChoice>> rows(side);
   const auto consider = [&](const glm::ivec2& cell, const Texel& texel,
@@ -294,16 +278,17 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
     const Grown grown = grown_in(growth, cell, scene.grass.patch_m);
     if (grown.max <= 0.0F || !sight.may_see(middle_m)) return;
     CellChoice choice =
-        choose_cell(scene, cell, texel, key_frames, withering.at(glm::dvec2(middle_m), frame),
+        choose_cell(scene, cell, texel, key_frames, withering.at(glm::dvec2(middle_m), now.frame),
                     showing, sight.pixels(middle_m));
     if (choice.blades && cell_uniform(scene, cell, "grown") >= double{grown.mean}) return;
     const double patch_m = scene.grass.patch_m;
-    const landscape::CellPose pose = {cell, choice.turn, wind_lean.lean(centre_m(cell, patch_m))};
+    const landscape::CellPose pose = {cell, choice.turn,
+                                      now.wind_lean.lean(centre_m(cell, patch_m))};
     choice.parts = landscape::parts_on_ground(ground, patch_m, pose, voxels_of(scene, choice),
                                               ground_tolerance_m);
     // Half-way up, so that they show as much too little above as too much below: along a line of
     // sight between them either would be a seam.
-    choice.reach = reach_to_neighbours(wind_lean, patch_m, pose, 0.5 * grass.height_m);
+    choice.reach = reach_to_neighbours(now.wind_lean, patch_m, pose, 0.5 * grass.height_m);
     row.push_back(std::move(choice));
   };
   parallel_for(side, [&](std::size_t j) {

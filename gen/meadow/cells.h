@@ -7,7 +7,7 @@
 #include "core/ground_map.h"
 #include "grass/ageing/patch_state.h"
 #include "landscape/cell_parts.h"
-#include "meadow/wind_lean.h"
+#include "meadow/frame_grass.h"
 #include "place/cell_window.h"
 #include "place/withering.h"
 #include "scene/scene.h"
@@ -54,16 +54,15 @@ int turns_of_lod(const scene::Scene& scene, int lod);
 /// thin, blades stand on as many cells as it says, while volumes are thinned in space.
 ///
 /// Variant and turn come by keyed choice, so that neighbours differ. Key frame, level of snow and
-/// light are those below or above the cell's weathering, canopy_snow() and light_of_frame(), in the
-/// mean as much as these; variants pass from one to the next one after another, so that few pairs
+/// light are those below or above the cell's weathering and the frame's snow and light, in the mean
+/// as much as these; variants pass from one to the next one after another, so that few pairs
 /// of variant and state are seen at once. The level is the coarsest whose voxels cover at most
 /// grass.pixels_per_voxel, with a keyed tenth of jitter, so that no ring shows where levels change.
 /// A cell has as many parts as ground_tolerance_m asks for. Only `lod` (and with it the turns
 /// allowed), `parts` and whether a cell is listed depend on the camera. Cells are drawn as
-/// render.grass asks: with "auto" as blades where even the finest level is too coarse. Frame from
-/// 1; throws InputError when the scene has no such frame.
+/// render.grass asks: with "auto" as blades where even the finest level is too coarse.
 std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfield& terrain,
                                      const FactorMap& growth, const place::Withering& withering,
-                                     int frame);
+                                     const FrameGrass& now);
 
 }  // namespace wold::meadow

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "meadow/canopy_snow.h"
-#include "meadow/film_lights.h"
 #include "place/each_in_view.h"
 #include "scene/key_frames.h"
 #include "scene/species.h"
@@ -20,14 +18,11 @@ double nearly_whole(double level) {
   return level - std::floor(level) < unseen ? std::floor(level) : level;
 }
 
-/// The frame's canopy_snow(), in levels.
-double snow_level(const scene::Scene& scene, const place::Withering& withering, int frame) {
-  return nearly_whole(grass::PatchState::level_of(canopy_snow(scene, frame, withering.season())));
+double snow_level(const FrameGrass& now) {
+  return nearly_whole(grass::PatchState::level_of(now.snow));
 }
 
-double light_level(const scene::Scene& scene, int frame) {
-  return nearly_whole(light_of_frame(scene, frame));
-}
+double light_level(const FrameGrass& now) { return nearly_whole(now.light); }
 
 /// More grass along a ray, where the same number of blades stands on each square metre of a slope.
 double slope_factor(const glm::dvec2& gradient) {
@@ -44,23 +39,22 @@ glm::dvec3 in_cell(const glm::dvec3& sight, const glm::dvec2& gradient, const gl
 }  // namespace
 
 Meadow::Meadow(const scene::Scene& scene, const Heightfield& terrain,
-               const place::Withering& withering, const place::View& view, int frame,
+               const place::Withering& withering, const place::View& view, FrameGrass now,
                std::map<grass::PatchState, PatchAppearance> looks)
     : terrain_(terrain),
       withering_(withering),
       view_(view),
-      frame_(frame),
-      wind_lean_(scene, frame, withering.season()),
+      now_(std::move(now)),
       key_frames_(scene::key_frames(scene)),
-      snow_(snow_level(scene, withering, frame)),
-      light_(light_level(scene, frame)),
+      snow_(snow_level(now_)),
+      light_(light_level(now_)),
       looks_(std::move(looks)) {}
 
 landscape::AggregateAppearance Meadow::look(const glm::dvec3& at_m) const {
   const glm::dvec2 gradient = terrain::gradient(terrain_, at_m.x, at_m.y);
   const glm::dvec3 direction =
-      in_cell(view_.line_of_sight(at_m), gradient, wind_lean_.lean(glm::dvec2(at_m)));
-  const double weathering = withering_.at(glm::dvec2(at_m), frame_);
+      in_cell(view_.line_of_sight(at_m), gradient, now_.wind_lean.lean(glm::dvec2(at_m)));
+  const double weathering = withering_.at(glm::dvec2(at_m), now_.frame);
   const auto above = std::upper_bound(key_frames_.begin() + 1, key_frames_.end() - 1, weathering);
   const auto key = static_cast<int>(above - key_frames_.begin());
   const double fraction = (weathering - *(above - 1)) / (*above - *(above - 1));
@@ -111,13 +105,14 @@ bool has_far_field(const scene::Scene& scene, const Heightfield& terrain, const 
 }
 
 std::vector<grass::PatchState> far_states(const scene::Scene& scene,
-                                          const place::Withering& withering, int frame) {
+                                          const place::Withering& withering,
+                                          const FrameGrass& now) {
   const std::vector<double> keys = scene::key_frames(scene);
-  const auto [min, max] = withering.range(frame);
+  const auto [min, max] = withering.range(now.frame);
   const auto first = std::upper_bound(keys.begin() + 1, keys.end() - 1, min) - 1;
   const auto last = std::upper_bound(keys.begin() + 1, keys.end() - 1, max);
-  const double snow = snow_level(scene, withering, frame);
-  const double lit = light_level(scene, frame);
+  const double snow = snow_level(now);
+  const double lit = light_level(now);
   std::vector<grass::PatchState> states;
   for (auto key = first; key <= last; ++key)
     for (auto level = static_cast<int>(snow); level < snow + 1.0; ++level)

@@ -5,8 +5,8 @@
 
 #include "core/ground_map.h"
 #include "grass/ageing/patch_state.h"
+#include "meadow/frame_grass.h"
 #include "meadow/patch_appearance.h"
-#include "meadow/wind_lean.h"
 #include "place/cell_window.h"
 #include "place/view.h"
 #include "place/withering.h"
@@ -25,16 +25,17 @@ double far_fraction(const scene::Grass& grass, const place::CellWindow& window,
 /// Whether any of the terrain's grass is painted, seen so.
 bool has_far_field(const scene::Scene& scene, const Heightfield& terrain, const place::View& view);
 
-/// The states whose looks a Meadow needs in a frame (from 1), ascending.
+/// The states whose looks a Meadow needs in a frame, ascending.
 std::vector<grass::PatchState> far_states(const scene::Scene& scene,
-                                          const place::Withering& withering, int frame);
+                                          const place::Withering& withering, const FrameGrass& now);
 
-/// What the meadow of a frame (from 1) looks like where single blades cannot be told apart.
+/// What the meadow of a frame looks like where single blades cannot be told apart.
 class Meadow {
  public:
   /// `looks`: those of far_states(). The others have to outlive it.
   Meadow(const scene::Scene& scene, const Heightfield& terrain, const place::Withering& withering,
-         const place::View& view, int frame, std::map<grass::PatchState, PatchAppearance> looks);
+         const place::View& view, FrameGrass now,
+         std::map<grass::PatchState, PatchAppearance> looks);
 
   /// The look along the line of sight to a place on the ground, of full growth under light 1: that
   /// of the two key frames around the weathering there, of the two levels around the snow and of
@@ -51,11 +52,10 @@ class Meadow {
   const Heightfield& terrain_;
   const place::Withering& withering_;
   const place::View& view_;
-  int frame_;
-  WindLean wind_lean_;
+  FrameGrass now_;
   std::vector<double> key_frames_;
-  double snow_;   ///< canopy_snow(), in levels
-  double light_;  ///< light_of_frame()
+  double snow_;   ///< FrameGrass's, in levels
+  double light_;  ///< FrameGrass's
   std::map<grass::PatchState, PatchAppearance> looks_;
 };
 

@@ -6,7 +6,6 @@
 #include "core/angle.h"
 #include "core/elementary.h"
 #include "core/random.h"
-#include "scene/calendar.h"
 
 namespace wold::meadow {
 namespace {
@@ -33,21 +32,13 @@ double tame(double value) { return std::clamp(value, -2.0, 2.0); }
 /// No wind of a season presses grass down farther.
 constexpr double max_deg = 40.0;
 
-phenology::WindChange week_before(const scene::Scene& scene, int frame,
-                                  const phenology::FilmSeason* known) {
-  if (!scene::is_season(scene)) return {};
-  return phenology::with_season(scene, known, [&](const phenology::FilmSeason& season) {
-    return season.week_of_wind(scene::season_days(scene.season, frame));
-  });
-}
-
 }  // namespace
 
-WindLean::WindLean(const scene::Scene& scene, int frame, const phenology::FilmSeason* season)
-    : wind_(scene.wind),
-      change_(week_before(scene, frame, season)),
-      waves_(field(scene.seed, "waves", 2)),
-      turns_(field(scene.seed, "turns", 2)) {}
+WindLean::WindLean(const scene::Wind& wind, const phenology::WindChange& change, std::uint64_t seed)
+    : wind_(wind),
+      change_(change),
+      waves_(field(seed, "waves", 2)),
+      turns_(field(seed, "turns", 2)) {}
 
 glm::dvec2 WindLean::lean(const glm::dvec2& at_m) const {
   const glm::dvec2 along = direction(wind_.heading_deg);

@@ -15,9 +15,8 @@ namespace wold::meadow {
 /// their places.
 class WindLean {
  public:
-  /// In a frame, from 1. `season`: the scene's, if it is one; nullptr makes it. Throws what
-  /// phenology::FilmSeason throws.
-  WindLean(const scene::Scene& scene, int frame, const phenology::FilmSeason* season = nullptr);
+  /// `change`: of the wind that has combed it, from `wind`. `seed`: the scene's.
+  WindLean(const scene::Wind& wind, const phenology::WindChange& change, std::uint64_t seed);
 
   /// Metres to the east and north by which the grass at a place leans over per metre of height.
   glm::dvec2 lean(const glm::dvec2& at_m) const;

@@ -30,26 +30,26 @@ constexpr double hours_per_day = 24.0;
 /// Half the difference of day's and night's temperature, where only the mean is known.
 constexpr double diurnal_k = 4.0;
 
-sys_days first_of(const scene::Scene& scene) { return scene::date_of(scene.season.first); }
-sys_days last_of(const scene::Scene& scene) { return scene::date_of(scene.season.last); }
+sys_days first_of(const scene::SeasonPart& part) { return scene::date_of(part.season.first); }
+sys_days last_of(const scene::SeasonPart& part) { return scene::date_of(part.season.last); }
 
 double days_between(sys_days from, sys_days to) { return static_cast<double>((to - from).count()); }
 
 /// The days of the film, as [weather] and [wind] have them.
-std::vector<weather::Day> plain_days(const scene::Scene& scene) {
-  const double latitude_deg = scene.sun.latitude_deg;
+std::vector<weather::Day> plain_days(const scene::SeasonPart& part) {
+  const double latitude_deg = part.latitude_deg;
   std::vector<weather::Day> plain;
-  for (sys_days date = first_of(scene); date <= last_of(scene); date += days(1)) {
-    const double mean_c = scene.weather.temperature_c;
+  for (sys_days date = first_of(part); date <= last_of(part); date += days(1)) {
+    const double mean_c = part.weather.temperature_c;
     plain.push_back(
         {.date = date,
          .tmin_c = mean_c - diurnal_k,
          .tmax_c = mean_c + diurnal_k,
-         .precipitation_mm = scene.weather.precipitation_mm_h * hours_per_day,
+         .precipitation_mm = part.weather.precipitation_mm_h * hours_per_day,
          .day_length_h = weather::day_length_h(weather::day_of_year(date), latitude_deg),
          .top_sun_mj_m2 = weather::extraterrestrial_mj_m2(weather::day_of_year(date), latitude_deg),
-         .wind_speed_m_s = scene.wind.speed_m_s,
-         .wind_heading_deg = scene.wind.heading_deg,
+         .wind_speed_m_s = part.wind.speed_m_s,
+         .wind_heading_deg = part.wind.heading_deg,
          .cloud_cover = {},
          .visual_range_m = {}});
   }
@@ -57,16 +57,16 @@ std::vector<weather::Day> plain_days(const scene::Scene& scene) {
 }
 
 /// The table's days about the film's.
-std::vector<weather::Day> table_days(const scene::Scene& scene) {
-  const std::string& file = scene.season.table;
-  std::vector<weather::Day> all = weather::read_daily_weather(file, scene.sun.latitude_deg);
-  if (all.front().date > first_of(scene) || all.back().date < last_of(scene))
+std::vector<weather::Day> table_days(const scene::SeasonPart& part) {
+  const std::string& file = part.season.table;
+  std::vector<weather::Day> all = weather::read_daily_weather(file, part.latitude_deg);
+  if (all.front().date > first_of(part) || all.back().date < last_of(part))
     throw InputError(fmt::format(
         "{}: found days from {:%Y-%m-%d} to {:%Y-%m-%d}, expected all from season.first "
         "({:%Y-%m-%d}) to season.last ({:%Y-%m-%d})",
-        file, all.front().date, all.back().date, first_of(scene), last_of(scene)));
+        file, all.front().date, all.back().date, first_of(part), last_of(part)));
   std::erase_if(all, [&](const weather::Day& day) {
-    return day.date < first_of(scene) - max_before || day.date > last_of(scene) + max_after;
+    return day.date < first_of(part) - max_before || day.date > last_of(part) + max_after;
   });
   return all;
 }
@@ -74,16 +74,15 @@ std::vector<weather::Day> table_days(const scene::Scene& scene) {
 /// A quantity of [[season_keys]]: linear between the days that give it.
 class KeyCurve {
  public:
-  KeyCurve(const scene::Scene& scene, std::optional<double> scene::SeasonKey::*field) {
-    for (const scene::SeasonKey& key : scene.season_keys)
+  KeyCurve(const scene::SeasonPart& part, std::optional<double> scene::SeasonKey::*field) {
+    for (const scene::SeasonKey& key : part.keys)
       if (key.*field)
-        points_.emplace_back(days_between(first_of(scene), scene::date_of(key.date)),
-                             *(key.*field));
+        points_.emplace_back(days_between(first_of(part), scene::date_of(key.date)), *(key.*field));
   }
   /// The same of an angle in degrees, which turns the shorter way.
-  static KeyCurve turning(const scene::Scene& scene,
+  static KeyCurve turning(const scene::SeasonPart& part,
                           std::optional<double> scene::SeasonKey::*field) {
-    KeyCurve curve(scene, field);
+    KeyCurve curve(part, field);
     double before = 0.0;
     for (auto& [day, angle] : curve.points_)
       before = angle = before + std::remainder(angle - before, 360.0);
@@ -111,16 +110,16 @@ double from_north_deg(double turned_deg) {
 }
 
 /// What keys say wins.
-void set_by_keys(std::vector<weather::Day>& all, const scene::Scene& scene) {
+void set_by_keys(std::vector<weather::Day>& all, const scene::SeasonPart& part) {
   using Key = scene::SeasonKey;
-  const KeyCurve temperature(scene, &Key::temperature_c);
-  const KeyCurve precipitation(scene, &Key::precipitation_mm_day);
-  const KeyCurve cloud_cover(scene, &Key::cloud_cover);
-  const KeyCurve wind_speed(scene, &Key::wind_speed_m_s);
-  const KeyCurve wind_heading = KeyCurve::turning(scene, &Key::wind_heading_deg);
-  const KeyCurve visual_range(scene, &Key::visual_range_m);
+  const KeyCurve temperature(part, &Key::temperature_c);
+  const KeyCurve precipitation(part, &Key::precipitation_mm_day);
+  const KeyCurve cloud_cover(part, &Key::cloud_cover);
+  const KeyCurve wind_speed(part, &Key::wind_speed_m_s);
+  const KeyCurve wind_heading = KeyCurve::turning(part, &Key::wind_heading_deg);
+  const KeyCurve visual_range(part, &Key::visual_range_m);
   for (weather::Day& day : all) {
-    const double at = days_between(first_of(scene), day.date);
+    const double at = days_between(first_of(part), day.date);
     if (temperature.is_given()) {
       const double half_k = 0.5 * (day.tmax_c - day.tmin_c);
       day.tmin_c = temperature.at(at) - half_k;
@@ -134,19 +133,20 @@ void set_by_keys(std::vector<weather::Day>& all, const scene::Scene& scene) {
     if (wind_speed.is_given()) day.wind_speed_m_s = wind_speed.at(at);
     if (wind_heading.is_given()) day.wind_heading_deg = from_north_deg(wind_heading.at(at));
     if (visual_range.is_given()) day.visual_range_m = visual_range.at(at);
-    if (!day.wind_speed_m_s) day.wind_speed_m_s = scene.wind.speed_m_s;
-    if (!day.wind_heading_deg) day.wind_heading_deg = scene.wind.heading_deg;
-    if (!day.visual_range_m) day.visual_range_m = scene.sky.visual_range_m;
+    if (!day.wind_speed_m_s) day.wind_speed_m_s = part.wind.speed_m_s;
+    if (!day.wind_heading_deg) day.wind_heading_deg = part.wind.heading_deg;
+    if (!day.visual_range_m) day.visual_range_m = part.visual_range_m;
   }
 }
 
-std::vector<double> weathering_of(const scene::Scene& scene, const std::vector<weather::Day>& all) {
-  const KeyCurve keys(scene, &scene::SeasonKey::weathering);
+std::vector<double> weathering_of(const scene::SeasonPart& part,
+                                  const std::vector<weather::Day>& all) {
+  const KeyCurve keys(part, &scene::SeasonKey::weathering);
   if (!keys.is_given()) return weathering_degrees(greenness(all));
   std::vector<double> degrees;
   degrees.reserve(all.size());
   for (const weather::Day& day : all)
-    degrees.push_back(keys.at(days_between(first_of(scene), day.date)));
+    degrees.push_back(keys.at(days_between(first_of(part), day.date)));
   return degrees;
 }
 
@@ -189,12 +189,12 @@ Value at_day(double day, const std::vector<Value>& by_day) {
 
 }  // namespace
 
-FilmSeason::FilmSeason(const scene::Scene& scene)
-    : days_(scene.season.table.empty() ? plain_days(scene) : table_days(scene)),
-      first_day_(static_cast<int>((days_.front().date - first_of(scene)).count())) {
-  set_by_keys(days_, scene);
-  weathering_ = weathering_of(scene, days_);
-  winds_ = wind_changes(days_, scene.wind);
+FilmSeason::FilmSeason(const scene::SeasonPart& part)
+    : days_(part.season.table.empty() ? plain_days(part) : table_days(part)),
+      first_day_(static_cast<int>((days_.front().date - first_of(part)).count())) {
+  set_by_keys(days_, part);
+  weathering_ = weathering_of(part, days_);
+  winds_ = wind_changes(days_, part.wind);
   weeks_of_wind_ = of_weeks(winds_);
   for (std::size_t i = 0; i < days_.size(); ++i) {
     cloud_cover_.push_back(days_[i].cloud_cover.value_or(1.0));
@@ -222,18 +222,16 @@ double FilmSeason::visual_range_m(double days_after_first) const {
   return 1.0 / at_day(days_after_first - first_day_, unseen_per_m_);
 }
 
-std::shared_ptr<const FilmSeason> film_season(const scene::Scene& scene) {
-  return scene::is_season(scene) ? std::make_shared<const FilmSeason>(scene) : nullptr;
+std::shared_ptr<const FilmSeason> film_season(const scene::SeasonPart& part) {
+  return scene::is_season(part.season) ? std::make_shared<const FilmSeason>(part) : nullptr;
 }
 
-scene::Scene as_film(scene::Scene scene, const FilmSeason* known) {
-  if (!scene::is_season(scene)) return scene;
-  with_season(scene, known, [&](const FilmSeason& season) {
-    scene.ageing.frames.clear();
-    for (int frame = 1; frame <= scene.season.frames; ++frame)
-      scene.ageing.frames.push_back(season.weathering_at(scene::season_days(scene.season, frame)));
-    scene.weather.earlier_h = -hours_per_day * season.first_day() + scene.sun.time_h;
-  });
+scene::Scene as_film(scene::Scene scene, const FilmSeason* season) {
+  if (season == nullptr) return scene;
+  scene.ageing.frames.clear();
+  for (int frame = 1; frame <= scene.season.frames; ++frame)
+    scene.ageing.frames.push_back(season->weathering_at(scene::season_days(scene.season, frame)));
+  scene.weather.earlier_h = -hours_per_day * season->first_day() + scene.sun.time_h;
   return scene;
 }
 

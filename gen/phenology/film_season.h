@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/parts.h"
 #include "weather/daily_weather.h"
 
 namespace wold::phenology {
@@ -19,9 +19,9 @@ struct WindChange {
 /// what [[season_keys]] say instead, and what neither says as in [weather] and [wind].
 class FilmSeason {
  public:
-  /// `scene` is a season. Throws what read_daily_weather() throws; InputError when the table does
-  /// not cover the film's days.
-  explicit FilmSeason(const scene::Scene& scene);
+  /// Of a scene that is a season. Throws what read_daily_weather() throws; InputError when the
+  /// table does not cover the film's days. To be made once for a film, by film_season().
+  explicit FilmSeason(const scene::SeasonPart& part);
 
   /// One by one, without gaps: from at most a year before the first frame's day to a month after
   /// the last one's, as far as they are known, but these two at least.
@@ -62,18 +62,10 @@ class FilmSeason {
 
 /// The season of a scene, to be made once for its film and shared; nullptr of a scene that is none.
 /// Throws what FilmSeason's constructor throws.
-std::shared_ptr<const FilmSeason> film_season(const scene::Scene& scene);
+std::shared_ptr<const FilmSeason> film_season(const scene::SeasonPart& part);
 
-/// What `use` makes of a scene's season: of `known` or, where that is nullptr, of a new one.
-/// `scene` is a season. Throws what FilmSeason's constructor throws.
-template <class Use>
-auto with_season(const scene::Scene& scene, const FilmSeason* known, Use use) {
-  return known != nullptr ? use(*known) : use(FilmSeason(scene));
-}
-
-/// The scene as a film of ageing.frames, weather.earlier and the sun half-way; one that is no
-/// season as it is. `season`: the scene's, if it is one; nullptr makes it. Throws what FilmSeason's
-/// constructor throws.
-scene::Scene as_film(scene::Scene scene, const FilmSeason* season = nullptr);
+/// The scene as a film of ageing.frames and weather.earlier, which follow from its season. With
+/// nullptr, film_season() of a scene that is none, it stays as it is.
+scene::Scene as_film(scene::Scene scene, const FilmSeason* season);
 
 }  // namespace wold::phenology

@@ -96,14 +96,13 @@ scene::Scene at_time(scene::Scene scene, double time) {
 
 }  // namespace
 
-Snow::Snow(const scene::Scene& scene, const phenology::FilmSeason* season,
+Snow::Snow(const scene::Scene& scene, const std::shared_ptr<const snow::Weather>& weather,
            const Heightfield& terrain, const fs::path& folder, int max_samples)
-    : weather(scene, season),
-      pictures(scene.seed),
+    : pictures(scene.seed),
       ground(
-          scene, terrain, [made = weather](double time_s) { return made.at(time_s); }, max_samples),
+          scene, terrain, [weather](double time_s) { return weather->at(time_s); }, max_samples),
       large(large_cover(
-          scene, terrain, [made = weather](double time_s) { return made.at(time_s); }, folder)) {}
+          scene, terrain, [weather](double time_s) { return weather->at(time_s); }, folder)) {}
 
 GroundGrid light_grid(const Heightfield& terrain, const GroundGrid& grid,
                       const std::optional<Sketch>& sketch) {
@@ -123,10 +122,8 @@ const FactorMap& growth_of_cells(const Site& site) {
   return site.growth_of_window ? *site.growth_of_window : site.growth;
 }
 
-Site make_site(const scene::Scene& scene, const fs::path& snow_folder,
-               const std::optional<Sketch>& sketch,
-               std::shared_ptr<const phenology::FilmSeason> season) {
-  if (!season) season = phenology::film_season(scene);
+Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmSeason> season,
+               const fs::path& snow_folder, const std::optional<Sketch>& sketch) {
   Heightfield terrain = terrain::make_ground(scene.terrain, scene.seed);
   const scene::Scene half_way = at_time(scene, 0.5);
   const light::Daylight day(half_way.sun, scene.sky);
@@ -137,11 +134,12 @@ Site make_site(const scene::Scene& scene, const fs::path& snow_folder,
   if (large) growth_of_window = growth_map(scene, terrain, window_grid(scene));
   std::optional<cloud::Clouds> clouds;
   if (!scene.clouds.empty())
-    clouds.emplace(half_way, cloud::Clouds::usual_pixel_m(scene), season.get());
+    clouds.emplace(half_way, cloud::Clouds::usual_pixel_m(scene.clouds), season.get());
+  auto weather = std::make_shared<const snow::Weather>(scene, season.get());
   std::shared_ptr<const Snow> snow;
   if (scene::may_snow(scene) || scene::may_lie(scene))
     snow = std::make_shared<const Snow>(
-        scene, season.get(), terrain, snow_folder,
+        scene, weather, terrain, snow_folder,
         sketch ? sketch->snow_samples : snow::SnowGround::usual_max_samples);
   auto withering = std::make_shared<const Withering>(scene, terrain, season);
   Site site{std::move(terrain),
@@ -152,6 +150,7 @@ Site make_site(const scene::Scene& scene, const fs::path& snow_folder,
             {},
             std::move(clouds),
             std::move(season),
+            std::move(weather),
             std::move(withering),
             std::move(snow),
             sketch};

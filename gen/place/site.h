@@ -20,12 +20,11 @@ namespace wold::place {
 
 /// The snow of a film.
 struct Snow {
-  /// `season`: the scene's, nullptr of one that is none. `folder`: see make_site(). Where it is not
-  /// large, the ground has at most so many samples of snow along a side.
-  Snow(const scene::Scene& scene, const phenology::FilmSeason* season, const Heightfield& terrain,
-       const std::filesystem::path& folder, int max_samples);
+  /// `folder`: see make_site(). Where it is not large, the ground has at most so many samples of
+  /// snow along a side.
+  Snow(const scene::Scene& scene, const std::shared_ptr<const snow::Weather>& weather,
+       const Heightfield& terrain, const std::filesystem::path& folder, int max_samples);
 
-  snow::Weather weather;
   snow::FlakePictures pictures;
   snow::SnowGround ground;
   std::unique_ptr<snow::LargeCover> large;  ///< in its place on large terrains
@@ -43,7 +42,7 @@ struct GroundPart {
 struct Sketch {
   int ground_samples;       ///< of the ground that is not large, and of what is white on it
   int light_samples;        ///< of light on the ground
-  int combed_samples;       ///< of what combing does to light
+  int lean_light_samples;   ///< of what leaning grass does to its light
   int snow_samples;         ///< of the snow on ground that is not large
   int sky_width_px = 1024;  ///< of the whole sky, where a backdrop stands before it
 };
@@ -59,6 +58,7 @@ struct Site {
   ColourMap ground_reflectance;  ///< of the bare ground, radiance over irradiance
   std::optional<cloud::Clouds> clouds;
   std::shared_ptr<const phenology::FilmSeason> season;  ///< if it is one
+  std::shared_ptr<const snow::Weather> weather;
   std::shared_ptr<const Withering> withering;
   std::shared_ptr<const Snow> snow;   ///< none where none can fall or lie
   std::optional<Sketch> sketch = {};  ///< none: as fine as pictures need
@@ -66,12 +66,12 @@ struct Site {
 
 /// Maps of a large terrain have as many samples as its pictures need; its snow is kept in tiled
 /// pictures in `snow_folder`, which is made where it is needed and is the site's alone. Those of
-/// any other have the usual steps, or those of a sketch. `season`: the scene's, if it is one;
-/// without it the site makes it for itself. Throws what terrain::make_ground(),
-/// growth_map(), cloud::Clouds and Snow's parts throw.
-Site make_site(const scene::Scene& scene, const std::filesystem::path& snow_folder = {},
-               const std::optional<Sketch>& sketch = {},
-               std::shared_ptr<const phenology::FilmSeason> season = {});
+/// any other have the usual steps, or those of a sketch. `season`: phenology::film_season() of the
+/// scene, nullptr where that is none. Throws what terrain::make_ground(), growth_map(),
+/// cloud::Clouds, snow::Weather and Snow's parts throw.
+Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmSeason> season,
+               const std::filesystem::path& snow_folder = {},
+               const std::optional<Sketch>& sketch = {});
 
 /// How far one sees in a frame (from 1): sky.visual_range, in a season through that day's air.
 double visual_range_m(const scene::Scene& scene, const Site& site, int frame);

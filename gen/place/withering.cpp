@@ -91,8 +91,8 @@ Withering::Withering(const scene::Scene& scene, const Heightfield& terrain,
                      std::shared_ptr<const phenology::FilmSeason> season)
     : ageing_(scene.ageing),
       field_{random_bits({scene.seed, key_of("weathering"), 0, key_of("field")}), 2, 1.0} {
-  if (!scene::is_season(scene)) return;
-  season_ = season ? std::move(season) : phenology::film_season(scene);
+  if (!season) return;
+  season_ = std::move(season);
   for (int frame = 1; frame <= scene.season.frames; ++frame)
     frame_days_.push_back(scene::season_days(scene.season, frame));
   spread_days_ = scene.season.spread_days;

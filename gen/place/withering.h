@@ -26,13 +26,9 @@ namespace wold::place {
 /// adds season.spread times a smooth keyed field of standard deviation 1.
 class Withering {
  public:
-  /// `season`: the scene's, if it is one; without it the withering makes it for itself. Throws what
-  /// phenology::FilmSeason's constructor throws.
+  /// `season`: phenology::film_season() of the scene, nullptr where that is none.
   Withering(const scene::Scene& scene, const Heightfield& terrain,
-            std::shared_ptr<const phenology::FilmSeason> season = {});
-
-  /// The season that it follows; nullptr of a scene that is none.
-  const phenology::FilmSeason* season() const { return season_.get(); }
+            std::shared_ptr<const phenology::FilmSeason> season);
 
   /// At a point of the ground in a frame (from 1), in [0, 1].
   double at(const glm::dvec2& at_m, int frame) const;

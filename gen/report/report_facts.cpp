@@ -11,6 +11,7 @@
 #include "core/file_list.h"
 #include "core/files.h"
 #include "film/exporters.h"
+#include "phenology/film_season.h"
 #include "scene/parse.h"
 #include "work/job.h"
 #include "work/task_record.h"
@@ -35,7 +36,8 @@ void read_scene(const fs::path& out, ReportFacts& facts) {
 void read_scene_warnings(ReportFacts& facts) {
   if (!facts.scene) return;
   try {
-    for (const std::string& warning : advice::scene_warnings(*facts.scene))
+    const auto season = phenology::film_season(*facts.scene);
+    for (const std::string& warning : advice::scene_warnings(*facts.scene, season.get()))
       facts.warnings.push_back(fmt::format("Scene: {}.", warning));
   } catch (const Error& error) {
     facts.warnings.push_back(fmt::format("Scene: {}.", error.what()));

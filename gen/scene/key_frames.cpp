@@ -20,9 +20,9 @@ double shortest_step(const std::vector<double>& frames) {
 
 }  // namespace
 
-std::vector<double> key_frames(const Scene& scene) {
-  if (!scene.grass.key_frames.empty()) return scene.grass.key_frames;
-  const double wanted = std::ceil(1.0 / shortest_step(scene.ageing.frames) - 1e-9);
+std::vector<double> key_frames(const MeadowPart& meadow) {
+  if (!meadow.grass.key_frames.empty()) return meadow.grass.key_frames;
+  const double wanted = std::ceil(1.0 / shortest_step(meadow.ageing.frames) - 1e-9);
   const auto steps = static_cast<int>(std::clamp(wanted, double{min_steps}, double{max_steps}));
   std::vector<double> degrees;
   for (int i = 0; i <= steps; ++i) degrees.push_back(static_cast<double>(i) / steps);

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/parts.h"
 
 namespace wold::scene {
 
@@ -10,6 +10,6 @@ namespace wold::scene {
 /// equal steps from 0 to 1: twelve, as in [TVT] (figure 2), or as many more, up to 48, as it
 /// takes to make none longer than the film's shortest. A patch then changes in small steps from
 /// frame to frame, not in one jump after several frames.
-std::vector<double> key_frames(const Scene& scene);
+std::vector<double> key_frames(const MeadowPart& meadow);
 
 }  // namespace wold::scene

@@ -36,6 +36,6 @@ inline constexpr std::size_t max_cloud_layers = 16;
 inline constexpr std::size_t max_cloud_events = 1000;
 inline constexpr std::size_t max_season_keys = 1000;
 /// Each is simulated by itself.
-inline constexpr std::size_t most_species = 16;
+inline constexpr std::size_t max_species = 16;
 
 }  // namespace wold::scene

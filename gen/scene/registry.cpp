@@ -28,7 +28,7 @@ void take_common(Scene& scene, std::size_t item) {
 }
 
 std::vector<TableArray> all_arrays() {
-  return {{"species", "kind of plant", most_species,
+  return {{"species", "kind of plant", max_species,
            [](const Scene& scene) { return scene.species.size(); },
            [](Scene& scene) { scene.species.emplace_back(); }, species_keys, take_common},
           {"clouds", "layer of clouds", max_cloud_layers,

@@ -81,14 +81,14 @@ void mark_camera(const landscape::Camera& camera, const landscape::Landscape& ov
 /// The scene drawn part by part.
 class Preview {
  public:
-  Preview(const scene::Scene& scene, const std::vector<int>& frames, const fs::path& scratch,
-          Progress& progress)
+  Preview(const scene::Scene& scene, std::shared_ptr<const phenology::FilmSeason> season,
+          const std::vector<int>& frames, const fs::path& scratch, Progress& progress)
       : width_px_(frames.size() == 1 ? 760
                                      : preview::width_of_each(static_cast<int>(frames.size()))),
         scene_(simplified(scene, width_px_)),
         frames_(frames),
         progress_(begun(progress, frames.size())),
-        film_(scene_, frames, scratch),
+        film_(scene_, std::move(season), frames, scratch),
         font_(preview::label_font()) {
     progress_.advance(site_units, "ground");
   }
@@ -202,8 +202,9 @@ class Preview {
 
 bool has_labels() { return !preview::label_font().empty(); }
 
-Image contact_sheet(const scene::Scene& scene, const fs::path& scratch, Progress& progress) {
-  Preview preview(scene, shown_frames(scene), scratch, progress);
+Image contact_sheet(const scene::Scene& scene, std::shared_ptr<const phenology::FilmSeason> season,
+                    const fs::path& scratch, Progress& progress) {
+  Preview preview(scene, std::move(season), shown_frames(scene), scratch, progress);
   return preview::drawn(preview.sheet(), preview.font());
 }
 

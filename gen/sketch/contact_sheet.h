@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 
 #include "core/image.h"
 #include "core/progress.h"
+#include "phenology/film_season.h"
 #include "scene/scene.h"
 
 namespace wold::sketch {
@@ -12,9 +14,9 @@ namespace wold::sketch {
 bool has_labels();
 
 /// A picture of a film without any renderer, in encoded sRGB: three of its frames, what is around
-/// the camera, and grass as it withers. `scratch` is a folder for this call alone. Throws what
-/// PreviewFilm does, FileError and InterruptedError.
-Image contact_sheet(const scene::Scene& scene, const std::filesystem::path& scratch,
-                    Progress& progress);
+/// the camera, and grass as it withers. `season`: phenology::film_season() of the scene. `scratch`
+/// is a folder for this call alone. Throws what PreviewFilm does, FileError and InterruptedError.
+Image contact_sheet(const scene::Scene& scene, std::shared_ptr<const phenology::FilmSeason> season,
+                    const std::filesystem::path& scratch, Progress& progress);
 
 }  // namespace wold::sketch

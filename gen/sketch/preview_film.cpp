@@ -12,7 +12,6 @@
 #include "core/progress.h"
 #include "film/assemble.h"
 #include "film/exporters.h"
-#include "meadow/canopy_snow.h"
 #include "meadow/cells.h"
 #include "meadow/far_field.h"
 #include "meadow/film_lights.h"
@@ -55,7 +54,7 @@ place::Sketch sketch_of(const scene::Scene& scene) {
   constexpr int smooth_samples = 97;
   return {.ground_samples = max_samples,
           .light_samples = place::is_large(scene) ? max_samples : smooth_samples,
-          .combed_samples = 97,
+          .lean_light_samples = 97,
           .snow_samples = 129};
 }
 
@@ -86,17 +85,17 @@ scene::Scene simplified(scene::Scene scene, int width_px) {
   return scene;
 }
 
-PreviewFilm::PreviewFilm(const scene::Scene& scene, const std::vector<int>& frames,
-                         const fs::path& scratch)
+PreviewFilm::PreviewFilm(const scene::Scene& scene,
+                         std::shared_ptr<const phenology::FilmSeason> season,
+                         const std::vector<int>& frames, const fs::path& scratch)
     : scene_(scene),
-      site_(place::make_site(scene, scratch / "snow", sketch_of(scene))),
+      site_(place::make_site(scene, std::move(season), scratch / "snow", sketch_of(scene))),
       texels_(scene, meadow::film_lights(scene, site_), scratch / "texels") {
   for (const int frame : frames) {
-    const double snow =
-        grass::PatchState::level_of(meadow::canopy_snow(scene, frame, site_.season.get()));
-    const double light = meadow::light_of_frame(scene, frame);
-    moments_.emplace(frame, Moment{site_, static_cast<int>(std::lround(snow)),
-                                   static_cast<int>(std::lround(light))});
+    const meadow::FrameGrass grass = meadow::frame_grass(scene, site_, frame);
+    const double snow = grass::PatchState::level_of(grass.snow);
+    moments_.emplace(frame, Moment{site_, grass, static_cast<int>(std::lround(snow)),
+                                   static_cast<int>(std::lround(grass.light))});
   }
   // Making texels leaves threads idle.
   parallel_for(1 + frames.size(), [&](std::size_t i) {
@@ -117,7 +116,8 @@ void PreviewFilm::make_site(int frame, bool with_sky) {
 void PreviewFilm::make_looks(const std::vector<int>& frames) {
   grass::TexelDemand demand;
   for (const int frame : frames)
-    for (const grass::PatchState& state : meadow::far_states(scene_, *site_.withering, frame))
+    for (const grass::PatchState& state :
+         meadow::far_states(scene_, *site_.withering, moments_.at(frame).grass))
       demand[0][moments_.at(frame).at(state.key_frame)][0] = {0};
   SilentProgress silent;
   texels_.generate(demand, silent);
@@ -160,14 +160,14 @@ landscape::Landscape PreviewFilm::assembled(const scene::Scene& scene, const pla
                                             int frame) {
   const Moment& moment = moments_.at(frame);
   auto cells = meadow::choose_cells(scene, site.terrain, place::growth_of_cells(site),
-                                    *site.withering, frame);
+                                    *site.withering, moment.grass);
   for (meadow::CellChoice& cell : cells) {
     cell.snow = moment.snow;
     cell.light = moment.light;
   }
   make_meshes(cells);
   return film::assemble(
-      scene, site, frame, cells,
+      scene, site, moment.grass, cells,
       {{},
        [&](const meadow::CellChoice& cell) {
          return meshes_.at({cell.variant, cell.state()});

@@ -11,6 +11,7 @@
 #include "grass/texel/time_varying_texel.h"
 #include "landscape/landscape.h"
 #include "meadow/cells.h"
+#include "meadow/frame_grass.h"
 #include "meadow/patch_appearance.h"
 #include "place/site.h"
 #include "scene/scene.h"
@@ -28,9 +29,10 @@ scene::Scene simplified(scene::Scene scene, int width_px);
 class PreviewFilm {
  public:
   /// Makes the site and, in `scratch`, the looks that far grass of these frames (from 1) has.
-  /// `scene` has to outlive it. Throws what make_site() does, and FileError.
-  PreviewFilm(const scene::Scene& scene, const std::vector<int>& frames,
-              const std::filesystem::path& scratch);
+  /// `season`: phenology::film_season() of the scene, which has to outlive this. Throws what
+  /// make_site() does, and FileError.
+  PreviewFilm(const scene::Scene& scene, std::shared_ptr<const phenology::FilmSeason> season,
+              const std::vector<int>& frames, const std::filesystem::path& scratch);
 
   /// One of the frames as the scene's camera sees it. Behind clouds only the first one's picture of
   /// the whole sky is fine enough to be shown.
@@ -48,6 +50,7 @@ class PreviewFilm {
   /// light, the nearest of those that there are.
   struct Moment {
     place::Site site;
+    meadow::FrameGrass grass;
     int snow = 0;   ///< PatchState's
     int light = 0;  ///< likewise
 

@@ -59,7 +59,7 @@ double falling_extinction_per_m(const scene::Scene& scene, const place::Site& si
   if (!site.snow) return 0.0;
   const landscape::Camera camera =
       place::resolved_camera(scene.camera, site.terrain, place::time_of_frame(scene, frame));
-  const snow::Weather& weather = site.snow->weather;
+  const snow::Weather& weather = *site.weather;
   const double time_s = scene::time_s(scene, frame);
   const double snow_mm_h = weather.falling_snow_mm_h(time_s, camera.eye_m.z);
   const double rain_mm_h = weather.falling_rain_mm_h(time_s, camera.eye_m.z);
@@ -79,8 +79,8 @@ void add_precipitation(const scene::Scene& scene, const place::Site& site,
   const snow::SnowView view = view_of(landscape);
   const double time_s = scene::time_s(scene, landscape.frame);
   snow::SeenFlakes seen = together(
-      snow::SnowfallModel(scene, snow.weather, snow.pictures).at(time_s, view, landscape.terrain),
-      snow::FallingSnow(scene, snow.weather, snow.pictures, snow::Falling::rain)
+      snow::SnowfallModel(scene, *site.weather, snow.pictures).at(time_s, view, landscape.terrain),
+      snow::FallingSnow(scene, *site.weather, snow.pictures, snow::Falling::rain)
           .at(time_s, view, landscape.terrain),
       view.eye_m);
   landscape.flakes = with_used_pictures(

@@ -7,7 +7,6 @@
 
 #include "core/error.h"
 #include "core/statistics.h"
-#include "scene/calendar.h"
 #include "snow/drifting.h"
 #include "snow/paper_white.h"
 
@@ -38,10 +37,8 @@ Heightfield coarsened(const Heightfield& terrain, int max_samples) {
 }
 
 /// An hour, or so short that a short film is followed closely.
-double film_step(const scene::Scene& scene) {
+double film_step(double film_s) {
   constexpr double steps = 24.0;
-  const auto frames = static_cast<int>(scene.ageing.frames.size());
-  const double film_s = scene::time_s(scene, frames);
   return film_s > 0.0 ? std::min(film_s / steps, seconds_per_hour) : seconds_per_hour;
 }
 
@@ -55,32 +52,32 @@ FactorMap map_of(const Heightfield& terrain, const Value& value) {
 
 }  // namespace
 
-SnowClock snow_clock(const scene::Scene& scene) {
-  if (!scene::is_season(scene)) return {};
+SnowClock snow_clock(bool is_season) {
+  if (!is_season) return {};
   return {snowpack::snow_day_h, snowpack::snow_step_h};
 }
 
-Snowpack first_pack(const scene::Scene& scene) {
-  const double water_mm = scene.snow_cover.initial_mm;
-  if (!scene::is_season(scene)) return fresh_pack(water_mm);
+Snowpack first_pack(const scene::SnowCoverPart& part) {
+  const double water_mm = part.cover.initial_mm;
+  if (!part.is_season) return fresh_pack(water_mm);
   const snowpack::SnowState snow = snowpack::fresh_snow(water_mm);
   return {snow.water_mm, snow.depth_m, snow.age};
 }
 
-SnowGround::SnowGround(const scene::Scene& scene, const Heightfield& terrain,
+SnowGround::SnowGround(const scene::SnowCoverPart& part, const Heightfield& terrain,
                        WeatherFunction weather, int max_samples)
-    : cover_(scene.snow_cover),
-      seed_(scene.seed),
+    : cover_(part.cover),
+      seed_(part.seed),
       weather_(std::move(weather)),
-      first_(first_pack(scene)),
+      first_(first_pack(part)),
       terrain_(coarsened(terrain, max_samples)),
       mean_height_m_(mean(terrain_.values())),
-      earlier_s_(scene.weather.earlier_h * seconds_per_hour),
-      earlier_steps_(static_cast<std::size_t>(std::ceil(scene.weather.earlier_h))),
-      film_step_s_(film_step(scene)),
+      earlier_s_(part.earlier_h * seconds_per_hour),
+      earlier_steps_(static_cast<std::size_t>(std::ceil(part.earlier_h))),
+      film_step_s_(film_step(part.film_s)),
       classes_(terrain_.values()) {
-  if (scene::is_season(scene)) {
-    clock_ = snow_clock(scene);
+  if (part.is_season) {
+    clock_ = snow_clock(part.is_season);
     rise_ = GroundRise(terrain_);
   }
   if (cover_.cover == scene::CoverModel::depth) slide_.emplace(terrain_);

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/ground_map.h"
-#include "scene/scene.h"
+#include "scene/parts.h"
 #include "snow/slide.h"
 #include "snow/snowpack_field.h"
 #include "snow/weather.h"
@@ -24,10 +24,10 @@ struct SnowClock {
 };
 
 /// Every hour; in a season those of snowpack::snow_on_ground().
-SnowClock snow_clock(const scene::Scene& scene);
+SnowClock snow_clock(bool is_season);
 
 /// snow_cover.initial, fresh.
-Snowpack first_pack(const scene::Scene& scene);
+Snowpack first_pack(const scene::SnowCoverPart& part);
 
 /// The snow on a scene's ground over time: by degree-days, in a season by the heat that it gets, so
 /// that on the level it is snowpack::snow_on_ground()'s.
@@ -45,7 +45,7 @@ class SnowGround {
 
   /// Snow is reckoned on at most that many samples along a side. Throws InputError when a height is
   /// no finite number.
-  SnowGround(const scene::Scene& scene, const Heightfield& terrain, WeatherFunction weather,
+  SnowGround(const scene::SnowCoverPart& part, const Heightfield& terrain, WeatherFunction weather,
              int max_samples = usual_max_samples);
 
   /// The state at a time since the first frame, after -earlier: from the beginning of the weather,

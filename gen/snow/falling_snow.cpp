@@ -220,32 +220,32 @@ std::vector<Range> gathered(const std::vector<Range>& parts) {
   return tasks;
 }
 
-std::optional<FlakeMotion> motion_of(const scene::Scene& scene, const Weather& weather,
+std::optional<FlakeMotion> motion_of(const scene::PrecipitationPart& part, const Weather& weather,
                                      Falling what) {
   const double heaviest = weather.heaviest_mm_h();
   if (heaviest <= 0.0) return std::nullopt;
-  return FlakeMotion(scene, weather, heaviest, what);
+  return FlakeMotion(part, weather, heaviest, what);
 }
 
 /// Of what falls; 0: as many as usual.
-int asked_for(const scene::Scene& scene, Falling what) {
-  return what == Falling::rain ? scene.rainfall.drops : scene.snowfall.flakes;
+int asked_for(const scene::PrecipitationPart& part, Falling what) {
+  return what == Falling::rain ? part.rainfall.drops : part.snowfall.flakes;
 }
 
 }  // namespace
 
-FallingSnow::FallingSnow(const scene::Scene& scene, const Weather& weather,
+FallingSnow::FallingSnow(const scene::PrecipitationPart& part, const Weather& weather,
                          const FlakePictures& pictures, Falling what)
     : what_(what),
       weather_(weather),
       pictures_(pictures),
-      motion_(motion_of(scene, weather, what)),
+      motion_(motion_of(part, weather, what)),
       key_(random_bits(
-          {scene.seed, key_of(what == Falling::rain ? "rain" : "snow"), 0, key_of("flakes")})),
-      flakes_(asked_for(scene, what) > 0 ? asked_for(scene, what) : usual_flakes),
-      shutter_s_(what == Falling::rain ? scene.rainfall.shutter_s : scene.snowfall.shutter_s) {
-  if (scene.wind.field == scene::WindPattern::tornado && what == Falling::snow)
-    tornado_.emplace(scene, key_, static_cast<std::uint64_t>(flakes_));
+          {part.seed, key_of(what == Falling::rain ? "rain" : "snow"), 0, key_of("flakes")})),
+      flakes_(asked_for(part, what) > 0 ? asked_for(part, what) : usual_flakes),
+      shutter_s_(what == Falling::rain ? part.rainfall.shutter_s : part.snowfall.shutter_s) {
+  if (part.wind.field == scene::WindPattern::tornado && what == Falling::snow)
+    tornado_.emplace(part, key_, static_cast<std::uint64_t>(flakes_));
 }
 
 NearField FallingSnow::field_of(double rate_mm_h, double solid_angle_sr) const {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "core/ground_map.h"
-#include "scene/scene.h"
+#include "scene/parts.h"
 #include "snow/crystal_picture.h"
 #include "snow/flake_motion.h"
 #include "snow/near_field.h"
@@ -24,8 +24,8 @@ namespace wold::snow {
 class FallingSnow {
  public:
   /// `pictures` has to outlive this.
-  FallingSnow(const scene::Scene& scene, const Weather& weather, const FlakePictures& pictures,
-              Falling what = Falling::snow);
+  FallingSnow(const scene::PrecipitationPart& part, const Weather& weather,
+              const FlakePictures& pictures, Falling what = Falling::snow);
 
   /// At `time_s` since the first frame, above the ground. Nothing where none falls: the weather's
   /// precipitation that is snow, or rain, at the eye's height counts.

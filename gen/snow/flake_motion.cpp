@@ -62,13 +62,13 @@ Population::Population(std::uint64_t key, std::uint64_t flakes, int max_bits)
       std::max<std::uint64_t>(1, (columns << 32) / std::max<std::uint64_t>(1, flakes));
 }
 
-FlakeMotion::FlakeMotion(const scene::Scene& scene, const Weather& weather, double rate_mm_h,
-                         Falling what)
+FlakeMotion::FlakeMotion(const scene::PrecipitationPart& part, const Weather& weather,
+                         double rate_mm_h, Falling what)
     : what_(what),
-      wind_(weather, scene.wind.field == scene::WindPattern::steady ? 0.0 : scene.wind.turbulence,
-            random_bits({scene.seed, key_of("snow"), 0, key_of("wind")})),
+      wind_(weather, part.wind.field == scene::WindPattern::steady ? 0.0 : part.wind.turbulence,
+            random_bits({part.seed, key_of("snow"), 0, key_of("wind")})),
       sizes_(what == Falling::rain ? FlakeSizes::raindrops(rate_mm_h)
-                                   : FlakeSizes(rate_mm_h, scene.snowfall.crystal)),
+                                   : FlakeSizes(rate_mm_h, part.snowfall.crystal)),
       farthest_gust_m_(static_cast<float>(wind_.farthest_own_gust_m())) {}
 
 FlakeMotion::Moment FlakeMotion::moment(double time_s, double rate_mm_h) const {

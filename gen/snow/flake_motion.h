@@ -54,7 +54,7 @@ class Population {
 class FlakeMotion {
  public:
   /// `rate_mm_h`: see FlakeSizes. Drops do not sway.
-  FlakeMotion(const scene::Scene& scene, const Weather& weather, double rate_mm_h,
+  FlakeMotion(const scene::PrecipitationPart& part, const Weather& weather, double rate_mm_h,
               Falling what = Falling::snow);
 
   /// A turning whose rate is one of 2^bits equally spaced ones, at a moment: rate k has turned by

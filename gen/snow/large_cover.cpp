@@ -10,7 +10,6 @@
 
 #include "core/elementary.h"
 #include "core/error.h"
-#include "scene/calendar.h"
 #include "snow/drifting.h"
 
 namespace wold::snow {
@@ -82,13 +81,13 @@ LargeGround large_ground(const Heightfield& terrain) {
           }};
 }
 
-LargeCover::LargeCover(const scene::Scene& scene, const LargeGround& ground,
+LargeCover::LargeCover(const scene::SnowCoverPart& part, const LargeGround& ground,
                        WeatherFunction weather, std::filesystem::path folder, Limits limits)
-    : cover_(scene.snow_cover),
-      first_(first_pack(scene)),
-      is_season_(scene::is_season(scene)),
-      clock_(snow_clock(scene)),
-      earlier_s_(scene.weather.earlier_h * seconds_per_hour),
+    : cover_(part.cover),
+      first_(first_pack(part)),
+      is_season_(part.is_season),
+      clock_(snow_clock(part.is_season)),
+      earlier_s_(part.earlier_h * seconds_per_hour),
       samples_(ground.samples),
       step_m_(ground.step_m),
       weather_(std::move(weather)),

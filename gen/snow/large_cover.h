@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/tiled_image.h"
-#include "scene/scene.h"
+#include "scene/parts.h"
 #include "snow/cover.h"
 
 namespace wold::snow {
@@ -59,7 +59,7 @@ class LargeCover {
   /// and max_depths_m(), and later "drift_<heading>.tif" for each wind that comes. Rows of
   /// pictures go north. The scene's cover is "depth". Throws InputError for heights that are no
   /// numbers, FileError for the disk.
-  LargeCover(const scene::Scene& scene, const LargeGround& ground, WeatherFunction weather,
+  LargeCover(const scene::SnowCoverPart& part, const LargeGround& ground, WeatherFunction weather,
              std::filesystem::path folder, Limits limits);
 
   /// Brings the pictures of an hour of snow_clock(), since the weather began, to disk, from the

@@ -43,20 +43,20 @@ glm::dvec3 PaperFlake::velocity_m_s() const {
   return v0_m_s + vf_m_s + vr_m_s + glm::dvec3(0.0, 0.0, -gravity_m_s2 * step_s);
 }
 
-PaperSnow::PaperSnow(const scene::Scene& scene, const Weather& weather,
+PaperSnow::PaperSnow(const scene::PrecipitationPart& part, const Weather& weather,
                      const FlakePictures& pictures)
     : weather_(weather),
       pictures_(pictures),
-      wind_(weather, scene.wind.field == scene::WindPattern::steady ? 0.0 : scene.wind.turbulence,
-            random_bits({scene.seed, key_of("paper snow"), 0, key_of("wind")})),
-      key_(random_bits({scene.seed, key_of("paper snow"), 0, key_of("flakes")})),
-      box_m_(scene.snowfall.box_m[0], scene.snowfall.box_m[1], scene.snowfall.box_m[2]),
-      crystal_(scene.snowfall.crystal),
-      asked_for_(scene.snowfall.flakes),
-      shutter_s_(scene.snowfall.shutter_s) {
+      wind_(weather, part.wind.field == scene::WindPattern::steady ? 0.0 : part.wind.turbulence,
+            random_bits({part.seed, key_of("paper snow"), 0, key_of("wind")})),
+      key_(random_bits({part.seed, key_of("paper snow"), 0, key_of("flakes")})),
+      box_m_(part.snowfall.box_m[0], part.snowfall.box_m[1], part.snowfall.box_m[2]),
+      crystal_(part.snowfall.crystal),
+      asked_for_(part.snowfall.flakes),
+      shutter_s_(part.snowfall.shutter_s) {
   constexpr std::uint64_t max_of_the_papers = 4000;
-  if (scene.wind.field == scene::WindPattern::tornado)
-    tornado_.emplace(scene, key_,
+  if (part.wind.field == scene::WindPattern::tornado)
+    tornado_.emplace(part, key_,
                      asked_for_ > 0.0 ? static_cast<std::uint64_t>(asked_for_) : max_of_the_papers);
 }
 

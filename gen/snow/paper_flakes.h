@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/ground_map.h"
-#include "scene/scene.h"
+#include "scene/parts.h"
 #include "snow/crystal_picture.h"
 #include "snow/seen_flakes.h"
 #include "snow/simd_lanes.h"
@@ -49,7 +49,8 @@ struct PaperBox {
 class PaperSnow {
  public:
   /// `pictures` has to outlive this.
-  PaperSnow(const scene::Scene& scene, const Weather& weather, const FlakePictures& pictures);
+  PaperSnow(const scene::PrecipitationPart& part, const Weather& weather,
+            const FlakePictures& pictures);
 
   /// As FallingSnow::at(). About as many as asked for are in view, or [He2007]'s (figure 6): 500
   /// at 0.4 mm/h, 1000 at 1.2, 4000 at 4 and linear between. The fraction that is drawn falls with

@@ -11,7 +11,8 @@ namespace wold::snow {
 class SnowfallModel {
  public:
   /// `pictures` has to outlive this.
-  SnowfallModel(const scene::Scene& scene, const Weather& weather, const FlakePictures& pictures);
+  SnowfallModel(const scene::PrecipitationPart& part, const Weather& weather,
+                const FlakePictures& pictures);
 
   /// See FallingSnow::at() and PaperSnow::at().
   SeenFlakes at(double time_s, const SnowView& view, const Heightfield& ground) const;

@@ -25,14 +25,14 @@ double angular_speed(double radius) {
 
 }  // namespace
 
-Tornado::Tornado(const scene::Scene& scene, std::uint64_t key, std::uint64_t flakes)
+Tornado::Tornado(const scene::PrecipitationPart& part, std::uint64_t key, std::uint64_t flakes)
     : key_(key),
       flakes_(flakes),
-      middle_m_(0.5 * scene.terrain.size_m),
-      wander_m_(0.1 * scene.terrain.size_m),
-      height_m_(std::clamp(0.6 * scene.terrain.size_m, 10.0, 120.0)),
+      middle_m_(0.5 * part.terrain_m),
+      wander_m_(0.1 * part.terrain_m),
+      height_m_(std::clamp(0.6 * part.terrain_m, 10.0, 120.0)),
       foot_radius_m_(0.02 * height_m_),
-      speed_m_s_(std::max(8.0, 4.0 * scene.wind.speed_m_s)) {
+      speed_m_s_(std::max(8.0, 4.0 * part.wind.speed_m_s)) {
   constexpr double optical_depth = 0.6;
   const double silhouette_m2 =
       2.0 * height_m_ * foot_radius_m_ * (math::exp(widening) - 1.0) / widening;

@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 
-#include "scene/scene.h"
+#include "scene/parts.h"
 #include "snow/simd_lanes.h"
 
 namespace wold::snow {
@@ -25,7 +25,7 @@ inline constexpr double whirl_shutter_s = 0.04;
 class Tornado {
  public:
   /// `flakes` show it; each stands for a wisp of real ones, together they hide what is behind.
-  Tornado(const scene::Scene& scene, std::uint64_t key, std::uint64_t flakes);
+  Tornado(const scene::PrecipitationPart& part, std::uint64_t key, std::uint64_t flakes);
 
   std::uint64_t flakes() const { return flakes_; }
   /// Flake i of flakes(), above a ground of that height.

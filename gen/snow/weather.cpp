@@ -7,7 +7,6 @@
 
 #include "core/elementary.h"
 #include "phenology/film_season.h"
-#include "scene/calendar.h"
 #include "scene/registry.h"
 #include "weather/number_table.h"
 
@@ -31,12 +30,12 @@ double heading_deg(const glm::dvec2& wind) {
   return heading < 0.0 ? heading + 360.0 : heading;
 }
 
-WeatherMoment of_keys(const scene::Scene& scene) {
-  return {.temperature_c = scene.weather.temperature_c,
-          .precipitation_mm_h = scene.weather.precipitation_mm_h,
-          .wind_speed_m_s = scene.wind.speed_m_s,
-          .wind_heading_deg = scene.wind.heading_deg,
-          .falling_mm_h = scene.weather.precipitation_mm_h};
+WeatherMoment of_keys(const scene::WeatherPart& part) {
+  return {.temperature_c = part.weather.temperature_c,
+          .precipitation_mm_h = part.weather.precipitation_mm_h,
+          .wind_speed_m_s = part.wind.speed_m_s,
+          .wind_heading_deg = part.wind.heading_deg,
+          .falling_mm_h = part.weather.precipitation_mm_h};
 }
 
 /// A fraction of the way from one to the other.
@@ -110,9 +109,9 @@ double snow_mm_h(const WeatherMoment& weather, double height_m) {
   return weather.precipitation_mm_h * snow_fraction(weather, height_m);
 }
 
-std::vector<Weather::Row> Weather::rows_of_table(const scene::Scene& scene) {
+std::vector<Weather::Row> Weather::rows_of_table(const scene::WeatherPart& part) {
   const auto table =
-      weather::read_table(scene.weather.table,
+      weather::read_table(part.weather.table,
                           {{.name = "hours", .unit = "h", .rises = true, .required = true},
                            column_like("temperature_c", "weather.temperature"),
                            column_like("precipitation_mm_h", "weather.precipitation"),
@@ -122,7 +121,7 @@ std::vector<Weather::Row> Weather::rows_of_table(const scene::Scene& scene) {
   std::vector<Row> rows(table[0].size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     WeatherMoment& moment = rows[i].moment;
-    moment = of_keys(scene);
+    moment = of_keys(part);
     rows[i].time_s = seconds_per_hour * table[0][i];
     const std::array fields = {&moment.temperature_c, &moment.precipitation_mm_h,
                                &moment.wind_speed_m_s, &moment.wind_heading_deg};
@@ -134,7 +133,7 @@ std::vector<Weather::Row> Weather::rows_of_table(const scene::Scene& scene) {
 }
 
 /// Every hour and a half, so that the middles of the snow's steps are among them.
-std::vector<Weather::Row> Weather::rows_of_season(const scene::Scene& scene,
+std::vector<Weather::Row> Weather::rows_of_season(const scene::WeatherPart& part,
                                                   const phenology::FilmSeason& season) {
   constexpr double day_h = 24.0, row_h = 0.5 * snowpack::snow_step_h, moment_h = 0.01;
   const std::vector<weather::Day>& days = season.days();
@@ -142,14 +141,14 @@ std::vector<Weather::Row> Weather::rows_of_season(const scene::Scene& scene,
   for (std::size_t i = 0; i < days.size(); ++i) {
     const weather::Day& day = days[i];
     const snowpack::DailyForcing air(day, days[std::min(i + 1, days.size() - 1)],
-                                     scene.sun.latitude_deg);
+                                     part.latitude_deg);
     const auto add = [&](double hour) {
       rows.push_back(
           {.time_s = (day_h * static_cast<double>(i) + hour) * seconds_per_hour,
            .moment = {.temperature_c = air.temperature_c(hour),
                       .precipitation_mm_h = air.precipitation_mm_h(),
-                      .wind_speed_m_s = day.wind_speed_m_s.value_or(scene.wind.speed_m_s),
-                      .wind_heading_deg = day.wind_heading_deg.value_or(scene.wind.heading_deg),
+                      .wind_speed_m_s = day.wind_speed_m_s.value_or(part.wind.speed_m_s),
+                      .wind_heading_deg = day.wind_heading_deg.value_or(part.wind.heading_deg),
                       .sky = air.sky(hour),
                       .falling_mm_h = air.falling_mm_h()}});
     };
@@ -159,20 +158,17 @@ std::vector<Weather::Row> Weather::rows_of_season(const scene::Scene& scene,
   return rows;
 }
 
-std::vector<Weather::Row> Weather::rows_of(const scene::Scene& scene,
+std::vector<Weather::Row> Weather::rows_of(const scene::WeatherPart& part,
                                            const phenology::FilmSeason* season) {
-  if (scene::is_season(scene))
-    return phenology::with_season(scene, season, [&](const phenology::FilmSeason& days) {
-      return rows_of_season(scene, days);
-    });
-  if (scene.weather.table.empty()) return {{.moment = of_keys(scene)}};
-  return rows_of_table(scene);
+  if (season != nullptr) return rows_of_season(part, *season);
+  if (part.weather.table.empty()) return {{.moment = of_keys(part)}};
+  return rows_of_table(part);
 }
 
-Weather::Weather(const scene::Scene& scene, const phenology::FilmSeason* season)
-    : rows_(rows_of(scene, season)), earlier_s_(seconds_per_hour * scene.weather.earlier_h) {
+Weather::Weather(const scene::WeatherPart& part, const phenology::FilmSeason* season)
+    : rows_(rows_of(part, season)), earlier_s_(seconds_per_hour * part.weather.earlier_h) {
   for (Row& row : rows_) {
-    row.moment = with_strength(row.moment, scene.snowfall.strength);
+    row.moment = with_strength(row.moment, part.strength);
     row.wind_m_s = wind_of(row.moment);
   }
   rows_[0].way_m = rows_[0].time_s * rows_[0].wind_m_s;

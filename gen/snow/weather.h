@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/parts.h"
 #include "snowpack/snow_forcing.h"
 
 namespace wold::phenology {
@@ -55,8 +55,8 @@ class Weather {
   /// everything found: a missing, unknown or repeated column, a number that is none or out of the
   /// range of the key it replaces (NaN, infinity, a negative rate), hours that do not rise.
   /// Throws FileError when the table cannot be read.
-  /// `season`: the scene's, if it is one; without it the weather makes it for itself.
-  explicit Weather(const scene::Scene& scene, const phenology::FilmSeason* season = nullptr);
+  /// `season`: phenology::film_season() of the scene, nullptr where that is none.
+  Weather(const scene::WeatherPart& part, const phenology::FilmSeason* season);
 
   /// `time_s` since the first frame; negative down to -earlier_s().
   WeatherMoment at(double time_s) const;
@@ -99,9 +99,10 @@ class Weather {
     double beyond_s = 0.0;  ///< since the last row, or, negative, until the first
   };
   Span span_at(double time_s) const;
-  static std::vector<Row> rows_of(const scene::Scene& scene, const phenology::FilmSeason* season);
-  static std::vector<Row> rows_of_table(const scene::Scene& scene);
-  static std::vector<Row> rows_of_season(const scene::Scene& scene,
+  static std::vector<Row> rows_of(const scene::WeatherPart& part,
+                                  const phenology::FilmSeason* season);
+  static std::vector<Row> rows_of_table(const scene::WeatherPart& part);
+  static std::vector<Row> rows_of_season(const scene::WeatherPart& part,
                                          const phenology::FilmSeason& season);
   std::vector<Row> rows_;  ///< one at least
   double earlier_s_ = 0.0;

@@ -133,7 +133,7 @@ double snow_per_writing() {
   scene::Scene scene;
   scene.snowfall.strength = scene::SnowfallStrength::moderate;
   const FlakePictures pictures(1);
-  const FlakeMotion motion(scene, Weather(scene), 1.2);
+  const FlakeMotion motion(scene, Weather(scene, nullptr), 1.2);
   const Frustum frustum(SnowView{.eye_m = {20.0, 20.0, 1.6}, .target_m = {20.0, 30.0, 2.0}});
   const FlakeLook look(pictures, frustum, scene.snowfall.shutter_s);
   const PeriodicCube cube = {frustum.eye_m() + 10.0 * frustum.ahead(), 13.0};

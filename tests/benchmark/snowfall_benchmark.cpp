@@ -37,7 +37,7 @@ void frames_of_state(benchmark::State& state) {
   scene.snowfall.strength = scene::SnowfallStrength::moderate;
   scene.snowfall.flakes = static_cast<int>(state.range(0));
   scene.terrain.size_m = 1e3 * static_cast<double>(state.range(1));
-  const Snow snow(scene, Weather(scene), pictures());
+  const Snow snow(scene, Weather(scene, nullptr), pictures());
   const Heightfield ground(257, scene.terrain.size_m, 0.0F);
   const SnowView view = view_in(scene);
   double time_s = 0.0;
@@ -81,7 +81,7 @@ double median(std::vector<double> values) {
 void advance_and_write_a_million(benchmark::State& state) {
   scene::Scene scene;
   scene.snowfall.strength = scene::SnowfallStrength::moderate;
-  const FlakeMotion motion(scene, Weather(scene), 1.2);
+  const FlakeMotion motion(scene, Weather(scene, nullptr), 1.2);
   const Frustum frustum(view_in(scene));
   const FlakeLook look(pictures(), frustum, scene.snowfall.shutter_s);
   const PeriodicCube cube = {frustum.eye_m() + 10.0 * frustum.ahead(), 13.0};

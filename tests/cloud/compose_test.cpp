@@ -194,9 +194,9 @@ TEST(Clouds, RefuseMoreThanTheyCanHold) {
   scene::Scene scene = one_layer();
   EXPECT_THROW(Clouds(scene, 0.1), InputError);
   EXPECT_TRUE(Clouds(scene::Scene{}, pixel_m).at(0.0).layers.empty());
-  EXPECT_EQ(Clouds::usual_pixel_m(scene), 3200.0 / 256);
+  EXPECT_EQ(Clouds::usual_pixel_m(scene.clouds), 3200.0 / 256);
   scene.clouds[0].body = scene::CloudBody::volume;
-  EXPECT_EQ(Clouds::usual_pixel_m(scene), 3200.0 / 512);
+  EXPECT_EQ(Clouds::usual_pixel_m(scene.clouds), 3200.0 / 512);
 }
 
 TEST(Clouds, OfAnyScalesLieOverEachOther) {
@@ -207,7 +207,7 @@ TEST(Clouds, OfAnyScalesLieOverEachOther) {
   scene.clouds[1].cells = {1, 64};
   scene.cloud_events = {
       {.kind = CloudEventKind::faster, .start_s = 5, .duration_s = 0.001, .factor = 100}};
-  const double usual_m = Clouds::usual_pixel_m(scene);
+  const double usual_m = Clouds::usual_pixel_m(scene.clouds);
   EXPECT_NEAR(usual_m, 64 * 100000.0 / 2048.0, 1e-9);
   const Clouds clouds(scene, 4.0 * usual_m);
   for (const double time_s : {0.0, 5.0005, 1e9}) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "phenology/film_season.h"
+
 namespace wold::cloud {
 namespace {
 
@@ -82,13 +84,14 @@ scene::Scene windy_season() {
 // Clouds turn with the season's wind, their own events besides.
 TEST(Drift, FollowsTheSeasonsWind) {
   scene::Scene scene = windy_season();
+  const auto season = phenology::film_season(scene);
   const double deg = std::numbers::pi / 180.0;
-  const glm::dvec2 end = Timeline(scene, 0, 1e3).at(100.0).velocity_m_s;
+  const glm::dvec2 end = Timeline(scene, 0, 1e3, season.get()).at(100.0).velocity_m_s;
   EXPECT_NEAR(glm::distance(end, 24.0 * glm::dvec2(std::sin(260 * deg), std::cos(260 * deg))), 0.0,
               1e-9);
   scene.cloud_events = {
       {.kind = CloudEventKind::faster, .start_s = 30, .duration_s = 50, .factor = 2}};
-  const Timeline timeline(scene, 0, 1e3);
+  const Timeline timeline(scene, 0, 1e3, season.get());
   EXPECT_NEAR(glm::length(timeline.at(100.0).velocity_m_s), 48.0, 1e-9);
   EXPECT_NEAR(glm::distance(timeline.at(0.0).velocity_m_s, {8.0, 0.0}), 0.0, 1e-12);
   const int steps = 30000;

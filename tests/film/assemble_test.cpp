@@ -11,6 +11,7 @@
 #include "phenology/film_season.h"
 #include "scene/key_frames.h"
 #include "sky/exposure.h"
+#include "support/film_parts.h"
 #include "support/grown.h"
 #include "terrain/hillside.h"
 
@@ -43,16 +44,16 @@ landscape::BladeMesh tube_in_each_part(const std::string& name) {
 
 TEST(Assemble, CellsReferToTheirVolumes) {
   const scene::Scene scene = small_meadow();
-  const place::Site site = place::make_site(scene);
+  const place::Site site = test::site_of(scene);
   const Heightfield& terrain = site.terrain;
-  const std::vector<meadow::CellChoice> choices =
-      meadow::choose_cells(scene, terrain, site.growth, place::Withering(scene, terrain), 2);
+  const std::vector<meadow::CellChoice> choices = meadow::choose_cells(
+      scene, terrain, site.growth, test::withering_of(scene, terrain), test::grass_of(scene, 2));
   const auto name = [](const meadow::CellChoice& c) {
     return std::to_string(c.variant) + "/" + std::to_string(c.key_frame) + "/" +
            std::to_string(c.turn) + "/" + std::to_string(c.lod);
   };
   const landscape::Landscape landscape =
-      assemble(scene, site, 2, choices,
+      assemble(scene, site, test::grass_of(scene, 2), choices,
                {[&](const meadow::CellChoice& choice) {
                   landscape::Volume volume;
                   volume.name = name(choice);
@@ -91,9 +92,10 @@ TEST(Assemble, ExposesSnowUnderCloudsAsInTheSun) {
   scene.sun.time_h = 12.0;
   scene.snow_cover.initial_mm = 60.0;
   const auto shown = [](const scene::Scene& described) {
-    const scene::Scene film = phenology::as_film(described);
-    const place::Site site = place::make_site(film);
-    return assemble(film, place::site_of_frame(film, site, 2), 2, {}, {}, needs_of({}));
+    const scene::Scene film = test::film_of(described);
+    const place::Site site = test::site_of(film);
+    return assemble(film, place::site_of_frame(film, site, 2), test::grass_of(film, 2), {}, {},
+                    needs_of({}));
   };
   const auto mean_shown = [](const landscape::Landscape& landscape) {
     double sum = 0.0;
@@ -120,10 +122,10 @@ TEST(Assemble, DuskIsDarkerThanDay) {
   scene.ageing.frames = {0.0, 0.0};
   scene.sun.elevation_deg = 20.0;
   scene.sun.end = {3.0, scene.sun.azimuth_deg};
-  const place::Site site = place::make_site(scene);
+  const place::Site site = test::site_of(scene);
   const auto relative_gain = [&](int frame) {
     const place::Site now = place::site_of_frame(scene, site, frame);
-    return assemble(scene, now, frame, {}, {}, needs_of({})).exposure_gain /
+    return assemble(scene, now, test::grass_of(scene, frame), {}, {}, needs_of({})).exposure_gain /
            sky::metered_gain(now.day, sky::Subject::meadow);
   };
   EXPECT_NEAR(relative_gain(1), 1.0, 1e-9);
@@ -135,8 +137,9 @@ TEST(Assemble, DuskIsDarkerThanDay) {
 TEST(Assemble, DoesNotBurnOutTheSkyOfAnEvening) {
   scene::Scene scene = small_meadow();
   scene.sun.elevation_deg = 4.0;
-  const place::Site site = place::make_site(scene);
-  const landscape::Landscape landscape = assemble(scene, site, 2, {}, {}, needs_of({}));
+  const place::Site site = test::site_of(scene);
+  const landscape::Landscape landscape =
+      assemble(scene, site, test::grass_of(scene, 2), {}, {}, needs_of({}));
   const glm::vec3 sky = site.day.mean_sky_radiance(20.0 * std::numbers::pi / 180.0);
   const double luminance = 0.2126 * double{sky.r} + 0.7152 * double{sky.g} + 0.0722 * double{sky.b};
   EXPECT_NEAR(landscape.exposure_gain * luminance, 0.9, 1e-4);
@@ -147,11 +150,11 @@ TEST(Assemble, CellsOfBladesReferToTheirMeshes) {
   scene::Scene scene = small_meadow();
   scene.render.grass = scene::GrassForm::automatic;
   scene.grass.pixels_per_voxel = 0.4;
-  const place::Site site = place::make_site(scene);
-  const std::vector<meadow::CellChoice> choices =
-      meadow::choose_cells(scene, site.terrain, site.growth, *site.withering, 2);
+  const place::Site site = test::site_of(scene);
+  const std::vector<meadow::CellChoice> choices = meadow::choose_cells(
+      scene, site.terrain, site.growth, *site.withering, test::grass_of(scene, 2));
   const landscape::Landscape landscape =
-      assemble(scene, site, 2, choices,
+      assemble(scene, site, test::grass_of(scene, 2), choices,
                {[](const meadow::CellChoice&) { return landscape::Volume{}; },
                 [](const meadow::CellChoice& choice) {
                   return tube_in_each_part(std::to_string(choice.variant * 100 + choice.key_frame));
@@ -181,12 +184,12 @@ TEST(Assemble, CellsOfBladesReferToTheirMeshes) {
 TEST(Assemble, PartsWithoutBladesAreNotDrawn) {
   scene::Scene scene = small_meadow();
   scene.render.grass = scene::GrassForm::blades;
-  const place::Site site = place::make_site(scene);
-  const std::vector<meadow::CellChoice> choices =
-      meadow::choose_cells(scene, site.terrain, site.growth, *site.withering, 2);
+  const place::Site site = test::site_of(scene);
+  const std::vector<meadow::CellChoice> choices = meadow::choose_cells(
+      scene, site.terrain, site.growth, *site.withering, test::grass_of(scene, 2));
   auto tubes = std::make_shared<Tubes>(Tubes{1, 1, {glm::vec3(0.01F)}, {glm::vec3(1.0F)}});
   const landscape::Landscape landscape =
-      assemble(scene, site, 2, choices,
+      assemble(scene, site, test::grass_of(scene, 2), choices,
                {{},
                 [&](const meadow::CellChoice& choice) {
                   return landscape::BladeMesh{
@@ -203,9 +206,9 @@ TEST(Assemble, PartsWithoutBladesAreNotDrawn) {
 TEST(WeatheringTint, RestoresTheWantedColour) {
   const scene::Scene scene = small_meadow();
   const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
-  const place::Withering withering(scene, terrain);
+  const place::Withering withering = test::withering_of(scene, terrain);
   const std::vector<meadow::CellChoice> choices =
-      meadow::choose_cells(scene, terrain, grown(scene), withering, 2);
+      meadow::choose_cells(scene, terrain, grown(scene), withering, test::grass_of(scene, 2));
   const meadow::GrassColour colour = [](double degree, double) {
     return glm::vec3(0.2, 0.3, 0.1) * static_cast<float>(1.0 + degree);
   };

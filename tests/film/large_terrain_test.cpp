@@ -9,6 +9,7 @@
 #include "film/exporters.h"
 #include "meadow/far_field.h"
 #include "place/ground_grids.h"
+#include "support/film_parts.h"
 #include "support/sanitized.h"
 #include "support/temporary_folder.h"
 
@@ -131,7 +132,8 @@ landscape::Landscape snowed_on(double water_mm, const std::filesystem::path& fol
   scene::Scene scene = plain(2000.0);
   scene.snow_cover.initial_mm = water_mm;
   scene.weather.temperature_c = -1.0;
-  return assemble(scene, place::make_site(scene, folder), 1, {}, no_grass(), needs_of({}));
+  return assemble(scene, test::site_of(scene, folder), test::grass_of(scene, 1), {}, no_grass(),
+                  needs_of({}));
 }
 
 // Both pictures are of the same ground, bare or white: the coarse one shows the mean of what the
@@ -183,10 +185,11 @@ TEST(LargeTerrain, OfAHundredKilometresTakesBoundedMemory) {
   scene.weather.earlier_h = 120.0;           // all has melted below 670 m
   scene.grass.far_field_below_pixels = 0.0;  // as many cells as there can be
   const double before_mb = peak_memory_mb();
-  const place::Site site = place::make_site(scene, folder.path());
-  const std::vector<meadow::CellChoice> cells =
-      meadow::choose_cells(scene, site.terrain, place::growth_of_cells(site), *site.withering, 1);
-  const landscape::Landscape landscape = assemble(scene, site, 1, cells, no_grass(), needs_of({}));
+  const place::Site site = test::site_of(scene, folder.path());
+  const std::vector<meadow::CellChoice> cells = meadow::choose_cells(
+      scene, site.terrain, place::growth_of_cells(site), *site.withering, test::grass_of(scene, 1));
+  const landscape::Landscape landscape =
+      assemble(scene, site, test::grass_of(scene, 1), cells, no_grass(), needs_of({}));
   const double max_mb = test::sanitized ? 1400.0 : 700.0;  // with their notes on what is allocated
   EXPECT_LT(peak_memory_mb() - before_mb, max_mb);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "ground.tif"));

@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
   scene::Scene scene;
   scene.weather.table = file.path().string();
   try {
-    const snow::Weather weather(scene);
+    const snow::Weather weather(scene, nullptr);
     for (const double time_s : {-1e6, 0.0, 1800.0, 1e9})
       if (!std::isfinite(weather.snow_mm_h(time_s, 1000.0)) ||
           !std::isfinite(weather.at(time_s).temperature_c))

@@ -26,7 +26,7 @@ std::size_t index_of(const WitheringCurves& curves, double wanted_nm) {
 }
 
 TEST(WitheringCurves, StatesAreAHundredthApart) {
-  const WitheringCurves curves = withering_curves({});
+  const WitheringCurves curves = withering_curves(scene::Scene{});
   ASSERT_EQ(curves.states.size(), 101u);
   for (std::size_t i = 0; i <= 100; ++i)
     EXPECT_DOUBLE_EQ(curves.states[i].weathering, static_cast<double>(i) / 100.0);
@@ -36,7 +36,7 @@ TEST(WitheringCurves, StatesAreAHundredthApart) {
 // leaves yellow and cure from 80 to 50 %, are cured below 30 %; dead grass keeps 4 % and more (Ziel
 // et al. 2018).
 TEST(WitheringCurves, WaterAndChlorophyllPassTheStagesOfCuring) {
-  for (const WitheredState& state : withering_curves({}).states) {
+  for (const WitheredState& state : withering_curves(scene::Scene{}).states) {
     const double moisture = 240.0 * state.water;
     EXPECT_GE(moisture, 4.0);
     if (moisture > 200.0) {
@@ -49,13 +49,13 @@ TEST(WitheringCurves, WaterAndChlorophyllPassTheStagesOfCuring) {
       EXPECT_LT(state.chlorophyll, 0.05);
     }
   }
-  const WitheringCurves curves = withering_curves({});
+  const WitheringCurves curves = withering_curves(scene::Scene{});
   EXPECT_LT(240.0 * curves.states[100].water, 30.0);
   EXPECT_NEAR(curves.states[50].chlorophyll, 0.5, 1e-5);  // half-way of a leaf's logistic fall
 }
 
 TEST(WitheringCurves, CarotenoidsOutlastChlorophyllAndInThePaperStay) {
-  for (const WitheredState& state : withering_curves({}).states)
+  for (const WitheredState& state : withering_curves(scene::Scene{}).states)
     EXPECT_GE(state.carotenoid, state.chlorophyll);
   scene::Scene paper;
   paper.ageing.colour = scene::ColourModel::paper;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/film_parts.h"
+
 namespace wold::ground {
 namespace {
 
@@ -34,7 +36,7 @@ double mean(const GroundMap<float, Meaning>& map) {
 
 TEST(SnowyGround, WithoutSnowIsTheSites) {
   const scene::Scene scene = snowed_in(0.0);
-  const place::Site site = place::make_site(scene);
+  const place::Site site = test::site_of(scene);
   EXPECT_EQ(site.snow, nullptr);
   const SnowyGround ground(scene, site, 1);
   EXPECT_EQ(ground.surface().values(), site.terrain.values());
@@ -64,7 +66,7 @@ TEST(SnowyGround, IsDarkWhereRainHasWettedIt) {
   rainy.weather.temperature_c = 12.0;
   rainy.weather.precipitation_mm_h = 5.0;
   rainy.weather.earlier_h = 1.0;
-  const place::Site site = place::make_site(rainy);
+  const place::Site site = test::site_of(rainy);
   const SnowyGround ground(rainy, site, 1);
   EXPECT_EQ(ground.white_fraction(), 0.0);
   const ColourMap wet = ground.reflectance(in_the_open);
@@ -79,7 +81,7 @@ TEST(SnowyGround, IsDarkWhereRainHasWettedIt) {
 // As much snow lies over the ground as the weather has left: its volume is the mean depth's.
 TEST(SnowyGround, RisesByTheDepth) {
   const scene::Scene scene = snowed_in(40.0);
-  const place::Site site = place::make_site(scene);
+  const place::Site site = test::site_of(scene);
   const SnowyGround ground(scene, site, 1);
   const double depth_m = mean(site.snow->ground.at(0.0).depth_m);
   EXPECT_GT(depth_m, 0.2);
@@ -91,7 +93,7 @@ TEST(SnowyGround, RisesByTheDepth) {
 // Snow smooths what is smaller than it is deep: the surface bends less than the ground.
 TEST(SnowyGround, LiesSmooth) {
   const scene::Scene scene = snowed_in(60.0);
-  const place::Site site = place::make_site(scene);
+  const place::Site site = test::site_of(scene);
   const SnowyGround ground(scene, site, 1);
   const auto bends = [](const Heightfield& map) {
     double sum = 0.0;
@@ -108,7 +110,7 @@ TEST(SnowyGround, LiesSmooth) {
 // Deeper than the grass it is as white as fresh snow, and no grass grows out of it.
 TEST(SnowyGround, DeepSnowIsAllThatIsSeen) {
   const scene::Scene scene = snowed_in(60.0);
-  const place::Site site = place::make_site(scene);
+  const place::Site site = test::site_of(scene);
   const SnowyGround ground(scene, site, 1);
   const ColourMap map = ground.reflectance(in_the_open);
   for (const glm::vec3& reflectance : map.values()) {
@@ -123,7 +125,7 @@ TEST(SnowyGround, DeepSnowIsAllThatIsSeen) {
 TEST(SnowyGround, ThePapersWhiteningLeavesTheShapeAndHidesTheGrass) {
   scene::Scene scene = snowed_in(6.0);
   scene.snow_cover.cover = scene::CoverModel::paper;
-  const place::Site site = place::make_site(scene);
+  const place::Site site = test::site_of(scene);
   const SnowyGround ground(scene, site, 1);
   EXPECT_EQ(ground.surface().values(), site.terrain.values());
   // 6 of white_after's 8 mm: three dots a texel, so that 1 - exp(-3) of it is white.

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "support/film_parts.h"
+
 namespace wold::meadow {
 namespace {
 
@@ -56,19 +58,19 @@ TEST(CanopySnow, IsBoundedAndAddsUp) {
 TEST(CanopySnow, OfASceneFollowsItsWeather) {
   scene::Scene scene;
   scene.weather.temperature_c = -3.0;
-  EXPECT_EQ(canopy_snow(scene, 1), 0.0);
+  EXPECT_EQ(test::grass_of(scene, 1).snow, 0.0);
   scene.weather.precipitation_mm_h = 1.0;
   scene.weather.earlier_h = 0.5;
   scene.film.frame_seconds = 600.0;
   const double leaf_area = 400 * 0.5 * 0.32 * 0.0056 / (0.6 * 0.6);
-  EXPECT_NEAR(canopy_snow(scene, 1), fraction_after(0.5, -3.0, 1.0, 0.0, leaf_area), 1e-9);
-  EXPECT_NEAR(canopy_snow(scene, 2), fraction_after(0.5 + 1.0 / 6.0, -3.0, 1.0, 0.0, leaf_area),
-              1e-9);
+  EXPECT_NEAR(test::grass_of(scene, 1).snow, fraction_after(0.5, -3.0, 1.0, 0.0, leaf_area), 1e-9);
+  EXPECT_NEAR(test::grass_of(scene, 2).snow,
+              fraction_after(0.5 + 1.0 / 6.0, -3.0, 1.0, 0.0, leaf_area), 1e-9);
   scene.weather.temperature_c = 3.0;  // rain
-  EXPECT_EQ(canopy_snow(scene, 2), 0.0);
+  EXPECT_EQ(test::grass_of(scene, 2).snow, 0.0);
   scene.weather.temperature_c = -3.0;
   scene.snow_cover.cover = scene::CoverModel::none;
-  EXPECT_EQ(canopy_snow(scene, 2), 0.0);
+  EXPECT_EQ(test::grass_of(scene, 2).snow, 0.0);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "meadow/canopy_snow.h"
 #include "place/view.h"
 #include "scene/key_frames.h"
+#include "support/film_parts.h"
 #include "support/grown.h"
 #include "terrain/hillside.h"
 #include "terrain/horizon.h"
@@ -48,13 +49,14 @@ scene::Scene from_above() {
 
 std::vector<CellChoice> choices_of(const scene::Scene& scene, int frame = 2) {
   const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
-  return choose_cells(scene, terrain, grown(scene), place::Withering(scene, terrain), frame);
+  return choose_cells(scene, terrain, grown(scene), test::withering_of(scene, terrain),
+                      test::grass_of(scene, frame));
 }
 
 // Cells are boxes that lean; where neighbours lean away from each other one saw the ground.
 TEST(Cells, LeaveNoGapsWhereTheyReach) {
   const scene::Scene scene = small_meadow();
-  const WindLean wind_lean(scene, 1);
+  const WindLean wind_lean(scene.wind, {}, scene.seed);
   const Heightfield level(3, 12.0);
   const double patch_m = scene.grass.patch_m, height_m = scene.grass.height_m;
   double widest_m = 0.0;
@@ -173,7 +175,8 @@ TEST(Cells, LevelsAreAsFineAsThePixels) {
       scene.render.size_px[0] / (2.0 * std::tan(27.5 * std::numbers::pi / 180.0));
   std::set<int> levels;
   for (const CellChoice& choice :
-       choose_cells(scene, terrain, grown(scene), place::Withering(scene, terrain), 1)) {
+       choose_cells(scene, terrain, grown(scene), test::withering_of(scene, terrain),
+                    test::grass_of(scene, 1))) {
     levels.insert(choice.lod);
     const glm::dvec4 centre =
         choice.parts.front().world_from_cell * glm::dvec4(0.25, 0.25, 0.14, 1);
@@ -203,7 +206,8 @@ TEST(Cells, AutoDrawsBladesWhereTheFinestLevelIsTooCoarse) {
   const double voxel_m = scene.grass.patch_m / scene.grass.lods.front();
   int blades = 0;
   for (const CellChoice& choice :
-       choose_cells(scene, terrain, grown(scene), place::Withering(scene, terrain), 2)) {
+       choose_cells(scene, terrain, grown(scene), test::withering_of(scene, terrain),
+                    test::grass_of(scene, 2))) {
     const glm::dvec2 at_m = (glm::dvec2(choice.cell) + 0.5) * scene.grass.patch_m;
     const glm::dvec3 middle_m(at_m, terrain.sample(at_m.x, at_m.y) + scene.grass.height_m / 2.0);
     const double pixels = view.pixels(voxel_m, middle_m) / scene.grass.pixels_per_voxel;
@@ -221,7 +225,8 @@ TEST(Cells, AutoDrawsBladesWhereTheFinestLevelIsTooCoarse) {
   EXPECT_GE(blades, 3);
   scene.render.grass = scene::GrassForm::blades;
   for (const CellChoice& choice :
-       choose_cells(scene, terrain, grown(scene), place::Withering(scene, terrain), 2))
+       choose_cells(scene, terrain, grown(scene), test::withering_of(scene, terrain),
+                    test::grass_of(scene, 2)))
     EXPECT_TRUE(choice.blades);
 }
 
@@ -231,7 +236,8 @@ TEST(Cells, KeepEveryBladeInThePicture) {
   const landscape::Camera camera = place::resolved_camera(scene.camera, terrain, 0.0);
   std::set<std::pair<int, int>> listed;
   for (const CellChoice& choice :
-       choose_cells(scene, terrain, grown(scene), place::Withering(scene, terrain), 1))
+       choose_cells(scene, terrain, grown(scene), test::withering_of(scene, terrain),
+                    test::grass_of(scene, 1)))
     listed.insert({choice.cell.x, choice.cell.y});
   const glm::dvec3 forward = glm::normalize(camera.target_m - camera.eye_m);
   const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 0, 1)));
@@ -286,7 +292,8 @@ TEST(Weathering, VariantsPassToTheNextKeyFrameOneAfterTheOther) {
 TEST(Weathering, VariesSmoothlyAndNotAtTheEnds) {
   scene::Scene scene = small_meadow();
   scene.ageing.frames = {0.0, 0.5, 1.0};
-  const place::Withering withering(scene, terrain::make_hillside(scene.terrain, scene.seed));
+  const place::Withering withering =
+      test::withering_of(scene, terrain::make_hillside(scene.terrain, scene.seed));
   double largest = 0.0;
   double step_squares = 0.0;
   for (int k = 0; k < 200; ++k) {
@@ -314,7 +321,7 @@ TEST(ChooseCells, SnowIsDitheredBetweenTwoLevels) {
   scene.weather.temperature_c = -3.0;
   scene.weather.precipitation_mm_h = 0.6;
   scene.weather.earlier_h = 1.0;
-  const double wanted = grass::PatchState::level_of(canopy_snow(scene, 2));
+  const double wanted = grass::PatchState::level_of(test::grass_of(scene, 2).snow);
   ASSERT_GT(wanted, 1.0);
   const std::vector<CellChoice> choices = choices_of(scene);
   double sum = 0.0;

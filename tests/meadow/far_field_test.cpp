@@ -8,6 +8,7 @@
 #include "core/vdb_file.h"
 #include "ground/haze.h"
 #include "meadow/cells.h"
+#include "support/film_parts.h"
 #include "support/grown.h"
 #include "support/temporary_folder.h"
 
@@ -107,7 +108,8 @@ TEST(FarField, TakesOverWhatStandsNoLonger) {
   EXPECT_EQ(extinction_factor.sample(200.0, 390.0), 0.0F);
   double farthest_m = 0.0;
   for (const CellChoice& cell :
-       choose_cells(scene, ground, test::grown(scene), place::Withering(scene, ground), 1))
+       choose_cells(scene, ground, test::grown(scene), test::withering_of(scene, ground),
+                    test::grass_of(scene, 1)))
     farthest_m = std::max(farthest_m, cell.cell.y * scene.grass.patch_m);
   for (double y_m = 60.0; y_m < 390.0; y_m += 10.0) {
     const double fraction = far_fraction(scene.grass, view, {200.0, y_m, 0.0});
@@ -126,13 +128,15 @@ TEST(FarField, ShowsWhatTheVolumeWouldShow) {
   const Heightfield flat(41, 400.0);
   const place::View view(place::resolved_camera(scene.camera, flat, 0.0), 960, 540);
   std::map<grass::PatchState, PatchAppearance> looks;
-  for (const grass::PatchState& state : far_states(scene, place::Withering(scene, flat), 2))
+  for (const grass::PatchState& state :
+       far_states(scene, test::withering_of(scene, flat), test::grass_of(scene, 2)))
     looks.emplace(state, std::span(&fog, 1));
   const glm::vec3 bare(0.005F);
   ColourMap ground(401, 400.0, bare);
   const ColourMap light(2, 400.0, glm::vec3(0.8F));
-  paint_far_grass(ground, scene, flat, test::grown(scene), light, view,
-                  Meadow(scene, flat, place::Withering(scene, flat), view, 2, looks));
+  paint_far_grass(
+      ground, scene, flat, test::grown(scene), light, view,
+      Meadow(scene, flat, test::withering_of(scene, flat), view, test::grass_of(scene, 2), looks));
   const double sine = 20.0 / std::hypot(20.0, 389.0);
   const double left = through(0.4 / sine);
   EXPECT_NEAR(ground.sample(200.0, 390.0).g, 0.8 * double{source.g} * (1.0 - left) + 0.005 * left,
@@ -150,15 +154,17 @@ TEST(FarField, LeansAsTheGrassDoes) {
   scene.wind.lean_deg = 20.0;
   const Heightfield flat(41, 400.0);
   const glm::dvec3 at_m(200.0, 150.0, 0.0);
-  const glm::dvec2 lean = WindLean(scene, 2).lean(glm::dvec2(at_m));
+  const glm::dvec2 lean = test::grass_of(scene, 2).wind_lean.lean(glm::dvec2(at_m));
   ASSERT_GT(std::abs(lean.x), 0.2);
-  const place::Withering withering(scene, flat);
+  const place::Withering withering = test::withering_of(scene, flat);
   std::map<grass::PatchState, PatchAppearance> looks;
-  for (const grass::PatchState& state : far_states(scene, withering, 2))
+  for (const grass::PatchState& state : far_states(scene, withering, test::grass_of(scene, 2)))
     looks.emplace(state, std::span(&walls, 1));
   const auto seen = [&](double sign) {
     const place::View view({at_m + 30.0 * glm::dvec3(sign * lean, 1.0), at_m, 55.0}, 960, 540);
-    return Meadow(scene, flat, withering, view, 2, looks).look(at_m).transmittance;
+    return Meadow(scene, flat, withering, view, test::grass_of(scene, 2), looks)
+        .look(at_m)
+        .transmittance;
   };
   const double from_above =
       PatchAppearance(std::span(&walls, 1)).along({0.0, 0.0, -1.0}).transmittance;
@@ -187,10 +193,11 @@ TEST(Haze, FollowsKoschmieder) {
   const glm::vec3 air = day.haze_radiance({0.0, 1.0, 0.0}, 1.0 - left);
   EXPECT_NEAR(seen.g, (1.0 - left) * double{air.g}, 2e-3);
   std::map<grass::PatchState, PatchAppearance> looks;
-  for (const grass::PatchState& state : far_states(scene, place::Withering(scene, flat), 2))
+  for (const grass::PatchState& state :
+       far_states(scene, test::withering_of(scene, flat), test::grass_of(scene, 2)))
     looks.emplace(state, std::span(&fog, 1));
-  const place::Withering withering(scene, flat);
-  const Meadow meadow(scene, flat, withering, view, 2, looks);
+  const place::Withering withering = test::withering_of(scene, flat);
+  const Meadow meadow(scene, flat, withering, view, test::grass_of(scene, 2), looks);
   const ColourMap light(401, 400.0, glm::vec3(0.8F));
   const glm::dvec3 far_m(200.0, 300.0, 0.0);
   const float factor =

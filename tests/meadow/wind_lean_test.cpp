@@ -8,6 +8,7 @@
 #include "grass/texel/fibres.h"
 #include "meadow/cells.h"
 #include "meadow/lean_light.h"
+#include "support/film_parts.h"
 
 namespace wold::meadow {
 namespace {
@@ -16,7 +17,7 @@ constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
 /// Leans of the grass at places farther apart than the waves are long.
 std::vector<glm::dvec2> leans(const scene::Scene& scene) {
-  const WindLean wind_lean(scene, 1);
+  const WindLean wind_lean(scene.wind, {}, scene.seed);
   std::vector<glm::dvec2> result;
   for (int j = 0; j < 60; ++j)
     for (int i = 0; i < 60; ++i)
@@ -46,14 +47,14 @@ TEST(WindLean, LeansWithTheWindAsMuchAsAsked) {
 
 TEST(WindLean, NeighboursLeanNearlyAlikeAndStillAirCombsNothing) {
   scene::Scene scene;
-  const WindLean wind_lean(scene, 1);
+  const WindLean wind_lean(scene.wind, {}, scene.seed);
   const glm::dvec2 step(scene.grass.patch_m, 0.0);
   for (int i = 0; i < 200; ++i) {
     const glm::dvec2 at_m(0.173 * i, 0.31 * i);
     EXPECT_LT(glm::distance(wind_lean.lean(at_m), wind_lean.lean(at_m + step)), 0.2);
   }
   scene.wind.lean_deg = scene.wind.waves_deg = 0.0;
-  EXPECT_EQ(WindLean(scene, 1).lean({3.3, 4.4}), glm::dvec2(0.0));
+  EXPECT_EQ(WindLean(scene.wind, {}, scene.seed).lean({3.3, 4.4}), glm::dvec2(0.0));
 }
 
 // In a season the mean lean follows the wind of the week before, and waves stay where they are.
@@ -68,7 +69,9 @@ TEST(WindLean, FollowsTheSeasonsWind) {
   scene.season.frames = 31;
   scene.season_keys = {{.date = {2026, 9, 11}, .wind_speed_m_s = 2.0, .wind_heading_deg = 90.0},
                        {.date = {2026, 9, 12}, .wind_speed_m_s = 3.0, .wind_heading_deg = 180.0}};
-  const WindLean before(scene, 11), after(scene, 21);
+  const scene::Scene film = test::film_of(scene);
+  const WindLean before = test::grass_of(film, 11).wind_lean;
+  const WindLean after = test::grass_of(film, 21).wind_lean;
   for (int i = 0; i < 100; ++i) {
     const glm::dvec2 at_m(0.73 * i, 0.31 * i);
     const glm::dvec2 first = before.lean(at_m), last = after.lean(at_m);

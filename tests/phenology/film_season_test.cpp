@@ -108,12 +108,12 @@ TEST(FilmSeason, TheAirIsTheDaysWithoutWhatFalls) {
 }
 
 TEST(FilmSeason, IsAFilmOfItsFrames) {
-  const scene::Scene film = as_film(keyed_autumn());
+  const scene::Scene film = as_film(keyed_autumn(), film_season(keyed_autumn()).get());
   ASSERT_EQ(film.ageing.frames.size(), 61U);
   EXPECT_DOUBLE_EQ(film.ageing.frames[16], 0.22);  // the 9th of September
   EXPECT_EQ(film.weather.earlier_h, film.sun.time_h);
   scene::Scene plain;
-  EXPECT_EQ(as_film(plain), plain);
+  EXPECT_EQ(as_film(plain, film_season(plain).get()), plain);
 }
 
 // The table's weather begins a year before the film at most; keys win over it.
@@ -132,7 +132,7 @@ TEST(FilmSeason, TableHasTheDaysBeforeTheFilm) {
   EXPECT_EQ(season.first_day(), -10);
   EXPECT_EQ(season.days().front().precipitation_mm, 3.0);
   EXPECT_EQ(season.days().front().tmin_c, 5.0);  // 10 degrees, half the table's range below
-  EXPECT_EQ(as_film(scene).weather.earlier_h, 240.0 + scene.sun.time_h);
+  EXPECT_EQ(as_film(scene, film_season(scene).get()).weather.earlier_h, 240.0 + scene.sun.time_h);
   scene.season.last = {2026, 12, 1};
   EXPECT_THROW(FilmSeason{scene}, InputError);  // the table ends before
 }

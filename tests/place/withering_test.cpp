@@ -9,6 +9,7 @@
 #include "phenology/film_season.h"
 #include "place/site.h"
 #include "scene/sun_position.h"
+#include "support/film_parts.h"
 
 namespace wold::place {
 namespace {
@@ -26,7 +27,7 @@ scene::Scene even_season() {
   scene.sun.latitude_deg = 45.0;
   scene.season_keys = {{.date = {2026, 8, 1}, .weathering = 0.0},
                        {.date = {2026, 11, 9}, .weathering = 1.0}};
-  return phenology::as_film(scene);
+  return test::film_of(scene);
 }
 
 template <class Height>
@@ -44,7 +45,8 @@ double days_between(const Withering& withering, const glm::dvec2& early, const g
 
 // Hopkins: four days for every 400 feet.
 TEST(Withering, ComesEarlierOnHighGround) {
-  const Withering withering(even_season(), ground([](const glm::dvec2& at) { return 0.5 * at.x; }));
+  const Withering withering =
+      test::withering_of(even_season(), ground([](const glm::dvec2& at) { return 0.5 * at.x; }));
   EXPECT_NEAR(days_between(withering, {400.0, 256.0}, {400.0 - 2.0 * 121.92, 256.0}), 4.0, 1e-4);
   const auto [min, max] = withering.range(middle);
   EXPECT_LE(min, withering.at({0.0, 0.0}, middle));
@@ -54,8 +56,8 @@ TEST(Withering, ComesEarlierOnHighGround) {
 // A slope of 45 degrees that faces the sun of 45 degrees gets 1.414 times as much as level ground,
 // one that faces away nothing: 10 days times the difference.
 TEST(Withering, ComesEarlierOnSunnySlopes) {
-  const Withering withering(even_season(),
-                            ground([](const glm::dvec2& at) { return -std::abs(at.y - 256.0); }));
+  const Withering withering = test::withering_of(
+      even_season(), ground([](const glm::dvec2& at) { return -std::abs(at.y - 256.0); }));
   EXPECT_NEAR(days_between(withering, {256.0, 128.0}, {256.0, 384.0}), 10.0 * std::sqrt(2.0), 1e-3);
 }
 
@@ -65,9 +67,9 @@ TEST(Withering, ComesEarlierInTheDeepestHollow) {
     return -8.0 * std::exp(-glm::dot(at - 256.0, at - 256.0) / 2000.0);
   });
   scene::Scene scene = even_season();
-  const double before = Withering(scene, pit).at({256.0, 256.0}, middle);
+  const double before = test::withering_of(scene, pit).at({256.0, 256.0}, middle);
   scene.season.hollow_frost_k = 4.0;
-  const Withering frosty(scene, pit);
+  const Withering frosty = test::withering_of(scene, pit);
   EXPECT_NEAR(100.0 * (frosty.at({256.0, 256.0}, middle) - before),
               4.0 * 0.5 * 4.0 / 121.92 / 0.0065, 1e-3);
   EXPECT_NEAR(frosty.at({30.0, 30.0}, middle), 0.5, 0.01);  // far away from it, level
@@ -78,7 +80,8 @@ TEST(Withering, SoilSpreadsItAndItNeverGoesBack) {
   scene::Scene scene = even_season();
   scene.season.spread_days = 6.0;
   scene.ageing.age_spread_feature_m = 5.0;
-  const Withering withering(scene, ground([](const glm::dvec2&) { return 0.0; }));
+  const Withering withering =
+      test::withering_of(scene, ground([](const glm::dvec2&) { return 0.0; }));
   double sum = 0.0, squares = 0.0;
   int places = 0;
   for (double x = 3.0; x < 510.0; x += 11.0)
@@ -101,7 +104,7 @@ TEST(SiteOfFrame, HasTheDaysLight) {
   scene.camera.eye_m = {4.0, 0.5};
   scene.camera.target_m = {4.0, 6.0};
   scene.season_keys[0].visual_range_m = 5e3;
-  const Site site = make_site(scene);
+  const Site site = test::site_of(scene);
   for (const int frame : {1, 51, 101}) {
     const auto date =
         std::chrono::sys_days(scene::date_of(scene.season.first)) + std::chrono::days(frame - 1);
@@ -133,7 +136,7 @@ TEST(SiteOfFrame, HasTheLightOfASettingSun) {
   scene.sun.elevation_deg = 22.0;
   scene.sun.azimuth_deg = 260.0;
   scene.sun.end = {2.0, 284.0};
-  const Site site = make_site(scene);
+  const Site site = test::site_of(scene);
   const Site half_way = site_of_frame(scene, site, 2);
   EXPECT_NEAR(std::asin(half_way.day.sun_direction().z), glm::radians(12.0), 1e-9);
   EXPECT_EQ(meadow::light_count(scene), 5);
@@ -156,12 +159,12 @@ TEST_P(FilmLights, OfTwoFramesAreLights) {
   scene.season.frames = 2;
   scene.weather.precipitation_mm_h = GetParam();
   scene.weather.temperature_c = -5.0;
-  scene = phenology::as_film(scene);
+  scene = test::film_of(scene);
   scene.terrain.size_m = 8.0;
   scene.terrain.samples = 33;
   scene.camera.eye_m = {4.0, 0.5};
   scene.camera.target_m = {4.0, 6.0};
-  const auto lights = meadow::film_lights(scene, make_site(scene));
+  const auto lights = meadow::film_lights(scene, test::site_of(scene));
   ASSERT_GT(lights.size(), 2u);
   for (const grass::Lighting& lighting : lights) {
     glm::vec3 sum = lighting.sun_irradiance * static_cast<float>(lighting.sun_direction.z);

@@ -69,6 +69,11 @@ class Layers(unittest.TestCase):
     def test_a_folder_that_is_no_library(self):
         self.has("rain: not in the table", self.faults(rain_rain_h=""))
 
+    def test_physics_that_takes_the_whole_scene(self):
+        found = self.faults(snow_fall_h="void fall(const scene::Scene& scene);")
+        self.assertEqual(found, ["snow/fall.h:1: takes the whole scene"])
+        self.assertEqual(self.faults(film_film_cpp="void f(const scene::Scene& scene);"), [])
+
     def test_the_table_of_wold_is_read_whole(self):
         gen = pathlib.Path(layers.__file__).resolve().parents[1] / "gen"
         table = layers.read_table((gen / "CMakeLists.txt").read_text())

@@ -10,6 +10,7 @@
 #include "film/exporters.h"
 #include "phenology/film_season.h"
 #include "place/view.h"
+#include "support/film_parts.h"
 
 namespace wold::sky {
 namespace {
@@ -18,7 +19,7 @@ constexpr int width_px = 64, height_px = 36;
 
 /// The default meadow's first frame, without grass and sky.
 landscape::Landscape snowing(const scene::Scene& scene) {
-  const place::Site site = place::make_site(scene);
+  const place::Site site = test::site_of(scene);
   landscape::Landscape landscape;
   landscape.terrain = site.terrain;
   landscape.camera = place::resolved_camera(scene.camera, site.terrain, 0.0);
@@ -64,7 +65,7 @@ int flakes_passed(const landscape::Landscape& landscape, int column, int row) {
 
 TEST(SnowfallModel, HasTheSnowfallsExtinction) {
   scene::Scene scene = snowy(scene::SnowfallStrength::blizzard);
-  const double extinction_per_m = falling_extinction_per_m(scene, place::make_site(scene), 1);
+  const double extinction_per_m = falling_extinction_per_m(scene, test::site_of(scene), 1);
   EXPECT_NEAR(extinction_per_m, 2.49e-3 * std::pow(4.0, 1.05), 0.02 * extinction_per_m);
 }
 
@@ -76,7 +77,7 @@ TEST(SnowfallModel, IsRainWhereItIsWarm) {
   // Marshall and Palmer: pi N0 / (2 Lambda^3), by geometry alone.
   const double lambda = 4.1 * std::pow(8.0, -0.21);
   const double extinction_per_m = 1e-6 * 1.5708 * 8000.0 / std::pow(lambda, 3);
-  EXPECT_NEAR(falling_extinction_per_m(scene, place::make_site(scene), 1), extinction_per_m,
+  EXPECT_NEAR(falling_extinction_per_m(scene, test::site_of(scene), 1), extinction_per_m,
               1e-3 * extinction_per_m);
   const landscape::Landscape rain = snowing(scene);
   for (const landscape::FlakePicture& picture : rain.flakes.pictures)
@@ -103,14 +104,14 @@ scene::Scene one_snowy_day() {
                        {.date = {2026, 12, 5}, .precipitation_mm_day = 0.0},
                        {.date = {2026, 12, 6}, .precipitation_mm_day = 20.0},
                        {.date = {2026, 12, 7}, .precipitation_mm_day = 0.0}};
-  return phenology::as_film(scene);
+  return test::film_of(scene);
 }
 
 // The sky greys before a day's snow and clears after it, however sudden that is; flakes are its
 // own.
 TEST(SnowfallModel, OfOneDayGreysTheSkyGently) {
   const scene::Scene scene = one_snowy_day();
-  const place::Site site = place::make_site(scene);
+  const place::Site site = test::site_of(scene);
   double own = 0.0, greying = 0.0;
   for (int frame = 1; frame <= 10; ++frame) {
     own += falling_extinction_per_m(scene, site, frame);
@@ -123,8 +124,8 @@ TEST(SnowfallModel, OfOneDayGreysTheSkyGently) {
                        overcast_extinction_per_m(scene, site, frame - 1)),
               0.25 * own);
   const auto shown = [&](int frame) {
-    return film::assemble(scene, place::site_of_frame(scene, site, frame), frame, {}, {},
-                          film::needs_of({}));
+    return film::assemble(scene, place::site_of_frame(scene, site, frame),
+                          test::grass_of(scene, frame), {}, {}, film::needs_of({}));
   };
   const landscape::Landscape clear = shown(1), before = shown(5), snowing = shown(6);
   const auto sun = [](const landscape::Landscape& landscape) {

@@ -40,7 +40,7 @@ const Heightfield& no_ground() {
 
 SeenFlakes seen_of(const scene::Scene& scene, double time_s = 50.0,
                    const SnowView& view = level_view, const Heightfield& ground = no_ground()) {
-  return FallingSnow(scene, Weather(scene), pictures()).at(time_s, view, ground);
+  return FallingSnow(scene, Weather(scene, nullptr), pictures()).at(time_s, view, ground);
 }
 
 /// What a flake hides of what lies behind it, m2.
@@ -143,7 +143,7 @@ FlakeLanes flakes_of(const FlakeMotion& motion, const Population& population, st
 TEST(FlakeMotion, WaterThroughAPlaneIsTheRate) {
   for (const double rate_mm_h : {0.4, 1.0, 4.0}) {
     const scene::Scene scene = snowy(rate_mm_h);
-    const FlakeMotion motion(scene, Weather(scene), rate_mm_h);
+    const FlakeMotion motion(scene, Weather(scene, nullptr), rate_mm_h);
     const SizeDistribution sizes = gunn_marshall(rate_mm_h);
     const double side_m = 6.0;
     const PeriodicCube cube = {{0.0, 0.0, 0.0}, side_m};
@@ -179,7 +179,7 @@ TEST(FlakeMotion, WaterThroughAPlaneIsTheRate) {
 /// However long it has snowed.
 TEST(FlakeMotion, PlacesMoveAtTheirVelocities) {
   const scene::Scene scene = snowy(1.0);
-  const FlakeMotion motion(scene, Weather(scene), 1.0);
+  const FlakeMotion motion(scene, Weather(scene, nullptr), 1.0);
   const PeriodicCube cube = {{3.0, 4.0, 5.0}, 20.0};
   const double step_s = 2e-3;
   for (const double time_s : {33.0, 1e5})
@@ -202,7 +202,7 @@ TEST(FlakeMotion, PlacesMoveAtTheirVelocities) {
 TEST(FlakeMotion, FlakesAreInTheirColumns) {
   scene::Scene scene = snowy(1.0, scene::WindPattern::steady);
   scene.wind.speed_m_s = 0.0;
-  const FlakeMotion motion(scene, Weather(scene), 1.0);
+  const FlakeMotion motion(scene, Weather(scene, nullptr), 1.0);
   const PeriodicCube cube = {{0.0, 0.0, 0.0}, 8.0};
   const Population population(3, 64 * 200 + 7);
   ASSERT_EQ(population.bits(), 3);

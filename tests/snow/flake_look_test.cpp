@@ -46,8 +46,12 @@ scene::Scene still_snow(scene::Law motion) {
 std::vector<SeenFlake> seen_at(scene::Law motion, double time_s, const SnowView& from = view) {
   const scene::Scene scene = still_snow(motion);
   if (motion == scene::Law::paper)
-    return PaperSnow(scene, Weather(scene), pictures()).at(time_s, from, no_ground()).flakes;
-  return FallingSnow(scene, Weather(scene), pictures()).at(time_s, from, no_ground()).flakes;
+    return PaperSnow(scene, Weather(scene, nullptr), pictures())
+        .at(time_s, from, no_ground())
+        .flakes;
+  return FallingSnow(scene, Weather(scene, nullptr), pictures())
+      .at(time_s, from, no_ground())
+      .flakes;
 }
 
 bool is_crystal(const SeenFlake& flake) {

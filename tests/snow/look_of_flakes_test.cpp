@@ -107,7 +107,7 @@ TEST(FlakeLook, StreaksAreTheWayAndTheFlake) {
 
 /// Flakes of one place and time.
 FlakeLanes flakes_at(double time_s, std::uint64_t first, const scene::Scene& scene) {
-  const FlakeMotion motion(scene, Weather(scene), 1.0);
+  const FlakeMotion motion(scene, Weather(scene, nullptr), 1.0);
   const FlakeMotion::Moment moment = motion.moment(time_s, 1.0);
   const FlakeMotion::Air air =
       FlakeMotion::air(Population(3, 100000), {{0.0, 0.0, 0.0}, 30.0}, moment, glm::dvec3(0.0));
@@ -195,7 +195,7 @@ TEST(FlakeMotion, FlakesAreInGustsOfTheirOwn) {
 TEST(PaperSnow, FlakesTurnByTheirOwnRates) {
   scene::Scene scene = snowy();
   scene.snowfall.motion = scene::Law::paper;
-  const PaperSnow snow(scene, Weather(scene), pictures());
+  const PaperSnow snow(scene, Weather(scene, nullptr), pictures());
   const PaperBox box = {{-8.0, 0.0, 0.0}, {16.0, 16.0, 10.0}};
   const double step_s = 0.25;
   double slowest_per_s = 0.0, fastest_per_s = 0.0;

@@ -22,7 +22,7 @@ scene::Scene paper_scene(scene::SnowfallStrength strength) {
 }
 
 PaperSnow snow_of(const scene::Scene& scene) {
-  return PaperSnow(scene, Weather(scene), pictures());
+  return PaperSnow(scene, Weather(scene, nullptr), pictures());
 }
 
 const SnowView view = {

@@ -37,7 +37,8 @@ const SnowView view = {
 
 SeenFlakes seen_of(const scene::Scene& scene, const SnowView& from = view) {
   static const Heightfield ground(2, 42.0, -1e6F);
-  return FallingSnow(scene, Weather(scene), pictures(), Falling::rain).at(50.0, from, ground);
+  return FallingSnow(scene, Weather(scene, nullptr), pictures(), Falling::rain)
+      .at(50.0, from, ground);
 }
 
 /// A drop's cross-section is what it hides of what lies behind, whatever the streak.
@@ -151,7 +152,7 @@ TEST(FallingRain, StreaksHaveTheDiametersAndLengthsOfTheirDrops) {
 /// In a lighter rain of a film there are as many drops of each size as in any rain of that rate.
 TEST(FallingRain, OfALighterHourIsMarshallAndPalmersToo) {
   scene::Scene heavy = rainy(20.0);
-  const FlakeMotion motion(heavy, Weather(heavy), 20.0, Falling::rain);
+  const FlakeMotion motion(heavy, Weather(heavy, nullptr), 20.0, Falling::rain);
   const FlakeMotion::Moment light = motion.moment(5.0, 2.0);
   double there = 0.0, there_above_2_mm = 0.0, all = 0.0;
   for (std::uint64_t i = 0; i < 2000000; ++i) {
@@ -208,7 +209,7 @@ TEST(WetGround, TakesUpRainAndDries) {
   constexpr double tau_h = 3.0, soaked_mm = 0.5;
   scene::Scene scene = rainy(0.2);
   scene.weather.earlier_h = 1.0;
-  const Weather weather(scene);
+  const Weather weather(scene, nullptr);
   EXPECT_EQ(ground_wetness(weather, -3600.0, 0.0), 0.0);
   for (const double hours : {0.0, 0.5, 4.0}) {
     const double water_mm = 0.2 * tau_h * (1.0 - std::exp(-(1.0 + hours) / tau_h));
@@ -216,7 +217,7 @@ TEST(WetGround, TakesUpRainAndDries) {
                 1e-9);
   }
   scene.weather.temperature_c = -5.0;
-  EXPECT_EQ(ground_wetness(Weather(scene), 3600.0, 0.0), 0.0) << "snow wets nothing";
+  EXPECT_EQ(ground_wetness(Weather(scene, nullptr), 3600.0, 0.0), 0.0) << "snow wets nothing";
 }
 
 /// A film of water over a Lambertian ground, followed by hand: of what the ground sends up, p comes

@@ -49,13 +49,13 @@ class SeasonSnow : public testing::Test {
     scene.season.frames = frames;
     scene.sun.time_h = 6.0;
     scene.sun.latitude_deg = 46.0;
-    scene = phenology::as_film(scene);
+    scene = phenology::as_film(scene, phenology::film_season(scene).get());
   }
 
   SnowGround ground(const Heightfield& terrain) const {
-    return {scene, terrain,
-            [weather = Weather(scene)](double time_s) { return weather.at(time_s); }};
+    return {scene, terrain, [weather = weather()](double time_s) { return weather.at(time_s); }};
   }
+  Weather weather() const { return {scene, phenology::film_season(scene).get()}; }
   double time_s(int frame) const { return scene::time_s(scene, frame); }
 
   static constexpr int frames = 151;
@@ -119,7 +119,7 @@ TEST_F(SeasonSnow, BeginsWithWhatLies) {
 
 TEST_F(SeasonSnow, IsTheSameForAFrameAloneAndInSequence) {
   scene.sun.time_h = 14.0;  // amid a step
-  scene = phenology::as_film(scene);
+  scene = phenology::as_film(scene, phenology::film_season(scene).get());
   const SnowGround in_sequence = ground(roof(0.8));
   for (int frame = 1; frame < 90; ++frame) in_sequence.at(time_s(frame));
   const SnowGround::State last = in_sequence.at(time_s(90));
@@ -136,7 +136,7 @@ TEST_F(SeasonSnow, LiesOrHasLeft) {
   const HeightClasses classes(terrain.values());
   const GroundRise rise(terrain);
   const SnowSlide slide(terrain);
-  const Weather weather(scene);
+  const Weather weather = this->weather();
   const std::size_t places = terrain.values().size();
   SnowpackField packs(places, Snowpack{});
   double in_mm = 0.0, out_mm = 0.0, slid_mm = 0.0;
@@ -192,7 +192,7 @@ TEST_F(SeasonSnow, LiesDeeperHigherUpAndLongerOnNorthernSlopes) {
 }
 
 TEST_F(SeasonSnow, FallsOnTheGroundWhenItFallsInTheAir) {
-  const Weather weather(scene);
+  const Weather weather = this->weather();
   const SnowGround level = ground(Heightfield(2, 20.0, 0.0F));
   double fallen_mm = 0.0;
   int snowy = 0, rainy = 0;
@@ -213,7 +213,7 @@ TEST_F(SeasonSnow, FallsOnTheGroundWhenItFallsInTheAir) {
 TEST_F(SeasonSnow, OfLargeGroundIsThatOfSmall) {
   const Heightfield terrain = roof(1.7);
   const test::TemporaryFolder tiles("season_tiles");
-  const Weather weather(scene);
+  const Weather weather = this->weather();
   LargeCover large(scene, large_ground(terrain), [&](double time_s) { return weather.at(time_s); },
                    tiles.path(), {.tile_samples = 64, .view_samples = 128});
   const SnowGround whole = ground(terrain);

@@ -28,7 +28,7 @@ class WeatherTable {
   std::vector<std::string> problems() const {
     std::vector<std::string> messages;
     try {
-      const Weather weather(scene);
+      const Weather weather(scene, nullptr);
     } catch (const InputError& error) {
       for (const Problem& problem : error.problems())
         messages.push_back(to_string(problem).substr(folder_.path().string().size() + 1));
@@ -49,7 +49,7 @@ TEST(Weather, IsConstantWithoutATable) {
   scene.wind.speed_m_s = 3.0;
   scene.wind.heading_deg = 90.0;
   scene.weather.earlier_h = 2.0;
-  const Weather weather(scene);
+  const Weather weather(scene, nullptr);
   EXPECT_EQ(weather.at(1e5).temperature_c, -4.0);
   EXPECT_EQ(weather.at(-100.0).precipitation_mm_h, 2.0);
   EXPECT_NEAR(weather.at(0.0).wind_heading_deg, 90.0, 1e-9);
@@ -62,10 +62,10 @@ TEST(Weather, StrengthIsARateOfSnowHoweverWarm) {
   scene::Scene scene;
   scene.weather.temperature_c = 5.0;
   scene.snowfall.strength = scene::SnowfallStrength::blizzard;
-  const WeatherMoment now = Weather(scene).at(0.0);
+  const WeatherMoment now = Weather(scene, nullptr).at(0.0);
   EXPECT_EQ(now.precipitation_mm_h, 4.0);
   EXPECT_EQ(snow_fraction(now.temperature_c), 1.0);
-  EXPECT_EQ(Weather(scene).heaviest_mm_h(), 4.0);
+  EXPECT_EQ(Weather(scene, nullptr).heaviest_mm_h(), 4.0);
 }
 
 TEST(Weather, TablesAreLinearBetweenRowsAndCountFromEarlier) {
@@ -75,7 +75,7 @@ TEST(Weather, TablesAreLinearBetweenRowsAndCountFromEarlier) {
       "2,3,-4\n");
   table.scene.weather.earlier_h = 2.0;
   table.scene.wind.speed_m_s = 7.0;
-  const Weather weather(table.scene);
+  const Weather weather(table.scene, nullptr);
   EXPECT_NEAR(weather.at(0.0).temperature_c, -2.0, 1e-12);
   EXPECT_NEAR(weather.at(1800.0).precipitation_mm_h, 1.5, 1e-12);
   EXPECT_EQ(weather.at(1e6).precipitation_mm_h, 2.0);
@@ -87,7 +87,7 @@ TEST(Weather, WaysAreTheIntegralsOfTheWind) {
   WeatherTable table(
       "hours,wind_speed_m_s,wind_heading_deg\n"
       "0,5,350\n0.01,5,10\n0.02,0,10\n0.03,4,180\n0.04,4,0\n");
-  const Weather weather(table.scene);
+  const Weather weather(table.scene, nullptr);
   glm::dvec2 way = weather.wind_way_m(0.0);
   double run = weather.wind_run_m(0.0);
   const double step_s = 0.01;  // the midpoint rule's error falls with its square
@@ -139,7 +139,7 @@ TEST(Weather, NamesWrongColumns) {
 TEST(Weather, SaysWhenTheTableIsNotThere) {
   scene::Scene scene;
   scene.weather.table = "/nowhere/weather.csv";
-  EXPECT_THROW(Weather{scene}, FileError);
+  EXPECT_THROW(Weather(scene, nullptr), FileError);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ Weather windy(double speed_m_s) {
   scene::Scene scene;
   scene.wind.speed_m_s = speed_m_s;
   scene.wind.heading_deg = 90.0;
-  return Weather(scene);
+  return Weather(scene, nullptr);
 }
 
 constexpr std::uint64_t bits(int flake) { return mixed(static_cast<std::uint64_t>(flake)); }

@@ -56,12 +56,12 @@ glm::dvec3 encoded(const glm::vec3& linear) {
 /// The scene's models, each loaded once.
 class Withering {
  public:
-  explicit Withering(const scene::Scene& scene)
-      : ageing_(scene.ageing),
-        blade_(mean_blade(scene.grass, scene.ageing)),
+  explicit Withering(const scene::MeadowPart& meadow)
+      : ageing_(meadow.ageing),
+        blade_(mean_blade(meadow.grass, meadow.ageing)),
         chlorophyll_(load_curve(CurveKind::chlorophyll, ageing_.chlorophyll)),
         water_(load_curve(CurveKind::water, ageing_.water)),
-        model_(ageing_, scene.grass.specular),
+        model_(ageing_, meadow.grass.specular),
         optics_(load_leaf_spectra()),
         colour_(ageing_) {}
 
@@ -93,12 +93,12 @@ class Withering {
 
 }  // namespace
 
-WitheringCurves withering_curves(const scene::Scene& scene) {
-  const Withering withering(scene);
+WitheringCurves withering_curves(const scene::MeadowPart& meadow) {
+  const Withering withering(meadow);
   WitheringCurves curves;
   curves.wavelength_nm = withering.wavelength_nm();
-  curves.chlorophyll = shipped_curves(CurveKind::chlorophyll, scene.ageing.chlorophyll);
-  curves.water = shipped_curves(CurveKind::water, scene.ageing.water);
+  curves.chlorophyll = shipped_curves(CurveKind::chlorophyll, meadow.ageing.chlorophyll);
+  curves.water = shipped_curves(CurveKind::water, meadow.ageing.water);
   curves.states.resize(steps + 1);
   parallel_for(curves.states.size(),
                [&](std::size_t i) { curves.states[i] = withering.state(degree_of(i)); });

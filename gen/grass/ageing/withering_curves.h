@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "grass/mechanics/mechanics.h"
-#include "scene/scene.h"
+#include "scene/parts.h"
 
 namespace wold::grass {
 
@@ -40,6 +40,6 @@ struct WitheringCurves {
 
 /// Computes the curves. Throws InputError when a curve or the colour model of the scene is wrong
 /// and FileError when a model is missing.
-WitheringCurves withering_curves(const scene::Scene& scene);
+WitheringCurves withering_curves(const scene::MeadowPart& meadow);
 
 }  // namespace wold::grass

@@ -6,9 +6,9 @@
 
 namespace wold::grass {
 
-std::vector<MeadowSample> samples_of(const scene::Scene& scene) {
-  const std::vector<scene::Species> species = scene::species_of(scene);
-  const std::vector<int> blades = scene::blades_of(scene);
+std::vector<MeadowSample> samples_of(const scene::MeadowPart& meadow) {
+  const std::vector<scene::Species> species = scene::species_of(meadow);
+  const std::vector<int> blades = scene::blades_of(meadow);
   std::vector<MeadowSample> samples;
   for (std::size_t i = 0; i < species.size(); ++i) {
     const std::vector<scene::CurveChoice>& rates = species[i].plant.mingle;

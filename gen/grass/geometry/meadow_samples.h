@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/parts.h"
 
 namespace wold::grass {
 
@@ -18,6 +18,6 @@ struct MeadowSample {
 /// The samples of the scene's patch, species by species: one for each of a species' ageing rates,
 /// or one without a rate. The blades of a species are shared out as evenly as possible, its first
 /// samples get one more.
-std::vector<MeadowSample> samples_of(const scene::Scene& scene);
+std::vector<MeadowSample> samples_of(const scene::MeadowPart& meadow);
 
 }  // namespace wold::grass

@@ -4,7 +4,8 @@
 
 namespace wold::grass {
 
-MeadowModel::MeadowModel(const scene::Scene& scene) : MeadowModel(scene::species_of(scene)) {}
+MeadowModel::MeadowModel(const scene::MeadowPart& meadow)
+    : MeadowModel(scene::species_of(meadow)) {}
 
 MeadowModel::MeadowModel(std::span<const scene::Species> species) {
   for (const scene::Species& one : species)

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "grass/mechanics/dynamics.h"
-#include "scene/scene.h"
+#include "scene/parts.h"
 
 namespace wold::grass {
 
@@ -12,7 +12,7 @@ namespace wold::grass {
 class MeadowModel {
  public:
   /// Of the scene's species. Throws what AgeingModel's constructor throws.
-  explicit MeadowModel(const scene::Scene& scene);
+  explicit MeadowModel(const scene::MeadowPart& meadow);
   /// Of these, one at least; Blade::species are their places. Throws what AgeingModel's constructor
   /// throws.
   explicit MeadowModel(std::span<const scene::Species> species);

@@ -10,10 +10,12 @@
 
 namespace wold::grass {
 
-WitheringPatch::WitheringPatch(const scene::Scene& scene, const MeadowModel& model, int variant)
-    : model_(model), patch_m_(scene.grass.patch_m), rates_(ageing_rates(scene)) {
+WitheringPatch::WitheringPatch(const scene::MeadowPart& meadow, const MeadowModel& model,
+                               int variant)
+    : model_(model), patch_m_(meadow.grass.patch_m), rates_(ageing_rates(meadow)) {
   for (int sample = 0; sample < static_cast<int>(rates_.size()); ++sample) {
-    const std::vector<Blade>& blades = samples_.emplace_back(sample_blades(scene, variant, sample));
+    const std::vector<Blade>& blades =
+        samples_.emplace_back(sample_blades(meadow, variant, sample));
     std::vector<BladeHistory>& histories = histories_.emplace_back();
     if (blades.empty() || !model.of(blades.front()).moves_points()) continue;
     histories.resize(blades.size());

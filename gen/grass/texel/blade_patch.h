@@ -18,7 +18,7 @@ struct BladePatch {
 /// `model` has to outlive it. Throws what ageing_rates() throws.
 class WitheringPatch {
  public:
-  WitheringPatch(const scene::Scene& scene, const MeadowModel& model, int variant);
+  WitheringPatch(const scene::MeadowPart& meadow, const MeadowModel& model, int variant);
 
   /// The patch at a weathering degree of the meadow, in [0, 1], under the fraction `snow` in [0, 1]
   /// of what its blades can carry.

@@ -18,49 +18,50 @@ std::uint64_t point_seed(std::uint64_t seed, int variant, int sample) {
                       static_cast<std::uint64_t>(sample)});
 }
 
-SampledTexel from_texel(const scene::Scene& scene, int variant, int sample) {
-  const Texel texel = fitted_to_patch(read_any_texel(scene.grass.from_texel, "grass.from_texel"),
-                                      scene.grass.patch_m);
-  return sample_texel(texel, scene.grass, scene.ageing, point_seed(scene.seed, variant, sample));
+SampledTexel from_texel(const scene::MeadowPart& meadow, int variant, int sample) {
+  const Texel texel = fitted_to_patch(read_any_texel(meadow.grass.from_texel, "grass.from_texel"),
+                                      meadow.grass.patch_m);
+  return sample_texel(texel, meadow.grass, meadow.ageing, point_seed(meadow.seed, variant, sample));
 }
 
-SampledTexel scattered(const scene::Scene& scene, const TexelShape& shape, int variant,
+SampledTexel scattered(const scene::MeadowPart& meadow, const TexelShape& shape, int variant,
                        int sample) {
-  SampledTexel result{sample_blades(scene, variant, sample), {}};
-  result.points = sample_points(result.blades, shape, scene.grass.points_per_voxel_face,
-                                point_seed(scene.seed, variant, sample));
+  SampledTexel result{sample_blades(meadow, variant, sample), {}};
+  result.points = sample_points(result.blades, shape, meadow.grass.points_per_voxel_face,
+                                point_seed(meadow.seed, variant, sample));
   return result;
 }
 
 }  // namespace
 
-std::vector<Blade> sample_blades(const scene::Scene& scene, int variant, int sample) {
-  if (!scene.grass.from_texel.empty()) return from_texel(scene, variant, sample).blades;
-  const MeadowSample of = samples_of(scene).at(static_cast<std::size_t>(sample));
-  const scene::Species species = scene::species_of(scene).at(static_cast<std::size_t>(of.species));
+std::vector<Blade> sample_blades(const scene::MeadowPart& meadow, int variant, int sample) {
+  if (!meadow.grass.from_texel.empty()) return from_texel(meadow, variant, sample).blades;
+  const MeadowSample of = samples_of(meadow).at(static_cast<std::size_t>(sample));
+  const scene::Species species = scene::species_of(meadow).at(static_cast<std::size_t>(of.species));
   std::vector<Blade> blades =
       scatter_blades(species.plant, species.physiology,
-                     {scene.grass.patch_m, of.blades, scene.seed, variant, sample});
+                     {meadow.grass.patch_m, of.blades, meadow.seed, variant, sample});
   for (Blade& blade : blades) blade.species = of.species;
   return blades;
 }
 
-std::vector<Curve> ageing_rates(const scene::Scene& scene) {
+std::vector<Curve> ageing_rates(const scene::MeadowPart& meadow) {
   std::vector<Curve> rates;
-  for (const MeadowSample& sample : samples_of(scene))
+  for (const MeadowSample& sample : samples_of(meadow))
     rates.push_back(sample.rate ? load_curve(CurveKind::rate, *sample.rate)
                                 : Curve({{0.0, 0.0}, {1.0, 1.0}}));
   return rates;
 }
 
-Samples::Samples(const scene::Scene& scene, const TexelShape& shape, int variant,
+Samples::Samples(const scene::MeadowPart& meadow, const TexelShape& shape, int variant,
                  const MeadowModel& model)
-    : shape_(shape), rates_(ageing_rates(scene)) {
-  const std::vector<scene::Species> species = scene::species_of(scene);
+    : shape_(shape), rates_(ageing_rates(meadow)) {
+  const std::vector<scene::Species> species = scene::species_of(meadow);
   int sample = 0;
-  for (const MeadowSample& of : samples_of(scene)) {
-    SampledTexel sampled = scene.grass.from_texel.empty() ? scattered(scene, shape, variant, sample)
-                                                          : from_texel(scene, variant, sample);
+  for (const MeadowSample& of : samples_of(meadow)) {
+    SampledTexel sampled = meadow.grass.from_texel.empty()
+                               ? scattered(meadow, shape, variant, sample)
+                               : from_texel(meadow, variant, sample);
     const scene::Physiology& physiology = species[static_cast<std::size_t>(of.species)].physiology;
     samples_.emplace_back(model.of_species(of.species), std::move(sampled.blades),
                           std::move(sampled.points),

@@ -6,17 +6,17 @@
 #include "core/curve.h"
 #include "grass/mechanics/meadow_model.h"
 #include "grass/texel/texel.h"
-#include "scene/scene.h"
+#include "scene/parts.h"
 
 namespace wold::grass {
 
 /// Ageing rates wd_i = Mg_i(wd) of a meadow's samples, [TVT] section 4.1, in the order of
 /// samples_of(); the identity of one without a rate. Throws what load_curve() throws.
-std::vector<Curve> ageing_rates(const scene::Scene& scene);
+std::vector<Curve> ageing_rates(const scene::MeadowPart& meadow);
 
 /// The blades of a sample, by its place in samples_of(), of a variant of the scene's patch:
 /// scattered, or those of grass.from_texel. Throws what read_any_texel() and sample_texel() throw.
-std::vector<Blade> sample_blades(const scene::Scene& scene, int variant, int sample);
+std::vector<Blade> sample_blades(const scene::MeadowPart& meadow, int variant, int sample);
 
 /// One variant of the patch as its samples, K systems of blades that are simulated apart and
 /// mingled into one texel. A sample has its species, its own blades (scatter_blades) and points; it
@@ -25,7 +25,7 @@ class Samples {
  public:
   /// Scatters the blades and samples their points; `shape` is that of the texel. `model` has to
   /// outlive it. Throws what sample_blades() throws.
-  Samples(const scene::Scene& scene, const TexelShape& shape, int variant,
+  Samples(const scene::MeadowPart& meadow, const TexelShape& shape, int variant,
           const MeadowModel& model);
 
   /// One step of Algorithm 1 for every sample; `weathering` of the meadow in [0, 1], not before

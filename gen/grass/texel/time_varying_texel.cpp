@@ -66,13 +66,13 @@ double height_m(const Blade& blade, const scene::Physiology& physiology, double 
 }
 
 /// Highest point of any blade at any time: withering only lowers grass, drying only raises hair.
-double tallest_m(const scene::Scene& scene) {
-  const std::vector<scene::Species> species = scene::species_of(scene);
-  const int samples = static_cast<int>(samples_of(scene).size());
+double tallest_m(const scene::MeadowPart& meadow) {
+  const std::vector<scene::Species> species = scene::species_of(meadow);
+  const int samples = static_cast<int>(samples_of(meadow).size());
   double tallest = 0.0;
-  for (int variant = 0; variant < scene.grass.variants; ++variant)
+  for (int variant = 0; variant < meadow.grass.variants; ++variant)
     for (int sample = 0; sample < samples; ++sample)
-      for (const Blade& blade : sample_blades(scene, variant, sample)) {
+      for (const Blade& blade : sample_blades(meadow, variant, sample)) {
         const scene::Physiology& physiology =
             species[static_cast<std::size_t>(blade.species)].physiology;
         tallest =
@@ -81,15 +81,15 @@ double tallest_m(const scene::Scene& scene) {
   return tallest;
 }
 
-TexelShape finest_shape(const scene::Scene& scene) {
-  const int side = scene.grass.lods.front();
-  const double voxel_m = scene.grass.patch_m / side;
+TexelShape finest_shape(const scene::MeadowPart& meadow) {
+  const int side = meadow.grass.lods.front();
+  const double voxel_m = meadow.grass.patch_m / side;
   // Two voxels more: one for the point's footprint, one for the cone's width.
-  return {side, static_cast<int>(std::ceil(tallest_m(scene) / voxel_m)) + 2, voxel_m};
+  return {side, static_cast<int>(std::ceil(tallest_m(meadow) / voxel_m)) + 2, voxel_m};
 }
 
-FibreLook fibre_look(const scene::Scene& scene) {
-  return {static_cast<float>(scene.grass.specular_exponent), scene::mean_grass(scene).width_m};
+FibreLook fibre_look(const scene::MeadowPart& meadow) {
+  return {static_cast<float>(meadow.grass.specular_exponent), scene::mean_grass(meadow).width_m};
 }
 
 /// Every turn that any level wants, ascending.
@@ -101,16 +101,16 @@ std::vector<int> all_turns(const LodTurns& lods) {
 
 /// Everything a texel depends on, as text: the scene without what changes no texel, the light and
 /// the models.
-std::string described(const scene::Scene& scene, const Lighting& lighting) {
+std::string described(const scene::MeadowPart& meadow, const Lighting& lighting) {
   const scene::Scene plain;
   scene::Scene relevant;
-  relevant.seed = scene.seed;
-  relevant.grass = scene.grass;
-  relevant.grass.key_frames = scene::key_frames(scene);
+  relevant.seed = meadow.seed;
+  relevant.grass = meadow.grass;
+  relevant.grass.key_frames = scene::key_frames(meadow);
   relevant.grass.pixels_per_voxel = plain.grass.pixels_per_voxel;
   relevant.grass.far_field_below_pixels = plain.grass.far_field_below_pixels;
-  relevant.ageing = scene.ageing;
-  relevant.species = scene.species;
+  relevant.ageing = meadow.ageing;
+  relevant.species = meadow.species;
   relevant.ageing.frames = plain.ageing.frames;
   relevant.ageing.age_spread = plain.ageing.age_spread;
   relevant.ageing.age_spread_feature_m = plain.ageing.age_spread_feature_m;
@@ -122,7 +122,7 @@ std::string described(const scene::Scene& scene, const Lighting& lighting) {
   text += three(lighting.sun_direction) + three(lighting.sun_irradiance) +
           three(lighting.eye_direction) + three(lighting.ground_albedo);
   for (const glm::vec3& radiance : lighting.sky_radiance) text += three(radiance);
-  if (!scene.grass.from_texel.empty()) text += content_hash(read_file(scene.grass.from_texel));
+  if (!meadow.grass.from_texel.empty()) text += content_hash(read_file(meadow.grass.from_texel));
   return text;
 }
 
@@ -141,15 +141,15 @@ std::string texel_models() {
   return content_hash(text);
 }
 
-TimeVaryingTexel::TimeVaryingTexel(const scene::Scene& scene, std::vector<Lighting> lights,
+TimeVaryingTexel::TimeVaryingTexel(const scene::MeadowPart& meadow, std::vector<Lighting> lights,
                                    std::filesystem::path folder)
-    : scene_(scene),
-      key_frames_(scene::key_frames(scene)),
+    : meadow_(meadow),
+      key_frames_(scene::key_frames(meadow)),
       lights_(std::move(lights)),
       folder_(std::move(folder)),
-      shape_(finest_shape(scene)),
-      model_(scene) {
-  for (const Lighting& lighting : lights_) bases_.push_back(described(scene_, lighting));
+      shape_(finest_shape(meadow)),
+      model_(meadow) {
+  for (const Lighting& lighting : lights_) bases_.push_back(described(meadow_, lighting));
 }
 
 const Lighting& TimeVaryingTexel::lighting(const PatchState& state) const {
@@ -159,7 +159,7 @@ const Lighting& TimeVaryingTexel::lighting(const PatchState& state) const {
 TexelShape TimeVaryingTexel::lod_shape(int lod) const {
   TexelShape shape = shape_;
   for (int coarser = 1; coarser <= lod; ++coarser)
-    shape = coarse_shape(shape, scene_.grass.lods[static_cast<std::size_t>(coarser)]);
+    shape = coarse_shape(shape, meadow_.grass.lods[static_cast<std::size_t>(coarser)]);
   return shape;
 }
 
@@ -169,7 +169,7 @@ std::filesystem::path TimeVaryingTexel::texel_path(int variant, const PatchState
 
 std::filesystem::path TimeVaryingTexel::volume_path(int variant, const PatchState& state,
                                                     int lod) const {
-  const int side = scene_.grass.lods[static_cast<std::size_t>(lod)];
+  const int side = meadow_.grass.lods[static_cast<std::size_t>(lod)];
   return folder_ / fmt::format("v{}_{}_{:03}.vdb", variant, state.name(), side);
 }
 
@@ -186,21 +186,21 @@ std::string TimeVaryingTexel::volume_content(int variant, const PatchState& stat
 }
 
 BladePatch TimeVaryingTexel::patch(int variant, const PatchState& state) const {
-  return WitheringPatch(scene_, model_, variant)
+  return WitheringPatch(meadow_, model_, variant)
       .at(key_frames_[static_cast<std::size_t>(state.key_frame)], state.snow_fraction());
 }
 
 Tubes TimeVaryingTexel::blades(int variant, const PatchState& state, double shadow_pixel_m) const {
-  return blade_tubes(patch(variant, state), model_, lighting(state), fibre_look(scene_),
+  return blade_tubes(patch(variant, state), model_, lighting(state), fibre_look(meadow_),
                      shadow_pixel_m);
 }
 
 Tubes TimeVaryingTexel::points(int variant, const PatchState& state) const {
   const auto now = static_cast<std::size_t>(state.key_frame);
-  Samples samples(scene_, shape_, variant, model_);
+  Samples samples(meadow_, shape_, variant, model_);
   for (std::size_t step = 0; step <= now; ++step) samples.advance_to(key_frames_[step]);
   if (state.snow > 0) samples.support_load(state.snow_fraction());
-  return point_tubes(patch(variant, state), samples.all(), lighting(state), fibre_look(scene_),
+  return point_tubes(patch(variant, state), samples.all(), lighting(state), fibre_look(meadow_),
                      shape_.voxel_m);
 }
 
@@ -245,7 +245,7 @@ StageTimes TimeVaryingTexel::generate_variant(int variant,
   StageTimes times;
   Samples samples = [&] {
     const Stopwatch watch(times.sampling);
-    return Samples(scene_, shape_, variant, model_);
+    return Samples(meadow_, shape_, variant, model_);
   }();
   auto wanted = states.begin();
   for (int key_frame = 0; wanted != states.end(); ++key_frame) {
@@ -269,7 +269,7 @@ StageTimes TimeVaryingTexel::generate_variant(int variant,
 
 void TimeVaryingTexel::make_texel(int variant, const PatchState& state, const Samples& samples,
                                   const LodTurns& lods, StageTimes& times) const {
-  const scene::Grass& grass = scene_.grass;
+  const scene::Grass& grass = meadow_.grass;
   Texel texel;
   {
     const Stopwatch watch(times.conversion);
@@ -278,7 +278,7 @@ void TimeVaryingTexel::make_texel(int variant, const PatchState& state, const Sa
   std::vector<VolumeData> baked;
   {
     const Stopwatch watch(times.baking);
-    baked = bake_lods(texel, samples.all(), lighting(state), fibre_look(scene_), grass.lods,
+    baked = bake_lods(texel, samples.all(), lighting(state), fibre_look(meadow_), grass.lods,
                       all_turns(lods));
   }
   const Stopwatch watch(times.storing);

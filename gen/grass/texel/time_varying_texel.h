@@ -16,7 +16,7 @@
 #include "grass/texel/samples.h"
 #include "grass/texel/texel.h"
 #include "grass/texel/volume_data.h"
-#include "scene/scene.h"
+#include "scene/parts.h"
 
 namespace wold::grass {
 
@@ -48,7 +48,7 @@ class TimeVaryingTexel {
  public:
   /// `lights` are what the levels are baked for, by PatchState::light; one at least. Throws what
   /// MeadowModel's constructor throws.
-  TimeVaryingTexel(const scene::Scene& scene, std::vector<Lighting> lights,
+  TimeVaryingTexel(const scene::MeadowPart& meadow, std::vector<Lighting> lights,
                    std::filesystem::path folder);
 
   /// Extent of the finest level: high enough for the tallest blade of any variant.
@@ -91,7 +91,7 @@ class TimeVaryingTexel {
   void store(int variant, const PatchState& state, const Texel& texel,
              const std::vector<VolumeData>& baked, const LodTurns& lods) const;
 
-  scene::Scene scene_;
+  scene::MeadowPart meadow_;
   std::vector<double> key_frames_;  ///< weathering degrees
   std::vector<Lighting> lights_;
   std::filesystem::path folder_;
