@@ -77,6 +77,19 @@ double forward_source(double asymmetry, double depth, double cosine) {
   return forward_sum(asymmetry, depth, cosine, 0);
 }
 
+double peak_source(double asymmetry, double depth, double cosine) {
+  constexpr int times = 60;
+  double poisson = math::exp(-depth), left_of_flux = asymmetry, sum = 0.0;
+  for (int time = 1; time <= times; ++time) {
+    const double even = (1.0 + 3.0 * left_of_flux * cosine) / (4.0 * pi);
+    sum += poisson * (henyey_greenstein(left_of_flux, cosine) - even);
+    left_of_flux *= asymmetry;
+    poisson *= depth / time;
+    if (time > depth && poisson < 1e-9) break;
+  }
+  return sum + in_forward_peak(asymmetry, depth) * (1.0 + 3.0 * asymmetry * cosine) / (4.0 * pi);
+}
+
 ForwardTable::ForwardTable(Law law, double asymmetry) {
   values_.reserve(static_cast<std::size_t>(depths) * angles);
   for (int d = 0; d < depths; ++d)

@@ -44,6 +44,12 @@ double forward_through(double asymmetry, double depth, double cosine);
 /// exp(-(depth - t)) dt is forward_through().
 double forward_source(double asymmetry, double depth, double cosine);
 
+/// What of forward_source() the first two moments of its angles, mean and flux, do not tell, plus
+/// those of the light that left the forward peak for the first time, asymmetry^2 of it staying
+/// there each time (Joseph, Wiscombe and Weinman 1976). With the mean and flux of all light that
+/// left the peak, as diffuse_light.h has them, it makes up the source. Below 0 at some angles.
+double peak_source(double asymmetry, double depth, double cosine);
+
 /// One of these laws for droplets of one asymmetry, in [0, 1), tabulated: within 1 % of its highest
 /// value at that depth.
 class ForwardTable {

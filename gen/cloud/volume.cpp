@@ -2,16 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "cloud/box_filter.h"
 #include "cloud/cumulus_column.h"
+#include "cloud/diffuse_light.h"
 #include "cloud/optical_sweep.h"
 #include "cloud/scattering.h"
+#include "core/elementary.h"
 #include "core/parallel.h"
 #include "core/random.h"
 
 namespace wold::cloud {
 namespace {
+
+using std::numbers::pi;
 
 /// Fills a column from its lowest voxel's centre up so that its optical depth is `depth`; what is
 /// lower than a voxel is in the first.
@@ -40,19 +45,56 @@ bool is_period(const LayerState& state, const glm::dvec2& side_m) {
   return std::max(difference.x, difference.y) < 1e-6 * side_m.x;
 }
 
-/// Optical depths of the droplets, from a voxel out of the cloud.
-struct Depths {
-  std::vector<float> to_sun, from_sun, up, down;
-};
+/// As high as the sun has to stand for the box.
+glm::dvec3 direction_to_sun(const VoxelBox& box, glm::dvec3 to_sun) {
+  if (box.repeats) to_sun.z = std::max(to_sun.z, lowest_sun_sine);
+  return glm::normalize(to_sun);
+}
 
-Depths depths_of(const CloudVolume& volume, const glm::dvec3& sun_direction) {
-  glm::dvec3 to_sun = sun_direction;
-  to_sun.z = std::max(to_sun.z, lowest_sun_sine);
-  to_sun = glm::normalize(to_sun);
-  const auto towards = [&](const glm::dvec3& direction) {
-    return depth_towards(volume.box, volume.extinction_per_m, direction);
-  };
-  return {towards(to_sun), towards(-to_sun), towards({0.0, 0.0, 1.0}), towards({0.0, 0.0, -1.0})};
+/// The volume as diffuse_light() wants it. depth: towards the sun.
+ScatteringBox scattering_box(const CloudVolume& volume, const std::vector<float>& depth,
+                             const CloudLight& light) {
+  const double g = volume.asymmetry, leaves_peak = 1.0 - g * g;
+  ScatteringBox scattering{
+      volume.box,
+      std::vector<float>(depth.size()),
+      std::vector<float>(depth.size()),
+      g / (1.0 + g),
+      light.sun_irradiance,
+      light.sun_direction,
+      light.surroundings ? arriving_radiance(light.surroundings) : ArrivingRadiance{}};
+  parallel_for_blocks(depth.size(), [&](std::size_t i) {
+    scattering.extinction_per_m[i] =
+        static_cast<float>(leaves_peak * double{volume.extinction_per_m[i]});
+    scattering.sunlight[i] = static_cast<float>(math::exp(-leaves_peak * double{depth[i]}));
+  });
+  return scattering;
+}
+
+glm::dvec3 centre_m(const VoxelBox& box, int x, int y, int z) {
+  return box.corner_m + (glm::dvec3(x, y, z) + 0.5) * box.voxel_m;
+}
+
+/// Radiance that droplets send to the eye of light that left the forward peak, which is `peak` of
+/// what they scatter: what comes from behind goes on in it.
+std::vector<glm::vec3> diffuse_source(const ScatteringBox& scattering, double peak,
+                                      const CloudLight& light) {
+  const VoxelBox& box = scattering.box;
+  const std::vector<LightMoments> diffuse = diffuse_light(scattering);
+  std::vector<glm::vec3> source =
+      light_to_eye(scattering, diffuse, light.eye_m, light.surroundings);
+  const auto stays = static_cast<float>(peak),
+             times = static_cast<float>(3.0 * scattering.asymmetry);
+  parallel_for(source.size() / static_cast<std::size_t>(box.voxels.x), [&](std::size_t row) {
+    const int y = static_cast<int>(row) % box.voxels.y, z = static_cast<int>(row) / box.voxels.y;
+    for (int x = 0; x < box.voxels.x; ++x) {
+      const std::size_t i = box.index({x, y, z});
+      const glm::vec3 to_eye(glm::normalize(light.eye_m - centre_m(box, x, y, z)));
+      const glm::vec4 left = diffuse[i].mean + times * (diffuse[i].along(to_eye) - diffuse[i].mean);
+      source[i] = stays * source[i] + (1.0F - stays) * glm::vec3(left);
+    }
+  });
+  return source;
 }
 
 /// Source radiance per unit of the sun's irradiance: light that still goes roughly its way, and the
@@ -62,10 +104,6 @@ double sun_source(const ForwardTable& forward, double asymmetry, double before, 
   TwoStream rest = two_stream(asymmetry, before, behind);
   rest.onward -= in_forward_peak(asymmetry, before);
   return forward.at(before, cosine) + radiance_of(rest, cosine);
-}
-
-glm::dvec3 centre_m(const VoxelBox& box, int x, int y, int z) {
-  return box.corner_m + (glm::dvec3(x, y, z) + 0.5) * box.voxel_m;
 }
 
 /// Vertical optical depth of every column.
@@ -91,8 +129,8 @@ CloudVolume lifted(const LayerState& state, double pixel_m, const glm::dvec2& so
   volume.box.voxels = voxels;
   volume.box.repeats = is_period(state, side_m);
   volume.asymmetry = layer.droplets.asymmetry;
-  volume.droplets_per_seen = droplets_per_seen(layer);
   volume.extinction_per_m.resize(volume.box.count());
+  const double droplets = droplets_per_seen(layer);
   const PeriodicMap<float> depths = depth_map(state, pixel_m, volume.box);
   const PeriodicMap<float> smooth =
       smoothed_for_tops(depths, layer.thickness_m / volume.box.voxel_m.x);
@@ -104,7 +142,8 @@ CloudVolume lifted(const LayerState& state, double pixel_m, const glm::dvec2& so
       const double depth{depths.at(x, static_cast<int>(y))};
       if (depth <= 0.0) continue;
       const double neighbours{smooth.at(x, static_cast<int>(y))};
-      fill_column(volume, billows, depth, top_m(layer, neighbours / layer.seen_depth), place,
+      fill_column(volume, billows, droplets * depth, top_m(layer, neighbours / layer.seen_depth),
+                  place,
                   &volume.extinction_per_m[y * static_cast<std::size_t>(voxels.x) +
                                            static_cast<std::size_t>(x)],
                   plane);
@@ -114,8 +153,15 @@ CloudVolume lifted(const LayerState& state, double pixel_m, const glm::dvec2& so
 }
 
 CloudLight cloud_light(const light::Daylight& day, double height_m, const glm::dvec3& eye_m) {
-  return {day.sun_direction(), day.sun_irradiance_at(height_m), day.sky_irradiance(),
-          glm::vec3(static_cast<float>(ground_albedo)), eye_m};
+  return {day.sun_direction(),
+          day.sun_irradiance_at(height_m),
+          day.sky_irradiance(),
+          glm::vec3(static_cast<float>(ground_albedo)),
+          eye_m,
+          [day](const glm::dvec3& direction) {
+            return direction.z > 0.0 ? day.sky_radiance(direction)
+                                     : glm::vec3(static_cast<float>(ground_albedo / pi));
+          }};
 }
 
 glm::vec3 source_at(const ForwardTable& forward, double asymmetry, const DepthsAround& depths,
@@ -131,21 +177,26 @@ glm::vec3 source_at(const ForwardTable& forward, double asymmetry, const DepthsA
 
 std::vector<glm::vec3> source_radiance(const CloudVolume& volume, const CloudLight& light) {
   const VoxelBox& box = volume.box;
-  const Depths depths = depths_of(volume, light.sun_direction);
-  const double k = volume.droplets_per_seen, g = volume.asymmetry;
-  const ForwardTable forward(forward_source, g);
+  const double g = volume.asymmetry;
+  const std::vector<float> depth =
+      depth_towards(box, volume.extinction_per_m, direction_to_sun(box, light.sun_direction));
+  const ScatteringBox coarse = halved(scattering_box(volume, depth, light));
+  const std::vector<glm::vec3> diffuse = diffuse_source(coarse, g * g, light);
+  const ForwardTable peak(peak_source, g);
   std::vector<glm::vec3> source(box.count());
   const auto rows = static_cast<std::size_t>(box.voxels.y) * static_cast<std::size_t>(box.voxels.z);
   parallel_for(rows, [&](std::size_t row) {
     const int y = static_cast<int>(row % static_cast<std::size_t>(box.voxels.y));
     const int z = static_cast<int>(row / static_cast<std::size_t>(box.voxels.y));
     for (int x = 0; x < box.voxels.x; ++x) {
-      const std::size_t i =
-          row * static_cast<std::size_t>(box.voxels.x) + static_cast<std::size_t>(x);
-      const DepthsAround around = {k * depths.to_sun[i], k * depths.from_sun[i], k * depths.up[i],
-                                   k * depths.down[i]};
-      source[i] = source_at(forward, g, around,
-                            glm::normalize(centre_m(box, x, y, z) - light.eye_m), light);
+      const std::size_t i = box.index({x, y, z});
+      const glm::dvec3 from_eye = glm::normalize(centre_m(box, x, y, z) - light.eye_m);
+      const double sun = peak.at(double{depth[i]}, glm::dot(from_eye, light.sun_direction));
+      source[i] = static_cast<float>(sun) * light.sun_irradiance;
+      const CoarseNeighbours around(coarse.box, {x, y, z});
+      for (std::size_t j = 0; j < 8; ++j)
+        source[i] += around.weights[j] * diffuse[around.voxels[j]];
+      source[i] = glm::max(source[i], 0.0F);
     }
   });
   return source;

@@ -4,39 +4,26 @@
 #include <vector>
 
 #include "cloud/clouds.h"
+#include "cloud/light_to_eye.h"
+#include "cloud/voxel_box.h"
 #include "light/daylight.h"
 
 namespace wold::cloud {
 
-/// A box of voxels. Numbers of voxels are stored with x fastest, then y, then z, from the
-/// south-west of the base up.
-struct VoxelBox {
-  glm::dvec3 corner_m = {};  ///< south-west corner of the base, world space
-  glm::dvec3 voxel_m = {};   ///< sides of a voxel
-  glm::ivec3 voxels = {};
-  bool repeats = false;  ///< to the east and north: light comes in from the other side
-
-  std::size_t count() const {
-    return static_cast<std::size_t>(voxels.x) * static_cast<std::size_t>(voxels.y) *
-           static_cast<std::size_t>(voxels.z);
-  }
-};
-
 /// A layer as a volume.
 struct CloudVolume {
   VoxelBox box;
-  std::vector<float> extinction_per_m;  ///< as it is seen
-  double droplets_per_seen = 1.0;       ///< optical depth of the droplets over that which is seen
+  std::vector<float> extinction_per_m;  ///< of the droplets
   double asymmetry = 0.86;
 };
 
 /// A layer that has heads, over a part of the world: its base flat at base_m, its top thickness_m
 /// times (depth over the densest, smoothed over a sixth of the thickness)^0.7 higher. Extinction
 /// rises over the lowest seventh and falls as sqrt(1 - t) to the top, bitten into between round
-/// heads above the base (billow_box.h), and is scaled so that every column has the optical depth,
-/// and so the opacity, of the layer there. The box reaches from the base to the layer's thickness.
-/// A volume over just the layer's period repeats. `voxels` >= 1 each, side_m > 0. Throws
-/// std::bad_optional_access where the layer has no heads.
+/// heads above the base (billow_box.h), and is scaled so that every column has the optical depth
+/// of the droplets there: droplets_per_seen() times the layer's, as it is seen. The box reaches
+/// from the base to the layer's thickness. A volume over just the layer's period repeats. `voxels`
+/// >= 1 each, side_m > 0. Throws std::bad_optional_access where the layer has no heads.
 CloudVolume lifted(const LayerState& state, double pixel_m, const glm::dvec2& south_west_m,
                    const glm::dvec2& side_m, const glm::ivec3& voxels);
 
@@ -47,6 +34,7 @@ struct CloudLight {
   glm::vec3 sky_irradiance = {};               ///< on a horizontal plane, from above
   glm::vec3 ground_irradiance = {};            ///< from below
   glm::dvec3 eye_m = {};                       ///< who looks at it
+  Surroundings surroundings = {};              ///< sky and ground; none: dark
 };
 
 /// The light of a scene's day on clouds at a height above the sea, in metres, for an eye: the
@@ -67,8 +55,11 @@ glm::vec3 source_at(const ForwardTable& forward, double asymmetry, const DepthsA
                     const glm::dvec3& from_eye, const CloudLight& light);
 
 /// Radiance that each voxel sends to the eye per unit of optical depth: along a ray, radiance gains
-/// extinction * source * ds. It is source_at() of the voxel's middle. Optical depths on the way to
-/// the sun are swept from plane to plane. The layer's own colour of light is not in it.
+/// extinction * source * ds. All orders of scattering without absorption, free of noise: light that
+/// left the forward peak by discrete ordinates (diffuse_light.h) on voxels twice as large, what of
+/// it and of the surroundings goes on to the eye (light_to_eye.h), and sunlight near its way by
+/// peak_source(). The layer's own colour of light is not in it. The light's sky_irradiance and
+/// ground_irradiance do not count here: its surroundings do.
 std::vector<glm::vec3> source_radiance(const CloudVolume& volume, const CloudLight& light);
 
 }  // namespace wold::cloud

@@ -105,9 +105,6 @@ struct CloudBox {
   glm::dvec3 corner_m;  ///< lowest, in the south-west
   std::vector<float> extinction_per_m;
   std::vector<glm::vec3> radiance;  ///< source: a ray's gains extinction * radiance * ds
-  /// Optical depth of the droplets over the one that is seen, which leaves out what goes on nearly
-  /// straight.
-  double droplets_per_seen = 1.0;
   double asymmetry = 0.86;  ///< of the droplets' scattering, mean cosine (Henyey and Greenstein)
 };
 

@@ -191,11 +191,9 @@ std::string cloud_text(const Landscape& landscape, const landscape::CloudBox& cl
   const glm::dmat4 place = box_matrix(low_m, low_m + cloud.voxel_m * glm::dvec3(cloud.voxels));
   return medium_box(place,
                     grid("sigma_t", cloud_file(cloud), place) +
-                        fmt::format("<float name=\"scale\" value=\"{}\"/>"
-                                    "<rgb name=\"albedo\" value=\"{}\"/>"
+                        fmt::format("<rgb name=\"albedo\" value=\"{}\"/>"
                                     "<phase type=\"hg\"><float name=\"g\" value=\"{}\"/></phase>",
-                                    number(cloud.droplets_per_seen), number(droplet_albedo),
-                                    number(cloud.asymmetry)));
+                                    number(droplet_albedo), number(cloud.asymmetry)));
 }
 
 }  // namespace

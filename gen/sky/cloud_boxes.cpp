@@ -61,7 +61,6 @@ landscape::CloudBox cloud_box(const cloud::LayerState& state, double pixel_m,
           volume.box.corner_m,
           std::move(volume.extinction_per_m),
           std::move(source),
-          volume.droplets_per_seen,
           volume.asymmetry};
 }
 

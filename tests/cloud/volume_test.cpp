@@ -51,7 +51,7 @@ TEST(Sweep, ShadowsLieAwayFromTheSun) {
   EXPECT_EQ(depth[1 * 81 + 4 * 9 + 4], 0.0F);
 }
 
-TEST(Volume, ColumnsHaveTheLayersOpacity) {
+TEST(Volume, ColumnsHaveTheLayersDroplets) {
   for (const scene::CloudKind kind :
        {scene::CloudKind::cumulus, scene::CloudKind::stratus, scene::CloudKind::cirrus}) {
     const CloudState state = one_volume(kind);
@@ -65,8 +65,9 @@ TEST(Volume, ColumnsHaveTheLayersOpacity) {
                    static_cast<double>(
                        volume.extinction_per_m[static_cast<std::size_t>((z * 64 + y) * 64 + x)]);
         const glm::dvec2 place((x + 0.5) * 100.0, (y + 0.5) * 100.0);
-        const double wanted = optical_depth_at(state.layers[0], pixel_m, place);
-        EXPECT_NEAR(-std::expm1(-depth), -std::expm1(-wanted), 1e-3);
+        const double wanted = droplets_per_seen(*state.layers[0].layer) *
+                              optical_depth_at(state.layers[0], pixel_m, place);
+        EXPECT_NEAR(depth, wanted, 1e-3);
       }
   }
 }
@@ -84,6 +85,7 @@ TEST(Volume, HasAFlatBaseAndHigherTopsWhereItIsDenser) {
   const CloudVolume volume = lifted_period(state, {64, 64, 32});
   EXPECT_EQ(volume.box.corner_m.z, layer.base_m);
   const double step_m = volume.box.voxel_m.z;
+  const double densest = droplets_per_seen(layer) * layer.seen_depth;
   std::array<double, 2> tops{}, columns{};  // of thin and of dense columns
   for (int column = 0; column < 64 * 64; ++column) {
     double depth = 0.0;
@@ -96,8 +98,8 @@ TEST(Volume, HasAFlatBaseAndHigherTopsWhereItIsDenser) {
     }
     if (top < 0) continue;
     EXPECT_GT(volume.extinction_per_m[static_cast<std::size_t>(column)], 0.0F);  // at the base
-    EXPECT_LE(top * step_m, top_m(layer, std::min(1.0, depth / layer.seen_depth)) + 1e-3);
-    const std::size_t dense = depth > 0.5 * layer.seen_depth ? 1 : 0;
+    EXPECT_LE(top * step_m, top_m(layer, std::min(1.0, depth / densest)) + 1e-3);
+    const std::size_t dense = depth > 0.5 * densest ? 1 : 0;
     tops[dense] += top;
     columns[dense] += 1.0;
   }

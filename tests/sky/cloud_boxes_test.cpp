@@ -27,7 +27,7 @@ struct View {
   std::vector<std::optional<CloudWindow>> windows = cloud_windows(clouds, camera);
 };
 
-TEST(CloudBoxes, ColumnsHaveTheLayersOpticalDepthInsideTheWindow) {
+TEST(CloudBoxes, ColumnsHaveTheLayersDropletsInsideTheWindow) {
   const View view;
   const auto boxes = cloud_boxes(view.clouds, view.windows, view.day, view.camera.eye_m);
   ASSERT_EQ(boxes.size(), 1U);
@@ -44,6 +44,7 @@ TEST(CloudBoxes, ColumnsHaveTheLayersOpticalDepthInsideTheWindow) {
                                    (k * box.voxels.y + j) * box.voxels.x + i)]};
       const glm::dvec2 at_m = glm::dvec2(box.corner_m) + (glm::dvec2(i, j) + 0.5) * box.voxel_m;
       const double wanted =
+          cloud::droplets_per_seen(*view.clouds.layers[0].layer) *
           cloud::optical_depth_at(view.clouds.layers[0], view.clouds.pixel_m, at_m) *
           view.windows[0]->fraction(at_m);
       EXPECT_NEAR(std::exp(-depth), std::exp(-wanted), 1e-3);
