@@ -115,7 +115,7 @@ CloudVolume lifted(const LayerState& state, double pixel_m, const glm::dvec2& so
 
 CloudLight cloud_light(const light::Daylight& day, double height_m, const glm::dvec3& eye_m) {
   return {day.sun_direction(), day.sun_irradiance_at(height_m), day.sky_irradiance(),
-          glm::vec3(static_cast<float>(ground_albedo)), eye_m};
+          day.level_irradiance() * static_cast<float>(ground_albedo), eye_m};
 }
 
 glm::vec3 source_at(const ForwardTable& forward, double asymmetry, const DepthsAround& depths,
