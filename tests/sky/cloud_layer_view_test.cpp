@@ -90,6 +90,31 @@ TEST(CloudLayerView, EdgesShineAroundTheSun) {
   EXPECT_GT(around, 1.5 * aside) << aside;
 }
 
+// A sun that has just set for the ground shines on high clouds, red; later they have the light of
+// the sky alone.
+TEST(CloudLayerView, GlowsAfterSunset) {
+  const auto mean_sent = [](double elevation_deg) {
+    scene::Scene scene = cumulus_layer(180.0, elevation_deg);
+    scene.clouds[0].kind = scene::CloudKind::cirrus;
+    scene.clouds[0].base_m = 6000.0;
+    scene.clouds[0].gathered = 1.0;
+    const Sight sight(scene);
+    glm::dvec3 sum(0.0);
+    for_directions(180.0, 15.0, 5.0, [&](const glm::dvec3& direction) {
+      const SeenClouds clouds = sight.seen.along(direction);
+      for (int c = 0; c < 3; ++c) {
+        ASSERT_TRUE(std::isfinite(clouds.sent[c]));
+        ASSERT_GE(clouds.sent[c], 0.0F);
+      }
+      sum += glm::dvec3(clouds.sent);
+    });
+    return sum / glm::dvec3(sight.day.level_irradiance());
+  };
+  const glm::dvec3 glow = mean_sent(-1.0), later = mean_sent(-4.0);
+  EXPECT_GT(glow.r / glow.b, 1.5);
+  EXPECT_NEAR(later.r / later.b, 1.0, 0.02);
+}
+
 // At sunset clouds have more light, and redder, on what is turned to the sun than within.
 TEST(CloudLayerView, GlowTowardsASunThatSets) {
   const Sight sight(cumulus_layer(0.0, 3.0));
