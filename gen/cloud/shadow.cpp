@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloud/layer_crossing.h"
 #include "core/elementary.h"
 #include "core/parallel.h"
 
@@ -12,13 +13,14 @@ namespace {
 /// Optical depth of all layers on the way from a place to the sun.
 double depth_to_sun(const CloudState& state, const glm::dvec3& from_m,
                     const glm::dvec3& sun_direction) {
+  const double sine = std::max(sun_direction.z, 0.0);
   double depth = 0.0;
   for (const LayerState& layer : state.layers) {
     const double rise_m = layer.layer->base_m - from_m.z;
-    if (rise_m < 0.0) continue;  // the place is above the layer
-    const glm::dvec2 meets_m =
-        glm::dvec2(from_m) + glm::dvec2(sun_direction) * (rise_m / sun_direction.z);
-    depth += optical_depth_at(layer, state.pixel_m, meets_m) / sun_direction.z;
+    if (rise_m <= 0.0) continue;  // the place is above the layer
+    const auto [distance_m, cosine] = crossing(sine, rise_m);
+    const glm::dvec2 meets_m = glm::dvec2(from_m) + glm::dvec2(sun_direction) * distance_m;
+    depth += optical_depth_at(layer, state.pixel_m, meets_m) / cosine;
   }
   return depth;
 }

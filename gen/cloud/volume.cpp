@@ -153,14 +153,15 @@ CloudVolume lifted(const LayerState& state, double pixel_m, const glm::dvec2& so
 }
 
 CloudLight cloud_light(const light::Daylight& day, double height_m, const glm::dvec3& eye_m) {
+  const glm::vec3 of_ground = day.level_irradiance() * static_cast<float>(ground_albedo);
   return {day.sun_direction(),
           day.sun_irradiance_at(height_m),
           day.sky_irradiance(),
-          glm::vec3(static_cast<float>(ground_albedo)),
+          of_ground,
           eye_m,
-          [day](const glm::dvec3& direction) {
+          [day, of_ground](const glm::dvec3& direction) {
             return direction.z > 0.0 ? day.sky_radiance(direction)
-                                     : glm::vec3(static_cast<float>(ground_albedo / pi));
+                                     : of_ground / std::numbers::pi_v<float>;
           }};
 }
 

@@ -15,6 +15,7 @@
 #include "place/view.h"
 #include "scene/calendar.h"
 #include "scene/sun_path.h"
+#include "scene/sun_position.h"
 #include "scene/winter.h"
 #include "sky/exposure.h"
 #include "sky/frame_sky.h"
@@ -107,13 +108,15 @@ sky::Subject bare_subject(const scene::Scene& scene) {
   return scene.clouds.empty() ? sky::Subject::meadow : sky::Subject::clouds;
 }
 
-/// What the camera leaves of how dark it gets in a film in which the sun moves. A season's frames
-/// are days apart, and each is exposed anew.
+/// What the camera leaves of how dark it gets. A season's frames are days apart, and each is
+/// exposed anew.
 double dusk(const scene::Scene& scene, int frame) {
-  if (!scene::sun_moves(scene) || scene::is_season(scene)) return 1.0;
-  const auto elevation_deg = [&](double time) { return scene::sun_at(scene, time).elevation_deg; };
-  return sky::dusk_gain(elevation_deg(place::time_of_frame(scene, frame)),
-                        std::max(elevation_deg(0.0), elevation_deg(1.0)));
+  const auto elevation_deg = [&](double time) {
+    return scene::sun_position(scene::sun_at(scene, time)).elevation_deg;
+  };
+  const double now_deg = elevation_deg(place::time_of_frame(scene, frame));
+  if (scene::is_season(scene)) return sky::dusk_gain(now_deg, now_deg);
+  return sky::dusk_gain(now_deg, std::max(elevation_deg(0.0), elevation_deg(1.0)));
 }
 
 /// A film in which it may snow is exposed for snow all through; a season is so long that the camera

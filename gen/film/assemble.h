@@ -28,7 +28,7 @@ struct PatchLookup {
 /// once for each different volume and for each different part of a mesh, in ascending order, and
 /// what it gives, or the part of it, are the landscape's in that order.
 /// `site` is site_of_frame()'s. exposure_gain is metered_gain() (exposure.h), or towards
-/// snow_gain() in a season, times dusk_gain() where the sun moves within a day, times 2^exposure.
+/// snow_gain() in a season, times dusk_gain() and 2^exposure.
 /// `needs` is needs_of() (exporters.h).
 landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site,
                               const meadow::FrameGrass& now,

@@ -197,11 +197,34 @@ GainedSpectra gained_along(const LitAir& lit, const OftenScattered& often, const
   return gained;
 }
 
+/// What is seen of the sun's disc over the horizon.
+struct SeenDisc {
+  double fraction;
+  double elevation_rad;  ///< of its middle
+};
+
+/// `over_rad`: how far the disc's middle stands over the horizon. A circle that a line cuts.
+SeenDisc seen_disc(double elevation_rad, double over_rad) {
+  constexpr double radius_rad = 0.00465;
+  const double over = std::clamp(over_rad / radius_rad, -1.0, 1.0);
+  if (over == 1.0) return {1.0, elevation_rad};
+  const double fraction = 0.5 + (over * std::sqrt(1.0 - over * over) + math::asin(over)) / pi;
+  const double middle_over_rad = 0.5 * radius_rad * (1.0 + over);
+  return {fraction, elevation_rad - over_rad + middle_over_rad};
+}
+
+/// How far below the level the horizon lies, seen from a height.
+double horizon_dip_rad(double height_m) {
+  return math::acos(ground_radius_m / (ground_radius_m + std::max(height_m, 0.0)));
+}
+
 }  // namespace
 
 glm::dvec3 sunlight_klx(double sun_elevation_rad, double turbidity, double height_m) {
+  const SeenDisc disc = seen_disc(sun_elevation_rad, sun_elevation_rad + horizon_dip_rad(height_m));
+  if (disc.fraction <= 0.0) return glm::dvec3(0.0);
   const LitAir lit{Air(turbidity), air_columns()};
-  return SunSpectrum().klx(lit.sunlight({height_m, math::sin(sun_elevation_rad)}));
+  return disc.fraction * SunSpectrum().klx(lit.sunlight({height_m, math::sin(disc.elevation_rad)}));
 }
 
 Atmosphere::Atmosphere(double sun_elevation_rad, double turbidity)

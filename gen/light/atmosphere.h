@@ -6,7 +6,8 @@
 namespace wold::light {
 
 /// Illuminance in klx, as linear sRGB, of a plane that faces the sun at a height above the sea, in
-/// metres; 0 where the earth is in the way. sun_elevation_rad in [-pi/2, pi/2]; turbidity as Air's.
+/// metres. Where the horizon hides a part of the sun's disc the rest of it shines; 0 where it hides
+/// all. sun_elevation_rad in [-pi/2, pi/2], of the disc's middle; turbidity as Air's.
 glm::dvec3 sunlight_klx(double sun_elevation_rad, double turbidity, double height_m = 0.0);
 
 /// The clear sky over sea level and the sun through it, from dusk to noon, by scattering in a round

@@ -10,6 +10,7 @@
 #include "core/elementary.h"
 #include "core/error.h"
 #include "core/parallel.h"
+#include "light/white_balance.h"
 #include "scene/sun_position.h"
 
 namespace wold::light {
@@ -18,10 +19,10 @@ namespace {
 using std::numbers::pi;
 
 void check(const scene::SunPosition& sun, const scene::Sky& sky) {
-  if (!(sun.elevation_deg > 0.0 && sun.elevation_deg <= 90.0))
-    throw InputError(fmt::format(
-        "the sun's elevation is {} degrees; the daylight model holds above 0 and up to 90",
-        sun.elevation_deg));
+  if (!(sun.elevation_deg >= -10.0 && sun.elevation_deg <= 90.0))
+    throw InputError(
+        fmt::format("the sun's elevation is {} degrees; the daylight model holds from -10 to 90",
+                    sun.elevation_deg));
   if (!(sky.turbidity >= 1.8 && sky.turbidity <= 10.0))
     throw InputError(fmt::format(
         "the sky's turbidity is {}; the daylight model holds from 1.8 to 10", sky.turbidity));
@@ -37,9 +38,8 @@ double glare(double from_sun_rad) {
   return 6.0 * bell(0.5) + 0.4 * bell(2.0);
 }
 
-/// Radiance of distant meadows under irradiance 1; their reflectance is a choice between green and
-/// dry grass.
-const glm::dvec3 plain_radiance = glm::dvec3(0.10, 0.11, 0.055) / pi;
+/// Of distant meadows: a choice between green and dry grass.
+constexpr glm::vec3 plain_reflectance(0.10F, 0.11F, 0.055F);
 
 /// How far the plain below the scene lies under the eye.
 constexpr double plain_below_m = 60.0;
@@ -94,7 +94,9 @@ void Daylight::balance() {
     sky_klx += mean * (pi * math::sin(2.0 * elevation_rad) * radians_per_degree);
   }
   const glm::dvec3 sun_klx = glm::max(atmosphere_->sun_klx(), glm::dvec3(0.0));
-  unit_ = sky_klx + sun_klx * sun_direction_.z;
+  const glm::dvec3 level_klx = sky_klx + sun_klx * std::max(sun_direction_.z, 0.0);
+  unit_ = camera_white(level_klx);
+  level_irradiance_ = glm::vec3(level_klx / unit_);
   sun_irradiance_ = glm::vec3(sun_klx / unit_);
   sky_irradiance_ = glm::vec3(sky_klx / unit_);
   for (std::size_t degree = 0; degree < mean_klx.size(); ++degree)
@@ -119,8 +121,8 @@ glm::dvec3 Daylight::above_horizon(const glm::dvec3& direction) const {
 glm::vec3 Daylight::sky_radiance(const glm::dvec3& direction) const {
   if (direction.z >= 0.0) return glm::vec3(above_horizon(direction) / unit_);
   const double fraction = haze_fraction(plain_below_m / -direction.z, visual_range_m_);
-  return glm::mix(glm::vec3(plain_radiance), haze_radiance(direction, fraction),
-                  static_cast<float>(fraction));
+  const glm::vec3 plain = level_irradiance_ * plain_reflectance / std::numbers::pi_v<float>;
+  return glm::mix(plain, haze_radiance(direction, fraction), static_cast<float>(fraction));
 }
 
 glm::vec3 Daylight::haze_radiance(const glm::dvec3& direction, double fraction) const {

@@ -15,14 +15,16 @@ namespace wold::light {
 /// Both are of one Atmosphere: what its air scatters towards the eye, and what it leaves of the
 /// sun.
 ///
-/// Unit: everything is divided, channel by channel, by the total irradiance of a horizontal plane,
-/// so that sun and sky together give it exactly (1, 1, 1). That is what a camera does that is
-/// balanced and exposed on a white card lying in the open: brightness and white stay put while the
-/// sun moves; what stays is a warm sun against a blue sky. Colours are linear sRGB.
-/// Directions are world space: x east, y north, z up.
+/// Unit: everything is divided, channel by channel, by what the camera shows as white of the total
+/// irradiance of a horizontal plane (white_balance.h). While the sun is up sun and sky together
+/// give the plane (1, 1, 1). That is what a camera does that is balanced and exposed on a white
+/// card lying in the open: brightness and white stay put while the sun moves; what stays is a warm
+/// sun against a blue sky. At dusk the plane still has the luminance 1, but is blue: a camera's
+/// balance does not follow so far. Colours are linear sRGB. Directions are world space: x east, y
+/// north, z up.
 class Daylight {
  public:
-  /// The sun stands at scene::sun_position(), in (0, 90] degrees of elevation; turbidity in
+  /// The sun stands at scene::sun_position(), in [-10, 90] degrees of elevation; turbidity in
   /// [1.8, 10]; throws InputError otherwise.
   Daylight(const scene::Sun& sun, const scene::Sky& sky);
 
@@ -37,6 +39,8 @@ class Daylight {
   double visual_range_m() const { return visual_range_m_; }
   /// Irradiance by the sky alone on a horizontal plane.
   const glm::vec3& sky_irradiance() const { return sky_irradiance_; }
+  /// Irradiance by sun and sky on a horizontal plane: of luminance 1, white by day.
+  const glm::vec3& level_irradiance() const { return level_irradiance_; }
 
   /// Radiance from a unit direction, without the sun's disc. Below the horizon: a plain of meadows
   /// that fades into the horizon's haze.
@@ -69,9 +73,10 @@ class Daylight {
   std::shared_ptr<const Atmosphere> atmosphere_;
   glm::dvec3 sun_direction_;
   double visual_range_m_;
-  glm::dvec3 unit_ = glm::dvec3(1.0);  ///< klx of horizontal irradiance that count as 1
+  glm::dvec3 unit_ = glm::dvec3(1.0);  ///< klx of irradiance that count as 1
   glm::vec3 sun_irradiance_;
   glm::vec3 sky_irradiance_;
+  glm::vec3 level_irradiance_;
   std::array<glm::vec3, 91> mean_by_degree_;
 };
 

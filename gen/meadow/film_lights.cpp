@@ -24,9 +24,7 @@ glm::vec3 irradiance(const grass::Lighting& lighting) {
   return sum;
 }
 
-/// Makes it the unit, as it is of the day: how bright the light is, the light of the ground says.
-void normalise(grass::Lighting& lighting) {
-  const glm::vec3 unit = irradiance(lighting);
+void divide(grass::Lighting& lighting, const glm::vec3& unit) {
   lighting.sun_irradiance /= unit;
   for (glm::vec3& radiance : lighting.sky_radiance) radiance /= unit;
 }
@@ -59,7 +57,8 @@ std::vector<float> frame_weights(const scene::Scene& scene, int lights, double l
   return weights;
 }
 
-/// The light at a place among light_count().
+/// The light at a place among light_count(), made such that level ground has the irradiance 1: how
+/// bright and of what colour it is, the light of the ground says.
 grass::Lighting lighting_at(const scene::Scene& scene, const place::Site& site, double light) {
   const int lights = light_count(scene);
   const light::Daylight day =
@@ -68,7 +67,10 @@ grass::Lighting lighting_at(const scene::Scene& scene, const place::Site& site, 
   const auto& soil = scene.terrain.ground_albedo;
   grass::Lighting lighting = grass::make_lighting(
       day, place::film_eye_direction(scene, site.terrain), glm::vec3(soil[0], soil[1], soil[2]));
-  if (!scene::may_snow(scene)) return lighting;
+  if (!scene::may_snow(scene)) {
+    divide(lighting, day.level_irradiance());
+    return lighting;
+  }
   lighting.sun_irradiance = glm::vec3(0.0F);
   lighting.sky_radiance.assign(grass::sky_rings().size(), glm::vec3(0.0F));
   const std::vector<float> weights = frame_weights(scene, lights, light);
@@ -79,14 +81,18 @@ grass::Lighting lighting_at(const scene::Scene& scene, const place::Site& site, 
               day, sky::falling_extinction_per_m(scene, site, static_cast<int>(i) + 1),
               mean_ground_albedo),
           weights[i]);
-  normalise(lighting);
+  divide(lighting, irradiance(lighting));
   return lighting;
 }
 
-/// How far the sun gets: by height in a season, whose hour of the day hardly changes.
-double sun_way_deg(const scene::Scene& scene) {
+/// How far apart the lights may be: light changes fast when the sun sets.
+double max_step_deg(double lowest_sun_deg) { return lowest_sun_deg < 0.0 ? 4.0 : 10.0; }
+
+/// Into how many steps the sun's way is cut: by height in a season, whose hour of the day hardly
+/// changes.
+int sun_steps(const scene::Scene& scene) {
   constexpr int places = 32;
-  double min_deg = 90.0, max_deg = 0.0, turn_deg = 0.0;
+  double min_deg = 90.0, max_deg = -90.0, turn_deg = 0.0;
   scene::Sun before = scene::sun_at(scene, 0.0);
   for (int place = 0; place <= places; ++place) {
     const scene::Sun sun = scene::sun_at(scene, static_cast<double>(place) / places);
@@ -97,15 +103,15 @@ double sun_way_deg(const scene::Scene& scene) {
     before = sun;
   }
   const double climb_deg = max_deg - min_deg;
-  return scene::is_season(scene) ? climb_deg : math::hypot(climb_deg, turn_deg);
+  const double way_deg = scene::is_season(scene) ? climb_deg : math::hypot(climb_deg, turn_deg);
+  return static_cast<int>(std::ceil(way_deg / max_step_deg(min_deg)));
 }
 
 }  // namespace
 
 int light_count(const scene::Scene& scene) {
   if (!scene::sun_moves(scene)) return 1;
-  constexpr double max_step_deg = 10.0;
-  return 1 + static_cast<int>(std::ceil(sun_way_deg(scene) / max_step_deg));
+  return 1 + sun_steps(scene);
 }
 
 double light_of_frame(const scene::Scene& scene, int frame) {

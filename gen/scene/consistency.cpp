@@ -1,6 +1,7 @@
 #include "scene/consistency.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,31 +49,32 @@ Rule date_is_a_day(const Sun& sun) {
                    : ""};
 }
 
-/// The sky's model needs a sun.
-Rule sun_is_up(const Sun& sun) {
-  constexpr double min_deg = 1.0;
+/// There is day or dusk.
+Rule sun_gives_light(const Sun& sun) {
   const bool dated = sun.date.size() == 3 && date_of(sun.date).ok();
   const double elevation_deg = dated ? sun_position(sun).elevation_deg : 90.0;
   return {
       {"sun.time", "sun.date", "sun.latitude", "sun.longitude"},
-      elevation_deg >= min_deg,
+      elevation_deg >= min_sun_elevation_deg,
       fmt::format("sun.time: found {} h, when the sun stands at {:.1f} degrees, expected a time "
-                  "when it is {} degree above the horizon at least",
-                  sun.time_h, elevation_deg, min_deg)};
+                  "when it stands at {} degrees at least",
+                  sun.time_h, elevation_deg, min_sun_elevation_deg)};
 }
 
 /// A day has its own sun, and so has a season.
 Rule sun_ends_where_it_may(const Scene& scene) {
-  constexpr double min_deg = 1.0, max_deg = 90.0;
+  constexpr double max_deg = 90.0;
   const std::vector<double>& end = scene.sun.end;
   const bool dated = !scene.sun.date.empty() || is_season(scene);
-  const bool up = end.size() != 2 || (end[0] >= min_deg && end[0] <= max_deg);
+  const bool up =
+      end.size() != 2 || (end[0] >= min_sun_elevation_deg && end[0] <= max_deg && end[1] >= 0.0);
   return {{"sun.end"},
           end.empty() || (up && !dated),
           dated ? "sun.end: found a place, but the sun stands where it stood on a day; expected no "
                   "sun.end, or neither sun.date nor season.first"
-                : fmt::format("sun.end: found a height of {} degrees, expected {} to {}",
-                              end.empty() ? 0.0 : end[0], min_deg, max_deg)};
+                : fmt::format("sun.end: found {} degrees, expected a height of {} to {} and a "
+                              "direction of 0 to 360",
+                              end, min_sun_elevation_deg, max_deg)};
 }
 
 Rule grows_somewhere(const Growth& growth) {
@@ -162,7 +164,7 @@ void report_contradictions(const Scene& scene, const Places& places,
       inside_terrain("camera.eye", scene.camera.eye_m, scene.terrain.size_m),
       inside_terrain("camera.target", scene.camera.target_m, scene.terrain.size_m),
       date_is_a_day(scene.sun),
-      sun_is_up(scene.sun),
+      sun_gives_light(scene.sun),
       sun_ends_where_it_may(scene),
       looks_somewhere(scene.camera),
       ends_inside("camera.eye_end", scene.camera.eye_end, scene.terrain.size_m),

@@ -3,6 +3,7 @@
 #include "scene/binding.h"
 #include "scene/key_builders.h"
 #include "scene/renderers.h"
+#include "scene/sun_position.h"
 
 /// A key's field, for reading and writing alike.
 #define FIELD(path) ([](auto& scene) -> auto& { return scene.path; })
@@ -109,7 +110,8 @@ std::vector<Key> growth_keys() {
 
 std::vector<Key> sun_keys() {
   return {
-      bound(number("sun.elevation", "deg", {1, 90}, "Height of the sun above the horizon."),
+      bound(number("sun.elevation", "deg", {min_sun_elevation_deg, 90},
+                   "Height of the sun above the horizon; below 0 it has set, and it is dusk."),
             FIELD(sun.elevation_deg)),
       bound(number("sun.azimuth", "deg", {0, 360}, "Where the sun stands, clockwise from north."),
             FIELD(sun.azimuth_deg)),
@@ -122,10 +124,11 @@ std::vector<Key> sun_keys() {
             FIELD(sun.latitude_deg)),
       bound(number("sun.longitude", "deg", {-180, 180}, "Where, east positive."),
             FIELD(sun.longitude_deg)),
-      bound(list(Kind::numbers, "sun.end", "deg", {0, 360}, {.min_items = 0, .max_items = 2},
-                 "Where the sun has moved to in the last frame: height above the horizon, 1 at "
-                 "least, and direction; an empty list is nowhere. Not with sun.date and not in a "
-                 "season, whose sun has its own way."),
+      bound(list(Kind::numbers, "sun.end", "deg", {min_sun_elevation_deg, 360},
+                 {.min_items = 0, .max_items = 2},
+                 "Where the sun has moved to in the last frame: height above the horizon, as "
+                 "sun.elevation, and direction, as sun.azimuth; an empty list is nowhere. Not with "
+                 "sun.date and not in a season, whose sun has its own way."),
             FIELD(sun.end)),
   };
 }

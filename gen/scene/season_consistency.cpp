@@ -18,8 +18,6 @@ using Numbers = std::vector<std::int64_t>;
 
 /// Seasons are shorter than this: snow is reckoned hour by hour.
 constexpr int max_days = 400;
-/// The sky's model needs a sun.
-constexpr double min_elevation_deg = 1.0;
 
 bool is_day(const Numbers& date) { return date.size() == 3 && date_of(date).ok(); }
 
@@ -51,8 +49,7 @@ class Judge {
       add("season.last",
           fmt::format("found {}, expected a day after season.first ({}), at most {} later",
                       season.last, season.first, max_days));
-    judge_sun("season.first", season.first);
-    judge_sun("season.last", season.last);
+    if (days >= 1 && days <= max_days) judge_sun(date_of(season.first), date_of(season.last));
   }
 
   void judge_day(const std::string& key, const Numbers& date) const {
@@ -60,14 +57,25 @@ class Judge {
       add(key, fmt::format("found {}, expected a year, month and day of the calendar", date));
   }
 
-  void judge_sun(const std::string& key, const Numbers& date) const {
+  double sun_elevation_deg(sys_days day) const {
     const Sun& sun = scene_.sun;
-    const double elevation_deg =
-        sun_position(date_of(date), sun.time_h, sun.latitude_deg, sun.longitude_deg).elevation_deg;
-    if (elevation_deg < min_elevation_deg)
-      add(key, fmt::format("found {}, when the sun stands at {:.1f} degrees at {} h (sun.time), "
-                           "expected a time of day when it is {} degree above the horizon at least",
-                           date, elevation_deg, sun.time_h, min_elevation_deg));
+    return sun_position(day, sun.time_h, sun.latitude_deg, sun.longitude_deg).elevation_deg;
+  }
+
+  /// On each of the days: the lowest sun may stand on any of them.
+  void judge_sun(sys_days first, sys_days last) const {
+    sys_days lowest = first;
+    for (sys_days day = first; day <= last; day += std::chrono::days(1))
+      if (sun_elevation_deg(day) < sun_elevation_deg(lowest)) lowest = day;
+    const double elevation_deg = sun_elevation_deg(lowest);
+    if (elevation_deg >= min_sun_elevation_deg) return;
+    const std::chrono::year_month_day date(lowest);
+    add("sun.time", fmt::format("found {} h, when the sun stands at {:.1f} degrees on [{}, {}, {}],"
+                                " expected a time of day when it stands at {} degrees at least all "
+                                "season",
+                                scene_.sun.time_h, elevation_deg, static_cast<int>(date.year()),
+                                static_cast<unsigned>(date.month()),
+                                static_cast<unsigned>(date.day()), min_sun_elevation_deg));
   }
 
   void judge_sources() const {

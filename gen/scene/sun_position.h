@@ -8,6 +8,9 @@
 
 namespace wold::scene {
 
+/// Scenes have a sun that stands this high at least, degrees: at dusk. It is night not much later.
+inline constexpr double min_sun_elevation_deg = -4.0;
+
 /// Where the centre of the sun's disc is seen from the ground.
 struct SunPosition {
   double elevation_deg;  ///< above the level horizon, with refraction; -90 to 90

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "cloud/layer_crossing.h"
 #include "core/elementary.h"
-#include "sky/layer_crossing.h"
 
 namespace wold::sky {
 namespace {
@@ -18,6 +18,16 @@ constexpr double shade_per_field = 1.0;
 
 double sample(const cloud::LayerMap& map, const glm::dvec2& place_px) {
   return map.sample(place_px.x / map.width(), place_px.y / map.height());
+}
+
+/// Sunlight that leaves the base of a layer without a way of its own, over that on a plane that
+/// faces the sun: what comes through beside the forward peak; of a sun below the layer's level,
+/// whose sine is negative, what the base sends back.
+double even_flux(const cloud::Droplets& droplets, double depth_to_sun, double sun_sine) {
+  const double through = cloud::base_brightness(droplets, depth_to_sun);
+  if (sun_sine < 0.0) return -sun_sine * (1.0 - through);
+  return sun_sine *
+         std::max(through - cloud::in_forward_peak(droplets.asymmetry, depth_to_sun), 0.0);
 }
 
 }  // namespace
@@ -48,7 +58,7 @@ CloudLayerView::CloudLayerView(const cloud::LayerState& state, double pixel_m,
 
 SeenClouds CloudLayerView::along(const glm::dvec3& direction) const {
   if (cumulus_) return cumulus_->along(direction);
-  const auto [distance_m, cosine] = crossing(direction.z, rise_m_);
+  const auto [distance_m, cosine] = cloud::crossing(direction.z, rise_m_);
   const glm::dvec2 place_m = glm::dvec2(eye_m_) + glm::dvec2(direction) * distance_m;
   const double footprint_m = finest_rad_ * distance_m / std::sqrt(cosine);
   const Sheets seen = sheets_at(place_m, footprint_m);
@@ -88,16 +98,10 @@ glm::vec3 CloudLayerView::sent(const Sheets& seen, double cosine,
                                const glm::dvec3& direction) const {
   const cloud::Droplets& droplets = layer_->droplets;
   const double hidden = -math::expm1(-seen.depth / cosine);
-  const double sun_height = day_.sun_direction().z;
-  if (layer_->lit_as_paper)
-    return (day_.sky_irradiance() + day_.sun_irradiance() * static_cast<float>(sun_height)) *
-           static_cast<float>(hidden / pi);
+  if (layer_->lit_as_paper) return day_.level_irradiance() * static_cast<float>(hidden / pi);
   const double to_sun = std::max(seen.to_sun, 1e-6);
   const double depth = seen.depth * cloud::droplets_per_seen(*layer_);
-  const double even = std::max(cloud::base_brightness(droplets, to_sun) -
-                                   cloud::in_forward_peak(droplets.asymmetry, to_sun),
-                               0.0) *
-                      sun_height / pi;
+  const double even = even_flux(droplets, to_sun, day_.sun_direction().z) / pi;
   const double forward = layer_->forward->at(to_sun, glm::dot(direction, day_.sun_direction()));
   const double met = math::expm1(-depth / cosine) / math::expm1(-to_sun);
   const double sky = hidden * cloud::base_brightness(droplets, depth);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "cloud/layer_crossing.h"
 #include "core/elementary.h"
-#include "sky/layer_crossing.h"
 
 namespace wold::sky {
 namespace {
@@ -58,8 +58,8 @@ CumulusView::CumulusView(const cloud::LayerState& state, std::vector<cloud::Shee
 
 CumulusView::Ray CumulusView::ray_along(const glm::dvec3& direction) const {
   const double rise_m = layer_->base_m - light_.eye_m.z;
-  const double base_m = crossing(direction.z, rise_m).distance_m;
-  const double top_m = crossing(direction.z, rise_m + cells_.highest_m()).distance_m;
+  const double base_m = cloud::crossing(direction.z, rise_m).distance_m;
+  const double top_m = cloud::crossing(direction.z, rise_m + cells_.highest_m()).distance_m;
   return {direction, base_m, top_m, finest_rad_ * base_m};
 }
 

@@ -1,6 +1,7 @@
 #include "sky/exposure.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -36,11 +37,28 @@ constexpr double brightest_sky = 0.9;
 /// the sun at their height: they have more of it than the ground.
 constexpr double lit_clouds = 0.15, cloud_height_m = 1500.0;
 
-/// Of a level plane by sun and clear sky, as measured: 0.8 klx + 15.5 klx sin^0.5 and 128 klx
-/// exp(-0.21 / sin) sin.
+/// Of a level plane under a clear sky, as measured: cubics of its logarithm in lux by the sun's
+/// elevation over 90 degrees, each from an elevation up.
 double clear_illuminance_klx(double sun_elevation_deg) {
-  const double sine = math::sin(glm::radians(sun_elevation_deg));
-  return 0.8 + 15.5 * std::sqrt(sine) + 128.0 * math::exp(-0.21 / sine) * sine;
+  struct Cubic {
+    double from_deg;
+    std::array<double, 4> log10_lx;
+  };
+  constexpr std::array<Cubic, 4> cubics = {{{20.0, {3.74, 3.97, -4.07, 1.47}},
+                                            {5.0, {3.05, 13.28, -45.98, 64.33}},
+                                            {-0.8, {2.88, 22.26, -207.64, 1034.30}},
+                                            {-5.0, {2.88, 21.81, -258.11, -858.36}}}};
+  const double x = sun_elevation_deg / 90.0;
+  const auto& [from_deg, c] = *std::ranges::find_if(
+      cubics.begin(), cubics.end() - 1,
+      [&](const Cubic& cubic) { return sun_elevation_deg >= cubic.from_deg; });
+  return math::pow(10.0, c[0] + x * (c[1] + x * (c[2] + x * c[3])) - 3.0);
+}
+
+/// How bright what is dim is shown: the key of Krawczyk's tone mapping, of a fifth of the light.
+double key_of(double klx) {
+  const double cd_m2 = 1000.0 * klx * 0.2 / std::numbers::pi;
+  return 1.03 - 2.0 / (2.0 + math::log10(cd_m2 + 1.0));
 }
 
 }  // namespace
@@ -54,7 +72,11 @@ double metered_gain(const light::Daylight& day, Subject subject) {
 }
 
 double dusk_gain(double sun_elevation_deg, double highest_deg) {
-  return std::sqrt(clear_illuminance_klx(sun_elevation_deg) / clear_illuminance_klx(highest_deg));
+  const double sunset_klx = clear_illuminance_klx(0.0);
+  const double klx = clear_illuminance_klx(sun_elevation_deg);
+  const double brightest_klx = std::max(clear_illuminance_klx(highest_deg), sunset_klx);
+  return std::sqrt(std::max(klx, sunset_klx) / brightest_klx) * key_of(std::min(klx, sunset_klx)) /
+         key_of(sunset_klx);
 }
 
 double snow_gain(const light::Daylight& day, const ColourMap& light) {

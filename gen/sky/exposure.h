@@ -17,9 +17,13 @@ double metered_gain(const light::Daylight& day, Subject subject);
 /// towards a low sun do.
 double snow_gain(const light::Daylight& day, const ColourMap& light);
 
-/// Factor on that of a meter in a film in which the sun moves and stands at `highest_deg` at most:
-/// a camera opens as the sun sinks, but only half-way, as eyes adapt, so that dusk is darker than
-/// day. From the illuminance under a clear sky (Gillette, Pierpoint and Treado 1984). Both above 0.
+/// Factor on that of a meter where the film's sun stands at `highest_deg` at most: a camera opens
+/// as the sun sinks, but only half-way, as eyes adapt, so that evening is darker than day. After
+/// sunset what is dim is shown dim in single pictures, too: by the ratio of keys 1.03 - 2 / (2 +
+/// log10(L + 1)), L in cd/m2 (Krawczyk, Myszkowski and Seidel 2005, Perceptual effects in real-time
+/// tone mapping). From the
+/// illuminance under a clear sky (Seidelmann 1992, Explanatory supplement to the Astronomical
+/// Almanac). Both from -5 to 90 degrees.
 double dusk_gain(double sun_elevation_deg, double highest_deg);
 
 }  // namespace wold::sky

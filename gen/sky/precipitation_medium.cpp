@@ -20,18 +20,12 @@ constexpr double snow_column_m = 3000.0;
 /// leaves a little of the gloom.
 constexpr double light_dimming = 0.95;
 
-/// Clouds scatter all colours alike, but what reaches them is bluer than sunlight, the more so the
-/// lower the sun: at dusk ozone takes the yellow out of light that comes through much air (Hulburt
-/// 1953). The camera's white stays that of the day.
-constexpr double blue_by_day = 0.12;
-constexpr double blue_at_dusk = 0.75;
-constexpr double dusk_sine = 0.2;
+/// Clouds scatter all colours alike, but what reaches the ground through them is a little bluer
+/// than sun and clear sky together.
+constexpr glm::vec3 bluer(0.9592F, 0.9916F, 1.06F);
 
 glm::vec3 overcast_irradiance(const light::Daylight& day) {
-  constexpr glm::vec3 blue(0.66F, 0.93F, 1.5F);
-  const double low = std::max(0.0, 1.0 - day.sun_direction().z / dusk_sine);
-  const auto fraction = static_cast<float>(std::lerp(blue_by_day, blue_at_dusk, low));
-  const glm::vec3 colour = glm::mix(glm::vec3(1.0F), blue, fraction);
+  const glm::vec3 colour = day.level_irradiance() * bluer;
   return colour * static_cast<float>(light_dimming / luminance(colour));
 }
 

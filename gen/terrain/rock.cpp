@@ -56,9 +56,11 @@ double joint_at(const Face& face) { return 1.0 - glm::smoothstep(0.0, 0.08, face
 constexpr double mean_joint = 0.207;
 
 /// What a rough surface that faces `up` sends back of sun and sky: in clear air four fifths of the
-/// light are the sun's.
+/// light are the sun's, of a low sun less, of one that has set nothing.
 double light_on(const glm::dvec3& up, const glm::dvec3& to_sun) {
-  return 0.8 * std::max(0.0, glm::dot(up, to_sun)) + 0.2 * (0.5 + 0.5 * up.z);
+  constexpr double low_sine = 0.1;
+  const double sunlight = 0.8 * std::clamp(to_sun.z / low_sine, 0.0, 1.0);
+  return sunlight * std::max(0.0, glm::dot(up, to_sun)) + (1.0 - sunlight) * (0.5 + 0.5 * up.z);
 }
 
 /// Beds that dip by 20 degrees, in a keyed direction.

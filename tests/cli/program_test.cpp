@@ -74,10 +74,10 @@ TEST_F(Program, CheckPrintsTheResolvedSceneWhichResolvesToItself) {
 
 TEST_F(Program, SceneErrorsAreListedLineByLine) {
   write("a.toml", "sed = 1\n[grass]\nblades = 0\n");
-  const Result result = wold("check a.toml --set sun.elevation=0");
+  const Result result = wold("check a.toml --set sun.elevation=-5");
   expect_refusal(result, "error: a.toml:1:1: unknown key \"sed\"; did you mean \"seed\"?\n");
   expect_contains(result.err, "\nerror: a.toml:3:10: grass.blades: found 0, expected");
-  expect_contains(result.err, "\nerror: --set sun.elevation=0: sun.elevation: found 0 deg,");
+  expect_contains(result.err, "\nerror: --set sun.elevation=-5: sun.elevation: found -5 deg,");
   expect_refusal(wold("check missing.toml"), "missing.toml: cannot read the scene file: No such");
   expect_refusal(wold("check ."), "it is a folder");
 }

@@ -133,6 +133,27 @@ TEST(Assemble, DuskIsDarkerThanDay) {
   EXPECT_LT(relative_gain(2), std::sqrt(1.0 / 6.0));
 }
 
+// After sunset the ground has the sky's light and no other, and a picture can be made of it.
+TEST(Assemble, HasTheLightOfDusk) {
+  for (const double elevation_deg : {0.0, -2.0, -4.0}) {
+    scene::Scene scene = small_meadow();
+    scene.sun.elevation_deg = elevation_deg;
+    scene.clouds.resize(1);
+    const place::Site site = place::make_site(scene);
+    const landscape::Landscape landscape = assemble(scene, site, 2, {}, {}, needs_of({}));
+    EXPECT_LE(landscape.daylight.sun_irradiance.r, elevation_deg < 0.0 ? 0.0F : 0.1F);
+    EXPECT_GT(landscape.exposure_gain, 0.3);
+    EXPECT_LT(landscape.exposure_gain, 3.0);
+    for (const ColourMap* map : {&landscape.ground, &landscape.light})
+      for (const glm::vec3& value : map->values())
+        for (int c = 0; c < 3; ++c) {
+          ASSERT_TRUE(std::isfinite(value[c]));
+          ASSERT_GE(value[c], 0.0F);
+        }
+    for (const float value : landscape.sky.values) ASSERT_TRUE(std::isfinite(value));
+  }
+}
+
 // With a low sun the sky is exposed, not the ground.
 TEST(Assemble, DoesNotBurnOutTheSkyOfAnEvening) {
   scene::Scene scene = small_meadow();

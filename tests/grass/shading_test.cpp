@@ -166,5 +166,21 @@ TEST(Bake, TurnedTexelIsThatOfTheTurnedMeadow) {
   }
 }
 
+// A sun that has set lights nothing, from below least of all; one that grazes the grass casts
+// shadows of some length.
+TEST(MakeLighting, HasASunAboveTheGround) {
+  const auto lighting = [](double elevation_deg) {
+    return make_lighting(light::Daylight({elevation_deg, 250.0}, {2.5}), {0.0, -1.0, 0.0});
+  };
+  for (const double elevation_deg : {-4.0, -0.1, 0.0, 0.3}) {
+    const Lighting now = lighting(elevation_deg);
+    EXPECT_NEAR(glm::length(now.sun_direction), 1.0, 1e-12);
+    EXPECT_GT(now.sun_direction.z, 0.01);
+    EXPECT_LT(now.sun_direction.x, -0.9);
+  }
+  EXPECT_EQ(lighting(-4.0).sun_irradiance, glm::vec3(0.0F));
+  EXPECT_NEAR(lighting(5.0).sun_direction.z, std::sin(5.0 * degree), 1e-12);
+}
+
 }  // namespace
 }  // namespace wold::grass

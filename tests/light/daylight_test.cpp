@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/colour.h"
 #include "core/error.h"
 
 namespace wold::light {
@@ -47,6 +48,26 @@ TEST(Daylight, OpenFlatGroundReceivesOne) {
     EXPECT_GT(day.sun_irradiance().r, day.sun_irradiance().b);
     EXPECT_GT(day.sky_irradiance().b, day.sky_irradiance().r);
   }
+}
+
+// When the sun has set the sky is all the light there is: level ground is as luminous as by day,
+// but blue. Clouds have the sun for longer.
+TEST(Daylight, IsThatOfTheSkyAtDusk) {
+  for (const double elevation_deg : {-0.5, -2.0, -4.0}) {
+    const Daylight dusk({elevation_deg, 270.0}, {2.5});
+    EXPECT_EQ(dusk.sun_irradiance(), glm::vec3(0.0F));
+    EXPECT_EQ(dusk.level_irradiance(), dusk.sky_irradiance());
+    EXPECT_NEAR(luminance(dusk.level_irradiance()), 1.0, 1e-6);
+    EXPECT_GT(dusk.level_irradiance().b, 1.2F * dusk.level_irradiance().r);
+    const glm::dvec3 level = irradiance_of(dusk);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(level[c] / dusk.level_irradiance()[c], 1.0, 2e-3);
+    for (const float value : dusk.sky_image(64).values) {
+      ASSERT_TRUE(std::isfinite(value));
+      ASSERT_GE(value, 0.0F);
+    }
+  }
+  EXPECT_GT(Daylight({-1.0, 270.0}, {2.5}).sun_irradiance_at(3000.0).r, 0.1F);
+  EXPECT_EQ(Daylight({-3.0, 270.0}, {2.5}).sun_irradiance_at(3000.0).r, 0.0F);
 }
 
 // Most of the aerosol lies below clouds: a low sun shines on them as it does not on the ground, and
@@ -108,7 +129,8 @@ TEST(Daylight, GoesOnAcrossTheHorizon) {
 }
 
 TEST(Daylight, RefusesWhatTheModelCannotDo) {
-  EXPECT_THROW(Daylight({-2.0, 0.0}, {3.0}), InputError);
+  EXPECT_NO_THROW(Daylight({-10.0, 0.0}, {3.0}));
+  EXPECT_THROW(Daylight({-10.5, 0.0}, {3.0}), InputError);
   EXPECT_THROW(Daylight({30.0, 0.0}, {1.0}), InputError);
 }
 

@@ -150,6 +150,17 @@ TEST(SiteOfFrame, HasTheLightOfASettingSun) {
   EXPECT_GT(lit(2), lit(3));
 }
 
+// Light changes fast while the sun sets: steps are of 4 degrees at most.
+TEST(SiteOfFrame, HasMoreLightsWhereTheSunSets) {
+  scene::Scene scene;
+  scene.ageing.frames = {0.0, 0.0};
+  scene.sun.elevation_deg = 8.0;
+  scene.sun.end = {0.0, scene.sun.azimuth_deg};
+  EXPECT_EQ(meadow::light_count(scene), 2);
+  scene.sun.end = {-4.0, scene.sun.azimuth_deg};
+  EXPECT_EQ(meadow::light_count(scene), 4);
+}
+
 class FilmLights : public testing::TestWithParam<double> {};
 
 // However few frames and however much snow falls, every light is one: of unit irradiance, as baked

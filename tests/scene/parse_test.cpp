@@ -160,7 +160,7 @@ TEST(Parse, SuggestsTheNearestKnownName) {
 
 TEST(Parse, ReportsEverythingAtOnceFromTheTop) {
   const auto problems = problems_of(
-      "sed = 1\n[sun]\nelevation = 0\n[grass]\nblades = 0\npatch = 'x'\n"
+      "sed = 1\n[sun]\nelevation = -5\n[grass]\nblades = 0\npatch = 'x'\n"
       "[camera]\neye = [50, 1]\n[meteor]\nrain = 1\n",
       {"render.samples=0", "nonsense"});
   ASSERT_EQ(problems.size(), 8u);

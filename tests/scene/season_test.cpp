@@ -53,9 +53,25 @@ TEST(Season, SaysWhatContradictsItself) {
   expect_problem(season(withers + withers),
                  "a.toml:8:1: season_keys[2].date: found [2026, 9, 1], expected a day after");
   const auto dark = problems_of(season(withers), {"sun.time=0"});
-  ASSERT_EQ(dark.size(), 2u);
-  expect_start(dark[0], "a.toml:2:1: season.first: found [2026, 9, 1], when the sun stands at -");
-  expect_start(dark[1], "a.toml:3:1: season.last: found [2026, 11, 30], when the sun stands at -");
+  ASSERT_EQ(dark.size(), 1u);
+  expect_start(dark[0], "--set sun.time=0: sun.time: found 0 h, when the sun stands at -");
+}
+
+// Beyond the polar circle the sun may be seen on the first day and the last, and not between them:
+// at 73 degrees north it culminates at 17 - 23.44 at the winter solstice.
+TEST(Season, HasLightOnAllOfItsDays) {
+  const std::vector<std::string> polar = {"season.first=[2026,10,31]", "season.last=[2027,2,12]",
+                                          "sun.time=12", "sun.longitude=0"};
+  const auto problems = [&](const std::string& latitude) {
+    std::vector<std::string> overrides = polar;
+    overrides.push_back("sun.latitude=" + latitude);
+    return problems_of(season(withers), overrides);
+  };
+  EXPECT_TRUE(problems("70").empty());  // dusk at noon
+  ASSERT_EQ(problems("73").size(), 1u);
+  EXPECT_NE(problems("73")[0].find("when the sun stands at -6.4 degrees on [2026, 12, 2"),
+            std::string::npos)
+      << problems("73")[0];
 }
 
 // At 47 degrees north it culminates at 90 - 47 + declination: at the equinox 43 degrees, at the

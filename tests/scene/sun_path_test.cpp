@@ -25,8 +25,13 @@ TEST(SunPath, GoesEvenlyAndByTheShorterWayAround) {
 TEST(SunPath, SaysWhatContradictsItself) {
   EXPECT_TRUE(problems_of("[sun]\nend = [1, 300]\n").empty());
   expect_problem("[sun]\nend = [1]\n", "a.toml:2:1: sun.end: found a list of 1, expected two");
-  expect_problem("[sun]\nend = [0.5, 300]\n",
-                 "a.toml:2:1: sun.end: found a height of 0.5 degrees, expected 1 to 90");
+  EXPECT_TRUE(problems_of("[sun]\nend = [-4, 300]\n").empty());
+  expect_problem("[sun]\nend = [-4.5, 300]\n", "a.toml:2:8: sun.end: ");
+  expect_problem("[sun]\nend = [91, 300]\n",
+                 "a.toml:2:1: sun.end: found [91, 300] degrees, expected a height of -4 to 90 and");
+  expect_problem("[sun]\nend = [10, -1]\n",
+                 "a.toml:2:1: sun.end: found [10, -1] degrees, expected a height of -4 to 90 and a "
+                 "direction of 0 to 360");
   expect_problem("[sun]\ndate = [2026, 6, 1]\nend = [20, 300]\n",
                  "a.toml:3:1: sun.end: found a place, but the sun stands where it stood on a day");
 }

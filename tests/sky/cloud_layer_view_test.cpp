@@ -90,6 +90,48 @@ TEST(CloudLayerView, EdgesShineAroundTheSun) {
   EXPECT_GT(around, 1.5 * aside) << aside;
 }
 
+// A sun that has just set for the ground shines on high clouds, red; later they have the light of
+// the sky alone.
+TEST(CloudLayerView, GlowsAfterSunset) {
+  const auto mean_sent = [](double elevation_deg) {
+    scene::Scene scene = cumulus_layer(180.0, elevation_deg);
+    scene.clouds[0].kind = scene::CloudKind::cirrus;
+    scene.clouds[0].base_m = 6000.0;
+    scene.clouds[0].gathered = 1.0;
+    const Sight sight(scene);
+    glm::dvec3 sum(0.0);
+    for_directions(180.0, 15.0, 5.0, [&](const glm::dvec3& direction) {
+      const SeenClouds clouds = sight.seen.along(direction);
+      for (int c = 0; c < 3; ++c) {
+        ASSERT_TRUE(std::isfinite(clouds.sent[c]));
+        ASSERT_GE(clouds.sent[c], 0.0F);
+      }
+      sum += glm::dvec3(clouds.sent);
+    });
+    return sum / glm::dvec3(sight.day.level_irradiance());
+  };
+  const glm::dvec3 glow = mean_sent(-1.0), later = mean_sent(-4.0);
+  EXPECT_GT(glow.r, 2.0 * later.r);
+  EXPECT_GT(glow.r / glow.b, 1.5);
+  EXPECT_NEAR(later.r / later.b, 1.0, 0.02);
+}
+
+// Where it lights a layer from below, the base that is seen sends some of it back.
+TEST(CloudLayerView, IsNoDarkerForSunlightFromBelow) {
+  const auto base = [](double elevation_deg) {
+    scene::Scene scene = cumulus_layer(180.0, elevation_deg);
+    scene.clouds[0].kind = scene::CloudKind::stratus;
+    scene.clouds[0].base_m = 6000.0;
+    scene.clouds[0].gathered = 1.0;
+    const Sight sight(scene);
+    const glm::vec3 sent = sight.seen.along(light::direction_of(0.0, 60.0 * deg)).sent;
+    return sent / sight.day.level_irradiance();
+  };
+  const glm::vec3 lit = base(-1.5), unlit = base(-4.0);
+  EXPECT_GT(lit.r, unlit.r);
+  EXPECT_GT(lit.r / lit.b, 1.01F * unlit.r / unlit.b);
+}
+
 // At sunset clouds have more light, and redder, on what is turned to the sun than within.
 TEST(CloudLayerView, GlowTowardsASunThatSets) {
   const Sight sight(cumulus_layer(0.0, 3.0));

@@ -50,6 +50,22 @@ TEST(Rock, FacesTurnToTheSunAndAway) {
   EXPECT_EQ(fraction(0.07, 2.7), 1.0);
 }
 
+// No sun shines on it at dusk, wherever that went.
+TEST(Rock, IsLitFromAboveWhenTheSunHasSet) {
+  const Rock rock(glm::vec3(1.0F), 5, 0.02);
+  const glm::dvec3 up = glm::normalize(glm::dvec3(0.0, -1.0, 0.7));
+  const auto set = [](double x) { return glm::normalize(glm::dvec3(x, 0.0, -0.05)); };
+  const auto difference = [&](const glm::dvec3& a, const glm::dvec3& b) {
+    return mean(500, [&](const glm::dvec3& place_m) {
+      return std::abs(double{rock.at(place_m, up, a).g} - double{rock.at(place_m, up, b).g});
+    });
+  };
+  EXPECT_EQ(difference(set(1.0), set(-1.0)), 0.0);
+  EXPECT_GT(difference(glm::normalize(glm::dvec3(1.0, 0.0, 0.2)),
+                       glm::normalize(glm::dvec3(-1.0, 0.0, 0.2))),
+            0.05);
+}
+
 // A map's plan would be drawn out on a wall: nothing would change upwards.
 TEST(Rock, HasBlocksOnAWall) {
   const Rock rock(glm::vec3(1.0F), 5, 0.02);

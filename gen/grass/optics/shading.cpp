@@ -42,6 +42,15 @@ int own_slices(const FibreLook& look, const glm::dvec3& light, const TexelShape&
   return static_cast<int>(std::lround(0.5 * look.width_m * light.z / shape.voxel_m)) + 1;
 }
 
+/// A grazing ray would be followed through grass for ever: a sun lower than this casts shadows as
+/// from here, and once it has set it has no light.
+glm::dvec3 risen(const glm::dvec3& sun_direction) {
+  constexpr double lowest_sine = 0.0175;
+  if (sun_direction.z >= lowest_sine) return sun_direction;
+  const glm::dvec2 level = glm::normalize(glm::dvec2(sun_direction));
+  return {level * std::sqrt(1.0 - lowest_sine * lowest_sine), lowest_sine};
+}
+
 }  // namespace
 
 const std::vector<SkyRing>& sky_rings() {
@@ -62,7 +71,7 @@ std::vector<SkyDirection> sky_directions(const Lighting& lighting) {
 Lighting make_lighting(const light::Daylight& daylight, const glm::dvec3& eye_direction,
                        const glm::vec3& ground_albedo) {
   Lighting lighting{
-      daylight.sun_direction(), daylight.sun_irradiance(), {}, eye_direction, ground_albedo};
+      risen(daylight.sun_direction()), daylight.sun_irradiance(), {}, eye_direction, ground_albedo};
   for (const SkyRing& ring : sky_rings())
     lighting.sky_radiance.push_back(daylight.mean_sky_radiance(ring.elevation));
   return lighting;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace wold::sky {
+namespace wold::cloud {
 
 /// Where a ray from the ground meets a sphere around the earth: the distance along the ray, and the
 /// cosine between the ray and the vertical there.
@@ -21,4 +21,4 @@ inline Crossing crossing(double sine, double rise_m) {
   return {distance_m, (down_m + distance_m) / (earth_radius_m + rise_m)};
 }
 
-}  // namespace wold::sky
+}  // namespace wold::cloud
