@@ -139,8 +139,9 @@ TEST(Assemble, HasTheLightOfDusk) {
     scene::Scene scene = small_meadow();
     scene.sun.elevation_deg = elevation_deg;
     scene.clouds.resize(1);
-    const place::Site site = place::make_site(scene);
-    const landscape::Landscape landscape = assemble(scene, site, 2, {}, {}, needs_of({}));
+    const place::Site site = test::site_of(scene);
+    const landscape::Landscape landscape =
+        assemble(scene, site, test::grass_of(scene, 2), {}, {}, needs_of({}));
     EXPECT_LE(landscape.daylight.sun_irradiance.r, elevation_deg < 0.0 ? 0.0F : 0.1F);
     EXPECT_GT(landscape.exposure_gain, 0.3);
     EXPECT_LT(landscape.exposure_gain, 3.0);

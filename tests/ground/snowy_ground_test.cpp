@@ -48,7 +48,7 @@ TEST(SnowyGround, WithoutSnowIsTheSites) {
 // Where grass grows the ground has what comes through it, where none does all of the light.
 TEST(SnowyGround, IsDarkUnderGrass) {
   const scene::Scene scene = snowed_in(0.0);
-  place::Site site = place::make_site(scene);
+  place::Site site = test::site_of(scene);
   for (std::size_t i = 0; i < site.growth.values().size(); ++i)
     site.growth.values()[i] = i < site.growth.values().size() / 2 ? 0.0F : 1.0F;
   const SnowyGround ground(scene, site, 1);

@@ -56,7 +56,7 @@ inline scene::Scene cloud_scene(const CloudSun& sun) {
 /// them.
 inline cloud::CloudVolume cloud_volume() {
   const scene::Scene scene = cloud_scene(cloud_suns().front());
-  const double pixel_m = cloud::Clouds::usual_pixel_m(scene);
+  const double pixel_m = cloud::Clouds::usual_pixel_m(scene.clouds);
   const cloud::CloudState state = cloud::Clouds(scene, pixel_m).at(0.0);
   constexpr double voxel_m = 15.625;
   constexpr glm::ivec3 voxels{90, 90, 32};
