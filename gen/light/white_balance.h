@@ -14,8 +14,8 @@ namespace wold::light {
 /// is shown blue.
 glm::dvec3 camera_white(const glm::dvec3& light);
 
-/// Correlated colour temperature in K of linear sRGB: Hernandez-Andres, Lee and Romero 1999, from
-/// 3000 to 50 000 K.
+/// Correlated colour temperature in K of linear sRGB, from 3000 to 50 000 K
+/// [HernandezAndres1999].
 double colour_temperature_K(const glm::dvec3& rgb);
 
 /// CIE's daylight of a correlated colour temperature in [4000, 25 000] K, which is clamped, as

@@ -46,7 +46,8 @@ TEST(AgeingCurves, ChlorophyllIsTheRescaledLogistic) {
 
 // Real leaves stay green, then yellow within about a week (Mattila et al. 2018), in a season of two
 // to three months; the meadow's mean falls slowly, because every blade has its own onset:
-// science's logistic 1 / (1 + exp(10 (wd - 0.45))). Litter of the year before is left out.
+// science's logistic 1 / (1 + exp(10 (wd - 0.45))). Litter of the year before is left out, and the
+// leaves of a fresh meadow are 0.14 old in the mean.
 TEST(AgeingCurves, LeavesYellowFastAndTheMeadowSlowly) {
   const Curve leaf = load_curve(CurveKind::chlorophyll, {"standard", {}});
   const auto degree_of = [&](double content) {
@@ -55,7 +56,8 @@ TEST(AgeingCurves, LeavesYellowFastAndTheMeadowSlowly) {
     return i / 1000.0;
   };
   EXPECT_LT(degree_of(0.1) - degree_of(0.9), 0.2);
-  const scene::Scene scene;
+  scene::Scene scene;
+  scene.ageing.fresh_spread = 0.14;
   for (int step = 0; step <= 20; ++step) {
     const double weathering = step / 20.0;
     double sum = 0.0;

@@ -170,7 +170,8 @@ TEST(Bake, TurnedTexelIsThatOfTheTurnedMeadow) {
 // shadows of some length.
 TEST(MakeLighting, HasASunAboveTheGround) {
   const auto lighting = [](double elevation_deg) {
-    return make_lighting(light::Daylight({elevation_deg, 250.0}, {2.5}), {0.0, -1.0, 0.0}, glm::vec3(0.0F));
+    return make_lighting(light::Daylight({elevation_deg, 250.0}, {2.5}), {0.0, -1.0, 0.0},
+                         glm::vec3(0.0F));
   };
   for (const double elevation_deg : {-4.0, -0.1, 0.0, 0.3}) {
     const Lighting now = lighting(elevation_deg);

@@ -71,7 +71,7 @@ TEST(PigmentSpread, IsThatOfTheLeavesPigments) {
     const glm::vec3 wanted = canopy(rich, weathering) / canopy(scene.ageing, weathering);
     const glm::vec3 got = sward.pigment_spread.factor(2.5, weathering);
     for (int channel = 0; channel < 3; ++channel)
-      EXPECT_NEAR(got[channel], wanted[channel], 0.02) << weathering;
+      EXPECT_NEAR(got[channel], wanted[channel], 0.03 * wanted[channel]) << weathering;
     EXPECT_EQ(sward.pigment_spread.factor(0.0, weathering), glm::vec3(1.0F));
   }
   EXPECT_LT(sward.pigment_spread.factor(2.0, 0.0).r, 0.9);
