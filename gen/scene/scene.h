@@ -123,11 +123,11 @@ struct Physiology {
   double droop_spread = 0.3;           ///< of omega from blade to blade
   double onset_spread = 0.12;          ///< of a blade's own weathering degree
   double fresh_spread = 0.24;  ///< mean of the ages that single blades have in a fresh meadow
-  double litter = 0.52;        ///< fraction of dead blades of the year before in a fresh meadow
+  double litter = 0.55;        ///< fraction of dead blades of the year before in a fresh meadow
   double chlorophyll_ug_cm2 = 22.0;
   double carotenoid_ug_cm2 = 5.0;
-  double brown_pigment = 1.15;  ///< of a dead leaf, PROSPECT's arbitrary unit
-  Fur fur;                      ///< how it is combed and coloured when it is hair
+  double brown_pigment = 1.3;  ///< of a dead leaf, PROSPECT's arbitrary unit
+  Fur fur;                     ///< how it is combed and coloured when it is hair
 
   bool operator==(const Physiology&) const = default;
 };

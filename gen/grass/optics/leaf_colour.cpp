@@ -30,7 +30,7 @@ constexpr double dry_mass_g_cm2 = 0.005;
 // 145:315), bleach. How far is a modelling choice, made by the colour of straw.
 constexpr double living_structure = 1.5;
 constexpr double straw_structure = 2.0;
-constexpr double straw_carotenoid = 0.15;
+constexpr double straw_carotenoid = 0.3;
 
 /// Fraction of the leaf that has died, by its water: none above 48 % of the dry mass (colouring
 /// grass has 50 %, cured grass less than 30 %: Rothermel 1983, INT-143), all below 19 %.
