@@ -23,18 +23,24 @@ TEMPLATES = pathlib.Path(__file__).parents[2] / "templates" / "mitsuba"
 REACH = 7
 
 
-def picture(path: pathlib.Path) -> dict:
+def values(path: str):
+    """Of a picture, (rows, columns, channels)."""
+    return np.atleast_3d(np.array(mi.Bitmap(path))).astype(np.float32)
+
+
+def picture(of) -> dict:
     return {
         "type": "bitmap",
-        "filename": str(path),
+        "bitmap": mi.Bitmap(np.ascontiguousarray(of)),
         "raw": True,
         "wrap_mode": "clamp",
         "filter_type": "nearest",
     }
 
 
-def tiled(leaf: pathlib.Path, patch_m: float):
+def tiled(leaf: pathlib.Path, canopy: dict):
     """A patch's leaves beside themselves, as one mesh: instances would be as many shapes."""
+    patch_m = canopy["patch_m"]
     one = mi.traverse(mi.load_dict({"type": "ply", "filename": f"{leaf}.ply"}))
     places = np.array(one["vertex_positions"]).reshape(-1, 3)
     faces = np.array(one["faces"]).reshape(-1, 3)
@@ -44,7 +50,7 @@ def tiled(leaf: pathlib.Path, patch_m: float):
         vertex_count=len(places) * len(cells),
         face_count=len(faces) * len(cells),
         has_vertex_texcoords=True,
-        props=leaf_properties(leaf),
+        props=leaf_properties(leaf, canopy["specular_exponent"]),
     )
     parameters = mi.traverse(mesh)
     moved = [places + np.array([i * patch_m, j * patch_m, 0.0]) for i, j in cells]
@@ -57,16 +63,31 @@ def tiled(leaf: pathlib.Path, patch_m: float):
     return mesh
 
 
-def leaf_properties(leaf: pathlib.Path):
+def glossy_leaf(leaf: pathlib.Path, specular_exponent: float) -> dict:
+    """Part of what leaves reflect is mirrored: rough mirrors, turned about the axes of blades by
+    all angles, have a highlight whose width along the axis is that of cos^specular_exponent."""
+    mirrored = values(f"{leaf}_mirrored.exr")
+    reflectance = values(f"{leaf}_reflectance.exr")
+    transmittance = values(f"{leaf}_transmittance.exr")
+    diffuse = {
+        "type": "bilambertian",
+        "reflectance": picture(np.maximum(reflectance - mirrored, 0.0) / (1.0 - mirrored)),
+        "transmittance": picture(transmittance / (1.0 - mirrored)),
+    }
+    slope = math.sqrt(0.5 / specular_exponent)
+    mirror = {"type": "roughconductor", "material": "none", "alpha": slope}
+    return {
+        "type": "blendbsdf",
+        "weight": picture(mirrored),
+        "diffuse": diffuse,
+        "mirror": {"type": "twosided", "nested": mirror},
+    }
+
+
+def leaf_properties(leaf: pathlib.Path, specular_exponent: float):
     properties = mi.Properties()
     properties["face_normals"] = True
-    properties["bsdf"] = mi.load_dict(
-        {
-            "type": "bilambertian",
-            "reflectance": picture(pathlib.Path(f"{leaf}_reflectance.exr")),
-            "transmittance": picture(pathlib.Path(f"{leaf}_transmittance.exr")),
-        }
-    )
+    properties["bsdf"] = mi.load_dict(glossy_leaf(leaf, specular_exponent))
     return properties
 
 
@@ -94,7 +115,7 @@ def meadow(folder: pathlib.Path, canopy: dict, sun: dict, weathering: float, var
                     "reflectance": {"type": "rgb", "value": canopy["ground_albedo"]},
                 },
             },
-            "leaves": tiled(folder / f"w{weathering:.3f}_v{variant}", canopy["patch_m"]),
+            "leaves": tiled(folder / f"w{weathering:.3f}_v{variant}", canopy),
         }
     )
 
