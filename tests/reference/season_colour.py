@@ -120,7 +120,9 @@ def pictures(folder: pathlib.Path, place: str, dates: list[datetime.date]) -> li
 
 
 def judge(folder: pathlib.Path, place: str, years: list[list[datetime.date]]) -> None:
-    green = np.array([green_coordinate(p) for dates in years for p in pictures(folder, place, dates)])
+    green = np.array(
+        [green_coordinate(p) for dates in years for p in pictures(folder, place, dates)]
+    )
     scaled = (green - green.min()) / (green.max() - green.min())
     seen = measured(place)
     dates = [date for dates in years for date in dates]
