@@ -26,11 +26,14 @@ scene::Ageing with(scene::ColourModel colour) {
 
 TEST(LeafColour, GoesFromFreshGrassToStraw) {
   // The leaves "green" and "straw" of prospect_vectors.toml.
-  const LeafColour colour(with(scene::ColourModel::prospect));
-  expect_near(colour(0.0).reflectance, {0.04842, 0.13279, 0.03348}, 2e-3);
-  expect_near(colour(0.0).albedo, {0.08425, 0.26170, 0.02524}, 2e-3);
-  expect_near(colour(1.0).reflectance, {0.46889, 0.37751, 0.22080}, 2e-3);
-  expect_near(colour(1.0).albedo, {0.82115, 0.63368, 0.34133}, 2e-3);
+  scene::Ageing ageing = with(scene::ColourModel::prospect);
+  const LeafShade green = LeafColour(ageing)(0.0);
+  expect_near(green.reflectance, {0.04842, 0.13279, 0.03348}, 2e-3);
+  expect_near(green.albedo, {0.08425, 0.26170, 0.02524}, 2e-3);
+  ageing.carotenoid_ug_cm2 = 1.0 / 0.3;  // straw keeps 0.3 of them, that straw has 1
+  const LeafShade straw = LeafColour(ageing)(1.0);
+  expect_near(straw.reflectance, {0.46889, 0.37751, 0.22080}, 2e-3);
+  expect_near(straw.albedo, {0.82115, 0.63368, 0.34133}, 2e-3);
 }
 
 TEST(LeafColour, TurnsFromGreenToGoldBeforeStraw) {

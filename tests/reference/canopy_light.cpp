@@ -167,8 +167,8 @@ double quantile(std::vector<double> values, double fraction) {
 struct Bounds {
   double median, most, colour;
 };
-constexpr std::array bounds = {Bounds{0.035, 0.15, 0.8}, Bounds{0.04, 0.15, 0.85},
-                               Bounds{0.045, 0.15, 0.95}, Bounds{0.05, 0.15, 1.0}};
+constexpr std::array bounds = {Bounds{0.026, 0.085, 0.65}, Bounds{0.027, 0.09, 0.65},
+                               Bounds{0.03, 0.1, 0.7}, Bounds{0.032, 0.11, 0.7}};
 
 /// Prints the errors of each level; whether all are within bounds.
 bool sum_up(const std::map<std::size_t, Errors>& errors) {

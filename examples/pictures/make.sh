@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# Makes the pictures of README and of the manual anew, here:
+#
+#     examples/pictures/make.sh [NAME...]     default: all of them; e.g. hillside sunset
+#
+# Both renderers make each frame; all take about an hour on two cores.
+set -euo pipefail
+source "$(dirname "$0")/../setup.sh"
+
+# tiled COLUMNS OUT PICTURE...: one picture, row by row.
+tiled() {
+  cat "${@:3}" | ffmpeg -v error -y -f image2pipe -c:v png -i - \
+    -vf "tile=${1}x$((($# - 2) / $1))" -frames:v 1 -q:v 2 "$2"
+}
+
+# make NAME SCENE SIZE beside|above FRAME...: frames below each other, Blender beside POV-Ray, or
+# beside each other, Blender above POV-Ray.
+make() {
+  local name=$1 arrangement=$4 out=$here/build/pictures/$1 frames=() blender=() povray=() pairs=() frame
+  [ ${#wanted[@]} -eq 0 ] || [[ " ${wanted[*]} " == *" $name "* ]] || return 0
+  say "$name"
+  frames=("${@:5}")
+  "$here/build/wold" render "$here/examples/$2.toml" --quiet --out "$out" --renderer both --size "$3" \
+    --frames "$(IFS=, && echo "${frames[*]}")" >/dev/null
+  for frame in "${frames[@]}"; do
+    blender+=("$(printf '%s/frames/blender/%04d.png' "$out" "$frame")")
+    povray+=("$(printf '%s/frames/povray/%04d.png' "$out" "$frame")")
+    pairs+=("${blender[-1]}" "${povray[-1]}")
+  done
+  if [ "$arrangement" = beside ]; then
+    tiled 2 "$here/examples/pictures/$name.jpg" "${pairs[@]}"
+  else
+    tiled ${#frames[@]} "$here/examples/pictures/$name.jpg" "${blender[@]}" "${povray[@]}"
+  fi
+}
+
+wanted=("$@")
+install "${build_packages[@]}" "${render_packages[@]}"
+build -DWOLD_TESTS=OFF -DWOLD_WERROR=OFF -- wold
+make hillside hillside 480x270 beside 1 2 3
+make mountain mountain 480x270 beside 1 2 3
+make snow first_snow 640x360 beside 5 18 48
+make clouds cumulus 720x405 beside 2
+make sunset clouds 480x200 above 36 62 84
+make season autumn_to_winter 360x202 above 1 43 62 118
