@@ -8,8 +8,8 @@
 namespace wold::phenology {
 namespace {
 
-constexpr double half_way = 0.45;
-constexpr double steepness = 10.0;
+constexpr double half_way = 0.43;
+constexpr double steepness = 5.0;
 /// Greenness by which a meadow has to rise above its palest for that to be new growth.
 constexpr double regrowth = 0.05;
 /// New greenness that hides all dead blades.
@@ -47,12 +47,12 @@ class Fading {
 
 }  // namespace
 
-double chlorophyll_of(double weathering_degree) {
+double greenness_of(double weathering_degree) {
   return (logistic(weathering_degree) - logistic(1.0)) / (logistic(0.0) - logistic(1.0));
 }
 
-double weathering_degree_of(double chlorophyll) {
-  const double fraction = logistic(1.0) + chlorophyll * (logistic(0.0) - logistic(1.0));
+double weathering_degree_of(double greenness) {
+  const double fraction = logistic(1.0) + greenness * (logistic(0.0) - logistic(1.0));
   return std::clamp(half_way + math::log(1.0 / fraction - 1.0) / steepness, 0.0, 1.0);
 }
 

@@ -136,11 +136,14 @@ TEST(SnowLayer, SettlesByAndersonsLaw) {
   EXPECT_NEAR(density_after(hours + 1.0) - density, 3600.0 * rate, 0.01);
 }
 
-TEST(WeatheringDegree, HasTheChlorophyllOfTheStandardCurve) {
-  EXPECT_DOUBLE_EQ(chlorophyll_of(0.0), 1.0);
-  EXPECT_DOUBLE_EQ(chlorophyll_of(1.0), 0.0);
+TEST(WeatheringDegree, HasTheGreennessOfPictures) {
+  EXPECT_DOUBLE_EQ(greenness_of(0.0), 1.0);
+  EXPECT_DOUBLE_EQ(greenness_of(1.0), 0.0);
+  // Green chromatic coordinates of examples/hillside.toml, scaled.
+  EXPECT_NEAR(greenness_of(0.3), (0.392 - 0.331) / (0.418 - 0.331), 0.03);
+  EXPECT_NEAR(greenness_of(0.6), (0.356 - 0.331) / (0.418 - 0.331), 0.03);
   for (double degree = 0.0; degree <= 1.0; degree += 0.125)
-    EXPECT_NEAR(weathering_degree_of(chlorophyll_of(degree)), degree, 1e-9);
+    EXPECT_NEAR(weathering_degree_of(greenness_of(degree)), degree, 1e-9);
 }
 
 TEST(WeatheringDegree, NeverFallsBackInAutumnAndFallsWithNewGrowth) {
