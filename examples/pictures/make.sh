@@ -36,7 +36,7 @@ make() {
 
 wanted=("$@")
 install "${build_packages[@]}" "${render_packages[@]}"
-build -DWOLD_TESTS=OFF -DWOLD_WERROR=OFF -- wold
+build -- wold
 make hillside hillside 480x270 beside 1 2 3
 make mountain mountain 480x270 beside 1 2 3
 make snow first_snow 640x360 beside 5 18 48

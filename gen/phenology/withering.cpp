@@ -12,36 +12,27 @@ constexpr double half_way = 0.43;
 constexpr double steepness = 5.0;
 /// Greenness by which a meadow has to rise above its palest for that to be new growth.
 constexpr double regrowth = 0.05;
-/// New greenness that hides all dead blades.
-constexpr double hiding = 0.5;
 
 double logistic(double weathering_degree) {
   return 1.0 / (1.0 + math::exp(steepness * (weathering_degree - half_way)));
 }
 
-/// Follows how much of the season's greenness is lost.
+/// Follows how green a meadow looks whose dead blades stay dead.
 class Fading {
  public:
-  explicit Fading(double green) : lost_(1.0 - green), palest_(green), last_(green) {}
+  explicit Fading(double green) : looks_(green), palest_(green), last_(green) {}
 
   double advance(double green) {
-    const double gain = green - last_;
+    const bool grows = green > last_ && green > palest_ + regrowth;
     last_ = green;
-    if (gain > 0.0 && green > palest_ + regrowth) {
-      lost_ = std::max(0.0, lost_ - gain / hiding);
-      palest_ = green - regrowth;
-      greatest_ = green / std::max(1.0 - lost_, 1e-6);
-    } else {
-      palest_ = std::min(palest_, green);
-      lost_ = std::clamp(1.0 - green / greatest_, lost_, 1.0);
-    }
-    return lost_;
+    palest_ = grows ? green - regrowth : std::min(palest_, green);
+    looks_ = grows ? green : std::min(looks_, green);
+    return looks_;
   }
 
  private:
-  double lost_;            ///< fraction of the season's greatest greenness
-  double greatest_ = 1.0;  ///< of this season
-  double palest_;          ///< since it was that
+  double looks_;
+  double palest_;  ///< since blades last grew
   double last_;
 };
 
@@ -61,7 +52,7 @@ std::vector<double> weathering_degrees(std::span<const double> greenness) {
   if (greenness.empty()) return degrees;
   Fading fading(greenness.front());
   for (const double green : greenness)
-    degrees.push_back(weathering_degree_of(1.0 - fading.advance(green)));
+    degrees.push_back(weathering_degree_of(fading.advance(green)));
   return degrees;
 }
 

@@ -7,10 +7,9 @@ namespace wold::phenology {
 
 /// The weathering degree, 0 fresh to 1 straw, on each day of a meadow's greenness, 0 to 1.
 ///
-/// The greenness that is left of the season's greatest is what pictures of the default meadow show
-/// at that degree (see greenness_of()). While a meadow pales the degree never
-/// falls back; when it greens again by more than a few hundredths, new blades take the place of
-/// dead ones. The first day is held against the greenest there can be.
+/// Pictures of the default meadow are as green at that degree (see greenness_of()). While a meadow
+/// pales the degree never falls back; when it greens again by more than a few hundredths, new
+/// blades take the place of dead ones.
 std::vector<double> weathering_degrees(std::span<const double> greenness);
 
 /// How green a meadow looks at a weathering degree, 1 fresh to 0 straw: 1 / (1 + exp(5 (wd -
