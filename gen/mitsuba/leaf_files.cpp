@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Where a ring's picture is looked up.
 glm::vec2 uv_of(const Tubes& tubes, std::size_t tube, int ring) {

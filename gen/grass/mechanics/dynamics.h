@@ -43,7 +43,7 @@ class AgeingModel {
   /// That albedo as light sent back and let through, in the proportion that the leaf's own spectrum
   /// has there.
   LeafShade shade(const Blade& blade, double age, double along) const;
-  /// Wax and water make the gloss; half of it goes with the water.
+  /// Specular coefficient. Wax and water make leaves shine; half of it goes with the water.
   float specular(double age) const;
 
  private:

@@ -48,8 +48,8 @@ Lighting make_lighting(const light::Daylight& daylight, const glm::dvec3& eye_di
 /// over all directions (the mean sine is pi / 4), so that shading keeps energy.
 float kajiya_kay_diffuse(const glm::vec3& tangent, const glm::vec3& light);
 
-/// Kajiya-Kay highlight (1989, eq. 14): (sin(t,l) sin(t,v) - cos(t,l) cos(t,v))^gloss for unit
-/// vectors that point away from the fibre; 1 on the mirror cone.
+/// Kajiya-Kay highlight (1989, eq. 14): (sin(t,l) sin(t,v) - cos(t,l) cos(t,v))^specular_exponent
+/// for unit vectors that point away from the fibre; 1 on the mirror cone.
 float kajiya_kay_specular(const glm::vec3& tangent, const glm::vec3& light, const glm::vec3& view,
                           float specular_exponent);
 
