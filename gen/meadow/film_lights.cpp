@@ -88,21 +88,20 @@ grass::Lighting lighting_at(const scene::Scene& scene, const place::Site& site, 
 /// How far apart the lights may be: light changes fast when the sun sets.
 double max_step_deg(double lowest_sun_deg) { return lowest_sun_deg < 0.0 ? 4.0 : 10.0; }
 
-/// Into how many steps the sun's way is cut: by height in a season, whose hour of the day hardly
-/// changes.
+/// Into how many steps the sun's way, up and down, is cut: by height in a season, whose hour of the
+/// day hardly changes.
 int sun_steps(const scene::Scene& scene) {
   constexpr int places = 32;
-  double min_deg = 90.0, max_deg = -90.0, turn_deg = 0.0;
+  double min_deg = 90.0, climb_deg = 0.0, turn_deg = 0.0;
   scene::Sun before = scene::sun_at(scene, 0.0);
   for (int place = 0; place <= places; ++place) {
     const scene::Sun sun = scene::sun_at(scene, static_cast<double>(place) / places);
     min_deg = std::min(min_deg, sun.elevation_deg);
-    max_deg = std::max(max_deg, sun.elevation_deg);
+    climb_deg += std::abs(sun.elevation_deg - before.elevation_deg);
     turn_deg +=
         std::abs(sun.azimuth_deg - before.azimuth_deg) * math::cos(glm::radians(sun.elevation_deg));
     before = sun;
   }
-  const double climb_deg = max_deg - min_deg;
   const double way_deg = scene::is_season(scene) ? climb_deg : math::hypot(climb_deg, turn_deg);
   return static_cast<int>(std::ceil(way_deg / max_step_deg(min_deg)));
 }

@@ -9,8 +9,8 @@
 namespace wold::meadow {
 
 /// For how many moments of a film its grass is baked, evenly spaced from the first frame to the
-/// last: 1 where the sun stands still, else enough that it moves by 10 degrees at most, by 4
-/// where it sets.
+/// last: 1 where the sun stands still, else enough that it moves by 10 degrees at most between two,
+/// by 4 where it sets, on average over its way.
 int light_count(const scene::Scene& scene);
 
 /// Where among these moments, from 0 to light_count() - 1, a frame (from 1) lies.

@@ -124,6 +124,18 @@ TEST(SiteOfFrame, HasTheDaysLight) {
   EXPECT_EQ(meadow::frame_lighting(scene, site, 1).sun_direction, lights.front().sun_direction);
 }
 
+// In a year the noon sun climbs by 47 degrees and sinks again: 94 degrees, of 10 each. Counted
+// once, light would change by 18 degrees from one to the next, and single cells would stand out.
+TEST(SiteOfFrame, HasLightsForTheSunsWayUpAndDownInAYear) {
+  scene::Scene scene = even_season();
+  scene.season.first = {2025, 12, 21};
+  scene.season.last = {2026, 12, 21};
+  scene.sun.latitude_deg = 45.0;
+  scene.sun.longitude_deg = 0.0;
+  scene.sun.time_h = 12.0;
+  EXPECT_EQ(meadow::light_count(scene), 11);
+}
+
 // A sun that sets within a film lights each frame from where it stands, and grass is baked for its
 // way in steps of 10 degrees at most: here 24 to the west and 20 down are 31.
 TEST(SiteOfFrame, HasTheLightOfASettingSun) {
