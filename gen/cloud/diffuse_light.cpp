@@ -98,7 +98,8 @@ void sweep(const VoxelBox& box, Bundle bundle, const Moments& source,
 std::vector<float> transmittances(const std::vector<float>& extinction_per_m, double length_m) {
   std::vector<float> left(extinction_per_m.size());
   parallel_for_blocks(left.size(), [&](std::size_t i) {
-    left[i] = static_cast<float>(math::exp(-double{extinction_per_m[i]} * length_m));
+    const double optical_depth = length_m * extinction_per_m[i];
+    left[i] = static_cast<float>(math::exp(-optical_depth));
   });
   return left;
 }

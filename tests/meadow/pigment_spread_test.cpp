@@ -62,7 +62,10 @@ glm::vec3 canopy(const scene::Ageing& ageing, double weathering) {
 
 // The leaf model knows what more chlorophyll and less brown pigment look like.
 TEST(PigmentSpread, IsThatOfTheLeavesPigments) {
-  const scene::Scene scene = even_meadow();
+  scene::Scene scene = even_meadow();
+  scene.ageing.chlorophyll_ug_cm2 = 31.5;
+  scene.ageing.carotenoid_ug_cm2 = 3.5;
+  scene.ageing.brown_pigment = 0.6;
   scene::Ageing rich = scene.ageing;
   rich.chlorophyll_ug_cm2 *= std::exp(2.5 * rich.pigment_spread);
   rich.brown_pigment *= std::exp(-2.5 * rich.pigment_spread);
@@ -71,7 +74,7 @@ TEST(PigmentSpread, IsThatOfTheLeavesPigments) {
     const glm::vec3 wanted = canopy(rich, weathering) / canopy(scene.ageing, weathering);
     const glm::vec3 got = sward.pigment_spread.factor(2.5, weathering);
     for (int channel = 0; channel < 3; ++channel)
-      EXPECT_NEAR(got[channel], wanted[channel], 0.03 * wanted[channel]) << weathering;
+      EXPECT_NEAR(got[channel], wanted[channel], 0.02) << weathering;
     EXPECT_EQ(sward.pigment_spread.factor(0.0, weathering), glm::vec3(1.0F));
   }
   EXPECT_LT(sward.pigment_spread.factor(2.0, 0.0).r, 0.9);
