@@ -111,13 +111,28 @@ class Copy:
         return failed.group(1) if failed else f"exit status {done.returncode}"
 
 
+def find_place(tree, mutant):
+    """The text of its file, and what is wrong with its place there: "" when it is there once."""
+    path = tree / mutant.file
+    text = path.read_text() if path.exists() else ""
+    count = text.count(mutant.find)
+    return text, "" if count == 1 else f"its text is {count} times in {mutant.file}, expected once"
+
+
+def check_places(tree, mutants):
+    """Whether each has its place in the code: says which have not."""
+    wrong = [(mutant, why) for mutant in mutants if (why := find_place(tree, mutant)[1])]
+    for mutant, why in wrong:
+        print(f"error: tests/mutants/{mutant.room}.toml: {mutant.name}: {why}", file=sys.stderr)
+    return not wrong
+
+
 def try_mutant(copy, mutant, usual_seconds):
     """Puts it in, builds and tests; what became of it, and by what."""
     path = copy.tree / mutant.file
-    text = path.read_text() if path.exists() else ""
-    count = text.count(mutant.find)
-    if count != 1:
-        return "not found", f"its text is {count} times in {mutant.file}, expected once"
+    text, wrong = find_place(copy.tree, mutant)
+    if wrong:
+        return "not found", wrong
     path.write_text(text.replace(mutant.find, mutant.replace))
     try:
         for program in mutant.programs:
@@ -190,9 +205,10 @@ def try_all(copy, mutants):
 
 def main():
     parser = argparse.ArgumentParser(prog="tests/mutants.sh")
-    parser.add_argument("--copy", type=Path, required=True, help=argparse.SUPPRESS)
+    parser.add_argument("--copy", type=Path, help=argparse.SUPPRESS)
     parser.add_argument("--jobs", type=int, default=2, help=argparse.SUPPRESS)
     parser.add_argument("--list", action="store_true", help="only say what there is")
+    parser.add_argument("--places", action="store_true", help="only look for the faults' places")
     parser.add_argument("wanted", nargs="*", metavar="ROOM|ROOM.NAME")
     arguments = parser.parse_args()
     mutants = chosen(read_mutants(), arguments.wanted)
@@ -200,6 +216,8 @@ def main():
         for mutant in mutants:
             print(f"{mutant.full_name}: {mutant.breaks}")
         return 0
+    if arguments.places:
+        return 0 if check_places(HERE.parent.parent, mutants) else 1
     return 0 if try_all(Copy(arguments.copy, arguments.jobs), mutants) else 1
 
 
