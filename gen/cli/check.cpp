@@ -15,9 +15,4 @@ ExitCode run_check(const std::filesystem::path& scene, const std::vector<std::st
   return ExitCode::done;
 }
 
-ExitCode run_help_keys() {
-  console::print_data(scene::keys_markdown());
-  return ExitCode::done;
-}
-
 }  // namespace wold::cli

@@ -376,6 +376,14 @@ Action declare_new(CLI::App& app) {
   return [options] { return run_new(options->name, options->kind); };
 }
 
+Action declare_explain(CLI::App& app) {
+  auto name = std::make_shared<std::string>();
+  app.add_option("KEY", *name, "a key, such as sun.elevation, or a table, such as sun")->required();
+  return [name] { return run_explain(*name); };
+}
+
+Action declare_schema(CLI::App& /*app*/) { return run_schema; }
+
 Action declare_doctor(CLI::App& app) {
   auto options = std::make_shared<DoctorOptions>();
   add_programs(app, options->programs);
@@ -417,6 +425,10 @@ const std::vector<Command>& command_table() {
        "make one web page of an output folder: frames over time, times, curves, parameters",
        "wold report out/meadow", declare_report},
       {"new", "write a commented starter scene", "wold new meadow --kind season", declare_new},
+      {"explain", "say what a key of a scene means, what it accepts and what it is without a value",
+       "wold explain sun.elevation", declare_explain},
+      {"schema", "print the scene file's JSON Schema, for editors that complete and check TOML",
+       "wold schema >scene.schema.json", declare_schema},
       {"doctor", "list the renderers on this machine, what each can show, and what to do",
        "wold doctor --blender ~/blender-5.2/blender", declare_doctor},
       {"extension", "write Blender's add-on as an installable archive",

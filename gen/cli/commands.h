@@ -97,6 +97,12 @@ ExitCode run_doctor(const DoctorOptions& options);
 /// script that renders without it being installed; prints both names.
 ExitCode run_extension(const std::filesystem::path& out);
 
+/// Prints what a key, or each key of a table, means and accepts; see scene::explanation().
+ExitCode run_explain(const std::string& name);
+
+/// Prints the scene file as JSON Schema.
+ExitCode run_schema();
+
 /// Prints all keys of a scene as markdown.
 ExitCode run_help_keys();
 

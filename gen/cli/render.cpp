@@ -3,16 +3,8 @@
 #include "cli/commands.h"
 #include "cli/warnings.h"
 #include "console/output.h"
-#include "core/file_list.h"
-#include "core/files.h"
-#include "core/parallel.h"
-#include "film/machine_check.h"
-#include "work/disk_budget.h"
-#include "work/do_tasks.h"
-#include "work/folder_lock.h"
-#include "work/memory_budget.h"
+#include "work/complete_job.h"
 #include "work/plan.h"
-#include "work/renderers.h"
 
 namespace wold::cli {
 namespace {
@@ -20,23 +12,6 @@ namespace {
 std::vector<work::StageTasks> without_pictures(std::vector<work::StageTasks> stages) {
   std::erase_if(stages, [](const work::StageTasks& stage) { return makes_pictures(stage.stage); });
   return stages;
-}
-
-/// Does what is missing and lists the files.
-void complete(const work::Job& job, const std::vector<work::StageTasks>& stages,
-              Progress& progress) {
-  film::require_texel_memory(job.scene, job.places);
-  work::Renderers renderers(job, progress);
-  work::require_renderers(job, stages, renderers);
-  work::require_memory(job, stages);
-  work::require_disk(job, stages);
-  const ThreadLimit limit(job.threads);
-  const work::FolderLock lock(job.out, work::Access::alone, progress);
-  remove_temporaries(job.out);
-  remove_empty_folder(job.out / "snow");  // where scratch folders were
-  work::Work work(job, &renderers);
-  work::do_tasks(job, work, stages, progress);
-  work.finish();
 }
 
 /// What the stages would do, for --dry-run.
@@ -65,7 +40,7 @@ ExitCode run_generate(const work::RenderOptions& options, Progress& progress) {
   if (options.dry_run)
     print_plan(job, /*with_pictures=*/false);
   else
-    complete(job, without_pictures(work::stages_of(job)), progress);
+    work::complete_job(job, without_pictures(work::stages_of(job)), progress);
   return ExitCode::done;
 }
 
@@ -78,7 +53,7 @@ ExitCode run_render(const work::RenderOptions& options, Progress& progress) {
     return ExitCode::done;
   }
   const std::vector<work::StageTasks> stages = work::stages_of(job);
-  complete(job, stages, progress);
+  work::complete_job(job, stages, progress);
   say_who_has_no_renderer(job, progress);
   std::string pictures;
   for (const int frame : job.frames)

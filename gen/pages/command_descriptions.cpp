@@ -67,6 +67,16 @@ std::string_view command_description(std::string_view command) {
       {"new",
        "Writes NAME.toml with the keys that are worth changing first, each with its meaning;"
        " all the others have their defaults. It never replaces a file."},
+      {"explain",
+       "Prints a key, or all keys of a table, with meaning, unit, range and default, as lines that "
+       "a "
+       "scene can take. It knows the names that keys had in earlier versions."},
+      {"schema",
+       "Prints JSON Schema (draft 2020-12) of scene files, made from the same registry that reads "
+       "them: every key with its meaning, range and default. Editors with a TOML language server, "
+       "such as Taplo, complete and check a scene by it whose first line is #:schema "
+       "./scene.schema.json, as in those of wold new. What one key asks of another is left to wold "
+       "check."},
       {"doctor",
        "Lists Blender and POV-Ray as wold render would take them, by --blender and --povray, "
        "WOLD_BLENDER and WOLD_POVRAY, or the PATH, with their versions. Each makes a picture of "

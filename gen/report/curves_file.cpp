@@ -1,8 +1,13 @@
 #include "report/curves_file.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
 #include <span>
 #include <vector>
 
+#include "core/error.h"
 #include "core/parallel.h"
 #include "core/table.h"
 #include "grass/ageing/withering_curves.h"
@@ -12,6 +17,7 @@
 #include "report/curves_table.h"
 #include "report/season_curves.h"
 #include "scene/calendar.h"
+#include "scene/text.h"
 #include "weather/daily_weather.h"
 
 namespace wold::report {
@@ -40,6 +46,17 @@ std::string season_file(const scene::Scene& scene, std::span<const phenology::Se
 }
 
 }  // namespace
+
+CurvesForm curves_form_of(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".svg") return CurvesForm::figure;
+  if (extension == ".csv") return CurvesForm::table;
+  throw InputError(fmt::format(
+      "--out: found {}, expected a file name that ends in .svg (figure) or .csv (table)",
+      file.empty() ? "nothing" : scene::in_quotes(file.string())));
+}
 
 std::string curves_file(const scene::Scene& scene, const std::filesystem::path& weather,
                         CurvesForm form) {

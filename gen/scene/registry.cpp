@@ -69,6 +69,12 @@ const std::vector<Key>& registry() {
   return keys;
 }
 
+Scene defaults_with_items() {
+  Scene scene;
+  for (const TableArray& array : table_arrays()) array.append(scene);
+  return scene;
+}
+
 const Key* find_key(std::string_view name) {
   const auto& keys = registry();
   const auto found =

@@ -87,6 +87,9 @@ const std::vector<Key>& registry();
 /// All tables that may stand many times, in the order they are written, after the others.
 const std::vector<TableArray>& table_arrays();
 
+/// A scene of defaults, with one item in each of the table_arrays(): every key has a value in it.
+Scene defaults_with_items();
+
 /// The key of that dotted name, or nullptr.
 const Key* find_key(std::string_view name);
 

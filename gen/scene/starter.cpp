@@ -287,8 +287,11 @@ std::string starter_scene(const std::string& name, const std::string& kind) {
   scene.name = name;
   check_name(scene);
   std::string text = fmt::format(
+      "#:schema ./scene.schema.json\n"
       "# {1}\n# Look at it: wold preview {0}.toml; make it: wold render {0}.toml\n"
-      "# These are the keys one changes first; `wold check {0}.toml` shows all of them.\n\n",
+      "# These are the keys one changes first; `wold check {0}.toml` shows all of them, and `wold\n"
+      "# explain KEY` says what one of them means. Editors complete and check keys by the first line\n"
+      "# when there is a schema: wold schema >scene.schema.json\n\n",
       name, starter.title);
   std::string_view table;
   for (const Key& key : registry()) {

@@ -113,7 +113,7 @@ std::string settings_text(const Scene& scene) {
 }
 
 std::string keys_markdown() {
-  Scene defaults;
+  const Scene defaults = defaults_with_items();
   std::string text, table = "none yet";
   for (const Key& key : registry()) {
     if (const std::string next(table_of(key.name)); next != table) {
@@ -126,7 +126,6 @@ std::string keys_markdown() {
     text += markdown_heading(fmt::format("[[{}]], once for each {}, at most {}", array.name,
                                          array.item, array.max_items),
                              false);
-    array.append(defaults);
     for (const Key& key : array.keys(0)) text += markdown_row(key, defaults);
   }
   return text;
