@@ -6,6 +6,7 @@
 #include "advice/scene_warnings.h"
 #include "scene/cloud_consistency.h"
 #include "scene/registry.h"
+#include "scene/species.h"
 
 namespace wold::advice {
 namespace {
@@ -73,12 +74,25 @@ void warn_of_paper_motion(const scene::Scene& scene, Keys& warnings) {
   }
 }
 
+/// Patches have a size where a species does not stand everywhere.
+void warn_of_features(const scene::Scene& scene, Keys& warnings) {
+  for (std::size_t item = 0; item < scene.species.size(); ++item) {
+    const scene::Species& species = scene.species[item];
+    if (!scene::has_habitat(species) && species.habitat.feature_m != scene::Habitat().feature_m)
+      warnings.push_back(
+          fmt::format("species[{}].feature changes nothing where the species grows "
+                      "everywhere; set its cover or one of its limits",
+                      item + 1));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> unused_key_warnings(const scene::Scene& film) {
   Keys warnings;
   warn_of_other_choices(film, warnings);
   warn_of_paper_motion(film, warnings);
+  warn_of_features(film, warnings);
   return warnings;
 }
 

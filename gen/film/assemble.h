@@ -19,9 +19,10 @@ namespace wold::film {
 struct PatchLookup {
   std::function<landscape::Volume(const meadow::CellChoice&)> volume;
   std::function<landscape::BladeMesh(const meadow::CellChoice&)> blades;
-  /// What a state looks like from afar: the mean of its variants' unturned volumes, as coarse as
-  /// there are. Called for far_states() where shows_distance() (lit_ground.h).
-  std::function<meadow::PatchAppearance(const grass::PatchState&)> far = {};
+  /// What a mixture in a state looks like from afar: the mean of its variants' unturned volumes, as
+  /// coarse as there are. Called for far_states() of the mixtures that are present(), where
+  /// shows_distance() (lit_ground.h).
+  std::function<meadow::PatchAppearance(int mixture, const grass::PatchState&)> far = {};
 };
 
 /// One frame as the exporters want it: `choices` are choose_cells', `lookup` is called

@@ -15,6 +15,7 @@
 #include "meadow/far_field.h"
 #include "meadow/film_lights.h"
 #include "place/view.h"
+#include "scene/species.h"
 
 namespace wold::film {
 namespace fs = std::filesystem;
@@ -79,15 +80,16 @@ void FilmPipeline::find_demand(Progress& progress) {
 
 std::vector<meadow::CellChoice> FilmPipeline::cells_of(const meadow::FrameGrass& now) const {
   return meadow::choose_cells(request_.scene, site_.terrain, place::growth_of_cells(site_),
-                              *site_.withering, now);
+                              *site_.mixtures, *site_.withering, now);
 }
 
 void FilmPipeline::demand_far_field(const meadow::FrameGrass& now) {
   const scene::Scene& scene = request_.scene;
   if (!ground::shows_distance(scene, site_, now.frame)) return;
   for (const grass::PatchState& state : meadow::far_states(scene, *site_.withering, now))
-    for (int variant = 0; variant < scene.grass.variants; ++variant)
-      demand(variant, state, coarsest_lod(scene.grass));
+    for (const int mixture : site_.mixtures->present())
+      for (int variant = 0; variant < scene.grass.variants; ++variant)
+        demand(scene::patch_number(scene, mixture, variant), state, coarsest_lod(scene.grass));
 }
 
 void FilmPipeline::demand(int variant, const grass::PatchState& state, int lod) {
@@ -149,25 +151,29 @@ landscape::BladeMesh FilmPipeline::blades(const meadow::CellChoice& cell) {
 }
 
 /// Kept from frame to frame: to measure one takes a tenth of a second.
-meadow::PatchAppearance FilmPipeline::far_appearance(const grass::PatchState& state) {
-  if (const auto known = far_appearances_.find(state); known != far_appearances_.end())
+meadow::PatchAppearance FilmPipeline::far_appearance(int mixture, const grass::PatchState& state) {
+  const scene::Scene& scene = request_.scene;
+  const std::pair key(mixture, state);
+  if (const auto known = far_appearances_.find(key); known != far_appearances_.end())
     return known->second;
   std::vector<landscape::Volume> volumes;
   meadow::CellChoice choice;
   choice.key_frame = state.key_frame;
   choice.snow = state.snow;
   choice.light = state.light;
-  choice.lod = coarsest_lod(request_.scene.grass);
-  for (; choice.variant < request_.scene.grass.variants; ++choice.variant)
+  choice.lod = coarsest_lod(scene.grass);
+  for (int variant = 0; variant < scene.grass.variants; ++variant) {
+    choice.variant = scene::patch_number(scene, mixture, variant);
     volumes.push_back(volume(choice));
-  return far_appearances_.emplace(state, volumes).first->second;
+  }
+  return far_appearances_.emplace(key, volumes).first->second;
 }
 
 std::vector<fs::path> FilmPipeline::make_frame(int frame, Progress& progress) {
   const PatchLookup lookup = {
       [&](const meadow::CellChoice& cell) { return volume(cell); },
       [&](const meadow::CellChoice& cell) { return blades(cell); },
-      [&](const grass::PatchState& state) { return far_appearance(state); }};
+      [&](int mixture, const grass::PatchState& state) { return far_appearance(mixture, state); }};
   const std::vector<const exporter::Exporter*>& exporters = request_.exporters;
   progress.begin(fmt::format("scene files of frame {}", frame), 1 + exporters.size());
   const meadow::FrameGrass now = meadow::frame_grass(request_.scene, site_, frame);
@@ -196,7 +202,7 @@ std::vector<fs::path> make_film(const Request& request, Progress& progress) {
   FilmPipeline film(request);
   write_film_files(request);
   film.find_demand(progress);
-  for (int variant = 0; variant < request.scene.grass.variants; ++variant)
+  for (int variant = 0; variant < scene::patch_count(request.scene); ++variant)
     film.make_texels(variant, progress);
   film.make_cloud_pictures();
   std::set<fs::path> files;

@@ -11,8 +11,8 @@
 #include "grass/texel/time_varying_texel.h"
 #include "landscape/landscape.h"
 #include "meadow/cells.h"
+#include "meadow/far_field.h"
 #include "meadow/frame_grass.h"
-#include "meadow/patch_appearance.h"
 #include "place/site.h"
 
 namespace wold::film {
@@ -31,8 +31,8 @@ class FilmPipeline {
   /// Which texels the request's frames ask for: looks at all of them. Before make_texels().
   void find_demand(Progress& progress);
 
-  /// The texels of a variant, from 0: DIR/texels/v<variant>_*. Returns the files. Variants may be
-  /// made at the same time.
+  /// The texels of a variant, from 0 to below scene::patch_count(): DIR/texels/v<variant>_*.
+  /// Returns the files. Variants may be made at the same time.
   std::vector<std::filesystem::path> make_texels(int variant, Progress& progress) const;
 
   /// A picture of each layer of clouds: DIR/clouds/. Returns the files.
@@ -48,7 +48,7 @@ class FilmPipeline {
   void demand(int variant, const grass::PatchState& state, int lod);
   landscape::Volume volume(const meadow::CellChoice& cell) const;
   landscape::BladeMesh blades(const meadow::CellChoice& cell);
-  meadow::PatchAppearance far_appearance(const grass::PatchState& state);
+  meadow::PatchAppearance far_appearance(int mixture, const grass::PatchState& state);
 
   const Request& request_;
   ScratchFolder snow_;
@@ -56,7 +56,7 @@ class FilmPipeline {
   grass::TimeVaryingTexel texels_;
   grass::TexelDemand demand_;
   std::map<std::pair<int, grass::PatchState>, landscape::BladeMesh> blades_;  ///< by variant
-  std::map<grass::PatchState, meadow::PatchAppearance> far_appearances_;
+  meadow::PatchAppearances far_appearances_;
 };
 
 /// Writes what the request's exporters write once for a film, such as a scene program, into their

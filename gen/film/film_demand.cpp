@@ -11,6 +11,7 @@
 #include "place/cell_window.h"
 #include "place/ground_grids.h"
 #include "place/growth.h"
+#include "place/mixture_field.h"
 #include "place/view.h"
 #include "place/withering.h"
 #include "terrain/ground.h"
@@ -38,15 +39,18 @@ class Ground {
         growth_(place::is_large(scene)
                     ? place::growth_map(scene, terrain_, place::window_grid(scene))
                     : place::growth_map(scene, terrain_)),
+        mixtures_(scene, terrain_),
         withering_(scene, terrain_, season),
         weather_(scene, season.get()),
         season_(std::move(season)) {}
+
+  const std::vector<int>& mixtures() const { return mixtures_.present(); }
 
   FrameDemand demand(int frame) const {
     FrameDemand demand;
     const meadow::FrameGrass now = meadow::frame_grass(scene_, season_.get(), weather_, frame);
     for (const meadow::CellChoice& cell :
-         meadow::choose_cells(scene_, terrain_, growth_, withering_, now)) {
+         meadow::choose_cells(scene_, terrain_, growth_, mixtures_, withering_, now)) {
       demand.parts += cell.parts.size();
       if (cell.blades)
         demand.patches.insert({cell.variant, cell.state()});
@@ -68,6 +72,7 @@ class Ground {
   const scene::Scene& scene_;
   Heightfield terrain_;
   FactorMap growth_;
+  place::MixtureField mixtures_;
   place::Withering withering_;
   snow::Weather weather_;
   std::shared_ptr<const phenology::FilmSeason> season_;
@@ -90,6 +95,7 @@ std::vector<grass::PatchState> states_between(const grass::PatchState& from,
 
 FilmDemand::FilmDemand(const Request& request) {
   const Ground ground(request.scene, request.season);
+  mixtures_ = ground.mixtures();
   const FrameDemand* last = nullptr;
   for (const int frame : spread(request.frames)) {
     const FrameDemand& now = frames_.emplace(frame, ground.demand(frame)).first->second;

@@ -53,12 +53,16 @@ class FilmDemand {
   const std::set<ShownVolume>& volumes() const { return volumes_; }
   const std::set<BladePatchState>& patches() const { return patches_; }
 
+  /// Numbers of the mixtures that stand on the terrain: MixtureField::present().
+  const std::vector<int>& mixtures() const { return mixtures_; }
+
  private:
   void pass(const FrameDemand& from, const FrameDemand& to);
 
   std::map<int, FrameDemand> frames_;
   std::set<ShownVolume> volumes_;
   std::set<BladePatchState> patches_;
+  std::vector<int> mixtures_;
 };
 
 }  // namespace wold::film

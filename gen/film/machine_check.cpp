@@ -42,7 +42,7 @@ void add_textures(const scene::Scene& scene, std::size_t layer, std::vector<Rule
 /// a cone shows pi / 8 of height times width on average.
 double points_of_patch(const scene::Scene& scene) {
   const scene::Grass& grass = scene.grass;
-  const double leaf_m2 = std::numbers::pi / 4.0 * scene::blade_area_m2(scene);
+  const double leaf_m2 = std::numbers::pi / 4.0 * scene::max_blade_area_m2(scene);
   const double voxel_m = grass.patch_m / grass.lods.front();
   return grass.points_per_voxel_face * leaf_m2 / (voxel_m * voxel_m);
 }
@@ -59,7 +59,7 @@ Rule texels_fit_in_memory(const scene::Scene& scene) {
   const int threads = scene.render.threads > 0
                           ? scene.render.threads
                           : static_cast<int>(std::thread::hardware_concurrency());
-  const int at_once = std::clamp(threads, 1, grass.variants);
+  const int at_once = std::clamp(threads, 1, scene::patch_count(scene));
   const double needed_gb = at_once * (bytes_per_point * points + bytes_per_voxel * voxels) / 1e9;
   const double memory_gb = machine_memory_bytes() / 1e9;
   return {{"grass.levels", "grass.points_per_voxel_face", "grass.blades", "grass.variants",
@@ -89,6 +89,9 @@ void require_files(const scene::Scene& scene, const scene::Places& places) {
       file_exists({"weather.table"}, scene.weather.table),
       file_exists({"season.table"}, scene.season.table),
   };
+  for (std::size_t item = 0; item < scene.species.size(); ++item)
+    rules.push_back(file_exists({scene::item_name("species", item) + ".mask"},
+                                scene.species[item].habitat.mask));
   for (std::size_t layer = 0; layer < scene.clouds.size(); ++layer)
     add_textures(scene, layer, rules);
   require(rules, places);

@@ -55,22 +55,23 @@ GroundGrid lean_light_grid(const GroundGrid& grid, const std::optional<place::Sk
   return {grid.square, std::min(grid.samples, sketch ? sketch->lean_light_samples : usual)};
 }
 
-std::map<grass::PatchState, meadow::PatchAppearance> far_appearances(
+meadow::PatchAppearances far_appearances(
     const scene::Scene& scene, const place::Site& site, const meadow::FrameGrass& now,
-    const std::function<meadow::PatchAppearance(const grass::PatchState&)>& far) {
-  std::map<grass::PatchState, meadow::PatchAppearance> looks;
-  for (const grass::PatchState& state : meadow::far_states(scene, *site.withering, now))
-    looks.emplace(state, far(state));
+    const std::function<meadow::PatchAppearance(int mixture, const grass::PatchState&)>& far) {
+  meadow::PatchAppearances looks;
+  for (const int mixture : site.mixtures->present())
+    for (const grass::PatchState& state : meadow::far_states(scene, *site.withering, now))
+      looks.emplace(std::pair(mixture, state), far(mixture, state));
   return looks;
 }
 
 }  // namespace
 
-LitGround::LitGround(const scene::Scene& scene, const place::Site& site,
-                     const meadow::FrameGrass& now, const landscape::Landscape& landscape,
-                     std::span<const meadow::CellChoice> choices,
-                     const std::function<meadow::PatchAppearance(const grass::PatchState&)>& far,
-                     Illuminate illuminate)
+LitGround::LitGround(
+    const scene::Scene& scene, const place::Site& site, const meadow::FrameGrass& now,
+    const landscape::Landscape& landscape, std::span<const meadow::CellChoice> choices,
+    const std::function<meadow::PatchAppearance(int mixture, const grass::PatchState&)>& far,
+    Illuminate illuminate)
     : scene_(scene),
       site_(site),
       choices_(choices),
@@ -88,7 +89,7 @@ LitGround::LitGround(const scene::Scene& scene, const place::Site& site,
     pigment_spread_.emplace(scene, patch_, now.snow,
                             meadow::frame_lighting(scene, site, now.frame));
   if (shows_distance(scene, site, now.frame))
-    meadow_.emplace(scene, site.terrain, *site.withering, view_, now,
+    meadow_.emplace(scene, site.terrain, *site.mixtures, *site.withering, view_, now,
                     far_appearances(scene, site, now, far));
 }
 

@@ -33,10 +33,11 @@ class LitGround {
  public:
   /// Weathering, camera and size of the picture are `landscape`'s. `far` is called as
   /// PatchLookup's. Scene, site and choices have to outlive it.
-  LitGround(const scene::Scene& scene, const place::Site& site, const meadow::FrameGrass& now,
-            const landscape::Landscape& landscape, std::span<const meadow::CellChoice> choices,
-            const std::function<meadow::PatchAppearance(const grass::PatchState&)>& far,
-            Illuminate illuminate);
+  LitGround(
+      const scene::Scene& scene, const place::Site& site, const meadow::FrameGrass& now,
+      const landscape::Landscape& landscape, std::span<const meadow::CellChoice> choices,
+      const std::function<meadow::PatchAppearance(int mixture, const grass::PatchState&)>& far,
+      Illuminate illuminate);
   LitGround(const LitGround&) = delete;
   LitGround& operator=(const LitGround&) = delete;
 

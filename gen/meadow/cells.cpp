@@ -257,8 +257,8 @@ int turns_of_lod(const scene::Scene& scene, int lod) {
 }
 
 std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfield& terrain,
-                                     const FactorMap& growth, const place::Withering& withering,
-                                     const FrameGrass& now) {
+                                     const FactorMap& growth, const place::MixtureField& mixtures,
+                                     const place::Withering& withering, const FrameGrass& now) {
   const place::CellWindow window(scene);
   const std::vector<Texel> texels = choose_texels(scene, window);
   const landscape::Camera camera =
@@ -280,6 +280,7 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
     CellChoice choice =
         choose_cell(scene, cell, texel, key_frames, withering.at(glm::dvec2(middle_m), now.frame),
                     showing, sight.pixels(middle_m));
+    choice.variant = scene::patch_number(scene, mixtures.at(glm::dvec2(middle_m)), choice.variant);
     if (choice.blades && cell_uniform(scene, cell, "grown") >= double{grown.mean}) return;
     const double patch_m = scene.grass.patch_m;
     const landscape::CellPose pose = {cell, choice.turn,

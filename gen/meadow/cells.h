@@ -9,13 +9,15 @@
 #include "landscape/cell_parts.h"
 #include "meadow/frame_grass.h"
 #include "place/cell_window.h"
+#include "place/mixture_field.h"
 #include "place/withering.h"
 #include "scene/scene.h"
 
 namespace wold::meadow {
 
 /// Which texel stands on a cell of the terrain, and how. `key_frame` and `lod` are indices into
-/// the scene's grass.key_frames and grass.levels; `snow` and `light` are those of PatchState;
+/// the scene's grass.key_frames and grass.levels; `variant` is a patch of scene::patch_count();
+/// `snow` and `light` are those of PatchState;
 /// `turn` counts quarter-turns counter-clockwise, seen from above.
 struct CellChoice {
   std::vector<landscape::PlacedPart> parts;  ///< of the patch, as the ground needs
@@ -53,7 +55,8 @@ int turns_of_lod(const scene::Scene& scene, int lod);
 /// behind a hill, not so far that far_fraction() paints it. `growth` is growth_map()'s; where it is
 /// thin, blades stand on as many cells as it says, while volumes are thinned in space.
 ///
-/// Variant and turn come by keyed choice, so that neighbours differ. Key frame, level of snow and
+/// The mixture of species is that of the cell's middle. Variant and turn come by keyed choice, so
+/// that neighbours differ. Key frame, level of snow and
 /// light are those below or above the cell's weathering and the frame's snow and light, in the mean
 /// as much as these; variants pass from one to the next one after another, so that few pairs
 /// of variant and state are seen at once. The level is the coarsest whose voxels cover at most
@@ -62,7 +65,7 @@ int turns_of_lod(const scene::Scene& scene, int lod);
 /// allowed), `parts` and whether a cell is listed depend on the camera. Cells are drawn as
 /// render.grass asks: with "auto" as blades where even the finest level is too coarse.
 std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfield& terrain,
-                                     const FactorMap& growth, const place::Withering& withering,
-                                     const FrameGrass& now);
+                                     const FactorMap& growth, const place::MixtureField& mixtures,
+                                     const place::Withering& withering, const FrameGrass& now);
 
 }  // namespace wold::meadow

@@ -39,9 +39,10 @@ glm::dvec3 in_cell(const glm::dvec3& sight, const glm::dvec2& gradient, const gl
 }  // namespace
 
 Meadow::Meadow(const scene::Scene& scene, const Heightfield& terrain,
-               const place::Withering& withering, const place::View& view, FrameGrass now,
-               std::map<grass::PatchState, PatchAppearance> looks)
+               const place::MixtureField& mixtures, const place::Withering& withering,
+               const place::View& view, FrameGrass now, PatchAppearances looks)
     : terrain_(terrain),
+      mixtures_(mixtures),
       withering_(withering),
       view_(view),
       now_(std::move(now)),
@@ -58,24 +59,28 @@ landscape::AggregateAppearance Meadow::look(const glm::dvec3& at_m) const {
   const auto above = std::upper_bound(key_frames_.begin() + 1, key_frames_.end() - 1, weathering);
   const auto key = static_cast<int>(above - key_frames_.begin());
   const double fraction = (weathering - *(above - 1)) / (*above - *(above - 1));
-  return thickened(mixed(at_key_frame(key - 1, direction), at_key_frame(key, direction), fraction),
+  const int mixture = mixtures_.at(glm::dvec2(at_m));
+  return thickened(mixed(at_key_frame(mixture, key - 1, direction),
+                         at_key_frame(mixture, key, direction), fraction),
                    slope_factor(gradient));
 }
 
-landscape::AggregateAppearance Meadow::at_key_frame(int key_frame,
+landscape::AggregateAppearance Meadow::at_key_frame(int mixture, int key_frame,
                                                     const glm::dvec3& direction) const {
   const auto below = static_cast<int>(snow_);
-  const landscape::AggregateAppearance look = at_snow(key_frame, below, direction);
+  const landscape::AggregateAppearance look = at_snow(mixture, key_frame, below, direction);
   if (snow_ == below) return look;
-  return mixed(look, at_snow(key_frame, below + 1, direction), snow_ - below);
+  return mixed(look, at_snow(mixture, key_frame, below + 1, direction), snow_ - below);
 }
 
-landscape::AggregateAppearance Meadow::at_snow(int key_frame, int snow,
+landscape::AggregateAppearance Meadow::at_snow(int mixture, int key_frame, int snow,
                                                const glm::dvec3& direction) const {
+  const auto lit = [&](int light) {
+    return looks_.at({mixture, {key_frame, snow, light}}).along(direction);
+  };
   const auto before = static_cast<int>(light_);
-  const landscape::AggregateAppearance look = looks_.at({key_frame, snow, before}).along(direction);
-  if (light_ == before) return look;
-  return mixed(look, looks_.at({key_frame, snow, before + 1}).along(direction), light_ - before);
+  if (light_ == before) return lit(before);
+  return mixed(lit(before), lit(before + 1), light_ - before);
 }
 
 double far_fraction(const scene::Grass& grass, const place::View& view, const glm::dvec3& at_m) {

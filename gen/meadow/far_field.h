@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "core/ground_map.h"
@@ -8,6 +9,7 @@
 #include "meadow/frame_grass.h"
 #include "meadow/patch_appearance.h"
 #include "place/cell_window.h"
+#include "place/mixture_field.h"
 #include "place/view.h"
 #include "place/withering.h"
 #include "scene/scene.h"
@@ -29,34 +31,40 @@ bool has_far_field(const scene::Scene& scene, const Heightfield& terrain, const 
 std::vector<grass::PatchState> far_states(const scene::Scene& scene,
                                           const place::Withering& withering, const FrameGrass& now);
 
+/// What patches look like, by the number of their mixture in scene::mixtures_of() and their state.
+using PatchAppearances = std::map<std::pair<int, grass::PatchState>, PatchAppearance>;
+
 /// What the meadow of a frame looks like where single blades cannot be told apart.
 class Meadow {
  public:
-  /// `looks`: those of far_states(). The others have to outlive it.
-  Meadow(const scene::Scene& scene, const Heightfield& terrain, const place::Withering& withering,
-         const place::View& view, FrameGrass now,
-         std::map<grass::PatchState, PatchAppearance> looks);
+  /// `looks`: those of far_states() for each mixture that is present(). The others have to outlive
+  /// it.
+  Meadow(const scene::Scene& scene, const Heightfield& terrain, const place::MixtureField& mixtures,
+         const place::Withering& withering, const place::View& view, FrameGrass now,
+         PatchAppearances looks);
 
   /// The look along the line of sight to a place on the ground, of full growth under light 1: that
-  /// of the two key frames around the weathering there, of the two levels around the snow and of
-  /// the two lights around the frame's, sheared to the slope and combed.
+  /// of the mixture there, of the two key frames around the weathering there, of the two levels
+  /// around the snow and of the two lights around the frame's, sheared to the slope and combed.
   landscape::AggregateAppearance look(const glm::dvec3& at_m) const;
 
  private:
-  /// At a key frame, along a direction of the patch.
-  landscape::AggregateAppearance at_key_frame(int key_frame, const glm::dvec3& direction) const;
+  /// Of a mixture at a key frame, along a direction of the patch.
+  landscape::AggregateAppearance at_key_frame(int mixture, int key_frame,
+                                              const glm::dvec3& direction) const;
   /// And under a level of snow.
-  landscape::AggregateAppearance at_snow(int key_frame, int snow,
+  landscape::AggregateAppearance at_snow(int mixture, int key_frame, int snow,
                                          const glm::dvec3& direction) const;
 
   const Heightfield& terrain_;
+  const place::MixtureField& mixtures_;
   const place::Withering& withering_;
   const place::View& view_;
   FrameGrass now_;
   std::vector<double> key_frames_;
   double snow_;   ///< FrameGrass's, in levels
   double light_;  ///< FrameGrass's
-  std::map<grass::PatchState, PatchAppearance> looks_;
+  PatchAppearances looks_;
 };
 
 /// Paints the far grass over the ground's radiance by its fraction: what the meadow shows along the

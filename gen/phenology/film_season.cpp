@@ -223,7 +223,8 @@ double FilmSeason::visual_range_m(double days_after_first) const {
 }
 
 std::shared_ptr<const FilmSeason> film_season(const scene::SeasonPart& part) {
-  return scene::is_season(part.season) ? std::make_shared<const FilmSeason>(part) : nullptr;
+  if (!scene::is_season(part.season)) return nullptr;
+  return std::shared_ptr<const FilmSeason>(new FilmSeason(part));
 }
 
 scene::Scene as_film(scene::Scene scene, const FilmSeason* season) {

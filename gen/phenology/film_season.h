@@ -16,12 +16,12 @@ struct WindChange {
 };
 
 /// The days of a scene's season, its weather and what it makes of the grass: season.table's, with
-/// what [[season_keys]] say instead, and what neither says as in [weather] and [wind].
+/// what [[season_keys]] say instead, and what neither says as in [weather] and [wind]. Only
+/// film_season() makes one, and nobody copies it: a film has one, which is passed on.
 class FilmSeason {
  public:
-  /// Of a scene that is a season. Throws what read_daily_weather() throws; InputError when the
-  /// table does not cover the film's days. To be made once for a film, by film_season().
-  explicit FilmSeason(const scene::SeasonPart& part);
+  FilmSeason(const FilmSeason&) = delete;
+  FilmSeason& operator=(const FilmSeason&) = delete;
 
   /// One by one, without gaps: from at most a year before the first frame's day to a month after
   /// the last one's, as far as they are known, but these two at least.
@@ -49,6 +49,10 @@ class FilmSeason {
   double visual_range_m(double days_after_first) const;
 
  private:
+  friend std::shared_ptr<const FilmSeason> film_season(const scene::SeasonPart& part);
+  /// Of a scene that is a season.
+  explicit FilmSeason(const scene::SeasonPart& part);
+
   /// Its absolute value is the factor, its argument the turn.
   using Change = std::complex<double>;
 
@@ -61,7 +65,8 @@ class FilmSeason {
 };
 
 /// The season of a scene, to be made once for its film and shared; nullptr of a scene that is none.
-/// Throws what FilmSeason's constructor throws.
+/// Throws what read_daily_weather() throws; InputError when the table does not cover the film's
+/// days.
 std::shared_ptr<const FilmSeason> film_season(const scene::SeasonPart& part);
 
 /// The scene as a film of ageing.frames and weather.earlier, which follow from its season. With

@@ -8,9 +8,10 @@ namespace wold::place {
 /// Where grass grows on the scene's ground: 1 where it stands, 0 where none does, in between along
 /// ragged borders. A sample every 5 cm (4097 a side at most).
 ///
-/// Slope, height and the mask say with which probability it grows at a place, growth.cover at most;
-/// keyed noise of growth.feature, equalised to be uniform, decides. So the mean of the map is the
-/// mean probability. Throws FileError when the mask cannot be read.
+/// Slope, height and the mask say with which probability it grows at a place, growth.cover at most,
+/// and less where no species of the meadow has its habitat (Habitats::any()); keyed noise of
+/// growth.feature, equalised to be uniform, decides. So the mean of the map is the mean
+/// probability. Throws FileError when a mask cannot be read.
 FactorMap growth_map(const scene::Scene& scene, const Heightfield& terrain);
 /// The same on another grid; where patches are smaller than its step it shows the probability.
 FactorMap growth_map(const scene::Scene& scene, const Heightfield& terrain, const GroundGrid& grid);

@@ -142,6 +142,7 @@ Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmS
         scene, weather, terrain, snow_folder,
         sketch ? sketch->snow_samples : snow::SnowGround::usual_max_samples);
   auto withering = std::make_shared<const Withering>(scene, terrain, season);
+  auto mixtures = std::make_shared<const MixtureField>(scene, terrain);
   Site site{std::move(terrain),
             std::move(growth),
             std::move(growth_of_window),
@@ -152,6 +153,7 @@ Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmS
             std::move(season),
             std::move(weather),
             std::move(withering),
+            std::move(mixtures),
             std::move(snow),
             sketch};
   if (!scene::sun_moves(scene)) light_ground(scene, site);

@@ -8,6 +8,7 @@
 #include "core/ground_map.h"
 #include "light/daylight.h"
 #include "phenology/film_season.h"
+#include "place/mixture_field.h"
 #include "place/withering.h"
 #include "scene/scene.h"
 #include "snow/cover.h"
@@ -60,6 +61,7 @@ struct Site {
   std::shared_ptr<const phenology::FilmSeason> season;  ///< if it is one
   std::shared_ptr<const snow::Weather> weather;
   std::shared_ptr<const Withering> withering;
+  std::shared_ptr<const MixtureField> mixtures;
   std::shared_ptr<const Snow> snow;   ///< none where none can fall or lie
   std::optional<Sketch> sketch = {};  ///< none: as fine as pictures need
 };

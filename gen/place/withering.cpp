@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "core/elementary.h"
 #include "core/random.h"
 #include "core/statistics.h"
+#include "place/topography.h"
 #include "scene/calendar.h"
 #include "snow/weather.h"
 #include "terrain/relief.h"
@@ -22,46 +22,6 @@ constexpr double days_of_twice_the_sun = 10.0;
 /// The field is cut at so many standard deviations.
 constexpr double max_deviations = 2.5;
 
-/// The terrain with few enough samples that its surroundings are soon found.
-Heightfield coarse(const Heightfield& terrain) {
-  constexpr int max_samples = 129;
-  Heightfield coarse(std::min(terrain.samples(), max_samples), terrain.square());
-  for (int j = 0; j < coarse.samples(); ++j)
-    for (int i = 0; i < coarse.samples(); ++i) {
-      const glm::dvec2 at_m = coarse.place_m(i, j);
-      coarse.at(i, j) = terrain.sample(at_m.x, at_m.y);
-    }
-  return coarse;
-}
-
-/// How deep places lie below the mean of their surroundings, an eighth of the terrain wide; the
-/// deepest is 1.
-FactorMap hollows(const Heightfield& terrain) {
-  Heightfield around = terrain;
-  const int radius = terrain.samples() / 16;
-  for (int pass = 0; pass < 2 * radius * radius; ++pass) smooth(around);
-  FactorMap depth(terrain.samples(), terrain.square());
-  for (std::size_t k = 0; k < depth.values().size(); ++k)
-    depth.values()[k] = std::max(0.0F, around.values()[k] - terrain.values()[k]);
-  const float deepest = *std::max_element(depth.values().begin(), depth.values().end());
-  if (deepest > 0.0F)
-    for (float& value : depth.values()) value /= deepest;
-  return depth;
-}
-
-/// Noon's sun at the equinox: unit vector.
-glm::dvec3 equinox_sun(double latitude_deg) {
-  const double latitude = glm::radians(latitude_deg);
-  return {0.0, -math::sin(latitude), math::cos(latitude)};
-}
-
-/// Sunlight on a slope over that on level ground, less 1; at most twice as much counts.
-double more_sun(const glm::dvec2& gradient, const glm::dvec3& sun) {
-  const glm::dvec3 normal = glm::normalize(glm::dvec3(-gradient, 1.0));
-  constexpr double min_level = 0.2;  // near the poles even slopes are not dry
-  return std::clamp(glm::dot(normal, sun) / std::max(sun.z, min_level) - 1.0, -1.0, 1.0);
-}
-
 /// By how many days a place withers later than the mean one.
 FactorMap delays_days(const scene::Scene& scene, const Heightfield& terrain) {
   const FactorMap hollow = hollows(terrain);
@@ -74,7 +34,8 @@ FactorMap delays_days(const scene::Scene& scene, const Heightfield& terrain) {
       const double early =
           days_per_m * (double{terrain.at(i, j)} - mean_m) +
           days_per_night_k * scene.season.hollow_frost_k * hollow.at(i, j) +
-          days_of_twice_the_sun * more_sun(terrain::gradient(terrain, at_m.x, at_m.y), sun);
+          days_of_twice_the_sun *
+              (sun_over_level(terrain::gradient(terrain, at_m.x, at_m.y), sun) - 1.0);
       delays.at(i, j) = static_cast<float>(-early);
     }
   return delays;
@@ -96,7 +57,7 @@ Withering::Withering(const scene::Scene& scene, const Heightfield& terrain,
   for (int frame = 1; frame <= scene.season.frames; ++frame)
     frame_days_.push_back(scene::season_days(scene.season, frame));
   spread_days_ = scene.season.spread_days;
-  delay_days_ = delays_days(scene, coarse(terrain));
+  delay_days_ = delays_days(scene, coarsened(terrain));
   const auto [min, max] =
       std::minmax_element(delay_days_.values().begin(), delay_days_.values().end());
   const double soil_days = max_deviations * spread_days_;

@@ -31,8 +31,8 @@ std::string ageing_file(const scene::Scene& scene, CurvesForm form) {
 }
 
 /// What a scene's season makes of its days; its keys may say how the meadow withers.
-std::vector<phenology::SeasonDay> days_of(const scene::Scene& scene) {
-  const phenology::FilmSeason film(scene);
+std::vector<phenology::SeasonDay> days_of(const scene::Scene& scene,
+                                          const phenology::FilmSeason& film) {
   std::vector<phenology::SeasonDay> days =
       phenology::season_of(film.days(), scene.snow_cover.initial_mm);
   for (std::size_t i = 0; i < days.size(); ++i) days[i].weathering_degree = film.weathering()[i];
@@ -64,8 +64,8 @@ std::string curves_file(const scene::Scene& scene, const std::filesystem::path& 
     return season_file(
         scene, phenology::season_of(weather::read_daily_weather(weather, scene.sun.latitude_deg)),
         form);
-  return scene::is_season(scene) ? season_file(scene, days_of(scene), form)
-                                 : ageing_file(scene, form);
+  const auto season = phenology::film_season(scene);
+  return season ? season_file(scene, days_of(scene, *season), form) : ageing_file(scene, form);
 }
 
 }  // namespace wold::report

@@ -138,7 +138,7 @@ Rule heights_are_coarse_enough(const Terrain& terrain) {
 
 Rule blades_leave_room(const Scene& scene) {
   const Grass& grass = scene.grass;
-  const double leaf_area = blade_area_m2(scene) / (grass.patch_m * grass.patch_m);
+  const double leaf_area = max_blade_area_m2(scene) / (grass.patch_m * grass.patch_m);
   return {{"grass.blades", "grass.patch", "grass.width", "grass.height"},
           leaf_area <= max_leaf_area,
           fmt::format("grass.blades: found {} blades, {:.0f} m2 of leaf on each m2 of ground, "

@@ -60,6 +60,20 @@ struct Growth {
   bool operator==(const Growth&) const = default;
 };
 
+/// Where a species grows: within limits like those of [growth], and others. How wet a place is,
+/// and how sunny, place::Topography says.
+struct Habitat : Growth {
+  double gentlest_deg = 0.0;  ///< slope
+  double driest = 0.0;        ///< fraction of the terrain that is drier
+  double wettest = 1.0;
+  double shadiest = 0.0;  ///< noon's sun at the equinox, over that on level ground
+  double sunniest = 2.0;
+
+  Habitat() { steepest_deg = 90.0; }
+
+  bool operator==(const Habitat&) const = default;
+};
+
 /// The blades of a species while they are fresh, and in which order they age.
 struct Plant {
   /// Ageing rates wd_i = Mg_i(wd) of the samples that are mingled; none: one sample that ages as
@@ -150,6 +164,7 @@ struct Species {
   double share = 1.0;  ///< of the patch's blades, relative to the other species' shares
   Plant plant;
   Physiology physiology;
+  Habitat habitat = {};
 
   bool operator==(const Species&) const = default;
 };

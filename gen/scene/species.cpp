@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace wold::scene {
 namespace {
@@ -15,6 +16,23 @@ double sum_of_shares(const std::vector<Species>& species) {
   return sum;
 }
 
+Mixture all_species(const MeadowPart& meadow) {
+  Mixture all(species_of(meadow).size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+double blade_area_m2(const MeadowPart& meadow, const Mixture& mixture) {
+  const std::vector<Species> species = species_of(meadow);
+  const std::vector<int> blades = blades_of(meadow, mixture);
+  double area_m2 = 0.0;
+  for (std::size_t k = 0; k < mixture.size(); ++k) {
+    const Plant& plant = species[static_cast<std::size_t>(mixture[k])].plant;
+    area_m2 += blades[k] * (0.5 * plant.height_m * plant.width_m);
+  }
+  return area_m2;
+}
+
 }  // namespace
 
 std::vector<Species> species_of(const MeadowPart& meadow) {
@@ -22,8 +40,51 @@ std::vector<Species> species_of(const MeadowPart& meadow) {
   return {{.plant = meadow.grass, .physiology = meadow.ageing}};
 }
 
-std::vector<int> blades_of(const MeadowPart& meadow) {
+bool has_habitat(const Species& species) {
+  Habitat everywhere;
+  everywhere.feature_m = species.habitat.feature_m;
+  return species.habitat != everywhere;
+}
+
+std::vector<Mixture> mixtures_of(const MeadowPart& meadow) {
   const std::vector<Species> species = species_of(meadow);
+  const auto placed = static_cast<unsigned>(std::ranges::count_if(species, has_habitat));
+  std::vector<Mixture> mixtures;
+  for (unsigned missing = 0; missing < 1U << placed; ++missing) {
+    Mixture mixture;
+    unsigned bit = 1;
+    for (std::size_t i = 0; i < species.size(); ++i) {
+      const bool grows = !has_habitat(species[i]) || (missing & bit) == 0;
+      if (grows) mixture.push_back(static_cast<int>(i));
+      if (has_habitat(species[i])) bit <<= 1;
+    }
+    if (!mixture.empty()) mixtures.push_back(std::move(mixture));
+  }
+  return mixtures;
+}
+
+int patch_count(const MeadowPart& meadow) {
+  return static_cast<int>(mixtures_of(meadow).size()) * meadow.grass.variants;
+}
+
+int mixture_number(const MeadowPart& meadow, int patch) { return patch / meadow.grass.variants; }
+
+int patch_number(const MeadowPart& meadow, int mixture, int variant) {
+  return mixture * meadow.grass.variants + variant;
+}
+
+Mixture mixture_of(const MeadowPart& meadow, int patch) {
+  return mixtures_of(meadow).at(static_cast<std::size_t>(mixture_number(meadow, patch)));
+}
+
+std::vector<int> blades_of(const MeadowPart& meadow) {
+  return blades_of(meadow, all_species(meadow));
+}
+
+std::vector<int> blades_of(const MeadowPart& meadow, const Mixture& mixture) {
+  std::vector<Species> species;
+  for (const int one : mixture)
+    species.push_back(species_of(meadow).at(static_cast<std::size_t>(one)));
   const double sum = sum_of_shares(species);
   std::vector<int> counts;
   double share = 0.0;
@@ -62,12 +123,14 @@ double longest_blade_m(const Plant& plant) {
 }
 
 double blade_area_m2(const MeadowPart& meadow) {
-  const std::vector<Species> species = species_of(meadow);
-  const std::vector<int> blades = blades_of(meadow);
-  double area_m2 = 0.0;
-  for (std::size_t i = 0; i < species.size(); ++i)
-    area_m2 += blades[i] * (0.5 * species[i].plant.height_m * species[i].plant.width_m);
-  return area_m2;
+  return blade_area_m2(meadow, all_species(meadow));
+}
+
+double max_blade_area_m2(const MeadowPart& meadow) {
+  double max_m2 = 0.0;
+  for (const Mixture& mixture : mixtures_of(meadow))
+    max_m2 = std::max(max_m2, blade_area_m2(meadow, mixture));
+  return max_m2;
 }
 
 }  // namespace wold::scene

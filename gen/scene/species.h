@@ -11,9 +11,34 @@ namespace wold::scene {
 /// describe. One at least.
 std::vector<Species> species_of(const MeadowPart& meadow);
 
+/// Whether a species says where it grows. Any other grows wherever [growth] lets grass grow.
+bool has_habitat(const Species& species);
+/// How many species of a scene may say so.
+inline constexpr int max_with_habitat = 4;
+
+/// What a patch may be made of: some of the meadow's species, as places in species_of(), ascending.
+using Mixture = std::vector<int>;
+
+/// Every mixture that patches may have. The first is of all species. In mixture k those with a
+/// habitat are missing whose bit is set in k, counted among the species with a habitat; none is
+/// empty. A meadow whose species have no habitat has the first alone.
+std::vector<Mixture> mixtures_of(const MeadowPart& meadow);
+
+/// How many patches there may be: grass.variants of each mixture. A patch, too, is called a
+/// variant, from 0 to below this: those of the first mixture come first.
+int patch_count(const MeadowPart& meadow);
+/// The number of a patch's mixture, and the patch of a mixture that is its `variant`-th, in
+/// [0, grass.variants).
+int mixture_number(const MeadowPart& meadow, int patch);
+int patch_number(const MeadowPart& meadow, int mixture, int variant);
+/// The mixture of a patch.
+Mixture mixture_of(const MeadowPart& meadow, int patch);
+
 /// Blades of a patch by species, in the order of species_of(): grass.blades in proportion to the
 /// shares, each rounded so that the sum is exact.
 std::vector<int> blades_of(const MeadowPart& meadow);
+/// The same of a patch that is of a mixture, in the order of that.
+std::vector<int> blades_of(const MeadowPart& meadow, const Mixture& mixture);
 
 /// Whether a species is hair, whose clumps are combed one way, not blades of grass (scene::Fur).
 bool is_hair(const Physiology& physiology);
@@ -28,7 +53,9 @@ Grass mean_grass(const MeadowPart& meadow);
 /// standard deviations as lengths are cut at.
 double longest_blade_m(const Plant& plant);
 
-/// Square metres of blades on a patch of the meadow, one side of each.
+/// Square metres of blades, one side of each, on a patch that is of all species, and on the patch
+/// of that mixture which has most.
 double blade_area_m2(const MeadowPart& meadow);
+double max_blade_area_m2(const MeadowPart& meadow);
 
 }  // namespace wold::scene

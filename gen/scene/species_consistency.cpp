@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "scene/species.h"
 #include "scene/text.h"
 
@@ -108,6 +110,34 @@ Rule has_a_blade(const Judged& judged) {
                       judged.in.plant, judged.species.share)};
 }
 
+/// Of two limits of a habitat.
+Rule leaves_room(const std::string& table, const char* low_key, double low, const char* high_key,
+                 double high) {
+  return {{table + '.' + high_key, table + '.' + low_key},
+          low < high,
+          fmt::format("{0}.{1}: found {2}, expected more than {3} ({0}.{4})", table, high_key, high,
+                      low, low_key)};
+}
+
+std::vector<Rule> grows_somewhere(const Judged& judged) {
+  const Habitat& habitat = judged.species.habitat;
+  const std::string& table = judged.in.plant;
+  return {leaves_room(table, "gentlest", habitat.gentlest_deg, "steepest", habitat.steepest_deg),
+          leaves_room(table, "lowest", habitat.lowest_m, "highest", habitat.highest_m),
+          leaves_room(table, "driest", habitat.driest, "wettest", habitat.wettest),
+          leaves_room(table, "shadiest", habitat.shadiest, "sunniest", habitat.sunniest)};
+}
+
+/// Each of them doubles the mixtures, and so the patches.
+Rule few_have_a_habitat(const Scene& scene) {
+  const auto count = std::ranges::count_if(scene.species, has_habitat);
+  return {{item_name("species", scene.species.size() - 1), "species[1]"},
+          count <= max_with_habitat,
+          fmt::format("[[species]]: found {} that do not grow everywhere, expected at most {}: "
+                      "each mixture of them has patches of its own",
+                      count, max_with_habitat)};
+}
+
 std::vector<Judged> judged_species(const Scene& scene) {
   const std::vector<int> blades = blades_of(scene);
   std::vector<Judged> all;
@@ -134,6 +164,10 @@ std::vector<Rule> species_rules(const Scene& scene) {
                      veins_shrink_less(judged), keel_fits_the_blade(judged),
                      hair_droops_by_the_papers_rule(judged), hair_moves_in_closed_form(judged)})
       rules.push_back(std::move(rule));
+  if (scene.species.empty()) return rules;
+  rules.push_back(few_have_a_habitat(scene));
+  for (const Judged& judged : judged_species(scene))
+    for (Rule& rule : grows_somewhere(judged)) rules.push_back(std::move(rule));
   return rules;
 }
 

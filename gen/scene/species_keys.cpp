@@ -148,6 +148,50 @@ std::vector<Key> hair_keys(const std::string& table, Part of) {
   };
 }
 
+/// Of the Habitat that `of` finds in a scene, as keys of `table`.
+template <class Part>
+std::vector<Key> habitat_keys(const std::string& table, Part of) {
+  return {
+      bound(number(table + ".cover", "", {0, 1},
+                   "Share of the ground within the limits below on which this species stands."),
+            PART(cover)),
+      bound(number(table + ".feature", "m", {0.1, 10000},
+                   "Size of the patches in which it stands where it does not stand everywhere: at "
+                   "its borders, and with a cover below 1."),
+            PART(feature_m)),
+      bound(number(table + ".gentlest", "deg", {0, 90}, "Gentlest slope on which it grows."),
+            PART(gentlest_deg)),
+      bound(number(table + ".steepest", "deg", {0, 90}, "Steepest slope on which it grows."),
+            PART(steepest_deg)),
+      bound(number(table + ".lowest", "m", {-10000, 10000},
+                   "Lowest ground on which it grows, over the terrain's zero."),
+            PART(lowest_m)),
+      bound(number(table + ".highest", "m", {-10000, 10000},
+                   "Highest ground on which it grows, over the terrain's zero."),
+            PART(highest_m)),
+      bound(number(table + ".driest", "", {0, 1},
+                   "Driest ground on which it grows, as the share of the terrain that is drier: "
+                   "0.9 leaves the tenth that lies deepest below its surroundings."),
+            PART(driest)),
+      bound(number(table + ".wettest", "", {0, 1},
+                   "Wettest ground on which it grows, as the share of the terrain that is drier: "
+                   "0.3 leaves the three tenths that rise highest above their surroundings."),
+            PART(wettest)),
+      bound(number(table + ".shadiest", "", {0, 2},
+                   "Shadiest slope on which it grows: noon's sun at the equinox over that on level "
+                   "ground."),
+            PART(shadiest)),
+      bound(number(table + ".sunniest", "", {0, 2},
+                   "Sunniest slope on which it grows: noon's sun at the equinox over that on level "
+                   "ground."),
+            PART(sunniest)),
+      bound(plain(Kind::file, table + ".mask", "", {0, 0},
+                  "Picture over the terrain's square, north at the top: this species does not grow "
+                  "where it is black. Relative paths start at the scene file."),
+            PART(mask)),
+  };
+}
+
 std::vector<Key> patch_keys() {
   return {
       bound(number("grass.patch", "m", {0.05, 20}, "Side of the patch that repeats."),
@@ -232,10 +276,12 @@ std::vector<Key> species_keys(std::size_t item) {
   return joined({
       {bound(plain(Kind::name, "species.name", "", {1, 64}, "Names the species in messages."),
              PART(name)),
-       bound(number("species.share", "", {0.0001, 1000},
-                    "Blades of this species in a patch, relative to the other species' shares: all "
-                    "together are grass.blades."),
-             PART(share))},
+       bound(
+           number("species.share", "", {0.0001, 1000},
+                  "Blades of this species in a patch, relative to the shares of the other species "
+                  "that grow there: all together are grass.blades."),
+           PART(share))},
+      habitat_keys("species", PART(habitat)),
       plant_keys("species", PART(plant)),
       physiology_keys("species", PART(physiology)),
       hair_keys("species", PART(physiology.fur)),

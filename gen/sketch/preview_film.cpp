@@ -118,15 +118,21 @@ void PreviewFilm::make_looks(const std::vector<int>& frames) {
   for (const int frame : frames)
     for (const grass::PatchState& state :
          meadow::far_states(scene_, *site_.withering, moments_.at(frame).grass))
-      demand[0][moments_.at(frame).at(state.key_frame)][0] = {0};
+      for (const int mixture : site_.mixtures->present())
+        demand[scene::patch_number(scene_, mixture, 0)][moments_.at(frame).at(state.key_frame)][0] =
+            {0};
   SilentProgress silent;
   texels_.generate(demand, silent);
-  for (const auto& [state, lods] : demand[0]) looks_.emplace(state, far_appearance(state));
+  for (const auto& [variant, states] : demand)
+    for (const auto& [state, lods] : states)
+      looks_.emplace(std::pair(scene::mixture_number(scene_, variant), state),
+                     far_appearance(variant, state));
 }
 
-meadow::PatchAppearance PreviewFilm::far_appearance(const grass::PatchState& state) const {
+meadow::PatchAppearance PreviewFilm::far_appearance(int variant,
+                                                    const grass::PatchState& state) const {
   landscape::Volume volume;
-  volume.vdb = texels_.volume_path(0, state, 0);
+  volume.vdb = texels_.volume_path(variant, state, 0);
   volume.emission_grid = "emission_q0";
   volume.voxels = {voxels, voxels, texels_.lod_shape(0).height};
   volume.voxel_m = scene_.grass.patch_m / voxels;
@@ -160,20 +166,21 @@ landscape::Landscape PreviewFilm::assembled(const scene::Scene& scene, const pla
                                             int frame) {
   const Moment& moment = moments_.at(frame);
   auto cells = meadow::choose_cells(scene, site.terrain, place::growth_of_cells(site),
-                                    *site.withering, moment.grass);
+                                    *site.mixtures, *site.withering, moment.grass);
   for (meadow::CellChoice& cell : cells) {
     cell.snow = moment.snow;
     cell.light = moment.light;
   }
   make_meshes(cells);
-  return film::assemble(
-      scene, site, moment.grass, cells,
-      {{},
-       [&](const meadow::CellChoice& cell) {
-         return meshes_.at({cell.variant, cell.state()});
-       },
-       [&](const grass::PatchState& state) { return looks_.at(moment.at(state.key_frame)); }},
-      film::needs_of({}));
+  return film::assemble(scene, site, moment.grass, cells,
+                        {{},
+                         [&](const meadow::CellChoice& cell) {
+                           return meshes_.at({cell.variant, cell.state()});
+                         },
+                         [&](int mixture, const grass::PatchState& state) {
+                           return looks_.at({mixture, moment.at(state.key_frame)});
+                         }},
+                        film::needs_of({}));
 }
 
 landscape::Landscape PreviewFilm::landscape(int frame) {

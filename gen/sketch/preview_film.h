@@ -11,8 +11,8 @@
 #include "grass/texel/time_varying_texel.h"
 #include "landscape/landscape.h"
 #include "meadow/cells.h"
+#include "meadow/far_field.h"
 #include "meadow/frame_grass.h"
-#include "meadow/patch_appearance.h"
 #include "place/site.h"
 #include "scene/scene.h"
 
@@ -59,7 +59,7 @@ class PreviewFilm {
 
   Tubes blades(int variant, const grass::PatchState& state) const;
   landscape::Landscape assembled(const scene::Scene& scene, const place::Site& site, int frame);
-  meadow::PatchAppearance far_appearance(const grass::PatchState& state) const;
+  meadow::PatchAppearance far_appearance(int variant, const grass::PatchState& state) const;
   void make_site(int frame, bool with_sky);
   void make_looks(const std::vector<int>& frames);
   void make_meshes(std::span<const meadow::CellChoice> cells);
@@ -68,7 +68,7 @@ class PreviewFilm {
   place::Site site_;
   grass::TimeVaryingTexel texels_;
   std::map<int, Moment> moments_;  ///< by frame
-  std::map<grass::PatchState, meadow::PatchAppearance> looks_;
+  meadow::PatchAppearances looks_;
   std::map<std::pair<int, grass::PatchState>, landscape::BladeMesh> meshes_;
 };
 

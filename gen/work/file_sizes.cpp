@@ -42,8 +42,9 @@ void add_painted(const scene::Scene& scene, const film::FilmDemand& demand,
     std::set<grass::PatchState> states;
     for (const film::ShownVolume& volume : shown.volumes) states.insert(volume.state);
     for (const grass::PatchState& state : states)
-      for (int variant = 0; variant < scene.grass.variants; ++variant)
-        lods.insert({variant, state, coarsest});
+      for (const int mixture : demand.mixtures())
+        for (int variant = 0; variant < scene.grass.variants; ++variant)
+          lods.insert({scene::patch_number(scene, mixture, variant), state, coarsest});
   }
 }
 

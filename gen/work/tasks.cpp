@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "scene/species.h"
 #include "scene/text.h"
 
 namespace wold::work {
@@ -20,7 +21,8 @@ std::string text_of(const Task& task) {
 }
 
 std::vector<StageTasks> stages_of(const Job& job) {
-  std::vector<StageTasks> stages = {{Stage::texels, counted(job.scene.grass.variants), {}, {}}};
+  std::vector<StageTasks> stages = {
+      {Stage::texels, counted(scene::patch_count(job.scene)), {}, {}}};
   if (!job.scene.clouds.empty()) stages.push_back({Stage::clouds, {1}, {}, {}});
   stages.push_back({Stage::scenes, job.frames, Stage::texels, {}});
   for (const exporter::Exporter* one : job.exporters)

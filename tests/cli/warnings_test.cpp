@@ -166,6 +166,12 @@ TEST_F(Warnings, KeysOfAnotherChoice) {
   EXPECT_THAT(about("[terrain]\nsystem = 'EPSG:4326'\n"), HasSubstr("without terrain.elevation"));
 }
 
+TEST_F(Warnings, PatchesOfASpeciesThatGrowsEverywhere) {
+  const std::string species = "[[species]]\n[[species]]\nfeature = 2\n";
+  EXPECT_THAT(about(species), StartsWith("warning: species[2].feature changes nothing"));
+  EXPECT_THAT(about(species + "cover = 0.4\n"), IsEmpty());
+}
+
 TEST_F(Warnings, KeysThatWereRenamed) {
   write("a.toml", "[growth]\nshare = 0.9\n");
   const std::string renamed = "warning: a.toml:2:1: growth.share is the old name of growth.cover";

@@ -46,8 +46,9 @@ TEST(Assemble, CellsReferToTheirVolumes) {
   const scene::Scene scene = small_meadow();
   const place::Site site = test::site_of(scene);
   const Heightfield& terrain = site.terrain;
-  const std::vector<meadow::CellChoice> choices = meadow::choose_cells(
-      scene, terrain, site.growth, test::withering_of(scene, terrain), test::grass_of(scene, 2));
+  const std::vector<meadow::CellChoice> choices =
+      meadow::choose_cells(scene, terrain, site.growth, test::mixtures_of(scene, terrain),
+                           test::withering_of(scene, terrain), test::grass_of(scene, 2));
   const auto name = [](const meadow::CellChoice& c) {
     return std::to_string(c.variant) + "/" + std::to_string(c.key_frame) + "/" +
            std::to_string(c.turn) + "/" + std::to_string(c.lod);
@@ -174,7 +175,7 @@ TEST(Assemble, CellsOfBladesReferToTheirMeshes) {
   scene.grass.pixels_per_voxel = 0.4;
   const place::Site site = test::site_of(scene);
   const std::vector<meadow::CellChoice> choices = meadow::choose_cells(
-      scene, site.terrain, site.growth, *site.withering, test::grass_of(scene, 2));
+      scene, site.terrain, site.growth, *site.mixtures, *site.withering, test::grass_of(scene, 2));
   const landscape::Landscape landscape =
       assemble(scene, site, test::grass_of(scene, 2), choices,
                {[](const meadow::CellChoice&) { return landscape::Volume{}; },
@@ -208,7 +209,7 @@ TEST(Assemble, PartsWithoutBladesAreNotDrawn) {
   scene.render.grass = scene::GrassForm::blades;
   const place::Site site = test::site_of(scene);
   const std::vector<meadow::CellChoice> choices = meadow::choose_cells(
-      scene, site.terrain, site.growth, *site.withering, test::grass_of(scene, 2));
+      scene, site.terrain, site.growth, *site.mixtures, *site.withering, test::grass_of(scene, 2));
   auto tubes = std::make_shared<Tubes>(Tubes{1, 1, {glm::vec3(0.01F)}, {glm::vec3(1.0F)}});
   const landscape::Landscape landscape =
       assemble(scene, site, test::grass_of(scene, 2), choices,
@@ -228,9 +229,10 @@ TEST(Assemble, PartsWithoutBladesAreNotDrawn) {
 TEST(WeatheringTint, RestoresTheWantedColour) {
   const scene::Scene scene = small_meadow();
   const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
+  const place::MixtureField mixtures = test::mixtures_of(scene, terrain);
   const place::Withering withering = test::withering_of(scene, terrain);
-  const std::vector<meadow::CellChoice> choices =
-      meadow::choose_cells(scene, terrain, grown(scene), withering, test::grass_of(scene, 2));
+  const std::vector<meadow::CellChoice> choices = meadow::choose_cells(
+      scene, terrain, grown(scene), mixtures, withering, test::grass_of(scene, 2));
   const meadow::GrassColour colour = [](double degree, double) {
     return glm::vec3(0.2, 0.3, 0.1) * static_cast<float>(1.0 + degree);
   };

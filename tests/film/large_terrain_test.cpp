@@ -112,7 +112,7 @@ TEST(GroundDetails, AreNestedAndMoveByWholeSteps) {
 PatchLookup no_grass() {
   return {.volume = [](const meadow::CellChoice&) { return landscape::Volume{}; },
           .blades = [](const meadow::CellChoice&) { return landscape::BladeMesh{}; },
-          .far = [](const grass::PatchState&) { return meadow::PatchAppearance({}); }};
+          .far = [](int, const grass::PatchState&) { return meadow::PatchAppearance({}); }};
 }
 
 /// Mean over a square of a picture, at many places.
@@ -186,8 +186,9 @@ TEST(LargeTerrain, OfAHundredKilometresTakesBoundedMemory) {
   scene.grass.far_field_below_pixels = 0.0;  // as many cells as there can be
   const double before_mb = peak_memory_mb();
   const place::Site site = test::site_of(scene, folder.path());
-  const std::vector<meadow::CellChoice> cells = meadow::choose_cells(
-      scene, site.terrain, place::growth_of_cells(site), *site.withering, test::grass_of(scene, 1));
+  const std::vector<meadow::CellChoice> cells =
+      meadow::choose_cells(scene, site.terrain, place::growth_of_cells(site), *site.mixtures,
+                           *site.withering, test::grass_of(scene, 1));
   const landscape::Landscape landscape =
       assemble(scene, site, test::grass_of(scene, 1), cells, no_grass(), needs_of({}));
   const double max_mb = test::sanitized ? 1400.0 : 700.0;  // with their notes on what is allocated

@@ -49,6 +49,12 @@ TEST(RequireFiles, LooksAtOverridesAndRefusesFolders) {
   }
 }
 
+TEST(RequireFiles, LooksAtMasksOfSpecies) {
+  EXPECT_EQ(said(require_files, "[[species]]\n[[species]]\nmask = '/none.png'\n"),
+            Messages{"a.toml:3:1: species[2].mask: found \"/none.png\", expected a file that is "
+                     "there"});
+}
+
 TEST(RequireFiles, IsContentWithFilesThatAreThere) {
   const test::TemporaryFolder folder("machine_check");
   const std::string file = (folder.path() / "a.png").string();

@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "grass/texel/blade_patch.h"
 #include "grass/texel/rasterise.h"
 #include "grass/texel/samples.h"
+#include "grass/texel/time_varying_texel.h"
 #include "small_meadow.h"
+#include "support/temporary_folder.h"
 
 namespace wold::grass {
 namespace {
@@ -85,6 +89,41 @@ TEST(SpeciesPatch, EachWithersByItsOwnModel) {
   }
   EXPECT_LT(age[1], 0.5 * age[0]);                        // evergreen
   EXPECT_GT(green[1] / red[1], 1.2 * green[0] / red[0]);  // and it shows
+}
+
+// The patches of the second mixture lack the broad species and have as many blades of the other;
+// those of the first are what they are without habitats.
+TEST(SpeciesPatch, OfAMixtureHasItsSpeciesAlone) {
+  scene::Scene scene = two_species();
+  const MeadowModel model(scene);
+  const auto blades = [&](int variant) {
+    return WitheringPatch(scene, model, variant).at(0.3).blades;
+  };
+  const std::vector<Blade> of_both = blades(1);
+  scene.species[1].habitat.cover = 0.5;
+  ASSERT_EQ(scene::patch_count(scene), 2 * scene.grass.variants);
+  const std::vector<Blade> still = blades(1);
+  ASSERT_EQ(still.size(), of_both.size());
+  for (std::size_t i = 0; i < still.size(); ++i) EXPECT_EQ(still[i].root_m, of_both[i].root_m);
+  const std::vector<Blade> of_one = blades(scene.grass.variants + 1);
+  EXPECT_EQ(static_cast<int>(of_one.size()), scene.grass.blades);
+  for (const Blade& blade : of_one) EXPECT_EQ(blade.species, 0);
+}
+
+// A habitat changes no patch of all species, so that its files stay; but files of two mixtures that
+// have the same number in two scenes are not taken for each other's.
+TEST(SpeciesPatch, ContentIsTheMixtures) {
+  scene::Scene scene = two_species();
+  const wold::test::TemporaryFolder folder("mixtures");
+  const auto content = [&](int variant) {
+    return TimeVaryingTexel(scene, {Lighting{}}, folder.path()).content(variant, {0, 0});
+  };
+  const std::string of_both = content(1);
+  scene.species[0].habitat.cover = 0.5;
+  EXPECT_EQ(content(1), of_both);
+  const std::string without_first = content(scene.grass.variants);
+  std::swap(scene.species[0].habitat, scene.species[1].habitat);
+  EXPECT_NE(content(scene.grass.variants), without_first);
 }
 
 }  // namespace

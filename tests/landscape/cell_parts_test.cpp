@@ -142,9 +142,9 @@ Example example(const char* name) {
   scene::Scene scene = scene::read_scene(file);
   scene.render.size_px = {960, 540};
   const Heightfield terrain = terrain::make_ground(scene.terrain, scene.seed);
-  std::vector<meadow::CellChoice> cells =
-      meadow::choose_cells(scene, terrain, place::growth_map(scene, terrain),
-                           test::withering_of(scene, terrain), test::grass_of(scene, 2));
+  std::vector<meadow::CellChoice> cells = meadow::choose_cells(
+      scene, terrain, place::growth_map(scene, terrain), test::mixtures_of(scene, terrain),
+      test::withering_of(scene, terrain), test::grass_of(scene, 2));
   return {scene, terrain, cells};
 }
 
@@ -195,8 +195,9 @@ TEST(PartsOnGround, EvenGroundHasNone) {
   Heightfield plain(25, 12.0);
   for (int j = 0; j < 25; ++j)
     for (int i = 0; i < 25; ++i) plain.at(i, j) = static_cast<float>(0.1 * i - 0.05 * j);
-  const auto cells = meadow::choose_cells(
-      scene, plain, test::grown(scene), test::withering_of(scene, plain), test::grass_of(scene, 1));
+  const auto cells =
+      meadow::choose_cells(scene, plain, test::grown(scene), test::mixtures_of(scene, plain),
+                           test::withering_of(scene, plain), test::grass_of(scene, 1));
   ASSERT_GT(cells.size(), 100U);
   for (const meadow::CellChoice& cell : cells) {
     ASSERT_EQ(cell.parts.size(), 1U);

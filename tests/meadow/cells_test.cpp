@@ -13,6 +13,7 @@
 #include "meadow/canopy_snow.h"
 #include "place/view.h"
 #include "scene/key_frames.h"
+#include "scene/species.h"
 #include "support/film_parts.h"
 #include "support/grown.h"
 #include "terrain/hillside.h"
@@ -49,8 +50,8 @@ scene::Scene from_above() {
 
 std::vector<CellChoice> choices_of(const scene::Scene& scene, int frame = 2) {
   const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
-  return choose_cells(scene, terrain, grown(scene), test::withering_of(scene, terrain),
-                      test::grass_of(scene, frame));
+  return choose_cells(scene, terrain, grown(scene), test::mixtures_of(scene, terrain),
+                      test::withering_of(scene, terrain), test::grass_of(scene, frame));
 }
 
 // Cells are boxes that lean; where neighbours lean away from each other one saw the ground.
@@ -175,8 +176,8 @@ TEST(Cells, LevelsAreAsFineAsThePixels) {
       scene.render.size_px[0] / (2.0 * std::tan(27.5 * std::numbers::pi / 180.0));
   std::set<int> levels;
   for (const CellChoice& choice :
-       choose_cells(scene, terrain, grown(scene), test::withering_of(scene, terrain),
-                    test::grass_of(scene, 1))) {
+       choose_cells(scene, terrain, grown(scene), test::mixtures_of(scene, terrain),
+                    test::withering_of(scene, terrain), test::grass_of(scene, 1))) {
     levels.insert(choice.lod);
     const glm::dvec4 centre =
         choice.parts.front().world_from_cell * glm::dvec4(0.25, 0.25, 0.14, 1);
@@ -206,8 +207,8 @@ TEST(Cells, AutoDrawsBladesWhereTheFinestLevelIsTooCoarse) {
   const double voxel_m = scene.grass.patch_m / scene.grass.lods.front();
   int blades = 0;
   for (const CellChoice& choice :
-       choose_cells(scene, terrain, grown(scene), test::withering_of(scene, terrain),
-                    test::grass_of(scene, 2))) {
+       choose_cells(scene, terrain, grown(scene), test::mixtures_of(scene, terrain),
+                    test::withering_of(scene, terrain), test::grass_of(scene, 2))) {
     const glm::dvec2 at_m = (glm::dvec2(choice.cell) + 0.5) * scene.grass.patch_m;
     const glm::dvec3 middle_m(at_m, terrain.sample(at_m.x, at_m.y) + scene.grass.height_m / 2.0);
     const double pixels = view.pixels(voxel_m, middle_m) / scene.grass.pixels_per_voxel;
@@ -225,8 +226,8 @@ TEST(Cells, AutoDrawsBladesWhereTheFinestLevelIsTooCoarse) {
   EXPECT_GE(blades, 3);
   scene.render.grass = scene::GrassForm::blades;
   for (const CellChoice& choice :
-       choose_cells(scene, terrain, grown(scene), test::withering_of(scene, terrain),
-                    test::grass_of(scene, 2)))
+       choose_cells(scene, terrain, grown(scene), test::mixtures_of(scene, terrain),
+                    test::withering_of(scene, terrain), test::grass_of(scene, 2)))
     EXPECT_TRUE(choice.blades);
 }
 
@@ -236,8 +237,8 @@ TEST(Cells, KeepEveryBladeInThePicture) {
   const landscape::Camera camera = place::resolved_camera(scene.camera, terrain, 0.0);
   std::set<std::pair<int, int>> listed;
   for (const CellChoice& choice :
-       choose_cells(scene, terrain, grown(scene), test::withering_of(scene, terrain),
-                    test::grass_of(scene, 1)))
+       choose_cells(scene, terrain, grown(scene), test::mixtures_of(scene, terrain),
+                    test::withering_of(scene, terrain), test::grass_of(scene, 1)))
     listed.insert({choice.cell.x, choice.cell.y});
   const glm::dvec3 forward = glm::normalize(camera.target_m - camera.eye_m);
   const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 0, 1)));
@@ -332,6 +333,32 @@ TEST(ChooseCells, SnowIsDitheredBetweenTwoLevels) {
   // Three standard deviations of the mean of draws between two neighbours.
   EXPECT_NEAR(sum / static_cast<double>(choices.size()), wanted,
               1.5 / std::sqrt(static_cast<double>(choices.size())));
+}
+
+// Cells stand for what grows at their middle: the second species on the part of the ground that its
+// cover says, whole variants of each mixture, and nothing else changes.
+TEST(Cells, StandForTheMixtureAtTheirMiddle) {
+  scene::Scene scene = from_above();
+  scene.species.resize(2);
+  const std::vector<CellChoice> plain = choices_of(scene);
+  scene.species[1].habitat.cover = 0.4;
+  scene.species[1].habitat.feature_m = 0.5;
+  const std::vector<CellChoice> choices = choices_of(scene);
+  const Heightfield terrain = terrain::make_hillside(scene.terrain, scene.seed);
+  const place::MixtureField mixtures(scene, terrain);
+  ASSERT_EQ(choices.size(), plain.size());
+  int with = 0;
+  std::set<int> variants;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    const glm::dvec2 at_m = (glm::dvec2(choices[i].cell) + 0.5) * scene.grass.patch_m;
+    EXPECT_EQ(scene::mixture_number(scene, choices[i].variant), mixtures.at(at_m));
+    EXPECT_EQ(choices[i].variant % scene.grass.variants, plain[i].variant);
+    EXPECT_EQ(choices[i].state(), plain[i].state());
+    with += scene::mixture_number(scene, choices[i].variant) == 0;
+    variants.insert(choices[i].variant);
+  }
+  EXPECT_NEAR(with / static_cast<double>(choices.size()), 0.4, 0.06);
+  EXPECT_EQ(static_cast<int>(variants.size()), scene::patch_count(scene));
 }
 
 }  // namespace

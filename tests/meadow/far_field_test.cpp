@@ -108,8 +108,8 @@ TEST(FarField, TakesOverWhatStandsNoLonger) {
   EXPECT_EQ(extinction_factor.sample(200.0, 390.0), 0.0F);
   double farthest_m = 0.0;
   for (const CellChoice& cell :
-       choose_cells(scene, ground, test::grown(scene), test::withering_of(scene, ground),
-                    test::grass_of(scene, 1)))
+       choose_cells(scene, ground, test::grown(scene), test::mixtures_of(scene, ground),
+                    test::withering_of(scene, ground), test::grass_of(scene, 1)))
     farthest_m = std::max(farthest_m, cell.cell.y * scene.grass.patch_m);
   for (double y_m = 60.0; y_m < 390.0; y_m += 10.0) {
     const double fraction = far_fraction(scene.grass, view, {200.0, y_m, 0.0});
@@ -127,16 +127,16 @@ TEST(FarField, ShowsWhatTheVolumeWouldShow) {
   scene::Scene scene = plain_scene();
   const Heightfield flat(41, 400.0);
   const place::View view(place::resolved_camera(scene.camera, flat, 0.0), 960, 540);
-  std::map<grass::PatchState, PatchAppearance> looks;
+  PatchAppearances looks;
   for (const grass::PatchState& state :
        far_states(scene, test::withering_of(scene, flat), test::grass_of(scene, 2)))
-    looks.emplace(state, std::span(&fog, 1));
+    looks.emplace(std::pair(0, state), std::span(&fog, 1));
   const glm::vec3 bare(0.005F);
   ColourMap ground(401, 400.0, bare);
   const ColourMap light(2, 400.0, glm::vec3(0.8F));
-  paint_far_grass(
-      ground, scene, flat, test::grown(scene), light, view,
-      Meadow(scene, flat, test::withering_of(scene, flat), view, test::grass_of(scene, 2), looks));
+  paint_far_grass(ground, scene, flat, test::grown(scene), light, view,
+                  Meadow(scene, flat, test::mixtures_of(scene, flat),
+                         test::withering_of(scene, flat), view, test::grass_of(scene, 2), looks));
   const double sine = 20.0 / std::hypot(20.0, 389.0);
   const double left = through(0.4 / sine);
   EXPECT_NEAR(ground.sample(200.0, 390.0).g, 0.8 * double{source.g} * (1.0 - left) + 0.005 * left,
@@ -156,13 +156,14 @@ TEST(FarField, LeansAsTheGrassDoes) {
   const glm::dvec3 at_m(200.0, 150.0, 0.0);
   const glm::dvec2 lean = test::grass_of(scene, 2).wind_lean.lean(glm::dvec2(at_m));
   ASSERT_GT(std::abs(lean.x), 0.2);
+  const place::MixtureField mixtures = test::mixtures_of(scene, flat);
   const place::Withering withering = test::withering_of(scene, flat);
-  std::map<grass::PatchState, PatchAppearance> looks;
+  PatchAppearances looks;
   for (const grass::PatchState& state : far_states(scene, withering, test::grass_of(scene, 2)))
-    looks.emplace(state, std::span(&walls, 1));
+    looks.emplace(std::pair(0, state), std::span(&walls, 1));
   const auto seen = [&](double sign) {
     const place::View view({at_m + 30.0 * glm::dvec3(sign * lean, 1.0), at_m, 55.0}, 960, 540);
-    return Meadow(scene, flat, withering, view, test::grass_of(scene, 2), looks)
+    return Meadow(scene, flat, mixtures, withering, view, test::grass_of(scene, 2), looks)
         .look(at_m)
         .transmittance;
   };
@@ -170,6 +171,37 @@ TEST(FarField, LeansAsTheGrassDoes) {
       PatchAppearance(std::span(&walls, 1)).along({0.0, 0.0, -1.0}).transmittance;
   EXPECT_NEAR(seen(1.0), std::pow(from_above, std::sqrt(1.0 + glm::dot(lean, lean))), 1e-6);
   EXPECT_LT(seen(-1.0), seen(1.0) - 0.02);
+}
+
+// Far grass is of the mixture that stands there: fog where the second species is, and nothing where
+// it is not.
+TEST(FarField, ShowsTheMixtureOfThePlace) {
+  const test::TemporaryFolder folder("far_mixtures");
+  const landscape::Volume fog = even_fog(folder.path());
+  scene::Scene scene = plain_scene();
+  scene.species.resize(2);
+  scene.species[1].habitat.cover = 0.5;
+  scene.species[1].habitat.feature_m = 20.0;
+  const Heightfield flat(41, 400.0);
+  const place::View view(place::resolved_camera(scene.camera, flat, 0.0), 960, 540);
+  const place::MixtureField mixtures = test::mixtures_of(scene, flat);
+  const place::Withering withering = test::withering_of(scene, flat);
+  ASSERT_EQ(mixtures.present(), (std::vector<int>{0, 1}));
+  PatchAppearances looks;
+  for (const grass::PatchState& state : far_states(scene, withering, test::grass_of(scene, 2))) {
+    looks.emplace(std::pair(0, state), std::span(&fog, 1));
+    looks.emplace(std::pair(1, state), std::span<const landscape::Volume>());
+  }
+  const Meadow meadow(scene, flat, mixtures, withering, view, test::grass_of(scene, 2), looks);
+  int with = 0;
+  for (int k = 0; k < 100; ++k) {
+    const glm::dvec3 at_m(110.0 + 20.0 * (k % 10), 200.0 + 18.0 * (k / 10), 0.0);
+    const bool grows = mixtures.at(glm::dvec2(at_m)) == 0;
+    EXPECT_EQ(meadow.look(at_m).radiance.g > 0.1 * double{source.g}, grows);
+    with += grows;
+  }
+  EXPECT_GT(with, 20);
+  EXPECT_LT(with, 80);
 }
 
 // At a quarter of the visual range haze hides 1 - 0.02^(1/4) and puts its own light there; grass
@@ -192,12 +224,13 @@ TEST(Haze, FollowsKoschmieder) {
   EXPECT_NEAR(haze.before(glm::vec3(1.0F), at_m).g - seen.g, left, 2e-3);
   const glm::vec3 air = day.haze_radiance({0.0, 1.0, 0.0}, 1.0 - left);
   EXPECT_NEAR(seen.g, (1.0 - left) * double{air.g}, 2e-3);
-  std::map<grass::PatchState, PatchAppearance> looks;
+  PatchAppearances looks;
   for (const grass::PatchState& state :
        far_states(scene, test::withering_of(scene, flat), test::grass_of(scene, 2)))
-    looks.emplace(state, std::span(&fog, 1));
+    looks.emplace(std::pair(0, state), std::span(&fog, 1));
+  const place::MixtureField mixtures = test::mixtures_of(scene, flat);
   const place::Withering withering = test::withering_of(scene, flat);
-  const Meadow meadow(scene, flat, withering, view, test::grass_of(scene, 2), looks);
+  const Meadow meadow(scene, flat, mixtures, withering, view, test::grass_of(scene, 2), looks);
   const ColourMap light(401, 400.0, glm::vec3(0.8F));
   const glm::dvec3 far_m(200.0, 300.0, 0.0);
   const float factor =

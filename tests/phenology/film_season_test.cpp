@@ -26,35 +26,35 @@ scene::Scene keyed_autumn() {
 // Each quantity is linear between the days that give it and held beyond; what no day gives is the
 // scene's.
 TEST(FilmSeason, KeysAreJoinedByLines) {
-  const FilmSeason season(keyed_autumn());
-  ASSERT_EQ(season.days().size(), 31U);
-  EXPECT_EQ(season.first_day(), 0);
+  const auto season = film_season(keyed_autumn());
+  ASSERT_EQ(season->days().size(), 31U);
+  EXPECT_EQ(season->first_day(), 0);
   const auto mean_c = [&](int day) {
-    const weather::Day& at = season.days()[static_cast<std::size_t>(day)];
+    const weather::Day& at = season->days()[static_cast<std::size_t>(day)];
     return 0.5 * (at.tmin_c + at.tmax_c);
   };
   EXPECT_DOUBLE_EQ(mean_c(0), 10.0);
   EXPECT_DOUBLE_EQ(mean_c(10), 7.0);
   EXPECT_DOUBLE_EQ(mean_c(30), 4.0);
-  EXPECT_EQ(season.days()[0].precipitation_mm, 12.0);
-  EXPECT_EQ(season.days()[0].wind_speed_m_s, scene::Scene().wind.speed_m_s);
-  EXPECT_DOUBLE_EQ(season.weathering()[5], 0.1);
-  EXPECT_DOUBLE_EQ(season.weathering()[8], 0.22);
-  EXPECT_DOUBLE_EQ(season.weathering()[30], 0.7);
-  EXPECT_DOUBLE_EQ(season.cloud_cover(7.5), 0.4);
-  EXPECT_DOUBLE_EQ(season.cloud_cover(-3.0), 0.2);
-  EXPECT_DOUBLE_EQ(season.cloud_cover(99.0), 1.0);
+  EXPECT_EQ(season->days()[0].precipitation_mm, 12.0);
+  EXPECT_EQ(season->days()[0].wind_speed_m_s, scene::Scene().wind.speed_m_s);
+  EXPECT_DOUBLE_EQ(season->weathering()[5], 0.1);
+  EXPECT_DOUBLE_EQ(season->weathering()[8], 0.22);
+  EXPECT_DOUBLE_EQ(season->weathering()[30], 0.7);
+  EXPECT_DOUBLE_EQ(season->cloud_cover(7.5), 0.4);
+  EXPECT_DOUBLE_EQ(season->cloud_cover(-3.0), 0.2);
+  EXPECT_DOUBLE_EQ(season->cloud_cover(99.0), 1.0);
 }
 
 // Without a table, too, days grow shorter in autumn, and the sun sinks (table 2.6 of FAO 56).
 TEST(FilmSeason, HasTheSunOfItsDays) {
   scene::Scene scene = keyed_autumn();
   scene.sun.latitude_deg = 46.5;
-  const FilmSeason season(scene);
-  EXPECT_NEAR(season.days().front().day_length_h, 13.15, 0.1);
-  EXPECT_NEAR(season.days().back().day_length_h, 11.5, 0.15);
-  EXPECT_NEAR(season.days().front().top_sun_mj_m2, 31.0, 1.0);
-  EXPECT_NEAR(season.days().back().top_sun_mj_m2, 22.8, 1.0);
+  const auto season = film_season(scene);
+  EXPECT_NEAR(season->days().front().day_length_h, 13.15, 0.1);
+  EXPECT_NEAR(season->days().back().day_length_h, 11.5, 0.15);
+  EXPECT_NEAR(season->days().front().top_sun_mj_m2, 31.0, 1.0);
+  EXPECT_NEAR(season->days().back().top_sun_mj_m2, 22.8, 1.0);
 }
 
 constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
@@ -71,14 +71,14 @@ scene::Scene windy_autumn() {
 
 // A wind that turns from 90 to 315 degrees goes through north, and its week remembers both.
 TEST(FilmSeason, WindTurnsAndCombsAWeekLong) {
-  const FilmSeason season(windy_autumn());
-  EXPECT_EQ(season.wind(3.0).speed_factor, 1.0);
-  EXPECT_EQ(season.wind(3.0).turned_rad, 0.0);
-  EXPECT_NEAR(season.wind(20.0).speed_factor, 2.0, 1e-12);
-  EXPECT_NEAR(season.wind(20.0).turned_rad * degrees_per_radian, -135.0, 1e-9);
-  EXPECT_DOUBLE_EQ(season.days()[20].wind_heading_deg.value(), 315.0);
+  const auto season = film_season(windy_autumn());
+  EXPECT_EQ(season->wind(3.0).speed_factor, 1.0);
+  EXPECT_EQ(season->wind(3.0).turned_rad, 0.0);
+  EXPECT_NEAR(season->wind(20.0).speed_factor, 2.0, 1e-12);
+  EXPECT_NEAR(season->wind(20.0).turned_rad * degrees_per_radian, -135.0, 1e-9);
+  EXPECT_DOUBLE_EQ(season->days()[20].wind_heading_deg.value(), 315.0);
   // On the 14th four of seven days had 2 m/s to the east, three the other.
-  const WindChange week = season.week_of_wind(13.0);
+  const WindChange week = season->week_of_wind(13.0);
   const double east = (4.0 * 2.0 - 3.0 * 4.0 * std::sqrt(0.5)) / 7.0;
   const double north = 3.0 * 4.0 * std::sqrt(0.5) / 7.0;
   EXPECT_NEAR(week.speed_factor, std::hypot(east, north) / 2.0, 1e-12);
@@ -90,9 +90,9 @@ TEST(FilmSeason, WindTurnsTheShorterWay) {
   scene::Scene scene = keyed_autumn();
   scene.season_keys = {{.date = {2026, 9, 1}, .weathering = 0.0, .wind_heading_deg = 350.0},
                        {.date = {2026, 9, 11}, .wind_heading_deg = 10.0}};
-  const FilmSeason season(scene);
-  EXPECT_NEAR(season.days()[2].wind_heading_deg.value(), 354.0, 1e-9);
-  EXPECT_NEAR(season.days()[7].wind_heading_deg.value(), 4.0, 1e-9);
+  const auto season = film_season(scene);
+  EXPECT_NEAR(season->days()[2].wind_heading_deg.value(), 354.0, 1e-9);
+  EXPECT_NEAR(season->days()[7].wind_heading_deg.value(), 4.0, 1e-9);
 }
 
 // What falls is seen as what it is.
@@ -102,9 +102,9 @@ TEST(FilmSeason, TheAirIsTheDaysWithoutWhatFalls) {
                         .temperature_c = 8.0,
                         .precipitation_mm_day = 9.0,
                         .visual_range_m = 11.6e3}};
-  EXPECT_NEAR(FilmSeason(scene).visual_range_m(5.0), 11.6e3, 1e-6);
+  EXPECT_NEAR(film_season(scene)->visual_range_m(5.0), 11.6e3, 1e-6);
   scene.season_keys[0].visual_range_m.reset();
-  EXPECT_NEAR(FilmSeason(scene).visual_range_m(5.0), scene.sky.visual_range_m, 1e-6);
+  EXPECT_NEAR(film_season(scene)->visual_range_m(5.0), scene.sky.visual_range_m, 1e-6);
 }
 
 TEST(FilmSeason, IsAFilmOfItsFrames) {
@@ -126,15 +126,15 @@ TEST(FilmSeason, TableHasTheDaysBeforeTheFilm) {
   scene::Scene scene = keyed_autumn();
   scene.season.table = file.string();
   for (scene::SeasonKey& key : scene.season_keys) key.precipitation_mm_day.reset();
-  EXPECT_THROW(FilmSeason{scene}, InputError);  // days more than a year apart
+  EXPECT_THROW(film_season(scene), InputError);  // days more than a year apart
   write_file(file, "date,tmin_c,tmax_c,precipitation_mm\n2026-08-22,2,12,3\n2026-10-05,2,12,3\n");
-  const FilmSeason season(scene);
-  EXPECT_EQ(season.first_day(), -10);
-  EXPECT_EQ(season.days().front().precipitation_mm, 3.0);
-  EXPECT_EQ(season.days().front().tmin_c, 5.0);  // 10 degrees, half the table's range below
+  const auto season = film_season(scene);
+  EXPECT_EQ(season->first_day(), -10);
+  EXPECT_EQ(season->days().front().precipitation_mm, 3.0);
+  EXPECT_EQ(season->days().front().tmin_c, 5.0);  // 10 degrees, half the table's range below
   EXPECT_EQ(as_film(scene, film_season(scene).get()).weather.earlier_h, 240.0 + scene.sun.time_h);
   scene.season.last = {2026, 12, 1};
-  EXPECT_THROW(FilmSeason{scene}, InputError);  // the table ends before
+  EXPECT_THROW(film_season(scene), InputError);  // the table ends before
 }
 
 }  // namespace

@@ -96,18 +96,19 @@ TEST(Growth, DecidesWhichCellsStand) {
   FactorMap growth(61, 30.0);
   for (int j = 0; j < growth.samples(); ++j)
     for (int i = 0; i < growth.samples(); ++i) growth.at(i, j) = i < 30 ? 0.0F : 0.3F;
-  for (const meadow::CellChoice& choice : meadow::choose_cells(
-           scene, ground, growth, test::withering_of(scene, ground), test::grass_of(scene, 1)))
+  for (const meadow::CellChoice& choice :
+       meadow::choose_cells(scene, ground, growth, test::mixtures_of(scene, ground),
+                            test::withering_of(scene, ground), test::grass_of(scene, 1)))
     EXPECT_GE(choice.cell.x, 29);
-  const double texels = static_cast<double>(meadow::choose_cells(scene, ground, growth,
-                                                                 test::withering_of(scene, ground),
-                                                                 test::grass_of(scene, 1))
-                                                .size());
+  const double texels = static_cast<double>(
+      meadow::choose_cells(scene, ground, growth, test::mixtures_of(scene, ground),
+                           test::withering_of(scene, ground), test::grass_of(scene, 1))
+          .size());
   scene.render.grass = scene::GrassForm::blades;
-  const double blades = static_cast<double>(meadow::choose_cells(scene, ground, growth,
-                                                                 test::withering_of(scene, ground),
-                                                                 test::grass_of(scene, 1))
-                                                .size());
+  const double blades = static_cast<double>(
+      meadow::choose_cells(scene, ground, growth, test::mixtures_of(scene, ground),
+                           test::withering_of(scene, ground), test::grass_of(scene, 1))
+          .size());
   EXPECT_NEAR(blades / texels, 0.3, 0.03);
 }
 

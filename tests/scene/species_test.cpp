@@ -95,5 +95,64 @@ TEST(Species, AreBlamedByTheirOwnKeys) {
               testing::HasSubstr("did you mean \"species[1].height\""));
 }
 
+const char* const four = R"([[species]]
+share = 1
+[[species]]
+share = 2
+driest = 0.8
+[[species]]
+share = 3
+[[species]]
+share = 4
+cover = 0.5
+)";
+
+// By hand: the second and the fourth have a habitat.
+TEST(Species, WithAHabitatAreMissingInMixtures) {
+  const Scene scene = parse_scene(four, "a.toml", {});
+  EXPECT_EQ(mixtures_of(scene), (std::vector<Mixture>{{0, 1, 2, 3}, {0, 2, 3}, {0, 1, 2}, {0, 2}}));
+  EXPECT_EQ(patch_count(scene), 16);
+  EXPECT_EQ(patch_number(scene, 2, 3), 11);
+  EXPECT_EQ(mixture_number(scene, 11), 2);
+  EXPECT_EQ(mixture_of(scene, 11), (Mixture{0, 1, 2}));
+  EXPECT_EQ(blades_of(scene, {0, 2}), (std::vector<int>{100, 300}));
+}
+
+TEST(Species, OfWhichNoneGrowsEverywhereLeaveNoMixtureEmpty) {
+  Scene scene;
+  scene.species.resize(2);
+  for (Species& species : scene.species) species.habitat.cover = 0.5;
+  EXPECT_EQ(mixtures_of(scene), (std::vector<Mixture>{{0, 1}, {1}, {0}}));
+  scene.species.clear();
+  EXPECT_EQ(mixtures_of(scene), (std::vector<Mixture>{{0}}));
+  EXPECT_EQ(patch_count(scene), scene.grass.variants);
+}
+
+TEST(Species, MixtureOfMostLeafIsTheOneOfTheBroadestAlone) {
+  Scene scene = parse_scene(two, "a.toml", {});
+  EXPECT_EQ(max_blade_area_m2(scene), blade_area_m2(scene));
+  scene.species[0].habitat.cover = 0.5;
+  EXPECT_NEAR(max_blade_area_m2(scene), 401 * 0.5 * 0.4 * 0.008, 1e-12);
+}
+
+TEST(Species, LimitsOfAHabitatLeaveRoom) {
+  EXPECT_THAT(
+      problems_of("[[species]]\ndriest = 0.6\nwettest = 0.5\n"),
+      testing::HasSubstr("a.toml:3:1: species[1].wettest: found 0.5, expected more than 0.6 "
+                         "(species[1].driest)"));
+  EXPECT_THAT(problems_of("[[species]]\nlowest = 5\nhighest = 4\n"),
+              testing::HasSubstr("species[1].highest"));
+  EXPECT_THAT(problems_of("[[species]]\ngentlest = 50\nsteepest = 40\n"),
+              testing::HasSubstr("species[1].steepest"));
+  EXPECT_THAT(problems_of("[[species]]\nshadiest = 1.5\nsunniest = 1.2\n"),
+              testing::HasSubstr("species[1].sunniest"));
+  std::string many;
+  for (int k = 0; k < max_with_habitat; ++k) many += "[[species]]\ncover = 0.5\n";
+  EXPECT_EQ(problems_of(many), "");
+  EXPECT_THAT(problems_of(many + "[[species]]\ncover = 0.5\n"),
+              testing::HasSubstr("[[species]]: found 5 that do not grow everywhere, expected at "
+                                 "most 4"));
+}
+
 }  // namespace
 }  // namespace wold::scene

@@ -79,8 +79,9 @@ double mean(const std::vector<float>& values) {
 // But for rounding, which lets air that is at zero be a little above it.
 TEST_F(SeasonSnow, OnTheLevelIsThatOfTheCurvesAtAnyHeight) {
   for (const double height_m : {0.0, 700.0}) {
-    std::vector<weather::Day> days = phenology::FilmSeason(scene).days();
-    const auto first = static_cast<std::size_t>(-phenology::FilmSeason(scene).first_day());
+    const auto season = phenology::film_season(scene);
+    std::vector<weather::Day> days = season->days();
+    const auto first = static_cast<std::size_t>(-season->first_day());
     for (weather::Day& day : days) {
       day.tmin_c -= lapse_k_per_m * height_m;
       day.tmax_c -= lapse_k_per_m * height_m;
@@ -105,11 +106,11 @@ TEST_F(SeasonSnow, OnTheLevelIsThatOfTheCurvesAtAnyHeight) {
 
 TEST_F(SeasonSnow, BeginsWithWhatLies) {
   scene.snow_cover.initial_mm = 50.0;
-  const phenology::FilmSeason film(scene);
-  const auto mornings = snowpack::snow_on_ground(film.days(), {}, 50.0);
+  const auto film = phenology::film_season(scene);
+  const auto mornings = snowpack::snow_on_ground(film->days(), {}, 50.0);
   const SnowGround level = ground(Heightfield(2, 20.0, 0.0F));
   for (const int day : {0, 1, 3}) {
-    const SnowGround::State state = level.at((film.first_day() + day) * 86400.0);
+    const SnowGround::State state = level.at((film->first_day() + day) * 86400.0);
     const snowpack::SnowOnGround& expected = mornings[static_cast<std::size_t>(day)];
     EXPECT_GT(expected.depth_m, 0.0);
     EXPECT_NEAR(state.depth_m.at(0, 0), expected.depth_m, 1e-6);

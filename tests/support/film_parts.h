@@ -4,6 +4,7 @@
 
 #include "meadow/frame_grass.h"
 #include "phenology/film_season.h"
+#include "place/mixture_field.h"
 #include "place/site.h"
 #include "place/withering.h"
 #include "scene/scene.h"
@@ -24,6 +25,10 @@ inline place::Site site_of(const scene::Scene& scene,
 
 inline place::Withering withering_of(const scene::Scene& scene, const Heightfield& terrain) {
   return {scene, terrain, phenology::film_season(scene)};
+}
+
+inline place::MixtureField mixtures_of(const scene::Scene& scene, const Heightfield& terrain) {
+  return {scene, terrain};
 }
 
 inline meadow::FrameGrass grass_of(const scene::Scene& scene, int frame) {

@@ -15,9 +15,9 @@ struct MeadowSample {
   std::optional<scene::CurveChoice> rate;  ///< Mg_i of wd_i = Mg_i(wd); none: as the meadow does
 };
 
-/// The samples of the scene's patch, species by species: one for each of a species' ageing rates,
-/// or one without a rate. The blades of a species are shared out as evenly as possible, its first
-/// samples get one more.
-std::vector<MeadowSample> samples_of(const scene::MeadowPart& meadow);
+/// The samples of a variant of the scene's patch, by species of its mixture (scene::mixture_of()):
+/// one for each of a species' ageing rates, or one without a rate. The blades of a species are
+/// shared out as evenly as possible, its first samples get one more.
+std::vector<MeadowSample> samples_of(const scene::MeadowPart& meadow, int variant);
 
 }  // namespace wold::grass

@@ -12,7 +12,7 @@ namespace wold::grass {
 
 WitheringPatch::WitheringPatch(const scene::MeadowPart& meadow, const MeadowModel& model,
                                int variant)
-    : model_(model), patch_m_(meadow.grass.patch_m), rates_(ageing_rates(meadow)) {
+    : model_(model), patch_m_(meadow.grass.patch_m), rates_(ageing_rates(meadow, variant)) {
   for (int sample = 0; sample < static_cast<int>(rates_.size()); ++sample) {
     const std::vector<Blade>& blades =
         samples_.emplace_back(sample_blades(meadow, variant, sample));

@@ -36,7 +36,7 @@ SampledTexel scattered(const scene::MeadowPart& meadow, const TexelShape& shape,
 
 std::vector<Blade> sample_blades(const scene::MeadowPart& meadow, int variant, int sample) {
   if (!meadow.grass.from_texel.empty()) return from_texel(meadow, variant, sample).blades;
-  const MeadowSample of = samples_of(meadow).at(static_cast<std::size_t>(sample));
+  const MeadowSample of = samples_of(meadow, variant).at(static_cast<std::size_t>(sample));
   const scene::Species species = scene::species_of(meadow).at(static_cast<std::size_t>(of.species));
   std::vector<Blade> blades =
       scatter_blades(species.plant, species.physiology,
@@ -45,9 +45,9 @@ std::vector<Blade> sample_blades(const scene::MeadowPart& meadow, int variant, i
   return blades;
 }
 
-std::vector<Curve> ageing_rates(const scene::MeadowPart& meadow) {
+std::vector<Curve> ageing_rates(const scene::MeadowPart& meadow, int variant) {
   std::vector<Curve> rates;
-  for (const MeadowSample& sample : samples_of(meadow))
+  for (const MeadowSample& sample : samples_of(meadow, variant))
     rates.push_back(sample.rate ? load_curve(CurveKind::rate, *sample.rate)
                                 : Curve({{0.0, 0.0}, {1.0, 1.0}}));
   return rates;
@@ -55,10 +55,10 @@ std::vector<Curve> ageing_rates(const scene::MeadowPart& meadow) {
 
 Samples::Samples(const scene::MeadowPart& meadow, const TexelShape& shape, int variant,
                  const MeadowModel& model)
-    : shape_(shape), rates_(ageing_rates(meadow)) {
+    : shape_(shape), rates_(ageing_rates(meadow, variant)) {
   const std::vector<scene::Species> species = scene::species_of(meadow);
   int sample = 0;
-  for (const MeadowSample& of : samples_of(meadow)) {
+  for (const MeadowSample& of : samples_of(meadow, variant)) {
     SampledTexel sampled = meadow.grass.from_texel.empty()
                                ? scattered(meadow, shape, variant, sample)
                                : from_texel(meadow, variant, sample);

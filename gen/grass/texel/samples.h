@@ -10,9 +10,9 @@
 
 namespace wold::grass {
 
-/// Ageing rates wd_i = Mg_i(wd) of a meadow's samples, [TVT] section 4.1, in the order of
-/// samples_of(); the identity of one without a rate. Throws what load_curve() throws.
-std::vector<Curve> ageing_rates(const scene::MeadowPart& meadow);
+/// Ageing rates wd_i = Mg_i(wd) of the samples of a variant of the patch, [TVT] section 4.1, in the
+/// order of samples_of(); the identity of one without a rate. Throws what load_curve() throws.
+std::vector<Curve> ageing_rates(const scene::MeadowPart& meadow, int variant);
 
 /// The blades of a sample, by its place in samples_of(), of a variant of the scene's patch:
 /// scattered, or those of grass.from_texel. Throws what read_any_texel() and sample_texel() throw.

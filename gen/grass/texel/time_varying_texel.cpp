@@ -68,9 +68,9 @@ double height_m(const Blade& blade, const scene::Physiology& physiology, double 
 /// Highest point of any blade at any time: withering only lowers grass, drying only raises hair.
 double tallest_m(const scene::MeadowPart& meadow) {
   const std::vector<scene::Species> species = scene::species_of(meadow);
-  const int samples = static_cast<int>(samples_of(meadow).size());
   double tallest = 0.0;
-  for (int variant = 0; variant < meadow.grass.variants; ++variant)
+  for (int variant = 0; variant < scene::patch_count(meadow); ++variant) {
+    const int samples = static_cast<int>(samples_of(meadow, variant).size());
     for (int sample = 0; sample < samples; ++sample)
       for (const Blade& blade : sample_blades(meadow, variant, sample)) {
         const scene::Physiology& physiology =
@@ -78,6 +78,7 @@ double tallest_m(const scene::MeadowPart& meadow) {
         tallest =
             std::max({tallest, height_m(blade, physiology, 0.0), height_m(blade, physiology, 1.0)});
       }
+  }
   return tallest;
 }
 
@@ -111,6 +112,7 @@ std::string described(const scene::MeadowPart& meadow, const Lighting& lighting)
   relevant.grass.far_field_below_pixels = plain.grass.far_field_below_pixels;
   relevant.ageing = meadow.ageing;
   relevant.species = meadow.species;
+  for (scene::Species& species : relevant.species) species.habitat = {};
   relevant.ageing.frames = plain.ageing.frames;
   relevant.ageing.age_spread = plain.ageing.age_spread;
   relevant.ageing.age_spread_feature_m = plain.ageing.age_spread_feature_m;
@@ -176,8 +178,12 @@ std::filesystem::path TimeVaryingTexel::volume_path(int variant, const PatchStat
 std::string TimeVaryingTexel::content(int variant, const PatchState& state) const {
   std::string snow;
   if (state.snow > 0) snow = fmt::format(" snow {} of {}", state.snow, snow_levels);
-  return content_hash(fmt::format("{} {} {}{}", variant, state.key_frame,
-                                  bases_.at(static_cast<std::size_t>(state.light)), snow));
+  std::string species;
+  if (const scene::Mixture mixture = scene::mixture_of(meadow_, variant);
+      mixture.size() < scene::species_of(meadow_).size())
+    species = fmt::format(" species {}", fmt::join(mixture, ","));
+  return content_hash(fmt::format("{} {} {}{}{}", variant, state.key_frame,
+                                  bases_.at(static_cast<std::size_t>(state.light)), snow, species));
 }
 
 std::string TimeVaryingTexel::volume_content(int variant, const PatchState& state, int lod,
