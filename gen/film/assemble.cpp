@@ -130,6 +130,15 @@ double gain(const scene::Scene& scene, const light::Daylight& day,
   return for_snow ? sky::metered_gain(day, sky::Subject::snow) : for_bare;
 }
 
+/// What it leaves where it looks towards a low sun that nothing hides: none under an overcast sky.
+double sunward(const place::Site& site, const landscape::Landscape& landscape,
+               double sunlit_fraction, double gain) {
+  const double height_over_width = 1.0 * landscape.height_px / landscape.width_px;
+  return math::pow(
+      sky::sunward_gain(site.day, site.terrain, landscape.camera, height_over_width, gain),
+      sunlit_fraction);
+}
+
 /// `illuminate`: what clouds and snow make of the light on the ground under a clear sky.
 template <class Illuminate>
 landscape::Daylight open_daylight(const light::Daylight& day, double sunlit_fraction,
@@ -172,8 +181,9 @@ landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site
   };
   landscape.daylight = open_daylight(site.day, air.sunlit_fraction(), illuminate);
   const ColourMap light = illuminate(ground.light());
-  landscape.exposure_gain =
-      gain(scene, site.day, ground, light) * dusk(scene, frame) * math::exp2(scene.render.exposure);
+  const double metered = gain(scene, site.day, ground, light) * dusk(scene, frame);
+  landscape.exposure_gain = metered * sunward(site, landscape, air.sunlit_fraction(), metered) *
+                            math::exp2(scene.render.exposure);
   ground::LitGround(scene, site, now, landscape, choices, lookup.far, illuminate)
       .show(ground, light, landscape);
   sky.show(landscape, overcast_per_m > 0.0);

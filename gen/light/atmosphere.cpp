@@ -19,7 +19,7 @@ constexpr double eye_height_m = 2.0;
 constexpr double ground_albedo = 0.2;  // meadows, woods and fields
 
 // The table of lines of sight: elevations close to each other at the horizon.
-constexpr int elevations = 72, azimuths = 25;
+constexpr int elevations = 72, azimuths = 17, line_steps = 32;
 
 double elevation_of(int step) {
   const double part = static_cast<double>(step) / (elevations - 1);
@@ -29,7 +29,7 @@ double elevation_of(int step) {
 /// A place on a way through the air, and how the sun stands there.
 struct Place {
   double height_m;
-  double sun_cosine;  ///< of its zenith angle
+  double sun_cosine;  ///< of its zenith angle without air
 };
 
 /// A straight way from a height: `up` is the cosine of its zenith angle, `to_sun` of its angle to
@@ -46,13 +46,16 @@ struct Way {
 
 /// What scattering needs to know of the air and of the sun's light in it.
 struct LitAir {
-  Air air;
   const AirColumns& columns;
+  Air air;  ///< that light goes through
 
   /// The fraction of the sun's light that arrives.
   Spectrum sunlight(const Place& place) const {
-    const auto way = columns.to_space_m(place.height_m, place.sun_cosine);
-    return way ? air.transmittance(*way) : Spectrum{};
+    const auto ray = columns.from_sun(place.height_m, place.sun_cosine);
+    if (!ray) return {};
+    Spectrum fraction = air.transmittance(ray->on_way_m);
+    for (double& of_wavelength : fraction) of_wavelength *= ray->brightness;
+    return fraction;
   }
 };
 
@@ -177,24 +180,51 @@ class OftenScattered {
 
 /// What a line of sight gains of light per unit of the sun's, by kind of scattering.
 struct GainedSpectra {
-  Spectrum molecules{}, aerosol{}, often{};
+  Spectrum molecules{}, aerosol{}, aerosol_again{}, often{};
 };
 
-GainedSpectra gained_along(const LitAir& lit, const OftenScattered& often, const Way& way) {
-  constexpr int steps = 40;
-  GainedSpectra gained;
-  go_along(lit.air, way, way_end(way.height_m, way.up).length_m, steps,
+/// What aerosol scatters once on its way to the eye, the sun's light of which nothing came in
+/// before by forward scattering.
+Spectrum gained_of_aerosol(const LitAir& lit, const Way& way, double length_m) {
+  Spectrum gained{};
+  go_along(lit.air, way, length_m, line_steps,
            [&](const Place& place, const AirAmounts& amounts, const Spectrum& seen_m) {
-             const Spectrum sunlight = lit.sunlight(place), around = often.at(place);
-             const Spectrum molecules = lit.air.molecules_scattering_per_m(amounts);
+             const Spectrum sunlight = lit.sunlight(place);
              const Spectrum aerosol = lit.air.aerosol_scattering_per_m(amounts);
+             for (std::size_t w = 0; w < wavelengths; ++w)
+               gained[w] += aerosol[w] * seen_m[w] * sunlight[w];
+           });
+  return gained;
+}
+
+/// `lit` has the whole air, `on` that without forward peak.
+GainedSpectra gained_along(const LitAir& lit, const LitAir& on, const OftenScattered& often,
+                           const Way& way) {
+  const double length_m = way_end(way.height_m, way.up).length_m;
+  GainedSpectra gained;
+  go_along(on.air, way, length_m, line_steps,
+           [&](const Place& place, const AirAmounts& amounts, const Spectrum& seen_m) {
+             const Spectrum sunlight = on.sunlight(place), around = often.at(place);
+             const Spectrum molecules = on.air.molecules_scattering_per_m(amounts);
+             const Spectrum aerosol = on.air.aerosol_scattering_per_m(amounts);
              for (std::size_t w = 0; w < wavelengths; ++w) {
                gained.molecules[w] += molecules[w] * seen_m[w] * sunlight[w];
-               gained.aerosol[w] += aerosol[w] * seen_m[w] * sunlight[w];
+               gained.aerosol_again[w] +=
+                   aerosol[w] / (1.0 - forward_fraction) * seen_m[w] * sunlight[w];
                gained.often[w] += (molecules[w] + aerosol[w]) * seen_m[w] * around[w];
              }
            });
+  gained.aerosol = gained_of_aerosol(lit, way, length_m);
+  for (std::size_t w = 0; w < wavelengths; ++w) gained.aerosol_again[w] -= gained.aerosol[w];
   return gained;
+}
+
+/// aerosol_phase() of light that was scattered forward before, Henyey and Greenstein 1941: its
+/// asymmetry is that of the first scattering, squared.
+double blurred_aerosol_phase(double cosine) {
+  constexpr double g = 0.702 * 0.702;
+  const double base = 1.0 + g * g - 2.0 * g * cosine;
+  return 0.25 / pi * (1.0 - g * g) / (base * std::sqrt(base));
 }
 
 /// What is seen of the sun's disc over the horizon.
@@ -223,26 +253,30 @@ double horizon_dip_rad(double height_m) {
 glm::dvec3 sunlight_klx(double sun_elevation_rad, double turbidity, double height_m) {
   const SeenDisc disc = seen_disc(sun_elevation_rad, sun_elevation_rad + horizon_dip_rad(height_m));
   if (disc.fraction <= 0.0) return glm::dvec3(0.0);
-  const LitAir lit{Air(turbidity), air_columns()};
-  return disc.fraction * SunSpectrum().klx(lit.sunlight({height_m, math::sin(disc.elevation_rad)}));
+  const auto way = air_columns().to_space_m(height_m, math::sin(disc.elevation_rad));
+  if (!way) return glm::dvec3(0.0);
+  return disc.fraction * SunSpectrum().klx(Air(turbidity).transmittance(*way));
 }
 
 Atmosphere::Atmosphere(double sun_elevation_rad, double turbidity)
     : gained_(std::size_t{elevations} * azimuths),
       sun_elevation_rad_(sun_elevation_rad),
       turbidity_(turbidity) {
-  const LitAir lit{Air(turbidity), air_columns()};
-  const OftenScattered often(lit, sun_elevation_rad);
+  const Air air(turbidity);
+  const LitAir lit{air_columns(), air}, on{air_columns(), air.without_forward_peak()};
+  const double sun_rad = lit.columns.elevation_without_air_rad(sun_elevation_rad);
+  const OftenScattered often(on, sun_rad);
   const SunSpectrum sun;
-  const double sun_up = math::sin(sun_elevation_rad), sun_level = math::cos(sun_elevation_rad);
+  const double sun_up = math::sin(sun_rad), sun_level = math::cos(sun_rad);
   parallel_for(std::size_t{elevations}, [&](std::size_t row) {
     const double elevation_rad = elevation_of(static_cast<int>(row));
     const double up = math::sin(elevation_rad), level = math::cos(elevation_rad);
     for (int i = 0; i < azimuths; ++i) {
       const double to_sun = up * sun_up + level * sun_level * math::cos(pi * i / (azimuths - 1));
-      const GainedSpectra gained = gained_along(lit, often, {eye_height_m, up, to_sun, sun_up});
+      const GainedSpectra gained = gained_along(lit, on, often, {eye_height_m, up, to_sun, sun_up});
       gained_[row * azimuths + static_cast<std::size_t>(i)] = {
-          sun.klx(gained.molecules), sun.klx(gained.aerosol), sun.klx(gained.often)};
+          sun.klx(gained.molecules), sun.klx(gained.aerosol), sun.klx(gained.aerosol_again),
+          sun.klx(gained.often)};
     }
   });
 }
@@ -258,7 +292,7 @@ glm::dvec3 Atmosphere::sky_kcd_m2(double elevation_rad, double from_sun_rad, dou
     const Gained& gained =
         gained_[static_cast<std::size_t>(k) * azimuths + static_cast<std::size_t>(l)];
     return gained.molecules * rayleigh_phase(cosine) + gained.aerosol * aerosol_phase(cosine) +
-           gained.often;
+           gained.aerosol_again * blurred_aerosol_phase(cosine) + gained.often;
   };
   return bilinear(value(i, j), value(i, j + 1), value(i + 1, j), value(i + 1, j + 1), v, u);
 }

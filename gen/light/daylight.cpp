@@ -83,14 +83,16 @@ Daylight::Daylight(const scene::Sun& scene_sun, const scene::Sky& sky)
 
 void Daylight::balance() {
   constexpr int azimuths = 72;
+  const double sun_azimuth_rad = math::atan2(sun_direction_.x, sun_direction_.y);
   std::array<glm::dvec3, 91> mean_klx{};
   glm::dvec3 sky_klx(0.0);
   for (int degree = 0; degree <= 90; ++degree) {
     const double elevation_rad = degree * radians_per_degree;
     glm::dvec3& mean = mean_klx[static_cast<std::size_t>(degree)];
-    for (int k = 0; k < azimuths; ++k)
+    for (int k = 0; k < azimuths; ++k)  // of the half on the sun's right: the other one is like it
       mean +=
-          above_horizon(direction_of(2.0 * pi * k / azimuths, elevation_rad)) / (1.0 * azimuths);
+          above_horizon(direction_of(sun_azimuth_rad + pi * (k + 0.5) / azimuths, elevation_rad)) /
+          (1.0 * azimuths);
     sky_klx += mean * (pi * math::sin(2.0 * elevation_rad) * radians_per_degree);
   }
   const glm::dvec3 sun_klx = glm::max(atmosphere_->sun_klx(), glm::dvec3(0.0));

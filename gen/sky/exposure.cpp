@@ -10,6 +10,8 @@
 #include "core/angle.h"
 #include "core/colour.h"
 #include "core/elementary.h"
+#include "core/pinhole.h"
+#include "terrain/horizon.h"
 
 namespace wold::sky {
 namespace {
@@ -61,6 +63,29 @@ double key_of(double klx) {
   return 1.03 - 2.0 / (2.0 + math::log10(cd_m2 + 1.0));
 }
 
+/// Unit vectors to places all over a camera's picture.
+std::vector<glm::dvec3> lines_of_sight(const landscape::Camera& camera, double height_over_width) {
+  constexpr int columns = 64, rows = 36;
+  const CameraAxes axes(camera.eye_m, camera.target_m);
+  const double half = half_width(camera.field_of_view_deg);
+  std::vector<glm::dvec3> directions;
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x) {
+      const double right = half * (2.0 * (x + 0.5) / columns - 1.0);
+      const double up = half * height_over_width * (1.0 - 2.0 * (y + 0.5) / rows);
+      directions.push_back(glm::normalize(axes.forward + axes.right * right + axes.up * up));
+    }
+  return directions;
+}
+
+/// The value that is met or passed by that fraction of the values.
+float passed_by(double fraction, std::vector<float>& values) {
+  const auto limit =
+      values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), limit, values.end(), std::greater<>());
+  return *limit;
+}
+
 }  // namespace
 
 double metered_gain(const light::Daylight& day, Subject subject) {
@@ -79,17 +104,30 @@ double dusk_gain(double sun_elevation_deg, double highest_deg) {
          key_of(sunset_klx);
 }
 
+double sunward_gain(const light::Daylight& day, const Heightfield& terrain,
+                    const landscape::Camera& camera, double height_over_width, double gain) {
+  constexpr double burning_fraction = 0.1, burning = 1.2, darkest = 0.25;
+  std::vector<float> exposed;
+  for (const glm::dvec3& to : lines_of_sight(camera, height_over_width)) {
+    const float sky =
+        to.z > 0.0 ? static_cast<float>(gain) * luminance(day.sky_radiance(to)) : 0.0F;
+    const bool seen =
+        sky > burning &&
+        !terrain::is_hidden(terrain, camera.eye_m, camera.eye_m + to * (2.0 * terrain.size_m()));
+    exposed.push_back(seen ? sky : 0.0F);
+  }
+  const double limit = passed_by(burning_fraction, exposed);
+  return limit > burning ? std::max(burning / limit, darkest) : 1.0;
+}
+
 double snow_gain(const light::Daylight& day, const ColourMap& light) {
   constexpr double brightest_snow = 0.95, fresh_albedo = 0.95, burning_fraction = 0.05;
   std::vector<float> luminances;
   luminances.reserve(light.values().size());
   for (const glm::vec3& value : light.values()) luminances.push_back(luminance(value));
-  const auto limit =
-      luminances.begin() +
-      static_cast<std::ptrdiff_t>(burning_fraction * static_cast<double>(luminances.size()));
-  std::nth_element(luminances.begin(), limit, luminances.end(), std::greater<>());
   return std::min(metered_gain(day, Subject::snow),
-                  brightest_snow * std::numbers::pi / (fresh_albedo * double{*limit}));
+                  brightest_snow * std::numbers::pi /
+                      (fresh_albedo * double{passed_by(burning_fraction, luminances)}));
 }
 
 }  // namespace wold::sky

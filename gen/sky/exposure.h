@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/ground_map.h"
+#include "landscape/landscape.h"
 #include "light/daylight.h"
 
 namespace wold::sky {
@@ -16,6 +17,13 @@ double metered_gain(const light::Daylight& day, Subject subject);
 /// The same for snow on slopes that are lit so: less where one in twenty would burn out, as slopes
 /// towards a low sun do.
 double snow_gain(const light::Daylight& day, const ColourMap& light);
+
+/// Factor from 1/4 to 1 on a gain where the camera looks towards a low sun: as much less as it
+/// takes that not more than a tenth of the picture is sky that burns out, but two stops at most. So
+/// it is with photographs of sunsets: land is dark in them. The sky is the clear one, which changes
+/// evenly while clouds drift. `height_over_width`: of the picture.
+double sunward_gain(const light::Daylight& day, const Heightfield& terrain,
+                    const landscape::Camera& camera, double height_over_width, double gain);
 
 /// Factor on that of a meter where the film's sun stands at `highest_deg` at most: a camera opens
 /// as the sun sinks, but only half-way, as eyes adapt, so that evening is darker than day. After
