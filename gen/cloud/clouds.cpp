@@ -20,13 +20,37 @@ namespace {
 constexpr int max_period_px = 16384;
 constexpr int finest_cell_px = 1024;
 
+/// The recipe of a layer's kind; its fibres are combed by the wind, whose turn with height differs
+/// from layer to layer.
+Recipe recipe_of_layer(const scene::CloudLayer& described, std::uint64_t key) {
+  constexpr double turn_deg = 35.0;
+  Recipe recipe = recipe_of(described.kind);
+  const double turned_deg =
+      described.heading_deg + turn_deg * (2.0 * random_uniform({key, key_of("trails")}) - 1.0);
+  recipe.trails.heading_rad = glm::radians(turned_deg);
+  return recipe;
+}
+
 double cell_m_of(const scene::CloudLayer& layer, const Recipe& recipe) {
   return layer.cell_m.value_or(recipe.cell_m);
 }
 
+double thickness_m_of(const scene::CloudLayer& layer, const Recipe& recipe) {
+  return layer.thickness_m.value_or(recipe.thickness_m);
+}
+
+/// A veil has no surface; light that is the same everywhere shows none.
+bool has_relief(const scene::CloudLayer& layer, const Recipe& recipe) {
+  constexpr double deep = 5.0;
+  return layer.light != scene::Law::paper &&
+         recipe.extinction_per_km * 1e-3 * thickness_m_of(layer, recipe) > deep;
+}
+
 /// Whether nothing of the layer is finer than its map's pixels.
 bool is_all_in_its_map(const scene::CloudLayer& layer) {
-  return layer.body == scene::CloudBody::volume || !layer.textures.empty();
+  const Recipe recipe = recipe_of(layer.kind);
+  const bool is_heaps = has_relief(layer, recipe) && layer.cover.value_or(recipe.cover) < 1.0;
+  return (layer.body == scene::CloudBody::volume && !is_heaps) || !layer.textures.empty();
 }
 
 glm::ivec2 period_px_of(const glm::ivec2& cells, double cell_m, double pixel_m, std::size_t layer) {
@@ -44,16 +68,13 @@ Layer layer_of(std::uint64_t key, const scene::CloudLayer& described, const Reci
   Layer layer;
   layer.key = key;
   layer.base_m = described.base_m.value_or(recipe.base_m);
-  layer.thickness_m = described.thickness_m.value_or(recipe.thickness_m);
+  layer.thickness_m = thickness_m_of(described, recipe);
   layer.period_px = period_px;
   layer.period_m = glm::dvec2(period_px) * pixel_m;
   layer.is_volume = described.body == scene::CloudBody::volume;
   layer.lit_as_paper = described.light == scene::Law::paper;
   layer.droplets = {recipe.extinction_per_km * 1e-3, recipe.asymmetry};
-  // A veil has no surface; light that is the same everywhere shows none.
-  constexpr double deep = 5.0;
-  layer.has_relief =
-      !layer.lit_as_paper && layer.droplets.extinction_per_m * layer.thickness_m > deep;
+  layer.has_relief = has_relief(described, recipe);
   if (layer.has_relief || layer.is_volume) layer.billow_cells.emplace(key);
   layer.forward.emplace(forward_through, layer.droplets.asymmetry);
   layer.seen_depth = -math::log1p(-textures.densest_opacity);
@@ -169,8 +190,8 @@ Clouds::Clouds(const scene::CloudsPart& part, double pixel_m, const phenology::F
       sun_direction_(direction_to(part.sun)) {
   for (std::size_t i = 0; i < part.layers.size(); ++i) {
     const scene::CloudLayer& described = part.layers[i];
-    const Recipe recipe = recipe_of(described.kind);
     const std::uint64_t key = random_bits({part.seed, key_of("cloud layer"), i});
+    const Recipe recipe = recipe_of_layer(described, key);
     const double cell_m = cell_m_of(described, recipe);
     const glm::ivec2 cells(described.cells[0], described.cells[1]);
     const glm::ivec2 period_px = period_px_of(cells, cell_m, pixel_m, i);

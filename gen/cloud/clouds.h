@@ -45,6 +45,9 @@ struct Layer {
 /// Height of a layer's middle above the terrain's zero, metres.
 inline double middle_m(const Layer& layer) { return layer.base_m + 0.5 * layer.thickness_m; }
 
+/// Whether what is seen of a layer are heaps, whose sides show.
+inline bool stands_in_heaps(const Layer& layer) { return layer.has_relief && layer.cover < 1.0; }
+
 /// A shape of a layer over its whole period.
 struct ShapeMaps {
   LayerMap ranks;
@@ -78,8 +81,8 @@ class Clouds {
          const phenology::FilmSeason* season = nullptr);
 
   /// A pixel's side with which the longest period has 2048 pixels, but no finer than a 256th of
-  /// the smallest cell: what is smaller, Layer::detail has. It has half that side where a layer is
-  /// a volume or has pictures, which are without detail; 0 without clouds.
+  /// the smallest cell: what is smaller, Layer::detail and heads have. It has half that side where
+  /// a layer has pictures or is a volume without heaps, which are without detail; 0 without clouds.
   static double usual_pixel_m(const std::vector<scene::CloudLayer>& layers);
 
   /// `frame` >= 1, alone: no other frame is needed. Maps are made when they are first used.

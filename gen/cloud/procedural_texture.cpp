@@ -1,6 +1,7 @@
 #include "cloud/procedural_texture.h"
 
 #include "cloud/texture_noise.h"
+#include "cloud/trails.h"
 #include "core/parallel.h"
 #include "core/random.h"
 
@@ -55,7 +56,8 @@ PeriodicMap<float> procedural_field(const Recipe& recipe, int side_px, std::uint
           static_cast<float>(procedural_field_at(recipe, place, key));
     }
   });
-  return field;
+  return recipe.trails.length > 0.0 ? trailing(field, recipe.trails, key ^ key_of("trails"))
+                                    : field;
 }
 
 }  // namespace wold::cloud

@@ -10,11 +10,12 @@ namespace wold::cloud {
 /// A texture's field: the higher, the more cloud; only the order of its values means something.
 /// Periodic Perlin-Worley noise (Schneider 2015, The real-time volumetric cloudscapes of Horizon
 /// Zero Dawn), in two dimensions: gradient noise says where clouds stand, inverted cellular noise
-/// heaps round heads on them, gradient noise displaces both. Keyed by `key`, side_px >= 1.
+/// heaps round heads on them, gradient noise displaces both. Ice trails behind (trails.h). Keyed by
+/// `key`, side_px >= 1.
 PeriodicMap<float> procedural_field(const Recipe& recipe, int side_px, std::uint64_t key);
 
-/// The field at a place, in textures: f(x + 1, y) = f(x, y + 1) = f(x, y), to the bit where the
-/// places are exact in binary.
+/// The field at a place, in textures, without trails: f(x + 1, y) = f(x, y + 1) = f(x, y), to the
+/// bit where the places are exact in binary.
 double procedural_field_at(const Recipe& recipe, const glm::dvec2& place, std::uint64_t key);
 
 }  // namespace wold::cloud

@@ -36,6 +36,16 @@ class RecipeFile {
             number((table + ".gain").c_str())};
   }
 
+  Trails trails() const {
+    if (!root_.contains("trails")) return {};
+    return {number("trails.length"), number("trails.bend"), number("trails.contrast")};
+  }
+
+  Patches patches() const {
+    if (!root_.contains("patches")) return {};
+    return {number("patches.weight"), number("patches.cells")};
+  }
+
   std::vector<glm::dvec2> points(const char* name) const {
     std::vector<glm::dvec2> points;
     const toml::array* list = root_[name].as_array();
@@ -71,6 +81,8 @@ Recipe recipe_of(scene::CloudKind kind) {
   recipe.billows = file.octaves("billows");
   recipe.warp = file.number("warp.by");
   recipe.warp_period = file.pair("warp.period");
+  recipe.trails = file.trails();
+  recipe.patches = file.patches();
   recipe.profile = file.points("profile");
   return recipe;
 }

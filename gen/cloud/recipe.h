@@ -16,6 +16,23 @@ struct Octaves {
   double gain = 0.5;
 };
 
+/// Ice that falls from heads and trails behind them in slower wind. Not used when its length is 0.
+struct Trails {
+  double length = 0.0;  ///< over which they fade by e, in textures
+  double bend = 0.0;    ///< how far the wind turns over that length, as a fraction of it
+  double contrast =
+      1.0;  ///< logarithm of how much more ice falls where the heads' field is 1 higher
+  /// Where to, clockwise from north, the wind blows heads: not in the file, a layer's own.
+  double heading_rad = 0.0;
+};
+
+/// Noise beyond a texture's size: where in the layer there are more clouds, where fewer. Not used
+/// when its weight is 0.
+struct Patches {
+  double weight = 0.0;  ///< its standard deviation over that of the textures' Gaussianised ranks
+  double cells = 1.0;   ///< size of its features
+};
+
 /// What clouds of a kind are like: a file of models/cloud, where the numbers have their sources.
 struct Recipe {
   // The layer.
@@ -32,6 +49,8 @@ struct Recipe {
   Octaves billows;    ///< cellular noise, upside down: round heads on heads
   double warp = 0.0;  ///< how far noise displaces all of it, in textures
   glm::ivec2 warp_period = {1, 1};
+  Trails trails;    ///< of the sum, whose high places are heads
+  Patches patches;  ///< of the layer
   /// Optical depth over that of the densest place, from the edge, 0, to the densest, 1, by rank.
   std::vector<glm::dvec2> profile;
 

@@ -57,8 +57,16 @@ TextureSet made_textures(Recipe recipe, int side_px, std::uint64_t key) {
         procedural_field(recipe, side_px, random_bits({key, key_of("cloud texture"), i})));
   std::vector<PeriodicMap<float>> ranks = ranked(fields);
   std::vector<float> rank_per_field = slopes(fields, ranks);
-  return {std::move(ranks), sampled(Curve(recipe.profile)), recipe.cover, recipe.opacity,
-          side_px,          std::move(rank_per_field)};
+  // Where patches count as well the field counts for less.
+  const double of_field = 1.0 / std::sqrt(1.0 + recipe.patches.weight * recipe.patches.weight);
+  for (float& slope : rank_per_field) slope *= static_cast<float>(of_field);
+  return {std::move(ranks),
+          sampled(Curve(recipe.profile)),
+          recipe.cover,
+          recipe.opacity,
+          recipe.patches,
+          side_px,
+          std::move(rank_per_field)};
 }
 
 double optical_depth(double opacity) { return -math::log1p(-std::min(opacity, max_opacity)); }
@@ -90,6 +98,7 @@ TextureSet picture_textures(const std::vector<std::string>& paths, int side_px) 
           profile_of(opacities),
           1.0,
           std::min(static_cast<double>(densest), max_opacity),
+          {},
           0,
           {}};
 }

@@ -18,6 +18,7 @@ struct TextureSet {
   std::vector<float> profile;
   double cover = 1.0;            ///< fraction of the sky that is covered
   double densest_opacity = 0.0;  ///< in [0, 0.995]
+  Patches patches = {};          ///< of the layer; pictures have none
   /// Of procedural textures: pixels along a side, and how much the rank rises per unit of the field
   /// (procedural_field()), by rank on equal steps from 0 to 1. Pictures have none.
   int field_px = 0;

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "cloud/ranks.h"
+#include "cloud/texture_noise.h"
+#include "core/elementary.h"
 #include "core/parallel.h"
 #include "core/random.h"
 
@@ -68,6 +70,27 @@ std::vector<PeriodicMap<float>> gaussianised(const std::vector<PeriodicMap<float
   return result;
 }
 
+/// Noise over the whole layer, normally distributed with the patches' weight as its deviation.
+PeriodicMap<float> patches_of(const Patches& patches, const glm::ivec2& cells, std::uint64_t key) {
+  constexpr int px_per_cell = 16, octaves = 3;
+  const glm::ivec2 features =
+      glm::max(glm::ivec2(glm::round(glm::dvec2(cells) / patches.cells)), glm::ivec2(1));
+  PeriodicMap<float> noise(px_per_cell * cells.x, px_per_cell * cells.y);
+  for (int y = 0; y < noise.height(); ++y)
+    for (int x = 0; x < noise.width(); ++x) {
+      const glm::dvec2 place((x + 0.5) / noise.width(), (y + 0.5) / noise.height());
+      double sum = 0.0;
+      for (int octave = 0; octave < octaves; ++octave)
+        sum += math::exp2(-1.0 * octave) *
+               perlin(place * glm::dvec2(features << octave),
+                      random_bits({key, static_cast<std::uint64_t>(octave)}), features << octave);
+      noise.at(x, y) = static_cast<float>(sum);
+    }
+  noise = gaussianised(ranked({noise})).front();
+  for (float& value : noise.values()) value *= static_cast<float>(patches.weight);
+  return noise;
+}
+
 double cubed(double x) { return x * x * x; }
 
 }  // namespace
@@ -116,6 +139,10 @@ LayerMap repeated_by_blending(const TextureSet& textures, const glm::ivec2& cell
   const TriangleGrid grid(cells);
   const std::vector<PeriodicMap<float>> gaussian = gaussianised(textures.ranks);
   const std::vector<Sample> samples = all_samples(grid.vertices(), gaussian.size(), key);
+  const double weight = textures.patches.weight;
+  const PeriodicMap<float> patches =
+      weight > 0.0 ? patches_of(textures.patches, cells, key ^ key_of("patches"))
+                   : PeriodicMap<float>(1, 1);
   return each_pixel(cells, size_px, [&](const glm::dvec2& place) {
     double sum = 0.0, squares = 0.0;
     for (const Patch& patch : grid.around(place)) {
@@ -127,7 +154,9 @@ LayerMap repeated_by_blending(const TextureSet& textures, const glm::ivec2& cell
       sum += patch.weight * gaussian[sample.texture].sample(at.x, at.y);
       squares += patch.weight * patch.weight;
     }
-    return rank_of_gaussian(sum / std::sqrt(squares));
+    const glm::dvec2 in_layer = place / glm::dvec2(cells);
+    const double gaussian_sum = sum / std::sqrt(squares) + patches.sample(in_layer.x, in_layer.y);
+    return rank_of_gaussian(gaussian_sum / std::sqrt(1.0 + weight * weight));
   });
 }
 

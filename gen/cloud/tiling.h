@@ -41,7 +41,8 @@ LayerMap repeated_as_paper(const TextureSet& textures, const glm::ivec2& cells,
 /// By-example tiling without seams or visible repetition that keeps the textures' histogram (Heitz
 /// and Neyret 2018, High-performance by-example noise using a histogram-preserving blending
 /// operator): Gaussianised ranks G_i of three patches with random places in the textures are
-/// blended to sum(w_i G_i) / sqrt(sum w_i^2) and turned back into ranks.
+/// blended to sum(w_i G_i) / sqrt(sum w_i^2) and turned back into ranks. Where the textures have
+/// patches, noise of the layer's own with that distribution, too, is added before.
 LayerMap repeated_by_blending(const TextureSet& textures, const glm::ivec2& cells,
                               const glm::ivec2& size_px, std::uint64_t key);
 

@@ -74,6 +74,36 @@ TEST(Tiling, BlendingKeepsHistogramAndVariance) {
   EXPECT_NEAR(squares / count, 1.0, 0.1);  // a linear blend would have about a half
 }
 
+/// Variance of the means of cells, of the Gaussianised ranks.
+double variance_of_cells(const LayerMap& map, int cells) {
+  const int side = map.width() / cells;
+  double squares = 0.0;
+  for (int cell = 0; cell < cells * cells; ++cell) {
+    double sum = 0.0;
+    for (int i = 0; i < side * side; ++i)
+      sum += gaussian_of_rank(
+          (map.at(cell % cells * side + i % side, cell / cells * side + i / side) + 0.5) / 65536.0);
+    squares += sum * sum / std::pow(side, 4);
+  }
+  return squares / (cells * cells);
+}
+
+// Patches wider than cells make these differ as wholes, and leave the cover of the layer.
+TEST(Tiling, PatchesKeepTheHistogramAndAreLargerThanCells) {
+  TextureSet textures = cumulus(32);
+  const LayerMap without = repeated_by_blending(textures, {12, 12}, {384, 384}, 7);
+  textures.patches = {.weight = 1.0, .cells = 3.0};
+  const LayerMap with = repeated_by_blending(textures, {12, 12}, {384, 384}, 7);
+  EXPECT_LT(distance_from_even(with), 0.05);
+  EXPECT_GT(variance_of_cells(with, 12), variance_of_cells(without, 12) + 0.2);
+  double across = 0.0, inside = 0.0;
+  for (int i = 0; i < 384; ++i) {
+    across += std::abs(with.at(0, i) - with.at(383, i)) + std::abs(with.at(i, 0) - with.at(i, 383));
+    inside += std::abs(with.at(9, i) - with.at(8, i)) + std::abs(with.at(i, 9) - with.at(i, 8));
+  }
+  EXPECT_LT(across, 1.5 * inside);
+}
+
 TEST(Tiling, BlendingHasNoSeams) {
   const LayerMap map = repeated_by_blending(cumulus(64), {4, 4}, {256, 256}, 7);
   std::array<double, 4> steps{};  // mean step across cells' borders and inside, east and north
