@@ -36,6 +36,7 @@ CanopyTexels::CanopyTexels(double sun_deg, double weathering)
                   lighting_, static_cast<float>(scene_.grass.specular_exponent)),
       under_grass_(grass::light_under_grass(grass::WitheringPatch(scene_, model_, 0).at(weathering),
                                             model_, lighting_)),
+      shared_gaps_(grass::WitheringPatch(scene_, model_, 0).at(weathering), model_),
       variants_(static_cast<std::size_t>(scene_.grass.variants)) {
   const grass::TexelShape shape =
       grass::TimeVaryingTexel(scene_, {lighting_}, std::filesystem::temp_directory_path()).shape();
@@ -65,12 +66,16 @@ glm::dvec3 CanopyTexels::seen(const grass::VolumeData& volume, const glm::dvec3&
   for (const float depth : depths)
     uncovered += std::exp(-double{depth}) / static_cast<double>(depths.size());
   return factor * mean_radiance(voxels, volume.density, volume.emission.front(), towards_eye) +
-         uncovered * ground();
+         uncovered * ground(towards_eye);
 }
 
-/// Radiance of the ground under grass.
-glm::dvec3 CanopyTexels::ground() const {
-  return glm::dvec3(soil(scene_)) * glm::dvec3(under_grass_) / std::numbers::pi;
+/// Radiance of the ground that is seen under grass, as LitGround has it.
+glm::dvec3 CanopyTexels::ground(const glm::dvec3& towards_eye) const {
+  const glm::dvec3& sun = lighting_.sun_direction;
+  const glm::dvec3 sun_irradiance = glm::dvec3(lighting_.sun_irradiance) * sun.z;
+  const double more_sunlit = shared_gaps_.more_sunlit(sun, towards_eye);
+  return glm::dvec3(soil(scene_)) * (glm::dvec3(under_grass_) + more_sunlit * sun_irradiance) /
+         std::numbers::pi;
 }
 
 }  // namespace wold::test

@@ -5,6 +5,7 @@
 
 #include "grass/mechanics/meadow_model.h"
 #include "grass/optics/shading.h"
+#include "grass/optics/shared_gaps.h"
 #include "grass/texel/volume_data.h"
 #include "meadow/lean_light.h"
 #include "reference/canopy_scene.h"
@@ -25,13 +26,14 @@ class CanopyTexels {
  private:
   glm::dvec3 seen(const grass::VolumeData& volume, const glm::dvec3& towards_eye,
                   const glm::dvec3& factor) const;
-  glm::dvec3 ground() const;
+  glm::dvec3 ground(const glm::dvec3& towards_eye) const;
 
   scene::Scene scene_;
   grass::MeadowModel model_;
   grass::Lighting lighting_;
   meadow::LeanLight lean_light_;
   glm::vec3 under_grass_;
+  grass::SharedGaps shared_gaps_;
   std::vector<std::vector<grass::VolumeData>> variants_;
 };
 

@@ -139,7 +139,7 @@ Stack over(const Stack& a, const Stack& b) {
   return s;
 }
 
-/// The gaps that sun and sight have in common down to a depth (Kuusk 1985; Verhoef 1998).
+/// The gaps that sun and sight have in common down to a depth [Kuusk1985], [Verhoef1998].
 class SharedGaps {
  public:
   /// `fades` is how fast sun and sight lose each other, over the canopy's whole depth.

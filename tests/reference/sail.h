@@ -6,7 +6,7 @@
 namespace wold::test {
 
 // 4SAIL and 4SAIL2, four-stream models of light in leaves that hang at random in level layers
-// [Verhoef2007], [Verhoef2007b], written from their equations. A second witness beside traced
+// [Verhoef2007], [Bach2007], written from their equations. A second witness beside traced
 // paths. Angles are radians, reflectances fractions of the incident light.
 
 /// How steep leaves stand: shares of the leaf area, which sum to 1, by the angle between leaf and
@@ -30,7 +30,7 @@ struct SunAndView {
 
 /// Mean over all azimuths of a leaf of |n s| |n o|, n its normal, s and o the unit directions to
 /// sun and eye: of leaves that are lit and seen on one side, and of leaves that are lit on one and
-/// seen on the other (Verhoef 1998).
+/// seen on the other [Verhoef1998].
 struct SeenLit {
   double one_side = 0.0;
   double two_sides = 0.0;
@@ -60,7 +60,7 @@ struct CanopyReflectance {
 };
 
 /// Reflectance of layers, the uppermost first, over Lambertian soil. `hot_spot` >= 0 is the size of
-/// leaves over the canopy's height (Kuusk 1985): sun and sight share their gaps where they are
+/// leaves over the canopy's height [Kuusk1985]: sun and sight share their gaps where they are
 /// close. One layer is 4SAIL; the two of green_and_brown() are 4SAIL2.
 CanopyReflectance sail(std::span<const LeafLayer> layers, double hot_spot, double soil,
                        const SunAndView& directions);
