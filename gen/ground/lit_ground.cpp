@@ -10,6 +10,7 @@
 #include "meadow/film_lights.h"
 #include "meadow/tint.h"
 #include "place/cell_window.h"
+#include "place/each_in_view.h"
 #include "place/ground_grids.h"
 
 namespace wold::ground {
@@ -55,6 +56,17 @@ GroundGrid lean_light_grid(const GroundGrid& grid, const std::optional<place::Sk
   return {grid.square, std::min(grid.samples, sketch ? sketch->lean_light_samples : usual)};
 }
 
+/// Adds another map of the same part of the ground.
+void add(const ColourMap& more, ColourMap& to) {
+  parallel_for(static_cast<std::size_t>(to.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < to.samples(); ++i) {
+      const glm::dvec2 at_m = to.place_m(i, j);
+      to.at(i, j) += more.sample(at_m.x, at_m.y);
+    }
+  });
+}
+
 meadow::PatchAppearances far_appearances(
     const scene::Scene& scene, const place::Site& site, const meadow::FrameGrass& now,
     const std::function<meadow::PatchAppearance(int mixture, const grass::PatchState&)>& far) {
@@ -84,7 +96,8 @@ LitGround::LitGround(
       lean_light_(
           lean_light(scene, site, now.frame, patch_.at(landscape.weathering, now.snow), model_)),
       under_grass_(grass::light_under_grass(patch_.at(landscape.weathering, now.snow), model_,
-                                            meadow::frame_lighting(scene, site, now.frame))) {
+                                            meadow::frame_lighting(scene, site, now.frame))),
+      shared_gaps_(patch_.at(landscape.weathering, now.snow), model_) {
   if (scene.ageing.pigment_spread > 0.0)
     pigment_spread_.emplace(scene, patch_, now.snow,
                             meadow::frame_lighting(scene, site, now.frame));
@@ -106,6 +119,24 @@ ColourMap LitGround::on_grass(const ColourMap& light, const GroundGrid& grid) co
                                                         {light.square(), light.samples()}));
 }
 
+ColourMap LitGround::between_blades(const ColourMap& reflectance, const ColourMap& bare,
+                                    const ColourMap& light, const terrain::GroundLight& clear,
+                                    const FactorMap& growth) const {
+  const Square square = clear.sun.square();
+  const int samples = clear.sun.samples();
+  terrain::GroundLight more{ColourMap(samples, square), ColourMap(samples, square),
+                            FactorMap(samples, square)};
+  const glm::dvec3& sun = site_.day.sun_direction();
+  place::each_in_view(more.sun, site_.terrain, view_, [&](int i, int j, const glm::dvec3& at_m) {
+    const double grown{growth.sample(at_m.x, at_m.y)};
+    more.sun.at(i, j) = clear.sun.at(i, j) * static_cast<float>(shared_gaps_.more_sunlit(
+                                                 sun, -view_.line_of_sight(at_m), grown));
+  });
+  ColourMap radiance = product(reflectance, light);
+  add(product(bare, illuminate_(more)), radiance);
+  return radiance;
+}
+
 ColourMap LitGround::painted(ColourMap ground, const FactorMap& growth,
                              const ColourMap& grass_light) const {
   if (!meadow_) return ground;
@@ -115,10 +146,12 @@ ColourMap LitGround::painted(ColourMap ground, const FactorMap& growth,
 }
 
 landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const GroundGrid& grid) const {
-  const place::GroundPart part =
-      ground.covered(place::ground_part(scene_, site_, grid), under_grass_);
+  place::GroundPart part = place::ground_part(scene_, site_, grid);
+  const ColourMap bare = ground.bare(part);
+  part = ground.covered(std::move(part), under_grass_);
   const ColourMap light = illuminate_(part.light);
-  return {painted(product(part.reflectance, light), part.growth, on_grass(light, grid))
+  return {painted(between_blades(part.reflectance, bare, light, part.light, part.growth),
+                  part.growth, on_grass(light, grid))
               .at_corner(glm::dvec2(0.0)),
           grid.square.corner_m};
 }
@@ -132,8 +165,9 @@ ColourMap LitGround::light_in_window() const {
 void LitGround::show(const SnowyGround& ground, const ColourMap& light,
                      landscape::Landscape& landscape) const {
   ColourMap grass_light = on_grass(light, place::whole_grid(scene_));
-  landscape.ground =
-      painted(product(ground.reflectance(under_grass_), light), ground.growth(), grass_light);
+  landscape.ground = painted(between_blades(ground.reflectance(under_grass_), ground.bare(), light,
+                                            ground.light(), ground.growth()),
+                             ground.growth(), grass_light);
   for (const GroundGrid& grid : place::detail_grids(scene_, landscape.camera))
     landscape.ground_details.push_back(detail(ground, grid));
 

@@ -7,6 +7,7 @@
 
 #include "core/ground_map.h"
 #include "grass/ageing/patch_state.h"
+#include "grass/optics/shared_gaps.h"
 #include "grass/texel/blade_patch.h"
 #include "ground/haze.h"
 #include "ground/snowy_ground.h"
@@ -48,6 +49,11 @@ class LitGround {
 
  private:
   ColourMap on_grass(const ColourMap& light, const GroundGrid& grid) const;
+  /// Radiance of ground that is seen between blades. `bare`: what of it is no snow; `light`: on it;
+  /// `clear`: that under a clear sky.
+  ColourMap between_blades(const ColourMap& reflectance, const ColourMap& bare,
+                           const ColourMap& light, const terrain::GroundLight& clear,
+                           const FactorMap& growth) const;
   /// Far grass and haze over the ground's own radiance.
   ColourMap painted(ColourMap ground, const FactorMap& growth, const ColourMap& grass_light) const;
   landscape::GroundDetail detail(const SnowyGround& ground, const GroundGrid& grid) const;
@@ -65,6 +71,7 @@ class LitGround {
   grass::WitheringPatch patch_;
   meadow::LeanLight lean_light_;
   glm::vec3 under_grass_;  ///< fraction of the light that reaches the ground where grass grows
+  grass::SharedGaps shared_gaps_;
   std::optional<meadow::PigmentSpread> pigment_spread_;  ///< of colour, if any
   std::optional<meadow::Meadow> meadow_;  ///< as it looks from afar, where it is seen so
 };

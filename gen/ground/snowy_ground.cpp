@@ -133,6 +133,18 @@ ColourMap shaded(ColourMap bare, const FactorMap& growth, const glm::vec3& under
   return bare;
 }
 
+/// What is left of bare ground where some of it is white.
+ColourMap uncovered(ColourMap bare, const FactorMap& white) {
+  parallel_for(static_cast<std::size_t>(bare.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < bare.samples(); ++i) {
+      const glm::dvec2 at_m = bare.place_m(i, j);
+      bare.at(i, j) *= 1.0F - white.sample(at_m.x, at_m.y);
+    }
+  });
+  return bare;
+}
+
 bool is_paper(const scene::Scene& scene) {
   return scene.snow_cover.cover == scene::CoverModel::paper;
 }
@@ -209,6 +221,18 @@ ColourMap SnowyGround::reflectance(const glm::vec3& under_grass) const {
   ColourMap bare = wetted(site_.ground_reflectance);
   return is_bare() ? shaded(std::move(bare), site_.growth, under_grass)
                    : reflectance(std::move(bare), site_.growth, *white_, under_grass);
+}
+
+ColourMap SnowyGround::bare() const {
+  ColourMap bare = wetted(site_.ground_reflectance);
+  return is_bare() ? bare : uncovered(std::move(bare), *white_);
+}
+
+ColourMap SnowyGround::bare(const place::GroundPart& part) const {
+  ColourMap bare = wetted(part.reflectance);
+  if (is_bare()) return bare;
+  const GroundGrid grid{bare.square(), bare.samples()};
+  return uncovered(std::move(bare), white(grid));
 }
 
 ColourMap SnowyGround::albedo() const {

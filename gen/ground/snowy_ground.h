@@ -29,6 +29,11 @@ class SnowyGround {
   /// `under_grass`: fraction of the light that reaches the ground where grass grows.
   ColourMap reflectance(const glm::vec3& under_grass) const;
 
+  /// Of reflectance() in the shade of no grass, what is bare ground's: nothing where it is white.
+  ColourMap bare() const;
+  /// The same of a part of the ground, without its snow.
+  ColourMap bare(const place::GroundPart& part) const;
+
   /// Its albedo, in the shade of no grass.
   ColourMap albedo() const;
 

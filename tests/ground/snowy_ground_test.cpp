@@ -60,6 +60,22 @@ TEST(SnowyGround, IsDarkUnderGrass) {
   EXPECT_LT(glm::distance(ratio(last / 2, last), glm::vec3(0.1F, 0.4F, 0.2F)), 1e-5F);
 }
 
+// What is white is no bare ground, and of both there is the reflectance.
+TEST(SnowyGround, IsBareWhereItIsNotWhite) {
+  const scene::Scene green = snowed_in(0.0), white = snowed_in(60.0);
+  const place::Site bare_site = test::site_of(green), white_site = test::site_of(white);
+  EXPECT_EQ(SnowyGround(green, bare_site, 1).bare().values(),
+            bare_site.ground_reflectance.values());
+  const SnowyGround snowy(white, white_site, 1);
+  const ColourMap bare = snowy.bare();
+  double left = 0.0, all = 0.0;
+  for (std::size_t i = 0; i < bare.values().size(); ++i) {
+    left += double{bare.values()[i].g};
+    all += double{white_site.ground_reflectance.values()[i].g};
+  }
+  EXPECT_NEAR(left / all, 1.0 - snowy.white_fraction(), 0.02);
+}
+
 // An hour of rain leaves bare ground about half as bright, and no snow.
 TEST(SnowyGround, IsDarkWhereRainHasWettedIt) {
   scene::Scene rainy = snowed_in(0.0);

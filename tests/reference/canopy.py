@@ -38,7 +38,7 @@ def picture(of) -> dict:
     }
 
 
-def tiled(leaf: pathlib.Path, canopy: dict):
+def tiled(leaf: pathlib.Path, canopy: dict, bsdf: dict):
     """A patch's leaves beside themselves, as one mesh: instances would be as many shapes."""
     patch_m = canopy["patch_m"]
     one = mi.traverse(mi.load_dict({"type": "ply", "filename": f"{leaf}.ply"}))
@@ -50,7 +50,7 @@ def tiled(leaf: pathlib.Path, canopy: dict):
         vertex_count=len(places) * len(cells),
         face_count=len(faces) * len(cells),
         has_vertex_texcoords=True,
-        props=leaf_properties(leaf, canopy["specular_exponent"]),
+        props=leaf_properties(bsdf),
     )
     parameters = mi.traverse(mesh)
     moved = [places + np.array([i * patch_m, j * patch_m, 0.0]) for i, j in cells]
@@ -61,6 +61,15 @@ def tiled(leaf: pathlib.Path, canopy: dict):
     parameters["vertex_texcoords"] = np.tile(texcoords, len(cells))
     parameters.update()
     return mesh
+
+
+def matte_leaf(leaf: pathlib.Path) -> dict:
+    """Leaves whose reflected light goes to all sides alike, as four-stream theory has them."""
+    return {
+        "type": "bilambertian",
+        "reflectance": picture(values(f"{leaf}_reflectance.exr")),
+        "transmittance": picture(values(f"{leaf}_transmittance.exr")),
+    }
 
 
 def glossy_leaf(leaf: pathlib.Path, specular_exponent: float) -> dict:
@@ -84,15 +93,15 @@ def glossy_leaf(leaf: pathlib.Path, specular_exponent: float) -> dict:
     }
 
 
-def leaf_properties(leaf: pathlib.Path, specular_exponent: float):
+def leaf_properties(bsdf: dict):
     properties = mi.Properties()
     properties["face_normals"] = True
-    properties["bsdf"] = mi.load_dict(glossy_leaf(leaf, specular_exponent))
+    properties["bsdf"] = mi.load_dict(bsdf)
     return properties
 
 
-def meadow(folder: pathlib.Path, canopy: dict, sun: dict, weathering: float, variant: int):
-    """A variant of the patch, beside itself on level ground, under a sun and its sky."""
+def meadow(folder: pathlib.Path, canopy: dict, sun: dict, leaf: pathlib.Path, bsdf: dict):
+    """The patch's leaves, beside themselves on level ground, under a sun and its sky."""
     elevation = math.radians(sun["elevation_deg"])
     return mi.load_dict(
         {
@@ -115,7 +124,7 @@ def meadow(folder: pathlib.Path, canopy: dict, sun: dict, weathering: float, var
                     "reflectance": {"type": "rgb", "value": canopy["ground_albedo"]},
                 },
             },
-            "leaves": tiled(folder / f"w{weathering:.3f}_v{variant}", canopy),
+            "leaves": tiled(leaf, canopy, bsdf),
         }
     )
 
@@ -160,6 +169,7 @@ def main() -> None:
     parser.add_argument("--variants", type=int, default=0, help="how many; 0: all")
     parser.add_argument("--weathering", type=float, nargs="*", help="only these degrees")
     parser.add_argument("--suns", type=float, nargs="*", help="only these, degrees")
+    parser.add_argument("--matte", action="store_true", help="leaves without gloss")
     chosen = parser.parse_args()
     mi.set_variant("llvm_ad_rgb")
     sys.path.insert(0, str(TEMPLATES))
@@ -169,12 +179,18 @@ def main() -> None:
     canopy = json.loads((chosen.folder / "canopy.json").read_text())
     integrator = mi.load_dict({"type": "path", "max_depth": chosen.depth, "rr_depth": 12})
     variants = range(chosen.variants or canopy["variants"])
+
+    def scene_of(sun: dict, weathering: float, variant: int):
+        leaf = chosen.folder / f"w{weathering:.3f}_v{variant}"
+        bsdf = matte_leaf(leaf) if chosen.matte else glossy_leaf(leaf, canopy["specular_exponent"])
+        return meadow(chosen.folder, canopy, sun, leaf, bsdf)
+
     print("sun_deg,weathering,plane,view_deg,red,green,blue,error")
     for sun in canopy["suns"]:
         if chosen.suns and sun["elevation_deg"] not in chosen.suns:
             continue
         for weathering in chosen.weathering or canopy["weathering"]:
-            scenes = [meadow(chosen.folder, canopy, sun, weathering, v) for v in variants]
+            scenes = [scene_of(sun, weathering, v) for v in variants]
             for plane in ("principal", "across"):
                 for view_deg in canopy["views_deg"]:
                     sensor = camera(canopy["patch_m"], plane, view_deg, chosen.pixels)
