@@ -84,11 +84,30 @@ VolumeSize volume_size(const scene::Grass& grass, int lod, double weathering, do
 }
 
 VolumeSizes::VolumeSizes(const scene::Scene& scene)
-    : grass_(scene::mean_grass(scene)), key_frames_(scene::key_frames(scene)) {}
+    : variants_(scene.grass.variants), key_frames_(scene::key_frames(scene)) {
+  const std::vector<scene::Species> species = scene::species_of(scene);
+  for (const scene::Mixture& mixture : scene::mixtures_of(scene)) {
+    const std::vector<int> blades = scene::blades_of(scene, mixture);
+    std::vector<scene::Grass>& alone = species_.emplace_back();
+    for (std::size_t i = 0; i < mixture.size(); ++i) {
+      scene::Grass& grass = alone.emplace_back(scene.grass);
+      static_cast<scene::Plant&>(grass) = species[static_cast<std::size_t>(mixture[i])].plant;
+      grass.blades = blades[i];
+    }
+  }
+}
 
-VolumeSize VolumeSizes::of(const grass::PatchState& state, int lod) const {
-  return volume_size(grass_, lod, key_frames_.at(static_cast<std::size_t>(state.key_frame)),
-                     state.snow_fraction());
+VolumeSize VolumeSizes::of(int variant, const grass::PatchState& state, int lod) const {
+  VolumeSize size;
+  for (const scene::Grass& grass : species_.at(static_cast<std::size_t>(variant / variants_))) {
+    const VolumeSize alone =
+        volume_size(grass, lod, key_frames_.at(static_cast<std::size_t>(state.key_frame)),
+                    state.snow_fraction());
+    size.voxels = std::max(size.voxels, alone.voxels);
+    size.filled += alone.filled;
+  }
+  size.filled = std::min(size.filled, size.voxels);
+  return size;
 }
 
 double density_bytes(const scene::Scene& scene, double grids) {
@@ -118,9 +137,9 @@ double texel_bytes(const scene::Scene& scene, const film::FilmDemand& demand) {
   double bytes = 0.0;
   for (const auto& [variant, state, lod] : lods) {
     unlit.insert({variant, state.unlit()});
-    bytes += baked_bytes(sizes.of(state, lod), meadow::turns_of_lod(scene, lod));
+    bytes += baked_bytes(sizes.of(variant, state, lod), meadow::turns_of_lod(scene, lod));
   }
-  for (const auto& [variant, state] : unlit) bytes += unlit_bytes(sizes.of(state, 0));
+  for (const auto& [variant, state] : unlit) bytes += unlit_bytes(sizes.of(variant, state, 0));
   return bytes;
 }
 
@@ -133,7 +152,7 @@ double scene_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
   double shared = costs.shared_terrain_sample * squared(scene.terrain.samples);
   const VolumeSizes sizes(scene);
   for (const film::ShownVolume& volume : demand.volumes())
-    shared += volume_bytes(scene, costs, sizes.of(volume.state, volume.lod));
+    shared += volume_bytes(scene, costs, sizes.of(volume.variant, volume.state, volume.lod));
   shared +=
       static_cast<double>(demand.patches().size()) * (costs.shared_blade * scene.grass.blades);
   constexpr double ground_pixel_bytes = 6.1;  // three half floats

@@ -20,14 +20,17 @@ struct VolumeSize {
 /// it can carry: it gets lower and thinner.
 VolumeSize volume_size(const scene::Grass& grass, int lod, double weathering, double snow);
 
-/// Sizes of a scene's volumes, whose weathering degrees are the scene's key frames.
+/// Sizes of a scene's volumes, whose weathering degrees are the scene's key frames. That of a
+/// variant is as high as the highest species of its mixture and filled by all of them.
 class VolumeSizes {
  public:
   explicit VolumeSizes(const scene::Scene& scene);
-  VolumeSize of(const grass::PatchState& state, int lod) const;
+  VolumeSize of(int variant, const grass::PatchState& state, int lod) const;
 
  private:
-  scene::Grass grass_;
+  int variants_;
+  /// By mixture, the patch as each of its species has it: that species' blades alone.
+  std::vector<std::vector<scene::Grass>> species_;
   std::vector<double> key_frames_;
 };
 

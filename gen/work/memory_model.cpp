@@ -52,7 +52,7 @@ double read_bytes(const scene::Scene& scene, const exporter::MemoryCosts& costs,
   const double voxel_bytes = costs.voxel + density_bytes(scene, costs.density_grids);
   const VolumeSizes sizes(scene);
   for (const film::ShownVolume& volume : shown.volumes) {
-    const VolumeSize size = sizes.of(volume.state, volume.lod);
+    const VolumeSize size = sizes.of(volume.variant, volume.state, volume.lod);
     bytes += voxel_bytes * size.voxels + costs.filled_voxel * size.filled;
   }
   return bytes;
