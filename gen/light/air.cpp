@@ -58,8 +58,8 @@ double molecules_at(double height_m) {
   }();
   const double step = std::clamp(height_m / knots_apart_m, 0.0, densities.size() - 1.0);
   const std::size_t low = std::min(static_cast<std::size_t>(step), densities.size() - 2);
-  return math::exp(
-      std::lerp(logarithms[low], logarithms[low + 1], step - static_cast<double>(low)));
+  const double fraction = step - static_cast<double>(low);
+  return math::exp(logarithms[low] + (logarithms[low + 1] - logarithms[low]) * fraction);
 }
 
 template <class Value>

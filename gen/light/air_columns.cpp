@@ -92,9 +92,11 @@ double refraction_rad(double radius_m, double cosine, double length_m) {
   return refractivity_at_sea_level * sum;
 }
 
+double mixed(double a, double b, double fraction) { return a + (b - a) * fraction; }
+
 AirAmounts mixed(const AirAmounts& a, const AirAmounts& b, double fraction) {
-  return {std::lerp(a.molecules, b.molecules, fraction), std::lerp(a.aerosol, b.aerosol, fraction),
-          std::lerp(a.background, b.background, fraction), std::lerp(a.ozone, b.ozone, fraction)};
+  return {mixed(a.molecules, b.molecules, fraction), mixed(a.aerosol, b.aerosol, fraction),
+          mixed(a.background, b.background, fraction), mixed(a.ozone, b.ozone, fraction)};
 }
 
 }  // namespace
@@ -174,13 +176,13 @@ SunRay AirColumns::sun_ray(int row, double cosine) const {
       (high.cosine_without_air - cosine) / (high.cosine_without_air - low.cosine_without_air), 0.0,
       1.0);
   return {mixed(high.on_way_m, low.on_way_m, fraction),
-          std::lerp(high.brightness, low.brightness, fraction)};
+          mixed(high.brightness, low.brightness, fraction)};
 }
 
 double AirColumns::lowest_cosine(double height_row) const {
   const int low = std::min(static_cast<int>(height_row), heights - 2);
-  return std::lerp(entry(low, angles - 1).cosine_without_air,
-                   entry(low + 1, angles - 1).cosine_without_air, height_row - low);
+  return mixed(entry(low, angles - 1).cosine_without_air,
+               entry(low + 1, angles - 1).cosine_without_air, height_row - low);
 }
 
 std::optional<SunRay> AirColumns::from_sun(double height_m, double cosine) const {
@@ -189,7 +191,7 @@ std::optional<SunRay> AirColumns::from_sun(double height_m, double cosine) const
   const int low_row = std::min(static_cast<int>(row), heights - 2);
   const SunRay below = sun_ray(low_row, cosine), above = sun_ray(low_row + 1, cosine);
   return SunRay{mixed(below.on_way_m, above.on_way_m, row - low_row),
-                std::lerp(below.brightness, above.brightness, row - low_row)};
+                mixed(below.brightness, above.brightness, row - low_row)};
 }
 
 double AirColumns::elevation_without_air_rad(double seen_elevation_rad) const {
@@ -200,9 +202,8 @@ double AirColumns::elevation_without_air_rad(double seen_elevation_rad) const {
   const double cosine = math::sin(seen_elevation_rad);
   const double column = step_of(ground_radius_m, to_top_m(ground_radius_m, cosine)) * (angles - 1);
   const int low = std::clamp(static_cast<int>(column), 0, angles - 2);
-  return seen_elevation_rad - std::lerp(entry(0, low).refraction_rad,
-                                        entry(0, low + 1).refraction_rad,
-                                        std::clamp(column - low, 0.0, 1.0));
+  return seen_elevation_rad - mixed(entry(0, low).refraction_rad, entry(0, low + 1).refraction_rad,
+                                    std::clamp(column - low, 0.0, 1.0));
 }
 
 }  // namespace wold::light

@@ -19,7 +19,7 @@ constexpr double eye_height_m = 2.0;
 constexpr double ground_albedo = 0.2;  // meadows, woods and fields
 
 // The table of lines of sight: elevations close to each other at the horizon.
-constexpr int elevations = 72, azimuths = 17, line_steps = 32;
+constexpr int elevations = 60, azimuths = 17, line_steps = 32;
 
 double elevation_of(int step) {
   const double part = static_cast<double>(step) / (elevations - 1);
