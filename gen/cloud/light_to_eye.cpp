@@ -1,43 +1,20 @@
 #include "cloud/light_to_eye.h"
 
-#include <algorithm>
-
+#include "cloud/between_voxels.h"
 #include "core/elementary.h"
 #include "core/parallel.h"
 
 namespace wold::cloud {
 namespace {
 
-/// What is between voxels' centres, outside as on the border.
-struct Between {
-  std::array<std::size_t, 8> voxels;
-  std::array<float, 8> weights;
-
-  Between(const VoxelBox& box, const glm::dvec3& place_m) {
-    const glm::dvec3 at = (place_m - box.corner_m) / box.voxel_m - 0.5;
-    const glm::dvec3 low = glm::floor(at);
-    const glm::vec3 part(at - low);
-    for (std::size_t corner = 0; corner < 8; ++corner) {
-      const glm::ivec3 far(corner & 1, corner >> 1 & 1, corner >> 2);
-      const glm::vec3 parts = glm::mix(1.0F - part, part, glm::vec3(far));
-      voxels[corner] = box.index(glm::clamp(glm::ivec3(low) + far, glm::ivec3(0), box.voxels - 1));
-      weights[corner] = parts.x * parts.y * parts.z;
-    }
-  }
-
-  float of(const std::vector<float>& values) const {
-    float sum = 0.0F;
-    for (std::size_t i = 0; i < 8; ++i) sum += weights[i] * values[voxels[i]];
-    return sum;
-  }
-
-  /// What is sent along a direction.
-  glm::vec3 of(const std::vector<LightMoments>& source, const glm::vec3& way) const {
-    glm::vec4 sum(0.0F);
-    for (std::size_t i = 0; i < 8; ++i) sum += weights[i] * source[voxels[i]].along(way);
-    return glm::vec3(sum);
-  }
-};
+/// What is sent along a direction from between voxels.
+glm::vec3 sent_along(const std::vector<LightMoments>& source, const BetweenVoxels& between,
+                     const glm::vec3& way) {
+  glm::vec4 sum(0.0F);
+  for (std::size_t i = 0; i < 8; ++i)
+    sum += between.weights[i] * source[between.voxels[i]].along(way);
+  return glm::vec3(sum);
+}
 
 bool is_in(const VoxelBox& box, const glm::dvec3& place_m) {
   const glm::dvec3 at = (place_m - box.corner_m) / box.voxel_m;
@@ -57,10 +34,10 @@ glm::vec3 from_behind(const ScatteringBox& scattering, const std::vector<LightMo
   glm::vec3 sum(0.0F);
   float left = 1.0F;
   for (; left > nothing_left; step_m *= growth) {
-    const Between between(box, place_m + 0.5 * step_m * direction);
+    const BetweenVoxels between(box, place_m + 0.5 * step_m * direction);
     const double depth = step_m * double{between.of(scattering.extinction_per_m)};
     const auto hidden = static_cast<float>(-math::expm1(-depth)) * left;
-    if (hidden > 0.0F) sum += hidden * between.of(source, way);
+    if (hidden > 0.0F) sum += hidden * sent_along(source, between, way);
     left -= hidden;
     place_m += step_m * direction;
     if (!is_in(box, place_m)) return surroundings ? sum + left * surroundings(direction) : sum;

@@ -3,8 +3,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "cloud/clouds.h"
 #include "cloud/light_to_eye.h"
+#include "cloud/scattering.h"
 #include "cloud/voxel_box.h"
 #include "light/daylight.h"
 
@@ -16,16 +16,6 @@ struct CloudVolume {
   std::vector<float> extinction_per_m;  ///< of the droplets
   double asymmetry = 0.86;
 };
-
-/// A layer that has heads, over a part of the world: its base flat at base_m, its top thickness_m
-/// times (depth over the densest, smoothed over a sixth of the thickness)^0.7 higher. Extinction
-/// rises over the lowest seventh and falls as sqrt(1 - t) to the top, bitten into between round
-/// heads above the base (billow_box.h), and is scaled so that every column has the optical depth
-/// of the droplets there: droplets_per_seen() times the layer's, as it is seen. The box reaches
-/// from the base to the layer's thickness. A volume over just the layer's period repeats. `voxels`
-/// >= 1 each, side_m > 0. Throws std::bad_optional_access where the layer has no heads.
-CloudVolume lifted(const LayerState& state, double pixel_m, const glm::dvec2& south_west_m,
-                   const glm::dvec2& side_m, const glm::ivec3& voxels);
 
 /// What shines on a cloud; irradiances in the unit of light::Daylight.
 struct CloudLight {
@@ -54,12 +44,12 @@ struct DepthsAround {
 glm::vec3 source_at(const ForwardTable& forward, double asymmetry, const DepthsAround& depths,
                     const glm::dvec3& from_eye, const CloudLight& light);
 
-/// Radiance that each voxel sends to the eye per unit of optical depth: along a ray, radiance gains
-/// extinction * source * ds. All orders of scattering without absorption, free of noise: light that
-/// left the forward peak by discrete ordinates (diffuse_light.h) on voxels twice as large, what of
-/// it and of the surroundings goes on to the eye (light_to_eye.h), and sunlight near its way by
-/// peak_source(). The layer's own colour of light is not in it. The light's sky_irradiance and
-/// ground_irradiance do not count here: its surroundings do.
+/// Radiance that each voxel with droplets sends to the eye per unit of optical depth: along a ray,
+/// radiance gains extinction * source * ds. All orders of scattering without absorption, free of
+/// noise: light that left the forward peak by discrete ordinates (diffuse_light.h) on voxels at
+/// least twice as large, what of it and of the surroundings goes on to the eye (light_to_eye.h),
+/// and sunlight near its way by peak_source(). The layer's own colour of light is not in it. The
+/// light's sky_irradiance and ground_irradiance do not count here: its surroundings do.
 std::vector<glm::vec3> source_radiance(const CloudVolume& volume, const CloudLight& light);
 
 }  // namespace wold::cloud

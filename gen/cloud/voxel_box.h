@@ -18,6 +18,10 @@ struct VoxelBox {
            static_cast<std::size_t>(voxels.z);
   }
 
+  glm::dvec3 centre_m(const glm::ivec3& voxel) const {
+    return corner_m + (glm::dvec3(voxel) + 0.5) * voxel_m;
+  }
+
   /// Where the numbers of a voxel of the box are stored.
   std::size_t index(const glm::ivec3& voxel) const {
     return (static_cast<std::size_t>(voxel.z) * static_cast<std::size_t>(voxels.y) +

@@ -4,23 +4,43 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
-#include "cloud/volume.h"
+#include "cloud/lifting.h"
+#include "core/elementary.h"
 #include "core/parallel.h"
 #include "sky/cloud_haze.h"
 
 namespace wold::sky {
 namespace {
 
+/// Along a window's border over which the volume gives way to what lies beyond, of the side.
+constexpr double strip = 0.12;
+
 double voxel_m(const cloud::Layer& layer) { return layer.thickness_m / cloud_box_voxels.z; }
 
-CloudWindow window_before(const landscape::Camera& camera, double voxel_m) {
-  // Most of it lies before the camera, the more the flatter it looks.
+/// How far away on the level the view meets what is rise_m above the eye: it looks up at most half
+/// its field above its middle.
+double nearest_seen_m(const landscape::Camera& camera, double middle_rad, double rise_m) {
+  constexpr double flattest_rad = 0.1;
+  const double highest_rad = middle_rad + 0.5 * glm::radians(camera.field_of_view_deg);
+  if (highest_rad >= 0.5 * std::numbers::pi) return 0.0;
+  return rise_m * math::tan(0.5 * std::numbers::pi - std::max(highest_rad, flattest_rad));
+}
+
+/// From where the camera sees the layer first, but for the strip along the border.
+CloudWindow window_before(const landscape::Camera& camera, const cloud::Layer& layer) {
+  const double step_m = voxel_m(layer), side_m = cloud_box_voxels.x * step_m;
   const glm::dvec3 forward = glm::normalize(camera.target_m - camera.eye_m);
-  const double side_m = cloud_box_voxels.x * voxel_m;
-  const glm::dvec2 centre_m = glm::dvec2(camera.eye_m) + glm::dvec2(forward) * (0.4 * side_m);
-  return {glm::round((centre_m - 0.5 * side_m) / voxel_m) * voxel_m, side_m};
+  const glm::dvec2 level(forward);
+  const double across = glm::length(level);
+  const double first_m =
+      nearest_seen_m(camera, math::asin(forward.z), layer.base_m - camera.eye_m.z);
+  const double middle_m = std::min(first_m + (0.5 - strip) * side_m, 1.5 * side_m);
+  const glm::dvec2 centre_m =
+      glm::dvec2(camera.eye_m) + (across > 0.0 ? level / across * middle_m : glm::dvec2(0.0));
+  return {glm::round((centre_m - 0.5 * side_m) / step_m) * step_m, side_m};
 }
 
 /// Every voxel with cloud: visit(index, centre in metres).
@@ -67,7 +87,6 @@ landscape::CloudBox cloud_box(const cloud::LayerState& state, double pixel_m,
 }  // namespace
 
 double CloudWindow::fraction(const glm::dvec2& place_m) const {
-  constexpr double strip = 0.12;  // of the side
   const glm::dvec2 at = (place_m - south_west_m) / side_m;
   const glm::dvec2 inside = glm::min(at, 1.0 - at);
   return glm::smoothstep(0.0, strip, std::min(inside.x, inside.y));
@@ -78,8 +97,7 @@ std::vector<std::optional<CloudWindow>> cloud_windows(const cloud::CloudState& c
   std::vector<std::optional<CloudWindow>> windows;
   for (const cloud::LayerState& state : clouds.layers) {
     const bool stands = state.layer->is_volume && state.layer->base_m > camera.eye_m.z;
-    windows.push_back(stands ? std::optional(window_before(camera, voxel_m(*state.layer)))
-                             : std::nullopt);
+    windows.push_back(stands ? std::optional(window_before(camera, *state.layer)) : std::nullopt);
   }
   return windows;
 }

@@ -11,10 +11,10 @@
 namespace wold::sky {
 
 /// Of the volume that a layer's box has, east, north and up.
-inline constexpr glm::ivec3 cloud_box_voxels{512, 512, 32};
+inline constexpr glm::ivec3 cloud_box_voxels{512, 512, 64};
 
-/// Where a layer of clouds is a volume: a square before the camera. Beyond it, the layer is a
-/// sheet.
+/// Where a layer of clouds is a volume: a square before the camera, from where it sees the layer
+/// first. Beyond it, the layer is a sheet.
 struct CloudWindow {
   glm::dvec2 south_west_m;
   double side_m;

@@ -52,7 +52,7 @@ CloudLayerView::CloudLayerView(const cloud::LayerState& state, double pixel_m,
       sun_irradiance_(day.sun_irradiance_at(cloud::middle_m(*state.layer))),
       sheets_(cloud::sheets_of(state, pixel_m)),
       window_(window) {
-  if (layer_->has_relief && layer_->cover < 1.0)
+  if (cloud::stands_in_heaps(*layer_))
     cumulus_.emplace(state, sheets_, eye_m, day, finest_rad, window);
 }
 

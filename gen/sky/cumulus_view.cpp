@@ -52,14 +52,14 @@ CumulusView::CumulusView(const cloud::LayerState& state, std::vector<cloud::Shee
       finest_rad_(finest_rad),
       colour_(state.moment.light),
       alpha_(state.moment.amount_is_alpha ? static_cast<float>(state.moment.amount) : 1.0F),
-      cells_(state, std::move(sheets)),
+      heaps_(state, std::move(sheets)),
       forward_(cloud::forward_source, state.layer->droplets.asymmetry),
       window_(window) {}
 
 CumulusView::Ray CumulusView::ray_along(const glm::dvec3& direction) const {
   const double rise_m = layer_->base_m - light_.eye_m.z;
   const double base_m = cloud::crossing(direction.z, rise_m).distance_m;
-  const double top_m = cloud::crossing(direction.z, rise_m + cells_.highest_m()).distance_m;
+  const double top_m = cloud::crossing(direction.z, rise_m + heaps_.highest_m()).distance_m;
   return {direction, base_m, top_m, finest_rad_ * base_m};
 }
 
@@ -71,12 +71,12 @@ int CumulusView::steps_along(const Ray& ray) const {
 }
 
 SeenClouds CumulusView::along(const glm::dvec3& direction) const {
-  if (cells_.highest_m() <= 0.0) return {};
+  if (heaps_.highest_m() <= 0.0) return {};
   const Ray ray = ray_along(direction);
   const int count = steps_along(ray);
   const double step_m = ray.length_m() / count;
   const double footprint_m = std::max(ray.footprint_m, 0.25 * step_m);  // of what steps can find
-  const auto field = [&](double at_m) { return cells_.field(place_on(ray, at_m), footprint_m); };
+  const auto field = [&](double at_m) { return heaps_.field(place_on(ray, at_m), footprint_m); };
   Passed passed;
   double before = field(ray.base_m);
   for (int i = 0; i < count && !passed.is_done(); ++i) {
@@ -97,7 +97,7 @@ SeenClouds CumulusView::along(const glm::dvec3& direction) const {
 glm::dvec3 CumulusView::place_on(const Ray& ray, double at_m) const {
   const double height_fraction = (at_m - ray.base_m) / ray.length_m();
   return {glm::dvec2(light_.eye_m) + glm::dvec2(ray.direction) * at_m,
-          layer_->base_m + height_fraction * cells_.highest_m()};
+          layer_->base_m + height_fraction * heaps_.highest_m()};
 }
 
 /// Where between two places of the ray, by their distances, the heap begins that is at the second.
@@ -106,7 +106,7 @@ double CumulusView::surface_between(const Ray& ray, double outside_m, double ins
   constexpr int halvings = 5;
   for (int i = 0; i < halvings; ++i) {
     const double middle_m = 0.5 * (outside_m + inside_m);
-    (cells_.field(place_on(ray, middle_m), footprint_m) > 0.0 ? inside_m : outside_m) = middle_m;
+    (heaps_.field(place_on(ray, middle_m), footprint_m) > 0.0 ? inside_m : outside_m) = middle_m;
   }
   return inside_m;
 }
@@ -139,7 +139,7 @@ void CumulusView::pass_heap(const Ray& ray, double from_m, double to_m, Passed& 
 /// Rises inward from the surface to that of the droplets.
 double CumulusView::extinction_per_m(const glm::dvec3& place_m, double footprint_m) const {
   constexpr double soft = 0.5;  // of the field
-  const double inside = std::clamp(cells_.field(place_m, footprint_m) / soft, 0.0, 1.0);
+  const double inside = std::clamp(heaps_.field(place_m, footprint_m) / soft, 0.0, 1.0);
   return layer_->droplets.extinction_per_m * inside * inside;
 }
 
@@ -158,12 +158,12 @@ double CumulusView::near_depth(const glm::dvec3& place_m, const glm::dvec3& dire
 double CumulusView::depth_to_sun(const glm::dvec3& place_m) const {
   const glm::dvec3& to_sun = light_.sun_direction;
   const glm::dvec3 far_m = place_m + to_sun * (near_fraction * layer_->thickness_m);
-  return near_depth(place_m, to_sun) + cells_.depth_to_sun(far_m);
+  return near_depth(place_m, to_sun) + heaps_.depth_to_sun(far_m);
 }
 
 double CumulusView::depth_above(const glm::dvec3& place_m) const {
   const double far_m = place_m.z + near_fraction * layer_->thickness_m - layer_->base_m;
-  const double above_m = std::max(cells_.top_m(glm::dvec2(place_m)) - far_m, 0.0);
+  const double above_m = std::max(heaps_.top_m(glm::dvec2(place_m)) - far_m, 0.0);
   return near_depth(place_m, {0.0, 0.0, 1.0}) + layer_->droplets.extinction_per_m * above_m;
 }
 

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "cloud/clouds.h"
+#include "cloud/heaps.h"
 #include "cloud/look.h"
 #include "cloud/scattering.h"
 #include "cloud/volume.h"
 #include "light/daylight.h"
 #include "sky/cloud_boxes.h"
-#include "sky/cumulus_cells.h"
 #include "sky/seen_clouds.h"
 
 namespace wold::sky {
@@ -59,7 +59,7 @@ class CumulusView {
   double finest_rad_;
   glm::vec3 colour_;  ///< of the layer's light
   float alpha_;       ///< what [Wang2010]'s events leave of its opacity
-  CumulusCells cells_;
+  cloud::Heaps heaps_;
   cloud::ForwardTable forward_;  ///< forward_source() of its droplets
   std::optional<CloudWindow> window_;
 };

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "cloud/compose.h"
-#include "cloud/volume.h"
+#include "cloud/lifting.h"
 #include "core/parallel.h"
 #include "light/daylight.h"
 

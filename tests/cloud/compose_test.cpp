@@ -185,8 +185,8 @@ TEST(Compose, ThickBasesAreDarkerThanEdges) {
     if (alpha > 0.98) thick = std::min(thick, image.values[i] / alpha);
     if (alpha > 0.01 && alpha < 0.1) thin = std::max(thin, image.values[i] / alpha);
   }
-  // Two-stream, 1 / (1 + 3/4 (1 - 0.866) 72.2 * 0.5), and the ground's fifth of the rest.
-  EXPECT_NEAR(thick, 0.216 + 0.2 * (1.0 - 0.216), 0.01);
+  // Two-stream, 1 / (1 + 3/4 (1 - 0.866) 120 * 0.5), and the ground's fifth of the rest.
+  EXPECT_NEAR(thick, 0.142 + 0.2 * (1.0 - 0.142), 0.01);
   EXPECT_GT(thin, 0.8);
 }
 
@@ -196,6 +196,8 @@ TEST(Clouds, RefuseMoreThanTheyCanHold) {
   EXPECT_TRUE(Clouds(scene::Scene{}, pixel_m).at(0.0).layers.empty());
   EXPECT_EQ(Clouds::usual_pixel_m(scene.clouds), 3200.0 / 256);
   scene.clouds[0].body = scene::CloudBody::volume;
+  EXPECT_EQ(Clouds::usual_pixel_m(scene.clouds), 3200.0 / 256);  // heads have what is finer
+  scene.clouds[0].kind = scene::CloudKind::stratus;
   EXPECT_EQ(Clouds::usual_pixel_m(scene.clouds), 3200.0 / 512);
 }
 

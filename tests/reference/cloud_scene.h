@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cloud/volume.h"
+#include "cloud/lifting.h"
 #include "landscape/landscape.h"
 #include "light/daylight.h"
 #include "scene/scene.h"
@@ -52,15 +52,14 @@ inline scene::Scene cloud_scene(const CloudSun& sun) {
 }
 
 /// The heap in the layer at the film's start, without its neighbours, in voxels as large as those
-/// of frames. The densest are cut, which are one in a hundred: paths take twice as long through
-/// them.
+/// of frames.
 inline cloud::CloudVolume cloud_volume() {
   const scene::Scene scene = cloud_scene(cloud_suns().front());
   const double pixel_m = cloud::Clouds::usual_pixel_m(scene.clouds);
   const cloud::CloudState state = cloud::Clouds(scene, pixel_m).at(0.0);
-  constexpr double voxel_m = 15.625;
-  constexpr glm::ivec3 voxels{90, 90, 32};
-  constexpr double radius_m = 0.5 * voxel_m * voxels.x, max_per_m = 0.18;
+  constexpr double voxel_m = 7.8125;
+  constexpr glm::ivec3 voxels{180, 180, 64};
+  constexpr double radius_m = 0.5 * voxel_m * voxels.x;
   const glm::dvec2 middle_m(3650.0, 4550.0);
   cloud::CloudVolume volume = cloud::lifted(state.layers[0], pixel_m, middle_m - radius_m,
                                             glm::dvec2(2.0 * radius_m), voxels);
@@ -68,8 +67,7 @@ inline cloud::CloudVolume cloud_volume() {
     const glm::dvec2 voxel(i % voxels.x, i / voxels.x % voxels.y);
     const double away_m = glm::length((voxel + 0.5) * voxel_m - radius_m);
     const double left = 1.0 - glm::smoothstep(0.85 * radius_m, radius_m, away_m);
-    volume.extinction_per_m[i] =
-        static_cast<float>(std::min(left * double{volume.extinction_per_m[i]}, max_per_m));
+    volume.extinction_per_m[i] *= static_cast<float>(left);
   }
   return volume;
 }

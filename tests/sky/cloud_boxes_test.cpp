@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "cloud/lifting.h"
 #include "sky/cloudy_sky.h"
 
 namespace wold::sky {
@@ -27,30 +28,69 @@ struct View {
   std::vector<std::optional<CloudWindow>> windows = cloud_windows(clouds, camera);
 };
 
-TEST(CloudBoxes, ColumnsHaveTheLayersDropletsInsideTheWindow) {
+TEST(CloudBoxes, HaveTheLayersDropletsInsideTheWindow) {
   const View view;
   const auto boxes = cloud_boxes(view.clouds, view.windows, view.day, view.camera.eye_m);
   ASSERT_EQ(boxes.size(), 1U);
   const landscape::CloudBox& box = boxes.front();
-  ASSERT_EQ(box.extinction_per_m.size(), static_cast<std::size_t>(box.voxels.x) *
-                                             static_cast<std::size_t>(box.voxels.y) *
-                                             static_cast<std::size_t>(box.voxels.z));
+  EXPECT_EQ(box.voxels, cloud_box_voxels);
+  const CloudWindow& window = *view.windows[0];
+  const cloud::CloudVolume lifted =
+      cloud::lifted(view.clouds.layers[0], view.clouds.pixel_m, window.south_west_m,
+                    glm::dvec2(window.side_m), cloud_box_voxels);
+  ASSERT_EQ(box.extinction_per_m.size(), lifted.extinction_per_m.size());
   int clouded = 0;
-  for (int j = 0; j < box.voxels.y; j += 7)
-    for (int i = 0; i < box.voxels.x; i += 7) {
-      double depth = 0.0;
-      for (int k = 0; k < box.voxels.z; ++k)
-        depth += box.voxel_m * double{box.extinction_per_m[static_cast<std::size_t>(
-                                   (k * box.voxels.y + j) * box.voxels.x + i)]};
-      const glm::dvec2 at_m = glm::dvec2(box.corner_m) + (glm::dvec2(i, j) + 0.5) * box.voxel_m;
-      const double wanted =
-          cloud::droplets_per_seen(*view.clouds.layers[0].layer) *
-          cloud::optical_depth_at(view.clouds.layers[0], view.clouds.pixel_m, at_m) *
-          view.windows[0]->fraction(at_m);
-      EXPECT_NEAR(std::exp(-depth), std::exp(-wanted), 1e-3);
-      clouded += wanted > 0.1;
+  for (std::size_t i = 0; i < box.extinction_per_m.size(); i += 53) {
+    const auto at = static_cast<int>(i);
+    const glm::ivec3 voxel(at % box.voxels.x, at / box.voxels.x % box.voxels.y,
+                           at / box.voxels.x / box.voxels.y);
+    const double wanted = double{lifted.extinction_per_m[i]} *
+                          window.fraction(glm::dvec2(lifted.box.centre_m(voxel)));
+    EXPECT_NEAR(double{box.extinction_per_m[i]}, wanted, 1e-6);
+    clouded += wanted > 0.01;
+  }
+  EXPECT_GT(clouded, 1000);
+}
+
+/// What passes through a volume along a line of sight.
+double through(const cloud::CloudVolume& volume, const glm::dvec3& eye_m,
+               const glm::dvec3& direction) {
+  const cloud::VoxelBox& box = volume.box;
+  const double step_m = 0.5 * box.voxel_m.z;
+  double depth = 0.0;
+  for (double at_m = 0.0; at_m < 8000.0; at_m += step_m) {
+    const glm::ivec3 voxel(glm::floor((eye_m + at_m * direction - box.corner_m) / box.voxel_m));
+    if (glm::any(glm::lessThan(voxel, glm::ivec3(0))) ||
+        glm::any(glm::greaterThanEqual(voxel, box.voxels)))
+      continue;
+    depth += step_m * double{volume.extinction_per_m[box.index(voxel)]};
+  }
+  return std::exp(-depth);
+}
+
+// The volume and the heaps that lines of sight follow are the same clouds: nobody sees where one
+// ends and the other begins.
+TEST(CloudBoxes, HideWhatHeapsHide) {
+  const View view;
+  const cloud::CloudVolume volume =
+      cloud::lifted(view.clouds.layers[0], view.clouds.pixel_m, view.windows[0]->south_west_m,
+                    glm::dvec2(view.windows[0]->side_m), cloud_box_voxels);
+  const CloudLayerView heaps(view.clouds.layers[0], view.clouds.pixel_m, view.camera.eye_m,
+                             view.day, 1e-3, std::nullopt);
+  double both = 0.0, volume_alone = 0.0, heaps_alone = 0.0, lines = 0.0;
+  for (double azimuth_deg = -20.0; azimuth_deg <= 20.0; azimuth_deg += 1.0)
+    for (double elevation_deg = 22.0; elevation_deg <= 40.0; elevation_deg += 1.0) {
+      const glm::dvec3 direction =
+          light::direction_of(glm::radians(azimuth_deg), glm::radians(elevation_deg));
+      const bool by_volume = through(volume, view.camera.eye_m, direction) < 0.3;
+      const bool by_heaps = heaps.along(direction).through < 0.3F;
+      both += by_volume && by_heaps;
+      volume_alone += by_volume && !by_heaps;
+      heaps_alone += by_heaps && !by_volume;
+      lines += 1.0;
     }
-  EXPECT_GT(clouded, 100);
+  EXPECT_GT(both, 0.1 * lines);
+  EXPECT_LT(volume_alone + heaps_alone, 0.08 * lines) << volume_alone << ' ' << heaps_alone;
 }
 
 // Nearly all of a window lies before the camera, which is above its near end.
@@ -65,13 +105,32 @@ TEST(CloudBoxes, WindowsLieWhereTheCameraLooks) {
   }
 }
 
+// Voxels are for what is seen: the steeper the camera looks up, the nearer is the window.
+TEST(CloudBoxes, WindowsBeginWhereTheViewMeetsTheLayer) {
+  View view;
+  const double rise_m = view.clouds.layers[0].layer->base_m - view.camera.eye_m.z;
+  for (const double pitch_deg : {5.0, 20.0, 45.0, 60.0, 89.0}) {
+    const double pitch = glm::radians(pitch_deg);
+    view.camera.target_m =
+        view.camera.eye_m + 10.0 * glm::dvec3(0.0, std::cos(pitch), std::sin(pitch));
+    const CloudWindow window = *cloud_windows(view.clouds, view.camera)[0];
+    const double highest_deg = std::min(pitch_deg + 30.0, 90.0);
+    const double first_m = rise_m / std::tan(glm::radians(highest_deg));
+    for (const double further_m : {20.0, 800.0, 1600.0})
+      EXPECT_GT(
+          window.fraction(glm::dvec2(view.camera.eye_m) + glm::dvec2(0.0, first_m + further_m)),
+          0.99)
+          << pitch_deg;
+  }
+}
+
 TEST(CloudBoxes, WindowsStandStillUnderAMovingCamera) {
   View view;
   const CloudWindow before = *view.windows[0];
   view.camera.eye_m.x += 100.0;
   view.camera.target_m.x += 100.0;
   const CloudWindow after = *cloud_windows(view.clouds, view.camera)[0];
-  const double voxel_m = view.clouds.layers[0].layer->thickness_m / 32.0;
+  const double voxel_m = view.clouds.layers[0].layer->thickness_m / cloud_box_voxels.z;
   const double moved = (after.south_west_m.x - before.south_west_m.x) / voxel_m;
   EXPECT_NEAR(moved, std::round(moved), 1e-9);
   EXPECT_NEAR(moved * voxel_m, 100.0, voxel_m);

@@ -187,7 +187,7 @@ TEST(CloudLayerView, OnlyDenseLayersHaveSides) {
     return count;
   };
   EXPECT_GT(seen_beside_bases(), 500);
-  scene.clouds[0].thickness_m = 50.0;
+  scene.clouds[0].thickness_m = 40.0;
   EXPECT_LT(seen_beside_bases(), 50);  // what is finer than the map
   scene.clouds[0].thickness_m = 500.0;
   scene.clouds[0].light = scene::Law::paper;

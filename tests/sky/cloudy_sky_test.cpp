@@ -103,7 +103,7 @@ TEST_F(CloudySkies, WithoutSheetsAreTheClearSky) {
 TEST_F(CloudySkies, LieOnASphere) {
   scene::Scene scene = darkened(one_layer());
   scene.clouds[0].opacity = 0.2;
-  scene.clouds[0].thickness_m = 50.0;  // so thin that it has no sides
+  scene.clouds[0].thickness_m = 40.0;  // so thin that it has no sides
   const Sky sky(scene);
   constexpr double h = 2000.0;
   int clouded = 0;
