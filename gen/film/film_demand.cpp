@@ -34,9 +34,10 @@ class Ground {
  public:
   Ground(const scene::Scene& scene, std::shared_ptr<const phenology::FilmSeason> season)
       : scene_(scene),
-        terrain_(terrain::make_ground(scene.terrain, scene.seed)),
+        ground_(terrain::make_ground(scene.terrain, scene.seed)),
         growth_(place::is_large(scene)
-                    ? place::growth_map(scene, terrain_, place::window_grid(scene))
+                    ? place::growth_map(scene, terrain::Surface(terrain_, ground_.finer.get(),
+                                                                place::window_grid(scene)))
                     : place::growth_map(scene, terrain_)),
         withering_(scene, terrain_, season),
         weather_(scene, season.get()),
@@ -66,7 +67,8 @@ class Ground {
   }
 
   const scene::Scene& scene_;
-  Heightfield terrain_;
+  terrain::Ground ground_;
+  const Heightfield& terrain_ = ground_.heights_m;
   FactorMap growth_;
   place::Withering withering_;
   snow::Weather weather_;
