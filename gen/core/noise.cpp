@@ -3,8 +3,10 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include "core/elementary.h"
+#include "core/ground_map.h"
 #include "core/random.h"
 
 namespace wold {
@@ -14,6 +16,9 @@ using Lattice = glm::i64vec2;
 
 /// Quintic fade and what is left of it: the weight of a corner at distance t in [0, 1].
 double corner_weight(double t) { return 1.0 - t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
+
+/// Its derivative.
+double corner_weight_slope(double t) { return -30.0 * t * t * (t * (t - 2.0) + 1.0); }
 
 std::int64_t wrapped(std::int64_t i, int period) {
   if (period <= 0 || (i >= 0 && i < period)) return i;  // a division costs more than the rest
@@ -66,6 +71,25 @@ double gradient_noise(const glm::dvec2& at, std::uint64_t key, const glm::ivec2&
   return sum;
 }
 
+NoiseSlope gradient_noise_slope(const glm::dvec2& at, std::uint64_t key) {
+  const glm::dvec2 low = glm::floor(at);
+  NoiseSlope sum;
+  for (int corner = 0; corner < 4; ++corner) {
+    const glm::dvec2 offset(corner & 1, corner >> 1);
+    const glm::dvec2 from_corner = at - low - offset;
+    const glm::dvec2 apart = glm::abs(from_corner);
+    const glm::dvec2 weight(corner_weight(apart.x), corner_weight(apart.y));
+    const glm::dvec2 slope = (1.0 - 2.0 * offset) *
+                             glm::dvec2(corner_weight_slope(apart.x), corner_weight_slope(apart.y));
+    const glm::dvec2& direction = gradient(Lattice(low + offset), key, glm::ivec2(0));
+    const double height = glm::dot(direction, from_corner);
+    sum.value += weight.x * weight.y * height;
+    sum.gradient += weight.x * weight.y * direction +
+                    height * glm::dvec2(slope.x * weight.y, weight.x * slope.y);
+  }
+  return sum;
+}
+
 double cell_noise(const glm::dvec2& at, std::uint64_t key, const glm::ivec2& period) {
   const glm::dvec2 low = glm::floor(at);
   const glm::dvec2 in_cell = at - low;
@@ -93,6 +117,35 @@ double fbm(const glm::dvec2& at, const Fbm& shape) {
     variance += height * height;
   }
   return sum / (gradient_noise_deviation * std::sqrt(variance));
+}
+
+ScaleFreeNoise::ScaleFreeNoise(std::uint64_t key, const Sizes& sizes, double hurst, double step_m) {
+  double variance = 0.0;
+  std::uint64_t index = 0;
+  for (double feature_m = sizes.largest_m; feature_m >= sizes.smallest_m;
+       feature_m /= 2.0, ++index) {
+    const double height = math::exp2(-hurst * static_cast<double>(index));
+    variance += height * height;
+    const double shown = shown_fraction(feature_m, step_m);
+    if (shown <= 0.0) continue;
+    const auto unit = [&](std::string_view axis) {
+      return random_uniform({key, key_of("octave"), index, key_of(axis)});
+    };
+    octaves_.push_back({feature_m, shown * height, glm::dvec2(unit("x"), unit("y")),
+                        random_bits({key, key_of("octave"), index, key_of("field")})});
+  }
+  for (Octave& octave : octaves_) {
+    octave.height /= std::sqrt(variance);
+    shown_ += octave.height * octave.height;
+    octave.height /= gradient_noise_deviation;
+  }
+}
+
+double ScaleFreeNoise::at(const glm::dvec2& at_m) const {
+  double sum = 0.0;
+  for (const Octave& octave : octaves_)
+    sum += octave.height * gradient_noise(at_m / octave.feature_m + octave.shift, octave.key);
+  return sum;
 }
 
 }  // namespace wold

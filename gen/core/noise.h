@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <vector>
 
 namespace wold {
 
@@ -13,6 +14,15 @@ double gradient_noise(const glm::dvec2& at, std::uint64_t key, int period = 0);
 
 /// The same with a period of its own along each axis, for features that are longer than wide.
 double gradient_noise(const glm::dvec2& at, std::uint64_t key, const glm::ivec2& period);
+
+/// A height of noise and its steepest ascent, per unit of length.
+struct NoiseSlope {
+  double value = 0.0;
+  glm::dvec2 gradient{0.0};
+};
+
+/// gradient_noise() without a period, and its gradient.
+NoiseSlope gradient_noise_slope(const glm::dvec2& at, std::uint64_t key);
 
 /// Cellular noise (Worley 1996, A cellular texture basis function): the distance, in cells, to the
 /// nearest of the points that lie one in each unit cell, keyed by `key` and the cell; in [0, 1.5).
@@ -36,5 +46,31 @@ struct Fbm {
 /// The field at a point, in units of its largest feature; mean 0, standard deviation 1. Octaves are
 /// shifted against each other by keyed offsets, so no lattice point is special.
 double fbm(const glm::dvec2& at, const Fbm& shape);
+
+/// A field without a preferred size: fBm from features of `largest_m` down to some of
+/// `smallest_m`, of which a map with steps of `step_m` shows what is larger than them. All octaves
+/// together have deviation 1.
+class ScaleFreeNoise {
+ public:
+  struct Sizes {
+    double largest_m, smallest_m;
+  };
+  ScaleFreeNoise(std::uint64_t key, const Sizes& sizes, double hurst, double step_m);
+
+  /// Of mean 0 and variance shown().
+  double at(const glm::dvec2& at_m) const;
+  /// In [0, 1].
+  double shown() const { return shown_; }
+
+ private:
+  struct Octave {
+    double feature_m, height;
+    glm::dvec2 shift;
+    std::uint64_t key;
+  };
+
+  std::vector<Octave> octaves_;
+  double shown_ = 0.0;
+};
 
 }  // namespace wold

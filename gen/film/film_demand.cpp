@@ -35,9 +35,10 @@ class Ground {
  public:
   Ground(const scene::Scene& scene, std::shared_ptr<const phenology::FilmSeason> season)
       : scene_(scene),
-        terrain_(terrain::make_ground(scene.terrain, scene.seed)),
+        ground_(terrain::make_ground(scene.terrain, scene.seed)),
         growth_(place::is_large(scene)
-                    ? place::growth_map(scene, terrain_, place::window_grid(scene))
+                    ? place::growth_map(scene, terrain::Surface(terrain_, ground_.finer.get(),
+                                                                place::window_grid(scene)))
                     : place::growth_map(scene, terrain_)),
         mixtures_(scene, terrain_),
         withering_(scene, terrain_, season),
@@ -70,7 +71,8 @@ class Ground {
   }
 
   const scene::Scene& scene_;
-  Heightfield terrain_;
+  terrain::Ground ground_;
+  const Heightfield& terrain_ = ground_.heights_m;
   FactorMap growth_;
   place::MixtureField mixtures_;
   place::Withering withering_;

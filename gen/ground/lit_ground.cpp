@@ -158,8 +158,7 @@ landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const Groun
 
 ColourMap LitGround::light_in_window() const {
   const GroundGrid window = place::window_grid(scene_);
-  const GroundGrid grid = place::light_grid(site_.terrain, window, site_.sketch);
-  return on_grass(illuminate_(terrain::ground_light(site_.terrain, site_.day, grid)), window);
+  return on_grass(illuminate_(place::light_on(site_, window)), window);
 }
 
 void LitGround::show(const SnowyGround& ground, const ColourMap& light,

@@ -10,6 +10,7 @@
 #include "grass/mechanics/meadow_model.h"
 #include "grass/texel/fibres.h"
 #include "meadow/lean_light.h"
+#include "place/cell_window.h"
 #include "place/each_in_view.h"
 #include "scene/species.h"
 
@@ -42,11 +43,22 @@ Between between(double value, std::size_t count) {
   return {first, static_cast<float>(place - static_cast<double>(first))};
 }
 
+/// Large terrains have rich and poor places of all sizes.
+double largest_feature_m(const scene::Scene& scene) {
+  constexpr double of_terrain = 0.1;
+  const double feature_m = scene.ageing.pigment_spread_feature_m;
+  return place::is_large(scene) ? std::max(feature_m, of_terrain * scene.terrain.size_m)
+                                : feature_m;
+}
+
 }  // namespace
 
 PigmentSpread::PigmentSpread(const scene::Scene& scene, const grass::WitheringPatch& patch,
                              double snow, const grass::Lighting& lighting)
-    : feature_m_(scene.ageing.pigment_spread_feature_m),
+    : largest_m_(largest_feature_m(scene)),
+      octaves_(4 + std::max(0, static_cast<int>(math::log2(
+                                   largest_m_ / scene.ageing.pigment_spread_feature_m)))),
+      rough_(place::is_large(scene) ? 0.9 : 0.7),
       key_(random_bits({scene.seed, key_of("variety"), 0, key_of("field")})),
       factors_(degrees) {
   std::vector<grass::MeadowModel> models;
@@ -69,15 +81,13 @@ PigmentSpread::PigmentSpread(const scene::Scene& scene, const grass::WitheringPa
 }
 
 double PigmentSpread::richness(const glm::dvec2& at_m, double step_m) const {
-  constexpr int octaves = 4;
-  constexpr double rough = 0.7;  // height of an octave over that of the one twice as large
-  double sum = 0.0, variance = 0.0, height = 1.0, feature_m = feature_m_;
-  for (std::uint64_t octave = 0; octave < octaves; ++octave) {
+  double sum = 0.0, variance = 0.0, height = 1.0, feature_m = largest_m_;
+  for (std::uint64_t octave = 0; octave < static_cast<std::uint64_t>(octaves_); ++octave) {
     const Fbm field{random_bits({key_, key_of("octave"), octave, 0}), /*octaves=*/1};
     const double shown = shown_fraction(feature_m, step_m);
     if (shown > 0.0) sum += shown * height * fbm(at_m / feature_m, field);
     variance += height * height;
-    height *= rough;
+    height *= rough_;
     feature_m *= 0.5;
   }
   return std::clamp(sum / std::sqrt(variance), -max_richness, max_richness);

@@ -26,8 +26,8 @@ class PigmentSpread {
   PigmentSpread(const scene::Scene& scene, const grass::WitheringPatch& patch, double snow,
                 const grass::Lighting& lighting);
 
-  /// In [-2.5, 2.5]; of features from ageing.pigment_spread_feature down to an eighth of it, as far
-  /// as a map with steps of `step_m` shows them.
+  /// In [-2.5, 2.5]; of features from ageing.pigment_spread_feature, on a large terrain from a
+  /// tenth of it, down to an eighth of that key, as far as a map with steps of `step_m` shows them.
   double richness(const glm::dvec2& at_m, double step_m) const;
 
   /// Factor on the radiance (linear sRGB) of grass of a richness at a weathering degree in [0, 1],
@@ -37,7 +37,9 @@ class PigmentSpread {
  private:
   using ByRichness = std::array<glm::vec3, 5>;  ///< from the least to the largest
 
-  double feature_m_;
+  double largest_m_;
+  int octaves_;
+  double rough_;  ///< height of an octave over that of the one twice as large
   std::uint64_t key_;
   std::vector<ByRichness> factors_;  ///< by weathering degree, from 0 to 1
 };

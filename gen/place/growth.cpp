@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloud/ranks.h"
+#include "core/noise.h"
 #include "core/parallel.h"
 #include "core/random.h"
+#include "place/cell_window.h"
 #include "place/habitat.h"
 
 namespace wold::place {
@@ -17,35 +20,97 @@ double grown(double probability, double noise) {
   return std::clamp(above / soft, 0.0, 1.0);
 }
 
+/// Bare patches of one size.
+class Patches {
+ public:
+  Patches(const scene::Scene& scene, double step_m)
+      : feature_m_(scene.growth.feature_m),
+        shown_(shown_fraction(feature_m_, step_m)),
+        tufts_({random_bits({scene.seed, key_of("growth"), 0, key_of("tufts")}), 6, 0.35},
+               feature_m_) {}
+
+  double grown_at(const glm::dvec2& at_m, double probability) const {
+    if (probability <= 0.0 || probability >= 1.0 || shown_ <= 0.0) return probability;
+    const double growth = grown(probability, tufts_.at(at_m));
+    return shown_ >= 1.0 ? growth : std::lerp(probability, growth, shown_);
+  }
+
+ private:
+  double feature_m_, shown_;
+  Tufts tufts_;
+};
+
+/// Bare patches of all sizes, from a tenth of a large terrain down, and more of them where the
+/// ground stands out than where soil and water gather. What is finer than the map's step shows as
+/// the share of it that is grown.
+class ScaleFreePatches {
+ public:
+  ScaleFreePatches(const scene::Scene& scene, double step_m)
+      : field_(random_bits({scene.seed, key_of("growth"), 0, key_of("tufts")}),
+               {std::max(scene.growth.feature_m, 0.1 * scene.terrain.size_m),
+                smallest * scene.growth.feature_m},
+               /*hurst=*/0.1, step_m),
+        softness_(std::sqrt(std::max(1.0 - field_.shown(), min_softness))) {}
+
+  double grown_at(const glm::dvec2& at_m, double probability, double exposure) const {
+    if (probability <= 0.0 || probability >= 1.0) return probability;
+    const double of_exposure = std::clamp(exposure, -2.0, 2.0);
+    const double field =
+        std::sqrt(1.0 - by_exposure * by_exposure) * field_.at(at_m) + by_exposure * of_exposure;
+    return cloud::rank_of_gaussian((cloud::gaussian_of_rank(probability) - field) / softness_);
+  }
+
+ private:
+  static constexpr double smallest = 0.03, min_softness = 0.01, by_exposure = 0.5;
+
+  ScaleFreeNoise field_;
+  double softness_;
+};
+
+/// Of value (i, j) of a map on the surface's grid.
+double limited(const GrowthLimits& limits, const terrain::Surface& surface, int i, int j) {
+  const double on_level = limits.on_level(surface.place_m(i, j), surface.height_m(i, j));
+  return limits.ask_for_slope() ? on_level * limits.on_slope(surface.slope_deg(i, j)) : on_level;
+}
+
+template <class GrownAt>
+FactorMap filled(const scene::Scene& scene, const terrain::Surface& surface,
+                 const GrownAt& grown_at) {
+  const GrowthLimits limits(scene.growth, scene.terrain.size_m);
+  const Habitats habitats(scene, surface.heights_m());
+  FactorMap map(surface.grid().samples, surface.grid().square);
+  parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < map.samples(); ++i) {
+      const double probability =
+          limited(limits, surface, i, j) * habitats.any(surface.place_m(i, j));
+      map.at(i, j) = static_cast<float>(grown_at(i, j, probability));
+    }
+  });
+  return map;
+}
+
 }  // namespace
 
 FactorMap growth_map(const scene::Scene& scene, const Heightfield& terrain) {
   constexpr double step_m = 0.05;
-  return growth_map(scene, terrain,
-                    {{.size_m = terrain.size_m()}, map_samples(terrain.size_m(), step_m)});
+  return growth_map(scene, terrain::Surface(terrain, nullptr,
+                                            {{.size_m = terrain.size_m()},
+                                             map_samples(terrain.size_m(), step_m)}));
 }
 
-FactorMap growth_map(const scene::Scene& scene, const Heightfield& terrain,
-                     const GroundGrid& grid) {
-  const double shown = shown_fraction(scene.growth.feature_m, grid.step_m());
-  const GrowthLimits limits(scene.growth, terrain);
-  const Habitats habitats(scene, terrain);
-  const Fbm ragged{random_bits({scene.seed, key_of("growth"), 0, key_of("tufts")}), 6, 0.35};
-  const Tufts tufts(ragged, scene.growth.feature_m);
-  FactorMap map(grid.samples, grid.square);
-  parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
-    const int j = static_cast<int>(row);
-    for (int i = 0; i < map.samples(); ++i) {
-      const glm::dvec2 at_m = map.place_m(i, j);
-      const double probability = limits.probability(at_m) * habitats.any(at_m);
-      const bool certain = probability <= 0.0 || probability >= 1.0 || shown <= 0.0;
-      const double noise = certain ? 0.5 : tufts.at(at_m);
-      map.at(i, j) = static_cast<float>(
-          shown >= 1.0 ? grown(probability, noise)
-                       : std::lerp(probability, grown(probability, noise), shown));
-    }
-  });
-  return map;
+FactorMap growth_map(const scene::Scene& scene, const terrain::Surface& surface) {
+  const double step_m = surface.grid().step_m();
+  if (is_large(scene))
+    return filled(scene, surface,
+                  [&, patches = ScaleFreePatches(scene, step_m)](int i, int j, double probability) {
+                    return patches.grown_at(surface.place_m(i, j), probability,
+                                            surface.exposure(i, j));
+                  });
+  return filled(scene, surface,
+                [&, patches = Patches(scene, step_m)](int i, int j, double probability) {
+                  return patches.grown_at(surface.place_m(i, j), probability);
+                });
 }
 
 }  // namespace wold::place

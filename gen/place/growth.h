@@ -2,6 +2,7 @@
 
 #include "core/ground_map.h"
 #include "scene/scene.h"
+#include "terrain/surface.h"
 
 namespace wold::place {
 
@@ -13,7 +14,7 @@ namespace wold::place {
 /// growth.feature, equalised to be uniform, decides. So the mean of the map is the mean
 /// probability. Throws FileError when a mask cannot be read.
 FactorMap growth_map(const scene::Scene& scene, const Heightfield& terrain);
-/// The same on another grid; where patches are smaller than its step it shows the probability.
-FactorMap growth_map(const scene::Scene& scene, const Heightfield& terrain, const GroundGrid& grid);
+/// The same on a surface's grid; where patches are smaller than its step it shows the probability.
+FactorMap growth_map(const scene::Scene& scene, const terrain::Surface& surface);
 
 }  // namespace wold::place

@@ -68,20 +68,20 @@ bool asks_for_topography(const scene::Habitat& habitat) {
 
 }  // namespace
 
-GrowthLimits::GrowthLimits(const scene::Growth& growth, const Heightfield& terrain)
-    : growth_(growth), terrain_(terrain) {
-  if (!growth.mask.empty()) mask_ = std::make_shared<const Mask>(growth.mask, terrain.size_m());
+GrowthLimits::GrowthLimits(const scene::Growth& growth, double terrain_m) : growth_(growth) {
+  if (!growth.mask.empty()) mask_ = std::make_shared<const Mask>(growth.mask, terrain_m);
 }
 
-double GrowthLimits::probability(const glm::dvec2& at_m) const {
-  const double height_m = double{terrain_.sample(at_m.x, at_m.y)};
+double GrowthLimits::on_level(const glm::dvec2& at_m, double height_m) const {
   const double height_strip_m = growth_.feature_m;
   double p = growth_.cover;
-  if (growth_.steepest_deg < 90.0)
-    p *= below(terrain::slope_deg(terrain_, at_m.x, at_m.y), growth_.steepest_deg, slope_strip_deg);
   p *= below(height_m, growth_.highest_m, height_strip_m);
   p *= above(height_m, growth_.lowest_m, height_strip_m);
   return mask_ ? p * mask_->at(at_m) : p;
+}
+
+double GrowthLimits::on_slope(double slope_deg) const {
+  return below(slope_deg, growth_.steepest_deg, slope_strip_deg);
 }
 
 double Tufts::at(const glm::dvec2& at_m) const { return equalised(fbm(at_m / feature_m_, field_)); }
@@ -98,7 +98,8 @@ Habitats::Habitats(const scene::Scene& scene, const Heightfield& terrain)
     const std::uint64_t key = random_bits({scene.seed, key_of("species"), i, key_of("tufts")});
     // Smooth: cells are of one mixture, and one of another amid them shows its square.
     const Fbm field{key, /*octaves=*/2, /*hurst=*/0.9};
-    species_.push_back({habitat, GrowthLimits(habitat, terrain), Tufts(field, habitat.feature_m)});
+    species_.push_back(
+        {habitat, GrowthLimits(habitat, terrain.size_m()), Tufts(field, habitat.feature_m)});
     if (asks_for_topography(habitat) && !topography_)
       topography_ = std::make_shared<const Topography>(terrain, scene.sun.latitude_deg);
   }
@@ -108,9 +109,12 @@ double Habitats::probability(int species, const glm::dvec2& at_m) const {
   constexpr double wetness_strip = 0.1, sun_strip = 0.1;
   const Placed& placed = species_.at(static_cast<std::size_t>(species));
   const scene::Habitat& habitat = placed.habitat;
-  double p = placed.limits.probability(at_m);
-  if (habitat.gentlest_deg > 0.0)
-    p *= above(terrain::slope_deg(terrain_, at_m.x, at_m.y), habitat.gentlest_deg, slope_strip_deg);
+  double p = placed.limits.on_level(at_m, double{terrain_.sample(at_m.x, at_m.y)});
+  if (placed.limits.ask_for_slope() || habitat.gentlest_deg > 0.0) {
+    const double slope_deg = terrain::slope_deg(terrain_, at_m.x, at_m.y);
+    if (placed.limits.ask_for_slope()) p *= placed.limits.on_slope(slope_deg);
+    if (habitat.gentlest_deg > 0.0) p *= above(slope_deg, habitat.gentlest_deg, slope_strip_deg);
+  }
   if (!asks_for_topography(habitat)) return p;
   const double wetness = topography_->wetness(at_m);
   const double sun = topography_->sun(at_m);

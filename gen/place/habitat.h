@@ -12,20 +12,25 @@
 
 namespace wold::place {
 
-/// Probability that grass grows at a place of a terrain, which has to outlive it: growth.cover
-/// within the limits of slope, height and mask, falling to 0 in a strip about each. Throws
-/// FileError when the mask cannot be read.
+/// Probability that grass grows at a place: growth.cover within the limits of slope, height and
+/// mask, falling to 0 in a strip about each. Throws FileError when the mask cannot be read.
 class GrowthLimits {
  public:
-  GrowthLimits(const scene::Growth& growth, const Heightfield& terrain);
+  /// `terrain_m`: side of the terrain's square, which the mask covers.
+  GrowthLimits(const scene::Growth& growth, double terrain_m);
 
-  double probability(const glm::dvec2& at_m) const;
+  /// The probability on level ground: by cover, height and mask.
+  double on_level(const glm::dvec2& at_m, double height_m) const;
+
+  /// Whether a slope changes it.
+  bool ask_for_slope() const { return growth_.steepest_deg < 90.0; }
+  /// What of the probability on level ground is left on a slope.
+  double on_slope(double slope_deg) const;
 
  private:
   class Mask;
 
   scene::Growth growth_;
-  const Heightfield& terrain_;
   std::shared_ptr<const Mask> mask_;  ///< if any
 };
 

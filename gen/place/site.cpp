@@ -49,12 +49,13 @@ std::unique_ptr<snow::LargeCover> large_cover(const scene::Scene& scene, const H
 
 /// A part of the ground on which that grows, in the light of a day.
 GroundPart lit_part(const scene::Scene& scene, const Heightfield& terrain,
-                    const light::Daylight& day, const GroundGrid& grid,
+                    const light::Daylight& day, const terrain::Surface& surface,
                     const std::optional<Sketch>& sketch, FactorMap growth) {
   terrain::GroundLight light =
-      terrain::ground_light(terrain, day, light_grid(terrain, grid, sketch));
-  ColourMap reflectance = terrain::ground_reflectance(terrain, day.sun_direction(), scene.terrain,
-                                                      scene.seed, growth, grid);
+      surface.lit(terrain::ground_light(terrain, day, light_grid(terrain, surface.grid(), sketch)),
+                  day.sun_direction());
+  ColourMap reflectance =
+      terrain::ground_reflectance(surface, day.sun_direction(), scene.terrain, scene.seed, growth);
   return {std::move(growth), std::move(light), std::move(reflectance)};
 }
 
@@ -68,21 +69,21 @@ std::optional<GroundGrid> grid_of_ground(const scene::Scene& scene, const Height
 }
 
 /// The whole ground in the light of a day, on a grid or with the usual steps.
-GroundPart whole_ground(const scene::Scene& scene, const Heightfield& terrain,
-                        const light::Daylight& day, const std::optional<GroundGrid>& grid,
-                        const std::optional<Sketch>& sketch, FactorMap growth) {
-  if (grid) return lit_part(scene, terrain, day, *grid, sketch, std::move(growth));
-  terrain::GroundLight light = terrain::ground_light(terrain, day);
-  ColourMap reflectance = terrain::ground_reflectance(terrain, day.sun_direction(), scene.terrain,
-                                                      scene.seed, growth, picture_grid(scene));
+GroundPart whole_ground(const scene::Scene& scene, const Site& site,
+                        const std::optional<GroundGrid>& grid, FactorMap growth) {
+  const light::Daylight& day = site.day;
+  if (grid)
+    return lit_part(scene, site.terrain, day, site.surface(*grid), site.sketch, std::move(growth));
+  terrain::GroundLight light = terrain::ground_light(site.terrain, day);
+  ColourMap reflectance = terrain::ground_reflectance(
+      site.surface(picture_grid(scene)), day.sun_direction(), scene.terrain, scene.seed, growth);
   return {std::move(growth), std::move(light), std::move(reflectance)};
 }
 
 /// Sets the light of its day on a site's ground, and what the ground makes of it.
 void light_ground(const scene::Scene& scene, Site& site) {
-  GroundPart ground =
-      whole_ground(scene, site.terrain, site.day, grid_of_ground(scene, site.terrain, site.sketch),
-                   site.sketch, std::move(site.growth));
+  GroundPart ground = whole_ground(scene, site, grid_of_ground(scene, site.terrain, site.sketch),
+                                   std::move(site.growth));
   site.growth = std::move(ground.growth);
   site.light = std::move(ground.light);
   site.ground_reflectance = std::move(ground.reflectance);
@@ -114,8 +115,18 @@ GroundGrid light_grid(const Heightfield& terrain, const GroundGrid& grid,
 }
 
 GroundPart ground_part(const scene::Scene& scene, const Site& site, const GroundGrid& grid) {
-  return lit_part(scene, site.terrain, site.day, grid, site.sketch,
-                  growth_map(scene, site.terrain, grid));
+  const terrain::Surface surface = site.surface(grid);
+  return lit_part(scene, site.terrain, site.day, surface, site.sketch, growth_map(scene, surface));
+}
+
+terrain::Surface Site::surface(const GroundGrid& grid) const {
+  return {terrain, finer.get(), grid};
+}
+
+terrain::GroundLight light_on(const Site& site, const GroundGrid& grid) {
+  return site.surface(grid).lit(
+      terrain::ground_light(site.terrain, site.day, light_grid(site.terrain, grid, site.sketch)),
+      site.day.sun_direction());
 }
 
 const FactorMap& growth_of_cells(const Site& site) {
@@ -124,14 +135,18 @@ const FactorMap& growth_of_cells(const Site& site) {
 
 Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmSeason> season,
                const fs::path& snow_folder, const std::optional<Sketch>& sketch) {
-  Heightfield terrain = terrain::make_ground(scene.terrain, scene.seed);
+  auto [terrain, finer] = terrain::make_ground(scene.terrain, scene.seed);
+  if (!is_large(scene)) finer = nullptr;
   const scene::Scene half_way = at_time(scene, 0.5);
   const light::Daylight day(half_way.sun, scene.sky);
   const bool large = is_large(scene);
   const auto grid = grid_of_ground(scene, terrain, sketch);
-  FactorMap growth = grid ? growth_map(scene, terrain, *grid) : growth_map(scene, terrain);
+  FactorMap growth = grid ? growth_map(scene, terrain::Surface(terrain, finer.get(), *grid))
+                          : growth_map(scene, terrain);
   std::optional<FactorMap> growth_of_window;
-  if (large) growth_of_window = growth_map(scene, terrain, window_grid(scene));
+  if (large)
+    growth_of_window =
+        growth_map(scene, terrain::Surface(terrain, finer.get(), window_grid(scene)));
   std::optional<cloud::Clouds> clouds;
   if (!scene.clouds.empty())
     clouds.emplace(half_way, cloud::Clouds::usual_pixel_m(scene.clouds), season.get());
@@ -144,6 +159,7 @@ Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmS
   auto withering = std::make_shared<const Withering>(scene, terrain, season);
   auto mixtures = std::make_shared<const MixtureField>(scene, terrain);
   Site site{std::move(terrain),
+            std::move(finer),
             std::move(growth),
             std::move(growth_of_window),
             day,

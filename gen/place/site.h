@@ -16,6 +16,7 @@
 #include "snow/large_cover.h"
 #include "snow/weather.h"
 #include "terrain/lighting.h"
+#include "terrain/surface.h"
 
 namespace wold::place {
 
@@ -52,7 +53,8 @@ struct Sketch {
 /// the day is the one half-way, and only site_of_frame() has light and ground_reflectance.
 struct Site {
   Heightfield terrain;
-  FactorMap growth;                           ///< growth_map()'s
+  std::shared_ptr<const terrain::FinerRelief> finer;  ///< of a large terrain, where it has some
+  FactorMap growth;                                   ///< growth_map()'s
   std::optional<FactorMap> growth_of_window;  ///< the same in the CellWindow of a large terrain
   light::Daylight day;
   terrain::GroundLight light;    ///< under a clear sky
@@ -64,6 +66,9 @@ struct Site {
   std::shared_ptr<const MixtureField> mixtures;
   std::shared_ptr<const Snow> snow;   ///< none where none can fall or lie
   std::optional<Sketch> sketch = {};  ///< none: as fine as pictures need
+
+  /// The ground on a grid; the site has to outlive it.
+  terrain::Surface surface(const GroundGrid& grid) const;
 };
 
 /// Maps of a large terrain have as many samples as its pictures need; its snow is kept in tiled
@@ -85,8 +90,12 @@ Site site_of_frame(const scene::Scene& scene, const Site& site, int frame);
 /// Growth where cells are laid.
 const FactorMap& growth_of_cells(const Site& site);
 
-/// A part of a site's ground; its light is on the light_grid().
+/// A part of a site's ground; its light is on the light_grid(), or as fine as the relief below the
+/// terrain's steps.
 GroundPart ground_part(const scene::Scene& scene, const Site& site, const GroundGrid& grid);
+
+/// The light of a clear sky on a part of a site's ground.
+terrain::GroundLight light_on(const Site& site, const GroundGrid& grid);
 
 /// The grid of the light on a part of the ground: as fine as `grid` or, where that is finer, as the
 /// terrain; of a sketch no finer than it says.

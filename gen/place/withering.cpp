@@ -6,6 +6,8 @@
 
 #include "core/random.h"
 #include "core/statistics.h"
+#include "place/cell_window.h"
+#include "place/dryness.h"
 #include "place/topography.h"
 #include "scene/calendar.h"
 #include "snow/weather.h"
@@ -52,6 +54,15 @@ Withering::Withering(const scene::Scene& scene, const Heightfield& terrain,
                      std::shared_ptr<const phenology::FilmSeason> season)
     : ageing_(scene.ageing),
       field_{random_bits({scene.seed, key_of("weathering"), 0, key_of("field")}), 2, 1.0} {
+  if (is_large(scene)) {
+    constexpr double of_terrain = 0.1, of_feature = 0.25, hurst = 0.2;
+    const double feature_m = ageing_.age_spread_feature_m;
+    scale_free_.emplace(field_.key,
+                        ScaleFreeNoise::Sizes{std::max(of_terrain * terrain.size_m(), feature_m),
+                                              of_feature * feature_m},
+                        hurst, /*step_m=*/0.0);
+    dryness_ = dryness_map(terrain);
+  }
   if (!season) return;
   season_ = std::move(season);
   for (int frame = 1; frame <= scene.season.frames; ++frame)
@@ -65,7 +76,9 @@ Withering::Withering(const scene::Scene& scene, const Heightfield& terrain,
 }
 
 double Withering::noise(const glm::dvec2& at_m) const {
-  return fbm(at_m / ageing_.age_spread_feature_m, field_);
+  if (!scale_free_) return fbm(at_m / ageing_.age_spread_feature_m, field_);
+  constexpr double by_chance = 0.8, by_water = 0.6;  // their squares are 1 together
+  return by_chance * scale_free_->at(at_m) + by_water * double{dryness_.sample(at_m.x, at_m.y)};
 }
 
 double Withering::at(const glm::dvec2& at_m, int frame) const {

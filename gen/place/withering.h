@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,7 +16,8 @@ namespace wold::place {
 /// The weathering degree of a film's meadow, by place and frame.
 ///
 /// Without a season it is the frame's plus ageing.age_spread times a smooth keyed field, which
-/// fades to nothing for all-fresh and all-dry frames: the same spots wither first.
+/// fades to nothing for all-fresh and all-dry frames: the same spots wither first. On a large
+/// terrain that field has places of all sizes, and dry ground withers before wet.
 ///
 /// In a season places go through the same days earlier or later. By Hopkins' bioclimatic law (1920,
 /// Bioclimatics) autumn comes four days earlier for every 400 feet of height. What makes nights
@@ -41,6 +43,8 @@ class Withering {
 
   scene::Ageing ageing_;
   Fbm field_;
+  std::optional<ScaleFreeNoise> scale_free_;  ///< in its place on a large terrain
+  FactorMap dryness_;                         ///< dryness_map() there
   // of a season:
   std::shared_ptr<const phenology::FilmSeason> season_;
   std::vector<double> frame_days_;  ///< after the first frame

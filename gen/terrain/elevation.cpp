@@ -23,9 +23,9 @@ struct Part {
   glm::ivec2 end;
 };
 
-/// The box of cells between half steps, and what cubic convolution needs around it.
+/// The box of cells between half steps, and what cubic convolution needs around it to keep means.
 CellBox cells_of(const CellMap& cells, const Part& part) {
-  constexpr double around = 3.0;
+  constexpr double around = 3.0 + 2.0 * mean_passes;
   glm::dvec2 low(std::numeric_limits<double>::infinity());
   glm::dvec2 high = -low;
   for (int j = 2 * part.first.y; j <= 2 * part.end.y; ++j)
@@ -70,7 +70,8 @@ GDALDatasetUniquePtr stored_square(const Raster& raster, const CellMap& cells, i
   for (int y = 0; y < samples; y += side)
     for (int x = 0; x < samples; x += side) {
       const Part part{{x, y}, glm::min(glm::ivec2(x, y) + side, samples)};
-      const CellBlock block = read_cells(raster, cells_of(cells, part));
+      CellBlock block = read_cells(raster, cells_of(cells, part));
+      if (cells_per_step <= 1.0) block = with_means_kept(block);
       for (int j = part.first.y; j < part.end.y; ++j)
         for (int i = part.first.x; i < part.end.x; ++i) {
           double value = resampled(block, cells, {i, j}, cells_per_step > 1.0);

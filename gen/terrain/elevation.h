@@ -22,7 +22,8 @@ struct Elevation {
 /// lies in an azimuthal equidistant projection about its centre, so its metres are metres on the
 /// ground whatever the raster's system, and its y is north. terrain.system is the raster's system
 /// and wins over what the file says; a raster without either is taken as metres. Heights between
-/// the raster's are cubic; where the raster is the finer one, they are means. The band's scale,
+/// the raster's are cubic, with the raster's as means of its cells; where the raster is the finer
+/// one, they are means of it. The band's scale,
 /// offset and unit (feet) are heeded. Voids are filled from around them, so that no void is a
 /// cliff.
 ///

@@ -2,32 +2,116 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
+#include "core/angle.h"
 #include "core/elementary.h"
+#include "core/parallel.h"
 #include "terrain/elevation.h"
 #include "terrain/erosion.h"
-#include "terrain/fractal_relief.h"
 #include "terrain/hillside.h"
 #include "terrain/mountain.h"
 
 namespace wold::terrain {
 namespace {
 
-Heightfield real_place(const scene::Terrain& terrain, std::uint64_t seed) {
+/// The finest step that heights need: soil has levelled what is smaller.
+constexpr double finest_step_m = 1.0;
+
+/// The relief below the model's cells, or below the heights' steps where these are coarser.
+FinerRelief relief_below(scene::Terrain terrain, double cell_m, std::uint64_t seed) {
+  constexpr int least = 17, most = 4097;
+  const double step_m = terrain.size_m / (terrain.samples - 1);
+  const double samples = 2.0 * terrain.size_m / std::max(cell_m, step_m) + 1.0;
+  terrain.samples = static_cast<int>(std::clamp<double>(samples, least, most));
+  const Elevation place = read_elevation(terrain);
+  const bool between_cells = place.heights_m.step_m() < cell_m;
+  return {place.heights_m,
+          measured_roughness(place.heights_m,
+                             between_cells ? Held::by_cubic_convolution : Held::exactly),
+          terrain.roughness, seed};
+}
+
+template <class Heights>
+void add_relief(Heights& heights_m, const FinerRelief& relief) {
+  const FinerRelief::Weights weights = relief.shown_at(heights_m.step_m());
+  parallel_for(static_cast<std::size_t>(heights_m.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < heights_m.samples(); ++i) {
+      auto& height_m = heights_m.at(i, j);
+      const double bump_m = relief.at(heights_m.place_m(i, j), weights).height_m;
+      height_m = static_cast<std::decay_t<decltype(height_m)>>(height_m + bump_m);
+    }
+  });
+}
+
+Ground real_place(const scene::Terrain& terrain, std::uint64_t seed) {
   Elevation place = read_elevation(terrain);
-  const double feature_m = std::min(place.cell_m, terrain.relief_feature_m);
-  const double fraction = math::pow(feature_m / terrain.relief_feature_m, terrain.roughness);
-  add_fractal_relief(place.heights_m, terrain, seed, terrain.relief_m * fraction, feature_m);
-  return crept(std::move(place.heights_m));
+  if (terrain.relief_m <= 0.0) return {crept(std::move(place.heights_m)), nullptr};
+  const auto relief =
+      std::make_shared<const FinerRelief>(relief_below(terrain, place.cell_m, seed));
+  add_relief(place.heights_m, *relief);
+  const bool is_fine = place.heights_m.step_m() <= finest_step_m;
+  return {crept(std::move(place.heights_m)), is_fine ? nullptr : relief};
+}
+
+/// What the relief of a landscape of the scene's own goes on below: its smallest features.
+GroundMap<double> at_smallest_features(const Heightfield& heights_m,
+                                       const scene::Terrain& terrain) {
+  const double feature_m = terrain.relief_feature_m * math::exp2(-1.0 * terrain.octaves);
+  const double step_m = 0.5 * std::max(feature_m, heights_m.step_m());
+  const int samples = std::max(17, static_cast<int>(heights_m.size_m() / step_m) + 1);
+  GroundMap<double> map(samples, heights_m.square());
+  for (int j = 0; j < samples; ++j)
+    for (int i = 0; i < samples; ++i) {
+      const glm::dvec2 at_m = map.place_m(i, j);
+      map.at(i, j) = double{heights_m.sample(at_m.x, at_m.y)};
+    }
+  return map;
+}
+
+/// Of a landscape of the scene's own, which streams, slides and creep have smoothed: at least that
+/// of its fractal relief at this size, more on steep ground, where rock stands.
+Roughness own_roughness(const GroundMap<double>& heights_m, const scene::Terrain& terrain) {
+  constexpr double of_rock = 2.5, strip_deg = 12.0;
+  const double wave_m = FinerRelief::cell_m(heights_m);
+  const double fractal_m =
+      terrain.relief_m * math::pow(wave_m / terrain.relief_feature_m, terrain.roughness);
+  Roughness roughness = measured_roughness(heights_m, Held::exactly);
+  GroundMap<float>& deviation_m = roughness.deviation_m;
+  for (int j = 1; j + 1 < heights_m.samples(); ++j)
+    for (int i = 1; i + 1 < heights_m.samples(); ++i) {
+      const double rise = math::hypot(heights_m.at(i + 1, j) - heights_m.at(i - 1, j),
+                                      heights_m.at(i, j + 1) - heights_m.at(i, j - 1)) /
+                          (2.0 * heights_m.step_m());
+      const double steep =
+          glm::smoothstep(terrain.rock_slope_deg - strip_deg, terrain.rock_slope_deg,
+                          math::atan(rise) * degrees_per_radian);
+      const double least_m = fractal_m * std::lerp(1.0, of_rock, steep);
+      deviation_m.at(i, j) = std::max(deviation_m.at(i, j), static_cast<float>(least_m));
+    }
+  for (float& hurst : roughness.hurst.values()) hurst = static_cast<float>(terrain.roughness);
+  return roughness;
+}
+
+Ground own_place(const scene::Terrain& terrain, std::uint64_t seed) {
+  Heightfield heights_m = terrain.shape == scene::TerrainShape::mountain
+                              ? make_mountain(terrain, seed)
+                              : make_hillside(terrain, seed);
+  if (terrain.relief_m <= 0.0 || heights_m.step_m() <= finest_step_m)
+    return {std::move(heights_m), nullptr};
+  const GroundMap<double> features_m = at_smallest_features(heights_m, terrain);
+  const auto relief = std::make_shared<const FinerRelief>(
+      features_m, own_roughness(features_m, terrain), terrain.roughness, seed);
+  add_relief(heights_m, *relief);
+  return {std::move(heights_m), relief};
 }
 
 }  // namespace
 
-Heightfield make_ground(const scene::Terrain& terrain, std::uint64_t seed) {
-  if (!terrain.elevation.empty()) return real_place(terrain, seed);
-  return terrain.shape == scene::TerrainShape::mountain ? make_mountain(terrain, seed)
-                                                        : make_hillside(terrain, seed);
+Ground make_ground(const scene::Terrain& terrain, std::uint64_t seed) {
+  return terrain.elevation.empty() ? own_place(terrain, seed) : real_place(terrain, seed);
 }
 
 }  // namespace wold::terrain

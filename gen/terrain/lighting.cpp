@@ -14,6 +14,7 @@
 #include "terrain/horizon.h"
 #include "terrain/relief.h"
 #include "terrain/rock.h"
+#include "terrain/surface.h"
 
 namespace wold::terrain {
 namespace {
@@ -108,6 +109,7 @@ struct GroundColour {
   glm::vec3 soil;
   Rock rock;
   double rock_slope_deg;
+  ScaleFreeNoise wide;  ///< soils of large terrains
   Fbm moisture;
   Fbm litter;
   Fbm border;
@@ -120,6 +122,8 @@ struct GroundColour {
         rock({terrain.rock_albedo[0], terrain.rock_albedo[1], terrain.rock_albedo[2]}, seed,
              step_m),
         rock_slope_deg(terrain.rock_slope_deg),
+        wide(random_bits({seed, key_of("ground"), 0, key_of("soil")}),
+             {0.1 * terrain.size_m, 2.0 * moisture_m}, /*hurst=*/0.1, step_m),
         moisture{random_bits({seed, key_of("ground"), 0, key_of("moisture")}), 2, 0.8},
         litter{random_bits({seed, key_of("ground"), 0, key_of("litter")}), 3, 0.3},
         border{random_bits({seed, key_of("ground"), 0, key_of("border")}), 6, 0.95},
@@ -133,7 +137,9 @@ struct GroundColour {
         static_cast<float>(wet_shown * std::clamp(fbm(at_m / moisture_m, moisture), -2.0, 2.0));
     const auto straw =
         static_cast<float>(litter_shown * math::tanh(0.8 * fbm(at_m / litter_m, litter)));
-    return soil * (1.0F - 0.12F * wet) * (1.0F + straw * glm::vec3(0.30F, 0.30F, 0.24F));
+    const auto kind = static_cast<float>(std::clamp(wide.at(at_m), -2.0, 2.0));
+    return soil * (1.0F + kind * glm::vec3(0.16F, 0.18F, 0.2F)) * (1.0F - 0.12F * wet) *
+           (1.0F + straw * glm::vec3(0.30F, 0.30F, 0.24F));
   }
 
   /// Rock shows where it is steep, over 5 degrees and along a ragged border, and where no grass
@@ -196,9 +202,10 @@ GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day,
   return smoothed_light(terrain, day, grid, /*passes=*/1);
 }
 
-ColourMap ground_reflectance(const Heightfield& terrain, const glm::dvec3& sun_direction,
+ColourMap ground_reflectance(const Surface& surface, const glm::dvec3& sun_direction,
                              const scene::Terrain& look, std::uint64_t seed,
-                             const FactorMap& growth, const GroundGrid& grid) {
+                             const FactorMap& growth) {
+  const GroundGrid& grid = surface.grid();
   ColourMap map(grid.samples, grid.square);
   const GroundColour colour(look, seed, grid.step_m());
   parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
@@ -206,8 +213,8 @@ ColourMap ground_reflectance(const Heightfield& terrain, const glm::dvec3& sun_d
     for (int i = 0; i < map.samples(); ++i) {
       const glm::dvec2 at_m = map.place_m(i, j);
       const float grown = growth.sample(at_m.x, at_m.y);
-      const glm::dvec3 place_m(at_m, terrain.sample(at_m.x, at_m.y));
-      map.at(i, j) = colour.albedo(place_m, normal(terrain, at_m.x, at_m.y), sun_direction, grown) *
+      const glm::dvec3 place_m(at_m, surface.height_m(i, j));
+      map.at(i, j) = colour.albedo(place_m, surface.up(i, j), sun_direction, grown) *
                      static_cast<float>(1.0 / pi);
     }
   });

@@ -8,6 +8,8 @@
 
 namespace wold::terrain {
 
+class Surface;
+
 /// The light that falls on the ground, relative to flat open ground, per channel: the sun's
 /// irradiance by Lambert's law with a soft cast shadow, and the sky's radiance above the local
 /// horizon. The daylight's unit makes both together 1 on flat open ground. A sample every 20 cm
@@ -31,8 +33,8 @@ GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day,
 /// The albedo varies about terrain.ground_albedo: moist hollows and litter (keyed fBm), detail down
 /// to the grid's step, what is smaller shows its mean; beyond terrain.rock_slope it turns to rock,
 /// whose relief the sun shows. Where grass grows, `growth` in [0, 1], the ground is soil.
-ColourMap ground_reflectance(const Heightfield& terrain, const glm::dvec3& sun_direction,
+ColourMap ground_reflectance(const Surface& surface, const glm::dvec3& sun_direction,
                              const scene::Terrain& look, std::uint64_t seed,
-                             const FactorMap& growth, const GroundGrid& grid);
+                             const FactorMap& growth);
 
 }  // namespace wold::terrain

@@ -43,6 +43,22 @@ Sum sum_around(const CellBlock& block, const glm::ivec2& cell, const std::array<
   return sum;
 }
 
+/// Of the cells -2 to 2 in the mean over cell 0 of what cubic convolution makes of them: its
+/// weights, integrated.
+constexpr std::array<double, 5> mean_weights = {-5.0 / 384, 36.0 / 384, 322.0 / 384, 36.0 / 384,
+                                                -5.0 / 384};
+
+/// That mean; NaN beside voids and at the block's border.
+double mean_of_cubic(const CellBlock& block, const glm::ivec2& cell) {
+  double mean = 0.0;
+  for (int row = 0; row < 5; ++row)
+    for (int column = 0; column < 5; ++column)
+      mean += mean_weights[static_cast<std::size_t>(column)] *
+              mean_weights[static_cast<std::size_t>(row)] *
+              block.at(cell + glm::ivec2(column - 2, row - 2));
+  return mean;
+}
+
 }  // namespace
 
 double CellBlock::at(const glm::ivec2& cell) const {
@@ -50,6 +66,20 @@ double CellBlock::at(const glm::ivec2& cell) const {
   if (in.x < 0 || in.y < 0 || in.x >= size.x || in.y >= size.y) return nothing;
   return values[static_cast<std::size_t>(in.y) * static_cast<std::size_t>(size.x) +
                 static_cast<std::size_t>(in.x)];
+}
+
+CellBlock with_means_kept(const CellBlock& means) {
+  CellBlock block = means;
+  for (int pass = 0; pass < mean_passes; ++pass) {
+    const CellBlock before = block;
+    for (std::size_t k = 0; k < block.values.size(); ++k) {
+      const auto at = static_cast<int>(k);
+      const glm::ivec2 cell = block.first + glm::ivec2(at % block.size.x, at / block.size.x);
+      const double wrong = means.values[k] - mean_of_cubic(before, cell);
+      if (!std::isnan(wrong)) block.values[k] += wrong;
+    }
+  }
+  return block;
 }
 
 double cubic_value(const CellBlock& block, const glm::dvec2& place) {

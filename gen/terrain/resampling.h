@@ -15,6 +15,15 @@ struct CellBlock {
   double at(const glm::ivec2& cell) const;
 };
 
+/// Passes of with_means_kept(): after four, means are true to 2 % of what is finest. In each, what
+/// lies up to two cells away counts.
+inline constexpr int mean_passes = 4;
+
+/// The values whose cubic convolution has the block's as the means of its cells. Elevation models
+/// hold means: what they say is the ground seen through a cell's width, and this undoes that.
+/// Values next to voids, and those at the block's border, stay as they are.
+CellBlock with_means_kept(const CellBlock& means);
+
 /// A raster's value at a place, in cells from its upper left corner, by cubic convolution: Keys,
 /// "Cubic convolution interpolation for digital image processing" (1981). Beside voids, bilinear
 /// between the cells that are there; NaN in a void.

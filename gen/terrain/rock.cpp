@@ -51,6 +51,9 @@ Face face_at(const glm::dvec3& at, std::uint64_t key) {
           0.5 * (next2 - nearest2) / std::max(glm::distance(next, nearest), 1e-9)};
 }
 
+/// The largest bend of beds.
+constexpr double bend_feature_m = 500.0;
+
 /// How much of a joint a place is, 0 to 1, and the mean over all places.
 double joint_at(const Face& face) { return 1.0 - glm::smoothstep(0.0, 0.08, face.joint); }
 constexpr double mean_joint = 0.207;
@@ -78,8 +81,11 @@ glm::dmat3 beds(std::uint64_t key) {
 Rock::Rock(const glm::vec3& albedo, std::uint64_t seed, double step_m)
     : albedo_(albedo),
       key_(random_bits({seed, key_of("ground"), 0, key_of("rock")})),
-      bend_{random_bits({key_, key_of("bend"), 0, 0}), 4, 0.8},
+      bend_(random_bits({key_, key_of("bend"), 0, 0}), {bend_feature_m, 0.2}, /*hurst=*/1.0,
+            step_m),
+      beds_(random_bits({key_, key_of("beds"), 0, 0}), {200.0, 0.1}, /*hurst=*/0.15, step_m),
       stain_{random_bits({key_, key_of("stain"), 0, 0}), 5, 0.5},
+      stain_shown_(shown_fraction(1.2, step_m)),
       to_beds_(beds(key_)) {
   for (std::size_t i = 0; i < sizes.size(); ++i)
     shown_[i] = shown_fraction(sizes[i].block_m, step_m);
@@ -87,16 +93,23 @@ Rock::Rock(const glm::vec3& albedo, std::uint64_t seed, double step_m)
 
 /// Bent, so that no joint is a straight line; a bed is half as thick as a block is wide.
 glm::dvec3 Rock::bedded(const glm::dvec3& place_m) const {
-  constexpr double bend_m = 0.12, feature_m = 1.5, flatness = 2.0;
-  const glm::dvec3 at = place_m / feature_m;
-  const glm::dvec3 bend(fbm({at.y, at.z}, bend_), fbm({at.z, at.x}, bend_),
-                        fbm({at.x, at.y}, bend_));
-  return to_beds_ * (place_m + bend_m * bend) * glm::dvec3(1.0, 1.0, flatness);
+  constexpr double bend = 0.08 * bend_feature_m, flatness = 2.0;
+  const glm::dvec3 bent(bend_.at({place_m.y, place_m.z}), bend_.at({place_m.z, place_m.x}),
+                        bend_.at({place_m.x, place_m.y}));
+  return to_beds_ * (place_m + bend * bent) * glm::dvec3(1.0, 1.0, flatness);
+}
+
+/// Colour of the beds, over the mean: thick and thin ones, each long.
+glm::vec3 Rock::bed_at(const glm::dvec3& bedded_m) const {
+  constexpr double length = 30.0;  // over thickness
+  const auto bed = static_cast<float>(
+      std::clamp(beds_.at({bedded_m.z, (bedded_m.x + 0.7 * bedded_m.y) / length}), -2.5, 2.5));
+  return 1.0F + bed * glm::vec3(0.19F, 0.17F, 0.14F);
 }
 
 glm::vec3 Rock::at(const glm::dvec3& place_m, const glm::dvec3& up,
                    const glm::dvec3& to_sun) const {
-  if (shown_[0] <= 0.0) return albedo_;
+  if (shown_.front() <= 0.0) return albedo_;
   const glm::dvec3 place = bedded(place_m);
   glm::dvec3 faced = up;  // of no unit length, so that faces have the light of `up` on the mean
   double open = 1.0;
@@ -108,14 +121,15 @@ glm::vec3 Rock::at(const glm::dvec3& place_m, const glm::dvec3& up,
   }
   const double lit = light_on(faced, to_sun) / light_on(up, to_sun);
   const auto shade = static_cast<float>(open * std::clamp(lit, 0.3, 1.8));
-  return albedo_ * shade * stain_at(place_m);
+  return albedo_ * glm::clamp(shade * bed_at(place) * stain_at(place_m), 0.08F, 2.7F);
 }
 
 /// Damp and lichens.
 glm::vec3 Rock::stain_at(const glm::dvec3& place_m) const {
   constexpr double feature_m = 1.2;
   const glm::dvec3 at = place_m / feature_m;
-  const double stain = shown_[0] * math::tanh(fbm({at.x + 0.7 * at.z, at.y - 0.7 * at.z}, stain_));
+  const double stain =
+      stain_shown_ * math::tanh(fbm({at.x + 0.7 * at.z, at.y - 0.7 * at.z}, stain_));
   return 1.0F + static_cast<float>(stain) * glm::vec3(0.16F, 0.13F, 0.06F);
 }
 

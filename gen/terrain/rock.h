@@ -8,8 +8,9 @@
 
 namespace wold::terrain {
 
-/// The look of bare rock: beds that dip a little, broken by joints into blocks, these into smaller
-/// ones and so on (cellular noise, Worley 1996). Each block has a face of its own that turns
+/// The look of bare rock: beds that dip a little and differ in colour, thick ones made of thinner
+/// ones, broken by joints into blocks, these into smaller ones and so on (cellular noise, Worley
+/// 1996), from buttresses of 300 m to chips of 3 cm. Each block has a face of its own that turns
 /// to or away from the light, and dark joints about it. Keyed, in space, so that steep faces show
 /// blocks and not their plan drawn out.
 class Rock {
@@ -29,15 +30,24 @@ class Rock {
     double tilt;  ///< how far faces turn from the ground's
     double dark;  ///< fraction of the light that joints take
   };
-  static constexpr std::array<Size, 4> sizes = {
-      {{1.2, 0.42, 0.6}, {0.4, 0.26, 0.4}, {0.12, 0.16, 0.2}, {0.03, 0.14, 0.07}}};
+  static constexpr std::array<Size, 8> sizes = {{{300.0, 0.16, 0.1},
+                                                 {75.0, 0.2, 0.16},
+                                                 {19.0, 0.24, 0.24},
+                                                 {4.8, 0.3, 0.36},
+                                                 {1.2, 0.42, 0.6},
+                                                 {0.4, 0.26, 0.4},
+                                                 {0.12, 0.16, 0.2},
+                                                 {0.03, 0.14, 0.07}}};
 
   glm::dvec3 bedded(const glm::dvec3& place_m) const;
+  glm::vec3 bed_at(const glm::dvec3& bedded_m) const;
   glm::vec3 stain_at(const glm::dvec3& place_m) const;
 
   glm::vec3 albedo_;
   std::uint64_t key_;
-  Fbm bend_, stain_;
+  ScaleFreeNoise bend_, beds_;
+  Fbm stain_;
+  double stain_shown_;
   glm::dmat3 to_beds_;
   std::array<double, sizes.size()> shown_;
 };

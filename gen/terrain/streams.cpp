@@ -188,4 +188,13 @@ void carve(GroundMap<double>& heights_m, const GroundMap<double>& uplift_m,
   }
 }
 
+GroundMap<double> drained_samples(const GroundMap<double>& heights_m) {
+  const Grid grid(heights_m.samples());
+  GroundMap<double> map = heights_m;
+  Flood flow = Flooding(map.values(), grid).run();
+  drain(map.values(), grid, flow);
+  map.values() = drained(flow);
+  return map;
+}
+
 }  // namespace wold::terrain

@@ -33,4 +33,8 @@ void carve(GroundMap<double>& heights_m, const Incision& incision);
 void carve(GroundMap<double>& heights_m, const GroundMap<double>& uplift_m,
            const Incision& incision);
 
+/// How many samples drain through each, itself included: down the steepest of the eight neighbours,
+/// out of pits over their lowest outlets. The map's border is where water leaves.
+GroundMap<double> drained_samples(const GroundMap<double>& heights_m);
+
 }  // namespace wold::terrain

@@ -141,7 +141,7 @@ Example example(const char* name) {
   const auto file = std::filesystem::path(WOLD_TESTS_DIR) / "../examples" / name;
   scene::Scene scene = scene::read_scene(file);
   scene.render.size_px = {960, 540};
-  const Heightfield terrain = terrain::make_ground(scene.terrain, scene.seed);
+  const Heightfield terrain = terrain::make_ground(scene.terrain, scene.seed).heights_m;
   std::vector<meadow::CellChoice> cells = meadow::choose_cells(
       scene, terrain, place::growth_map(scene, terrain), test::mixtures_of(scene, terrain),
       test::withering_of(scene, terrain), test::grass_of(scene, 2));

@@ -8,6 +8,7 @@
 
 #include "terrain/hillside.h"
 #include "terrain/horizon.h"
+#include "terrain/surface.h"
 
 namespace wold::terrain {
 namespace {
@@ -118,9 +119,9 @@ const GroundGrid every_3_cm{{.size_m = 20.0}, map_samples(20.0, 0.03)};
 
 TEST(GroundReflectance, IsLambertsOnAverage) {
   const scene::Terrain shape;
-  const ColourMap reflectance =
-      ground_reflectance(ground(20.0, 51, [](double) { return 0.0; }), {0.0, 0.6, 0.8}, shape, 9,
-                         FactorMap(2, 20.0, 1.0F), every_3_cm);
+  const Heightfield level = ground(20.0, 51, [](double) { return 0.0; });
+  const ColourMap reflectance = ground_reflectance(
+      Surface(level, nullptr, every_3_cm), {0.0, 0.6, 0.8}, shape, 9, FactorMap(2, 20.0, 1.0F));
   glm::dvec3 mean(0.0);
   for (const glm::vec3& value : reflectance.values()) {
     EXPECT_GT(value.r, 0.0F);
@@ -138,8 +139,9 @@ TEST(GroundReflectance, GrassStandsOnSoil) {
   shape.rock_albedo = {0.0, 0.0, 0.9};
   const Heightfield steep = ground(20.0, 51, [](double y) { return 2.0 * y; });
   const auto blue_over_red = [&](float growth) {
-    const glm::vec3 at = middle(ground_reflectance(steep, {0.0, 0.6, 0.8}, shape, 9,
-                                                   FactorMap(2, 20.0, growth), every_3_cm));
+    const glm::vec3 at =
+        middle(ground_reflectance(Surface(steep, nullptr, every_3_cm), {0.0, 0.6, 0.8}, shape, 9,
+                                  FactorMap(2, 20.0, growth)));
     return at.b / std::max(at.r, 1e-6F);
   };
   EXPECT_LT(blue_over_red(1.0F), 1.0F);

@@ -11,13 +11,13 @@ namespace {
 
 const glm::dvec3 to_sun = glm::normalize(glm::dvec3(-0.6, -0.5, 0.6));
 
-/// Means over `count` keyed places of 40 m.
+/// Means over `count` keyed places of 8 km: beds are up to 200 m thick.
 template <class Value>
 double mean(int count, const Value& value) {
   double sum = 0.0;
   for (int i = 0; i < count; ++i) {
     const auto along = [i](const char* axis) {
-      return 40.0 * random_uniform({3, 0, static_cast<std::uint64_t>(i), key_of(axis)});
+      return 8000.0 * random_uniform({3, 0, static_cast<std::uint64_t>(i), key_of(axis)});
     };
     sum += value(glm::dvec3(along("x"), along("y"), along("z")));
   }

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "core/ground_map.h"
+#include "terrain/roughness.h"
+
+namespace wold::terrain {
+
+/// The ground below the cells of a map of heights, as its roughness says: smooth
+/// where that map is smooth, rough where it is rough. Octaves of gradient
+/// noise, each carried along the fall line of the ground and of the octaves above it, so that small
+/// channels run down slopes and join larger ones. A keyed function of the place, the same for
+/// whatever step and distance it is asked; octaves end at waves that creeping soil has levelled.
+class FinerRelief {
+ public:
+  /// `heights_m`: two steps a cell. `hurst`: the exponent that the ground settles at; what the
+  /// roughness's is more at the cells' size halves from octave to octave.
+  FinerRelief(const GroundMap<double>& heights_m, Roughness roughness, double hurst,
+              std::uint64_t seed);
+
+  /// Side of the cells that it is the relief below, metres.
+  static double cell_m(const GroundMap<double>& heights_m) { return 2.0 * heights_m.step_m(); }
+
+  /// How much of each octave something shows, 0 to 1.
+  using Weights = std::vector<double>;
+
+  /// A map with this step, metres.
+  Weights shown_at(double step_m) const;
+  /// A map with step `step_m`, less what one with `coarse_step_m` shows; and soil has crept.
+  Weights shown_below(double coarse_step_m, double step_m) const;
+
+  struct Bump {
+    double height_m = 0.0;
+    glm::dvec2 gradient{0.0};
+    double deviation_m = 0.0;  ///< of such heights here
+  };
+  Bump at(const glm::dvec2& at_m, const Weights& weights) const;
+
+ private:
+  struct Octave {
+    double feature_m;
+    std::uint64_t key;
+    glm::dvec2 shift;
+  };
+
+  std::vector<Octave> octaves_;
+  double hurst_;
+  Roughness roughness_;
+  GroundMap<glm::vec2> gradient_;
+};
+
+}  // namespace wold::terrain

@@ -1,0 +1,88 @@
+#include "terrain/surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/angle.h"
+#include "core/elementary.h"
+#include "core/parallel.h"
+#include "terrain/relief.h"
+
+namespace wold::terrain {
+namespace {
+
+/// How much more of the sun's light falls on a face than on the ground it belongs to. Grazing light
+/// makes no face much brighter than one that the sun meets.
+double more_sun(const glm::dvec3& face, const glm::dvec3& ground, const glm::dvec3& to_sun) {
+  constexpr double least = 0.15;
+  return std::max(0.0, glm::dot(face, to_sun)) / std::max(least, glm::dot(ground, to_sun));
+}
+
+/// The same of the sky's, which is as bright everywhere.
+double more_sky(const glm::dvec3& face, const glm::dvec3& ground) {
+  return (1.0 + face.z) / (1.0 + ground.z);
+}
+
+}  // namespace
+
+Surface::Surface(const Heightfield& heights_m, const FinerRelief* finer, const GroundGrid& grid)
+    : heights_m_(heights_m), grid_(grid) {
+  if (finer == nullptr || grid.step_m() >= heights_m.step_m()) return;
+  bumps_.emplace(grid.samples, grid.square);
+  const FinerRelief::Weights weights = finer->shown_below(heights_m.step_m(), grid.step_m());
+  parallel_for(static_cast<std::size_t>(grid.samples), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < grid.samples; ++i) {
+      const FinerRelief::Bump bump = finer->at(bumps_->place_m(i, j), weights);
+      const double deviation_m = std::max(bump.deviation_m, 1e-9);
+      bumps_->at(i, j) = {glm::vec2(bump.gradient),
+                          static_cast<float>(bump.height_m / deviation_m)};
+    }
+  });
+}
+
+glm::dvec2 Surface::place_m(int i, int j) const {
+  return grid_.square.corner_m + glm::dvec2(i, j) * grid_.step_m();
+}
+
+double Surface::height_m(int i, int j) const {
+  const glm::dvec2 at_m = place_m(i, j);
+  return double{heights_m_.sample(at_m.x, at_m.y)};
+}
+
+glm::dvec3 Surface::up(int i, int j) const {
+  const glm::dvec2 at_m = place_m(i, j);
+  glm::dvec2 ascent = gradient(heights_m_, at_m.x, at_m.y);
+  if (bumps_) ascent += glm::dvec2(bumps_->at(i, j).gradient);
+  return glm::normalize(glm::dvec3(-ascent, 1.0));
+}
+
+double Surface::slope_deg(int i, int j) const {
+  return math::acos(std::min(up(i, j).z, 1.0)) * degrees_per_radian;
+}
+
+double Surface::exposure(int i, int j) const {
+  return bumps_ ? double{bumps_->at(i, j).exposure} : 0.0;
+}
+
+GroundLight Surface::lit(GroundLight on_heights, const glm::dvec3& to_sun) const {
+  if (!bumps_) return on_heights;
+  const ColourMap dark(grid_.samples, grid_.square);
+  GroundLight light{dark, dark, FactorMap(grid_.samples, grid_.square)};
+  parallel_for(static_cast<std::size_t>(grid_.samples), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < grid_.samples; ++i) {
+      const glm::dvec2 at_m = place_m(i, j);
+      const glm::dvec3 ground = normal(heights_m_, at_m.x, at_m.y), face = up(i, j);
+      const auto sky = static_cast<float>(more_sky(face, ground));
+      light.sun.at(i, j) = on_heights.sun.sample(at_m.x, at_m.y) *
+                           static_cast<float>(more_sun(face, ground, to_sun));
+      light.sky.at(i, j) = on_heights.sky.sample(at_m.x, at_m.y) * sky;
+      light.overcast.at(i, j) = on_heights.overcast.sample(at_m.x, at_m.y) * sky;
+    }
+  });
+  return light;
+}
+
+}  // namespace wold::terrain

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "core/ground_map.h"
+#include "light/daylight.h"
+#include "terrain/finer_relief.h"
+#include "terrain/lighting.h"
+
+namespace wold::terrain {
+
+/// The ground's surface on a grid, as finely as its step shows it: heights, and the relief below
+/// their samples where there is some.
+class Surface {
+ public:
+  /// The heights have to outlive it.
+  Surface(const Heightfield& heights_m, const FinerRelief* finer, const GroundGrid& grid);
+
+  const GroundGrid& grid() const { return grid_; }
+  /// The heights, without what is finer than their samples.
+  const Heightfield& heights_m() const { return heights_m_; }
+  /// Of value (i, j) of a map on the grid.
+  glm::dvec2 place_m(int i, int j) const;
+  double height_m(int i, int j) const;
+  /// Upward unit normal.
+  glm::dvec3 up(int i, int j) const;
+  /// Angle with the horizontal, degrees.
+  double slope_deg(int i, int j) const;
+  /// How far the place stands out of the ground that the heights show, in standard deviations:
+  /// spurs are above 0, gullies below; of a normal distribution. 0 where there is no relief.
+  double exposure(int i, int j) const;
+
+  /// A light on the heights, as it falls on this surface: the sun by Lambert's law, the sky by how
+  /// much of it the surface faces. The light itself where there is no relief below the heights.
+  GroundLight lit(GroundLight on_heights, const glm::dvec3& to_sun) const;
+
+ private:
+  struct Bump {
+    glm::vec2 gradient{0.0F};
+    float exposure = 0.0F;
+  };
+
+  const Heightfield& heights_m_;
+  GroundGrid grid_;
+  std::optional<GroundMap<Bump>> bumps_;
+};
+
+}  // namespace wold::terrain
