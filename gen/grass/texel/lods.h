@@ -24,10 +24,11 @@ std::vector<glm::dvec3> transmittance_directions(double elevation_deg);
 /// `density`: extinction per voxel, 1/m.
 Transmittances transmittances(const VoxelRows& voxels, const std::vector<float>& density);
 
-/// The opacity of a level: changes the extinction so that the mean transmittances become `wanted`, in the least-squares
-/// sense over the three elevations: density' = density (a + b q + c Q^2), where q and Q in [0, 1]
-/// say how filled the voxel and the column over its ground are; always positive. Depths are linear
-/// in a, b and c, so the box is swept once per term and Levenberg-Marquardt runs on the rays alone.
+/// The opacity of a level: changes the extinction so that the mean transmittances become `wanted`,
+/// in the least-squares sense over the three elevations: density' = density (a + b q + c Q^2),
+/// where q and Q in [0, 1] say how filled the voxel and the column over its ground are; always
+/// positive. Depths are linear in a, b and c, so the box is swept once per term and
+/// Levenberg-Marquardt runs on the rays alone.
 ///
 /// Averaged voxels are too opaque (Jensen's inequality): this is what keeps coarse levels from
 /// looking denser.
