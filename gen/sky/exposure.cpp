@@ -106,7 +106,7 @@ double dusk_gain(double sun_elevation_deg, double highest_deg) {
 
 double sunward_gain(const light::Daylight& day, const Heightfield& terrain,
                     const landscape::Camera& camera, double height_over_width, double gain) {
-  constexpr double burning_fraction = 0.1, burning = 1.2, darkest = 0.25;
+  constexpr double burning_fraction = 0.05, burning = 1.2, darkest = 0.25;
   std::vector<float> exposed;
   for (const glm::dvec3& to : lines_of_sight(camera, height_over_width)) {
     const float sky =

@@ -19,9 +19,9 @@ double metered_gain(const light::Daylight& day, Subject subject);
 double snow_gain(const light::Daylight& day, const ColourMap& light);
 
 /// Factor from 1/4 to 1 on a gain where the camera looks towards a low sun: as much less as it
-/// takes that not more than a tenth of the picture is sky that burns out, but two stops at most. So
-/// it is with photographs of sunsets: land is dark in them. The sky is the clear one, which changes
-/// evenly while clouds drift. `height_over_width`: of the picture.
+/// takes that not more than a twentieth of the picture is sky that burns out, but two stops at
+/// most. So it is with photographs of sunsets: land is dark in them. The sky is the clear one,
+/// which changes evenly while clouds drift. `height_over_width`: of the picture.
 double sunward_gain(const light::Daylight& day, const Heightfield& terrain,
                     const landscape::Camera& camera, double height_over_width, double gain);
 

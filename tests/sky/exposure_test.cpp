@@ -60,8 +60,8 @@ TEST(Exposure, IsLessTowardsALowSun) {
     EXPECT_EQ(sunward(50.0, azimuth_deg, 1.0, metered(50.0)), 1.0) << azimuth_deg;
 }
 
-// A tenth of the picture burns out, neither more nor less: what is exposed so needs no more.
-TEST(Exposure, LetsATenthBurnOut) {
+// A twentieth of the picture burns out, neither more nor less: what is exposed so needs no more.
+TEST(Exposure, LetsATwentiethBurnOut) {
   const double gain = 0.6 * metered(0.0), less = sunward(0.0, 0.0, 2.0, gain);
   ASSERT_GT(less, 0.25);
   ASSERT_LT(less, 1.0);
