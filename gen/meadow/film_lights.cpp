@@ -33,13 +33,10 @@ void divide(grass::Lighting& lighting, const glm::vec3& unit) {
 void add(grass::Lighting& sum, const light::Daylight& day, const sky::PrecipitationMedium& air,
          float fraction) {
   sum.sun_irradiance += day.sun_irradiance() * static_cast<float>(air.sunlit_fraction()) * fraction;
-  const auto& rings = grass::sky_rings();
-  for (std::size_t ring = 0; ring < rings.size(); ++ring) {
-    const double elevation = rings[ring].elevation;
-    sum.sky_radiance[ring] +=
-        air.sky_radiance(day.mean_sky_radiance(elevation), light::direction_of(0.0, elevation)) *
-        fraction;
-  }
+  const std::vector<grass::SkyDirection> directions = grass::sky_directions(sum);
+  const std::vector<glm::vec3> clear = grass::mean_sky(day);
+  for (std::size_t i = 0; i < directions.size(); ++i)
+    sum.sky_radiance[i] += air.sky_radiance(clear[i], directions[i].direction) * fraction;
 }
 
 /// How much each frame, from 1, counts for the light at a place among `lights`; sums to 1. Those
@@ -72,7 +69,7 @@ grass::Lighting lighting_at(const scene::Scene& scene, const place::Site& site, 
     return lighting;
   }
   lighting.sun_irradiance = glm::vec3(0.0F);
-  lighting.sky_radiance.assign(grass::sky_rings().size(), glm::vec3(0.0F));
+  lighting.sky_radiance.assign(grass::sky_size(), glm::vec3(0.0F));
   const std::vector<float> weights = frame_weights(scene, lights, light);
   for (std::size_t i = 0; i < weights.size(); ++i)
     if (weights[i] > 0.0F)

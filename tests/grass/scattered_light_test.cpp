@@ -29,7 +29,7 @@ Scatterer slab(float depth, float albedo) {
 Lighting even_sky(float radiance) {
   return {{0.0, 0.0, 1.0},
           glm::vec3(0.0F),
-          std::vector<glm::vec3>(sky_rings().size(), glm::vec3(radiance)),
+          std::vector<glm::vec3>(sky_size(), glm::vec3(radiance)),
           {1.0, 0.0, 0.0}};
 }
 

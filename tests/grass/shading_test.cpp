@@ -80,6 +80,45 @@ TEST(SkyRings, CoverTheHemisphere) {
   EXPECT_NEAR(irradiance / test::pi, 1.0, 1e-9);  // of a horizontal plane under radiance 1
 }
 
+// The sky turns with the sun: where the sun stands it has the radiance that it had there.
+TEST(SkyRings, TurnAsTheSunDoes) {
+  Lighting lighting{{0.0, 0.0, 1.0}, glm::vec3(0.0F), {}, {1.0, 0.0, 0.0}};
+  for (std::size_t i = 0; i < sky_size(); ++i)
+    lighting.sky_radiance.emplace_back(static_cast<float>(i));
+  for (const SkyDirection& there : sky_directions(lighting)) {
+    lighting.sun_direction = there.direction;
+    for (int turn = 0; turn < 4; ++turn) {
+      const Lighting seen = turned(lighting, turn);
+      EXPECT_LT(glm::distance(seen.sun_direction, TurnedLight(lighting, turn).sun), 1e-9);
+      int found = 0;
+      for (const SkyDirection& here : sky_directions(seen))
+        if (glm::distance(here.direction, seen.sun_direction) < 1e-9) {
+          EXPECT_EQ(here.radiance, there.radiance);
+          ++found;
+        }
+      EXPECT_EQ(found, 1);
+    }
+  }
+}
+
+// Under a low sun the sky is brightest about the sun.
+TEST(SkyRings, AreBrightestOnTheSunsSide) {
+  scene::Scene scene;
+  scene.sun.azimuth_deg = 135.0;
+  scene.sun.elevation_deg = 15.0;
+  const light::Daylight day(scene.sun, scene.sky);
+  const Lighting lighting = make_lighting(day, {1.0, 0.0, 0.0}, glm::vec3(0.0F));
+  const auto towards_sun = [&](const SkyDirection& sky) {
+    return sky.direction.x > 0.0 && sky.direction.y < 0.0;  // the south-east
+  };
+  glm::vec3 at_sun(0.0F), elsewhere(0.0F);
+  for (const SkyDirection& sky : sky_directions(lighting)) {
+    if (sky.direction.z > 0.3) continue;
+    (towards_sun(sky) ? at_sun : elsewhere) += sky.radiance;
+  }
+  EXPECT_GT(at_sun.b, 1.5F * elsewhere.b / 3.0F);
+}
+
 /// Voxels far apart, too thin to shadow, with fibres evenly in all directions (Fibonacci).
 Texel thin_fibres(int count) {
   Texel texel;
@@ -102,7 +141,7 @@ TEST(Bake, UniformSkyGivesItsRadianceTimesHalfTheAlbedo) {
   const Texel texel = thin_fibres(200);
   const Lighting light{{0.0, 0.0, 1.0},
                        glm::vec3(0.0F),
-                       std::vector<glm::vec3>(sky_rings().size(), glm::vec3(2.0F)),
+                       std::vector<glm::vec3>(sky_size(), glm::vec3(2.0F)),
                        {1.0, 0.0, 0.0}};
   const auto emission = bake_emission(texel, texel.density, light, {24.0F, 0.0045}, 0);
   glm::dvec3 mean(0.0);
@@ -121,8 +160,7 @@ TEST(Bake, UniformSkyGivesItsRadianceTimesHalfTheAlbedo) {
 TEST(Bake, UnshadowedSunlight) {
   const Texel texel = thin_fibres(200);
   const Lighting light{direction_at(0.6, 0.2), glm::vec3(3.0F),
-                       std::vector<glm::vec3>(sky_rings().size(), glm::vec3(0.0F)),
-                       direction_at(0.2, 1.0)};
+                       std::vector<glm::vec3>(sky_size(), glm::vec3(0.0F)), direction_at(0.2, 1.0)};
   const auto emission = bake_emission(texel, texel.density, light, {24.0F, 0.0045}, 0);
   double mean = 0.0;
   for (const glm::vec3& value : emission)

@@ -49,11 +49,14 @@ inline Blade straight_blade() {
 }
 
 /// Sun from one side, eye from another, a sky that is bluer on top.
+/// The sky is brighter in each quarter than in the one before.
 inline Lighting slanting_light() {
-  return {direction_at(40.0 * degree, 0.7),
-          {1.2F, 1.1F, 0.9F},
-          {{0.10F, 0.12F, 0.14F}, {0.07F, 0.10F, 0.15F}, {0.05F, 0.09F, 0.16F}},
-          direction_at(8.0 * degree, -2.0)};
+  std::vector<glm::vec3> sky;
+  for (const glm::vec3 ring : {glm::vec3(0.10F, 0.12F, 0.14F), glm::vec3(0.07F, 0.10F, 0.15F),
+                               glm::vec3(0.05F, 0.09F, 0.16F)})
+    for (const float quarter : {0.7F, 0.9F, 1.1F, 1.3F}) sky.push_back(quarter * ring);
+  return {
+      direction_at(40.0 * degree, 0.7), {1.2F, 1.1F, 0.9F}, sky, direction_at(8.0 * degree, -2.0)};
 }
 
 inline double sum(const std::vector<float>& values) {

@@ -24,7 +24,7 @@ scene::Scene even_meadow() {
 grass::Lighting half_the_sky() {
   return {.sun_direction = {0.0, 0.6, 0.8},
           .sun_irradiance = glm::vec3(3.0F),
-          .sky_radiance = std::vector<glm::vec3>(grass::sky_rings().size(), glm::vec3(0.2F)),
+          .sky_radiance = std::vector<glm::vec3>(grass::sky_size(), glm::vec3(0.2F)),
           .eye_direction = {1.0, 0.0, 0.0}};
 }
 

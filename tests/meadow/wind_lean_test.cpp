@@ -97,7 +97,7 @@ grass::Lighting lighting() {
   grass::Lighting light;
   light.sun_direction = glm::normalize(glm::dvec3(0.0, -1.0, 1.0));
   light.sun_irradiance = glm::vec3(0.8F);
-  light.sky_radiance.assign(grass::sky_rings().size(), glm::vec3(0.1F));
+  light.sky_radiance.assign(grass::sky_size(), glm::vec3(0.1F));
   light.eye_direction = {0.0, -1.0, 0.0};
   return light;
 }

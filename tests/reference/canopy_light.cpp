@@ -44,8 +44,8 @@ struct Bounds {
   double median, most, worst, colour, worst_colour;
 };
 constexpr std::array bounds = {
-    Bounds{0.026, 0.07, 0.17, 0.65, 2.2}, Bounds{0.027, 0.075, 0.18, 0.65, 2.2},
-    Bounds{0.028, 0.085, 0.18, 0.7, 2.5}, Bounds{0.03, 0.095, 0.19, 0.7, 2.9}};
+    Bounds{0.022, 0.07, 0.17, 0.6, 2.4}, Bounds{0.022, 0.07, 0.18, 0.6, 2.4},
+    Bounds{0.022, 0.075, 0.19, 0.6, 2.4}, Bounds{0.025, 0.085, 0.2, 0.6, 2.6}};
 
 /// Prints the errors of each level; whether all are within bounds.
 bool sum_up(const std::map<std::size_t, Errors>& errors) {

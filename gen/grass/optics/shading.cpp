@@ -37,6 +37,13 @@ std::vector<SkyRing> make_rings() {
   return rings;
 }
 
+constexpr std::size_t sides = 4;
+
+/// The direction that lies `fraction` of the way through a quarter of a ring.
+glm::dvec3 on_ring(const SkyRing& ring, std::size_t side, double fraction) {
+  return direction_at(ring.elevation, pi / 2.0 * (static_cast<double>(side) + fraction));
+}
+
 /// Slices of the texel on the way to the light that hold the blade itself: half its width.
 int own_slices(const FibreLook& look, const glm::dvec3& light, const TexelShape& shape) {
   return static_cast<int>(std::lround(0.5 * look.width_m * light.z / shape.voxel_m)) + 1;
@@ -58,23 +65,34 @@ const std::vector<SkyRing>& sky_rings() {
   return rings;
 }
 
+std::size_t sky_size() { return sky_rings().size() * sides; }
+
 std::vector<SkyDirection> sky_directions(const Lighting& lighting) {
   std::vector<SkyDirection> directions;
-  for (std::size_t ring = 0; ring < sky_rings().size(); ++ring)
-    for (int i = 0; i < 4; ++i)
-      directions.push_back({direction_at(sky_rings()[ring].elevation, pi / 4.0 + pi / 2.0 * i),
-                            static_cast<float>(sky_rings()[ring].solid_angle),
-                            lighting.sky_radiance[ring]});
+  for (const SkyRing& ring : sky_rings())
+    for (std::size_t side = 0; side < sides; ++side)
+      directions.push_back({on_ring(ring, side, 0.5), static_cast<float>(ring.solid_angle),
+                            lighting.sky_radiance.at(directions.size())});
   return directions;
+}
+
+std::vector<glm::vec3> mean_sky(const light::Daylight& daylight) {
+  constexpr int samples = 8;
+  std::vector<glm::vec3> radiance;
+  for (const SkyRing& ring : sky_rings())
+    for (std::size_t side = 0; side < sides; ++side) {
+      glm::vec3 sum(0.0F);
+      for (int i = 0; i < samples; ++i)
+        sum += daylight.sky_radiance(on_ring(ring, side, (i + 0.5) / samples));
+      radiance.push_back(sum / static_cast<float>(samples));
+    }
+  return radiance;
 }
 
 Lighting make_lighting(const light::Daylight& daylight, const glm::dvec3& eye_direction,
                        const glm::vec3& ground_albedo) {
-  Lighting lighting{
-      risen(daylight.sun_direction()), daylight.sun_irradiance(), {}, eye_direction, ground_albedo};
-  for (const SkyRing& ring : sky_rings())
-    lighting.sky_radiance.push_back(daylight.mean_sky_radiance(ring.elevation));
-  return lighting;
+  return {risen(daylight.sun_direction()), daylight.sun_irradiance(), mean_sky(daylight),
+          eye_direction, ground_albedo};
 }
 
 float kajiya_kay_diffuse(const glm::vec3& tangent, const glm::vec3& light) {
@@ -88,16 +106,33 @@ float kajiya_kay_specular(const glm::vec3& tangent, const glm::vec3& light, cons
   return math::pow(std::max(base, 0.0F), specular_exponent);
 }
 
-std::vector<DiffuseLight> skylight(const VolumeData& volume, const Lighting& lighting,
-                                   const FibreLook& look) {
+Lighting turned(const Lighting& lighting, int turn) {
+  Lighting result = lighting;
+  result.sun_direction = turned_back(lighting.sun_direction, turn);
+  result.eye_direction = turned_back(lighting.eye_direction, turn);
+  for (std::size_t i = 0; i < result.sky_radiance.size(); ++i) {
+    const std::size_t side = (i % sides + static_cast<std::size_t>(turn)) % sides;
+    result.sky_radiance[i] = lighting.sky_radiance[i / sides * sides + side];
+  }
+  return result;
+}
+
+std::vector<std::vector<float>> sky_transmittances(const VolumeData& volume,
+                                                   const FibreLook& look) {
   const VoxelRows voxels(volume.shape, volume.voxel);
-  const std::vector<SkyDirection> sky = sky_directions(lighting);
-  std::vector<std::vector<float>> through(sky.size());
-  parallel_for(sky.size(), [&](std::size_t i) {
-    through[i] = voxel_transmittance(voxels, volume.density, sky[i].direction,
-                                     own_slices(look, sky[i].direction, volume.shape));
+  std::vector<std::vector<float>> through(sky_size());
+  parallel_for(through.size(), [&](std::size_t i) {
+    const glm::dvec3 direction = on_ring(sky_rings()[i / sides], i % sides, 0.5);
+    through[i] = voxel_transmittance(voxels, volume.density, direction,
+                                     own_slices(look, direction, volume.shape));
   });
-  std::vector<DiffuseLight> light(volume.size());
+  return through;
+}
+
+std::vector<DiffuseLight> skylight(const std::vector<std::vector<float>>& through,
+                                   const Lighting& lighting) {
+  const std::vector<SkyDirection> sky = sky_directions(lighting);
+  std::vector<DiffuseLight> light(through.front().size());
   parallel_for(light.size(), [&](std::size_t v) {
     for (std::size_t i = 0; i < sky.size(); ++i)
       light[v].add(glm::vec3(sky[i].direction), through[i][v] * sky[i].irradiance());

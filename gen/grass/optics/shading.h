@@ -15,19 +15,22 @@ namespace wold::grass {
 struct Lighting {
   glm::dvec3 sun_direction;  ///< unit, towards the sun
   glm::vec3 sun_irradiance;
-  std::vector<glm::vec3> sky_radiance;  ///< mean per ring of sky_rings()
+  std::vector<glm::vec3> sky_radiance;  ///< mean_sky()'s
   glm::dvec3 eye_direction;             ///< unit, towards the camera
   glm::vec3 ground_albedo{0.0F};        ///< of the bare ground that the grass stands on
 };
 
-/// A ring of sky directions: elevation in radians, and the solid angle of each of its directions.
+/// A ring of sky directions, one to each quarter of the sky: elevation in radians, and the solid
+/// angle of each of its directions.
 struct SkyRing {
   double elevation;
   double solid_angle;
 };
-/// The rings the sky is sampled by; each has four directions, a quarter-turn apart, so that the
-/// sum is the same for every quarter-turn of the texel.
+/// The rings the sky is sampled by; each has four directions, a quarter-turn apart, so that they
+/// are the same for every quarter-turn of the texel.
 const std::vector<SkyRing>& sky_rings();
+/// How many directions all rings have.
+std::size_t sky_size();
 
 /// One of the directions the sky is sampled by, unit, the solid angle that it stands for, and the
 /// mean radiance there.
@@ -41,6 +44,9 @@ struct SkyDirection {
 };
 std::vector<SkyDirection> sky_directions(const Lighting& lighting);
 
+/// Mean radiance of a sky, without the sun, in each quarter of each ring.
+std::vector<glm::vec3> mean_sky(const light::Daylight& daylight);
+
 Lighting make_lighting(const light::Daylight& daylight, const glm::dvec3& eye_direction,
                        const glm::vec3& ground_albedo);
 
@@ -53,8 +59,11 @@ float kajiya_kay_diffuse(const glm::vec3& tangent, const glm::vec3& light);
 float kajiya_kay_specular(const glm::vec3& tangent, const glm::vec3& light, const glm::vec3& view,
                           float specular_exponent);
 
-/// Sun and eye as a patch sees them that stands turned by quarter-turns (counter-clockwise from
-/// above). The sky is the same for all.
+/// The lighting as a patch sees it that stands turned by quarter-turns (counter-clockwise from
+/// above).
+Lighting turned(const Lighting& lighting, int turn);
+
+/// Sun and eye of turned().
 struct TurnedLight {
   TurnedLight(const Lighting& lighting, int turn);
   glm::dvec3 sun;  ///< unit, towards it
@@ -93,9 +102,12 @@ struct FibreLook {
   double width_m = 0.0;
 };
 
-/// The sky's light on each voxel of a volume, through the others.
-std::vector<DiffuseLight> skylight(const VolumeData& volume, const Lighting& lighting,
-                                   const FibreLook& look);
+/// What of each direction of the sky reaches each voxel of a volume, through the others.
+std::vector<std::vector<float>> sky_transmittances(const VolumeData& volume, const FibreLook& look);
+
+/// The sky's light on each voxel, by what of it comes through.
+std::vector<DiffuseLight> skylight(const std::vector<std::vector<float>>& through,
+                                   const Lighting& lighting);
 
 /// Fraction of the sun that reaches each voxel of a volume that stands turned by `turn`
 /// quarter-turns.

@@ -70,16 +70,19 @@ class Baking {
         transmittances_(transmittances),
         lighting_(lighting),
         look_(look),
-        sky_(skylight_of(sky_side)) {}
+        sky_volume_(sky_side < fine.shape.side ? coarser(fine, sky_side) : fine),
+        sky_through_(sky_transmittances(sky_volume_, look)) {}
 
   /// Source radiance per voxel of the texel as it stands turned by `turn` quarter-turns.
   std::vector<glm::vec3> emission(int turn) const {
-    const TurnedLight light(lighting_, turn);
-    const std::vector<float> sunlit = sunlit_fractions(fine_, lighting_, look_, turn);
-    const CoarseLight scattered = scattered_of(light, sunlit);
+    const Lighting lighting = turned(lighting_, turn);
+    const TurnedLight light(lighting, /*turn=*/0);
+    const std::vector<float> sunlit = sunlit_fractions(fine_, lighting, look_, /*turn=*/0);
+    const CoarseLight sky(texel_, sky_volume_, skylight(sky_through_, lighting));
+    const CoarseLight scattered = scattered_of(lighting, light, sunlit);
     std::vector<glm::vec3> emission(texel_.size());
     for (std::size_t v = 0; v < texel_.size(); ++v) {
-      DiffuseLight diffuse = sky_[v];
+      DiffuseLight diffuse = sky[v];
       diffuse.add(scattered[v]);
       emission[v] = source_radiance(fibre(v), light, sunlit[v], diffuse, look_.specular_exponent);
     }
@@ -91,13 +94,9 @@ class Baking {
     return {texel_.tangent[v], texel_.albedo[v], texel_.transmittance[v], texel_.specular[v]};
   }
 
-  CoarseLight skylight_of(int side) const {
-    const VolumeData volume = side < fine_.shape.side ? coarser(fine_, side) : fine_;
-    return {texel_, volume, skylight(volume, lighting_, look_)};
-  }
-
   /// `sunlit`: fraction of the sun that reaches each voxel of the texel.
-  CoarseLight scattered_of(const TurnedLight& light, const std::vector<float>& sunlit) const {
+  CoarseLight scattered_of(const Lighting& lighting, const TurnedLight& light,
+                           const std::vector<float>& sunlit) const {
     VolumeData fine{fine_.shape, fine_.voxel, fine_.density, {0, 1}, {texel_.albedo, {}}};
     fine.emission[1].reserve(texel_.size());
     for (std::size_t v = 0; v < texel_.size(); ++v)
@@ -111,7 +110,7 @@ class Baking {
     const Scatterer matter{coarse.shape, coarse.voxel, coarse.density, coarse.emission[0],
                            coarse.emission[1]};
     return {texel_, coarse,
-            scattered_light(matter, {lighting_.ground_albedo, on_ground}, lighting_).on_matter};
+            scattered_light(matter, {lighting.ground_albedo, on_ground}, lighting).on_matter};
   }
 
   static double mean_transmittance(const VolumeData& volume, const glm::dvec3& direction) {
@@ -127,7 +126,8 @@ class Baking {
   const Transmittances& transmittances_;
   const Lighting& lighting_;
   const FibreLook& look_;
-  CoarseLight sky_;
+  VolumeData sky_volume_;
+  std::vector<std::vector<float>> sky_through_;
 };
 
 }  // namespace
