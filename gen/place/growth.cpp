@@ -60,25 +60,30 @@ class Limits {
  public:
   Limits(const scene::Scene& scene, const terrain::Surface& surface)
       : growth_(scene.growth), surface_(surface) {
+    if (is_large(scene)) {
+      constexpr double large_strip_deg = 24.0, large_strip = 0.015;
+      slope_strip_deg_ = large_strip_deg;
+      height_strip_m_ = std::max(height_strip_m_, large_strip * scene.terrain.size_m);
+    }
     if (!growth_.mask.empty()) mask_.emplace(growth_.mask, scene.terrain.size_m);
   }
 
   /// Of value (i, j) of a map on the surface's grid.
   double probability(int i, int j) const {
-    constexpr double slope_strip_deg = 8.0;
     const double height_m = surface_.height_m(i, j);
-    const double height_strip_m = growth_.feature_m;
     double p = growth_.cover;
     if (growth_.steepest_deg < 90.0)
-      p *= below(surface_.slope_deg(i, j), growth_.steepest_deg, slope_strip_deg);
-    p *= below(height_m, growth_.highest_m, height_strip_m);
-    p *= below(-height_m, -growth_.lowest_m, height_strip_m);
+      p *= below(surface_.slope_deg(i, j), growth_.steepest_deg, slope_strip_deg_);
+    p *= below(height_m, growth_.highest_m, height_strip_m_);
+    p *= below(-height_m, -growth_.lowest_m, height_strip_m_);
     return mask_ ? p * mask_->at(surface_.place_m(i, j)) : p;
   }
 
  private:
   const scene::Growth& growth_;
   const terrain::Surface& surface_;
+  double slope_strip_deg_ = 8.0;  ///< in which growth ends; it ends slowly on large terrains
+  double height_strip_m_ = growth_.feature_m;
   std::optional<Mask> mask_;
 };
 
