@@ -76,7 +76,7 @@ double limited(const GrowthLimits& limits, const terrain::Surface& surface, int 
 template <class GrownAt>
 FactorMap filled(const scene::Scene& scene, const terrain::Surface& surface,
                  const GrownAt& grown_at) {
-  const GrowthLimits limits(scene.growth, scene.terrain.size_m);
+  const GrowthLimits limits(scene, scene.growth);
   const Habitats habitats(scene, surface.heights_m());
   FactorMap map(surface.grid().samples, surface.grid().square);
   parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {

@@ -8,6 +8,7 @@
 #include "core/image.h"
 #include "core/interpolation.h"
 #include "core/random.h"
+#include "place/cell_window.h"
 #include "scene/species.h"
 #include "terrain/relief.h"
 
@@ -68,20 +69,26 @@ bool asks_for_topography(const scene::Habitat& habitat) {
 
 }  // namespace
 
-GrowthLimits::GrowthLimits(const scene::Growth& growth, double terrain_m) : growth_(growth) {
+GrowthLimits::GrowthLimits(const scene::Scene& scene, const scene::Growth& growth)
+    : growth_(growth), slope_strip_deg_(slope_strip_deg), height_strip_m_(growth.feature_m) {
+  const double terrain_m = scene.terrain.size_m;
+  if (is_large(scene)) {
+    constexpr double large_strip_deg = 24.0, large_strip = 0.015;
+    slope_strip_deg_ = large_strip_deg;
+    height_strip_m_ = std::max(height_strip_m_, large_strip * terrain_m);
+  }
   if (!growth.mask.empty()) mask_ = std::make_shared<const Mask>(growth.mask, terrain_m);
 }
 
 double GrowthLimits::on_level(const glm::dvec2& at_m, double height_m) const {
-  const double height_strip_m = growth_.feature_m;
   double p = growth_.cover;
-  p *= below(height_m, growth_.highest_m, height_strip_m);
-  p *= above(height_m, growth_.lowest_m, height_strip_m);
+  p *= below(height_m, growth_.highest_m, height_strip_m_);
+  p *= above(height_m, growth_.lowest_m, height_strip_m_);
   return mask_ ? p * mask_->at(at_m) : p;
 }
 
 double GrowthLimits::on_slope(double slope_deg) const {
-  return below(slope_deg, growth_.steepest_deg, slope_strip_deg);
+  return below(slope_deg, growth_.steepest_deg, slope_strip_deg_);
 }
 
 double Tufts::at(const glm::dvec2& at_m) const { return equalised(fbm(at_m / feature_m_, field_)); }
@@ -98,8 +105,7 @@ Habitats::Habitats(const scene::Scene& scene, const Heightfield& terrain)
     const std::uint64_t key = random_bits({scene.seed, key_of("species"), i, key_of("tufts")});
     // Smooth: cells are of one mixture, and one of another amid them shows its square.
     const Fbm field{key, /*octaves=*/2, /*hurst=*/0.9};
-    species_.push_back(
-        {habitat, GrowthLimits(habitat, terrain.size_m()), Tufts(field, habitat.feature_m)});
+    species_.push_back({habitat, GrowthLimits(scene, habitat), Tufts(field, habitat.feature_m)});
     if (asks_for_topography(habitat) && !topography_)
       topography_ = std::make_shared<const Topography>(terrain, scene.sun.latitude_deg);
   }

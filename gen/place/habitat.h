@@ -13,11 +13,12 @@
 namespace wold::place {
 
 /// Probability that grass grows at a place: growth.cover within the limits of slope, height and
-/// mask, falling to 0 in a strip about each. Throws FileError when the mask cannot be read.
+/// mask, falling to 0 in a strip about each, which is wide on a large terrain. Throws FileError
+/// when the mask cannot be read.
 class GrowthLimits {
  public:
-  /// `terrain_m`: side of the terrain's square, which the mask covers.
-  GrowthLimits(const scene::Growth& growth, double terrain_m);
+  /// Of the scene's terrain; `growth` is that of the scene or of a species.
+  GrowthLimits(const scene::Scene& scene, const scene::Growth& growth);
 
   /// The probability on level ground: by cover, height and mask.
   double on_level(const glm::dvec2& at_m, double height_m) const;
@@ -31,6 +32,7 @@ class GrowthLimits {
   class Mask;
 
   scene::Growth growth_;
+  double slope_strip_deg_, height_strip_m_;
   std::shared_ptr<const Mask> mask_;  ///< if any
 };
 

@@ -57,7 +57,9 @@ std::vector<Key> terrain_keys() {
             FIELD(terrain.samples)),
       bound(number("terrain.hill_height", "m", {0, 9000}, "Rise from the near edge to the top."),
             FIELD(terrain.hill_height_m)),
-      bound(number("terrain.relief", "m", {0, 2000}, "Standard deviation of the fractal relief."),
+      bound(number("terrain.relief", "m", {0, 2000},
+                   "Standard deviation of the fractal relief; below an elevation model's cells, 0 "
+                   "is none and any other the model's own."),
             FIELD(terrain.relief_m)),
       bound(number("terrain.relief_feature", "m", {0.1, 200000},
                    "Size of the relief's largest features."),
@@ -91,7 +93,9 @@ std::vector<Key> growth_keys() {
       bound(number("growth.cover", "", {0, 1},
                    "Share of the ground within the limits that is grown over."),
             FIELD(growth.cover)),
-      bound(number("growth.feature", "m", {0.1, 10000}, "Size of the bare patches."),
+      bound(number("growth.feature", "m", {0.1, 10000},
+                   "Size of the bare patches; on large terrains "
+                   "they have all sizes."),
             FIELD(growth.feature_m)),
       bound(number("growth.steepest", "deg", {0, 90}, "Steepest slope on which grass grows."),
             FIELD(growth.steepest_deg)),

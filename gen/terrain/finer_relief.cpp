@@ -2,10 +2,12 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "core/elementary.h"
 #include "core/noise.h"
+#include "core/parallel.h"
 #include "core/random.h"
 
 namespace wold::terrain {
@@ -45,6 +47,13 @@ GroundMap<glm::vec2> gradients(const GroundMap<double>& heights_m) {
                     (heights_m.at(i, north) - heights_m.at(i, south)) / ((north - south) * step_m));
     }
   return map;
+}
+
+/// Octaves up to the last that is shown.
+std::size_t shown_octaves(const FinerRelief::Weights& weights) {
+  std::size_t count = weights.size();
+  while (count > 0 && weights[count - 1] <= 0.0) --count;
+  return count;
 }
 
 /// Of waves' heights, by soil that creeps as in crept().
@@ -89,31 +98,88 @@ FinerRelief::Weights FinerRelief::shown_below(double coarse_step_m, double step_
   return weights;
 }
 
-FinerRelief::Bump FinerRelief::at(const glm::dvec2& at_m, const Weights& weights) const {
+FinerRelief::State FinerRelief::first_state(const glm::dvec2& at_m) const {
+  return {{},
+          glm::dvec2(gradient_.sample(at_m.x, at_m.y)),
+          double{roughness_.deviation_m.sample(at_m.x, at_m.y)},
+          double{roughness_.hurst.sample(at_m.x, at_m.y)} - hurst_};
+}
+
+void FinerRelief::add_octave(State& state, const glm::dvec2& at_m, std::size_t k,
+                             double weight) const {
   constexpr double carry = 0.65;  // features, at most
-  Bump shown;
-  double deviation_m = double{roughness_.deviation_m.sample(at_m.x, at_m.y)};
-  double excess = double{roughness_.hurst.sample(at_m.x, at_m.y)} - hurst_;
-  glm::dvec2 ascent(gradient_.sample(at_m.x, at_m.y));
-  std::size_t last = weights.size();
-  while (last > 0 && weights[last - 1] <= 0.0) --last;
-  for (std::size_t k = 0; k < last; ++k) {
-    const Octave& octave = octaves_[k];
-    // Ground no steeper than the octave itself has no fall line for it.
-    const double own_slope = 2.0 * deviation_m / octave.feature_m + 1e-9;
-    const glm::dvec2 along = ascent * (carry / (glm::length(ascent) + own_slope));
-    const NoiseSlope noise =
-        carried_noise(at_m / octave.feature_m + octave.shift, along, octave.key);
-    const glm::dvec2 gradient = noise.gradient * (deviation_m / octave.feature_m);
-    ascent += gradient;
-    shown.height_m += weights[k] * deviation_m * noise.value;
-    shown.gradient += weights[k] * gradient;
-    shown.deviation_m += weights[k] * weights[k] * deviation_m * deviation_m;
-    excess *= 0.5;
-    deviation_m *= math::exp2(-(hurst_ + excess));
+  const Octave& octave = octaves_[k];
+  // Ground no steeper than the octave itself has no fall line for it.
+  const double own_slope = 2.0 * state.deviation_m / octave.feature_m + 1e-9;
+  const glm::dvec2 along = state.ascent * (carry / (glm::length(state.ascent) + own_slope));
+  const NoiseSlope noise = carried_noise(at_m / octave.feature_m + octave.shift, along, octave.key);
+  const glm::dvec2 gradient = noise.gradient * (state.deviation_m / octave.feature_m);
+  state.ascent += gradient;
+  state.shown.height_m += weight * state.deviation_m * noise.value;
+  state.shown.gradient += weight * gradient;
+  state.shown.deviation_m += weight * weight * state.deviation_m * state.deviation_m;
+  state.excess *= 0.5;
+  state.deviation_m *= math::exp2(-(hurst_ + state.excess));
+}
+
+FinerRelief::Bump FinerRelief::at(const glm::dvec2& at_m, const Weights& weights) const {
+  State state = first_state(at_m);
+  const std::size_t count = shown_octaves(weights);
+  for (std::size_t k = 0; k < count; ++k) add_octave(state, at_m, k, weights[k]);
+  state.shown.deviation_m = std::sqrt(state.shown.deviation_m);
+  return state.shown;
+}
+
+FinerRelief::State FinerRelief::States::at(const glm::dvec2& at_m) const {
+  const glm::dvec4 slope(slopes.sample(at_m.x, at_m.y));
+  const glm::dvec4 height(heights.sample(at_m.x, at_m.y));
+  return {{height.x, glm::dvec2(slope), height.y}, {slope.z, slope.w}, height.z, height.w};
+}
+
+template <class Visit>
+void FinerRelief::visit_states(const GroundGrid& grid, const Weights& weights, std::size_t count,
+                               const Visit& visit) const {
+  constexpr int apart = 4;
+  constexpr double min_feature_steps = 8.0 * apart;
+  std::size_t large = 0;
+  while (large < count && octaves_[large].feature_m >= min_feature_steps * grid.step_m()) ++large;
+  std::optional<States> coarse;
+  if (large > 0) {
+    const int samples = (grid.samples + apart - 2) / apart + 1;
+    const Square square{grid.square.corner_m, (samples - 1) * apart * grid.step_m()};
+    coarse = states({square, samples}, weights, large);
   }
-  shown.deviation_m = std::sqrt(shown.deviation_m);
-  return shown;
+  parallel_for(static_cast<std::size_t>(grid.samples), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < grid.samples; ++i) {
+      const glm::dvec2 at_m = grid.square.corner_m + glm::dvec2(i, j) * grid.step_m();
+      State state = coarse ? coarse->at(at_m) : first_state(at_m);
+      for (std::size_t k = large; k < count; ++k) add_octave(state, at_m, k, weights[k]);
+      visit(i, j, state);
+    }
+  });
+}
+
+FinerRelief::States FinerRelief::states(const GroundGrid& grid, const Weights& weights,
+                                        std::size_t count) const {
+  States states{GroundMap<glm::vec4>(grid.samples, grid.square),
+                GroundMap<glm::vec4>(grid.samples, grid.square)};
+  visit_states(grid, weights, count, [&](int i, int j, const State& state) {
+    states.slopes.at(i, j) = glm::vec4(glm::vec2(state.shown.gradient), glm::vec2(state.ascent));
+    states.heights.at(i, j) = glm::vec4(
+        glm::dvec4(state.shown.height_m, state.shown.deviation_m, state.deviation_m, state.excess));
+  });
+  return states;
+}
+
+GroundMap<FinerRelief::Bump> FinerRelief::on_grid(const GroundGrid& grid,
+                                                  const Weights& weights) const {
+  GroundMap<Bump> bumps(grid.samples, grid.square);
+  visit_states(grid, weights, shown_octaves(weights), [&](int i, int j, const State& state) {
+    bumps.at(i, j) = state.shown;
+    bumps.at(i, j).deviation_m = std::sqrt(state.shown.deviation_m);
+  });
+  return bumps;
 }
 
 }  // namespace wold::terrain

@@ -39,7 +39,34 @@ class FinerRelief {
   };
   Bump at(const glm::dvec2& at_m, const Weights& weights) const;
 
+  /// The same at the places of a grid: large octaves are evaluated at fewer places and interpolated
+  /// between them, true to some 3 % of the octave.
+  GroundMap<Bump> on_grid(const GroundGrid& grid, const Weights& weights) const;
+
  private:
+  /// Of a place, after some octaves.
+  struct State {
+    Bump shown;  ///< with the variance in place of the deviation
+    glm::dvec2 ascent;
+    double deviation_m;  ///< of the next octave
+    double excess;       ///< of its exponent, over hurst_
+  };
+  /// On a grid, interpolated.
+  struct States {
+    GroundMap<glm::vec4> slopes;   ///< gradient and ascent
+    GroundMap<glm::vec4> heights;  ///< height, variance, deviation, excess
+    State at(const glm::dvec2& at_m) const;
+  };
+
+  State first_state(const glm::dvec2& at_m) const;
+  void add_octave(State& state, const glm::dvec2& at_m, std::size_t k, double weight) const;
+  /// After the first `count` octaves.
+  States states(const GroundGrid& grid, const Weights& weights, std::size_t count) const;
+  /// visit(i, j, state after `count` octaves), in parallel.
+  template <class Visit>
+  void visit_states(const GroundGrid& grid, const Weights& weights, std::size_t count,
+                    const Visit& visit) const;
+
   struct Octave {
     double feature_m;
     std::uint64_t key;

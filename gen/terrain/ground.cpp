@@ -5,13 +5,13 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/angle.h"
 #include "core/elementary.h"
 #include "core/parallel.h"
 #include "terrain/elevation.h"
 #include "terrain/erosion.h"
 #include "terrain/hillside.h"
 #include "terrain/mountain.h"
+#include "terrain/relief.h"
 
 namespace wold::terrain {
 namespace {
@@ -56,11 +56,11 @@ Ground real_place(const scene::Terrain& terrain, std::uint64_t seed) {
   return {crept(std::move(place.heights_m)), is_fine ? nullptr : relief};
 }
 
-/// What the relief of a landscape of the scene's own goes on below: its smallest features.
-GroundMap<double> at_smallest_features(const Heightfield& heights_m,
-                                       const scene::Terrain& terrain) {
-  const double feature_m = terrain.relief_feature_m * math::exp2(-1.0 * terrain.octaves);
-  const double step_m = 0.5 * std::max(feature_m, heights_m.step_m());
+/// The heights of a landscape of the scene's own at a fraction of its relief's largest features.
+GroundMap<double> at_features(const Heightfield& heights_m, const scene::Terrain& terrain) {
+  constexpr double cells_per_feature = 8.0;
+  const double cell_m = terrain.relief_feature_m / cells_per_feature;
+  const double step_m = 0.5 * std::max(cell_m, heights_m.step_m());
   const int samples = std::max(17, static_cast<int>(heights_m.size_m() / step_m) + 1);
   GroundMap<double> map(samples, heights_m.square());
   for (int j = 0; j < samples; ++j)
@@ -71,27 +71,27 @@ GroundMap<double> at_smallest_features(const Heightfield& heights_m,
   return map;
 }
 
-/// Of a landscape of the scene's own, which streams, slides and creep have smoothed: at least that
-/// of its fractal relief at this size, more on steep ground, where rock stands.
+/// Of such a landscape, which streams, slides and creep have smoothed more than weather smooths
+/// rock: as rough as its fractal relief is at this size, a third of that where soil lies and more
+/// on steep ground, where rock stands. Modelling choices.
 Roughness own_roughness(const GroundMap<double>& heights_m, const scene::Terrain& terrain) {
-  constexpr double of_rock = 2.5, strip_deg = 12.0;
+  constexpr double of_soil = 0.3, of_rock = 2.5, strip_deg = 15.0;
   const double wave_m = FinerRelief::cell_m(heights_m);
   const double fractal_m =
       terrain.relief_m * math::pow(wave_m / terrain.relief_feature_m, terrain.roughness);
-  Roughness roughness = measured_roughness(heights_m, Held::exactly);
-  GroundMap<float>& deviation_m = roughness.deviation_m;
-  for (int j = 1; j + 1 < heights_m.samples(); ++j)
-    for (int i = 1; i + 1 < heights_m.samples(); ++i) {
-      const double rise = math::hypot(heights_m.at(i + 1, j) - heights_m.at(i - 1, j),
-                                      heights_m.at(i, j + 1) - heights_m.at(i, j - 1)) /
-                          (2.0 * heights_m.step_m());
+  Roughness roughness{
+      FactorMap(heights_m.samples(), heights_m.square()),
+      FactorMap(heights_m.samples(), heights_m.square(), static_cast<float>(terrain.roughness))};
+  const Heightfield heights = crept(heights_m);
+  for (int j = 0; j < heights_m.samples(); ++j)
+    for (int i = 0; i < heights_m.samples(); ++i) {
+      const glm::dvec2 at_m = heights_m.place_m(i, j);
       const double steep =
           glm::smoothstep(terrain.rock_slope_deg - strip_deg, terrain.rock_slope_deg,
-                          math::atan(rise) * degrees_per_radian);
-      const double least_m = fractal_m * std::lerp(1.0, of_rock, steep);
-      deviation_m.at(i, j) = std::max(deviation_m.at(i, j), static_cast<float>(least_m));
+                          slope_deg(heights, at_m.x, at_m.y));
+      roughness.deviation_m.at(i, j) =
+          static_cast<float>(fractal_m * std::lerp(of_soil, of_rock, steep));
     }
-  for (float& hurst : roughness.hurst.values()) hurst = static_cast<float>(terrain.roughness);
   return roughness;
 }
 
@@ -101,7 +101,7 @@ Ground own_place(const scene::Terrain& terrain, std::uint64_t seed) {
                               : make_hillside(terrain, seed);
   if (terrain.relief_m <= 0.0 || heights_m.step_m() <= finest_step_m)
     return {std::move(heights_m), nullptr};
-  const GroundMap<double> features_m = at_smallest_features(heights_m, terrain);
+  const GroundMap<double> features_m = at_features(heights_m, terrain);
   const auto relief = std::make_shared<const FinerRelief>(
       features_m, own_roughness(features_m, terrain), terrain.roughness, seed);
   add_relief(heights_m, *relief);

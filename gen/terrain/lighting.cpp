@@ -142,12 +142,14 @@ struct GroundColour {
            (1.0F + straw * glm::vec3(0.30F, 0.30F, 0.24F));
   }
 
-  /// Rock shows where it is steep, over 5 degrees and along a ragged border, and where no grass
-  /// holds soil on it.
+  /// Rock shows where it is steep, over 5 degrees and along a ragged border, sooner where it stands
+  /// out, and where no grass holds soil on it.
   glm::vec3 albedo(const glm::dvec3& place_m, const glm::dvec3& up, const glm::dvec3& to_sun,
-                   float growth) const {
+                   double exposure, float growth) const {
+    constexpr double deg_per_exposure = 4.0;
     const glm::dvec2 at_m(place_m);
-    const double beyond = math::acos(up.z) / radians_per_degree - rock_slope_deg;
+    const double beyond = math::acos(up.z) / radians_per_degree - rock_slope_deg +
+                          deg_per_exposure * std::clamp(exposure, -2.0, 2.0);
     if (beyond < -8.0) return earth(at_m);
     const double ragged = beyond + 2.5 * border_shown * fbm(at_m / border_m, border);
     const double bare = (1.0 - double{growth}) * glm::smoothstep(-2.5, 2.5, ragged);
@@ -214,8 +216,9 @@ ColourMap ground_reflectance(const Surface& surface, const glm::dvec3& sun_direc
       const glm::dvec2 at_m = map.place_m(i, j);
       const float grown = growth.sample(at_m.x, at_m.y);
       const glm::dvec3 place_m(at_m, surface.height_m(i, j));
-      map.at(i, j) = colour.albedo(place_m, surface.up(i, j), sun_direction, grown) *
-                     static_cast<float>(1.0 / pi);
+      map.at(i, j) =
+          colour.albedo(place_m, surface.up(i, j), sun_direction, surface.exposure(i, j), grown) *
+          static_cast<float>(1.0 / pi);
     }
   });
   return map;

@@ -121,7 +121,7 @@ glm::vec3 Rock::at(const glm::dvec3& place_m, const glm::dvec3& up,
   }
   const double lit = light_on(faced, to_sun) / light_on(up, to_sun);
   const auto shade = static_cast<float>(open * std::clamp(lit, 0.3, 1.8));
-  return albedo_ * glm::clamp(shade * bed_at(place) * stain_at(place_m), 0.08F, 2.7F);
+  return albedo_ * glm::clamp(shade * bed_at(place) * stain_at(place_m), 0.08F, 2.69F);
 }
 
 /// Damp and lichens.

@@ -20,8 +20,8 @@ class Rock {
   Rock(const glm::vec3& albedo, std::uint64_t seed, double step_m);
 
   /// Radiance over that of a smooth white surface which faces `up` and is lit by the sun and the
-  /// sky: the albedo on the mean, 2.7 times that at most. World space; `up`, not below the horizon,
-  /// and `to_sun` are unit vectors.
+  /// sky: the albedo on the mean, 2.69 times that at most. World space; `up`, not below the
+  /// horizon, and `to_sun` are unit vectors.
   glm::vec3 at(const glm::dvec3& place_m, const glm::dvec3& up, const glm::dvec3& to_sun) const;
 
  private:

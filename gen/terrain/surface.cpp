@@ -29,17 +29,14 @@ double more_sky(const glm::dvec3& face, const glm::dvec3& ground) {
 Surface::Surface(const Heightfield& heights_m, const FinerRelief* finer, const GroundGrid& grid)
     : heights_m_(heights_m), grid_(grid) {
   if (finer == nullptr || grid.step_m() >= heights_m.step_m()) return;
-  bumps_.emplace(grid.samples, grid.square);
   const FinerRelief::Weights weights = finer->shown_below(heights_m.step_m(), grid.step_m());
-  parallel_for(static_cast<std::size_t>(grid.samples), [&](std::size_t row) {
-    const int j = static_cast<int>(row);
-    for (int i = 0; i < grid.samples; ++i) {
-      const FinerRelief::Bump bump = finer->at(bumps_->place_m(i, j), weights);
-      const double deviation_m = std::max(bump.deviation_m, 1e-9);
-      bumps_->at(i, j) = {glm::vec2(bump.gradient),
-                          static_cast<float>(bump.height_m / deviation_m)};
-    }
-  });
+  const GroundMap<FinerRelief::Bump> bumps = finer->on_grid(grid, weights);
+  bumps_.emplace(grid.samples, grid.square);
+  for (std::size_t k = 0; k < bumps.values().size(); ++k) {
+    const FinerRelief::Bump& bump = bumps.values()[k];
+    const double exposure = bump.height_m / std::max(bump.deviation_m, 1e-9);
+    bumps_->values()[k] = {glm::vec2(bump.gradient), static_cast<float>(exposure)};
+  }
 }
 
 glm::dvec2 Surface::place_m(int i, int j) const {

@@ -59,6 +59,26 @@ glm::dvec2 curved(const glm::dvec2& m) {
           700.7 + (0.1 * m.x - 0.9 * m.y - m.x * m.x / 6.4e6) / 90.0};
 }
 
+// Means over a cell of what lies between cells are the cell's own, but for what is finest.
+TEST(Resampling, KeepsTheMeansOfCells) {
+  CellBlock means{{0, 0}, {40, 40}, {}};
+  for (int row = 0; row < 40; ++row)
+    for (int column = 0; column < 40; ++column)
+      means.values.push_back(std::sin(0.9 * column) * std::cos(1.1 * row));
+  const CellBlock sharp = with_means_kept(means);
+  const auto mean = [](const CellBlock& block) {
+    constexpr int parts = 8;
+    double sum = 0.0;
+    for (int j = 0; j < parts; ++j)
+      for (int i = 0; i < parts; ++i)
+        sum +=
+            cubic_value(block, glm::dvec2(20.0, 17.0) + (glm::dvec2(i, j) + 0.5) / (1.0 * parts));
+    return sum / (parts * parts);
+  };
+  EXPECT_NEAR(mean(sharp), means.at({20, 17}), 0.005);
+  EXPECT_GT(std::abs(mean(means) - means.at({20, 17})), 0.02);
+}
+
 // Half steps begin half a step before the first sample.
 TEST(CellMap, FollowsTheProjection) {
   constexpr int samples = 33;
