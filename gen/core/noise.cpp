@@ -26,7 +26,6 @@ std::int64_t wrapped(std::int64_t i, int period) {
   return rest < 0 ? rest + period : rest;
 }
 
-/// Unit vectors in 256 directions: as good as any angle, and cheaper than its sine.
 std::array<glm::dvec2, 256> all_directions() {
   std::array<glm::dvec2, 256> all;
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -36,11 +35,16 @@ std::array<glm::dvec2, 256> all_directions() {
   return all;
 }
 
+/// Unit vectors in 256 directions: as good as any angle, and cheaper than its sine.
+const glm::dvec2& direction_of(std::uint64_t bits) {
+  static const std::array<glm::dvec2, 256> directions = all_directions();
+  return directions[bits >> 56];
+}
+
 const glm::dvec2& gradient(const Lattice& corner, std::uint64_t key, const glm::ivec2& period) {
   const auto x = static_cast<std::uint64_t>(wrapped(corner.x, period.x));
   const auto y = static_cast<std::uint64_t>(wrapped(corner.y, period.y));
-  static const std::array<glm::dvec2, 256> directions = all_directions();
-  return directions[random_bits({key, key_of("gradient"), x, y}) >> 56];
+  return direction_of(random_bits({key, key_of("gradient"), x, y}));
 }
 
 /// The point of a cell, in the cell.
@@ -81,7 +85,10 @@ NoiseSlope gradient_noise_slope(const glm::dvec2& at, std::uint64_t key) {
     const glm::dvec2 weight(corner_weight(apart.x), corner_weight(apart.y));
     const glm::dvec2 slope = (1.0 - 2.0 * offset) *
                              glm::dvec2(corner_weight_slope(apart.x), corner_weight_slope(apart.y));
-    const glm::dvec2& direction = gradient(Lattice(low + offset), key, glm::ivec2(0));
+    const Lattice at_corner(low + offset);
+    const glm::dvec2& direction =
+        direction_of(mixed(mixed(key ^ static_cast<std::uint64_t>(at_corner.x)) ^
+                           static_cast<std::uint64_t>(at_corner.y)));
     const double height = glm::dot(direction, from_corner);
     sum.value += weight.x * weight.y * height;
     sum.gradient += weight.x * weight.y * direction +

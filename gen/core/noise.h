@@ -21,7 +21,7 @@ struct NoiseSlope {
   glm::dvec2 gradient{0.0};
 };
 
-/// gradient_noise() without a period, and its gradient.
+/// Gradient noise without a period, and its gradient; another field than gradient_noise().
 NoiseSlope gradient_noise_slope(const glm::dvec2& at, std::uint64_t key);
 
 /// Cellular noise (Worley 1996, A cellular texture basis function): the distance, in cells, to the

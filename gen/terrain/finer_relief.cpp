@@ -140,7 +140,7 @@ template <class Visit>
 void FinerRelief::visit_states(const GroundGrid& grid, const Weights& weights, std::size_t count,
                                const Visit& visit) const {
   constexpr int apart = 4;
-  constexpr double min_feature_steps = 8.0 * apart;
+  constexpr double min_feature_steps = 4.0 * apart;
   std::size_t large = 0;
   while (large < count && octaves_[large].feature_m >= min_feature_steps * grid.step_m()) ++large;
   std::optional<States> coarse;

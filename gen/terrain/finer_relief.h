@@ -34,13 +34,13 @@ class FinerRelief {
 
   struct Bump {
     double height_m = 0.0;
-    glm::dvec2 gradient{0.0};
+    glm::dvec2 gradient{0.0};  ///< steepest ascent, as if roughness and fall line stayed the same
     double deviation_m = 0.0;  ///< of such heights here
   };
   Bump at(const glm::dvec2& at_m, const Weights& weights) const;
 
   /// The same at the places of a grid: large octaves are evaluated at fewer places and interpolated
-  /// between them, true to some 3 % of the octave.
+  /// between them, true to some 7 % of the least of them.
   GroundMap<Bump> on_grid(const GroundGrid& grid, const Weights& weights) const;
 
  private:

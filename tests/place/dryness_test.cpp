@@ -15,7 +15,7 @@ TEST(Dryness, IsLeastWhereWaterGathers) {
       valley.at(i, j) = static_cast<float>(0.3 * std::abs(valley.place_m(i, j).x - 640.0) +
                                            0.02 * valley.place_m(i, j).y);
   const FactorMap dryness = dryness_map(valley);
-  EXPECT_LT(dryness.sample(640.0, 300.0), -1.5F);
+  EXPECT_LT(dryness.sample(640.0, 300.0), -1.0F);
   EXPECT_GT(dryness.sample(200.0, 300.0), 0.0F);
   double sum = 0.0;
   for (const float value : dryness.values())
