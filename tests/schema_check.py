@@ -31,7 +31,7 @@ def load_schema(program):
 
 
 def keys_of(schema):
-    """(array, table, key, schema of the key) of all that are not deprecated; table "" at the top."""
+    """(is_array, table, key, its schema) of all keys but old names; the table is "" at the top."""
     for name, table in schema["properties"].items():
         if table.get("type") == "object":
             properties, is_array = table["properties"], False
@@ -188,7 +188,7 @@ def main():
         *faults_of_ends(validator, program, ends),
     ]
     print("\n".join(faults))
-    print(f"{len(valid)} scenes valid, {len(broken)} broken ones refused, {len(ends)} ends of ranges")
+    print(f"{len(valid)} scenes valid, {len(broken)} broken refused, {len(ends)} ends of ranges")
     return 1 if faults or len(broken) < LEAST_BROKEN else 0
 
 

@@ -290,7 +290,8 @@ std::string starter_scene(const std::string& name, const std::string& kind) {
       "#:schema ./scene.schema.json\n"
       "# {1}\n# Look at it: wold preview {0}.toml; make it: wold render {0}.toml\n"
       "# These are the keys one changes first; `wold check {0}.toml` shows all of them, and `wold\n"
-      "# explain KEY` says what one of them means. Editors complete and check keys by the first line\n"
+      "# explain KEY` says what one of them means. Editors complete and check keys by the first "
+      "line\n"
       "# when there is a schema: wold schema >scene.schema.json\n\n",
       name, starter.title);
   std::string_view table;

@@ -17,10 +17,20 @@ from pathlib import Path
 
 HOME = Path(__file__).resolve().parents[2]
 WOLD = HOME / "build/wold"
-DEFAULT = (
-    "hillside:1-3 mountain:2 evening:1 real_slope:1 first_snow:1,48 cumulus:1 clouds:40 "
-    "autumn_to_winter:1,60 flight:1,20 fur:1-4 two_grasses:2 snowy_range:1"
-).split()
+DEFAULT = [
+    "hillside:1-3",
+    "mountain:2",
+    "evening:1",
+    "real_slope:1",
+    "first_snow:1,48",
+    "cumulus:1",
+    "clouds:40",
+    "autumn_to_winter:1,60",
+    "flight:1,20",
+    "fur:1-4",
+    "two_grasses:2",
+    "snowy_range:1",
+]
 RENDERERS = ("blender", "povray")
 MOST_OFF = {"disk": 1.3, "memory": 1.3, "seconds": 2.0}
 

@@ -119,7 +119,7 @@ Stack ground(double soil) {
   return s;
 }
 
-/// A stack over another: light goes to and fro between them.
+/// A stack over another: light goes back and forth between them.
 Stack over(const Stack& a, const Stack& b) {
   const double bounces = 1.0 / (1.0 - a.r_dd_below * b.r_dd_above);
   // Diffuse sunlight between both.
