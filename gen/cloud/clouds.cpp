@@ -283,4 +283,20 @@ double optical_depth_at(const LayerState& state, double pixel_m, const glm::dvec
   return state.next_map ? depth + depth_of(*state.next_map, moment.next_fraction) : depth;
 }
 
+double mean_transmittance(const CloudState& state, double sine) {
+  constexpr int ranks = 64;
+  double product = 1.0;
+  for (const LayerState& layer : state.layers) {
+    const LayerMoment& moment = layer.moment;
+    double sum = 0.0;
+    for (int i = 0; i < ranks; ++i)
+      sum += math::exp(-optical_depth_of_rank(*layer.layer, (i + 0.5) / ranks,
+                                              moment.amount_is_alpha ? 1.0 : moment.amount) /
+                       sine);
+    const double through = sum / ranks;
+    product *= moment.amount_is_alpha ? std::lerp(1.0, through, moment.amount) : through;
+  }
+  return product;
+}
+
 }  // namespace wold::cloud

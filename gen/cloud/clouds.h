@@ -125,4 +125,8 @@ double depth_factor(double amount);
 /// Vertical optical depth of the layer at a place of the world, all shapes and fades counted.
 double optical_depth_at(const LayerState& state, double pixel_m, const glm::dvec2& place_m);
 
+/// Fraction of the light that comes straight through all layers along lines of sight with that sine
+/// of elevation, > 0: the mean over the whole of each layer, which does not change as it drifts.
+double mean_transmittance(const CloudState& state, double sine);
+
 }  // namespace wold::cloud

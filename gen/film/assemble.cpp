@@ -130,13 +130,13 @@ double gain(const scene::Scene& scene, const light::Daylight& day,
   return for_snow ? sky::metered_gain(day, sky::Subject::snow) : for_bare;
 }
 
-/// What it leaves where it looks towards a low sun that nothing hides: none under an overcast sky.
-double sunward(const place::Site& site, const landscape::Landscape& landscape,
-               double sunlit_fraction, double gain) {
+/// What it leaves where it looks towards a low sun, as far as that is `open`, from 0 to 1: none
+/// under an overcast sky.
+double sunward(const place::Site& site, const landscape::Landscape& landscape, double open,
+               double gain) {
   const double height_over_width = 1.0 * landscape.height_px / landscape.width_px;
   return math::pow(
-      sky::sunward_gain(site.day, site.terrain, landscape.camera, height_over_width, gain),
-      sunlit_fraction);
+      sky::sunward_gain(site.day, site.terrain, landscape.camera, height_over_width, gain), open);
 }
 
 /// `illuminate`: what clouds and snow make of the light on the ground under a clear sky.
@@ -182,8 +182,9 @@ landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site
   landscape.daylight = open_daylight(site.day, air.sunlit_fraction(), illuminate);
   const ColourMap light = illuminate(ground.light());
   const double metered = gain(scene, site.day, ground, light) * dusk(scene, frame);
-  landscape.exposure_gain = metered * sunward(site, landscape, air.sunlit_fraction(), metered) *
-                            math::exp2(scene.render.exposure);
+  const double open = air.sunlit_fraction() * sky.openness();
+  landscape.exposure_gain =
+      metered * sunward(site, landscape, open, metered) * math::exp2(scene.render.exposure);
   ground::LitGround(scene, site, now, landscape, choices, lookup.far, illuminate)
       .show(ground, light, landscape);
   sky.show(landscape, overcast_per_m > 0.0);

@@ -56,13 +56,13 @@ GroundGrid lean_light_grid(const GroundGrid& grid, const std::optional<place::Sk
   return {grid.square, std::min(grid.samples, sketch ? sketch->lean_light_samples : usual)};
 }
 
-/// Adds another map of the same part of the ground.
-void add(const ColourMap& more, ColourMap& to) {
-  parallel_for(static_cast<std::size_t>(to.samples()), [&](std::size_t row) {
+/// Adds what ground with that reflectance makes of a light.
+void add_reflected(const ColourMap& reflectance, const ColourMap& light, ColourMap& radiance) {
+  parallel_for(static_cast<std::size_t>(radiance.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
-    for (int i = 0; i < to.samples(); ++i) {
-      const glm::dvec2 at_m = to.place_m(i, j);
-      to.at(i, j) += more.sample(at_m.x, at_m.y);
+    for (int i = 0; i < radiance.samples(); ++i) {
+      const glm::dvec2 at_m = radiance.place_m(i, j);
+      radiance.at(i, j) += reflectance.sample(at_m.x, at_m.y) * light.sample(at_m.x, at_m.y);
     }
   });
 }
@@ -133,7 +133,7 @@ ColourMap LitGround::between_blades(const ColourMap& reflectance, const ColourMa
                                                  sun, -view_.line_of_sight(at_m), grown));
   });
   ColourMap radiance = product(reflectance, light);
-  add(product(bare, illuminate_(more)), radiance);
+  add_reflected(bare, illuminate_(more), radiance);
   return radiance;
 }
 
@@ -164,9 +164,10 @@ ColourMap LitGround::light_in_window() const {
 void LitGround::show(const SnowyGround& ground, const ColourMap& light,
                      landscape::Landscape& landscape) const {
   ColourMap grass_light = on_grass(light, place::whole_grid(scene_));
-  landscape.ground = painted(between_blades(ground.reflectance(under_grass_), ground.bare(), light,
-                                            ground.light(), ground.growth()),
-                             ground.growth(), grass_light);
+  // Its maps are large: what it is made of goes before it is painted.
+  ColourMap between = between_blades(ground.reflectance(under_grass_), ground.bare(), light,
+                                     ground.light(), ground.growth());
+  landscape.ground = painted(std::move(between), ground.growth(), grass_light);
   for (const GroundGrid& grid : place::detail_grids(scene_, landscape.camera))
     landscape.ground_details.push_back(detail(ground, grid));
 

@@ -49,6 +49,12 @@ FrameSky::FrameSky(const scene::Scene& scene, const place::Site& site, int frame
       sheets_(site.day, clouds_.value_or(cloud::CloudState{}), eye_m,
               std::numbers::pi / usual_sky_width_px) {}
 
+double FrameSky::openness() const {
+  constexpr double sine = 0.5;  // of lines of sight well above the horizon
+  constexpr double closed = 0.2, open = 0.4;
+  return clouds_ ? glm::smoothstep(closed, open, cloud::mean_transmittance(*clouds_, sine)) : 1.0;
+}
+
 /// Fraction of the sunlight that passes the clouds. The frames of a season are days apart, and
 /// shadows that drift by from frame to frame would make it flicker: there it is the mean over what
 /// drifts by in as many frames as an eye sees in a second.

@@ -18,6 +18,9 @@ class FrameSky {
   /// change the sky's own light.
   ColourMap light(const terrain::GroundLight& clear) const;
 
+  /// From 0, clouds are closed and the clear sky counts for nothing, to 1, it is seen between them.
+  double openness() const;
+
   /// Sets the sky and its clouds as the landscape's camera sees them: a clear sky without, and
   /// with a backdrop only when asked to.
   void show(landscape::Landscape& landscape, bool with_backdrop) const;
