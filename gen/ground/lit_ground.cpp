@@ -119,9 +119,8 @@ ColourMap LitGround::on_grass(const ColourMap& light, const GroundGrid& grid) co
                                                         {light.square(), light.samples()}));
 }
 
-ColourMap LitGround::between_blades(const ColourMap& reflectance, const ColourMap& bare,
-                                    const ColourMap& light, const terrain::GroundLight& clear,
-                                    const FactorMap& growth) const {
+void LitGround::add_hot_spot(const ColourMap& bare, const terrain::GroundLight& clear,
+                             const FactorMap& growth, ColourMap& radiance) const {
   const Square square = clear.sun.square();
   const int samples = clear.sun.samples();
   terrain::GroundLight more{ColourMap(samples, square), ColourMap(samples, square),
@@ -132,9 +131,7 @@ ColourMap LitGround::between_blades(const ColourMap& reflectance, const ColourMa
     more.sun.at(i, j) = clear.sun.at(i, j) * static_cast<float>(shared_gaps_.more_sunlit(
                                                  sun, -view_.line_of_sight(at_m), grown));
   });
-  ColourMap radiance = product(reflectance, light);
   add_reflected(bare, illuminate_(more), radiance);
-  return radiance;
 }
 
 ColourMap LitGround::painted(ColourMap ground, const FactorMap& growth,
@@ -150,10 +147,11 @@ landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const Groun
   const ColourMap bare = ground.bare(part);
   part = ground.covered(std::move(part), under_grass_);
   const ColourMap light = illuminate_(part.light);
-  return {painted(between_blades(part.reflectance, bare, light, part.light, part.growth),
-                  part.growth, on_grass(light, grid))
-              .at_corner(glm::dvec2(0.0)),
-          grid.square.corner_m};
+  ColourMap radiance = product(part.reflectance, light);
+  add_hot_spot(bare, part.light, part.growth, radiance);
+  return {
+      painted(std::move(radiance), part.growth, on_grass(light, grid)).at_corner(glm::dvec2(0.0)),
+      grid.square.corner_m};
 }
 
 ColourMap LitGround::light_in_window() const {
@@ -164,10 +162,10 @@ ColourMap LitGround::light_in_window() const {
 void LitGround::show(const SnowyGround& ground, const ColourMap& light,
                      landscape::Landscape& landscape) const {
   ColourMap grass_light = on_grass(light, place::whole_grid(scene_));
-  // Its maps are large: what it is made of goes before it is painted.
-  ColourMap between = between_blades(ground.reflectance(under_grass_), ground.bare(), light,
-                                     ground.light(), ground.growth());
-  landscape.ground = painted(std::move(between), ground.growth(), grass_light);
+  // Maps are large: each goes before the next one is made.
+  ColourMap radiance = product(ground.reflectance(under_grass_), light);
+  add_hot_spot(ground.bare(), ground.light(), ground.growth(), radiance);
+  landscape.ground = painted(std::move(radiance), ground.growth(), grass_light);
   for (const GroundGrid& grid : place::detail_grids(scene_, landscape.camera))
     landscape.ground_details.push_back(detail(ground, grid));
 

@@ -49,11 +49,10 @@ class LitGround {
 
  private:
   ColourMap on_grass(const ColourMap& light, const GroundGrid& grid) const;
-  /// Radiance of ground that is seen between blades. `bare`: what of it is no snow; `light`: on it;
-  /// `clear`: that under a clear sky.
-  ColourMap between_blades(const ColourMap& reflectance, const ColourMap& bare,
-                           const ColourMap& light, const terrain::GroundLight& clear,
-                           const FactorMap& growth) const;
+  /// Adds to the ground's radiance what is more sunlit of it between blades where it is seen than
+  /// elsewhere. `bare`: reflectance of what is no snow; `clear`: the light under a clear sky.
+  void add_hot_spot(const ColourMap& bare, const terrain::GroundLight& clear,
+                    const FactorMap& growth, ColourMap& radiance) const;
   /// Far grass and haze over the ground's own radiance.
   ColourMap painted(ColourMap ground, const FactorMap& growth, const ColourMap& grass_light) const;
   landscape::GroundDetail detail(const SnowyGround& ground, const GroundGrid& grid) const;

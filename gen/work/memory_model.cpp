@@ -27,7 +27,7 @@ double cells_bytes(const scene::Scene& scene) {
 
 /// Painting the ground and what else a frame needs; more where the ground's picture is large.
 double painting_bytes(const scene::Scene& scene) {
-  constexpr double usual = 100.0 * megabyte, min = 30.0 * megabyte, sample_bytes = 47.0;
+  constexpr double usual = 100.0 * megabyte, min = 30.0 * megabyte, sample_bytes = 62.0;
   if (place::is_large(scene)) return usual;
   const double along_a_side = place::picture_grid(scene).samples;
   return std::max(usual, min + sample_bytes * along_a_side * along_a_side);

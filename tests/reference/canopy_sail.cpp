@@ -221,7 +221,7 @@ void sum_up(const char* name, const Errors& errors) {
 /// Of red and green, what theory has been off the reference by: half of the figures, all of them,
 /// and how many are within 10 %.
 bool within_bounds(const Errors& errors) {
-  return quantile(errors.red_green, 0.5) < 0.025 && quantile(errors.red_green, 1.0) < 0.2 &&
+  return quantile(errors.red_green, 0.5) < 0.026 && quantile(errors.red_green, 1.0) < 0.2 &&
          errors.within(0.1) > 0.985;
 }
 
