@@ -94,12 +94,13 @@ Air::Air(double turbidity) : aerosol_albedo_(whole_aerosol_albedo) {
       [&](std::size_t i) { return ozone_dobson / 300.0 * ozone_depth[i] / ozone_half_m; });
 }
 
-Air Air::without_forward_peak() const {
+Air Air::without_forward_peak(double part) const {
   Air air = *this;
-  const double left = 1.0 - aerosol_albedo_ * forward_fraction;
+  const double forward = part * forward_fraction;
+  const double left = 1.0 - aerosol_albedo_ * forward;
   for (double& per_m : air.aerosol_per_m_) per_m *= left;
   for (double& per_m : air.background_per_m_) per_m *= left;
-  air.aerosol_albedo_ *= (1.0 - forward_fraction) / left;
+  air.aerosol_albedo_ *= (1.0 - forward) / left;
   return air;
 }
 

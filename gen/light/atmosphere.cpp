@@ -197,12 +197,18 @@ Spectrum gained_of_aerosol(const LitAir& lit, const Way& way, double length_m) {
   return gained;
 }
 
+/// Of what aerosol scatters nearly straight on into a line of sight, the fraction that comes from
+/// the sky. At the horizon half of that lobe looks at the ground, which is dark beside the sky; the
+/// lobe has left the ground some 10 degrees higher.
+double forward_from_sky(double up) { return 1.0 - 0.5 * math::exp(-up / 0.1); }
+
 /// `lit` has the whole air, `on` that without forward peak.
 GainedSpectra gained_along(const LitAir& lit, const LitAir& on, const OftenScattered& often,
                            const Way& way) {
   const double length_m = way_end(way.height_m, way.up).length_m;
   GainedSpectra gained;
-  go_along(on.air, way, length_m, line_steps,
+  const Air seen_through = lit.air.without_forward_peak(forward_from_sky(way.up));
+  go_along(seen_through, way, length_m, line_steps,
            [&](const Place& place, const AirAmounts& amounts, const Spectrum& seen_m) {
              const Spectrum sunlight = on.sunlight(place), around = often.at(place);
              const Spectrum molecules = on.air.molecules_scattering_per_m(amounts);

@@ -196,8 +196,10 @@ TEST(TracedSky, IsAsBrightInDirections) {
   };
   for (const Look& look :
        {Look{40.0, 90.0, 0.0, 0.05}, Look{40.0, 45.0, 180.0, 0.05}, Look{40.0, 45.0, 0.0, 0.05},
-        Look{40.0, 15.0, 45.0, 0.08}, Look{40.0, 5.0, 180.0, 0.15}, Look{5.0, 90.0, 0.0, 0.06},
-        Look{5.0, 45.0, 180.0, 0.08}, Look{5.0, 15.0, 0.0, 0.1}, Look{5.0, 5.0, 0.0, 0.1}}) {
+        Look{40.0, 15.0, 45.0, 0.08}, Look{40.0, 5.0, 180.0, 0.05}, Look{40.0, 1.0, 90.0, 0.1},
+        Look{60.0, 1.0, 0.0, 0.1}, Look{10.0, 1.0, 90.0, 0.12}, Look{10.0, 3.0, 180.0, 0.08},
+        Look{5.0, 90.0, 0.0, 0.06}, Look{5.0, 45.0, 180.0, 0.08}, Look{5.0, 15.0, 0.0, 0.1},
+        Look{5.0, 5.0, 0.0, 0.1}, Look{5.0, 1.0, 90.0, 0.2}}) {
     const double e = look.elevation_deg * degree, a = look.azimuth_deg * degree;
     const glm::dvec3 to(std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e));
     const double traced = TracedSky(look.sun_deg).kcd_m2(to, 60000);
