@@ -35,6 +35,7 @@ void warn_of_other_choices(const scene::Scene& scene, Keys& warnings) {
            Condition{"snow_cover.white_after", paper_cover, "snow_cover.cover = \"paper\""},
            Condition{"terrain.centre", real_place, "terrain.elevation"},
            Condition{"terrain.system", real_place, "terrain.elevation"},
+           Condition{"terrain.surroundings", real_place, "terrain.elevation"},
        })
     if (!condition.holds && is_given(scene, condition.key))
       warnings.push_back(

@@ -185,9 +185,10 @@ landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site
   const double open = air.sunlit_fraction() * sky.openness();
   landscape.exposure_gain =
       metered * sunward(site, landscape, open, metered) * math::exp2(scene.render.exposure);
+  sky.show(landscape,
+           overcast_per_m > 0.0 || ground::sees_land_around(site, landscape.camera, scene.render));
   ground::LitGround(scene, site, now, landscape, choices, lookup.far, illuminate)
       .show(ground, light, landscape);
-  sky.show(landscape, overcast_per_m > 0.0);
   if (overcast_per_m > 0.0) sky::add_precipitation(scene, site, air, needs, landscape);
   // Under an overcast sky the air itself shines: there is none without it.
   if (needs.materials)

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "core/pinhole.h"
 #include "grass/optics/light_under_grass.h"
 #include "grass/texel/fibres.h"
 #include "meadow/film_lights.h"
@@ -159,6 +160,33 @@ ColourMap LitGround::light_in_window() const {
   return on_grass(illuminate_(place::light_on(site_, window)), window);
 }
 
+LandAppearance LitGround::land_appearance(const SnowyGround& ground, const ColourMap& light,
+                                          const ColourMap& grass_light,
+                                          const landscape::Camera& camera) const {
+  constexpr double grazing = 0.06;  // how much lower than level one looks at far land
+  constexpr int places = 64;        // along a side
+  constexpr float min = 1e-4F;
+  const ColourMap reflectance = ground.reflectance(under_grass_);
+  const FactorMap growth = ground.growth();
+  const CameraAxes axes(camera.eye_m, camera.target_m);
+  const glm::dvec3 level = glm::cross(glm::dvec3(0.0, 0.0, 1.0), axes.right);
+  const glm::dvec3 sight = glm::normalize(level - glm::dvec3(0.0, 0.0, grazing));
+  const double size_m = site_.terrain.size_m();
+  std::vector<LandSample> samples(places * places);
+  parallel_for(samples.size(), [&](std::size_t i) {
+    const glm::dvec2 at_m = (glm::dvec2(i % places, i / places) + 0.5) * (size_m / places);
+    const glm::dvec3 place_m = place::above_ground(site_.terrain, at_m, 0.0);
+    const landscape::AggregateAppearance grass =
+        meadow::thickened(meadow_->look(place_m, sight), growth.sample(at_m.x, at_m.y));
+    const glm::vec3 on_blades =
+        grass_light.sample(at_m.x, at_m.y) / glm::max(light.sample(at_m.x, at_m.y), glm::vec3(min));
+    samples[i] = {site_.surroundings->up(at_m), place_m.z,
+                  glm::vec3(grass.radiance) * on_blades +
+                      static_cast<float>(grass.transmittance) * reflectance.sample(at_m.x, at_m.y)};
+  });
+  return LandAppearance(samples);
+}
+
 void LitGround::show(const SnowyGround& ground, const ColourMap& light,
                      landscape::Landscape& landscape) const {
   ColourMap grass_light = on_grass(light, place::whole_grid(scene_));
@@ -169,6 +197,15 @@ void LitGround::show(const SnowyGround& ground, const ColourMap& light,
   for (const GroundGrid& grid : place::detail_grids(scene_, landscape.camera))
     landscape.ground_details.push_back(detail(ground, grid));
 
+  if (landscape.backdrop && sees_land_around(site_, landscape.camera, scene_.render)) {
+    const glm::dvec3& eye_m = landscape.camera.eye_m;
+    paint_land_around(LandAround(*site_.surroundings, site_.day, haze_,
+                                 land_appearance(ground, light, grass_light, landscape.camera),
+                                 illuminate_, scene_.seed),
+                      LandView(*site_.surroundings, landscape.terrain, eye_m,
+                               panorama(landscape.camera, landscape.width_px, landscape.height_px)),
+                      eye_m, *landscape.backdrop);
+  }
   if (place::is_large(scene_)) grass_light = light_in_window();
   landscape.light =
       product(grass_light,
@@ -181,11 +218,18 @@ void LitGround::show(const SnowyGround& ground, const ColourMap& light,
         product(landscape.light, veil_of_grass(grass_light, site_.terrain, view_, *meadow_, haze_));
 }
 
+bool sees_land_around(const place::Site& site, const landscape::Camera& camera,
+                      const scene::Render& render) {
+  return sees_land_around(*site.surroundings, site.terrain, camera, render.size_px[0],
+                          render.size_px[1]);
+}
+
 bool shows_distance(const scene::Scene& scene, const place::Site& site, int frame) {
   const landscape::Camera camera =
       place::resolved_camera(scene.camera, site.terrain, place::time_of_frame(scene, frame));
   const place::View view(camera, scene.render.size_px[0], scene.render.size_px[1]);
-  return meadow::has_far_field(scene, site.terrain, view) ||
+  return sees_land_around(site, camera, scene.render) ||
+         meadow::has_far_field(scene, site.terrain, view) ||
          shows_haze(site.terrain, camera.eye_m, place::visual_range_m(scene, site, frame));
 }
 

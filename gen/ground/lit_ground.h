@@ -10,6 +10,7 @@
 #include "grass/optics/shared_gaps.h"
 #include "grass/texel/blade_patch.h"
 #include "ground/haze.h"
+#include "ground/land_around.h"
 #include "ground/snowy_ground.h"
 #include "landscape/landscape.h"
 #include "meadow/cells.h"
@@ -23,11 +24,13 @@
 
 namespace wold::ground {
 
-/// Whether what a frame (from 1) sees is so far that grass is painted on the ground, or haze shows.
-bool shows_distance(const scene::Scene& scene, const place::Site& site, int frame);
+/// Whether a frame's camera sees land around the scene's square.
+bool sees_land_around(const place::Site& site, const landscape::Camera& camera,
+                      const scene::Render& render);
 
-/// The frame's light on ground that has some light under a clear sky.
-using Illuminate = std::function<ColourMap(const terrain::GroundLight& clear)>;
+/// Whether what a frame (from 1) sees is so far that grass is painted on the ground, haze shows, or
+/// land around the scene's square.
+bool shows_distance(const scene::Scene& scene, const place::Site& site, int frame);
 
 /// The ground of one frame with what is painted on it, and the light on the grass that stands.
 class LitGround {
@@ -43,7 +46,8 @@ class LitGround {
   LitGround& operator=(const LitGround&) = delete;
 
   /// Sets the landscape's pictures of the ground, its light on the grass, and how much of that
-  /// stands. `light`: the frame's on all of the ground.
+  /// stands; paints the land around on the landscape's backdrop, if it has one. `light`: the
+  /// frame's on all of the ground.
   void show(const SnowyGround& ground, const ColourMap& light,
             landscape::Landscape& landscape) const;
 
@@ -56,6 +60,10 @@ class LitGround {
   /// Far grass and haze over the ground's own radiance.
   ColourMap painted(ColourMap ground, const FactorMap& growth, const ColourMap& grass_light) const;
   landscape::GroundDetail detail(const SnowyGround& ground, const GroundGrid& grid) const;
+  /// How the ground looks along a level line of sight of the camera.
+  LandAppearance land_appearance(const SnowyGround& ground, const ColourMap& light,
+                                 const ColourMap& grass_light,
+                                 const landscape::Camera& camera) const;
   /// On the grass of a large terrain's window of cells.
   ColourMap light_in_window() const;
 

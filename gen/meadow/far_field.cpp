@@ -52,9 +52,12 @@ Meadow::Meadow(const scene::Scene& scene, const Heightfield& terrain,
       looks_(std::move(looks)) {}
 
 landscape::AggregateAppearance Meadow::look(const glm::dvec3& at_m) const {
+  return look(at_m, view_.line_of_sight(at_m));
+}
+
+landscape::AggregateAppearance Meadow::look(const glm::dvec3& at_m, const glm::dvec3& sight) const {
   const glm::dvec2 gradient = terrain::gradient(terrain_, at_m.x, at_m.y);
-  const glm::dvec3 direction =
-      in_cell(view_.line_of_sight(at_m), gradient, now_.wind_lean.lean(glm::dvec2(at_m)));
+  const glm::dvec3 direction = in_cell(sight, gradient, now_.wind_lean.lean(glm::dvec2(at_m)));
   const double weathering = withering_.at(glm::dvec2(at_m), now_.frame);
   const auto above = std::upper_bound(key_frames_.begin() + 1, key_frames_.end() - 1, weathering);
   const auto key = static_cast<int>(above - key_frames_.begin());

@@ -47,6 +47,8 @@ class Meadow {
   /// of the mixture there, of the two key frames around the weathering there, of the two levels
   /// around the snow and of the two lights around the frame's, sheared to the slope and combed.
   landscape::AggregateAppearance look(const glm::dvec3& at_m) const;
+  /// The same along another line of sight, a unit vector.
+  landscape::AggregateAppearance look(const glm::dvec3& at_m, const glm::dvec3& sight) const;
 
  private:
   /// Of a mixture at a key frame, along a direction of the patch.

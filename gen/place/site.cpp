@@ -95,6 +95,12 @@ scene::Scene at_time(scene::Scene scene, double time) {
   return scene;
 }
 
+/// How far out land is seen: where haze leaves 1 % of it.
+double farthest_land_m(const scene::Scene& scene) {
+  constexpr double least_m = 10e3, most_m = 150e3;
+  return std::clamp(1.2 * scene.sky.visual_range_m, least_m, most_m);
+}
+
 }  // namespace
 
 Snow::Snow(const scene::Scene& scene, const std::shared_ptr<const snow::Weather>& weather,
@@ -137,6 +143,8 @@ Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmS
                const fs::path& snow_folder, const std::optional<Sketch>& sketch) {
   auto [terrain, finer] = terrain::make_ground(scene.terrain, scene.seed);
   if (!is_large(scene)) finer = nullptr;
+  auto surroundings = std::make_shared<const terrain::Surroundings>(
+      scene.terrain, terrain, scene.seed, farthest_land_m(scene));
   const scene::Scene half_way = at_time(scene, 0.5);
   const light::Daylight day(half_way.sun, scene.sky);
   const bool large = is_large(scene);
@@ -160,6 +168,7 @@ Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmS
   auto mixtures = std::make_shared<const MixtureField>(scene, terrain);
   Site site{std::move(terrain),
             std::move(finer),
+            std::move(surroundings),
             std::move(growth),
             std::move(growth_of_window),
             day,

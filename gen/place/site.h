@@ -17,6 +17,7 @@
 #include "snow/weather.h"
 #include "terrain/lighting.h"
 #include "terrain/surface.h"
+#include "terrain/surroundings.h"
 
 namespace wold::place {
 
@@ -54,7 +55,8 @@ struct Sketch {
 struct Site {
   Heightfield terrain;
   std::shared_ptr<const terrain::FinerRelief> finer;  ///< of a large terrain, where it has some
-  FactorMap growth;                                   ///< growth_map()'s
+  std::shared_ptr<const terrain::Surroundings> surroundings;
+  FactorMap growth;                           ///< growth_map()'s
   std::optional<FactorMap> growth_of_window;  ///< the same in the CellWindow of a large terrain
   light::Daylight day;
   terrain::GroundLight light;    ///< under a clear sky

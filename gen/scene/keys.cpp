@@ -52,6 +52,11 @@ std::vector<Key> terrain_keys() {
                  "Middle of the square in the elevation model's own coordinates, east and north or "
                  "longitude and latitude; an empty list is the model's middle."),
             FIELD(terrain.centre)),
+      bound(plain(Kind::file, "terrain.surroundings", "", {0, 0},
+                  "Coarser elevation model of the land around, in any coordinate system, for what "
+                  "lies farther out than terrain.elevation reaches; where no model reaches, the "
+                  "land goes on as it may. Relative paths start at the scene file."),
+            FIELD(terrain.surroundings)),
       bound(number("terrain.size", "m", {1, 200000}, "Side of the square."), FIELD(terrain.size_m)),
       bound(integer("terrain.samples", "", {17, 4097}, "Heights along each side."),
             FIELD(terrain.samples)),

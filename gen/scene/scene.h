@@ -30,11 +30,12 @@ struct Terrain {
   TerrainShape shape = TerrainShape::hillside;
   std::string elevation;  ///< path of a raster that GDAL reads; empty: procedural
   std::string system;     ///< the raster's, "EPSG:4326"; empty: as the raster says, else metres
-  std::vector<double> centre;  ///< of the square, in the raster's coordinates; empty: its middle
-  double size_m = 42.0;        ///< side of the square
-  int samples = 337;           ///< heights per side
-  double hill_height_m = 6.0;  ///< from the near edge to the crest
-  double relief_m = 0.45;      ///< standard deviation of the fractal relief
+  std::vector<double> centre;     ///< of the square, in the raster's coordinates; empty: its middle
+  std::string surroundings = {};  ///< path of another raster of the land around; empty: none
+  double size_m = 42.0;           ///< side of the square
+  int samples = 337;              ///< heights per side
+  double hill_height_m = 6.0;     ///< from the near edge to the crest
+  double relief_m = 0.45;         ///< standard deviation of the fractal relief
   double relief_feature_m = 14.0;  ///< largest feature of the relief
   double roughness = 0.9;          ///< Hurst exponent H: 1 smooth, 0.5 rugged
   int octaves = 6;

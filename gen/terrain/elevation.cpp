@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "core/error.h"
 #include "core/quiet_gdal.h"
@@ -56,6 +57,14 @@ double resampled(const CellBlock& block, const CellMap& cells, const glm::ivec2&
   return mean_value(block, low, high);
 }
 
+/// A raster of terrain.surroundings: in the scene's system where it does not say its own.
+Raster raster_around(const std::string& file, const std::string& system) {
+  constexpr const char* key = "terrain.surroundings";
+  Raster raster(file, "", key);
+  return raster.system() != nullptr || system.empty() ? std::move(raster)
+                                                      : Raster(file, system, key);
+}
+
 /// The stored values under the square, voids as NaN, rows southwards: a raster in memory. Part by
 /// part, so that of a large raster few cells are there at a time.
 GDALDatasetUniquePtr stored_square(const Raster& raster, const CellMap& cells, int samples,
@@ -99,22 +108,48 @@ std::size_t count_voids(const std::vector<double>& values) {
       std::count_if(values.begin(), values.end(), [](double value) { return std::isnan(value); }));
 }
 
+/// Side of the largest square about the local system's centre that a raster covers, at most
+/// `size_m`; 0 where it does not even cover the centre.
+double covered_m(const Raster& raster, const LocalSystem& local, double size_m) {
+  const Transformer transformer(raster, local);
+  const glm::dvec2 all(raster.dataset().GetRasterXSize(), raster.dataset().GetRasterYSize());
+  const auto is_covered = [&](double side_m) {
+    for (int j = -1; j <= 1; ++j)
+      for (int i = -1; i <= 1; ++i) {
+        const auto cell = transformer.cell_at(local.centre + 0.5 * side_m * glm::dvec2(i, j));
+        if (!cell || glm::any(glm::lessThan(*cell, glm::dvec2(0.0))) ||
+            glm::any(glm::greaterThan(*cell, all)))
+          return false;
+      }
+    return true;
+  };
+  double covered = 0.0;
+  for (double step_m = 0.5 * size_m; step_m > 1e-3 * size_m; step_m *= 0.5)
+    if (is_covered(covered + step_m)) covered += step_m;
+  return covered;
+}
+
 /// Of what was filled in: inverse distances alone leave steps where their nearest neighbours
 /// change.
 constexpr int smoothing_passes = 50;
 
 /// The square's stored values without voids.
 std::vector<double> filled_values(const Raster& raster, GDALRasterBand& band,
-                                  const glm::dvec2& centre, double size_m) {
+                                  const glm::dvec2& centre, const LocalSystem& local,
+                                  double size_m) {
   std::vector<double> values = values_of(band);
   const std::size_t voids = count_voids(values);
   if (voids == 0) return values;
-  if (2 * voids >= values.size())
+  if (2 * voids >= values.size()) {
+    const double covered = covered_m(raster, local, size_m);
     raster.fail(fmt::format(
         "{:.0f} % of the {} m (terrain.size) around [{:.10g}, {:.10g}] (terrain.centre) have no "
-        "height: the model reaches {}{}",
+        "height: the model reaches {}{}{}",
         100.0 * static_cast<double>(voids) / static_cast<double>(values.size()), size_m, centre.x,
-        centre.y, raster.extent(), raster.degrees_hint()));
+        centre.y, raster.extent(),
+        covered > 0.0 ? fmt::format("; it covers {:.3g} m around that place", covered) : "",
+        raster.degrees_hint()));
+  }
   const double farthest = 2.0 * band.GetXSize();
   // Otherwise it works in files of the current folder.
   std::string in_memory = "TEMP_FILE_DRIVER=MEM";
@@ -123,6 +158,29 @@ std::vector<double> filled_values(const Raster& raster, GDALRasterBand& band,
                      nullptr) != CE_None)
     raster.fail(CPLGetLastErrorMsg());
   return values_of(band);
+}
+
+/// Where the square's middle lies, in the raster's own coordinates.
+glm::dvec2 middle_of(const scene::Terrain& terrain, const Raster& raster) {
+  return terrain.centre.empty() ? raster.middle()
+                                : glm::dvec2(terrain.centre[0], terrain.centre[1]);
+}
+
+/// The cells of a raster under a square about the local system's centre.
+CellMap cells_about(const Transformer& transformer, const LocalSystem& local, int samples,
+                    double size_m) {
+  return {[&transformer, centre = local.centre](const glm::dvec2& from_middle_m) {
+            return transformer.cell_at(centre + from_middle_m);
+          },
+          samples, size_m};
+}
+
+/// Values on the ground, from the south-west, of a raster's rows from the north-west.
+template <class Value, class Convert>
+void turn_over(const std::vector<double>& rows, GroundMap<Value>& map, const Convert& convert) {
+  auto from = rows.begin();
+  for (int j = map.samples() - 1; j >= 0; --j)
+    for (int i = 0; i < map.samples(); ++i) map.at(i, j) = convert(*from++);
 }
 
 /// Refuses degrees that were taken for metres: a landscape much higher than wide.
@@ -140,30 +198,48 @@ Elevation read_elevation(const scene::Terrain& terrain) {
   const Raster raster(terrain.elevation, terrain.system);
   const int samples = terrain.samples;
   const double size_m = terrain.size_m;
-  const glm::dvec2 middle =
-      terrain.centre.empty() ? raster.middle() : glm::dvec2(terrain.centre[0], terrain.centre[1]);
+  const glm::dvec2 middle = middle_of(terrain, raster);
   const LocalSystem local = local_system(raster, middle);
   Elevation elevation{GroundMap<double>(samples, size_m), cell_m(raster, local)};
   require_heights(raster, cells_under(raster, local, size_m));
   const Transformer transformer(raster, local);
-  const CellMap cells(
-      [&](const glm::dvec2& from_middle_m) {
-        return transformer.cell_at(local.centre + from_middle_m);
-      },
-      samples, size_m);
+  const CellMap cells = cells_about(transformer, local, samples, size_m);
   const GDALDatasetUniquePtr square =
       stored_square(raster, cells, samples, elevation.heights_m.step_m() / elevation.cell_m);
   const std::vector<double> stored =
-      filled_values(raster, *square->GetRasterBand(1), middle, size_m);
+      filled_values(raster, *square->GetRasterBand(1), middle, local, size_m);
   const HeightScale scale = raster.height_scale();
   const auto [low, high] = std::ranges::minmax_element(stored);
   const auto [lowest_m, highest_m] = std::minmax({scale.height_m(*low), scale.height_m(*high)});
   require_slopes(raster, highest_m - lowest_m, size_m);
-  auto from = stored.begin();
-  for (int j = samples - 1; j >= 0; --j)  // rows run southwards
-    for (int i = 0; i < samples; ++i)
-      elevation.heights_m.at(i, j) = scale.height_m(*from++) - lowest_m;
+  turn_over(stored, elevation.heights_m,
+            [&](double value) { return scale.height_m(value) - lowest_m; });
   return elevation;
+}
+
+GroundMap<double> heights_around(const scene::Terrain& terrain, const std::string& file,
+                                 const GroundGrid& grid) {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  constexpr double max_cells = 1 << 27;
+  const QuietGdal quiet;
+  const Raster centre(terrain.elevation, terrain.system);
+  const LocalSystem local = local_system(centre, middle_of(terrain, centre));
+  const Raster raster = file == terrain.elevation ? Raster(file, terrain.system)
+                                                  : raster_around(file, terrain.system);
+  if (local.definition.empty() != (raster.system() == nullptr))
+    raster.fail(
+        "expected a coordinate system where terrain.elevation has one, and none where it has none");
+  GroundMap<double> heights_m(grid.samples, grid.square, nothing);
+  const glm::dvec2 covered(cells_under(raster, local, grid.square.size_m).size());
+  if (covered.x * covered.y > max_cells) return heights_m;
+  const Transformer transformer(raster, local);
+  const GDALDatasetUniquePtr square =
+      stored_square(raster, cells_about(transformer, local, grid.samples, grid.square.size_m),
+                    grid.samples, grid.step_m() / cell_m(raster, local));
+  const HeightScale scale = raster.height_scale();
+  turn_over(values_of(*square->GetRasterBand(1)), heights_m,
+            [&](double value) { return scale.height_m(value); });
+  return heights_m;
 }
 
 }  // namespace wold::terrain

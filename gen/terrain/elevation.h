@@ -1,7 +1,6 @@
 #pragma once
 
-#include <filesystem>
-#include <vector>
+#include <string>
 
 #include "core/ground_map.h"
 #include "scene/scene.h"
@@ -33,5 +32,14 @@ struct Elevation {
 /// raster is, and names terrain.system when its coordinates look like degrees. Throws InputError
 /// when nobody knows terrain.system.
 Elevation read_elevation(const scene::Terrain& terrain);
+
+/// Heights on a grid about the same place, metres above the file's own zero: of terrain.elevation,
+/// or of another model, `file`, whose place its own coordinate system tells. NaN where the model
+/// has none, or where the grid covers so much of it (2^27 cells) that reading it would take long.
+///
+/// Throws InputError when a file is no raster that lies somewhere, or when one of the two has a
+/// coordinate system and the other has none.
+GroundMap<double> heights_around(const scene::Terrain& terrain, const std::string& file,
+                                 const GroundGrid& grid);
 
 }  // namespace wold::terrain

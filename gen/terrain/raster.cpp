@@ -23,8 +23,8 @@ GDALDatasetUniquePtr open(const std::filesystem::path& file) {
 
 }  // namespace
 
-Raster::Raster(const std::filesystem::path& file, const std::string& system)
-    : file_(file.string()), dataset_(open(file)), given_(system) {
+Raster::Raster(const std::filesystem::path& file, const std::string& system, const char* key)
+    : file_(file.string()), key_(key), dataset_(open(file)), given_(system) {
   if (!dataset_)
     fail(fmt::format("expected an elevation model of one of these kinds: {}: {}",
                      fmt::join(elevation_drivers, ", "), CPLGetLastErrorMsg()));
@@ -38,7 +38,7 @@ Raster::Raster(const std::filesystem::path& file, const std::string& system)
 }
 
 void Raster::fail(const std::string& reason) const {
-  throw InputError(fmt::format("terrain.elevation: {}: {}", file_, reason));
+  throw InputError(fmt::format("{}: {}: {}", key_, file_, reason));
 }
 
 const OGRSpatialReference* Raster::system() const {

@@ -22,10 +22,11 @@ struct HeightScale {
 class Raster {
  public:
   /// A regular file of one of elevation_drivers. `system`: its coordinate system, "EPSG:4326",
-  /// which wins over the file's own; empty: as the file says.
-  Raster(const std::filesystem::path& file, const std::string& system);
+  /// which wins over the file's own; empty: as the file says. `key`: of the scene, for messages.
+  Raster(const std::filesystem::path& file, const std::string& system,
+         const char* key = "terrain.elevation");
 
-  /// Throws InputError, which names the file.
+  /// Throws InputError, which names the key and the file.
   [[noreturn]] void fail(const std::string& reason) const;
 
   GDALDataset& dataset() const { return *dataset_; }
@@ -60,6 +61,7 @@ class Raster {
   void require_rows_of_text() const;
 
   std::string file_;
+  const char* key_;
   GDALDatasetUniquePtr dataset_;
   std::string given_;
   OGRSpatialReference given_system_;

@@ -7,6 +7,18 @@
 #include <vector>
 
 namespace wold::terrain {
+namespace {
+
+constexpr double lowest_m = -12000.0, highest_m = 30000.0;
+constexpr double usual_void = -9999.0;  // it would pass for a depth of the sea
+
+/// Whether a stored value can be a height: those of all planets and moons with a known ground can.
+bool is_height(double stored, const HeightScale& scale) {
+  const double height_m = scale.height_m(stored);
+  return height_m >= lowest_m && height_m <= highest_m && stored != usual_void;
+}
+
+}  // namespace
 
 CellBox cells_under(const Raster& raster, const LocalSystem& local, double size_m) {
   constexpr int steps = 20;
@@ -28,11 +40,8 @@ CellBox cells_under(const Raster& raster, const LocalSystem& local, double size_
 }
 
 void require_heights(const Raster& raster, const CellBox& box) {
-  constexpr double lowest_m = -12000.0;
-  constexpr double highest_m = 30000.0;
-  constexpr double usual_void = -9999.0;  // it would pass for a depth of the sea
   constexpr double max_cells = 1 << 30;
-  const glm::ivec2 size = glm::max(box.end - box.first, 0);
+  const glm::ivec2 size = box.size();
   if (1.0 * size.x * size.y > max_cells)
     raster.fail(
         fmt::format("the square (terrain.size) covers {} x {} of its cells, expected {} "
@@ -51,10 +60,7 @@ void require_heights(const Raster& raster, const CellBox& box) {
     read_row(band, row, values.data(), GDT_Float64);
     read_row(*band.GetMaskBand(), row, there.data(), GDT_Byte);
     for (std::size_t i = 0; i < values.size(); ++i) {
-      const double height_m = scale.height_m(values[i]);
-      const bool is_height =
-          height_m >= lowest_m && height_m <= highest_m && values[i] != usual_void;
-      if (there[i] != 0 && !is_height)
+      if (there[i] != 0 && !is_height(values[i], scale))
         raster.fail(fmt::format(
             "row {}, column {}: found {}, expected a height from {} to {} m; if it stands for a "
             "missing height, the file has to say so (gdal_edit.py -a_nodata {})",
@@ -81,8 +87,10 @@ CellBlock read_cells(const Raster& raster, const CellBox& box) {
   };
   read(band, block.values.data(), GDT_Float64);
   read(*band.GetMaskBand(), there.data(), GDT_Byte);
+  const HeightScale scale = raster.height_scale();
   for (std::size_t i = 0; i < there.size(); ++i)
-    if (there[i] == 0) block.values[i] = std::numeric_limits<double>::quiet_NaN();
+    if (there[i] == 0 || !is_height(block.values[i], scale))
+      block.values[i] = std::numeric_limits<double>::quiet_NaN();
   return block;
 }
 

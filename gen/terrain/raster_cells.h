@@ -11,6 +11,8 @@ namespace wold::terrain {
 struct CellBox {
   glm::ivec2 first;
   glm::ivec2 end;
+
+  glm::ivec2 size() const { return glm::max(end - first, 0); }
 };
 
 /// Those under the square of `size_m` about the local system's centre, and a few around it; none
@@ -21,7 +23,8 @@ CellBox cells_under(const Raster& raster, const LocalSystem& local, double size_
 /// what stands for a missing height without being declared as that is not. Throws InputError.
 void require_heights(const Raster& raster, const CellBox& box);
 
-/// The stored values of a box of cells, as far as it lies within the raster; missing ones are NaN.
+/// The stored values of a box of cells, as far as it lies within the raster; those that are no
+/// heights are NaN.
 /// Throws InputError.
 CellBlock read_cells(const Raster& raster, const CellBox& box);
 

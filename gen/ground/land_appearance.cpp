@@ -1,0 +1,103 @@
+#include "ground/land_appearance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/angle.h"
+#include "core/colour.h"
+#include "core/elementary.h"
+#include "core/parallel.h"
+
+namespace wold::ground {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double steepest_deg = 60.0;
+
+double slope_deg(const glm::dvec3& up) {
+  return math::acos(std::clamp(up.z, -1.0, 1.0)) / radians_per_degree;
+}
+
+/// Where a value lies between two of `count` that cover [0, 1].
+struct Between {
+  int low;
+  float part;
+
+  Between(double fraction, int count) {
+    const double place = std::clamp(fraction, 0.0, 1.0) * (count - 1);
+    low = std::min(static_cast<int>(place), count - 2);
+    part = static_cast<float>(place - low);
+  }
+};
+
+/// A normal of that slope and aspect.
+glm::dvec3 up_of(double slope, double aspect_rad) {
+  const double sine = math::sin(radians(slope));
+  return {sine * math::sin(aspect_rad), sine * math::cos(aspect_rad), math::cos(radians(slope))};
+}
+
+}  // namespace
+
+LandAppearance::LandAppearance(std::span<const LandSample> samples)
+    : table_(std::size_t{slopes} * heights * aspects) {
+  const auto [lowest, highest] =
+      std::ranges::minmax(samples, {}, [](const LandSample& sample) { return sample.height_m; });
+  lowest_m_ = lowest.height_m;
+  highest_m_ = std::max(highest.height_m, lowest_m_ + 1.0);
+  parallel_for(table_.size(), [&](std::size_t i) {
+    const int rest = static_cast<int>(i) / aspects;
+    table_[i] = regression(samples, rest / heights, rest % heights, static_cast<int>(i) % aspects);
+  });
+  double squares = 0.0;
+  for (const LandSample& sample : samples) {
+    const float mean = luminance(at(sample.up, sample.height_m));
+    const double off = luminance(sample.radiance) / std::max(mean, 1e-6F) - 1.0F;
+    squares += std::min(off * off, 1.0);
+  }
+  spread_ = static_cast<float>(std::sqrt(squares / static_cast<double>(samples.size())));
+}
+
+/// Nadaraya and Watson 1964, with the widths of one step of the table. What lies nowhere alike has
+/// the look of what lies least differently.
+glm::vec3 LandAppearance::regression(std::span<const LandSample> samples, int slope, int height,
+                                     int aspect) const {
+  const double slope_step = steepest_deg / (slopes - 1);
+  const glm::dvec3 up = up_of(slope * slope_step, 2.0 * pi * aspect / aspects);
+  const double height_step_m = (highest_m_ - lowest_m_) / (heights - 1);
+  const double height_m = lowest_m_ + height * height_step_m;
+  const double normal_step = radians(slope_step);
+  glm::dvec3 sum(0.0);
+  double weights = 0.0;
+  for (const LandSample& sample : samples) {
+    const double away = glm::length(sample.up - up) / normal_step;
+    const double higher = (sample.height_m - height_m) / height_step_m;
+    const double square = away * away + higher * higher;
+    const double weight = math::exp(-0.5 * std::min(square, 60.0)) + 1e-9 / (1.0 + square * square);
+    sum += weight * glm::dvec3(sample.radiance);
+    weights += weight;
+  }
+  return glm::vec3(sum / weights);
+}
+
+glm::vec3 LandAppearance::at(const glm::dvec3& up, double height_m) const {
+  const Between slope(slope_deg(up) / steepest_deg, slopes);
+  const Between height((height_m - lowest_m_) / (highest_m_ - lowest_m_), heights);
+  const double turn = math::atan2(up.x, up.y) / (2.0 * pi);
+  const double place = (turn - std::floor(turn)) * aspects;
+  const int first = std::min(static_cast<int>(place), aspects - 1);
+  const auto part = static_cast<float>(place - first);
+  const auto value = [&](int s, int h) {
+    const std::size_t row = (static_cast<std::size_t>(slope.low + s) * heights +
+                             static_cast<std::size_t>(height.low + h)) *
+                            aspects;
+    return glm::mix(table_[row + static_cast<std::size_t>(first)],
+                    table_[row + static_cast<std::size_t>((first + 1) % aspects)], part);
+  };
+  return glm::mix(glm::mix(value(0, 0), value(0, 1), height.part),
+                  glm::mix(value(1, 0), value(1, 1), height.part), slope.part);
+}
+
+}  // namespace wold::ground

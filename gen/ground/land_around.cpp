@@ -1,0 +1,107 @@
+#include "ground/land_around.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/elementary.h"
+#include "core/parallel.h"
+#include "core/random.h"
+
+namespace wold::ground {
+namespace {
+
+/// A square about another one's middle.
+Square around(const Square& square, double size_m) {
+  return {square.corner_m - 0.5 * (size_m - square.size_m), size_m};
+}
+
+}  // namespace
+
+LandAround::LandAround(const terrain::Surroundings& land, const light::Daylight& day,
+                       const Haze& haze, LandAppearance appearance, const Illuminate& illuminate,
+                       std::uint64_t seed)
+    : land_(land),
+      day_(day),
+      haze_(haze),
+      appearance_(std::move(appearance)),
+      variation_(random_bits({seed, key_of("ground"), 0, key_of("land around")}),
+                 {0.1 * land.square().size_m, 4.0}, /*hurst=*/0.1, /*step_m=*/8.0) {
+  const double size_m = land.square().size_m;
+  for (const double width_m : {3.0 * size_m, size_m + 2.0 * land.reach_m()})
+    left_.push_back(left_of_light(around(land.square(), width_m), illuminate));
+}
+
+LandAround::Left LandAround::left_of_light(const Square& square, const Illuminate& illuminate) {
+  constexpr int samples = 129;
+  const ColourMap none(samples, square, glm::vec3(0.0F)), all(samples, square, glm::vec3(1.0F));
+  const FactorMap no_overcast(samples, square, 0.0F), overcast(samples, square, 1.0F);
+  return {illuminate({all, none, no_overcast}), illuminate({none, all, overcast})};
+}
+
+/// Fraction of the sun's disc, taken as 2 degrees wide, above the land's own horizon.
+double LandAround::sun_seen(const glm::dvec3& at_m) const {
+  constexpr double farthest_m = 40000.0, spacing = 0.05, half_width = 0.0175;
+  const glm::dvec3& sun = day_.sun_direction();
+  const double level = glm::length(glm::dvec2(sun));
+  if (level < 1e-6) return 1.0;
+  const glm::dvec2 towards = glm::dvec2(sun) / level;
+  const double step_m = land_.step_m(glm::dvec2(at_m));
+  double highest = -1.0;
+  for (double distance_m = 1.5 * step_m; distance_m < farthest_m;
+       distance_m += std::max(step_m, spacing * distance_m))
+    highest = std::max(
+        highest, (land_.height_m(glm::dvec2(at_m) + towards * distance_m) - at_m.z) / distance_m);
+  return glm::smoothstep(-half_width, half_width, math::asin(sun.z) - math::atan(highest));
+}
+
+/// Sun by Lambert's law where no land hides it; of the sky what an even slope faces.
+glm::vec3 LandAround::irradiance(const glm::dvec3& at_m, const glm::dvec3& up) const {
+  const glm::dvec2 place_m(at_m);
+  const Left& left = left_.front().of_sun.square().contains(place_m) ? left_.front() : left_.back();
+  const double lambert = std::max(glm::dot(up, day_.sun_direction()), 0.0);
+  const double sun = lambert > 0.0 ? lambert * sun_seen(at_m) : 0.0;
+  return left.of_sun.sample(place_m.x, place_m.y) * day_.sun_irradiance() *
+             static_cast<float>(sun) +
+         left.of_sky.sample(place_m.x, place_m.y) * day_.sky_irradiance() *
+             static_cast<float>(0.5 + 0.5 * up.z);
+}
+
+glm::vec3 LandAround::radiance(const glm::dvec2& place_m) const {
+  const glm::dvec3 at_m(place_m, land_.height_m(place_m));
+  const glm::dvec3 up = land_.up(place_m);
+  const double rich = std::clamp(variation_.at(place_m), -2.0, 2.0);
+  const glm::vec3 look = appearance_.at(up, at_m.z) *
+                         std::max(1.0F + appearance_.spread() * static_cast<float>(rich), 0.2F);
+  return haze_.before(look * irradiance(at_m, up), at_m);
+}
+
+void paint_land_around(const LandAround& land, const LandView& view, const glm::dvec3& eye_m,
+                       landscape::Backdrop& backdrop) {
+  constexpr std::array<glm::dvec2, 4> places = {
+      {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}}};
+  Image& picture = backdrop.picture;
+  const auto direction = [&](const glm::dvec2& at) {
+    return backdrop.corner_m + backdrop.right_m * (at.x / picture.width) +
+           backdrop.up_m * (1.0 - at.y / picture.height) - eye_m;
+  };
+  const auto seen = [&](const glm::dvec3& to, const glm::vec3& sky) {
+    const auto at_m = view.place(to);
+    if (at_m) return land.radiance(*at_m);
+    return to.z < 0.0 ? land.beyond(to) : sky;
+  };
+  parallel_for(static_cast<std::size_t>(picture.height), [&](std::size_t row) {
+    const int y = static_cast<int>(row);
+    for (int x = 0; x < picture.width; ++x) {
+      float* pixel = picture.pixel(x, y);
+      const glm::vec3 sky(pixel[0], pixel[1], pixel[2]);
+      glm::vec3 mean(0.0F);
+      for (const glm::dvec2& place : places)
+        mean += 0.25F * seen(direction(glm::dvec2(x, y) + place), sky);
+      std::copy_n(&mean.x, 3, pixel);
+    }
+  });
+}
+
+}  // namespace wold::ground

@@ -1,0 +1,146 @@
+#include "terrain/surroundings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "core/parallel.h"
+#include "terrain/elevation.h"
+#include "terrain/known_land.h"
+#include "terrain/made_up_land.h"
+
+namespace wold::terrain {
+namespace {
+
+constexpr double wider = 3.0;  // each square than the one before
+
+/// Heights along a side: of the square next to the scene's, which is seen from near, and of others.
+constexpr int nearest_samples = 801, samples = 401;
+
+GroundGrid grid_of_ring(const Square& middle, int ring) {
+  double size_m = middle.size_m;
+  for (int i = 0; i <= ring; ++i) size_m *= wider;
+  return {{middle.corner_m - 0.5 * (size_m - middle.size_m), size_m},
+          ring == 0 ? nearest_samples : samples};
+}
+
+template <class Visit>
+void each_row(int rows, const Visit& visit) {
+  parallel_for(static_cast<std::size_t>(rows),
+               [&](std::size_t row) { visit(static_cast<int>(row)); });
+}
+
+/// Puts the scene's ground into a map.
+void put_ground(const Heightfield& ground, GroundMap<double>& heights_m) {
+  each_row(heights_m.samples(), [&](int j) {
+    for (int i = 0; i < heights_m.samples(); ++i) {
+      const glm::dvec2 at_m = heights_m.place_m(i, j);
+      if (ground.square().contains(at_m)) heights_m.at(i, j) = ground.sample(at_m.x, at_m.y);
+    }
+  });
+}
+
+/// How much higher a model's zero lies than the scene's: by the ground that both have, or by all of
+/// it where they have none in common.
+double offset_m(const Heightfield& ground, const GroundMap<double>& model_m) {
+  double sum = 0.0;
+  int count = 0;
+  for (int j = 0; j < model_m.samples(); ++j)
+    for (int i = 0; i < model_m.samples(); ++i) {
+      const glm::dvec2 at_m = model_m.place_m(i, j);
+      if (!ground.square().contains(at_m) || std::isnan(model_m.at(i, j))) continue;
+      sum += double{ground.sample(at_m.x, at_m.y)} - model_m.at(i, j);
+      ++count;
+    }
+  return count > 0 ? sum / count : 0.0;
+}
+
+/// What a model knows where nobody did.
+void add_model(const GroundMap<double>& model_m, double offset_m, GroundMap<double>& heights_m) {
+  for (std::size_t i = 0; i < heights_m.values().size(); ++i) {
+    double& height_m = heights_m.values()[i];
+    if (std::isnan(height_m)) height_m = model_m.values()[i] + offset_m;
+  }
+}
+
+/// A model of the land around, with how much higher its zero lies: known once the nearest square is
+/// read.
+struct Model {
+  const std::string& file;
+  std::optional<double> offset_m = {};
+};
+
+/// Land goes on into what is made up over half of its largest features.
+Heightfield with_made_up_land(const KnownLand& known, const MadeUpLand& land) {
+  constexpr double unseen_m = 0.01;
+  const GroundMap<double>& heights_m = known.heights_m;
+  Heightfield all(heights_m.samples(), heights_m.square());
+  each_row(all.samples(), [&](int j) {
+    for (int i = 0; i < all.samples(); ++i) {
+      const double strange =
+          glm::smoothstep(0.0, 0.5 * land.feature_m(), known.distance_m.at(i, j));
+      double height_m = heights_m.at(i, j);
+      if (strange * land.deviation_m() > unseen_m)
+        height_m += strange * land.height_m(all.place_m(i, j), all.step_m());
+      all.at(i, j) = static_cast<float>(height_m);
+    }
+  });
+  return all;
+}
+
+}  // namespace
+
+Surroundings::Surroundings(const scene::Terrain& terrain, const Heightfield& ground,
+                           std::uint64_t seed, double reach_m)
+    : square_(ground.square()) {
+  const MadeUpLand land(ground, seed);
+  std::vector<Model> models;
+  if (!terrain.elevation.empty()) models.push_back({terrain.elevation});
+  if (!terrain.elevation.empty() && !terrain.surroundings.empty())
+    models.push_back({terrain.surroundings});
+  do {
+    const GroundGrid grid = grid_of_ring(square_, static_cast<int>(rings_.size()));
+    GroundMap<double> heights_m(grid.samples, grid.square,
+                                std::numeric_limits<double>::quiet_NaN());
+    put_ground(ground, heights_m);
+    for (Model& model : models) {
+      const GroundMap<double> model_m = heights_around(terrain, model.file, grid);
+      if (!model.offset_m) model.offset_m = offset_m(ground, model_m);
+      add_model(model_m, *model.offset_m, heights_m);
+    }
+    rings_.push_back(with_made_up_land(filled_in(std::move(heights_m)), land));
+  } while (this->reach_m() < reach_m);
+}
+
+std::size_t Surroundings::ring_of(const glm::dvec2& at_m) const {
+  std::size_t ring = 0;
+  while (ring + 1 < rings_.size() && !rings_[ring].square().contains(at_m)) ++ring;
+  return ring;
+}
+
+double Surroundings::height_m(const glm::dvec2& at_m) const {
+  constexpr double border = 0.05;  // of a square, over which it goes into the next one
+  const std::size_t ring = ring_of(at_m);
+  const Heightfield& heights_m = rings_[ring];
+  const double height_m{heights_m.sample(at_m.x, at_m.y)};
+  if (ring + 1 == rings_.size()) return height_m;
+  const Square& square = heights_m.square();
+  const glm::dvec2 inside_m =
+      glm::min(at_m - square.corner_m, square.corner_m + square.size_m - at_m);
+  const double inner =
+      glm::smoothstep(0.0, border * square.size_m, std::min(inside_m.x, inside_m.y));
+  if (inner >= 1.0) return height_m;
+  return std::lerp(double{rings_[ring + 1].sample(at_m.x, at_m.y)}, height_m, inner);
+}
+
+glm::dvec3 Surroundings::up(const glm::dvec2& at_m) const {
+  const double step = step_m(at_m);
+  const auto rise = [&](const glm::dvec2& along) {
+    return (height_m(at_m + along * step) - height_m(at_m - along * step)) / (2.0 * step);
+  };
+  return glm::normalize(glm::dvec3(-rise({1.0, 0.0}), -rise({0.0, 1.0}), 1.0));
+}
+
+}  // namespace wold::terrain

@@ -1,0 +1,197 @@
+#include "terrain/surroundings.h"
+
+#include <gdal_priv.h>
+#include <gtest/gtest.h>
+#include <ogr_spatialref.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+
+#include "core/error.h"
+#include "support/temporary_folder.h"
+#include "terrain/ground.h"
+#include "terrain/known_land.h"
+#include "terrain/made_up_land.h"
+
+namespace wold::terrain {
+namespace {
+
+/// Land that rises to the east and falls to the north, in zone 11 of UTM.
+double slope_m(double east_m, double north_m) {
+  return 700.0 + 0.05 * (east_m - 5e5) - 0.02 * (north_m - 3.8e6);
+}
+
+class SurroundingsTest : public testing::Test {
+ protected:
+  /// A model of a square of that land about its middle.
+  std::string model(const char* name, double size_m, double cell_m, double lift_m = 0.0) {
+    GDALAllRegister();
+    const std::filesystem::path file = folder_.path() / name;
+    const int cells = static_cast<int>(size_m / cell_m);
+    const double west = 5e5 - 0.5 * size_m, north = 3.8e6 + 0.5 * size_m;
+    GDALDatasetUniquePtr raster(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
+        file.c_str(), cells, cells, 1, GDT_Float64, nullptr));
+    std::array<double, 6> place = {west, cell_m, 0.0, north, 0.0, -cell_m};
+    raster->SetGeoTransform(place.data());
+    OGRSpatialReference system;
+    system.SetFromUserInput("EPSG:32611");
+    raster->SetSpatialRef(&system);
+    for (int row = 0; row < cells; ++row)
+      for (int column = 0; column < cells; ++column) {
+        double value =
+            lift_m + slope_m(west + (column + 0.5) * cell_m, north - (row + 0.5) * cell_m);
+        EXPECT_EQ(raster->GetRasterBand(1)->RasterIO(GF_Write, column, row, 1, 1, &value, 1, 1,
+                                                     GDT_Float64, 0, 0),
+                  CE_None);
+      }
+    return file.string();
+  }
+
+  wold::test::TemporaryFolder folder_{"surroundings"};
+};
+
+scene::Terrain square_of(const std::string& elevation, const std::string& surroundings = "") {
+  scene::Terrain terrain;
+  terrain.elevation = elevation;
+  terrain.surroundings = surroundings;
+  terrain.size_m = 1000.0;
+  terrain.samples = 101;
+  terrain.relief_m = 0.0;
+  return terrain;
+}
+
+Surroundings around(const scene::Terrain& terrain, double reach_m) {
+  return {terrain, make_ground(terrain, 3).heights_m, 3, reach_m};
+}
+
+/// How much higher the land is at a place than in the square's middle.
+double rise_m(const Surroundings& land, const glm::dvec2& from_middle_m) {
+  const glm::dvec2 middle_m = land.square().corner_m + 0.5 * land.square().size_m;
+  return land.height_m(middle_m + from_middle_m) - land.height_m(middle_m);
+}
+
+// The land's rise by its law, but for UTM's scale.
+void expect_slope(const Surroundings& land, const glm::dvec2& from_middle_m, double within_m) {
+  EXPECT_NEAR(rise_m(land, from_middle_m), 0.05 * from_middle_m.x - 0.02 * from_middle_m.y,
+              within_m)
+      << from_middle_m.x << " " << from_middle_m.y;
+}
+
+TEST_F(SurroundingsTest, AreTheRestOfTheElevationModel) {
+  const Surroundings land = around(square_of(model("dem.tif", 9000.0, 30.0)), 20000.0);
+  EXPECT_GE(land.reach_m(), 20000.0);
+  for (const glm::dvec2& at_m :
+       {glm::dvec2(700.0, 0.0), {-1200.0, 900.0}, {2000.0, -2500.0}, {4000.0, 4000.0}})
+    expect_slope(land, at_m, 0.5);
+}
+
+// The other model's heights count from another zero.
+TEST_F(SurroundingsTest, AreThoseOfACoarserModelFartherOut) {
+  const std::string near = model("near.tif", 3000.0, 30.0);
+  const std::string far = model("far.tif", 40000.0, 400.0, 55.0);
+  const Surroundings land = around(square_of(near, far), 15000.0);
+  for (const glm::dvec2& at_m : {glm::dvec2(1200.0, 0.0), {-2500.0, 3000.0}, {9000.0, -9000.0}})
+    expect_slope(land, at_m, 3.0);
+}
+
+// Nobody knows what is there: it goes on from the border without a step, and neither leaves the
+// heights of such land nor stays level.
+TEST_F(SurroundingsTest, GoOnWhereNoModelReaches) {
+  scene::Terrain terrain;
+  terrain.size_m = 2000.0;
+  terrain.samples = 201;
+  terrain.hill_height_m = 200.0;
+  terrain.relief_m = 40.0;
+  terrain.relief_feature_m = 700.0;
+  const Heightfield ground = make_ground(terrain, 3).heights_m;
+  const Surroundings land(terrain, ground, 3, 60000.0);
+  for (double along_m = 50.0; along_m < 2000.0; along_m += 100.0)
+    for (const glm::dvec2& border_m :
+         {glm::dvec2(along_m, 2000.0), {along_m, 0.0}, {0.0, along_m}, {2000.0, along_m}}) {
+      const glm::dvec2 outward = (border_m - 1000.0) / 1000.0;
+      EXPECT_NEAR(land.height_m(border_m + 10.0 * outward), ground.sample(border_m.x, border_m.y),
+                  6.0);
+    }
+  double lowest = 1e9, highest = -1e9;
+  for (double east_m = -30000.0; east_m < 32000.0; east_m += 500.0)
+    for (double north_m = -30000.0; north_m < 32000.0; north_m += 500.0) {
+      const double height_m = land.height_m({east_m, north_m});
+      lowest = std::min(lowest, height_m);
+      highest = std::max(highest, height_m);
+    }
+  EXPECT_GT(highest - lowest, 200.0);
+  EXPECT_LT(highest - lowest, 3500.0);
+}
+
+TEST_F(SurroundingsTest, NeedOneCoordinateSystem) {
+  const std::string with = model("with.tif", 3000.0, 30.0);
+  const std::filesystem::path without = folder_.path() / "without.asc";
+  std::ofstream(without) << "ncols 3\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 900\n"
+                            "1 2 3\n4 5 6\n7 8 9\n";
+  try {
+    around(square_of(with, without.string()), 5000.0);
+    FAIL() << "taken";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("terrain.surroundings"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("coordinate system"), std::string::npos);
+  }
+}
+
+TEST(KnownLand, IsFilledInBetween) {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  GroundMap<double> heights_m(65, 640.0, nothing);
+  for (int j = 0; j < 65; ++j) {
+    heights_m.at(0, j) = 10.0;
+    heights_m.at(64, j) = 50.0;
+  }
+  const KnownLand land = filled_in(heights_m);
+  EXPECT_EQ(land.heights_m.at(0, 7), 10.0);
+  EXPECT_NEAR(land.heights_m.at(32, 32), 30.0, 2.0);
+  EXPECT_LT(land.heights_m.at(5, 32), 25.0);
+  EXPECT_EQ(land.distance_m.at(64, 3), 0.0);
+  EXPECT_NEAR(land.distance_m.at(32, 32), 320.0, 1e-9);
+}
+
+TEST(KnownLand, KnowsDistancesWithinEightPercent) {
+  GroundMap<double> heights_m(101, 1000.0, std::numeric_limits<double>::quiet_NaN());
+  heights_m.at(20, 30) = 7.0;
+  const KnownLand land = filled_in(heights_m);
+  for (const auto& [i, j] : {std::pair(80, 90), {20, 99}, {50, 40}, {0, 0}}) {
+    const double true_m = 10.0 * std::hypot(i - 20, j - 30);
+    EXPECT_NEAR(land.distance_m.at(i, j), true_m, 0.0825 * true_m);
+    EXPECT_EQ(land.heights_m.at(i, j), 7.0);
+  }
+}
+
+// Its deviation is as its law has it: that of the ground, over half of its square, by distance^0.7.
+TEST(MadeUpLand, RisesAsTheGroundDoes) {
+  Heightfield ground(65, 4000.0);
+  for (int j = 0; j < 65; ++j)
+    for (int i = 0; i < 65; ++i) ground.at(i, j) = (i + j) % 2 == 0 ? 30.0F : -30.0F;
+  const MadeUpLand land(ground, 5);
+  double sum = 0.0, squares = 0.0;
+  constexpr int places = 90;
+  for (int j = 0; j < places; ++j)
+    for (int i = 0; i < places; ++i) {
+      const double height_m = land.height_m({i * 3100.0, j * 3100.0}, 50.0);
+      sum += height_m;
+      squares += height_m * height_m;
+    }
+  const double mean = sum / (places * places);
+  const double deviation_m = 30.0 * std::pow(8000.0 / 2000.0, 0.7);
+  EXPECT_NEAR(mean, 0.0, 0.15 * deviation_m);
+  EXPECT_NEAR(std::sqrt(squares / (places * places) - mean * mean), deviation_m,
+              0.15 * deviation_m);
+}
+
+TEST(MadeUpLand, IsLevelWhereTheGroundIs) {
+  const MadeUpLand land(Heightfield(17, 40.0, 3.0F), 5);
+  EXPECT_NEAR(land.height_m({5000.0, 900.0}, 10.0), 0.0, 1e-3);
+}
+
+}  // namespace
+}  // namespace wold::terrain
