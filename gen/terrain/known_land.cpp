@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/interpolation.h"
+#include "core/parallel.h"
 
 namespace wold::terrain {
 namespace {
@@ -50,13 +51,28 @@ Level coarser(const Level& fine) {
   return level;
 }
 
-/// Fills in from a coarser level that has no gaps.
+/// Fills in from a coarser level that has no gaps, and evens out what was filled in: towards the
+/// membrane that hangs between what is known (Laplace's equation, by Jacobi's passes).
 void fill(Level& fine, const Level& coarse) {
+  const int passes = std::clamp(20000 / fine.side, 12, 400);
+  std::vector<std::size_t> gaps;
   std::size_t at = 0;
   for (int j = 0; j < fine.side; ++j)
     for (int i = 0; i < fine.side; ++i, ++at)
-      if (std::isnan(fine.values[at]))
+      if (std::isnan(fine.values[at])) {
+        gaps.push_back(at);
         fine.values[at] = coarse.between(0.5 * i - 0.25, 0.5 * j - 0.25);
+      }
+  std::vector<double> evened(gaps.size());
+  for (int pass = 0; pass < passes; ++pass) {
+    parallel_for(gaps.size(), [&](std::size_t k) {
+      const int i = static_cast<int>(gaps[k]) % fine.side,
+                j = static_cast<int>(gaps[k]) / fine.side;
+      evened[k] =
+          0.25 * (fine.at(i - 1, j) + fine.at(i + 1, j) + fine.at(i, j - 1) + fine.at(i, j + 1));
+    });
+    for (std::size_t k = 0; k < gaps.size(); ++k) fine.values[gaps[k]] = evened[k];
+  }
 }
 
 std::vector<double> without_gaps(int side, std::vector<double> values) {

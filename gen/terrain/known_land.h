@@ -10,9 +10,9 @@ struct KnownLand {
   GroundMap<double> distance_m;  ///< from what is known; 0 there
 };
 
-/// Fills in what is NaN in heights: by means of what is known around, of the smaller squares the
-/// nearer it is (a pyramid, as Gortler et al. 1996, The lumigraph). 0 everywhere where nothing is
-/// known.
+/// Fills in what is NaN in heights: nearly as a membrane hangs between what is known, from coarse
+/// to fine (a pyramid as that of Gortler et al. 1996, The lumigraph, evened out). 0 everywhere
+/// where nothing is known.
 KnownLand filled_in(GroundMap<double> heights_m);
 
 }  // namespace wold::terrain

@@ -51,7 +51,7 @@ double MadeUpLand::height_m(const glm::dvec2& at_m, double step_m) const {
 }
 
 double MadeUpLand::multifractal(const glm::dvec2& at_m, double step_m) const {
-  constexpr int most_octaves = 12;
+  constexpr int most_octaves = 9;
   const glm::dmat2 turn(0.8, 0.6, -0.6, 0.8);  // no octave's lattice lies along another's
   double sum = 0.0, weight = 1.0, part = 1.0, feature_m = feature_m_;
   glm::dvec2 place_m = at_m;

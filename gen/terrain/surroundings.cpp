@@ -16,14 +16,14 @@ namespace {
 
 constexpr double wider = 3.0;  // each square than the one before
 
-/// Heights along a side: of the square next to the scene's, which is seen from near, and of others.
-constexpr int nearest_samples = 801, samples = 401;
+/// Heights along a side: of the square next to the scene's, where a model knows it, and of others.
+constexpr int nearest_known_samples = 801, samples = 321;
 
-GroundGrid grid_of_ring(const Square& middle, int ring) {
+GroundGrid grid_of_ring(const Square& middle, int ring, bool is_known) {
   double size_m = middle.size_m;
   for (int i = 0; i <= ring; ++i) size_m *= wider;
   return {{middle.corner_m - 0.5 * (size_m - middle.size_m), size_m},
-          ring == 0 ? nearest_samples : samples};
+          ring == 0 && is_known ? nearest_known_samples : samples};
 }
 
 template <class Visit>
@@ -101,7 +101,7 @@ Surroundings::Surroundings(const scene::Terrain& terrain, const Heightfield& gro
   if (!terrain.elevation.empty() && !terrain.surroundings.empty())
     models.push_back({terrain.surroundings});
   do {
-    const GroundGrid grid = grid_of_ring(square_, static_cast<int>(rings_.size()));
+    const GroundGrid grid = grid_of_ring(square_, static_cast<int>(rings_.size()), !models.empty());
     GroundMap<double> heights_m(grid.samples, grid.square,
                                 std::numeric_limits<double>::quiet_NaN());
     put_ground(ground, heights_m);

@@ -109,13 +109,16 @@ TEST_F(SurroundingsTest, GoOnWhereNoModelReaches) {
   terrain.relief_feature_m = 700.0;
   const Heightfield ground = make_ground(terrain, 3).heights_m;
   const Surroundings land(terrain, ground, 3, 60000.0);
+  double steps_m = 0.0;
+  int count = 0;
   for (double along_m = 50.0; along_m < 2000.0; along_m += 100.0)
     for (const glm::dvec2& border_m :
          {glm::dvec2(along_m, 2000.0), {along_m, 0.0}, {0.0, along_m}, {2000.0, along_m}}) {
-      const glm::dvec2 outward = (border_m - 1000.0) / 1000.0;
-      EXPECT_NEAR(land.height_m(border_m + 10.0 * outward), ground.sample(border_m.x, border_m.y),
-                  6.0);
+      const glm::dvec2 outside_m = border_m + 0.01 * (border_m - 1000.0);
+      steps_m += std::abs(land.height_m(outside_m) - ground.sample(outside_m.x, outside_m.y));
+      ++count;
     }
+  EXPECT_LT(steps_m / count, 5.0);  // 10 m farther out; the ground's own slopes are as steep
   double lowest = 1e9, highest = -1e9;
   for (double east_m = -30000.0; east_m < 32000.0; east_m += 500.0)
     for (double north_m = -30000.0; north_m < 32000.0; north_m += 500.0) {
