@@ -4,15 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/constants.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "core/elementary.h"
 #include "core/parallel.h"
-#include "landscape/perspective.h"
 #include "preview/camera_picture.h"
+#include "preview/relief_map.h"
 #include "preview/sheet.h"
 #include "preview/sky_picture.h"
 #include "scene/key_frames.h"
@@ -35,47 +33,12 @@ std::string caption_of(const landscape::Landscape& landscape) {
   return fmt::format("Frame {}, weathering degree {:.3g}", landscape.frame, landscape.weathering);
 }
 
-/// Looks down on the whole terrain from the south.
-scene::Camera overview_camera(const scene::Scene& scene) {
-  constexpr double elevation = glm::radians(48.0);
-  constexpr double distance = 1.65;  // in sides of the terrain
-  const double size_m = scene.terrain.size_m;
-  scene::Camera camera;
-  camera.target_m = {0.5 * size_m, 0.47 * size_m};
-  camera.target_height_m = 0.0;
-  camera.eye_m = {0.5 * size_m, camera.target_m[1] - distance * size_m * math::cos(elevation)};
-  camera.eye_height_m = distance * size_m * math::sin(elevation);
-  camera.field_of_view_deg = 42.0;
-  return camera;
-}
-
 /// What multiplies the radiance of grass, developed, on the mean of the terrain.
 glm::vec3 mean_light(const landscape::Landscape& landscape) {
   glm::dvec3 sum(0.0);
   for (const glm::vec3& light : landscape.light.values()) sum += light;
   return glm::vec3(sum * landscape.exposure_gain /
                    static_cast<double>(landscape.light.values().size()));
-}
-
-/// Draws where the camera stands and how wide it looks.
-void mark_camera(const landscape::Camera& camera, const landscape::Landscape& overview,
-                 Image& picture) {
-  const glm::vec3 colour(1.0F, 0.45F, 0.1F);
-  const landscape::Perspective perspective(overview.camera, {picture.width, picture.height});
-  const glm::dvec2 ahead = glm::dvec2(camera.target_m - camera.eye_m);
-  const double azimuth = math::atan2(ahead.x, ahead.y);
-  const double reach_m = 0.22 * overview.terrain.size_m();
-  const auto place = [&](double turned_deg, double away_m) {
-    const double towards = azimuth + glm::radians(turned_deg);
-    const glm::dvec2 at_m =
-        glm::dvec2(camera.eye_m) + away_m * glm::dvec2(math::sin(towards), math::cos(towards));
-    const double z = away_m > 0.0 ? overview.terrain.sample(at_m.x, at_m.y) : camera.eye_m.z;
-    return glm::dvec2(perspective.seen({at_m, z}));
-  };
-  const double half = 0.5 * camera.field_of_view_deg;
-  preview::draw_line(picture, place(0.0, 0.0), place(-half, reach_m), colour);
-  preview::draw_line(picture, place(0.0, 0.0), place(half, reach_m), colour);
-  preview::draw_line(picture, place(-half, reach_m), place(half, reach_m), colour);
 }
 
 /// The scene drawn part by part.
@@ -135,13 +98,13 @@ class Preview {
     return progress;
   }
 
-  /// What is around in a frame: the terrain from above, the sky, flakes.
+  /// What is around in a frame: the terrain's map, the sky, flakes.
   std::vector<Tile> surroundings(const landscape::Landscape& landscape) {
     constexpr int flakes_px = 240;
-    const int overview_px =
+    const int map_px =
         frames_.size() == 1 ? preview::width_of_each(1) - preview::gap_px - width_px_ : 336;
     const bool snows = !landscape.flakes.pictures.empty();
-    std::vector<Tile> row = {overview(landscape, overview_px)};
+    std::vector<Tile> row = {map(landscape, map_px)};
     row.push_back(sky(landscape, preview::width_of_each(1) - 336 - preview::gap_px -
                                      (snows ? flakes_px + preview::gap_px : 0)));
     if (snows)
@@ -151,14 +114,12 @@ class Preview {
     return row;
   }
 
-  Tile overview(const landscape::Landscape& landscape, int width_px) {
-    landscape::Landscape from_above =
-        film_.overview(landscape.frame, overview_camera(scene_), {96, 72});
-    from_above.sky = Image(1, 1, 3);
-    from_above.sky.values.assign(3, static_cast<float>(0.008 / from_above.exposure_gain));
-    Image picture = preview::camera_picture(from_above, width_px);
-    mark_camera(landscape.camera, from_above, picture);
-    return {std::move(picture), "From the south and above, with the camera"};
+  Tile map(const landscape::Landscape& landscape, int width_px) const {
+    const double interval_m = preview::contour_interval_m(landscape.terrain);
+    const std::string lines =
+        interval_m > 0.0 ? fmt::format("contour lines every {:.3g} m", interval_m) : "level";
+    return {preview::relief_map(landscape.terrain, landscape.camera, width_px, font_),
+            "From above, with the camera; " + lines};
   }
 
   Tile sky(const landscape::Landscape& landscape, int width_px) const {

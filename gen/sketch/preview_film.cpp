@@ -162,17 +162,17 @@ void PreviewFilm::make_meshes(std::span<const meadow::CellChoice> cells) {
   });
 }
 
-landscape::Landscape PreviewFilm::assembled(const scene::Scene& scene, const place::Site& site,
-                                            int frame) {
+landscape::Landscape PreviewFilm::landscape(int frame) {
   const Moment& moment = moments_.at(frame);
-  auto cells = meadow::choose_cells(scene, site.terrain, place::growth_of_cells(site),
+  const place::Site& site = moment.site;
+  auto cells = meadow::choose_cells(scene_, site.terrain, place::growth_of_cells(site),
                                     *site.mixtures, *site.withering, moment.grass);
   for (meadow::CellChoice& cell : cells) {
     cell.snow = moment.snow;
     cell.light = moment.light;
   }
   make_meshes(cells);
-  return film::assemble(scene, site, moment.grass, cells,
+  return film::assemble(scene_, site, moment.grass, cells,
                         {{},
                          [&](const meadow::CellChoice& cell) {
                            return meshes_.at({cell.variant, cell.state()});
@@ -181,26 +181,6 @@ landscape::Landscape PreviewFilm::assembled(const scene::Scene& scene, const pla
                            return looks_.at({mixture, moment.at(state.key_frame)});
                          }},
                         film::needs_of({}));
-}
-
-landscape::Landscape PreviewFilm::landscape(int frame) {
-  return assembled(scene_, moments_.at(frame).site, frame);
-}
-
-landscape::Landscape PreviewFilm::overview(int frame, const scene::Camera& camera,
-                                           const glm::ivec2& size_px) {
-  scene::Scene scene = scene_;
-  scene.camera = camera;
-  scene.render.size_px = {size_px.x, size_px.y};
-  scene.sky.visual_range_m = 1e6;
-  scene.grass.far_field_below_pixels = 1e9;
-  place::Site site = moments_.at(frame).site;
-  site.sketch->sky_width_px = hidden_sky_px;
-  landscape::Landscape landscape = assembled(scene, site, frame);
-  landscape.fog.reset();
-  landscape.flakes.flakes.clear();
-  landscape.backdrop.reset();
-  return landscape;
 }
 
 }  // namespace wold::sketch

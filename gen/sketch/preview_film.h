@@ -38,10 +38,6 @@ class PreviewFilm {
   /// the whole sky is fine enough to be shown.
   landscape::Landscape landscape(int frame);
 
-  /// Its ground under another camera in a picture of that size, in clear air and all grass
-  /// painted on it.
-  landscape::Landscape overview(int frame, const scene::Camera& camera, const glm::ivec2& size_px);
-
   /// The first variant's blades at a key frame, without snow.
   Tubes blades(int key_frame) const { return blades(0, {key_frame, 0}); }
 
@@ -58,7 +54,6 @@ class PreviewFilm {
   };
 
   Tubes blades(int variant, const grass::PatchState& state) const;
-  landscape::Landscape assembled(const scene::Scene& scene, const place::Site& site, int frame);
   meadow::PatchAppearance far_appearance(int variant, const grass::PatchState& state) const;
   void make_site(int frame, bool with_sky);
   void make_looks(const std::vector<int>& frames);
