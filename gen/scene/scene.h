@@ -43,7 +43,7 @@ struct Terrain {
   double talus_deg = 33.0;  ///< steepest slope that erosion leaves
   int erosion_steps = 60;
   std::array<double, 3> ground_albedo = {0.13, 0.095, 0.06};
-  std::array<double, 3> rock_albedo = {0.2, 0.185, 0.16};
+  std::array<double, 3> rock_albedo = {0.19, 0.162, 0.128};
   double rock_slope_deg = 40.0;  ///< rock shows where the ground is steeper
 
   bool operator==(const Terrain&) const = default;
