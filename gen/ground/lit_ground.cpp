@@ -187,6 +187,15 @@ LandAppearance LitGround::land_appearance(const SnowyGround& ground, const Colou
   return LandAppearance(samples);
 }
 
+void LitGround::show_land_around(LandAppearance appearance, landscape::Landscape& landscape) const {
+  const terrain::Surroundings& around = *site_.surroundings;
+  const landscape::Camera& camera = landscape.camera;
+  const LandAround land(around, site_.day, haze_, std::move(appearance), illuminate_, scene_.seed);
+  const LandView view(around, landscape.terrain, camera.eye_m,
+                      panorama(camera, landscape.width_px, landscape.height_px));
+  paint_land_around(land, view, camera.eye_m, *landscape.backdrop);
+}
+
 void LitGround::show(const SnowyGround& ground, const ColourMap& light,
                      landscape::Landscape& landscape) const {
   ColourMap grass_light = on_grass(light, place::whole_grid(scene_));
@@ -197,15 +206,8 @@ void LitGround::show(const SnowyGround& ground, const ColourMap& light,
   for (const GroundGrid& grid : place::detail_grids(scene_, landscape.camera))
     landscape.ground_details.push_back(detail(ground, grid));
 
-  if (landscape.backdrop && sees_land_around(site_, landscape.camera, scene_.render)) {
-    const glm::dvec3& eye_m = landscape.camera.eye_m;
-    paint_land_around(LandAround(*site_.surroundings, site_.day, haze_,
-                                 land_appearance(ground, light, grass_light, landscape.camera),
-                                 illuminate_, scene_.seed),
-                      LandView(*site_.surroundings, landscape.terrain, eye_m,
-                               panorama(landscape.camera, landscape.width_px, landscape.height_px)),
-                      eye_m, *landscape.backdrop);
-  }
+  if (landscape.backdrop && sees_land_around(site_, landscape.camera, scene_.render))
+    show_land_around(land_appearance(ground, light, grass_light, landscape.camera), landscape);
   if (place::is_large(scene_)) grass_light = light_in_window();
   landscape.light =
       product(grass_light,

@@ -64,6 +64,7 @@ class LitGround {
   LandAppearance land_appearance(const SnowyGround& ground, const ColourMap& light,
                                  const ColourMap& grass_light,
                                  const landscape::Camera& camera) const;
+  void show_land_around(LandAppearance appearance, landscape::Landscape& landscape) const;
   /// On the grass of a large terrain's window of cells.
   ColourMap light_in_window() const;
 

@@ -32,12 +32,13 @@ void each_row(int rows, const Visit& visit) {
                [&](std::size_t row) { visit(static_cast<int>(row)); });
 }
 
-/// Puts the scene's ground into a map.
-void put_ground(const Heightfield& ground, GroundMap<double>& heights_m) {
+/// Puts a finer map's heights into a map, where the finer one has some.
+template <class Finer>
+void put(const Finer& finer, GroundMap<double>& heights_m) {
   each_row(heights_m.samples(), [&](int j) {
     for (int i = 0; i < heights_m.samples(); ++i) {
       const glm::dvec2 at_m = heights_m.place_m(i, j);
-      if (ground.square().contains(at_m)) heights_m.at(i, j) = ground.sample(at_m.x, at_m.y);
+      if (finer.square().contains(at_m)) heights_m.at(i, j) = finer.sample(at_m.x, at_m.y);
     }
   });
 }
@@ -65,11 +66,22 @@ void add_model(const GroundMap<double>& model_m, double offset_m, GroundMap<doub
   }
 }
 
+/// Whether a model has heights at the border of a square, so that it may reach farther.
+bool reaches_border(const GroundMap<double>& model_m) {
+  const int last = model_m.samples() - 1;
+  for (int i = 0; i <= last; ++i)
+    for (const double height_m :
+         {model_m.at(i, 0), model_m.at(i, last), model_m.at(0, i), model_m.at(last, i)})
+      if (!std::isnan(height_m)) return true;
+  return false;
+}
+
 /// A model of the land around, with how much higher its zero lies: known once the nearest square is
 /// read.
 struct Model {
   const std::string& file;
   std::optional<double> offset_m = {};
+  bool is_read = false;  ///< all of it that is needed
 };
 
 /// Land goes on into what is made up over half of its largest features.
@@ -100,16 +112,21 @@ Surroundings::Surroundings(const scene::Terrain& terrain, const Heightfield& gro
   if (!terrain.elevation.empty()) models.push_back({terrain.elevation});
   if (!terrain.elevation.empty() && !terrain.surroundings.empty())
     models.push_back({terrain.surroundings});
+  GroundMap<double> finer_m;
   do {
     const GroundGrid grid = grid_of_ring(square_, static_cast<int>(rings_.size()), !models.empty());
     GroundMap<double> heights_m(grid.samples, grid.square,
                                 std::numeric_limits<double>::quiet_NaN());
-    put_ground(ground, heights_m);
+    if (!rings_.empty()) put(finer_m, heights_m);
+    put(ground, heights_m);
     for (Model& model : models) {
+      if (model.is_read) continue;
       const GroundMap<double> model_m = heights_around(terrain, model.file, grid);
       if (!model.offset_m) model.offset_m = offset_m(ground, model_m);
       add_model(model_m, *model.offset_m, heights_m);
+      model.is_read = !reaches_border(model_m);
     }
+    finer_m = heights_m;
     rings_.push_back(with_made_up_land(filled_in(std::move(heights_m)), land));
   } while (this->reach_m() < reach_m);
 }
