@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/open_picture.h"
 #include "core/png_chunks.h"
 
 namespace wold {
@@ -69,6 +70,8 @@ void check_size(const std::filesystem::path& path, const OIIO::ImageSpec& spec) 
                              spec.width, spec.height, spec.nchannels, max_numbers));
 }
 
+}  // namespace
+
 /// By name of the format: given a name alone, OpenImageIO tries every reader it has, and takes what
 /// follows a question mark for options.
 std::unique_ptr<OIIO::ImageInput> open_picture(const std::filesystem::path& path) {
@@ -89,8 +92,6 @@ std::unique_ptr<OIIO::ImageInput> open_picture(const std::filesystem::path& path
   refuse(path,
          fmt::format("expected a PNG, JPEG, TIFF, BMP, OpenEXR or Radiance HDR picture: {}", why));
 }
-
-}  // namespace
 
 void write_image(const std::filesystem::path& path, const Image& image, PixelFormat format) {
   write_file_by_path(path, [&](const std::filesystem::path& temporary) {

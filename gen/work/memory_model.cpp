@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <tuple>
 
 #include "core/elementary.h"
 #include "place/cell_window.h"
@@ -81,6 +83,29 @@ int scene_threads(const Job& job) {
 }
 
 double scene_memory_bytes(const Job& job) { return scene_memory_bytes(job, scene_threads(job)); }
+
+double passes_memory_bytes(const Job& job, const film::FilmDemand& demand) {
+  constexpr double voxel_bytes = 4.0;     // of every volume that is shown: its density
+  constexpr double albedo_bytes = 120.0;  // of one at a time: its albedo, and what that is made of
+  constexpr double pixel_bytes = 400.0;
+  const VolumeSizes sizes(job.scene);
+  double shown_voxels = 0.0, max_voxels = 0.0;
+  std::set<std::tuple<int, grass::PatchState, int>> known;
+  for (const auto& [frame, shown] : demand.frames()) {
+    double voxels = 0.0;
+    known.clear();
+    for (const film::ShownVolume& volume : shown.volumes) {
+      if (!known.insert({volume.variant, volume.state, volume.lod}).second) continue;
+      const VolumeSize size = sizes.of(volume.variant, volume.state, volume.lod);
+      voxels += size.voxels;
+      max_voxels = std::max(max_voxels, size.voxels);
+    }
+    shown_voxels = std::max(shown_voxels, voxels);
+  }
+  const scene::Render& render = job.scene.render;
+  return scene_memory_bytes(job) + voxel_bytes * shown_voxels + albedo_bytes * max_voxels +
+         pixel_bytes * render.size_px[0] * render.size_px[1];
+}
 
 double renderer_memory_bytes(const Job& job, const exporter::MemoryCosts& costs,
                              const film::FrameDemand& shown) {
