@@ -64,7 +64,6 @@ class Painter {
   void add_grass(int mixture, double fraction, Coverage& coverage) const;
   glm::dvec2 motion_px(const SeenPlace& seen, std::size_t pixel,
                        const landscape::Perspective& next) const;
-  void add_species();
 
   /// Adds a layer's channel: value(place, pixel) where something is seen, else `nothing`.
   template <class Value>
@@ -181,14 +180,17 @@ void Painter::add_vector(Pass pass, PixelFormat format, const Value& value) {
                 [&](const SeenPlace&, std::size_t pixel) { return vectors[pixel][axis]; });
 }
 
+bool is_same(const landscape::Camera& a, const landscape::Camera& b) {
+  return a.eye_m == b.eye_m && a.target_m == b.target_m;
+}
+
 /// What is infinitely far moves as the camera turns.
 glm::dvec2 Painter::motion_px(const SeenPlace& seen, std::size_t pixel,
                               const landscape::Perspective& next) const {
+  if (is_same(landscape_.camera, facts_.next_camera)) return glm::dvec2(0.0);
   const glm::dvec3 at_m = seen.is_any() ? seen.at_m : next.eye_m() + direction(pixel);
   return glm::dvec2(next.seen(at_m)) - middle_px(pixel);
 }
-
-void Painter::add_species() { species_->add_to(image_); }
 
 void Painter::add(Pass pass) {
   const auto at = [](const SeenPlace& seen) { return glm::dvec2(seen.at_m); };
@@ -226,7 +228,7 @@ void Painter::add(Pass pass) {
       break;
     }
     case Pass::species:
-      add_species();
+      species_->add_to(image_);
       break;
     case Pass::instance:
       for (const int axis : {0, 1})

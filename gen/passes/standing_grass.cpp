@@ -31,10 +31,51 @@ void clip(double low, double high, double start, double along, double& from_m, d
   clip((low - start) / along, (high - start) / along, from_m, to_m);
 }
 
-std::size_t wrapped(double place, int count) {
-  const int i = static_cast<int>(std::floor(place)) % count;
-  return static_cast<std::size_t>(i < 0 ? i + count : i);
-}
+/// Goes along a ray from voxel to voxel (Amanatides and Woo 1987) of a volume that repeats itself
+/// along x and y.
+class VoxelWalk {
+ public:
+  /// The ray is at start + m * along after m metres, in voxels; it begins at `from_m`.
+  VoxelWalk(const glm::ivec3& voxels, const glm::dvec3& start, const glm::dvec3& along,
+            double from_m)
+      : voxels_(voxels) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double place = start[axis] + from_m * along[axis];
+      double low = std::floor(place);
+      if (axis == 2) low = std::clamp(low, 0.0, voxels.z - 1.0);
+      at_[axis] = wrapped(static_cast<int>(low), voxels[axis]);
+      step_[axis] = along[axis] < 0.0 ? -1 : 1;
+      each_m_[axis] = along[axis] == 0.0 ? infinite : std::abs(1.0 / along[axis]);
+      const double border = low + (step_[axis] > 0 ? 1.0 : 0.0);
+      next_m_[axis] =
+          along[axis] == 0.0 ? infinite : std::max(from_m, (border - start[axis]) / along[axis]);
+    }
+  }
+
+  std::size_t voxel() const {
+    const glm::i64vec3 at(at_), count(voxels_);
+    return static_cast<std::size_t>((at.z * count.y + at.y) * count.x + at.x);
+  }
+  double leaves_m() const { return next_m_[axis()]; }
+  void go_on() {
+    const int along = axis();
+    next_m_[along] += each_m_[along];
+    at_[along] += step_[along];
+    // Beyond the top and the bottom nothing is asked for.
+    at_[along] =
+        along == 2 ? std::clamp(at_.z, 0, voxels_.z - 1) : wrapped(at_[along], voxels_[along]);
+  }
+
+ private:
+  static int wrapped(int i, int count) { return (i % count + count) % count; }
+  int axis() const {
+    const int flat = next_m_.x < next_m_.y ? 0 : 1;
+    return next_m_[flat] < next_m_.z ? flat : 2;
+  }
+
+  glm::ivec3 voxels_, at_{0}, step_{1};
+  glm::dvec3 each_m_{0.0}, next_m_{0.0};  ///< metres along the ray, by axis
+};
 
 }  // namespace
 
@@ -192,24 +233,19 @@ bool StandingGrass::cross(const Stand& stand, Way& way, double from_m, double to
   const glm::dvec2 middle_m =
       glm::dvec2(way.eye_m) + 0.5 * (from_m + to_m) * glm::dvec2(way.direction);
   const double factor{landscape_.extinction_factor.sample(middle_m.x, middle_m.y)};
-  // Steps of a voxel at most, each with the voxel at its middle.
-  const double steps = std::ceil((to_m - from_m) * glm::length(along) / density.voxel_m);
-  const double step_m = (to_m - from_m) / steps;
-  const glm::dvec3 first = (start_m + (from_m + 0.5 * step_m) * along) / density.voxel_m;
-  const glm::dvec3 each = step_m * along / density.voxel_m;
   const double before = way.depth;
-  for (double k = 0.0; k < steps && way.depth < nothing_left; ++k) {
-    const glm::dvec3 at = first + k * each;
-    const auto z = static_cast<std::size_t>(std::clamp(at.z, 0.0, density.voxels.z - 1.0));
-    const auto side = static_cast<std::size_t>(density.voxels.x);
-    const std::size_t voxel =
-        (z * side + wrapped(at.y, density.voxels.y)) * side + wrapped(at.x, density.voxels.x);
-    const double more = factor * double{density.extinction_per_m[voxel]} * step_m;
-    if (sight.half_m == infinite && way.depth + more >= std::numbers::ln2) {
-      sight.half_m = from_m + (k + (std::numbers::ln2 - way.depth) / more) * step_m;
+  VoxelWalk walk(density.voxels, start_m / density.voxel_m, along / density.voxel_m, from_m);
+  while (from_m < to_m && way.depth < nothing_left) {
+    const double until_m = std::min(walk.leaves_m(), to_m);
+    const double extinction_per_m = factor * double{density.extinction_per_m[walk.voxel()]};
+    const double depth = way.depth + extinction_per_m * (until_m - from_m);
+    if (sight.half_m == infinite && depth >= std::numbers::ln2) {
+      sight.half_m = from_m + (std::numbers::ln2 - way.depth) / extinction_per_m;
       sight.half_cell = stand.cell;
     }
-    way.depth += more;
+    way.depth = depth;
+    from_m = until_m;
+    walk.go_on();
   }
   if (way.depth > before)
     sight.veils.push_back({stand.cell, math::exp(-before) - math::exp(-way.depth)});
