@@ -8,7 +8,6 @@
 
 #include "core/error.h"
 #include "core/files.h"
-#include "core/open_picture.h"
 
 namespace wold {
 namespace {
@@ -55,14 +54,6 @@ std::string stored_bytes(const LayeredImage& image, const OIIO::ImageSpec& spec)
   return bytes;
 }
 
-std::map<std::string, std::string> text_attributes(const OIIO::ImageSpec& spec) {
-  std::map<std::string, std::string> attributes;
-  for (const OIIO::ParamValue& value : spec.extra_attribs)
-    if (value.type() == OIIO::TypeDesc::STRING)
-      attributes[value.name().string()] = value.get_string();
-  return attributes;
-}
-
 }  // namespace
 
 const ImageChannel* LayeredImage::find(const std::string& name) const {
@@ -79,24 +70,6 @@ void write_layered_image(const std::filesystem::path& path, const LayeredImage& 
         !out->close())
       throw FileError(out ? out->geterror() : OIIO::geterror());
   });
-}
-
-LayeredImage read_layered_image(const std::filesystem::path& path) {
-  const auto in = open_picture(path);
-  const OIIO::ImageSpec& spec = in->spec();
-  LayeredImage image{spec.width, spec.height, {}, text_attributes(spec)};
-  const auto channels = static_cast<std::size_t>(spec.nchannels);
-  std::vector<float> pixels(image.pixels() * channels);
-  if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels.data()))
-    throw FileError("cannot read " + path.string() + ": " + in->geterror());
-  for (std::size_t c = 0; c < channels; ++c) {
-    const bool is_half = spec.channelformat(static_cast<int>(c)).basetype == OIIO::TypeDesc::HALF;
-    ImageChannel channel{spec.channelnames[c], is_half ? PixelFormat::half : PixelFormat::float32,
-                         std::vector<float>(image.pixels())};
-    for (std::size_t i = 0; i < image.pixels(); ++i) channel.values[i] = pixels[i * channels + c];
-    image.channels.push_back(std::move(channel));
-  }
-  return image;
 }
 
 }  // namespace wold

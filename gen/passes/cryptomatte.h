@@ -10,7 +10,7 @@
 #include "core/layered_image.h"
 
 /// Which names cover each pixel, and how much of it, as compositors pick them: the specification of
-/// Cryptomatte, version 1.2.0 [FriedmanJones2015].
+/// Cryptomatte, version 1.2.0 [Friedman2015].
 namespace wold::passes {
 
 /// MurmurHash3 (Appleby 2011), the variant of 32 bits, seed 0.

@@ -9,7 +9,7 @@ namespace wold::passes {
 
 /// Finds where rays meet the ground as renderers show it: each square between four heights is two
 /// triangles, parted from its south-western corner to its north-eastern. It misses none, however
-/// narrow: a tree of lowest and highest heights says where a ray has nothing to meet.
+/// narrow: a tree of lowest and highest heights says where a ray has nothing to meet ([Tevs2008]).
 class GroundCast {
  public:
   /// `terrain` has to outlive it.

@@ -31,7 +31,7 @@ void clip(double low, double high, double start, double along, double& from_m, d
   clip((low - start) / along, (high - start) / along, from_m, to_m);
 }
 
-/// Goes along a ray from voxel to voxel (Amanatides and Woo 1987) of a volume that repeats itself
+/// Goes along a ray from voxel to voxel ([Amanatides1987]) of a volume that repeats itself
 /// along x and y.
 class VoxelWalk {
  public:

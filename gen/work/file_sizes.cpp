@@ -164,7 +164,7 @@ double scene_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
 }
 
 double pass_bytes(const scene::Scene& scene, std::span<const passes::Pass> passes) {
-  constexpr double packed = 0.75;  // what packing by run lengths leaves
+  constexpr double packed = 0.5;  // what packing by run lengths leaves
   double pixel_bytes = 0.0;
   for (const passes::Pass pass : passes)
     pixel_bytes += packed * passes::bytes_per_pixel(pass, scene::species_of(scene).size() + 2);

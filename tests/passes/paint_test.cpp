@@ -390,6 +390,31 @@ TEST(Passes, LeavesHaveTheirTexelsAlbedo) {
   EXPECT_GT(leaves, 300);
 }
 
+TEST(Passes, LeavesHaveTheAlbedoOfTheirHeight) {
+  const test::TemporaryFolder folder("passes_leaves");
+  const test::SyntheticMeadow meadow;
+  Landscape landscape = test::synthetic_landscape(meadow, folder.path());
+  landscape.blade_cells.clear();
+  for (std::size_t i = 0; i < landscape.cells.size(); ++i)
+    landscape.cells[i].origin.cell = {i % 6, i / 6};
+  const Painted painted(landscape);
+  int leaves = 0;
+  for (std::size_t pixel = 0; pixel < painted.pixels(); ++pixel) {
+    const glm::ivec2 at(painted.value("instance.X", pixel), painted.value("instance.Y", pixel));
+    if (at.x < 0) continue;
+    const glm::dmat4& world_from_cell =
+        landscape.cells[static_cast<std::size_t>(at.y * 6 + at.x)].world_from_cell;
+    const glm::dvec3 at_m = painted.vector("position", "XYZ", pixel);
+    const double height =
+        (glm::inverse(world_from_cell) * glm::dvec4(at_m, 1.0)).z * meadow.voxels / 0.5;
+    if (std::abs(height - std::round(height)) < 1e-3) continue;  // between two voxels
+    ++leaves;
+    const double want = 0.10 * (0.3 + (std::floor(height) + 0.5) / meadow.height_voxels);
+    ASSERT_NEAR(painted.vector("albedo", "RGB", pixel).g, want, 1e-4) << pixel;
+  }
+  EXPECT_GT(leaves, 3000);
+}
+
 TEST(Passes, SnowAndPaintedGrassCoverTheGroundByName) {
   const test::TemporaryFolder folder("passes_names");
   const Landscape landscape = bare(test::constant_meadow({}, folder.path()));
