@@ -151,6 +151,17 @@ landscape::BladeMesh FilmPipeline::blades(const meadow::CellChoice& cell) {
   return mesh;
 }
 
+/// With their reflectance, which not all exporters ask for.
+landscape::BladeMesh FilmPipeline::shaded_blades(const meadow::CellChoice& cell) {
+  const landscape::BladeMesh mesh = blades(cell);
+  if (!mesh.tubes->reflectance.empty()) return mesh;
+  Tubes tubes = *mesh.tubes;
+  texels_.add_leaf_shades(cell.variant, cell.state(), tubes);
+  landscape::BladeMesh& kept = blades_[{cell.variant, cell.state()}];
+  kept.tubes = std::make_shared<const Tubes>(std::move(tubes));
+  return kept;
+}
+
 /// Kept from frame to frame: to measure one takes a tenth of a second.
 meadow::PatchAppearance FilmPipeline::far_appearance(int mixture, const grass::PatchState& state) {
   const scene::Scene& scene = request_.scene;
@@ -201,16 +212,17 @@ std::vector<fs::path> FilmPipeline::make_frame(int frame, Progress& progress) {
 std::vector<fs::path> FilmPipeline::make_passes(int frame, std::span<const passes::Pass> passes,
                                                 Progress& progress) {
   const scene::Scene& scene = request_.scene;
+  if (scene.render.grass == scene::GrassForm::points)
+    throw InputError(
+        "--passes: found render.grass = \"points\", expected \"texels\", \"blades\" or "
+        "\"auto\": points are no leaves");
   progress.begin(fmt::format("passes of frame {}", frame), 2);
-  const PatchLookup lookup = patch_lookup();
+  PatchLookup lookup = patch_lookup();
+  lookup.blades = [this](const meadow::CellChoice& cell) { return shaded_blades(cell); };
   const meadow::FrameGrass now = meadow::frame_grass(scene, site_, frame);
   const place::Site site = place::site_of_frame(scene, site_, frame);
   const AssembledFrame assembled =
       assemble_frame(scene, site, now, cells_of(now), lookup, needs_of({}));
-  if (!assembled.landscape.blade_cells.empty())
-    throw InputError(fmt::format("--passes: found render.grass = \"{}\", expected \"{}\"",
-                                 scene::word_of(scene.render.grass),
-                                 scene::word_of(scene::GrassForm::texels)));
   progress.advance(1, fmt::format("frame {}", frame));
   const passes::GroundFacts facts = ground_facts(scene, site, now, assembled, lookup);
   const fs::path file = request_.out / "passes" / fmt::format("{:04}.exr", frame);

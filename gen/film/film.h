@@ -46,7 +46,7 @@ class FilmPipeline {
   std::vector<std::filesystem::path> make_frame(int frame, Progress& progress);
 
   /// The passes of a frame, from 1: DIR/passes/0001.exr; its texels have to be there. Returns the
-  /// file. Throws InputError where grass is drawn as blades or points, which have no passes.
+  /// file. Throws InputError where grass is drawn as points.
   std::vector<std::filesystem::path> make_passes(int frame, std::span<const passes::Pass> passes,
                                                  Progress& progress);
 
@@ -57,6 +57,7 @@ class FilmPipeline {
   void demand(int variant, const grass::PatchState& state, int lod);
   landscape::Volume volume(const meadow::CellChoice& cell) const;
   landscape::BladeMesh blades(const meadow::CellChoice& cell);
+  landscape::BladeMesh shaded_blades(const meadow::CellChoice& cell);
   meadow::PatchAppearance far_appearance(int mixture, const grass::PatchState& state);
 
   const Request& request_;

@@ -9,8 +9,8 @@
 
 namespace wold::passes {
 
-/// The albedo of the leaves in the voxels that are seen, by Volume::texel, linear sRGB; 0 where no
-/// grass is seen. Volumes are read one after another. Throws FileError.
+/// The albedo of the leaves that are seen, of voxels by Volume::texel, of blades by Tubes, linear
+/// sRGB; 0 where no grass is seen. Volumes are read one after another. Throws FileError.
 std::vector<glm::vec3> leaf_albedo(const landscape::Landscape& landscape,
                                    std::span<const SeenPlace> seen);
 

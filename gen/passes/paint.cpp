@@ -62,6 +62,9 @@ class Painter {
   Coverage coverage(std::size_t pixel, Sight& sight) const;
   void add_covered(const Sight& sight, const glm::dvec3& direction, Coverage& coverage) const;
   void add_grass(int mixture, double fraction, Coverage& coverage) const;
+  int mixture_of(const landscape::CellOrigin& origin) const;
+  /// Of the cell that is seen.
+  const landscape::CellOrigin& origin_of(const SeenPlace& seen) const;
   glm::dvec2 motion_px(const SeenPlace& seen, std::size_t pixel,
                        const landscape::Perspective& next) const;
 
@@ -92,11 +95,7 @@ void Painter::look_at_middles() {
         for (std::size_t pixel = row * width; pixel < (row + 1) * width; ++pixel) {
           const glm::dvec3 along = direction(pixel);
           sights_.look(along, sight);
-          SeenPlace& seen = seen_[pixel];
-          seen.distance_m = sight.distance_m();
-          if (!seen.is_any()) continue;
-          seen.at_m = landscape_.camera.eye_m + seen.distance_m * along;
-          seen.cell = sight.shows_grass() ? sight.grass.half_cell : SeenPlace::ground;
+          seen_[pixel] = sight.seen(landscape_.camera.eye_m, along);
         }
       });
 }
@@ -138,10 +137,13 @@ void Painter::add_covered(const Sight& sight, const glm::dvec3& direction,
                           Coverage& coverage) const {
   double left = 1.0;
   for (const Veil& veil : sight.grass.veils) {
-    const int patch = landscape_.cells[static_cast<std::size_t>(veil.cell)].origin.patch;
-    add_grass(facts_.mixture_of_patch.at(static_cast<std::size_t>(patch)), veil.opacity, coverage);
+    add_grass(mixture_of(landscape_.cells[static_cast<std::size_t>(veil.cell)].origin),
+              veil.opacity, coverage);
     left -= veil.opacity;
   }
+  if (sight.meets_blade())
+    add_grass(mixture_of(landscape_.blade_cells[static_cast<std::size_t>(sight.blade.cell)].origin),
+              left, coverage);
   if (!sight.meets_ground()) return;
   const glm::dvec3 at_m = landscape_.camera.eye_m + sight.ground_m * direction;
   const PaintedGrass painted = facts_.painted_grass(at_m);
@@ -152,9 +154,19 @@ void Painter::add_covered(const Sight& sight, const glm::dvec3& direction,
   coverage.of_species[facts_.species.size() + 1] += left * white;
 }
 
+int Painter::mixture_of(const landscape::CellOrigin& origin) const {
+  return facts_.mixture_of_patch.at(static_cast<std::size_t>(origin.patch));
+}
+
 void Painter::add_grass(int mixture, double fraction, Coverage& coverage) const {
   const std::vector<double>& shares = facts_.mixtures.at(static_cast<std::size_t>(mixture));
   for (std::size_t i = 0; i < shares.size(); ++i) coverage.of_species[i] += fraction * shares[i];
+}
+
+const landscape::CellOrigin& Painter::origin_of(const SeenPlace& seen) const {
+  const auto cell = static_cast<std::size_t>(seen.cell);
+  return seen.thing == SeenPlace::Thing::blade ? landscape_.blade_cells[cell].origin
+                                               : landscape_.cells[cell].origin;
 }
 
 template <class Value>
@@ -208,7 +220,8 @@ void Painter::add(Pass pass) {
       break;
     case Pass::normal:
       add_vector(pass, PixelFormat::half, [&](const SeenPlace& seen, std::size_t) {
-        return sights_.ground().normal(at(seen));
+        return seen.thing == SeenPlace::Thing::blade ? glm::dvec3(seen.blade_normal)
+                                                     : sights_.ground().normal(at(seen));
       });
       break;
     case Pass::position:
@@ -234,9 +247,8 @@ void Painter::add(Pass pass) {
       for (const int axis : {0, 1})
         add_channel(pass, "XY"[axis], PixelFormat::float32, no_cell,
                     [&](const SeenPlace& seen, std::size_t) {
-                      if (seen.cell == SeenPlace::ground) return no_cell;
-                      const auto cell = static_cast<std::size_t>(seen.cell);
-                      return static_cast<float>(landscape_.cells[cell].origin.cell[axis]);
+                      if (seen.thing == SeenPlace::Thing::ground) return no_cell;
+                      return static_cast<float>(origin_of(seen).cell[axis]);
                     });
       break;
     case Pass::snow:
@@ -251,7 +263,7 @@ void Painter::add(Pass pass) {
     case Pass::albedo: {
       const std::vector<glm::vec3> leaves = leaf_albedo(landscape_, seen_);
       add_vector(pass, PixelFormat::half, [&](const SeenPlace& seen, std::size_t pixel) {
-        return seen.cell == SeenPlace::ground ? facts_.albedo(at(seen)) : leaves[pixel];
+        return seen.thing == SeenPlace::Thing::ground ? facts_.albedo(at(seen)) : leaves[pixel];
       });
       break;
     }

@@ -17,7 +17,8 @@ constexpr std::array<PassFacts, 11> table = {{
      "behind it, in the middle of the pixel; 1e10 where nothing is. A: fraction of the pixel that "
      "ground and grass cover"},
     {Pass::normal, "normal", "XYZ", "1",
-     "unit normal of the ground, with its snow, below what is seen; world axes: X east, Y north, "
+     "unit normal of the ground, with its snow, below what is seen, of blades their own; world "
+     "axes: X east, Y north, "
      "Z up; 0 where nothing is"},
     {Pass::position, "position", "XYZ", "m",
      "where in the world what has that depth is: X east and Y north from the terrain's "

@@ -5,20 +5,23 @@
 
 #include "landscape/landscape.h"
 #include "passes/ground_cast.h"
+#include "passes/seen_place.h"
+#include "passes/standing_blades.h"
 #include "passes/standing_grass.h"
 
 namespace wold::passes {
 
 /// What is seen along a ray.
 struct Sight {
-  GrassSight grass;  ///< before the ground
+  GrassSight grass;  ///< before blades and ground
+  BladeHit blade;    ///< before the ground
   double ground_m = std::numeric_limits<double>::infinity();
 
+  bool meets_blade() const;
+  /// Before any blade.
   bool meets_ground() const;
-  /// How far it is to the ground, or to where grass hides half of what is behind it; infinite where
-  /// there is neither.
-  double distance_m() const;
-  bool shows_grass() const { return grass.half_m < ground_m; }
+  /// What is seen first, or where volumes hide half of what is behind them.
+  SeenPlace seen(const glm::dvec3& eye_m, const glm::dvec3& direction) const;
 };
 
 /// Looks along rays from a landscape's camera.
@@ -36,6 +39,7 @@ class Sights {
   glm::dvec3 eye_m_;
   GroundCast ground_;
   StandingGrass grass_;
+  StandingBlades blades_;
 };
 
 }  // namespace wold::passes

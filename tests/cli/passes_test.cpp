@@ -126,10 +126,14 @@ TEST_F(PassesOfAFilm, UnknownOnesAreRefusedWithWhatThereIs) {
   expect_contains(task.err, "found stage \"passes\"");
 }
 
-TEST_F(PassesOfAFilm, NeedGrassThatIsDrawnAsVolumes) {
-  const Result result = passes("--out out --grass blades");
+TEST_F(PassesOfAFilm, AreMadeOfBladesAndNotOfPoints) {
+  ASSERT_EQ(passes("--out out --frames 1 --grass blades").code, 0);
+  const LayeredImage image = read_layered_image(folder_ / "out/passes/0001.exr");
+  const std::vector<float>& cells = image.find("instance.X")->values;
+  EXPECT_GT(std::ranges::count_if(cells, [](float column) { return column >= 0.0F; }), 100);
+  const Result result = passes("--out points --grass points");
   EXPECT_EQ(result.code, 2);
-  expect_contains(result.err, "--passes: found render.grass = \"blades\", expected \"texels\"");
+  expect_contains(result.err, "--passes: found render.grass = \"points\", expected \"texels\"");
 }
 
 TEST_F(PassesOfAFilm, AreExplainedByInspect) {
