@@ -87,9 +87,10 @@ double scene_memory_bytes(const Job& job) { return scene_memory_bytes(job, scene
 double passes_memory_bytes(const Job& job, const film::FilmDemand& demand) {
   constexpr double voxel_bytes = 4.0;     // of every volume that is shown: its density
   constexpr double albedo_bytes = 120.0;  // of one at a time: its albedo, and what that is made of
+  constexpr double blade_bytes = 9000.0;  // its triangles, and the boxes they lie in
   constexpr double pixel_bytes = 400.0;
   const VolumeSizes sizes(job.scene);
-  double shown_voxels = 0.0, max_voxels = 0.0;
+  double shown_voxels = 0.0, max_voxels = 0.0, blades = 0.0;
   std::set<std::tuple<int, grass::PatchState, int>> known;
   for (const auto& [frame, shown] : demand.frames()) {
     double voxels = 0.0;
@@ -101,10 +102,11 @@ double passes_memory_bytes(const Job& job, const film::FilmDemand& demand) {
       max_voxels = std::max(max_voxels, size.voxels);
     }
     shown_voxels = std::max(shown_voxels, voxels);
+    blades = std::max(blades, job.scene.grass.blades * static_cast<double>(shown.patches.size()));
   }
   const scene::Render& render = job.scene.render;
   return scene_memory_bytes(job) + voxel_bytes * shown_voxels + albedo_bytes * max_voxels +
-         pixel_bytes * render.size_px[0] * render.size_px[1];
+         blade_bytes * blades + pixel_bytes * render.size_px[0] * render.size_px[1];
 }
 
 double renderer_memory_bytes(const Job& job, const exporter::MemoryCosts& costs,
