@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
+#include "core/image.h"
 #include "core/layered_image.h"
 #include "passes/pass.h"
 #include "small_film.h"
@@ -134,6 +135,52 @@ TEST_F(PassesOfAFilm, AreMadeOfBladesAndNotOfPoints) {
   const Result result = passes("--out points --grass points");
   EXPECT_EQ(result.code, 2);
   expect_contains(result.err, "--passes: found render.grass = \"points\", expected \"texels\"");
+}
+
+// Blender's compositor picks a species by its name: what it gets covers as much as inspect says.
+TEST_F(PassesOfAFilm, HaveACryptomatteThatBlenderPicksFrom) {
+  if (!can_render("blender")) GTEST_SKIP() << "no Blender on this machine: nothing is picked";
+  ASSERT_EQ(passes("--out out --frames 1 --passes species").code, 0);
+  write("pick.py", R"(import sys
+import bpy
+scene = bpy.context.scene
+if not hasattr(scene, "node_tree"):
+    print("OTHER NODES")
+    sys.exit(0)
+scene.use_nodes = True
+nodes = scene.node_tree.nodes
+nodes.clear()
+pick = nodes.new("CompositorNodeCryptomatteV2")
+pick.source = "IMAGE"
+pick.image = bpy.data.images.load("//out/passes/0001.exr")
+print(pick.layer_name)  # it looks into the file when it is asked, as its panel does
+pick.matte_id = "grass"
+shown = nodes.new("CompositorNodeComposite")
+scene.node_tree.links.new(pick.outputs["Matte"], shown.inputs["Image"])
+for thing in [thing for thing in bpy.data.objects if thing.type != "CAMERA"]:
+    bpy.data.objects.remove(thing)
+scene.render.engine = "CYCLES"
+scene.cycles.samples = 1
+scene.render.resolution_x, scene.render.resolution_y = 64, 36
+scene.render.resolution_percentage = 100
+scene.render.image_settings.file_format = "OPEN_EXR"
+scene.render.filepath = sys.argv[-1]
+bpy.ops.render.render(write_still=True)
+)");
+  const Result picked = shell(
+      "sed -i \"s#//out#$PWD/out#\" pick.py && blender -b --factory-startup --python-exit-code 1 "
+      "-P pick.py -- \"$PWD/matte.exr\"");
+  ASSERT_EQ(picked.code, 0) << picked.out << picked.err;
+  if (picked.out.find("OTHER NODES") != std::string::npos)
+    GTEST_SKIP() << "a Blender whose compositor has other nodes: nothing is picked";
+  const Image matte = read_image(folder_ / "matte.exr");
+  double sum = 0.0;
+  for (int y = 0; y < matte.height; ++y)
+    for (int x = 0; x < matte.width; ++x) sum += double{*matte.pixel(x, y)};
+  const json facts = json::parse(wold("inspect out/passes/0001.exr --json").out);
+  const double grass = facts.at(0).at("layers").at("species").at("covered_by").at("grass");
+  EXPECT_GT(grass, 0.03);
+  EXPECT_NEAR(sum / (matte.width * matte.height), grass, 1e-4);
 }
 
 TEST_F(PassesOfAFilm, AreExplainedByInspect) {
