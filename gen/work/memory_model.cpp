@@ -60,11 +60,15 @@ double read_bytes(const scene::Scene& scene, const exporter::MemoryCosts& costs,
   return bytes;
 }
 
-double scene_memory_bytes(const Job& job, int threads) {
+/// A frame's landscape, before anybody reads a volume of it.
+double landscape_bytes(const Job& job) {
   constexpr double cloud_voxel_bytes = 24.0;
   return idle_bytes(job) + painting_bytes(job.scene) + cells_bytes(job.scene) +
-         (20.0 + 16.0 * threads) * voxels_of(job.scene) +
          cloud_voxel_bytes * cloud_voxels(job.scene) + backdrop_bytes(job.scene);
+}
+
+double scene_memory_bytes(const Job& job, int threads) {
+  return landscape_bytes(job) + (20.0 + 16.0 * threads) * voxels_of(job.scene);
 }
 
 }  // namespace
@@ -86,7 +90,7 @@ double scene_memory_bytes(const Job& job) { return scene_memory_bytes(job, scene
 
 double passes_memory_bytes(const Job& job, const film::FilmDemand& demand) {
   constexpr double voxel_bytes = 4.0;     // of every volume that is shown: its density
-  constexpr double albedo_bytes = 120.0;  // of one at a time: its albedo, and what that is made of
+  constexpr double albedo_bytes = 60.0;   // of one at a time: its albedo, and what that is made of
   constexpr double blade_bytes = 9000.0;  // its triangles, and the boxes they lie in
   constexpr double pixel_bytes = 400.0;
   const VolumeSizes sizes(job.scene);
@@ -105,7 +109,7 @@ double passes_memory_bytes(const Job& job, const film::FilmDemand& demand) {
     blades = std::max(blades, job.scene.grass.blades * static_cast<double>(shown.patches.size()));
   }
   const scene::Render& render = job.scene.render;
-  return scene_memory_bytes(job) + voxel_bytes * shown_voxels + albedo_bytes * max_voxels +
+  return landscape_bytes(job) + voxel_bytes * shown_voxels + albedo_bytes * max_voxels +
          blade_bytes * blades + pixel_bytes * render.size_px[0] * render.size_px[1];
 }
 
