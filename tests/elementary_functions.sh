@@ -13,7 +13,7 @@ names+="|[jy][01n]|c(abs|arg|exp|log|pow|sqrt|a?(cos|sin|tan)h?)"
 forbidden="((__)?($names)[fl]?(_finite)?|_ZGV.*|__div[sdx]c3)(@.*)?"
 
 # Rotations of grids in OpenVDB's headers, which no grid of Wold's has.
-openvdb='(vdb[a-z_]*|volume_file|texel_files?|foreign_texel)[.]cpp[.]o|/wold'
+openvdb='(vdb[a-z_]*|volume_file|texel_file|voxel_albedo|foreign_texel)[.]cpp[.]o|/wold'
 of_openvdb='(pow|sincos|sin|cos)(@.*)?'
 
 calls=$(nm --undefined-only --print-file-name --format=posix "$@" | sed -E 's/:? ([^ ]+) .*/ \1/' |

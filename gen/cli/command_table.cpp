@@ -13,6 +13,7 @@
 #include "console/console_progress.h"
 #include "core/number_text.h"
 #include "film/exporters.h"
+#include "passes/pass.h"
 #include "scene/registry.h"
 #include "scene/renderers.h"
 #include "scene/starter.h"
@@ -143,6 +144,11 @@ void add_job_options(CLI::App& app, RenderArguments& arguments) {
   add_frames(app, options.frames, "frames to make, from 1; all without it");
   app.add_option("--out", options.out, "output folder; out/<scene name> without it")
       ->type_name("DIR");
+  app.add_option("--passes", options.passes,
+                 "ground truth to write beside the pictures, DIR/passes/0001.exr and on: all, or "
+                 "some of " +
+                     passes::names_of_all())
+      ->type_name("LIST");
   app.add_option("--threads", options.threads, "threads to use; the scene's without it")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
@@ -189,6 +195,10 @@ Action declare_render(CLI::App& app) {
   auto arguments = std::make_shared<RenderArguments>();
   add_programs(app, arguments->options);
   return generate_like(app, arguments, run_render);
+}
+
+Action declare_passes(CLI::App& app) {
+  return generate_like(app, std::make_shared<RenderArguments>(), run_passes);
 }
 
 Action declare_plan(CLI::App& app) {
@@ -405,6 +415,10 @@ const std::vector<Command>& command_table() {
        "wold render meadow.toml --renderer povray --frames 1-3 --size 480x270", declare_render},
       {"generate", "everything but running the renderers",
        "wold generate meadow.toml --out sparse --set grass.blades=200", declare_generate},
+      {"passes",
+       "write the ground truth of a scene's frames, without pictures: depth, ids and more",
+       "wold passes meadow.toml --passes depth,species --frames 1-3 --size 480x270",
+       declare_passes},
       {"plan", "list the tasks that render does, which of them are to do, and what they take",
        "wold plan meadow.toml --frames 1-3 --why", declare_plan},
       {"task", "do one of the plan's tasks, unless it has been done",

@@ -52,6 +52,10 @@ ExitCode run_generate(const work::RenderOptions& options, Progress& progress);
 /// Generates, then runs the renderers.
 ExitCode run_render(const work::RenderOptions& options, Progress& progress);
 
+/// Makes the passes of a scene's frames without pictures, all of them where the options name none,
+/// and prints their names.
+ExitCode run_passes(const work::RenderOptions& options, Progress& progress);
+
 /// Prints what `render` would do, without doing or writing anything.
 ExitCode run_plan(const work::RenderOptions& options, PlanForm form);
 

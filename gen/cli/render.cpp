@@ -14,6 +14,13 @@ std::vector<work::StageTasks> without_pictures(std::vector<work::StageTasks> sta
   return stages;
 }
 
+std::string pass_files(const work::Job& job) {
+  std::string files;
+  if (!job.passes.empty())
+    for (const int frame : job.frames) files += work::passes_path(job, frame).string() + "\n";
+  return files;
+}
+
 /// What the stages would do, for --dry-run.
 void print_plan(const work::Job& job, bool with_pictures) {
   std::vector<work::StagePlan> plan = work::make_plan(job);
@@ -60,7 +67,22 @@ ExitCode run_render(const work::RenderOptions& options, Progress& progress) {
     for (const work::StageTasks& stage : stages)
       if (work::makes_pictures(stage.stage))
         pictures += work::picture_path(job, {stage.stage, frame}).string() + "\n";
-  console::print_data(pictures);
+  console::print_data(pictures + pass_files(job));
+  return ExitCode::done;
+}
+
+ExitCode run_passes(const work::RenderOptions& options, Progress& progress) {
+  work::RenderOptions with_passes = options;
+  if (with_passes.passes.empty()) with_passes.passes = "all";
+  work::Job job = work::plan_job(with_passes);
+  job.exporters.clear();
+  print_warnings(job.text_warnings);
+  if (options.dry_run) {
+    print_plan(job, /*with_pictures=*/false);
+    return ExitCode::done;
+  }
+  work::complete_job(job, work::stages_of(job), progress);
+  console::print_data(pass_files(job));
   return ExitCode::done;
 }
 

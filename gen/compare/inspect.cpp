@@ -4,14 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "compare/file_kind.h"
+#include "compare/inspect_layers.h"
 #include "compare/vdb.h"
 #include "core/df3.h"
 #include "core/error.h"
 #include "core/image.h"
+#include "core/layered_image.h"
 #include "core/printable.h"
 
 namespace wold::compare {
@@ -69,7 +72,24 @@ std::uint64_t total(const Counts& counts) {
   return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
 }
 
+/// Of a picture that is made of layers.
+void describe_layers(const LayeredImage& image, Json& facts, Problems& problems) {
+  facts["width"] = image.width;
+  facts["height"] = image.height;
+  facts["channels"] = image.channels.size();
+  facts.update(header_json(image));
+  facts["layers"] = layers_json(image);
+  facts["memory_bytes"] = image.pixels() * image.channels.size() * sizeof(float);
+  for (const ImageChannel& channel : image.channels)
+    if (const auto bad = std::ranges::count_if(channel.values,
+                                               [](float value) { return !std::isfinite(value); });
+        bad > 0)
+      problems.push_back(fmt::format("{}: {} values are no finite numbers", channel.name, bad));
+}
+
 void describe_picture(const fs::path& path, Json& facts, Problems& problems) {
+  if (const LayeredImage layered = read_layered_image(path); has_layers(layered))
+    return describe_layers(layered, facts, problems);
   Image image = read_image(path);
   const OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::FLOAT);
   const OIIO::ImageBuf pixels(spec, image.values.data());

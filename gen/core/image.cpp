@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/layered_image.h"
 #include "core/png_chunks.h"
 
 namespace wold {
@@ -90,6 +91,14 @@ std::unique_ptr<OIIO::ImageInput> open_picture(const std::filesystem::path& path
          fmt::format("expected a PNG, JPEG, TIFF, BMP, OpenEXR or Radiance HDR picture: {}", why));
 }
 
+std::map<std::string, std::string> text_attributes(const OIIO::ImageSpec& spec) {
+  std::map<std::string, std::string> attributes;
+  for (const OIIO::ParamValue& value : spec.extra_attribs)
+    if (value.type() == OIIO::TypeDesc::STRING)
+      attributes[value.name().string()] = value.get_string();
+  return attributes;
+}
+
 }  // namespace
 
 void write_image(const std::filesystem::path& path, const Image& image, PixelFormat format) {
@@ -124,6 +133,24 @@ Image read_image(const std::filesystem::path& path) {
   Image image(spec.width, spec.height, spec.nchannels);
   if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.values.data()))
     refuse(path, in->geterror());
+  return image;
+}
+
+LayeredImage read_layered_image(const std::filesystem::path& path) {
+  const auto in = open_picture(path);
+  const OIIO::ImageSpec& spec = in->spec();
+  LayeredImage image{spec.width, spec.height, {}, text_attributes(spec)};
+  const auto channels = static_cast<std::size_t>(spec.nchannels);
+  std::vector<float> pixels(image.pixels() * channels);
+  if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels.data()))
+    throw FileError("cannot read " + path.string() + ": " + in->geterror());
+  for (std::size_t c = 0; c < channels; ++c) {
+    const bool is_half = spec.channelformat(static_cast<int>(c)).basetype == OIIO::TypeDesc::HALF;
+    ImageChannel channel{spec.channelnames[c], is_half ? PixelFormat::half : PixelFormat::float32,
+                         std::vector<float>(image.pixels())};
+    for (std::size_t i = 0; i < image.pixels(); ++i) channel.values[i] = pixels[i * channels + c];
+    image.channels.push_back(std::move(channel));
+  }
   return image;
 }
 

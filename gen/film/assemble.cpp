@@ -10,7 +10,6 @@
 
 #include "core/elementary.h"
 #include "ground/lit_ground.h"
-#include "ground/snowy_ground.h"
 #include "meadow/blade_parts.h"
 #include "place/view.h"
 #include "scene/calendar.h"
@@ -40,13 +39,18 @@ std::vector<Drawn> drawn_parts(std::span<const meadow::CellChoice> choices, bool
   return parts;
 }
 
+landscape::CellOrigin origin_of(const Drawn& part) {
+  return {part.choice->cell, part.choice->variant};
+}
+
 void add(const Drawn& part, int volume, std::vector<landscape::Cell>& cells) {
   const landscape::PlacedPart& placed = *part.placed;
-  cells.push_back({placed.world_from_cell, volume, part.choice->reach, placed.part});
+  cells.push_back(
+      {placed.world_from_cell, volume, part.choice->reach, placed.part, origin_of(part)});
 }
 
 void add(const Drawn& part, int mesh, std::vector<landscape::BladeCell>& cells) {
-  cells.push_back({part.placed->world_from_cell, mesh, part.placed->part});
+  cells.push_back({part.placed->world_from_cell, mesh, part.placed->part, origin_of(part)});
 }
 
 /// Each different patch once, in ascending order of `key`, and the cells that refer to them.
@@ -154,12 +158,13 @@ landscape::Daylight open_daylight(const light::Daylight& day, double sunlit_frac
 
 }  // namespace
 
-landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site,
+AssembledFrame assemble_frame(const scene::Scene& scene, const place::Site& site,
                               const meadow::FrameGrass& now,
                               std::span<const meadow::CellChoice> choices,
                               const PatchLookup& lookup, const landscape::Needs& needs) {
   const int frame = now.frame;
-  landscape::Landscape landscape;
+  AssembledFrame assembled;
+  landscape::Landscape& landscape = assembled.landscape;
   landscape.frame = frame;
   landscape.weathering = scene.ageing.frames.at(static_cast<std::size_t>(frame - 1));
   landscape.time_s = scene::time_s(scene, frame);
@@ -170,7 +175,8 @@ landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site
   landscape.height_px = scene.render.size_px[1];
   landscape.samples = scene.render.samples;
   place_grass(choices, lookup, landscape);
-  const ground::SnowyGround ground(scene, site, frame);
+  assembled.ground = std::make_unique<const ground::SnowyGround>(scene, site, frame);
+  const ground::SnowyGround& ground = *assembled.ground;
   landscape.terrain = ground.surface();
   const sky::FrameSky sky(scene, site, frame, landscape.camera.eye_m);
   const double overcast_per_m = sky::overcast_extinction_per_m(scene, site, frame);
@@ -180,7 +186,8 @@ landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site
     return overcast_per_m > 0.0 ? air.light(light, clear.overcast) : light;
   };
   landscape.daylight = open_daylight(site.day, air.sunlit_fraction(), illuminate);
-  const ColourMap light = illuminate(ground.light());
+  assembled.light = illuminate(ground.light());
+  const ColourMap& light = assembled.light;
   const double metered = gain(scene, site.day, ground, light) * dusk(scene, frame);
   const double open = air.sunlit_fraction() * sky.openness();
   landscape.exposure_gain =
@@ -195,7 +202,14 @@ landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site
     landscape.unlit = landscape::Unlit{
         landscape.daylight.sun_irradiance,
         overcast_per_m > 0.0 ? landscape.sky : sky.unlit(landscape.camera), ground.albedo()};
-  return landscape;
+  return assembled;
+}
+
+landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site,
+                              const meadow::FrameGrass& now,
+                              std::span<const meadow::CellChoice> choices,
+                              const PatchLookup& lookup, const landscape::Needs& needs) {
+  return assemble_frame(scene, site, now, choices, lookup, needs).landscape;
 }
 
 }  // namespace wold::film

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "ground/snowy_ground.h"
 #include "landscape/landscape.h"
 #include "landscape/needs.h"
 #include "meadow/cells.h"
@@ -25,12 +27,25 @@ struct PatchLookup {
   std::function<meadow::PatchAppearance(int mixture, const grass::PatchState&)> far = {};
 };
 
-/// One frame as the exporters want it: `choices` are choose_cells', `lookup` is called
+/// A frame and what it was made from.
+struct AssembledFrame {
+  landscape::Landscape landscape;
+  std::unique_ptr<const ground::SnowyGround> ground;
+  ColourMap light;  ///< the frame's on all of the ground
+};
+
+/// One frame: `choices` are choose_cells', `lookup` is called
 /// once for each different volume and for each different part of a mesh, in ascending order, and
 /// what it gives, or the part of it, are the landscape's in that order.
 /// `site` is site_of_frame()'s. exposure_gain is metered_gain() (exposure.h), or towards
 /// snow_gain() in a season, times dusk_gain() and 2^exposure.
-/// `needs` is needs_of() (exporters.h).
+/// `needs` is needs_of() (exporters.h). Scene and site have to outlive what is returned.
+AssembledFrame assemble_frame(const scene::Scene& scene, const place::Site& site,
+                              const meadow::FrameGrass& now,
+                              std::span<const meadow::CellChoice> choices,
+                              const PatchLookup& lookup, const landscape::Needs& needs);
+
+/// Its landscape alone, as exporters want it.
 landscape::Landscape assemble(const scene::Scene& scene, const place::Site& site,
                               const meadow::FrameGrass& now,
                               std::span<const meadow::CellChoice> choices,

@@ -9,11 +9,13 @@
 #include "film/assemble.h"
 #include "film/cloud_textures.h"
 #include "film/exporters.h"
+#include "film/ground_facts.h"
 #include "film/machine_check.h"
 #include "grass/texel/texel_file.h"
 #include "ground/lit_ground.h"
 #include "meadow/far_field.h"
 #include "meadow/film_lights.h"
+#include "passes/paint.h"
 #include "place/view.h"
 #include "scene/species.h"
 
@@ -122,8 +124,7 @@ landscape::Volume FilmPipeline::volume(const meadow::CellChoice& cell) const {
   volume.name = fmt::format("v{}_{}_q{}_{:03}", cell.variant, cell.state().name(), cell.turn, side);
   volume.vdb = texels_.volume_path(cell.variant, cell.state(), cell.lod);
   volume.emission_grid = fmt::format("emission_q{}", cell.turn);
-  if (needs_of(request_.exporters).materials)
-    volume.texel = texels_.texel_path(cell.variant, cell.state());
+  volume.texel = texels_.texel_path(cell.variant, cell.state());
   volume.content = texels_.volume_content(cell.variant, cell.state(), cell.lod,
                                           turns_of(request_.scene, cell.lod));
   volume.voxels = {side, side, texels_.lod_shape(cell.lod).height};
@@ -150,6 +151,17 @@ landscape::BladeMesh FilmPipeline::blades(const meadow::CellChoice& cell) {
   return mesh;
 }
 
+/// With their reflectance, which not all exporters ask for.
+landscape::BladeMesh FilmPipeline::shaded_blades(const meadow::CellChoice& cell) {
+  const landscape::BladeMesh mesh = blades(cell);
+  if (!mesh.tubes->reflectance.empty()) return mesh;
+  Tubes tubes = *mesh.tubes;
+  texels_.add_leaf_shades(cell.variant, cell.state(), tubes);
+  landscape::BladeMesh& kept = blades_[{cell.variant, cell.state()}];
+  kept.tubes = std::make_shared<const Tubes>(std::move(tubes));
+  return kept;
+}
+
 /// Kept from frame to frame: to measure one takes a tenth of a second.
 meadow::PatchAppearance FilmPipeline::far_appearance(int mixture, const grass::PatchState& state) {
   const scene::Scene& scene = request_.scene;
@@ -169,11 +181,16 @@ meadow::PatchAppearance FilmPipeline::far_appearance(int mixture, const grass::P
   return far_appearances_.emplace(key, volumes).first->second;
 }
 
+PatchLookup FilmPipeline::patch_lookup() {
+  return {[this](const meadow::CellChoice& cell) { return volume(cell); },
+          [this](const meadow::CellChoice& cell) { return blades(cell); },
+          [this](int mixture, const grass::PatchState& state) {
+            return far_appearance(mixture, state);
+          }};
+}
+
 std::vector<fs::path> FilmPipeline::make_frame(int frame, Progress& progress) {
-  const PatchLookup lookup = {
-      [&](const meadow::CellChoice& cell) { return volume(cell); },
-      [&](const meadow::CellChoice& cell) { return blades(cell); },
-      [&](int mixture, const grass::PatchState& state) { return far_appearance(mixture, state); }};
+  const PatchLookup lookup = patch_lookup();
   const std::vector<const exporter::Exporter*>& exporters = request_.exporters;
   progress.begin(fmt::format("scene files of frame {}", frame), 1 + exporters.size());
   const meadow::FrameGrass now = meadow::frame_grass(request_.scene, site_, frame);
@@ -190,6 +207,30 @@ std::vector<fs::path> FilmPipeline::make_frame(int frame, Progress& progress) {
   }
   progress.end();
   return files;
+}
+
+std::vector<fs::path> FilmPipeline::make_passes(int frame, std::span<const passes::Pass> passes,
+                                                Progress& progress) {
+  const scene::Scene& scene = request_.scene;
+  if (scene.render.grass == scene::GrassForm::points)
+    throw InputError(
+        "--passes: found render.grass = \"points\", expected \"texels\", \"blades\" or "
+        "\"auto\": points are no leaves");
+  progress.begin(fmt::format("passes of frame {}", frame), 2);
+  PatchLookup lookup = patch_lookup();
+  lookup.blades = [this](const meadow::CellChoice& cell) { return shaded_blades(cell); };
+  const meadow::FrameGrass now = meadow::frame_grass(scene, site_, frame);
+  const place::Site site = place::site_of_frame(scene, site_, frame);
+  const AssembledFrame assembled =
+      assemble_frame(scene, site, now, cells_of(now), lookup, needs_of({}));
+  progress.advance(1, fmt::format("frame {}", frame));
+  const passes::GroundFacts facts = ground_facts(scene, site, now, assembled, lookup);
+  const fs::path file = request_.out / "passes" / fmt::format("{:04}.exr", frame);
+  make_folder(file.parent_path());
+  write_layered_image(file, passes::paint(assembled.landscape, facts, passes));
+  progress.advance(1, fmt::format("frame {}", frame));
+  progress.end();
+  return {file};
 }
 
 std::vector<fs::path> make_film(const Request& request, Progress& progress) {

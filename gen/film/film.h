@@ -2,10 +2,12 @@
 
 #include <filesystem>
 #include <map>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "core/progress.h"
+#include "film/assemble.h"
 #include "film/request.h"
 #include "film/scratch_folder.h"
 #include "grass/texel/time_varying_texel.h"
@@ -13,6 +15,7 @@
 #include "meadow/cells.h"
 #include "meadow/far_field.h"
 #include "meadow/frame_grass.h"
+#include "passes/pass.h"
 #include "place/site.h"
 
 namespace wold::film {
@@ -42,12 +45,19 @@ class FilmPipeline {
   /// Returns the files that it is made of, shared ones too.
   std::vector<std::filesystem::path> make_frame(int frame, Progress& progress);
 
+  /// The passes of a frame, from 1: DIR/passes/0001.exr; its texels have to be there. Returns the
+  /// file. Throws InputError where grass is drawn as points.
+  std::vector<std::filesystem::path> make_passes(int frame, std::span<const passes::Pass> passes,
+                                                 Progress& progress);
+
  private:
+  PatchLookup patch_lookup();
   std::vector<meadow::CellChoice> cells_of(const meadow::FrameGrass& now) const;
   void demand_far_field(const meadow::FrameGrass& now);
   void demand(int variant, const grass::PatchState& state, int lod);
   landscape::Volume volume(const meadow::CellChoice& cell) const;
   landscape::BladeMesh blades(const meadow::CellChoice& cell);
+  landscape::BladeMesh shaded_blades(const meadow::CellChoice& cell);
   meadow::PatchAppearance far_appearance(int mixture, const grass::PatchState& state);
 
   const Request& request_;

@@ -68,9 +68,8 @@ void add_reflected(const ColourMap& reflectance, const ColourMap& light, ColourM
   });
 }
 
-meadow::PatchAppearances far_appearances(
-    const scene::Scene& scene, const place::Site& site, const meadow::FrameGrass& now,
-    const std::function<meadow::PatchAppearance(int mixture, const grass::PatchState&)>& far) {
+meadow::PatchAppearances far_appearances(const scene::Scene& scene, const place::Site& site,
+                                         const meadow::FrameGrass& now, const FarLook& far) {
   meadow::PatchAppearances looks;
   for (const int mixture : site.mixtures->present())
     for (const grass::PatchState& state : meadow::far_states(scene, *site.withering, now))
@@ -80,11 +79,19 @@ meadow::PatchAppearances far_appearances(
 
 }  // namespace
 
-LitGround::LitGround(
-    const scene::Scene& scene, const place::Site& site, const meadow::FrameGrass& now,
-    const landscape::Landscape& landscape, std::span<const meadow::CellChoice> choices,
-    const std::function<meadow::PatchAppearance(int mixture, const grass::PatchState&)>& far,
-    Illuminate illuminate)
+std::optional<meadow::Meadow> far_meadow(const scene::Scene& scene, const place::Site& site,
+                                         const meadow::FrameGrass& now, const place::View& view,
+                                         const FarLook& far) {
+  if (!shows_distance(scene, site, now.frame)) return std::nullopt;
+  return std::optional<meadow::Meadow>(std::in_place, scene, site.terrain, *site.mixtures,
+                                       *site.withering, view, now,
+                                       far_appearances(scene, site, now, far));
+}
+
+LitGround::LitGround(const scene::Scene& scene, const place::Site& site,
+                     const meadow::FrameGrass& now, const landscape::Landscape& landscape,
+                     std::span<const meadow::CellChoice> choices, const FarLook& far,
+                     Illuminate illuminate)
     : scene_(scene),
       site_(site),
       choices_(choices),
@@ -98,13 +105,11 @@ LitGround::LitGround(
           lean_light(scene, site, now.frame, patch_.at(landscape.weathering, now.snow), model_)),
       under_grass_(grass::light_under_grass(patch_.at(landscape.weathering, now.snow), model_,
                                             meadow::frame_lighting(scene, site, now.frame))),
-      shared_gaps_(patch_.at(landscape.weathering, now.snow), model_) {
+      shared_gaps_(patch_.at(landscape.weathering, now.snow), model_),
+      meadow_(far_meadow(scene, site, now_, view_, far)) {
   if (scene.ageing.pigment_spread > 0.0)
     pigment_spread_.emplace(scene, patch_, now.snow,
                             meadow::frame_lighting(scene, site, now.frame));
-  if (shows_distance(scene, site, now.frame))
-    meadow_.emplace(scene, site.terrain, *site.mixtures, *site.withering, view_, now,
-                    far_appearances(scene, site, now, far));
 }
 
 ColourMap LitGround::on_grass(const ColourMap& light, const GroundGrid& grid) const {

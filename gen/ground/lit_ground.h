@@ -32,16 +32,23 @@ bool sees_land_around(const place::Site& site, const landscape::Camera& camera,
 /// land around the scene's square.
 bool shows_distance(const scene::Scene& scene, const place::Site& site, int frame);
 
+/// What a mixture in a state looks like from afar; see PatchLookup.
+using FarLook = std::function<meadow::PatchAppearance(int mixture, const grass::PatchState& state)>;
+
+/// The meadow as a frame shows it from afar; nothing where no distance is shown. Everything but
+/// `far` has to outlive it.
+std::optional<meadow::Meadow> far_meadow(const scene::Scene& scene, const place::Site& site,
+                                         const meadow::FrameGrass& now, const place::View& view,
+                                         const FarLook& far);
+
 /// The ground of one frame with what is painted on it, and the light on the grass that stands.
 class LitGround {
  public:
   /// Weathering, camera and size of the picture are `landscape`'s. `far` is called as
   /// PatchLookup's. Scene, site and choices have to outlive it.
-  LitGround(
-      const scene::Scene& scene, const place::Site& site, const meadow::FrameGrass& now,
-      const landscape::Landscape& landscape, std::span<const meadow::CellChoice> choices,
-      const std::function<meadow::PatchAppearance(int mixture, const grass::PatchState&)>& far,
-      Illuminate illuminate);
+  LitGround(const scene::Scene& scene, const place::Site& site, const meadow::FrameGrass& now,
+            const landscape::Landscape& landscape, std::span<const meadow::CellChoice> choices,
+            const FarLook& far, Illuminate illuminate);
   LitGround(const LitGround&) = delete;
   LitGround& operator=(const LitGround&) = delete;
 

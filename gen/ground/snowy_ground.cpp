@@ -196,7 +196,13 @@ void SnowyGround::lay_everywhere(int frame) {
 const terrain::GroundLight& SnowyGround::light() const { return light_ ? *light_ : site_.light; }
 
 float SnowyGround::depth_m(const glm::dvec2& at_m) const {
-  return lying_ ? lying_->depth_m(at_m) : depth_m_.sample(at_m.x, at_m.y);
+  if (lying_) return lying_->depth_m(at_m);
+  return is_bare() ? 0.0F : depth_m_.sample(at_m.x, at_m.y);
+}
+
+float SnowyGround::white_fraction(const glm::dvec2& at_m) const {
+  if (lying_) return lying_->fraction(at_m);
+  return is_bare() ? 0.0F : white_->sample(at_m.x, at_m.y);
 }
 
 /// The fraction of a part of a large terrain that is white, patch by patch where its grid is fine.
@@ -206,7 +212,7 @@ FactorMap SnowyGround::white(const GroundGrid& grid) const {
     const int j = static_cast<int>(row);
     for (int i = 0; i < grid.samples; ++i) {
       const glm::dvec2 at_m = fractions.place_m(i, j);
-      fractions.at(i, j) = lying_ ? lying_->fraction(at_m) : white_->sample(at_m.x, at_m.y);
+      fractions.at(i, j) = white_fraction(at_m);
     }
   });
   if (!lying_) return fractions;

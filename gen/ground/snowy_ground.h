@@ -49,6 +49,13 @@ class SnowyGround {
   /// steps.
   place::GroundPart covered(place::GroundPart part, const glm::vec3& under_grass) const;
 
+  /// Depth of the snow at a place, metres.
+  float depth_m(const glm::dvec2& at_m) const;
+  /// Fraction of the ground there that is white.
+  float white_fraction(const glm::dvec2& at_m) const;
+  /// How far rain has darkened bare ground, in [0, 1).
+  double wetness() const { return wetness_; }
+
   /// Mean fraction of the ground that is white.
   double white_fraction() const;
 
@@ -59,7 +66,6 @@ class SnowyGround {
   bool is_bare() const { return !white_; }
   void lay_everywhere(int frame);
   void lay_about_the_camera(int frame);
-  float depth_m(const glm::dvec2& at_m) const;
   float grass_above(const glm::dvec2& at_m) const;
   FactorMap above_snow(FactorMap growth) const;
   FactorMap white(const GroundGrid& grid) const;

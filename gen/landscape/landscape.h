@@ -33,8 +33,7 @@ struct Volume {
   glm::ivec3 voxels{0};       ///< active box (N, N, height)
   double voxel_m = 0.0;       ///< side; N * voxel_m is the patch
   /// The same patch without light, the .vdb of the finest volume: `density` (1/m) and `albedo`
-  /// (Vec3SGrid, of single scattering), placed as `density` of `vdb` is. Empty where
-  /// Landscape::unlit is.
+  /// (Vec3SGrid, of single scattering), placed as `density` of `vdb` is.
   std::filesystem::path texel = {};
 };
 
@@ -54,6 +53,12 @@ struct Part {
 /// What to append to a patch's name, safe in a file name: nothing to that of a whole one.
 std::string suffix_of(const Part& part);
 
+/// Which cell of the terrain an instance stands on, and which patch that is.
+struct CellOrigin {
+  glm::ivec2 cell{0};  ///< column (east) and row (north), from 0
+  int patch = 0;       ///< its number among all that there may be
+};
+
 /// An instance of a volume, or of a part of it. Cell space: metres, [0, patch] x [0, patch] x
 /// [0, height]; world_from_cell turns it by quarter-turns about the patch's centre, leans it over
 /// with the wind, shears z to the terrain and moves it. Its determinant is 1: densities stay. The
@@ -66,6 +71,7 @@ struct Cell {
   int volume = 0;  ///< index into Landscape::volumes
   glm::dmat4 reach{1.0};
   Part part{};  ///< all of the volume that is shown; its borders are voxels' borders
+  CellOrigin origin{};
 };
 
 /// The blades of a patch, or the points it is made of, as a mesh that glows by itself, in cell
@@ -80,6 +86,7 @@ struct BladeCell {
   glm::dmat4 world_from_cell;
   int mesh = 0;  ///< index into Landscape::blade_meshes
   Part part{};   ///< of the patch, on which the mesh's blades stand
+  CellOrigin origin{};
 };
 
 struct Camera {

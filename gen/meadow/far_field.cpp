@@ -145,6 +145,14 @@ void paint_far_grass(ColourMap& ground, const scene::Scene& scene, const Heightf
   });
 }
 
+double painted_opacity(const scene::Grass& mean_grass, const place::CellWindow& window,
+                       const place::View& view, const Meadow& meadow, const glm::dvec3& at_m,
+                       double grown) {
+  const double fraction = far_fraction(mean_grass, window, view, at_m);
+  if (fraction <= 0.0 || grown <= 0.0) return 0.0;
+  return fraction * (1.0 - thickened(meadow.look(at_m), grown).transmittance);
+}
+
 FactorMap grass_extinction_factor(const scene::Scene& scene, const Heightfield& terrain,
                                   const FactorMap& growth, const place::View& view) {
   const place::CellWindow window(scene);

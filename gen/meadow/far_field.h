@@ -75,6 +75,12 @@ void paint_far_grass(ColourMap& ground, const scene::Scene& scene, const Heightf
                      const FactorMap& growth, const ColourMap& light, const place::View& view,
                      const Meadow& meadow);
 
+/// The fraction of the ground at a place that grass painted there hides: paint_far_grass()'s, where
+/// the growth is `grown`.
+double painted_opacity(const scene::Grass& mean_grass, const place::CellWindow& window,
+                       const place::View& view, const Meadow& meadow, const glm::dvec3& at_m,
+                       double grown);
+
 /// Factor on the extinction of the grass that stands: its growth without the far share, over the
 /// slope's cosine, which keeps the density per square metre of ground.
 FactorMap grass_extinction_factor(const scene::Scene& scene, const Heightfield& terrain,

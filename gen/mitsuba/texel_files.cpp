@@ -1,70 +1,12 @@
 #include "mitsuba/texel_files.h"
 
-#include <fmt/format.h>
-
-#include "core/error.h"
 #include "core/files.h"
 #include "core/vdb_dense.h"
-#include "core/vdb_file.h"
+#include "landscape/voxel_albedo.h"
 #include "mitsuba/grid_file.h"
 
 namespace wold::mitsuba {
-namespace {
-
 namespace fs = std::filesystem;
-
-template <class Grid>
-typename Grid::Ptr read_grid(const fs::path& path, const char* name) {
-  const auto grid = openvdb::gridPtrCast<Grid>(read_vdb_grid(path, name));
-  if (!grid)
-    throw FileError(fmt::format("{}: the grid \"{}\" is of another type", path.string(), name));
-  return grid;
-}
-
-/// Colours with weights: their mean where there is any weight.
-struct Sum {
-  glm::dvec3 weighted{0.0};
-  double weight = 0.0;
-
-  void add(const openvdb::Vec3s& colour, double by) {
-    weighted += by * glm::dvec3(colour.x(), colour.y(), colour.z());
-    weight += by;
-  }
-  glm::vec3 mean_or(const glm::vec3& other) const {
-    return weight > 0.0 ? glm::vec3(weighted / weight) : other;
-  }
-};
-
-/// Index of the voxel of a volume that a place in cell space lies in, x fastest.
-std::size_t voxel_at(const landscape::Volume& volume, const openvdb::Vec3d& place_m) {
-  const glm::dvec3 at = glm::dvec3(place_m.x(), place_m.y(), place_m.z()) / volume.voxel_m;
-  const glm::ivec3 voxel = glm::clamp(glm::ivec3(glm::floor(at)), glm::ivec3(0), volume.voxels - 1);
-  return static_cast<std::size_t>(voxel.x) +
-         static_cast<std::size_t>(volume.voxels.x) *
-             (static_cast<std::size_t>(voxel.y) +
-              static_cast<std::size_t>(volume.voxels.y) * static_cast<std::size_t>(voxel.z));
-}
-
-std::vector<glm::vec3> albedo_of(const landscape::Volume& volume, std::size_t count) {
-  const auto density = read_grid<openvdb::FloatGrid>(volume.texel, "density");
-  const auto albedo = read_grid<openvdb::Vec3SGrid>(volume.texel, "albedo");
-  density->tree().voxelizeActiveTiles();
-  std::vector<Sum> sums(count);
-  Sum all;
-  auto colour = albedo->getConstAccessor();
-  for (auto at = density->cbeginValueOn(); at; ++at) {
-    const openvdb::Coord voxel = at.getCoord();
-    sums[voxel_at(volume, density->indexToWorld(voxel))].add(colour.getValue(voxel), double{*at});
-    all.add(colour.getValue(voxel), double{*at});
-  }
-  const glm::vec3 mean = all.mean_or(glm::vec3(0.0F));
-  std::vector<glm::vec3> result;
-  result.reserve(count);
-  for (const Sum& sum : sums) result.push_back(sum.mean_or(mean));
-  return result;
-}
-
-}  // namespace
 
 std::string texel_name(const landscape::Volume& volume) {
   return volume.vdb.stem().string() + "_" + volume.content;
@@ -79,7 +21,7 @@ void write_texel(const landscape::Volume& volume, const fs::path& folder) {
   if (fs::exists(files[0]) && fs::exists(files[1])) return;
   const std::vector<float> extinction_per_m =
       read_dense_floats(volume.vdb, "density", glm::ivec3(1), volume.voxels);
-  write_file(files[1], grid_bytes(volume.voxels, albedo_of(volume, extinction_per_m.size())));
+  write_file(files[1], grid_bytes(volume.voxels, landscape::voxel_albedo(volume)));
   write_file(files[0], grid_bytes(volume.voxels, extinction_per_m));
 }
 

@@ -19,6 +19,12 @@ std::string_view command_description(std::string_view command) {
        "the scenes in DIR/blender and DIR/povray. They work where only the renderer is: "
        "povray scene.pov shows the one, the files of wold extension the other. "
        "DIR/manifest.json lists every file at the end."},
+      {"passes",
+       "Writes what every pixel of the frames shows, as numbers: depth, normals, positions, "
+       "motion, species, cells, snow, weathering, wetness, albedo and light, or those that --passes "
+       "names, in DIR/passes/NNNN.exr. They come from the scene's own model, so that they fit the "
+       "pictures of all renderers and need none. wold inspect explains such a file. wold render "
+       "--passes makes them with the pictures."},
       {"plan",
        "Lists stages and their tasks, how many of them are to do, and estimates of time, "
        "memory and disk. A task is what one machine can do alone as soon as those before it "

@@ -18,6 +18,7 @@ constexpr double texel_seconds = 5e-8;          // per voxel of the finest level
 constexpr double scene_seconds = 2.0;           // per frame: cells, light, sky
 constexpr double sample_seconds = 1e-6;         // per sample of the ground's pictures
 constexpr double scene_file_seconds = 2e-9;     // per byte that is written
+constexpr double pass_pixel_seconds = 5e-5;     // per pixel: its rays through the grass
 constexpr double cloud_seconds = 10.0;          // per layer
 constexpr double renderer_start_seconds = 5.0;  // reading the scene
 
@@ -44,6 +45,13 @@ Estimate scenes(const Job& job, const StageTasks& stage, const film::FilmDemand&
   return {seconds, scene_memory_bytes(job), each(bytes, stage)};
 }
 
+Estimate passes_of_frame(const Job& job, const film::FilmDemand& demand) {
+  const scene::Render& render = job.scene.render;
+  const double pixels = static_cast<double>(render.size_px[0]) * render.size_px[1];
+  return {scene_seconds + sample_seconds * ground_samples(job.scene) + pass_pixel_seconds * pixels,
+          passes_memory_bytes(job, demand), pass_bytes(job.scene, job.passes)};
+}
+
 /// Of the frame that takes most.
 double picture_memory_bytes(const Job& job, const Stage& stage, const film::FilmDemand& demand) {
   double max = 0.0;
@@ -68,6 +76,8 @@ Estimate modelled(const Job& job, const StageTasks& stage, const film::FilmDeman
     case Step::clouds:
       return {cloud_seconds * static_cast<double>(job.scene.clouds.size()), scene_memory_bytes(job),
               cloud_picture_bytes(job.scene)};
+    case Step::passes:
+      return passes_of_frame(job, demand);
     case Step::scenes:
       return scenes(job, stage, demand);
     case Step::pictures:
@@ -125,6 +135,7 @@ Estimate estimate(const Job& job, const StageTasks& stage, Work& work) {
 
 double memory_bytes(const Job& job, const StageTasks& stage, Work& work) {
   if (stage.stage == Stage::texels) return texel_memory_bytes(job);
+  if (stage.stage == Stage::passes) return passes_memory_bytes(job, work.demand());
   if (!makes_pictures(stage.stage)) return scene_memory_bytes(job);
   if (const auto known = measured(stage, work); known && known->memory_bytes > 0.0)
     return known->memory_bytes;

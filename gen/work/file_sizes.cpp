@@ -163,6 +163,14 @@ double scene_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
          looked_at * static_cast<double>(frames) / static_cast<double>(demand.frames().size());
 }
 
+double pass_bytes(const scene::Scene& scene, std::span<const passes::Pass> passes) {
+  constexpr double packed = 0.5;  // what packing by run lengths leaves
+  double pixel_bytes = 0.0;
+  for (const passes::Pass pass : passes)
+    pixel_bytes += packed * passes::bytes_per_pixel(pass, scene::species_of(scene).size() + 2);
+  return pixel_bytes * scene.render.size_px[0] * scene.render.size_px[1];
+}
+
 double picture_bytes(const scene::Scene& scene) {
   constexpr double pixel_bytes = 2.0;  // of a PNG
   return pixel_bytes * scene.render.size_px[0] * scene.render.size_px[1];

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "exporter/costs.h"
 #include "film/film_demand.h"
+#include "passes/pass.h"
 #include "scene/scene.h"
 
 /// How many bytes a film's files take, before any of them is there. Fitted to what examples/ write:
@@ -53,6 +55,9 @@ double cloud_picture_bytes(const scene::Scene& scene);
 /// The folder of an exporter with `frames` frames.
 double scene_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
                    const film::FilmDemand& demand, std::size_t frames);
+
+/// The passes of one frame.
+double pass_bytes(const scene::Scene& scene, std::span<const passes::Pass> passes);
 
 /// One picture.
 double picture_bytes(const scene::Scene& scene);

@@ -71,6 +71,7 @@ Job plan_job(const RenderOptions& options) {
   require_own_folder(job.out);
   require_inputs_kept(job.out, input_files(options.scene, job.scene), job.scene);
   job.exporters = film::wanted_exporters(job.scene);
+  if (!options.passes.empty()) job.passes = passes::passes_of(options.passes);
   job.programs = options.programs;
   job.threads = options.threads > 0 ? options.threads : job.scene.render.threads;
   job.memory_bytes = static_cast<double>(options.memory_bytes);

@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "film/request.h"
+#include "passes/pass.h"
 #include "scene/rule.h"
 
 namespace wold::work {
@@ -23,6 +24,7 @@ struct RenderOptions {
   std::vector<std::string> overrides;  ///< key=value, applied after the scene file
   std::vector<int> frames;             ///< from 1, rising; empty: all
   std::filesystem::path out;           ///< empty: out/<scene name>
+  std::string passes;                  ///< "depth,normal"; empty: none
   ChosenPrograms programs;
   int threads = 0;                 ///< 0: the scene's render.threads
   std::uint64_t memory_bytes = 0;  ///< 0: the machine's
@@ -32,9 +34,10 @@ struct RenderOptions {
 
 /// What `render` and `generate` agree on before they work: what to make, and with what.
 struct Job : film::Request {
-  scene::Places places;       ///< where the scene file says what, for later checks that blame it
-  ChosenPrograms programs;    ///< that options name
-  int threads = 0;            ///< 0: all processors
+  scene::Places places;  ///< where the scene file says what, for later checks that blame it
+  std::vector<passes::Pass> passes;  ///< to be made beside the pictures
+  ChosenPrograms programs;           ///< that options name
+  int threads = 0;                   ///< 0: all processors
   double memory_bytes = 0.0;  ///< that all may take together; 0: the machine's, and no limit is set
   std::vector<Problem> text_warnings;  ///< of scene::read_located_scene()
 };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <tuple>
 
 #include "core/elementary.h"
 #include "place/cell_window.h"
@@ -58,11 +60,15 @@ double read_bytes(const scene::Scene& scene, const exporter::MemoryCosts& costs,
   return bytes;
 }
 
-double scene_memory_bytes(const Job& job, int threads) {
+/// A frame's landscape, before anybody reads a volume of it.
+double landscape_bytes(const Job& job) {
   constexpr double cloud_voxel_bytes = 24.0;
   return idle_bytes(job) + painting_bytes(job.scene) + cells_bytes(job.scene) +
-         (20.0 + 16.0 * threads) * voxels_of(job.scene) +
          cloud_voxel_bytes * cloud_voxels(job.scene) + backdrop_bytes(job.scene);
+}
+
+double scene_memory_bytes(const Job& job, int threads) {
+  return landscape_bytes(job) + (20.0 + 16.0 * threads) * voxels_of(job.scene);
 }
 
 }  // namespace
@@ -81,6 +87,31 @@ int scene_threads(const Job& job) {
 }
 
 double scene_memory_bytes(const Job& job) { return scene_memory_bytes(job, scene_threads(job)); }
+
+double passes_memory_bytes(const Job& job, const film::FilmDemand& demand) {
+  constexpr double voxel_bytes = 4.0;     // of every volume that is shown: its density
+  constexpr double albedo_bytes = 60.0;   // of one at a time: its albedo, and what that is made of
+  constexpr double blade_bytes = 9000.0;  // its triangles, and the boxes they lie in
+  constexpr double pixel_bytes = 400.0;
+  const VolumeSizes sizes(job.scene);
+  double shown_voxels = 0.0, max_voxels = 0.0, blades = 0.0;
+  std::set<std::tuple<int, grass::PatchState, int>> known;
+  for (const auto& [frame, shown] : demand.frames()) {
+    double voxels = 0.0;
+    known.clear();
+    for (const film::ShownVolume& volume : shown.volumes) {
+      if (!known.insert({volume.variant, volume.state, volume.lod}).second) continue;
+      const VolumeSize size = sizes.of(volume.variant, volume.state, volume.lod);
+      voxels += size.voxels;
+      max_voxels = std::max(max_voxels, size.voxels);
+    }
+    shown_voxels = std::max(shown_voxels, voxels);
+    blades = std::max(blades, job.scene.grass.blades * static_cast<double>(shown.patches.size()));
+  }
+  const scene::Render& render = job.scene.render;
+  return landscape_bytes(job) + voxel_bytes * shown_voxels + albedo_bytes * max_voxels +
+         blade_bytes * blades + pixel_bytes * render.size_px[0] * render.size_px[1];
+}
 
 double renderer_memory_bytes(const Job& job, const exporter::MemoryCosts& costs,
                              const film::FrameDemand& shown) {

@@ -20,6 +20,9 @@ int scene_threads(const Job& job);
 /// Making the scene files of one frame with these.
 double scene_memory_bytes(const Job& job);
 
+/// Making the passes of one frame.
+double passes_memory_bytes(const Job& job, const film::FilmDemand& demand);
+
 /// One renderer with one picture.
 double renderer_memory_bytes(const Job& job, const exporter::MemoryCosts& costs,
                              const film::FrameDemand& shown);

@@ -31,7 +31,8 @@ std::vector<std::string> names_in(const fs::path& folder) {
 
 /// "texels_0001.json", "scene_0123456789abcdef.json", "lock"
 bool is_name_of_record(std::string_view name) {
-  constexpr std::array<std::string_view, 4> kinds = {"texels", "clouds", "scenes", "scene"};
+  constexpr std::array<std::string_view, 5> kinds = {"texels", "clouds", "passes", "scenes",
+                                                     "scene"};
   if (name == "lock") return true;
   const std::string_view kind = name.substr(0, name.find('_'));
   return kind.size() < name.size() && name.ends_with(".json") &&

@@ -97,6 +97,7 @@ std::vector<std::string> task_options(const RenderOptions& options) {
   std::vector<std::string> arguments = {"--out", "{{Param.Out}}"};
   if (!options.frames.empty())
     arguments.insert(arguments.end(), {"--frames", ranges_text(options.frames)});
+  if (!options.passes.empty()) arguments.insert(arguments.end(), {"--passes", options.passes});
   for (const exporter::Exporter* one : film::exporters())
     if (const auto chosen = options.programs.find(one->name);
         chosen != options.programs.end() && !chosen->second.empty())

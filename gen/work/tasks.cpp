@@ -12,7 +12,7 @@
 namespace wold::work {
 std::string_view name_of(const Stage& stage) {
   if (stage.exporter) return stage.exporter->name;
-  constexpr std::string_view names[] = {"texels", "clouds", "scenes"};
+  constexpr std::string_view names[] = {"texels", "clouds", "passes", "scenes"};
   return names[static_cast<std::size_t>(stage.step)];
 }
 
@@ -24,7 +24,8 @@ std::vector<StageTasks> stages_of(const Job& job) {
   std::vector<StageTasks> stages = {
       {Stage::texels, counted(scene::patch_count(job.scene)), {}, {}}};
   if (!job.scene.clouds.empty()) stages.push_back({Stage::clouds, {1}, {}, {}});
-  stages.push_back({Stage::scenes, job.frames, Stage::texels, {}});
+  if (!job.passes.empty()) stages.push_back({Stage::passes, job.frames, Stage::texels, {}});
+  if (!job.exporters.empty()) stages.push_back({Stage::scenes, job.frames, Stage::texels, {}});
   for (const exporter::Exporter* one : job.exporters)
     if (one->renderer)
       stages.push_back({Stage{Step::pictures, one}, job.frames, {}, Stage::scenes});

@@ -11,11 +11,11 @@
 namespace wold::work {
 
 /// The steps of a film, in the order they are done.
-enum class Step { texels, clouds, scenes, pictures };
+enum class Step { texels, clouds, passes, scenes, pictures };
 
 /// Tasks of one kind: a step, or of pictures those of one renderer.
 struct Stage {
-  static const Stage texels, clouds, scenes;
+  static const Stage texels, clouds, passes, scenes;
 
   Step step = Step::texels;
   const exporter::Exporter* exporter = nullptr;  ///< of pictures: whose files its renderer shows
@@ -24,9 +24,11 @@ struct Stage {
 };
 inline const Stage Stage::texels = {Step::texels};
 inline const Stage Stage::clouds = {Step::clouds};
+inline const Stage Stage::passes = {Step::passes};
 inline const Stage Stage::scenes = {Step::scenes};
 
-/// "texels", "clouds", "scenes" or an exporter's name: as on the command line and in DIR/tasks.
+/// "texels", "clouds", "passes", "scenes" or an exporter's name: as on the command line and in
+/// DIR/tasks.
 std::string_view name_of(const Stage& stage);
 
 inline bool makes_pictures(const Stage& stage) { return stage.step == Step::pictures; }

@@ -68,6 +68,8 @@ bool may_make(const Stage& stage, const fs::path& name) {
       return first == "texels" && extension == ".vdb";
     case Step::clouds:
       return first == "clouds" && extension == ".png";
+    case Step::passes:
+      return first == "passes" && extension == ".exr";
     case Step::scenes:
       return std::ranges::any_of(film::exporters(), [&](const exporter::Exporter* one) {
         return exporter::writes(*one, first);
@@ -88,6 +90,10 @@ std::string listed(const std::vector<std::string>& keys) {
 }
 
 }  // namespace
+
+fs::path passes_path(const Job& job, int frame) {
+  return job.out / "passes" / fmt::format("{:04}.exr", frame);
+}
 
 fs::path picture_path(const Job& job, const Task& task) {
   return job.out / "frames" / name_of(task.stage) / fmt::format("{:04}.png", task.index);
@@ -133,7 +139,7 @@ Verdict Work::outdated(const Task& task, const TaskRecord& record) {
   if (is_new) {
     const SceneFacts then = records_.read_facts(record.facts);
     why = record.facts == facts_hash_ || then.empty()
-              ? "made for other frames or renderers, or by another build of wold"
+              ? "made for other frames, renderers or passes, or by another build of wold"
               : fmt::format("{} changed", listed(changed_keys(facts_, then)));
   }
   if (task.stage != Stage::texels) return {Need::yes, why};
@@ -144,6 +150,7 @@ std::string Work::source(const Task& task) {
   if (makes_pictures(task.stage)) return picture_source(task);
   std::string text = fmt::format("{} {} {} ", text_of(task), facts_hash_, build_);
   if (task.stage == Stage::texels) text += ranges_text(job_.frames);
+  if (task.stage == Stage::passes) text += passes::text_of(job_.passes);
   if (task.stage == Stage::scenes)
     for (const exporter::Exporter* one : job_.exporters)
       text += fmt::format("{}{}", one == job_.exporters.front() ? "" : " ", one->name);
@@ -235,6 +242,8 @@ Work::Made Work::make(const Task& task, const RendererLimits& limits, Progress& 
       return {film().make_texels(task.index - 1, progress)};
     case Step::clouds:
       return {film().make_cloud_pictures()};
+    case Step::passes:
+      return {film().make_passes(task.index, job_.passes, progress)};
     case Step::scenes:
       return {film().make_frame(task.index, progress)};
     case Step::pictures:

@@ -2,11 +2,14 @@
 
 #include <gmock/gmock.h>
 
+#include <bit>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "core/error.h"
 #include "core/files.h"
 #include "core/image.h"
+#include "core/layered_image.h"
 #include "scratch_folder.h"
 #include "vdb_samples.h"
 
@@ -62,6 +65,28 @@ TEST_F(Inspect, PictureProblems) {
   const Inspection result = inspect(folder_ / "nan.exr");
   EXPECT_THAT(result.problems, ElementsAre("1 values are no finite numbers"));
   EXPECT_THAT(result.json, HasSubstr("\"stored_as\": \"float\""));
+}
+
+TEST_F(Inspect, LayersAreListedWithWhatTheHeaderSaysOfThem) {
+  write_layered_image(
+      folder_ / "layers.exr",
+      {2,
+       1,
+       {{"depth.Z", PixelFormat::float32, {3.5F, 1e10F}},
+        {"kind00.R", PixelFormat::float32, {std::bit_cast<float>(0x248bfa47U), 0.0F}},
+        {"kind00.G", PixelFormat::float32, {0.5F, 0.0F}}},
+       {{"wold/depth", "m; along the camera's axis"},
+        {"cryptomatte/1234567/name", "kind"},
+        {"cryptomatte/1234567/manifest", R"({"hello":"248bfa47","bad":7,"worse":"x"})"}}});
+  const auto facts = nlohmann::json::parse(inspect(folder_ / "layers.exr").json);
+  const auto& depth = facts.at("layers").at("depth");
+  EXPECT_EQ(depth.at("unit"), "m");
+  EXPECT_EQ(depth.at("meaning"), "along the camera's axis");
+  EXPECT_THAT(depth.at("channels").at("depth.Z").at("range"), ElementsAre(3.5, 3.5));
+  EXPECT_EQ(depth.at("channels").at("depth.Z").at("fraction_without_a_number"), 0.5);
+  const auto& names = facts.at("layers").at("kind").at("covered_by");
+  EXPECT_EQ(names.size(), 1U);
+  EXPECT_EQ(names.at("hello"), 0.25);
 }
 
 TEST_F(Inspect, DamageIsAProblemAndAbsenceAnError) {

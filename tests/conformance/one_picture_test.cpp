@@ -1,16 +1,10 @@
 // Both renderers show what the landscape says, alike. Skipped where one of them is missing.
-#include <fmt/format.h>
+#include "support/one_picture.h"
+
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
-#include "blender/export.h"
-#include "core/files.h"
 #include "core/image.h"
-#include "povray/export.h"
-#include "support/blender.h"
 #include "support/blurred_difference.h"
-#include "support/povray_film.h"
 #include "support/quartered.h"
 #include "support/snowy_view.h"
 #include "support/synthetic_landscape.h"
@@ -19,36 +13,10 @@
 namespace wold {
 namespace {
 
-namespace fs = std::filesystem;
 using landscape::Landscape;
-
-Image run(const std::string& command, const fs::path& folder) {
-  if (std::system(fmt::format("cd '{}' && {} > log 2>&1", folder.string(), command).c_str()) != 0)
-    ADD_FAILURE() << read_file(folder / "log");
-  return read_image(folder / "picture.png");
-}
-
-Image blender_picture(const Landscape& landscape, const fs::path& folder) {
-  blender::export_frame(landscape, folder);
-  return run(test::blender_render(folder, 1) + " --out picture.png", folder);
-}
-
-Image povray_picture(const Landscape& landscape, const fs::path& folder) {
-  povray::export_frame(landscape, folder);
-  povray::export_scene(test::film_of(landscape), folder);
-  return run("povray data/frame_0001.ini +Opicture.png", folder);
-}
-
-/// Says so where a renderer is missing.
-class OnePicture : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!test::shows_volumes() || !test::succeeds("povray --version"))
-      GTEST_SKIP()
-          << "no Blender that shows volumes or no POV-Ray on this machine: the pictures are "
-             "not compared";
-  }
-};
+using test::blender_picture;
+using test::OnePicture;
+using test::povray_picture;
 
 // Every other cell in quarters, of which each lies in its own way: they show the same grass, and
 // stand where a whole one's would.

@@ -45,6 +45,17 @@ TEST(Stages, EndWithPicturesOfEachExporterThatHasARenderer) {
   EXPECT_EQ(stages.back().stage.exporter->name, name_of(stages.back().stage));
 }
 
+TEST(Stages, HavePassesWhereTheyAreWantedAndSceneFilesWhereThereAreExporters) {
+  Job job = job_of({&test::file_only_exporter()});
+  job.passes = {passes::Pass::depth};
+  const std::vector<StageTasks> stages = stages_of(job);
+  EXPECT_EQ(names_of(stages), "texels passes scenes ");
+  EXPECT_EQ(stages[1].after_all, Stage::texels);
+  EXPECT_EQ(stages[1].indices, job.frames);
+  job.exporters.clear();
+  EXPECT_EQ(names_of(stages_of(job)), "texels passes ");
+}
+
 TEST(Stages, OfAnExporterWithoutARendererAreDoneWithItsFiles) {
   const test::TemporaryFolder folder("file_only");
   Job job = job_of({&test::file_only_exporter()});
