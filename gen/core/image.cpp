@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/png_chunks.h"
+#include "core/rough_picture.h"
 
 namespace wold {
 namespace {
@@ -90,16 +91,15 @@ std::unique_ptr<OIIO::ImageInput> open_picture(const std::filesystem::path& path
          fmt::format("expected a PNG, JPEG, TIFF, BMP, OpenEXR or Radiance HDR picture: {}", why));
 }
 
-}  // namespace
-
-void write_image(const std::filesystem::path& path, const Image& image, PixelFormat format) {
+/// `packing` is OpenImageIO's name of how an OpenEXR picture is packed.
+void write_packed(const std::filesystem::path& path, const Image& image, PixelFormat format,
+                  const char* packing) {
   write_file_by_path(path, [&](const std::filesystem::path& temporary) {
     OIIO::ImageSpec spec(image.width, image.height, image.channels, stored_type(format));
     // Otherwise colours are divided by alpha in some formats.
     spec.attribute("oiio:UnassociatedAlpha", 1);
     if (path.extension() == ".exr") {
-      // Others are made by libraries whose versions choose other bytes.
-      spec.attribute("compression", "rle");
+      spec.attribute("compression", packing);
       // Without it OpenImageIO stores the time, and the same picture has other bytes every second.
       spec.attribute("DateTime", "1970:01:01 00:00:00");
     }
@@ -110,6 +110,17 @@ void write_image(const std::filesystem::path& path, const Image& image, PixelFor
     if (path.extension() == ".png")
       write_file(temporary, without_ancillary_chunks(read_file(temporary)));
   });
+}
+
+}  // namespace
+
+void write_image(const std::filesystem::path& path, const Image& image, PixelFormat format) {
+  // Others without loss are made by libraries whose versions choose other bytes.
+  write_packed(path, image, format, "rle");
+}
+
+void write_rough_picture(const std::filesystem::path& path, const Image& image) {
+  write_packed(path, image, PixelFormat::half, "b44");
 }
 
 ImageHeader read_image_header(const std::filesystem::path& path) {
