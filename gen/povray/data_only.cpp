@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 3> directives = {"declare", "local", "ver
 
 /// What stands in files of data: nothing that reads, writes, includes or makes a string, and none
 /// of the scene program's own names of files and folders.
-constexpr std::array<std::string_view, 58> words = {
+constexpr std::array<std::string_view, 60> words = {
     "Wold_backdrop_corner_m",
     "Wold_backdrop_right_m",
     "Wold_backdrop_up_m",
@@ -47,6 +47,7 @@ constexpr std::array<std::string_view, 58> words = {
     "Wold_fog_extinction_per_m",
     "Wold_fog_radiance",
     "Wold_frames",
+    "Wold_grass_density",
     "Wold_ground_detail",
     "Wold_ground_samples",
     "Wold_ground_step_m",
@@ -58,6 +59,7 @@ constexpr std::array<std::string_view, 58> words = {
     "Wold_meshes",
     "Wold_part",
     "Wold_patch_m",
+    "Wold_radiance_max",
     "Wold_sky_irradiance",
     "Wold_standing_corner_m",
     "Wold_standing_max",
