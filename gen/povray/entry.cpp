@@ -11,10 +11,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Of the box of voxels that a patch's height asks for, without the tips of its blades: extinction,
-/// and at half the resolution red, green and blue of each quarter-turn.
+/// and for each quarter-turn luminance, and red, green and blue at half the resolution.
 constexpr double below_tips = 0.86;
 constexpr double grids_of_a_texel = below_tips;
-constexpr double grids_of_a_volume = below_tips * 3.0 / 8.0;
+constexpr double grids_of_a_volume = below_tips * (1.0 + 3.0 / 8.0);
 
 std::vector<fs::path> export_landscape(const landscape::Landscape& landscape,
                                        const exporter::FilmSettings& film, const fs::path& folder) {

@@ -8,10 +8,11 @@
 #include <string>
 #include <string_view>
 
+#include "core/colour.h"
 #include "core/df3.h"
 #include "core/files.h"
 #include "core/vdb_dense.h"
-#include "povray/coarse_radiance.h"
+#include "povray/coarse_colours.h"
 #include "povray/text.h"
 
 namespace wold::povray {
@@ -54,8 +55,8 @@ struct GridFiles {
 };
 
 GridFiles density_files(const landscape::Volume& volume) { return {density_name(volume), {""}}; }
-GridFiles radiance_files(const landscape::Volume& volume) {
-  return {volume.name, {"_r", "_g", "_b"}};
+GridFiles light_files(const landscape::Volume& volume) {
+  return {volume.name, {"_l", "_r", "_g", "_b"}};
 }
 GridFiles files_of(const landscape::CloudBox& cloud) {
   return {cloud.name, {"_d", "_r", "_g", "_b"}};
@@ -63,7 +64,7 @@ GridFiles files_of(const landscape::CloudBox& cloud) {
 
 /// First line of an .inc: what its files were made from. The number is that of the layout.
 std::string content_line(const GridFiles& files, const landscape::Volume& volume, int bits) {
-  return fmt::format("// {}, content {}, {} bit, layout 4\n", files.name, volume.content, bits);
+  return fmt::format("// {}, content {}, {} bit, layout 5\n", files.name, volume.content, bits);
 }
 
 /// Writes one df3 file scaled by its largest value, which is returned.
@@ -130,18 +131,39 @@ void write_density(const landscape::Volume& volume, const Extinction& extinction
                  grid_text(extinction.voxels, volume.voxel_m) + extinction_text(largest), folder);
 }
 
-void write_radiance(const landscape::Volume& volume, const Extinction& extinction, int bits,
-                    const fs::path& folder) {
-  const RadianceGrid grid = coarse_radiance(
-      extinction.per_m,
-      read_dense_vectors(volume.vdb, volume.emission_grid, glm::ivec3(1), extinction.voxels),
-      extinction.voxels);
-  const GridFiles files = radiance_files(volume);
-  const glm::vec3 largest = write_colours(files, grid.radiance, grid.voxels, bits, folder);
+float relative_luminance(const glm::vec3& rgb) { return static_cast<float>(luminance(rgb)); }
+
+/// Of what a volume emits, per metre, the luminance.
+std::vector<float> emitted_luminance(const Extinction& extinction,
+                                     std::span<const glm::vec3> radiance) {
+  std::vector<float> emitted(extinction.per_m.size());
+  for (std::size_t i = 0; i < emitted.size(); ++i)
+    emitted[i] = extinction.per_m[i] * relative_luminance(radiance[i]);
+  return emitted;
+}
+
+/// Colours of luminance 1; black where it is dark.
+std::vector<glm::vec3> colours_of(std::vector<glm::vec3> radiance) {
+  for (glm::vec3& value : radiance)
+    if (const float luminance = relative_luminance(value); luminance > 0.0F) value /= luminance;
+  return radiance;
+}
+
+void write_light(const landscape::Volume& volume, const Extinction& extinction, int bits,
+                 const fs::path& folder) {
+  const glm::ivec3& voxels = extinction.voxels;
+  auto radiance = read_dense_vectors(volume.vdb, volume.emission_grid, glm::ivec3(1), voxels);
+  const std::vector<float> emitted = emitted_luminance(extinction, radiance);
+  const ColourGrid colours = coarse_colours(emitted, colours_of(std::move(radiance)), voxels);
+  const GridFiles files = light_files(volume);
+  const float emission_max = write_grid(files.grid(folder, "_l"), emitted, voxels, bits);
+  const glm::vec3 colour_max = write_colours(files, colours.values, colours.voxels, bits, folder);
   files.describe(
       content_line(files, volume, bits),
-      grid_text(grid.voxels, 2.0 * volume.voxel_m) +
-          fmt::format("#declare Wold_radiance_max = {};  // in _r, _g, _b\n", vector(largest)),
+      grid_text(colours.voxels, 2.0 * volume.voxel_m) +
+          fmt::format("#declare Wold_emission_max = {};  // radiance/m, of luminance, in _l\n"
+                      "#declare Wold_colour_max = {};  // of luminance 1, in _r, _g, _b\n",
+                      number(emission_max), vector(colour_max)),
       folder);
 }
 
@@ -150,8 +172,8 @@ bool has_density(const landscape::Volume& volume, int bits, const fs::path& fold
   return files.are_there(content_line(files, volume, bits), folder);
 }
 
-bool has_radiance(const landscape::Volume& volume, int bits, const fs::path& folder) {
-  const GridFiles files = radiance_files(volume);
+bool has_light(const landscape::Volume& volume, int bits, const fs::path& folder) {
+  const GridFiles files = light_files(volume);
   return files.are_there(content_line(files, volume, bits), folder);
 }
 
@@ -208,16 +230,16 @@ void write_texel(std::span<const landscape::Volume* const> volumes, int bits,
   const bool needs_density = !has_density(*volumes.front(), bits, folder);
   std::vector<const landscape::Volume*> unlit;
   for (const landscape::Volume* volume : volumes)
-    if (!has_radiance(*volume, bits, folder)) unlit.push_back(volume);
+    if (!has_light(*volume, bits, folder)) unlit.push_back(volume);
   if (!needs_density && unlit.empty()) return;
   make_folder(folder);
   const Extinction extinction = read_extinction(*volumes.front());
   if (needs_density) write_density(*volumes.front(), extinction, bits, folder);
-  for (const landscape::Volume* volume : unlit) write_radiance(*volume, extinction, bits, folder);
+  for (const landscape::Volume* volume : unlit) write_light(*volume, extinction, bits, folder);
 }
 
 std::vector<fs::path> volume_files(const landscape::Volume& volume, const fs::path& folder) {
-  std::vector<fs::path> files = radiance_files(volume).all(folder);
+  std::vector<fs::path> files = light_files(volume).all(folder);
   for (const fs::path& file : density_files(volume).all(folder)) files.push_back(file);
   return files;
 }

@@ -1,11 +1,11 @@
-#include "povray/coarse_radiance.h"
+#include "povray/coarse_colours.h"
 
 #include <cstddef>
 
 namespace wold::povray {
 namespace {
 
-/// Sums over the matter in each voxel: extinction times radiance, and extinction.
+/// Sums over each voxel: brightness times colour, and brightness.
 struct Sums {
   glm::ivec3 voxels{0};
   std::vector<glm::vec4> values;
@@ -32,12 +32,12 @@ void for_each_voxel(glm::ivec3 voxels, const Sums& coarse, const Visit& visit) {
       for (int x = 0; x < voxels.x; ++x) visit(fine++, coarse.index(x / 2, y / 2, z / 2));
 }
 
-Sums sums_of(std::span<const float> extinction, std::span<const glm::vec3> radiance,
+Sums sums_of(std::span<const float> brightness, std::span<const glm::vec3> colours,
              glm::ivec3 voxels) {
   Sums sums(glm::ivec3((voxels.x + 1) / 2, (voxels.y + 1) / 2, voxels.z / 2 + 1));
   for_each_voxel(voxels, sums, [&](std::size_t fine, std::size_t coarse) {
-    const float weight = extinction[fine];
-    if (weight > 0.0F) sums.values[coarse] += weight * glm::vec4(radiance[fine], 1.0F);
+    const float weight = brightness[fine];
+    if (weight > 0.0F) sums.values[coarse] += weight * glm::vec4(colours[fine], 1.0F);
   });
   return sums;
 }
@@ -49,7 +49,7 @@ Sums halved(const Sums& fine) {
   return sums;
 }
 
-/// Gives voxels without matter what the coarser grid has there; that one has some everywhere.
+/// Gives dark voxels what the coarser grid has there.
 void fill_air(Sums& sums, const Sums& coarser) {
   for_each_voxel(sums.voxels, coarser, [&](std::size_t fine, std::size_t coarse) {
     if (!(sums.values[fine].w > 0.0F)) sums.values[fine] = coarser.values[coarse];
@@ -58,15 +58,15 @@ void fill_air(Sums& sums, const Sums& coarser) {
 
 }  // namespace
 
-RadianceGrid coarse_radiance(std::span<const float> extinction, std::span<const glm::vec3> radiance,
-                             glm::ivec3 voxels) {
-  std::vector<Sums> grids = {sums_of(extinction, radiance, voxels)};
+ColourGrid coarse_colours(std::span<const float> brightness, std::span<const glm::vec3> colours,
+                          glm::ivec3 voxels) {
+  std::vector<Sums> grids = {sums_of(brightness, colours, voxels)};
   while (grids.back().voxels != glm::ivec3(1)) grids.push_back(halved(grids.back()));
   for (std::size_t i = grids.size() - 1; i > 0; --i) fill_air(grids[i - 1], grids[i]);
-  RadianceGrid result{grids.front().voxels, {}};
-  result.radiance.reserve(grids.front().values.size());
+  ColourGrid result{grids.front().voxels, {}};
+  result.values.reserve(grids.front().values.size());
   for (const glm::vec4& sum : grids.front().values)
-    result.radiance.push_back(sum.w > 0.0F ? glm::vec3(sum) / sum.w : glm::vec3(0.0F));
+    result.values.push_back(sum.w > 0.0F ? glm::vec3(sum) / sum.w : glm::vec3(0.0F));
   return result;
 }
 
