@@ -11,6 +11,7 @@
 #include "core/files.h"
 #include "core/image.h"
 #include "core/random.h"
+#include "core/rough_picture.h"
 
 namespace wold::blender {
 namespace {
@@ -57,12 +58,23 @@ Image picture_of(const ColourMap& map, const FactorMap* fourth) {
   return picture;
 }
 
-Json write_ground_map(const ColourMap& map, const fs::path& folder, const char* name,
-                      const FactorMap* fourth = nullptr) {
-  write_image(folder / name, picture_of(map, fourth), PixelFormat::half);
+Json map_json(const ColourMap& map, const char* name) {
   Json json = {{"file", name}, {"samples", map.samples()}, {"size_m", map.size_m()}};
   if (map.corner_m() != glm::dvec2(0.0)) json["corner_m"] = {map.corner_m().x, map.corner_m().y};
   return json;
+}
+
+/// What multiplies grass: smooth, and dark where there is none.
+Json write_light_map(const ColourMap& light, const fs::path& folder, const char* name,
+                     const FactorMap* fourth = nullptr) {
+  write_image(folder / name, picture_of(light, fourth), PixelFormat::half);
+  return map_json(light, name);
+}
+
+Json write_ground_map(const ColourMap& ground, const fs::path& folder, const char* name,
+                      const FactorMap* fourth = nullptr) {
+  write_rough_picture(folder / name, picture_of(ground, fourth));
+  return map_json(ground, name);
 }
 
 /// How much of a finer picture of the ground is seen: none along its edge, all inside its border.
@@ -100,7 +112,7 @@ Json write_standing_light(const Landscape& landscape, const fs::path& folder) {
   const ColourMap light = product(landscape.light, landscape.extinction_factor);
   const FactorMap extinction_factor =
       product(landscape.extinction_factor, FactorMap(light.samples(), light.square(), 1.0F));
-  return write_ground_map(light, folder, "standing_light.exr", &extinction_factor);
+  return write_light_map(light, folder, "standing_light.exr", &extinction_factor);
 }
 
 /// Null under a clear sky.
@@ -302,7 +314,7 @@ std::vector<fs::path> write_frame_data(const Landscape& landscape, const fs::pat
                                        const std::vector<VolumeEntry>& volumes,
                                        const std::vector<int>& picks,
                                        const fs::path& shared_folder) {
-  write_image(folder / "sky.exr", landscape.sky, PixelFormat::float32);
+  write_image(folder / "sky.exr", landscape.sky, PixelFormat::half);
   const Json frame = {{"format", format},
                       {"frame", landscape.frame},
                       {"weathering", landscape.weathering},
@@ -313,7 +325,7 @@ std::vector<fs::path> write_frame_data(const Landscape& landscape, const fs::pat
                       {"exposure_gain", landscape.exposure_gain},
                       {"camera", camera_json(landscape.camera)},
                       {"terrain", write_terrain(landscape, folder)},
-                      {"light", write_ground_map(landscape.light, folder, "light.exr")},
+                      {"light", write_light_map(landscape.light, folder, "light.exr")},
                       {"standing_light", write_standing_light(landscape, folder)},
                       {"ground", write_ground_map(landscape.ground, folder, "ground.exr")},
                       {"ground_details", write_ground_details(landscape, folder)},

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 
 #include "cli/arguments.h"
@@ -160,6 +161,15 @@ void add_job_options(CLI::App& app, RenderArguments& arguments) {
       ->check(at_least_a_megabyte, "");
 }
 
+void add_keep(CLI::App& app, work::Keep& keep) {
+  const std::map<std::string, work::Keep> words = {{"all", work::Keep::all},
+                                                   {"scenes", work::Keep::scenes}};
+  app.add_option("--keep", keep,
+                 "what stays: all, or scenes, without the texels that scene files are made from")
+      ->type_name("WHAT")
+      ->transform(CLI::CheckedTransformer(words));
+}
+
 void add_quiet(CLI::App& app, bool& quiet) { app.add_flag("--quiet", quiet, "no progress"); }
 
 /// The options with the shorthands among the overrides.
@@ -174,6 +184,7 @@ Options resolved(const SceneArguments<Options>& arguments) {
 template <class Run>
 Action generate_like(CLI::App& app, const std::shared_ptr<RenderArguments>& arguments, Run run) {
   add_job_options(app, *arguments);
+  add_keep(app, arguments->options.keep);
   app.add_flag("--dry-run", arguments->options.dry_run,
                "check the scene, say what is to do and what it takes, stop");
   add_quiet(app, arguments->options.quiet);

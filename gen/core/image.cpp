@@ -13,6 +13,7 @@
 #include "core/files.h"
 #include "core/layered_image.h"
 #include "core/png_chunks.h"
+#include "core/rough_picture.h"
 
 namespace wold {
 namespace {
@@ -99,16 +100,15 @@ std::map<std::string, std::string> text_attributes(const OIIO::ImageSpec& spec) 
   return attributes;
 }
 
-}  // namespace
-
-void write_image(const std::filesystem::path& path, const Image& image, PixelFormat format) {
+/// `packing` is OpenImageIO's name of how an OpenEXR picture is packed.
+void write_packed(const std::filesystem::path& path, const Image& image, PixelFormat format,
+                  const char* packing) {
   write_file_by_path(path, [&](const std::filesystem::path& temporary) {
     OIIO::ImageSpec spec(image.width, image.height, image.channels, stored_type(format));
     // Otherwise colours are divided by alpha in some formats.
     spec.attribute("oiio:UnassociatedAlpha", 1);
     if (path.extension() == ".exr") {
-      // Others are made by libraries whose versions choose other bytes.
-      spec.attribute("compression", "rle");
+      spec.attribute("compression", packing);
       // Without it OpenImageIO stores the time, and the same picture has other bytes every second.
       spec.attribute("DateTime", "1970:01:01 00:00:00");
     }
@@ -119,6 +119,17 @@ void write_image(const std::filesystem::path& path, const Image& image, PixelFor
     if (path.extension() == ".png")
       write_file(temporary, without_ancillary_chunks(read_file(temporary)));
   });
+}
+
+}  // namespace
+
+void write_image(const std::filesystem::path& path, const Image& image, PixelFormat format) {
+  // Others without loss are made by libraries whose versions choose other bytes.
+  write_packed(path, image, format, "rle");
+}
+
+void write_rough_picture(const std::filesystem::path& path, const Image& image) {
+  write_packed(path, image, PixelFormat::half, "b44");
 }
 
 ImageHeader read_image_header(const std::filesystem::path& path) {

@@ -32,6 +32,11 @@ std::set<int> turns_of(const scene::Scene& scene, int lod) {
   return turns;
 }
 
+grass::TexelFiles texel_files(exporter::Exporters exporters) {
+  return needs_of(exporters).materials ? grass::TexelFiles::baked_and_unlit
+                                       : grass::TexelFiles::baked;
+}
+
 /// Writes a frame into an exporter's folder, and what the output folder has of that.
 void export_frame(const exporter::Exporter& exporter, const landscape::Landscape& landscape,
                   const exporter::FilmSettings& film, const fs::path& out,
@@ -65,7 +70,8 @@ FilmPipeline::FilmPipeline(const Request& request)
     : request_(request),
       snow_(request.out / "snow"),
       site_(place::make_site(request.scene, request.season, snow_.path())),
-      texels_(request.scene, meadow::film_lights(request.scene, site_), request.out / "texels") {}
+      texels_(request.scene, meadow::film_lights(request.scene, site_), request.out / "texels",
+              texel_files(request.exporters)) {}
 
 void FilmPipeline::find_demand(Progress& progress) {
   progress.begin("cells", request_.frames.size());
@@ -103,14 +109,12 @@ std::vector<fs::path> FilmPipeline::make_texels(int variant, Progress& progress)
   const auto wanted = demand_.find(variant);
   if (wanted == demand_.end()) return {};
   texels_.generate({*wanted}, progress);
-  std::vector<fs::path> files;
+  std::set<fs::path> files;
   for (const auto& [state, lods] : wanted->second) {
-    if (const fs::path texel = texels_.texel_path(variant, state);
-        files.empty() || std::ranges::count(files, texel) == 0)
-      files.push_back(texel);
-    for (const auto& lod : lods) files.push_back(texels_.volume_path(variant, state, lod.first));
+    if (needs_of(request_.exporters).materials) files.insert(texels_.texel_path(variant, state));
+    for (const auto& lod : lods) files.insert(texels_.volume_path(variant, state, lod.first));
   }
-  return files;
+  return {files.begin(), files.end()};
 }
 
 std::vector<fs::path> FilmPipeline::make_cloud_pictures() const {

@@ -34,8 +34,9 @@ class FilmPipeline {
   /// Which texels the request's frames ask for: looks at all of them. Before make_texels().
   void find_demand(Progress& progress);
 
-  /// The texels of a variant, from 0 to below scene::patch_count(): DIR/texels/v<variant>_*.
-  /// Returns the files. Variants may be made at the same time.
+  /// The texels of a variant, from 0 to below scene::patch_count(): DIR/texels/v<variant>_*; those
+  /// without light where an exporter needs materials. Returns the files. Variants may be made at
+  /// the same time.
   std::vector<std::filesystem::path> make_texels(int variant, Progress& progress) const;
 
   /// A picture of each layer of clouds: DIR/clouds/. Returns the files.

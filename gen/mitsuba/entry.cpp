@@ -23,6 +23,7 @@ const exporter::Exporter& entry() {
       // floats a voxel of a texel, of which the file has all.
       .files = {.frame = 4.0e6,
                 .frame_terrain_sample = 16.0,
+                .frame_ground_sample = 6.1,
                 .frame_part = 500.0,
                 .frame_cloud_voxel = 4.0,
                 .shared_terrain_sample = 48.0,

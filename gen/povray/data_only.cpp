@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 3> directives = {"declare", "local", "ver
 
 /// What stands in files of data: nothing that reads, writes, includes or makes a string, and none
 /// of the scene program's own names of files and folders.
-constexpr std::array<std::string_view, 58> words = {
+constexpr std::array<std::string_view, 60> words = {
     "Wold_backdrop_corner_m",
     "Wold_backdrop_right_m",
     "Wold_backdrop_up_m",
@@ -34,6 +34,7 @@ constexpr std::array<std::string_view, 58> words = {
     "Wold_blades",
     "Wold_cell",
     "Wold_cloud",
+    "Wold_colour_max",
     "Wold_emission_max",
     "Wold_exposure_gain",
     "Wold_extinction_max",
@@ -47,6 +48,7 @@ constexpr std::array<std::string_view, 58> words = {
     "Wold_fog_extinction_per_m",
     "Wold_fog_radiance",
     "Wold_frames",
+    "Wold_grass_density",
     "Wold_ground_detail",
     "Wold_ground_samples",
     "Wold_ground_step_m",

@@ -10,8 +10,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Extinction, red, green and blue.
-constexpr double grids_of_a_volume = 4.0;
+/// Of the box of voxels that a patch's height asks for, without the tips of its blades: extinction,
+/// and for each quarter-turn luminance, and red, green and blue at half the resolution.
+constexpr double below_tips = 0.86;
+constexpr double grids_of_a_texel = below_tips;
+constexpr double grids_of_a_volume = below_tips * (1.0 + 3.0 / 8.0);
 
 std::vector<fs::path> export_landscape(const landscape::Landscape& landscape,
                                        const exporter::FilmSettings& film, const fs::path& folder) {
@@ -45,11 +48,13 @@ const exporter::Exporter& entry() {
       // Fitted to what examples/ write.
       .files = {.frame = 0.3e6,
                 .frame_terrain_sample = 55.0,
+                .frame_ground_sample = 2.7,
                 .frame_part = 200.0,
                 .frame_cloud_voxel = 4.3,
                 .shared_terrain_sample = 62.6,  // the shape of the ground
                 .shared_blade = 2500.0,
-                .shared_density_grids = grids_of_a_volume},
+                .shared_density_grids = grids_of_a_volume,
+                .shared_texel_grids = grids_of_a_texel},
       .renderer = &renderer(),
       // POV-Ray keeps df3 files as they are.
       .memory = {.start = 115e6,
@@ -58,7 +63,8 @@ const exporter::Exporter& entry() {
                  .terrain_sample = 480.0,
                  .part = 8900.0,
                  .blade = 5000.0,
-                 .density_grids = grids_of_a_volume},
+                 .density_grids = grids_of_a_volume,
+                 .texel_grids = grids_of_a_texel},
       .seconds_per_megapixel = seconds_per_megapixel};
   return povray;
 }

@@ -6,9 +6,11 @@
 #include <map>
 #include <optional>
 #include <ostream>
+#include <set>
 #include <string>
 
 #include "core/files.h"
+#include "core/parallel.h"
 #include "expectation/expectation.h"
 #include "povray/blade_files.h"
 #include "povray/flake_files.h"
@@ -28,6 +30,24 @@ std::map<int, int> used_volumes(const landscape::Landscape& scene) {
   int next = 0;
   for (auto& [from, to] : used) to = next++;
   return used;
+}
+
+/// Volumes that share their extinction, by its name.
+using Texels = std::map<std::string, std::vector<const landscape::Volume*>>;
+
+Texels texels_of(const landscape::Landscape& scene, const std::map<int, int>& used) {
+  Texels texels;
+  for (const auto& [from, to] : used) {
+    const landscape::Volume& volume = scene.volumes[static_cast<std::size_t>(from)];
+    texels[density_name(volume)].push_back(&volume);
+  }
+  return texels;
+}
+
+void write_volumes(const Texels& texels, int bits, const fs::path& folder) {
+  std::vector<const std::vector<const landscape::Volume*>*> todo;
+  for (const auto& [name, volumes] : texels) todo.push_back(&volumes);
+  parallel_for(todo.size(), [&](std::size_t i) { write_texel(*todo[i], bits, folder); });
 }
 
 /// What is said of the map in the files `name`.df3 or `name`_r.df3 and so on: place and scale.
@@ -114,10 +134,19 @@ std::string frame_text(const landscape::Landscape& scene, const std::string& ter
 
 void write_volumes_list(std::ostream& out, const landscape::Landscape& scene,
                         const std::map<int, int>& used) {
-  out << include_begin << fmt::format("Wold_volumes({})\n", used.size());
-  for (const auto& [from, to] : used)
-    out << fmt::format("Wold_volume({}, {})\n", to,
-                       literal(scene.volumes[static_cast<std::size_t>(from)].name));
+  const Texels texels = texels_of(scene, used);
+  out << include_begin << fmt::format("Wold_volumes({}, {})\n", texels.size(), used.size());
+  std::map<std::string, std::size_t> numbers;
+  for (const auto& [name, volumes] : texels) {
+    const std::size_t number = numbers.size();
+    numbers[name] = number;
+    out << fmt::format("Wold_grass_density({}, {})\n", number, literal(name));
+  }
+  for (const auto& [from, to] : used) {
+    const landscape::Volume& volume = scene.volumes[static_cast<std::size_t>(from)];
+    out << fmt::format("Wold_volume({}, {}, {})\n", to, literal(volume.name),
+                       numbers.at(density_name(volume)));
+  }
   out << fmt::format("Wold_meshes({})\n", scene.blade_meshes.size());
   for (std::size_t i = 0; i < scene.blade_meshes.size(); ++i)
     out << fmt::format("Wold_blades({}, {})\n", i, literal(scene.blade_meshes[i].name));
@@ -165,18 +194,19 @@ std::vector<fs::path> frame_files(const landscape::Landscape& scene, const fs::p
   files.reserve(names.size());
   for (const std::string& name : names) files.push_back(frame / name);
   for (const landscape::CloudBox& cloud : scene.clouds)
-    for (const fs::path& file : volume_files(cloud.name, frame)) files.push_back(file);
+    for (const fs::path& file : cloud_files(cloud, frame)) files.push_back(file);
   return files;
 }
 
 /// What frames share, in `data`, as far as this one needs it.
 std::vector<fs::path> shared_files(const landscape::Landscape& scene,
                                    const std::map<int, int>& used, const fs::path& data) {
-  std::vector<fs::path> files;
-  for (const auto& [from, to] : used) {
-    const std::string& name = scene.volumes[static_cast<std::size_t>(from)].name;
-    for (const fs::path& file : volume_files(name, data / "volumes")) files.push_back(file);
-  }
+  std::set<fs::path> volumes;
+  for (const auto& [from, to] : used)
+    for (const fs::path& file :
+         volume_files(scene.volumes[static_cast<std::size_t>(from)], data / "volumes"))
+      volumes.insert(file);
+  std::vector<fs::path> files(volumes.begin(), volumes.end());
   for (const landscape::BladeMesh& mesh : scene.blade_meshes)
     for (const char* extension : {".inc", ".exr"})
       files.push_back(data / "blades" / (mesh.name + extension));
@@ -194,8 +224,7 @@ std::vector<fs::path> export_frame(const landscape::Landscape& scene, const fs::
   const fs::path frame = data / fmt::format("frame_{:04}", scene.frame);
   make_folder(frame);
   const std::map<int, int> used = used_volumes(scene);
-  for (const auto& [from, to] : used)
-    write_volume(scene.volumes[static_cast<std::size_t>(from)], df3_bits, data / "volumes");
+  write_volumes(texels_of(scene, used), df3_bits, data / "volumes");
   if (!scene.blade_meshes.empty()) make_folder(data / "blades");
   for (const landscape::BladeMesh& mesh : scene.blade_meshes) write_blades(mesh, data / "blades");
   const std::string terrain = write_terrain(scene.terrain, data);

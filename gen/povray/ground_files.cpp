@@ -12,6 +12,7 @@
 #include "core/df3.h"
 #include "core/files.h"
 #include "core/image.h"
+#include "core/rough_picture.h"
 #include "povray/text.h"
 
 namespace wold::povray {
@@ -85,7 +86,7 @@ void write_map_picture(const ColourMap& map, const fs::path& path) {
       const glm::vec3 value = map.at(i, j);
       std::copy_n(&value[0], 3, picture.pixel(i, n - 1 - j));
     }
-  write_image(path, picture, PixelFormat::half);
+  write_rough_picture(path, picture);
 }
 
 std::string write_ground_details(const landscape::Landscape& scene, const fs::path& folder) {

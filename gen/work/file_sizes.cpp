@@ -54,10 +54,23 @@ double volume_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
          costs.shared_filled_voxel * size.filled;
 }
 
+double volumes_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
+                     const film::FilmDemand& demand) {
+  const VolumeSizes sizes(scene);
+  double bytes = 0.0;
+  for (const film::ShownVolume& volume : demand.volumes())
+    bytes += volume_bytes(scene, costs, sizes.of(volume.variant, volume.state, volume.lod));
+  for (const film::ShownVolume& texel : without_turns(demand.volumes()))
+    bytes += density_bytes(scene, costs.shared_texel_grids) *
+             sizes.of(texel.variant, texel.state, texel.lod).voxels;
+  return bytes;
+}
+
 /// Light, what multiplies the grass, cells and sky of a frame.
 double frame_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
                    const film::FrameDemand& demand) {
   return costs.frame + costs.frame_terrain_sample * squared(scene.terrain.samples) +
+         costs.frame_ground_sample * ground_samples(scene) +
          costs.frame_part * static_cast<double>(demand.parts) +
          costs.frame_cloud_voxel * cloud_voxels(scene);
 }
@@ -110,6 +123,15 @@ VolumeSize VolumeSizes::of(int variant, const grass::PatchState& state, int lod)
   return size;
 }
 
+std::set<film::ShownVolume> without_turns(const std::set<film::ShownVolume>& volumes) {
+  std::set<film::ShownVolume> texels;
+  for (film::ShownVolume volume : volumes) {
+    volume.turn = 0;
+    texels.insert(volume);
+  }
+  return texels;
+}
+
 double density_bytes(const scene::Scene& scene, double grids) {
   return grids * scene.render.df3_bits / 8.0;
 }
@@ -127,7 +149,7 @@ double cloud_voxels(const scene::Scene& scene) {
   return layers * voxels.x * voxels.y * voxels.z;
 }
 
-double texel_bytes(const scene::Scene& scene, const film::FilmDemand& demand) {
+double texel_bytes(const scene::Scene& scene, const film::FilmDemand& demand, bool with_unlit) {
   std::set<std::tuple<int, grass::PatchState, int>> lods;
   for (const film::ShownVolume& volume : demand.volumes())
     lods.insert({volume.variant, volume.state, volume.lod});
@@ -139,7 +161,8 @@ double texel_bytes(const scene::Scene& scene, const film::FilmDemand& demand) {
     unlit.insert({variant, state.unlit()});
     bytes += baked_bytes(sizes.of(variant, state, lod), meadow::turns_of_lod(scene, lod));
   }
-  for (const auto& [variant, state] : unlit) bytes += unlit_bytes(sizes.of(variant, state, 0));
+  if (with_unlit)
+    for (const auto& [variant, state] : unlit) bytes += unlit_bytes(sizes.of(variant, state, 0));
   return bytes;
 }
 
@@ -149,16 +172,12 @@ double cloud_picture_bytes(const scene::Scene& scene) {
 
 double scene_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
                    const film::FilmDemand& demand, std::size_t frames) {
-  double shared = costs.shared_terrain_sample * squared(scene.terrain.samples);
-  const VolumeSizes sizes(scene);
-  for (const film::ShownVolume& volume : demand.volumes())
-    shared += volume_bytes(scene, costs, sizes.of(volume.variant, volume.state, volume.lod));
+  double shared = costs.shared_terrain_sample * squared(scene.terrain.samples) +
+                  volumes_bytes(scene, costs, demand);
   shared +=
       static_cast<double>(demand.patches().size()) * (costs.shared_blade * scene.grass.blades);
-  constexpr double ground_pixel_bytes = 6.1;  // three half floats
   double looked_at = 0.0;
-  for (const auto& [frame, shown] : demand.frames())
-    looked_at += ground_pixel_bytes * ground_samples(scene) + frame_bytes(scene, costs, shown);
+  for (const auto& [frame, shown] : demand.frames()) looked_at += frame_bytes(scene, costs, shown);
   return shared +
          looked_at * static_cast<double>(frames) / static_cast<double>(demand.frames().size());
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <span>
 #include <vector>
 
@@ -36,6 +37,9 @@ class VolumeSizes {
   std::vector<double> key_frames_;
 };
 
+/// Volumes that differ in their quarter-turn alone, once: with turn 0.
+std::set<film::ShownVolume> without_turns(const std::set<film::ShownVolume>& volumes);
+
 /// Of a voxel in so many density files of render.df3_bits.
 double density_bytes(const scene::Scene& scene, double grids);
 
@@ -46,8 +50,8 @@ double ground_samples(const scene::Scene& scene);
 /// Of the clouds that stand as volumes in a frame.
 double cloud_voxels(const scene::Scene& scene);
 
-/// All of DIR/texels.
-double texel_bytes(const scene::Scene& scene, const film::FilmDemand& demand);
+/// All of DIR/texels; with the texels that have no light, or not.
+double texel_bytes(const scene::Scene& scene, const film::FilmDemand& demand, bool with_unlit);
 
 /// All of DIR/clouds.
 double cloud_picture_bytes(const scene::Scene& scene);

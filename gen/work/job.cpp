@@ -75,6 +75,7 @@ Job plan_job(const RenderOptions& options) {
   job.programs = options.programs;
   job.threads = options.threads > 0 ? options.threads : job.scene.render.threads;
   job.memory_bytes = static_cast<double>(options.memory_bytes);
+  job.keep = options.keep;
   return job;
 }
 

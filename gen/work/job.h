@@ -18,6 +18,10 @@ namespace wold::work {
 /// one that is missing or empty it is the environment's, or the PATH's.
 using ChosenPrograms = std::map<std::string, std::string, std::less<>>;
 
+/// What of an output folder stays when all is done: everything, or scene files and pictures without
+/// the texels that scene files are made from.
+enum class Keep { all, scenes };
+
 /// What `render`, `generate`, `plan` and `task` are asked for.
 struct RenderOptions {
   std::filesystem::path scene;
@@ -28,6 +32,7 @@ struct RenderOptions {
   ChosenPrograms programs;
   int threads = 0;                 ///< 0: the scene's render.threads
   std::uint64_t memory_bytes = 0;  ///< 0: the machine's
+  Keep keep = Keep::all;           ///< of `render` and `generate`
   bool dry_run = false;
   bool quiet = false;
 };
@@ -39,6 +44,7 @@ struct Job : film::Request {
   ChosenPrograms programs;           ///< that options name
   int threads = 0;                   ///< 0: all processors
   double memory_bytes = 0.0;  ///< that all may take together; 0: the machine's, and no limit is set
+  Keep keep = Keep::all;
   std::vector<Problem> text_warnings;  ///< of scene::read_located_scene()
 };
 

@@ -57,6 +57,9 @@ double read_bytes(const scene::Scene& scene, const exporter::MemoryCosts& costs,
     const VolumeSize size = sizes.of(volume.variant, volume.state, volume.lod);
     bytes += voxel_bytes * size.voxels + costs.filled_voxel * size.filled;
   }
+  for (const film::ShownVolume& texel : without_turns(shown.volumes))
+    bytes += density_bytes(scene, costs.texel_grids) *
+             sizes.of(texel.variant, texel.state, texel.lod).voxels;
   return bytes;
 }
 

@@ -24,14 +24,16 @@ Json json_of(const Task& task, const TaskRecord& record) {
   Json outputs = Json::object();
   for (const auto& [name, state] : record.outputs)
     outputs[name] = {state.bytes, state.modified_ns, state.hash};
-  return {{"version", 1},
-          {"stage", name_of(task.stage)},
-          {"index", task.index},
-          {"source", record.source},
-          {"scene", record.facts},
-          {"seconds", record.seconds},
-          {"memory_bytes", record.memory_bytes},
-          {"outputs", std::move(outputs)}};
+  Json json = {{"version", 1},
+               {"stage", name_of(task.stage)},
+               {"index", task.index},
+               {"source", record.source},
+               {"scene", record.facts},
+               {"seconds", record.seconds},
+               {"memory_bytes", record.memory_bytes},
+               {"outputs", std::move(outputs)}};
+  if (record.removed) json["removed"] = true;
+  return json;
 }
 
 /// A damaged record must not have files elsewhere removed.
@@ -54,7 +56,8 @@ TaskRecord record_of(const ReadJson& json) {
                     json.at("scene").get<std::string>(),
                     {},
                     json.at("seconds").get<double>(),
-                    json.at("memory_bytes").get<double>()};
+                    json.at("memory_bytes").get<double>(),
+                    json.value("removed", false)};
   for (const auto& [name, state] : json.at("outputs").items()) {
     require_below(name);
     record.outputs[name] = {whole_number<std::uintmax_t>(state.at(0)),

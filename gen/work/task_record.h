@@ -20,6 +20,8 @@ struct TaskRecord {
   std::map<std::string, FileState> outputs;  ///< by names relative to DIR
   double seconds = 0.0;                      ///< that it took
   double memory_bytes = 0.0;                 ///< that a renderer took; else 0, since tasks share it
+  /// Its outputs may be gone: they were removed when nothing needed them any more.
+  bool removed = false;
 };
 
 /// The records of an output folder.

@@ -116,6 +116,10 @@ Verdict Work::verdict(const Task& task) {
   const auto judge = [&]() -> Verdict {
     const auto record = records_.read(task);
     if (!record) return {Need::yes, "never made"};
+    if (record->removed) {
+      if (are_scenes_done()) return {};
+      return {Need::yes, "removed when no scene files needed it"};
+    }
     for (const auto& [name, state] : record->outputs)
       if (!fs::exists(job_.out / name)) return {Need::yes, fmt::format("{} is missing", name)};
     if (makes_pictures(task.stage) && verdict({Stage::scenes, task.index}).need != Need::no)
@@ -129,6 +133,13 @@ Verdict Work::verdict(const Task& task) {
   Verdict verdict = judge();
   if (task.stage == Stage::scenes) scenes_[task.index] = verdict;
   return verdict;
+}
+
+/// Those of all frames.
+bool Work::are_scenes_done() {
+  return std::ranges::all_of(job_.frames, [&](int frame) {
+    return verdict({Stage::scenes, frame}).need == Need::no;
+  });
 }
 
 Verdict Work::outdated(const Task& task, const TaskRecord& record) {
@@ -149,8 +160,11 @@ Verdict Work::outdated(const Task& task, const TaskRecord& record) {
 std::string Work::source(const Task& task) {
   if (makes_pictures(task.stage)) return picture_source(task);
   std::string text = fmt::format("{} {} {} ", text_of(task), facts_hash_, build_);
-  if (task.stage == Stage::texels) text += ranges_text(job_.frames);
   if (task.stage == Stage::passes) text += passes::text_of(job_.passes);
+  if (task.stage == Stage::texels) {
+    text += ranges_text(job_.frames);
+    if (film::needs_of(job_.exporters).materials) text += " unlit";
+  }
   if (task.stage == Stage::scenes)
     for (const exporter::Exporter* one : job_.exporters)
       text += fmt::format("{}{}", one == job_.exporters.front() ? "" : " ", one->name);
@@ -205,6 +219,24 @@ void Work::prepare(const Stage& stage, Progress& progress) {
   if (stage.step >= Step::scenes) film::write_film_files(job_);
   // It lists files that will be others; `render` and `generate` write it when all is done.
   if (is_own_manifest(job_.out / "manifest.json")) fs::remove(job_.out / "manifest.json");
+}
+
+void Work::remove_texels() {
+  if (!are_scenes_done()) return;
+  for (const StageTasks& stage : stages_of(job_))
+    if (stage.stage == Stage::texels)
+      for (const int index : stage.indices) remove_outputs({stage.stage, index});
+}
+
+void Work::remove_outputs(const Task& task) {
+  auto record = records_.read(task);
+  if (!record) return;
+  if (!record->removed) {
+    record->removed = true;
+    records_.write(task, *record);
+  }
+  for (const auto& [name, state] : record->outputs)
+    if (may_make(task.stage, fs::path(name).lexically_normal())) fs::remove(job_.out / name);
 }
 
 void Work::finish() {

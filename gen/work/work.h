@@ -64,6 +64,12 @@ class Work {
   /// task depends on has not been done, RendererError and InterruptedError.
   void run(const Task& task, const RendererLimits& limits, Progress& progress);
 
+  /// Removes the files of the job's texels, which no task needs as long as all scene files are
+  /// done; does nothing when some are not. Their records say so first, so that a process which is
+  /// killed here leaves nothing that looks damaged. For a process that has the folder to itself.
+  /// Throws FileError.
+  void remove_texels();
+
   /// When all is done: says in DIR/scene.toml and DIR/manifest.json what is there. For a process
   /// that has the folder to itself. Throws FileError.
   void finish();
@@ -89,9 +95,11 @@ class Work {
   std::string picture_source(const Task& task);
   const SceneHashes& scene_hashes(int frame);
   Verdict outdated(const Task& task, const TaskRecord& record);
+  bool are_scenes_done();
   Made make(const Task& task, const RendererLimits& limits, Progress& progress);
   Made make_picture(const Task& task, const RendererLimits& limits, Progress& progress);
   void remove_damaged(const Task& task);
+  void remove_outputs(const Task& task);
   film::FilmPipeline& film();
 
   const Job& job_;

@@ -51,7 +51,7 @@ global_settings {
 
 // Here grass stands where it grew and nothing else casts shadows; wold.inc has more to say.
 #macro Wold_onto_ground(_middle, _side_m) #end
-#macro Wold_shade_density(_channel, _middle) #end
+#macro Wold_shade_density(_middle) #end
 #macro Wold_shade_pane() #end
 
 Wold_grass_maps()

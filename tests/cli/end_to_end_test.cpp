@@ -38,8 +38,8 @@ TEST_F(Generate, SameSceneSameBytesWithAnyNumberOfThreads) {
   generate("one", "--threads 1");
   const auto wanted = contents("one");
   for (const std::string file :
-       {"scene.toml", "texels/v0_k00.vdb", "blender/data/frame_0002/frame.json", "povray/scene.pov",
-        "povray/data/frame_0002/frame.inc"})
+       {"scene.toml", "texels/v0_k00_030.vdb", "blender/data/frame_0002/frame.json",
+        "povray/scene.pov", "povray/data/frame_0002/frame.inc"})
     EXPECT_EQ(wanted.count(file), 1U) << file;
   for (const auto& [file, hash] : wanted)
     EXPECT_FALSE(file.ends_with(".py")) << file << ": exported folders hold data only";
@@ -73,6 +73,19 @@ TEST_F(Generate, TheIndexOfFramesListsAllOfThemWhicheverAreMade) {
     EXPECT_THAT(index, HasSubstr(row));
 }
 
+// Two thirds of a texel's bytes are what only a renderer that lights grass itself reads.
+TEST_F(Generate, TexelsWithoutLightAreThereForWhoReadsThem) {
+  const fs::path unlit = folder_ / "out/texels/v0_k00.vdb";
+  generate("out", "--renderer blender");
+  EXPECT_FALSE(fs::exists(unlit));
+  const auto baked = contents("out/texels");
+  generate("out", "--renderer mitsuba");
+  EXPECT_TRUE(fs::exists(unlit)) << "another exporter has other needs";
+  auto all = contents("out/texels");
+  std::erase_if(all, [&](const auto& file) { return baked.count(file.first) == 0; });
+  EXPECT_THAT(different(all, baked), IsEmpty());
+}
+
 TEST_F(Generate, KeepsTexelsAndVolumesThatAreStillRight) {
   generate("out");
   const auto before = times("out");
@@ -86,8 +99,8 @@ TEST_F(Generate, ReplacesAMissingOrDamagedTexelAlone) {
   generate("out");
   const auto wanted = contents("out");
   const auto before = times("out");
-  fs::remove(folder_ / "out/texels/v0_k00.vdb");
-  fs::resize_file(folder_ / "out/texels/v1_k01.vdb", 1000);
+  fs::remove(folder_ / "out/texels/v0_k00_030.vdb");
+  fs::resize_file(folder_ / "out/texels/v1_k01_030.vdb", 1000);
   generate("out");
   EXPECT_THAT(different(contents("out"), wanted), IsEmpty());
   for (const std::string& path : rewritten(before, times("out"), "texels/"))
@@ -175,6 +188,46 @@ TEST_F(Resume, MakesDamagedFilesAnew) {
   }
   EXPECT_EQ(rendered(), "") << "the same scene files come back";
   EXPECT_THAT(different(contents("out"), wanted), IsEmpty());
+}
+
+TEST_F(Resume, WithoutKeptTexelsNothingIsMadeAgain) {
+  rendered();
+  auto wanted = contents("out");
+  EXPECT_EQ(rendered("--keep scenes"), "");
+  EXPECT_TRUE(files_below(folder_ / "out/texels").empty());
+  std::erase_if(wanted, [](const auto& file) { return file.first.starts_with("texels/"); });
+  EXPECT_THAT(different(contents("out"), wanted), IsEmpty());
+  const auto before = times("out");
+  for (const std::string options : {"", "--keep scenes", "--frames 2"}) {
+    EXPECT_EQ(rendered(options), "") << options;
+    EXPECT_TRUE(files_below(folder_ / "out/texels").empty()) << options;
+  }
+  EXPECT_THAT(rewritten(before, times("out"), "blender/"), IsEmpty());
+  const std::string plan = wold("plan small.toml --renderer blender --out out").out;
+  EXPECT_THAT(plan, HasSubstr("texels  0 of 2 to do;"));
+}
+
+TEST_F(Resume, TexelsThatWereNotKeptComeBackWhenSceneFilesNeedThem) {
+  rendered();
+  const auto wanted = contents("out");
+  rendered("--keep scenes");
+  fs::remove(folder_ / "out/blender/data/frame_0002/frame.json");
+  EXPECT_THAT(wold("plan small.toml --renderer blender --why --out out").out,
+              HasSubstr("removed when no scene files needed it"));
+  EXPECT_EQ(rendered(), "") << "the same scene files come back";
+  EXPECT_THAT(different(contents("out"), wanted), IsEmpty());
+}
+
+// A process that is killed has said in its records that texels go, and has removed some.
+TEST_F(Resume, TexelsThatAKilledProcessWasRemovingAreRemoved) {
+  rendered();
+  const auto wanted = contents("out");
+  rendered("--keep scenes");
+  for (const auto& [name, hash] : wanted)
+    if (name.starts_with("texels/v0")) write("out/" + name, "half of them are left");
+  EXPECT_EQ(rendered(), "");
+  EXPECT_EQ(rendered("--keep scenes"), "");
+  EXPECT_TRUE(files_below(folder_ / "out/texels").empty());
 }
 
 TEST_F(Resume, PrintsThePicturesItStandsFor) {

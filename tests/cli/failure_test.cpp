@@ -163,10 +163,10 @@ TEST_F(Failure, AReadOnlyDiskIsAFileErrorAndCanBePlannedFrom) {
   if (!disk.is_mounted()) GTEST_SKIP() << "needs the right to mount a small disk";
   disk.resize(100000);
   EXPECT_EQ(wold(generate).code, 0);
-  fs::remove(folder_ / "out/texels/v0_k00.vdb");
+  fs::remove(folder_ / "out/texels/v0_k00_030.vdb");
   disk.make_read_only();
   expect_failure(wold(generate), 4, "cannot write out/tasks/lock: Read-only file system");
-  expect_contains(wold("plan small.toml --why --out out").out, "texels/v0_k00.vdb is missing");
+  expect_contains(wold("plan small.toml --why --out out").out, "texels/v0_k00_030.vdb is missing");
   disk.resize(100000);
   expect_generate_goes_on();
 }
@@ -200,12 +200,12 @@ TEST_F(Interrupt, InTheTexels) {
   const std::string options = slower;
   const fs::path texels = folder_ / "out/texels";
   Running program(folder_, command(generate + options));
-  ASSERT_TRUE(eventually([&] { return fs::exists(texels / "v0_k00.vdb"); }));
+  ASSERT_TRUE(eventually([&] { return fs::exists(texels / "v0_k00_030.vdb"); }));
   expect_interrupted(program);
-  EXPECT_FALSE(fs::exists(texels / "v1_k02.vdb")) << "it was over already";
-  const auto first = fs::last_write_time(texels / "v0_k00.vdb");
+  EXPECT_FALSE(fs::exists(texels / "v1_k02_030.vdb")) << "it was over already";
+  const auto first = fs::last_write_time(texels / "v0_k00_030.vdb");
   expect_generate_goes_on(options);
-  EXPECT_EQ(fs::last_write_time(texels / "v0_k00.vdb"), first);
+  EXPECT_EQ(fs::last_write_time(texels / "v0_k00_030.vdb"), first);
 }
 
 TEST_F(Interrupt, InTheSceneFiles) {

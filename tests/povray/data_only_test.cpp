@@ -38,7 +38,8 @@ TEST_F(DataOnly, NumbersNamesAndCommentsAre) {
                     "#local _version = version;\n#version 3.7;\n// Metres; x east, 1 km: \"far\"\n"
                     "#declare Wold_eye_m = <-0.5, 1e-05, 3.25>;\n"
                     "#declare Wold_terrain_file = \"terrain_3cfc2014cb24781d.inc\";\n"
-                    "Wold_volume(0, \"v0_k00_q0_062\")\n"
+                    "Wold_grass_density(0, \"v0_k00_062_d\")\n"
+                    "Wold_volume(0, \"v0_k00_q0_062\", 0)\n"
                     "#declare Wold_frames = array[1][3] {\n  { 1, 0.1, 0 },\n}\n"
                     "#version _version;"),
             "");

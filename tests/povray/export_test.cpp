@@ -8,6 +8,7 @@
 #include <map>
 #include <sstream>
 
+#include "core/colour.h"
 #include "core/df3.h"
 #include "core/error.h"
 #include "core/files.h"
@@ -77,32 +78,71 @@ TEST_F(Export, PaddedVolumeShowsVoxelsAtTheirCentresAndTiles) {
   EXPECT_FLOAT_EQ(shown(samples, size, {2.5, 1.5, 2.5}), 0.0F);  // nothing of the bottom one
 }
 
+/// A value of a padded grid, which begins one voxel before the first.
+float sample(const Df3& grid, int x, int y, int z) {
+  return grid
+      .values[static_cast<std::size_t>(((z + 1) * grid.size.y + y + 1) * grid.size.x + x + 1)];
+}
+
 TEST_F(Export, VolumeIsRestoredByItsScales) {
   export_frame(scene, folder / "povray");
   const landscape::Volume& volume = scene.volumes[1];
-  const auto extinction = read_dense_floats(volume.vdb, "density", glm::ivec3(1), volume.voxels);
-  const auto radiance = read_dense_vectors(volume.vdb, "emission_q0", glm::ivec3(1), volume.voxels);
-  const auto emission = [&](std::size_t i) { return extinction[i] * radiance[i].g; };
-  float extinction_max = 0.0F;
-  float green_max = 0.0F;
-  for (std::size_t i = 0; i < extinction.size(); ++i) {
-    extinction_max = std::max(extinction_max, extinction[i]);
-    green_max = std::max(green_max, emission(i));
-  }
-  const fs::path stem = folder / "povray/data/volumes" / volume.name;
-  const Df3 density = read_df3(stem.string() + "_d.df3");
-  const Df3 green = read_df3(stem.string() + "_g.df3");
-  ASSERT_EQ(density.size.x, volume.voxels.x + 2);
-  const auto sample = [&](const Df3& grid, int x, int y, int z) {
-    return grid
-        .values[static_cast<std::size_t>(((z + 1) * grid.size.y + y + 1) * grid.size.x + x + 1)];
+  auto extinction = read_dense_floats(volume.vdb, "density", glm::ivec3(1), volume.voxels);
+  const int height = filled_height(extinction, volume.voxels, fraction_of_tips);
+  const glm::ivec3 voxels(volume.voxels.x, volume.voxels.y, height);
+  extinction.resize(static_cast<std::size_t>(voxels.x * voxels.y * voxels.z));
+  const auto radiance = read_dense_vectors(volume.vdb, "emission_q0", glm::ivec3(1), voxels);
+  const fs::path volumes = folder / "povray/data/volumes";
+  const Df3 density = read_df3(volumes / (density_name(volume) + ".df3"));
+  const Df3 bright = read_df3(volumes / (volume.name + "_l.df3"));
+  const Df3 green = read_df3(volumes / (volume.name + "_g.df3"));
+  ASSERT_EQ(density.size, voxels + 2);
+  ASSERT_EQ(bright.size, voxels + 2);
+  ASSERT_EQ(green.size, glm::ivec3(voxels.x / 2, voxels.y / 2, voxels.z / 2 + 1) + 2);
+  const auto luminance_at = [&](std::size_t i) {
+    return extinction[i] * static_cast<float>(luminance(radiance[i]));
   };
-  for (int z = 0; z < filled_height(extinction, volume.voxels); z += 5)
-    for (int x = 0; x < volume.voxels.x; ++x) {
-      const auto i = static_cast<std::size_t>((z * volume.voxels.y + 7) * volume.voxels.x + x);
+  const float extinction_max = *std::ranges::max_element(extinction);
+  float luminance_max = 0.0F;
+  for (std::size_t i = 0; i < extinction.size(); ++i)
+    luminance_max = std::max(luminance_max, luminance_at(i));
+  // Blades of this landscape have one colour, brighter and darker.
+  const auto colour = static_cast<float>(0.10 / luminance({0.03, 0.10, 0.015}));
+  const float green_max = colour;
+  for (int z = 0; z < height; z += 5)
+    for (int x = 0; x < voxels.x; ++x) {
+      const auto i = static_cast<std::size_t>((z * voxels.y + 7) * voxels.x + x);
       EXPECT_NEAR(sample(density, x, 7, z) * extinction_max, extinction[i], extinction_max / 500);
-      EXPECT_NEAR(sample(green, x, 7, z) * green_max, emission(i), green_max / 500);
+      EXPECT_NEAR(sample(bright, x, 7, z) * luminance_max, luminance_at(i), luminance_max / 500);
+      EXPECT_NEAR(sample(green, x / 2, 7 / 2, z / 2) * green_max, colour, colour / 100);
     }
+}
+
+TEST_F(Export, LeavesOutTheTipsOfABladeOrTwo) {
+  const glm::ivec3 voxels(10, 10, 4);
+  std::vector<float> values(400, 0.0F);
+  std::fill_n(values.begin(), 200, 1.0F);
+  values[250] = 0.09F;
+  EXPECT_EQ(filled_height(values, voxels), 3);
+  EXPECT_EQ(filled_height(values, voxels, 0.0005), 2);
+  EXPECT_EQ(filled_height(values, voxels, 0.0004), 3);
+  EXPECT_EQ(filled_height(std::vector<float>(400, 0.0F), voxels, 0.0005), 1);
+}
+
+// Light differs with the sun's turn, matter does not.
+TEST_F(Export, VolumesOfOneTexelShareItsExtinction) {
+  landscape::Volume turned = scene.volumes[0];
+  turned.name += "_turned";
+  scene.volumes.push_back(turned);
+  scene.cells.back().volume = static_cast<int>(scene.volumes.size()) - 1;
+  export_frame(scene, folder / "povray");
+  const fs::path volumes = folder / "povray/data/volumes";
+  EXPECT_TRUE(fs::exists(volumes / (turned.name + "_r.df3")));
+  const auto is_extinction = [](const auto& file) { return file.first.ends_with("_d.df3"); };
+  EXPECT_EQ(std::ranges::count_if(contents(volumes), is_extinction),
+            static_cast<int>(scene.volumes.size()) - 1);
+  EXPECT_THAT(read_file(folder / "povray/data/frame_0001/volumes.inc"),
+              testing::HasSubstr("\"" + turned.name + "\", 0)"));
 }
 
 TEST_F(Export, SameLandscapeSameBytes) {
@@ -116,7 +156,7 @@ TEST_F(Export, WritesOnlyVolumesThatCellsUseAndNoneTwice) {
   export_frame(scene, folder / "povray");
   const fs::path volumes = folder / "povray/data/volumes";
   EXPECT_FALSE(fs::exists(volumes / (scene.volumes[0].name + ".inc")));
-  const fs::path grid = volumes / (scene.volumes[1].name + "_d.df3");
+  const fs::path grid = volumes / (density_name(scene.volumes[1]) + ".df3");
   const std::string bytes = read_file(grid);
   const auto written = fs::last_write_time(grid);
   export_frame(scene, folder / "povray");

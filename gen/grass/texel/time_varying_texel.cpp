@@ -144,11 +144,12 @@ std::string texel_models() {
 }
 
 TimeVaryingTexel::TimeVaryingTexel(const scene::MeadowPart& meadow, std::vector<Lighting> lights,
-                                   std::filesystem::path folder)
+                                   std::filesystem::path folder, TexelFiles files)
     : meadow_(meadow),
       key_frames_(scene::key_frames(meadow)),
       lights_(std::move(lights)),
       folder_(std::move(folder)),
+      files_(files),
       shape_(finest_shape(meadow)),
       model_(meadow) {
   for (const Lighting& lighting : lights_) bases_.push_back(described(meadow_, lighting));
@@ -216,7 +217,9 @@ void TimeVaryingTexel::add_leaf_shades(int variant, const PatchState& state, Tub
 
 bool TimeVaryingTexel::is_current(int variant, const PatchState& state,
                                   const LodTurns& lods) const {
-  if (file_content(texel_path(variant, state)) != content(variant, state.unlit())) return false;
+  if (files_ == TexelFiles::baked_and_unlit &&
+      file_content(texel_path(variant, state)) != content(variant, state.unlit()))
+    return false;
   return std::all_of(lods.begin(), lods.end(), [&](const auto& lod) {
     return file_content(volume_path(variant, state, lod.first)) ==
            volume_content(variant, state, lod.first, lod.second);
@@ -296,6 +299,7 @@ void TimeVaryingTexel::store(int variant, const PatchState& state, const Texel& 
   for (const auto& [lod, turns] : lods)
     write_volume(volume_path(variant, state, lod), baked[static_cast<std::size_t>(lod)], turns,
                  volume_content(variant, state, lod, turns));
+  if (files_ == TexelFiles::baked) return;
   const std::filesystem::path path = texel_path(variant, state);
   const std::string made_from = content(variant, state.unlit());
   if (file_content(path) != made_from) write_texel(path, texel, made_from);

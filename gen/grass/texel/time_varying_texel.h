@@ -40,16 +40,20 @@ struct StageTimes {
 /// this version of the program makes texels of them.
 std::string texel_models();
 
+/// Which files a time-varying texel is kept in. That without light is two thirds of all bytes, and
+/// renderers that show baked light do not read it.
+enum class TexelFiles { baked, baked_and_unlit };
+
 /// The time-varying texel of a scene's meadow, T(x, y, z, wd): computed on demand and kept in a
-/// folder of .vdb files, one `v<variant>_<state>.vdb` for the texel itself, which has no light, and
-/// one `v<variant>_<state>_<side>.vdb` for each demanded level, baked for the state's light; the
-/// state is PatchState's name.
+/// folder of .vdb files, one `v<variant>_<state>_<side>.vdb` for each demanded level, baked for the
+/// state's light, and, if wanted, one `v<variant>_<state>.vdb` for the texel itself, which has no
+/// light; the state is PatchState's name.
 class TimeVaryingTexel {
  public:
   /// `lights` are what the levels are baked for, by PatchState::light; one at least. Throws what
   /// MeadowModel's constructor throws.
   TimeVaryingTexel(const scene::MeadowPart& meadow, std::vector<Lighting> lights,
-                   std::filesystem::path folder);
+                   std::filesystem::path folder, TexelFiles files = TexelFiles::baked_and_unlit);
 
   /// Extent of the finest level: high enough for the tallest blade of any variant.
   const TexelShape& shape() const { return shape_; }
@@ -95,6 +99,7 @@ class TimeVaryingTexel {
   std::vector<double> key_frames_;  ///< weathering degrees
   std::vector<Lighting> lights_;
   std::filesystem::path folder_;
+  TexelFiles files_;
   TexelShape shape_;
   MeadowModel model_;
   std::vector<std::string> bases_;  ///< everything the texels depend on, by light
