@@ -63,7 +63,7 @@ drop_root() { rm -rf "${cache:?}/$1"; }
 wanted_pictures() {
   [ ! -d "$work/wanted" ] || return 0
   say "Making the pictures by this build"
-  (cd "$work" && "$here/build/wold" new a >/dev/null &&
+  (cd "$work" && "$here/build/wold" new a >/dev/null 2>&1 &&
     "$here/build/wold" render a.toml "${size[@]}" --out wanted >/dev/null)
 }
 
@@ -81,7 +81,7 @@ flip_of() {
     cat "$work/differences.json" >&2
     fail "$1 is not what this build makes"
   }
-  sed -n 's/.*"flip": \([0-9.e-]*\).*/\1/p' "$work/differences.json" | head -1
+  sed -n 's/.*"flip": \([0-9.e-]*\).*/\1/p' "$work/differences.json" | tail -1
 }
 
 # limits_for SYSTEM RENDERER: of `wold compare`; this machine's renderers give the same pictures.
@@ -106,11 +106,11 @@ compare_with_build() {
 # make_first_scene SYSTEM WHAT ROOT WOLD: what a newcomer does.
 make_first_scene() {
   local begin=$SECONDS
-  as_user "$3" "$4" new a >/dev/null
+  as_user "$3" "$4" new a >/dev/null 2>&1
   as_user "$3" "$4" render a.toml "${size[@]}" >/dev/null
   row "$1" "$2" "wold new, wold render" "$((SECONDS - begin)) s"
   compare_with_build "$1" "$2" "$cache/$3$home/out/a"
-  row "$1" "$2" "wold --version" "$(as_user "$3" "$4" --version | tr -s '\n ' '; ' | sed 's/; $//')"
+  row "$1" "$2" "wold --version" "$(as_user "$3" "$4" --version | tr -s ' ' | paste -sd ';')"
 }
 
 # --- .deb
