@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Whether packages work for people who have nothing else of Wold:
 #
-#     tests/packages.sh [deb|tarball|container [SYSTEM...]]     as root; default: all, bookworm trixie
+#     tests/packages.sh [deb|tarball|container [SYSTEM...]]    as root; default: all, bookworm trixie
 #
 # In a fresh root folder of each Debian, which sees nothing of this machine, the package of
 # packaging/build.sh is installed or unpacked, and a plain user makes a scene and its pictures. These
 # are held against those of this build; then the package is removed, and nothing of it may be left.
-# A .deb for another Debian than this machine's is built there, from what is committed: ten minutes.
-# The tarball is this machine's everywhere, and reads an elevation model by its own libraries' data.
-# The container is made by buildah and makes examples/hillside.toml without a network. Prints a table.
+# A .deb for another Debian than that of this machine is built there, from what is committed, which
+# takes ten minutes. The tarball is the same everywhere, and reads an elevation model by the files of
+# its own libraries. The container makes examples/hillside.toml without a network. Prints a table.
 set -euo pipefail
 source "$(dirname "$0")/../examples/setup.sh"
 # shellcheck source=support/roots.sh
@@ -20,6 +20,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 user=walker
 home=/home/$user
+base_libraries='/lib(c|m|dl|rt|pthread|resolv|stdc\+\+|gcc_s)\.so' # of glibc and GCC
 # Small, and the renderers' full way all the same.
 size=(--frames 2 --size 240x136 --quiet)
 # A newer Blender draws other random numbers, and there are four samples per pixel: found RMSE 0.010,
@@ -91,15 +92,16 @@ limits_for() {
 
 # compare_with_build SYSTEM WHAT OUT: what is given to renderers, byte for byte, and the pictures.
 compare_with_build() {
-  local renderer limits
+  local renderer picture limits
   wanted_pictures
   diff -rq "$3/texels" "$work/wanted/texels" >&2 || fail "other texels"
   for renderer in povray blender; do
     diff -rq "$3/$renderer" "$work/wanted/$renderer" >&2 || fail "other data for $renderer"
-    require_picture "$3/frames/$renderer/0002.png"
+    picture=frames/$renderer/0002.png
+    require_picture "$3/$picture"
     read -ra limits < <(limits_for "$1" "$renderer") || true
     row "$1" "$2" "picture by $renderer" \
-      "FLIP $(flip_of "$3/frames/$renderer/0002.png" "$work/wanted/frames/$renderer/0002.png" "${limits[@]}")"
+      "FLIP $(flip_of "$3/$picture" "$work/wanted/$picture" "${limits[@]}")"
   done
 }
 
@@ -128,7 +130,7 @@ deb_for() {
   echo "$cache/$1$(in_root "$1" env -C /root/wold packaging/build.sh deb)"
 }
 
-# require_all_pages ROOT: what `man` and the shells show.
+# require_installed_files ROOT: what `man`, the shells, editors and people look for.
 require_installed_files() {
   local file
   for file in man/man1/wold.1.gz man/man1/wold-render.1.gz bash-completion/completions/wold \
@@ -138,7 +140,7 @@ require_installed_files() {
   done
 }
 
-# require_nothing_left ROOT LIST: of a package's files, of anything named so outside the user's folder.
+# require_nothing_left ROOT LIST: of the package's files, or named so, outside the user's folder.
 require_nothing_left() {
   local path left
   while read -r path; do
@@ -174,27 +176,33 @@ check_deb() {
 require_own_libraries() {
   local foreign
   as_user "$1" ldd "$2/bin/wold" >"$work/libraries"
-  foreign=$(grep -vE "=> $2/|linux-vdso|/ld-linux|/lib(c|m|dl|rt|pthread|resolv|stdc\+\+|gcc_s)\.so" \
-    "$work/libraries") || true
+  foreign=$(grep -vE "=> $2/|linux-vdso|/ld-linux|$base_libraries" "$work/libraries") || true
   [ -z "$foreign" ] || fail "libraries from elsewhere: $foreign"
 }
 
-# make_real_slope ROOT WOLD FOLDER: a slope of an elevation model in degrees, which needs proj.db.
-make_real_slope() {
-  as_user "$1" sh -c "mkdir $3 && awk 'BEGIN {
-    print \"ncols 40\\nnrows 40\\nxllcorner 11.0\\nyllcorner 47.0\\ncellsize 0.0001\"
-    for (j = 0; j < 40; ++j) { for (i = 0; i < 40; ++i) printf \"%.2f \", 900 + i * 0.7 + j; print \"\" } }' >$3/dem.asc
-    printf '%s\n' 'name = \"slope\"' '[terrain]' 'size = 60' 'samples = 65' 'elevation = \"dem.asc\"' \
-      'system = \"EPSG:4326\"' '[grass]' 'blades = 60' 'variants = 2' 'levels = [30]' >$3/slope.toml
-    $2 generate $3/slope.toml --quiet --renderer povray --frames 1 --out $3/out"
+# write_slope FOLDER: a slope of an elevation model in degrees, which takes PROJ's proj.db to read.
+write_slope() {
+  mkdir "$1"
+  {
+    printf 'ncols 40\nnrows 40\nxllcorner 11.0\nyllcorner 47.0\ncellsize 0.0001\n'
+    seq 1600 | awk '{printf "%.2f%s", 900 + 0.7 * ($1 % 40) + $1 / 40, $1 % 40 ? " " : "\n"}'
+  } >"$1/dem.asc"
+  cat >"$1/slope.toml" <<'EOT'
+terrain = { size = 60, samples = 65, elevation = "dem.asc", system = "EPSG:4326" }
+grass = { blades = 60, variants = 2, levels = [62] }
+ageing = { frames = [0.3] }
+EOT
 }
 
+# check_slope SYSTEM ROOT WOLD: that it has the bytes of this build.
 check_slope() {
-  make_real_slope "$2" "$3" slope >/dev/null
-  cp -r "$cache/$2$home/slope" "$work/slope.$1"
-  (cd "$work/slope.$1" && rm -rf out &&
-    "$here/build/wold" generate slope.toml --quiet --renderer povray --frames 1 --out out >/dev/null)
-  diff -rq "$cache/$2$home/slope/out/povray" "$work/slope.$1/out/povray" >&2 ||
+  local slope=$work/slope.$1 generate=(generate slope/slope.toml --quiet --renderer povray)
+  mkdir "$slope"
+  write_slope "$slope/slope"
+  cp -r "$slope/slope" "$cache/$2$home"
+  as_user "$2" "$3" "${generate[@]}" --out out/slope >/dev/null 2>&1
+  (cd "$slope" && "$here/build/wold" "${generate[@]}" --out out >/dev/null 2>&1)
+  diff -rq "$cache/$2$home/out/slope/povray" "$slope/out/povray" >&2 ||
     fail "another slope than this build's"
   row "$1" tarball "a slope in EPSG:4326" "the same bytes"
 }
@@ -236,8 +244,10 @@ check_container() {
   hillside_in_container
   row "$this_system" container "hillside without a network" "$((SECONDS - begin)) s"
   rm -rf "$work/wanted"
-  "$here/build/wold" render "$here/examples/hillside.toml" "${size[@]}" --out "$work/wanted" >/dev/null
+  "$here/build/wold" render "$here/examples/hillside.toml" "${size[@]}" --out "$work/wanted" \
+    >/dev/null
   compare_with_build "$this_system" container "$work/shared/out/hillside"
+  buildah rmi --force "$(buildah images --quiet localhost/wold | head -1)" >/dev/null
 }
 
 [ "$(id -u)" -eq 0 ] || fail "root folders of other Debians can be made by root only"
