@@ -162,8 +162,8 @@ def bad_versions(wold: str) -> list[str]:
         "wold --version": subprocess.run(
             [wold, "--version"], capture_output=True, text=True, check=True
         )
-        .stdout.removeprefix("wold ")
-        .strip(),
+        .stdout.splitlines()[0]
+        .removeprefix("wold "),
         "blender_manifest.toml": "".join(
             re.findall(r'^version = "(.*)"$', read(add_on / "blender_manifest.toml"), re.MULTILINE)
         ),

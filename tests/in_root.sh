@@ -2,14 +2,19 @@
 # Runs a command in the root folder of another system, which has this checkout and /tmp at their
 # paths. The mounts that this takes are gone when the command has ended:
 #
-#     tests/in_root.sh ROOT COMMAND...       as root
+#     tests/in_root.sh [--bare] ROOT COMMAND...       as root
+#
+# --bare: it has neither, and sees nothing of this machine but its processes and devices.
 set -euo pipefail
 here=$(cd "$(dirname "$0")/.." && pwd)
+folders=(/proc /sys /dev)
+given=("$@")
+if [ "$1" = --bare ]; then shift; else folders+=(/tmp "$here"); fi
 root=$1
 if [ "${WOLD_MOUNTED_ROOT:-}" != "$root" ]; then
-  WOLD_MOUNTED_ROOT=$root exec unshare --mount "$0" "$@"
+  WOLD_MOUNTED_ROOT=$root exec unshare --mount "$0" "${given[@]}"
 fi
-for folder in /proc /sys /dev /tmp "$here"; do
+for folder in "${folders[@]}"; do
   mkdir -p "$root$folder"
   mount --rbind "$folder" "$root$folder"
 done

@@ -107,6 +107,9 @@ ExitCode run_explain(const std::string& name);
 /// Prints the scene file as JSON Schema.
 ExitCode run_schema();
 
+/// Prints the version, what the program was built from and with, and the renderers on this machine.
+ExitCode run_version();
+
 /// Prints all keys of a scene as markdown.
 ExitCode run_help_keys();
 

@@ -19,7 +19,6 @@
 #include "console/standard_streams.h"
 #include "core/interrupt.h"
 #include "core/parallel.h"
-#include "core/version.h"
 #include "pages/completion.h"
 #include "pages/manual_page.h"
 #include "scene/nearest.h"
@@ -67,7 +66,9 @@ ExitCode run_completion(const std::vector<pages::CommandFacts>& commands,
 
 void declare(CommandLine& line) {
   CLI::App& app = line.app;
-  app.set_version_flag("--version", fmt::format("wold {}", version));
+  app.add_flag_callback(
+      "--version", [&line] { line.action = run_version; },
+      "print the version, what it is built with, and the renderers on this machine");
   app.add_flag_callback(
       "--help-keys", [&line] { line.action = run_help_keys; },
       "list the keys of a scene as markdown");

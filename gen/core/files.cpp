@@ -10,7 +10,6 @@
 #include <cstring>
 #include <fstream>
 #include <system_error>
-#include <vector>
 
 #include "core/error.h"
 #include "core/temporary_name.h"
@@ -40,6 +39,14 @@ void create_anew(const fs::path& path) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (file < 0) throw FileError(reason(errno));
   ::close(file);
+}
+
+/// Where shipped files may lie: of an installation, of sources around a build folder, of that.
+std::array<fs::path, 3> shipped_folders() {
+  std::error_code ignored;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+  return {(folder / WOLD_DATA_FROM_PROGRAM).lexically_normal(), folder.parent_path(),
+          folder / "share/wold"};
 }
 
 }  // namespace
@@ -138,17 +145,19 @@ std::string content_hash(std::string_view bytes) {
 }
 
 fs::path shipped_file(std::string_view relative) {
-  std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  const std::vector<fs::path> roots = {program.parent_path().parent_path(),
-                                       program.parent_path().parent_path() / "share/wold",
-                                       WOLD_SOURCE_DIR, WOLD_INSTALL_DATA};
   std::string looked;
-  for (const fs::path& root : roots) {
-    if (fs::exists(root / relative, ignored)) return root / relative;
-    looked += fmt::format("\n  {}", (root / relative).string());
+  for (const fs::path& folder : shipped_folders()) {
+    std::error_code ignored;
+    if (fs::exists(folder / relative, ignored)) return folder / relative;
+    looked += fmt::format("\n  {}", (folder / relative).string());
   }
   throw FileError(fmt::format("{} is missing; looked for it at{}", relative, looked));
+}
+
+fs::path bundled_folder(std::string_view relative) {
+  std::error_code ignored;
+  const fs::path folder = shipped_folders().front() / relative;
+  return fs::is_directory(folder, ignored) ? folder : fs::path();
 }
 
 }  // namespace wold

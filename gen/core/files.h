@@ -48,9 +48,13 @@ std::string read_file(const std::filesystem::path& path);
 /// it, so that the newer XXH3 would make all of them anew.
 std::string content_hash(std::string_view bytes);
 
-/// A file that ships with the program: relative is "models/..." or "templates/...". Looked for
-/// beside the program (a build tree), where it was built, then where it was installed. Throws
-/// FileError that says where it looked.
+/// A file that ships with the program: relative is "models/..." or "templates/...". It is looked
+/// for from where the program is: where an installation has it (../share/wold), in sources around
+/// its build folder, and in that. Throws FileError that says where it looked.
 std::filesystem::path shipped_file(std::string_view relative);
+
+/// A folder of a library's own files, such as "proj", that ships in packages which bring their
+/// libraries along. Empty in other installations, where libraries find their files by themselves.
+std::filesystem::path bundled_folder(std::string_view relative);
 
 }  // namespace wold

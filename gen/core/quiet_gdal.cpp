@@ -10,6 +10,8 @@
 #include <mutex>
 #include <string_view>
 
+#include "core/files.h"
+
 namespace wold {
 namespace {
 
@@ -20,13 +22,26 @@ bool is_needed(std::string_view driver) {
              std::end(elevation_drivers);
 }
 
+/// Where GDAL and PROJ came along with the program, the system's files are of other versions.
+void find_bundled_files() {
+  if (const auto folder = bundled_folder("gdal"); !folder.empty())
+    CPLSetConfigOption("GDAL_DATA", folder.c_str());
+  if (const auto folder = bundled_folder("proj"); !folder.empty()) {
+    const std::array<const char*, 2> folders = {folder.c_str(), nullptr};
+    OSRSetPROJSearchPaths(folders.data());
+  }
+}
+
 /// Removed rather than passed over when a file is opened: GDAL itself opens masks and overviews
 /// that lie beside a raster, by any driver there is.
 void register_drivers() {
   CPLSetConfigOption("GDAL_PAM_ENABLED", "NO");
   // By itself it takes a grid of text for whole numbers as long as no number has a point.
   CPLSetConfigOption("AAIGRID_DATATYPE", "Float64");
+  // Drivers outside the library: none is needed, and they may be of another version.
+  CPLSetConfigOption("GDAL_DRIVER_PATH", "disable");
   OSRSetPROJEnableNetwork(0);
+  find_bundled_files();
   GDALAllRegister();
   GDALDriverManager& drivers = *GetGDALDriverManager();
   for (int number = drivers.GetDriverCount() - 1; number >= 0; --number) {

@@ -60,6 +60,14 @@ Diagnosis diagnose(const render::Renderer& kind, const std::string& chosen) {
   return diagnosis;
 }
 
+std::optional<RendererProgram> program_on_machine(const Renderer& kind) {
+  try {
+    return recognise(kind, find_renderer(kind, ""), interrupted);
+  } catch (const RendererError&) {
+    return std::nullopt;
+  }
+}
+
 std::string_view state_of(const Diagnosis& diagnosis) {
   if (!diagnosis.found) return "missing";
   if (!diagnosis.program) return "unknown";

@@ -22,6 +22,10 @@ struct Diagnosis {
 /// InterruptedError and FileError; that a renderer is missing or fails is an answer.
 Diagnosis diagnose(const render::Renderer& kind, const std::string& chosen);
 
+/// The program that a renderer's pictures would be made with, unprobed; nothing when there is none
+/// or it is something else. Throws InterruptedError and FileError.
+std::optional<RendererProgram> program_on_machine(const Renderer& kind);
+
 /// "complete": it shows all that a scene can have. "lacking": not all. "failing": it does not
 /// answer. "unknown": it is another program. "missing": there is none.
 std::string_view state_of(const Diagnosis& diagnosis);

@@ -13,6 +13,7 @@
 #include "film/exporters.h"
 #include "phenology/film_season.h"
 #include "scene/parse.h"
+#include "work/folder_format.h"
 #include "work/job.h"
 #include "work/task_record.h"
 #include "work/tasks.h"
@@ -107,6 +108,7 @@ void read_log_warnings(const fs::path& out, ReportFacts& facts) {
 }  // namespace
 
 ReportFacts report_facts(const fs::path& out) {
+  work::require_known_format(out);
   ReportFacts facts;
   facts.pictures = work::frame_pictures(out);
   if (facts.pictures.empty() && !fs::exists(out / "scene.toml"))

@@ -32,7 +32,7 @@ struct ReportFacts {
 };
 
 /// Looks at the folder; changes nothing. Throws FileError when it is none, or has neither a scene
-/// nor pictures.
+/// nor pictures, and InputError when it is of another format (work/folder_format.h).
 ReportFacts report_facts(const std::filesystem::path& out);
 
 }  // namespace wold::report

@@ -11,6 +11,7 @@
 #include "core/image.h"
 #include "core/interrupt.h"
 #include "render/encode.h"
+#include "work/folder_format.h"
 #include "work/frame_pictures.h"
 #include "work/job.h"
 #include "work/own_folder.h"
@@ -79,6 +80,7 @@ void write_films(const EncodingOptions& options, const FramePictures& pictures,
 
 void encode_films(const EncodingOptions& options, const FilmMade& made, Progress& progress) {
   require_no_way_out(options.out);
+  require_known_format(options.out);
   const std::vector<FramePictures> all = frame_pictures(options.out);
   const std::vector<int> frames =
       options.frames.empty() ? expected_frames(options.out, all) : options.frames;

@@ -13,6 +13,7 @@
 #include "phenology/film_season.h"
 #include "scene/parse.h"
 #include "scene/renderers.h"
+#include "work/folder_format.h"
 #include "work/kept_inputs.h"
 #include "work/own_folder.h"
 
@@ -69,6 +70,7 @@ Job plan_job(const RenderOptions& options) {
   job.frames = options.frames.empty() ? counted(count) : options.frames;
   job.out = options.out.empty() ? std::filesystem::path("out") / job.scene.name : options.out;
   require_own_folder(job.out);
+  require_known_format(job.out);
   require_inputs_kept(job.out, input_files(options.scene, job.scene), job.scene);
   job.exporters = film::wanted_exporters(job.scene);
   if (!options.passes.empty()) job.passes = passes::passes_of(options.passes);

@@ -29,11 +29,11 @@ std::vector<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-/// "texels_0001.json", "scene_0123456789abcdef.json", "lock"
+/// "texels_0001.json", "scene_0123456789abcdef.json", "format.json", "lock"
 bool is_name_of_record(std::string_view name) {
   constexpr std::array<std::string_view, 5> kinds = {"texels", "clouds", "passes", "scenes",
                                                      "scene"};
-  if (name == "lock") return true;
+  if (name == "lock" || name == "format.json") return true;
   const std::string_view kind = name.substr(0, name.find('_'));
   return kind.size() < name.size() && name.ends_with(".json") &&
          (std::ranges::count(kinds, kind) > 0 || exporter::find_exporter(film::exporters(), kind));

@@ -5,8 +5,8 @@
 namespace wold::work {
 
 /// Refuses a folder as output folder in which something lies and that no run of this program has
-/// made: what lies there may be a user's own. A run leaves its record: the lock or a record in
-/// `tasks`, or manifest.json. Neither what other commands put there before (preview.png,
+/// made: what lies there may be a user's own. A run leaves its record: the lock, the format or a
+/// record in `tasks`, or manifest.json. Neither what other commands put there before (preview.png,
 /// report.html, logs/slurm) nor hidden files count. A folder that is not there is nobody's. Throws
 /// InputError.
 void require_own_folder(const std::filesystem::path& folder);

@@ -14,6 +14,7 @@
 #include "film/exporters.h"
 #include "render/run.h"
 #include "scene/write.h"
+#include "work/folder_format.h"
 #include "work/manifest.h"
 #include "work/own_folder.h"
 
@@ -214,7 +215,8 @@ void Work::prepare(const Stage& stage, Progress& progress) {
     film().find_demand(progress);
     demand_found_ = true;
   }
-  records_.write_facts(facts_);  // first: by its records an output folder is known
+  write_folder_format(job_.out);  // first: by its records an output folder is known
+  records_.write_facts(facts_);
   update_file(job_.out / "scene.toml", scene::resolved_toml(job_.scene));
   if (stage.step >= Step::scenes) film::write_film_files(job_);
   // It lists files that will be others; `render` and `generate` write it when all is done.

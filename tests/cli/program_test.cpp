@@ -42,6 +42,44 @@ TEST_F(Program, VersionIsTheProjects) {
                   "VERSION " + number + " ");
 }
 
+TEST_F(Program, VersionNamesBuildLibrariesAndRenderers) {
+  const Result none =
+      wold("--version", "PATH=/nonexistent WOLD_BLENDER= WOLD_POVRAY= WOLD_FFMPEG=");
+  const std::string revision = read_file(fs::path(WOLD_BUILD_DIR) / "share/wold/revision");
+  EXPECT_EQ(revision.find("unknown"), std::string::npos) << "built outside git";
+  expect_answer(none, "\nrevision   " + revision);
+  for (const std::string part :
+       {"\nbuilt by   ", "\nlibraries  OpenVDB ", ", GDAL ", ", PROJ ",
+        "\nrenderer   Blender: missing\n", "\nrenderer   POV-Ray: missing\n",
+        "\nfilms      FFmpeg: missing\n"})
+    expect_contains(none.out, part);
+  write("pov.sh", "#!/bin/sh\necho 'POV-Ray 3.8.0-beta.2'\n");
+  const std::string program = (folder_ / "pov.sh").string();
+  fs::permissions(program, fs::perms::owner_all);
+  expect_answer(
+      wold("--version", "WOLD_BLENDER=/bin/true WOLD_POVRAY='" + program + "'"),
+      "\nrenderer   Blender: missing\nrenderer   POV-Ray 3.8.0-beta.2 (" + program + ")\n");
+}
+
+// As of a package, wherever it is unpacked; nothing else of this machine may be tried.
+TEST_F(Program, FindsItsFilesFromWhereItIs) {
+  fs::create_directories(folder_ / "there/bin");
+  fs::create_directories(folder_ / "there/share/wold");
+  fs::copy_file(WOLD_PROGRAM, folder_ / "there/bin/wold");
+  write("a.toml", "");
+  const std::string curves = "there/bin/wold curves a.toml --out a.csv";
+  const Result missing = shell(curves);
+  EXPECT_EQ(missing.code, 4);
+  expect_contains(missing.err, "there/share/wold/models");
+  const fs::path sources = fs::path(WOLD_TESTS_DIR).parent_path();
+  EXPECT_EQ(missing.err.find((sources / "models").string()), std::string::npos) << missing.err;
+  for (const std::string folder : {"models", "templates"})
+    fs::create_directory_symlink(sources / folder, folder_ / "there/share/wold" / folder);
+  EXPECT_EQ(shell(curves).code, 0);
+  fs::rename(folder_ / "there", folder_ / "elsewhere");
+  EXPECT_EQ(shell("elsewhere/bin/wold curves a.toml --out b.csv").code, 0);
+}
+
 TEST_F(Program, HelpKeysListsTheKeysAsMarkdown) {
   expect_answer(wold("--help-keys"),
                 "| `render.timeout` | `60.0` | a number from 0.01 to 10080 min |");

@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2154  # `here` is set by examples/setup.sh
-# Sourced by tests/systems.sh and tests/blender_versions.sh, after examples/setup.sh: other Debian
-# systems as folders, and Blender as a Python package. Both are kept for the next time.
+# Sourced by tests/systems.sh, tests/packages.sh and tests/blender_versions.sh, after examples/setup.sh:
+# other Debian systems as folders, and Blender as a Python package. Both are kept for the next time.
 
 cache=${XDG_CACHE_HOME:-$HOME/.cache}/wold/systems
 
@@ -22,9 +22,9 @@ copy_settings() {
   apt-config dump | grep -E '^Acquire::(https?|Check-)' >"$root/etc/apt/apt.conf.d/90machine" || true
 }
 
-# make_root SYSTEM: that Debian as debootstrap lays it down, and no services in it.
+# make_root SYSTEM [NAME]: that Debian as debootstrap lays it down, and no services in it.
 make_root() {
-  local root=$cache/$1
+  local root=$cache/${2:-$1}
   [ ! -d "$root" ] || return 0
   [ "$(id -u)" -eq 0 ] || {
     echo "error: a root folder of Debian $1 can be made by root only" >&2
@@ -39,6 +39,13 @@ make_root() {
   printf '#!/bin/sh\nexit 101\n' >"$root.new/usr/sbin/policy-rc.d"
   chmod +x "$root.new/usr/sbin/policy-rc.d"
   mv "$root.new" "$root"
+}
+
+# make_fresh_root SYSTEM NAME: a new one, in which nothing has been installed.
+make_fresh_root() {
+  make_root "$1" "$1.bare"
+  rm -rf "${cache:?}/$2"
+  cp -a "$cache/$1.bare" "$cache/$2"
 }
 
 # install_in SYSTEM PACKAGE...
