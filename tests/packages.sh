@@ -250,7 +250,7 @@ check_container() {
   buildah rmi --force "$(buildah images --quiet localhost/wold | head -1)" >/dev/null
 }
 
-[ "$(id -u)" -eq 0 ] || fail "root folders of other Debians can be made by root only"
+[ "$(id -u)" -eq 0 ] || fail "root folders of other systems can be made by root only"
 install "${build_packages[@]}" "${render_packages[@]}" debootstrap
 kind=${1:-all}
 [ $# -eq 0 ] || shift

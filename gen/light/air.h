@@ -45,7 +45,8 @@ class Air {
   explicit Air(double turbidity);
 
   /// The same air for light on its way through many scatterings: the forward_fraction of what
-  /// aerosol scatters counts as not scattered (delta-M, Wiscombe 1977), or a `part` of it in [0, 1].
+  /// aerosol scatters counts as not scattered (delta-M, Wiscombe 1977), or a
+  /// `part` of it, in [0, 1].
   Air without_forward_peak(double part = 1.0) const;
 
   /// Extinction, 1/m, by wavelength where the air has these densities.

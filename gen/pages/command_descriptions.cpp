@@ -21,7 +21,8 @@ std::string_view command_description(std::string_view command) {
        "DIR/manifest.json lists every file at the end."},
       {"passes",
        "Writes what every pixel of the frames shows, as numbers: depth, normals, positions, "
-       "motion, species, cells, snow, weathering, wetness, albedo and light, or those that --passes "
+       "motion, species, cells, snow, weathering, wetness, albedo and light, or those that "
+       "--passes "
        "names, in DIR/passes/NNNN.exr. They come from the scene's own model, so that they fit the "
        "pictures of all renderers and need none. wold inspect explains such a file. wold render "
        "--passes makes them with the pictures."},

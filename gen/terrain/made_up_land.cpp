@@ -52,6 +52,7 @@ double MadeUpLand::height_m(const glm::dvec2& at_m, double step_m) const {
 
 double MadeUpLand::multifractal(const glm::dvec2& at_m, double step_m) const {
   constexpr int most_octaves = 9;
+  const double lower = math::exp2(-hurst);     // each octave than the one before
   const glm::dmat2 turn(0.8, 0.6, -0.6, 0.8);  // no octave's lattice lies along another's
   double sum = 0.0, weight = 1.0, part = 1.0, feature_m = feature_m_;
   glm::dvec2 place_m = at_m;
@@ -67,7 +68,7 @@ double MadeUpLand::multifractal(const glm::dvec2& at_m, double step_m) const {
     const double signal = ridge * ridge * weight;
     sum += shown * part * signal;
     weight = std::clamp(1.6 * signal, 0.0, 1.0);
-    part *= math::exp2(-hurst);
+    part *= lower;
     feature_m *= 0.5;
     place_m = turn * place_m;
   }

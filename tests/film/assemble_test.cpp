@@ -13,6 +13,7 @@
 #include "sky/exposure.h"
 #include "support/film_parts.h"
 #include "support/grown.h"
+#include "support/no_grass.h"
 #include "terrain/hillside.h"
 
 namespace wold::film {
@@ -53,16 +54,16 @@ TEST(Assemble, CellsReferToTheirVolumes) {
     return std::to_string(c.variant) + "/" + std::to_string(c.key_frame) + "/" +
            std::to_string(c.turn) + "/" + std::to_string(c.lod);
   };
-  const landscape::Landscape landscape =
-      assemble(scene, site, test::grass_of(scene, 2), choices,
-               {[&](const meadow::CellChoice& choice) {
-                  landscape::Volume volume;
-                  volume.name = name(choice);
-                  volume.voxels = glm::ivec3(30);  // not fine
-                  return volume;
-                },
-                [](const meadow::CellChoice&) { return landscape::BladeMesh{}; }},
-               needs_of({}));
+  const landscape::Landscape landscape = assemble(
+      scene, site, test::grass_of(scene, 2), choices,
+      {[&](const meadow::CellChoice& choice) {
+         landscape::Volume volume;
+         volume.name = name(choice);
+         volume.voxels = glm::ivec3(30);  // not fine
+         return volume;
+       },
+       [](const meadow::CellChoice&) { return landscape::BladeMesh{}; }, test::no_grass().far},
+      needs_of({}));
   std::set<std::string> names;
   for (const landscape::Volume& volume : landscape.volumes)
     EXPECT_TRUE(names.insert(volume.name).second);
@@ -95,8 +96,8 @@ TEST(Assemble, ExposesSnowUnderCloudsAsInTheSun) {
   const auto shown = [](const scene::Scene& described) {
     const scene::Scene film = test::film_of(described);
     const place::Site site = test::site_of(film);
-    return assemble(film, place::site_of_frame(film, site, 2), test::grass_of(film, 2), {}, {},
-                    needs_of({}));
+    return assemble(film, place::site_of_frame(film, site, 2), test::grass_of(film, 2), {},
+                    test::no_grass(), needs_of({}));
   };
   const auto mean_shown = [](const landscape::Landscape& landscape) {
     double sum = 0.0;
@@ -126,7 +127,8 @@ TEST(Assemble, DuskIsDarkerThanDay) {
   const place::Site site = test::site_of(scene);
   const auto relative_gain = [&](int frame) {
     const place::Site now = place::site_of_frame(scene, site, frame);
-    return assemble(scene, now, test::grass_of(scene, frame), {}, {}, needs_of({})).exposure_gain /
+    return assemble(scene, now, test::grass_of(scene, frame), {}, test::no_grass(), needs_of({}))
+               .exposure_gain /
            sky::metered_gain(now.day, sky::Subject::meadow);
   };
   EXPECT_NEAR(relative_gain(1), 1.0, 1e-9);
@@ -142,7 +144,7 @@ TEST(Assemble, HasTheLightOfDusk) {
     scene.clouds.resize(1);
     const place::Site site = test::site_of(scene);
     const landscape::Landscape landscape =
-        assemble(scene, site, test::grass_of(scene, 2), {}, {}, needs_of({}));
+        assemble(scene, site, test::grass_of(scene, 2), {}, test::no_grass(), needs_of({}));
     EXPECT_LE(landscape.daylight.sun_irradiance.r, elevation_deg < 0.0 ? 0.0F : 0.1F);
     EXPECT_GT(landscape.exposure_gain, 0.3);
     EXPECT_LT(landscape.exposure_gain, 3.0);
@@ -162,7 +164,7 @@ TEST(Assemble, DoesNotBurnOutTheSkyOfAnEvening) {
   scene.sun.elevation_deg = 4.0;
   const place::Site site = test::site_of(scene);
   const landscape::Landscape landscape =
-      assemble(scene, site, test::grass_of(scene, 2), {}, {}, needs_of({}));
+      assemble(scene, site, test::grass_of(scene, 2), {}, test::no_grass(), needs_of({}));
   const glm::vec3 sky = site.day.mean_sky_radiance(20.0 * std::numbers::pi / 180.0);
   const double luminance = 0.2126 * double{sky.r} + 0.7152 * double{sky.g} + 0.0722 * double{sky.b};
   EXPECT_NEAR(landscape.exposure_gain * luminance, 0.9, 1e-4);
@@ -181,7 +183,8 @@ TEST(Assemble, CellsOfBladesReferToTheirMeshes) {
                {[](const meadow::CellChoice&) { return landscape::Volume{}; },
                 [](const meadow::CellChoice& choice) {
                   return tube_in_each_part(std::to_string(choice.variant * 100 + choice.key_frame));
-                }},
+                },
+                test::no_grass().far},
                needs_of({}));
   std::size_t parts = 0;
   for (const meadow::CellChoice& choice : choices) parts += choice.parts.size();
@@ -217,7 +220,8 @@ TEST(Assemble, PartsWithoutBladesAreNotDrawn) {
                 [&](const meadow::CellChoice& choice) {
                   return landscape::BladeMesh{
                       std::to_string(choice.variant * 100 + choice.key_frame), tubes};
-                }},
+                },
+                test::no_grass().far},
                needs_of({}));
   EXPECT_EQ(landscape.blade_cells.size(), choices.size());
   std::vector<bool> used(landscape.blade_meshes.size(), false);

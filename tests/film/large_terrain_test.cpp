@@ -10,6 +10,7 @@
 #include "meadow/far_field.h"
 #include "place/ground_grids.h"
 #include "support/film_parts.h"
+#include "support/no_grass.h"
 #include "support/sanitized.h"
 #include "support/temporary_folder.h"
 
@@ -108,13 +109,6 @@ TEST(GroundDetails, AreNestedAndMoveByWholeSteps) {
   }
 }
 
-/// The looks of what does not grow.
-PatchLookup no_grass() {
-  return {.volume = [](const meadow::CellChoice&) { return landscape::Volume{}; },
-          .blades = [](const meadow::CellChoice&) { return landscape::BladeMesh{}; },
-          .far = [](int, const grass::PatchState&) { return meadow::PatchAppearance({}); }};
-}
-
 /// Mean over a square of a picture, at many places.
 glm::dvec3 mean_over(const ColourMap& map, const Square& square) {
   constexpr int places = 400;
@@ -132,8 +126,8 @@ landscape::Landscape snowed_on(double water_mm, const std::filesystem::path& fol
   scene::Scene scene = plain(2000.0);
   scene.snow_cover.initial_mm = water_mm;
   scene.weather.temperature_c = -1.0;
-  return assemble(scene, test::site_of(scene, folder), test::grass_of(scene, 1), {}, no_grass(),
-                  needs_of({}));
+  return assemble(scene, test::site_of(scene, folder), test::grass_of(scene, 1), {},
+                  test::no_grass(), needs_of({}));
 }
 
 // Both pictures are of the same ground, bare or white: the coarse one shows the mean of what the
@@ -190,7 +184,7 @@ TEST(LargeTerrain, OfAHundredKilometresTakesBoundedMemory) {
       meadow::choose_cells(scene, site.terrain, place::growth_of_cells(site), *site.mixtures,
                            *site.withering, test::grass_of(scene, 1));
   const landscape::Landscape landscape =
-      assemble(scene, site, test::grass_of(scene, 1), cells, no_grass(), needs_of({}));
+      assemble(scene, site, test::grass_of(scene, 1), cells, test::no_grass(), needs_of({}));
   const double max_mb = test::sanitized ? 1400.0 : 700.0;  // with their notes on what is allocated
   EXPECT_LT(peak_memory_mb() - before_mb, max_mb);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "ground.tif"));

@@ -8,6 +8,7 @@
 #include "grass/texel/coverage.h"
 #include "meadow/film_lights.h"
 #include "support/film_parts.h"
+#include "support/no_grass.h"
 
 namespace wold::ground {
 namespace {
@@ -33,7 +34,9 @@ scene::Scene meadow_from_above(double sun_azimuth_deg) {
 
 ColourMap ground_of(const scene::Scene& scene) {
   const place::Site site = test::site_of(scene);
-  return film::assemble(scene, site, test::grass_of(scene, 1), {}, {}, film::needs_of({})).ground;
+  return film::assemble(scene, site, test::grass_of(scene, 1), {}, test::no_grass(),
+                        film::needs_of({}))
+      .ground;
 }
 
 // Where one looks down the sun's rays all of the ground between blades is sunlit, elsewhere about

@@ -11,6 +11,7 @@
 #include "phenology/film_season.h"
 #include "place/view.h"
 #include "support/film_parts.h"
+#include "support/no_grass.h"
 
 namespace wold::sky {
 namespace {
@@ -125,7 +126,7 @@ TEST(SnowfallModel, OfOneDayGreysTheSkyGently) {
               0.25 * own);
   const auto shown = [&](int frame) {
     return film::assemble(scene, place::site_of_frame(scene, site, frame),
-                          test::grass_of(scene, frame), {}, {}, film::needs_of({}));
+                          test::grass_of(scene, frame), {}, test::no_grass(), film::needs_of({}));
   };
   const landscape::Landscape clear = shown(1), before = shown(5), snowing = shown(6);
   const auto sun = [](const landscape::Landscape& landscape) {
