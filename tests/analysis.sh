@@ -37,7 +37,7 @@ test_units() {
   left_out+='|Picture|RealPovray|LargeTerrain|SiteOfFrame|SnowfallModel|Growth\.Covers'
   left_out+='|Assemble\.(Exposes|Dusk))'
   local libraries=(core scene weather snowpack phenology light terrain grass cloud snow landscape
-    place sky meadow ground expectation film povray blender mitsuba preview report compare
+    place sky meadow ground expectation passes film povray blender mitsuba preview report compare
     render work console)
   local corpora=(scene df3 weather_table daily_weather elevation pictures vdb arguments records)
   local labels
