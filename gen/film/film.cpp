@@ -32,9 +32,9 @@ std::set<int> turns_of(const scene::Scene& scene, int lod) {
   return turns;
 }
 
-grass::TexelFiles texel_files(exporter::Exporters exporters) {
-  return needs_of(exporters).materials ? grass::TexelFiles::baked_and_unlit
-                                       : grass::TexelFiles::baked;
+grass::TexelFiles texel_files(const Request& request) {
+  return reads_unlit_texels(request) ? grass::TexelFiles::baked_and_unlit
+                                     : grass::TexelFiles::baked;
 }
 
 /// Writes a frame into an exporter's folder, and what the output folder has of that.
@@ -60,6 +60,10 @@ void check_frame(const Request& request, const landscape::Landscape& landscape,
 
 }  // namespace
 
+bool reads_unlit_texels(const Request& request) {
+  return !request.passes.empty() || needs_of(request.exporters).materials;
+}
+
 void write_film_files(const Request& request) {
   const exporter::FilmSettings film = film_settings(request.scene);
   for (const exporter::Exporter* one : request.exporters)
@@ -71,7 +75,7 @@ FilmPipeline::FilmPipeline(const Request& request)
       snow_(request.out / "snow"),
       site_(place::make_site(request.scene, request.season, snow_.path())),
       texels_(request.scene, meadow::film_lights(request.scene, site_), request.out / "texels",
-              texel_files(request.exporters)) {}
+              texel_files(request)) {}
 
 void FilmPipeline::find_demand(Progress& progress) {
   progress.begin("cells", request_.frames.size());
@@ -111,7 +115,7 @@ std::vector<fs::path> FilmPipeline::make_texels(int variant, Progress& progress)
   texels_.generate({*wanted}, progress);
   std::set<fs::path> files;
   for (const auto& [state, lods] : wanted->second) {
-    if (needs_of(request_.exporters).materials) files.insert(texels_.texel_path(variant, state));
+    if (reads_unlit_texels(request_)) files.insert(texels_.texel_path(variant, state));
     for (const auto& lod : lods) files.insert(texels_.volume_path(variant, state, lod.first));
   }
   return {files.begin(), files.end()};

@@ -35,7 +35,7 @@ class FilmPipeline {
   void find_demand(Progress& progress);
 
   /// The texels of a variant, from 0 to below scene::patch_count(): DIR/texels/v<variant>_*; those
-  /// without light where an exporter needs materials. Returns the files. Variants may be made at
+  /// without light where reads_unlit_texels(). Returns the files. Variants may be made at
   /// the same time.
   std::vector<std::filesystem::path> make_texels(int variant, Progress& progress) const;
 

@@ -34,7 +34,7 @@ Estimate texels(const Job& job, const StageTasks& stage, const film::FilmDemand&
     unlit.insert({volume.variant, volume.state.unlit()});
   const double voxels = voxels_of(job.scene) * static_cast<double>(unlit.size());
   return {each(voxels * texel_seconds, stage), texel_memory_bytes(job),
-          each(texel_bytes(job.scene, demand, film::needs_of(job.exporters).materials), stage)};
+          each(texel_bytes(job.scene, demand, film::reads_unlit_texels(job)), stage)};
 }
 
 Estimate scenes(const Job& job, const StageTasks& stage, const film::FilmDemand& demand) {

@@ -39,10 +39,9 @@ struct RenderOptions {
 
 /// What `render` and `generate` agree on before they work: what to make, and with what.
 struct Job : film::Request {
-  scene::Places places;  ///< where the scene file says what, for later checks that blame it
-  std::vector<passes::Pass> passes;  ///< to be made beside the pictures
-  ChosenPrograms programs;           ///< that options name
-  int threads = 0;                   ///< 0: all processors
+  scene::Places places;       ///< where the scene file says what, for later checks that blame it
+  ChosenPrograms programs;    ///< that options name
+  int threads = 0;            ///< 0: all processors
   double memory_bytes = 0.0;  ///< that all may take together; 0: the machine's, and no limit is set
   Keep keep = Keep::all;
   std::vector<Problem> text_warnings;  ///< of scene::read_located_scene()

@@ -118,8 +118,8 @@ Verdict Work::verdict(const Task& task) {
     const auto record = records_.read(task);
     if (!record) return {Need::yes, "never made"};
     if (record->removed) {
-      if (are_scenes_done()) return {};
-      return {Need::yes, "removed when no scene files needed it"};
+      if (are_texels_read()) return {};
+      return {Need::yes, "removed when nothing needed it"};
     }
     for (const auto& [name, state] : record->outputs)
       if (!fs::exists(job_.out / name)) return {Need::yes, fmt::format("{} is missing", name)};
@@ -136,11 +136,14 @@ Verdict Work::verdict(const Task& task) {
   return verdict;
 }
 
-/// Those of all frames.
-bool Work::are_scenes_done() {
-  return std::ranges::all_of(job_.frames, [&](int frame) {
-    return verdict({Stage::scenes, frame}).need == Need::no;
-  });
+/// For all frames: what reads texels needs them no more.
+bool Work::are_texels_read() {
+  const auto is_done = [&](const Stage& stage) {
+    return std::ranges::all_of(job_.frames, [&](int frame) {
+      return verdict({stage, frame}).need == Need::no;
+    });
+  };
+  return is_done(Stage::scenes) && (job_.passes.empty() || is_done(Stage::passes));
 }
 
 Verdict Work::outdated(const Task& task, const TaskRecord& record) {
@@ -164,7 +167,7 @@ std::string Work::source(const Task& task) {
   if (task.stage == Stage::passes) text += passes::text_of(job_.passes);
   if (task.stage == Stage::texels) {
     text += ranges_text(job_.frames);
-    if (film::needs_of(job_.exporters).materials) text += " unlit";
+    if (film::reads_unlit_texels(job_)) text += " unlit";
   }
   if (task.stage == Stage::scenes)
     for (const exporter::Exporter* one : job_.exporters)
@@ -224,7 +227,7 @@ void Work::prepare(const Stage& stage, Progress& progress) {
 }
 
 void Work::remove_texels() {
-  if (!are_scenes_done()) return;
+  if (!are_texels_read()) return;
   for (const StageTasks& stage : stages_of(job_))
     if (stage.stage == Stage::texels)
       for (const int index : stage.indices) remove_outputs({stage.stage, index});

@@ -95,7 +95,7 @@ class Work {
   std::string picture_source(const Task& task);
   const SceneHashes& scene_hashes(int frame);
   Verdict outdated(const Task& task, const TaskRecord& record);
-  bool are_scenes_done();
+  bool are_texels_read();
   Made make(const Task& task, const RendererLimits& limits, Progress& progress);
   Made make_picture(const Task& task, const RendererLimits& limits, Progress& progress);
   void remove_damaged(const Task& task);

@@ -213,7 +213,7 @@ TEST_F(Resume, TexelsThatWereNotKeptComeBackWhenSceneFilesNeedThem) {
   rendered("--keep scenes");
   fs::remove(folder_ / "out/blender/data/frame_0002/frame.json");
   EXPECT_THAT(wold("plan small.toml --renderer blender --why --out out").out,
-              HasSubstr("removed when no scene files needed it"));
+              HasSubstr("removed when nothing needed it"));
   EXPECT_EQ(rendered(), "") << "the same scene files come back";
   EXPECT_THAT(different(contents("out"), wanted), IsEmpty());
 }

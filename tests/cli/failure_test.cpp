@@ -200,12 +200,12 @@ TEST_F(Interrupt, InTheTexels) {
   const std::string options = slower;
   const fs::path texels = folder_ / "out/texels";
   Running program(folder_, command(generate + options));
-  ASSERT_TRUE(eventually([&] { return fs::exists(texels / "v0_k00_030.vdb"); }));
+  ASSERT_TRUE(eventually([&] { return fs::exists(texels / "v0_k00_062.vdb"); }));
   expect_interrupted(program);
-  EXPECT_FALSE(fs::exists(texels / "v1_k02_030.vdb")) << "it was over already";
-  const auto first = fs::last_write_time(texels / "v0_k00_030.vdb");
+  EXPECT_FALSE(fs::exists(texels / "v1_k02_062.vdb")) << "it was over already";
+  const auto first = fs::last_write_time(texels / "v0_k00_062.vdb");
   expect_generate_goes_on(options);
-  EXPECT_EQ(fs::last_write_time(texels / "v0_k00_030.vdb"), first);
+  EXPECT_EQ(fs::last_write_time(texels / "v0_k00_062.vdb"), first);
 }
 
 TEST_F(Interrupt, InTheSceneFiles) {
