@@ -35,7 +35,8 @@ test_with() {
 test_units() {
   local left_out='^(BlenderRender|BlenderAddOn|BlenderDifferences|BlenderStranger|Includes|OwnScene'
   left_out+='|Picture|RealPovray|LargeTerrain|SiteOfFrame|SnowfallModel|Growth\.Covers'
-  left_out+='|Assemble\.(Exposes|Dusk))'
+  left_out+='|Assemble\.(Exposes|Dusk)|Rebuild\.(BigTujunga|FrontRange)|CloudBoxes\.HaveTheLayers'
+  left_out+='|CloudLayerView\.Glows|Exposure\.Changes|TracedSky|LandView\.Sees)'
   local libraries=(core scene weather snowpack phenology light terrain grass cloud snow landscape
     place sky meadow ground expectation passes film povray blender mitsuba preview report compare
     render work console)
