@@ -18,8 +18,7 @@ constexpr std::array<PassFacts, 11> table = {{
      "ground and grass cover"},
     {Pass::normal, "normal", "XYZ", "1",
      "unit normal of the ground, with its snow, below what is seen, of blades their own; world "
-     "axes: X east, Y north, "
-     "Z up; 0 where nothing is"},
+     "axes: X east, Y north, Z up; 0 where nothing is"},
     {Pass::position, "position", "XYZ", "m",
      "where in the world what has that depth is: X east and Y north from the terrain's "
      "south-western corner, Z up from the scene's zero; 0 where nothing is"},
@@ -31,8 +30,7 @@ constexpr std::array<PassFacts, 11> table = {{
      "the area of their blades in it"},
     {Pass::instance, "instance", "XY", "cell",
      "the cell of grass that is seen, X its column from the west and Y its row from the south, "
-     "from "
-     "0; -1 where ground or nothing is seen"},
+     "from 0; -1 where ground or nothing is seen"},
     {Pass::snow, "snow", "V", "m", "depth of the snow that lies at the place that is seen"},
     {Pass::weathering, "weathering", "V", "1",
      "weathering degree of the grass that grows at the place that is seen: 0 fresh, 1 withered"},

@@ -13,7 +13,8 @@ namespace wold::terrain {
 class MadeUpLand {
  public:
   /// Land that goes on from `ground`: its deviation grows from that of the ground's heights, over
-  /// half of their square, by a Hurst exponent of 0.7 up to features of 8 km, and is 500 m at most.
+  /// half of their square, by a Hurst exponent of 0.7 up to features of 8 km, and is 500 m at most:
+  /// modelling choices.
   MadeUpLand(const Heightfield& ground, std::uint64_t seed);
 
   /// Size of the largest features.

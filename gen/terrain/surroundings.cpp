@@ -1,11 +1,14 @@
 #include "terrain/surroundings.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
 
+#include "core/error.h"
 #include "core/parallel.h"
 #include "terrain/elevation.h"
 #include "terrain/known_land.h"
@@ -43,19 +46,30 @@ void put(const Finer& finer, GroundMap<double>& heights_m) {
   });
 }
 
-/// How much higher a model's zero lies than the scene's: by the ground that both have, or by all of
-/// it where they have none in common.
-double offset_m(const Heightfield& ground, const GroundMap<double>& model_m) {
+/// How much higher the scene's zero counts than a model's: by the land that both know. None where
+/// they have none in common.
+std::optional<double> offset_m(const GroundMap<double>& known_m, const GroundMap<double>& model_m) {
   double sum = 0.0;
   int count = 0;
-  for (int j = 0; j < model_m.samples(); ++j)
-    for (int i = 0; i < model_m.samples(); ++i) {
-      const glm::dvec2 at_m = model_m.place_m(i, j);
-      if (!ground.square().contains(at_m) || std::isnan(model_m.at(i, j))) continue;
-      sum += double{ground.sample(at_m.x, at_m.y)} - model_m.at(i, j);
-      ++count;
-    }
-  return count > 0 ? sum / count : 0.0;
+  for (std::size_t i = 0; i < known_m.values().size(); ++i) {
+    const double offset = known_m.values()[i] - model_m.values()[i];
+    if (std::isnan(offset)) continue;
+    sum += offset;
+    ++count;
+  }
+  return count > 0 ? std::optional(sum / count) : std::nullopt;
+}
+
+/// The same of a model next to the scene's square. Throws InputError where it lies elsewhere.
+double required_offset_m(const std::string& file, const GroundMap<double>& known_m,
+                         const GroundMap<double>& model_m) {
+  const auto offset = offset_m(known_m, model_m);
+  if (!offset)
+    throw InputError(
+        fmt::format("terrain.surroundings: {}: expected heights in and around the square of {} m "
+                    "(terrain.size), where terrain.elevation has some; it has none there",
+                    file, known_m.size_m() / wider));
+  return *offset;
 }
 
 /// What a model knows where nobody did.
@@ -76,12 +90,11 @@ bool reaches_border(const GroundMap<double>& model_m) {
   return false;
 }
 
-/// A model of the land around, with how much higher its zero lies: known once the nearest square is
-/// read.
+/// A model of the land around.
 struct Model {
   const std::string& file;
-  std::optional<double> offset_m = {};
-  bool is_read = false;  ///< all of it that is needed
+  std::optional<double> offset_m = {};  ///< offset_m() of the nearest square
+  bool is_read = false;                 ///< all of it that is needed
 };
 
 /// Land goes on into what is made up over half of its largest features.
@@ -122,7 +135,7 @@ Surroundings::Surroundings(const scene::Terrain& terrain, const Heightfield& gro
     for (Model& model : models) {
       if (model.is_read) continue;
       const GroundMap<double> model_m = heights_around(terrain, model.file, grid);
-      if (!model.offset_m) model.offset_m = offset_m(ground, model_m);
+      if (!model.offset_m) model.offset_m = required_offset_m(model.file, heights_m, model_m);
       add_model(model_m, *model.offset_m, heights_m);
       model.is_read = !reaches_border(model_m);
     }

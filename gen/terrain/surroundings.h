@@ -20,7 +20,8 @@ namespace wold::terrain {
 class Surroundings {
  public:
   /// `ground`: the scene's. The land reaches `reach_m` beyond it at least. Throws InputError as
-  /// heights_around().
+  /// heights_around(), and where terrain.surroundings has no land in common with the square and
+  /// what terrain.elevation has next to it.
   Surroundings(const scene::Terrain& terrain, const Heightfield& ground, std::uint64_t seed,
                double reach_m);
 

@@ -27,12 +27,13 @@ double slope_m(double east_m, double north_m) {
 
 class SurroundingsTest : public testing::Test {
  protected:
-  /// A model of a square of that land about its middle.
-  std::string model(const char* name, double size_m, double cell_m, double lift_m = 0.0) {
+  /// A model of a square of that land about its middle, or so far east of it.
+  std::string model(const char* name, double size_m, double cell_m, double lift_m = 0.0,
+                    double east_m = 0.0) {
     GDALAllRegister();
     const std::filesystem::path file = folder_.path() / name;
     const int cells = static_cast<int>(size_m / cell_m);
-    const double west = 5e5 - 0.5 * size_m, north = 3.8e6 + 0.5 * size_m;
+    const double west = 5e5 + east_m - 0.5 * size_m, north = 3.8e6 + 0.5 * size_m;
     GDALDatasetUniquePtr raster(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
         file.c_str(), cells, cells, 1, GDT_Float64, nullptr));
     std::array<double, 6> place = {west, cell_m, 0.0, north, 0.0, -cell_m};
@@ -141,6 +142,19 @@ TEST_F(SurroundingsTest, NeedOneCoordinateSystem) {
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("terrain.surroundings"), std::string::npos);
     EXPECT_NE(std::string(error.what()).find("coordinate system"), std::string::npos);
+  }
+}
+
+// A model of another place is a mistake, not land at some height.
+TEST_F(SurroundingsTest, HaveLandInCommonWithTheElevationModel) {
+  scene::Terrain terrain = square_of(model("dem.tif", 3000.0, 30.0));
+  terrain.surroundings = model("elsewhere.tif", 3000.0, 300.0, 0.0, 90000.0);
+  try {
+    around(terrain, 5000.0);
+    FAIL() << "taken";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("elsewhere.tif"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("it has none there"), std::string::npos);
   }
 }
 
