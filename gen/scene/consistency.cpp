@@ -17,8 +17,7 @@
 namespace wold::scene {
 namespace {
 
-/// Soil creep reaches about a metre in steps of a sample: its work grows as samples^4 / size^2, to
-/// about 10^10 operations at this limit.
+/// Soil creeps about a metre, over the more samples the finer they are: what is finer is smooth.
 constexpr double max_samples_per_root_m = 376.0;
 /// Square metres of leaf per square metre of ground; dense turf has 10.
 constexpr double max_leaf_area = 50.0;
@@ -132,7 +131,7 @@ Rule heights_are_coarse_enough(const Terrain& terrain) {
       {"terrain.samples", "terrain.size"},
       terrain.samples <= max,
       fmt::format("terrain.samples: found {}, expected at most {} on {} m (terrain.size): finer "
-                  "heights take erosion minutes and show no more",
+                  "heights take erosion long and show no more",
                   terrain.samples, max, terrain.size_m)};
 }
 

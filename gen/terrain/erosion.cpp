@@ -58,23 +58,4 @@ void slide(GroundMap<double>& heights_m, double talus_deg, int steps) {
   }
 }
 
-void creep(GroundMap<double>& heights_m, double length2_m2) {
-  // The nine-point Laplacian is nearly isotropic; an explicit step is stable up to 0.37.
-  constexpr double largest = 0.2;
-  const double total = length2_m2 / (heights_m.step_m() * heights_m.step_m());
-  const int steps = static_cast<int>(std::ceil(total / largest));
-  for (int step = 0; step < steps; ++step)
-    exchange(heights_m, 1, [&](double drop_m, bool diagonal) {
-      return drop_m * (total / steps) * (diagonal ? 1.0 / 6.0 : 2.0 / 3.0);
-    });
-}
-
-Heightfield crept(GroundMap<double> heights_m) {
-  creep(heights_m, 0.1);
-  Heightfield result(heights_m.samples(), heights_m.size_m());
-  for (std::size_t k = 0; k < result.values().size(); ++k)
-    result.values()[k] = static_cast<float>(heights_m.values()[k]);
-  return result;
-}
-
 }  // namespace wold::terrain

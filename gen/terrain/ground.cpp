@@ -8,7 +8,7 @@
 #include "core/elementary.h"
 #include "core/parallel.h"
 #include "terrain/elevation.h"
-#include "terrain/erosion.h"
+#include "terrain/creep.h"
 #include "terrain/hillside.h"
 #include "terrain/mountain.h"
 #include "terrain/relief.h"

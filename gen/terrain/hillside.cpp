@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/elementary.h"
+#include "terrain/creep.h"
 #include "terrain/erosion.h"
 #include "terrain/fractal_relief.h"
 #include "terrain/streams.h"

@@ -54,7 +54,7 @@ Level coarser(const Level& fine) {
 /// Fills in from a coarser level that has no gaps, and evens out what was filled in: towards the
 /// membrane that hangs between what is known (Laplace's equation, by Jacobi's passes).
 void fill(Level& fine, const Level& coarse) {
-  const int passes = std::clamp(20000 / fine.side, 12, 400);
+  const int passes = std::clamp(4000 / fine.side, 12, 400);
   std::vector<std::size_t> gaps;
   std::size_t at = 0;
   for (int j = 0; j < fine.side; ++j)

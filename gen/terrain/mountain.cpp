@@ -8,6 +8,7 @@
 #include "core/noise.h"
 #include "core/parallel.h"
 #include "core/random.h"
+#include "terrain/creep.h"
 #include "terrain/erosion.h"
 #include "terrain/fractal_relief.h"
 #include "terrain/streams.h"

@@ -45,8 +45,6 @@ TEST(Erosion, KeepsTheMassAndTheLimit) {
   slide(heights_m, 33.0, 2000);
   EXPECT_NEAR(total(heights_m), before, 1e-9);
   EXPECT_LT(steepest(heights_m), 1.01 * limit);
-  creep(heights_m, 0.1);
-  EXPECT_NEAR(total(heights_m), before, 1e-9);
 }
 
 TEST(Erosion, LeavesStableGroundAlone) {
@@ -56,17 +54,6 @@ TEST(Erosion, LeavesStableGroundAlone) {
   const GroundMap<double> before = heights_m;
   slide(heights_m, 30.0, 50);
   EXPECT_EQ(heights_m.values(), before.values());
-}
-
-TEST(Erosion, CreepDampsAWaveAsDiffusionDoes) {
-  // cos(k x) decays as exp(-k^2 D t); whole half-waves have no slope at the border.
-  const double k = 4.0 * std::numbers::pi / 10.0;
-  GroundMap<double> heights_m(101, 10.0);
-  for (int j = 0; j < 101; ++j)
-    for (int i = 0; i < 101; ++i) heights_m.at(i, j) = std::cos(k * i * heights_m.step_m());
-  creep(heights_m, 0.5);
-  EXPECT_NEAR(heights_m.at(50, 50), std::exp(-k * k * 0.5), 0.01);
-  EXPECT_NEAR(heights_m.at(25, 50), -std::exp(-k * k * 0.5), 0.01);
 }
 
 TEST(Erosion, IsTheSameOnAnyNumberOfThreads) {
