@@ -7,8 +7,8 @@
 
 #include "core/elementary.h"
 #include "core/parallel.h"
-#include "terrain/elevation.h"
 #include "terrain/creep.h"
+#include "terrain/elevation.h"
 #include "terrain/hillside.h"
 #include "terrain/mountain.h"
 #include "terrain/relief.h"
