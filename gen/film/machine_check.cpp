@@ -50,10 +50,10 @@ double points_of_patch(const scene::Scene& scene) {
 Rule texels_fit_in_memory(const scene::Scene& scene) {
   const scene::Grass& grass = scene.grass;
   const double side = grass.lods.front();
-  double longest_m = 0.0;
+  double highest_m = 0.0;
   for (const scene::Species& species : scene::species_of(scene))
-    longest_m = std::max(longest_m, scene::longest_blade_m(species.plant));
-  const double height_voxels = std::ceil(longest_m / grass.patch_m * side);
+    highest_m = std::max(highest_m, scene::max_standing_m(species.plant));
+  const double height_voxels = std::ceil(highest_m / grass.patch_m * side);
   const double points = points_of_patch(scene);
   const double voxels = std::min(voxels_per_point * points, side * side * height_voxels);
   const int threads = scene.render.threads > 0

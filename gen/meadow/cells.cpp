@@ -131,15 +131,15 @@ glm::dvec3 middle_of(const scene::Grass& grass, const Heightfield& terrain,
   return place::above_ground(terrain, centre_m(cell, grass.patch_m), grass.height_m / 2.0);
 }
 
-/// How far above the middle of the grass on a cell the longest blades may reach.
+/// How far above the middle of the grass on a cell the highest blades may reach.
 double above_middle_m(const scene::Scene& scene) {
   const double mean_m = scene::mean_grass(scene).height_m;
   double max_m = 0.0;
   for (const scene::Species& species : scene::species_of(scene)) {
     const scene::Plant& plant = species.plant;
-    const double longer_m = 0.5 * (plant.height_m - mean_m);
+    const double higher_m = plant.crown_m + 0.5 * (plant.height_m - mean_m);
     max_m =
-        std::max(max_m, plant.height_m * std::max(1.5, 0.5 + 2.2 * plant.height_spread) + longer_m);
+        std::max(max_m, plant.height_m * std::max(1.5, 0.5 + 2.2 * plant.height_spread) + higher_m);
   }
   return max_m;
 }
@@ -220,6 +220,14 @@ CellChoice choose_cell(const scene::Scene& scene, const glm::ivec2& cell, const 
   return choice;
 }
 
+/// How far the patches of each mixture lean with the wind, of what grass does: shrubs stand.
+std::vector<double> leaning_of_mixtures(const scene::Scene& scene) {
+  std::vector<double> leaning;
+  for (const scene::Mixture& mixture : scene::mixtures_of(scene))
+    leaning.push_back(scene::rooted_fraction(scene, mixture));
+  return leaning;
+}
+
 int voxels_of(const scene::Scene& scene, const CellChoice& choice) {
   return scene.grass.lods[static_cast<std::size_t>(choice.lod)];
 }
@@ -269,6 +277,7 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
   const Heightfield& ground = mesh ? *mesh : terrain;
   const std::vector<double> key_frames = scene::key_frames(scene);
   const scene::Grass grass = scene::mean_grass(scene);
+  const std::vector<double> leaning = leaning_of_mixtures(scene);
   const Showing showing = {grass::PatchState::level_of(now.snow), now.light};
   const auto side = static_cast<std::size_t>(window.per_side);
   std::vector<std::vector<CellChoice>> rows(side);
@@ -283,8 +292,10 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
     choice.variant = scene::patch_number(scene, mixtures.at(glm::dvec2(middle_m)), choice.variant);
     if (choice.blades && cell_uniform(scene, cell, "grown") >= double{grown.mean}) return;
     const double patch_m = scene.grass.patch_m;
-    const landscape::CellPose pose = {cell, choice.turn,
-                                      now.wind_lean.lean(centre_m(cell, patch_m))};
+    const int mixture = scene::mixture_number(scene, choice.variant);
+    const landscape::CellPose pose = {
+        cell, choice.turn,
+        leaning[static_cast<std::size_t>(mixture)] * now.wind_lean.lean(centre_m(cell, patch_m))};
     choice.parts = landscape::parts_on_ground(ground, patch_m, pose, voxels_of(scene, choice),
                                               ground_tolerance_m);
     // Half-way up, so that they show as much too little above as too much below: along a line of

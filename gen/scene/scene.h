@@ -80,6 +80,7 @@ struct Plant {
   /// Ageing rates wd_i = Mg_i(wd) of the samples that are mingled; none: one sample that ages as
   /// the meadow does.
   std::vector<CurveChoice> mingle;
+  double crown_m = 0.0;         ///< up to here blades stand on twigs; 0: in the ground
   double height_m = 0.32;       ///< mean blade length
   double height_spread = 0.22;  ///< standard deviation / mean
   double width_m = 0.0056;      ///< mean diameter of the cone at its foot

@@ -22,15 +22,21 @@ Mixture all_species(const MeadowPart& meadow) {
   return all;
 }
 
-double blade_area_m2(const MeadowPart& meadow, const Mixture& mixture) {
+/// Of the mixture's plants of which `counts` holds.
+template <class Counts>
+double blade_area_m2(const MeadowPart& meadow, const Mixture& mixture, const Counts& counts) {
   const std::vector<Species> species = species_of(meadow);
   const std::vector<int> blades = blades_of(meadow, mixture);
   double area_m2 = 0.0;
   for (std::size_t k = 0; k < mixture.size(); ++k) {
     const Plant& plant = species[static_cast<std::size_t>(mixture[k])].plant;
-    area_m2 += blades[k] * (0.5 * plant.height_m * plant.width_m);
+    if (counts(plant)) area_m2 += blades[k] * (0.5 * plant.height_m * plant.width_m);
   }
   return area_m2;
+}
+
+double blade_area_m2(const MeadowPart& meadow, const Mixture& mixture) {
+  return blade_area_m2(meadow, mixture, [](const Plant&) { return true; });
 }
 
 }  // namespace
@@ -110,16 +116,24 @@ Grass mean_grass(const MeadowPart& meadow) {
   Grass grass = meadow.grass;
   const std::vector<Species> species = species_of(meadow);
   const double sum = sum_of_shares(species);
-  grass.height_m = grass.width_m = 0.0;
+  grass.height_m = grass.width_m = grass.crown_m = 0.0;
   for (const Species& one : species) {
-    grass.height_m += one.share / sum * one.plant.height_m;
+    grass.height_m += one.share / sum * standing_m(one.plant);
     grass.width_m += one.share / sum * one.plant.width_m;
   }
   return grass;
 }
 
-double longest_blade_m(const Plant& plant) {
-  return plant.height_m * (1.0 + max_deviations * plant.height_spread);
+double standing_m(const Plant& plant) { return plant.crown_m + plant.height_m; }
+
+double max_standing_m(const Plant& plant) {
+  return plant.crown_m + plant.height_m * (1.0 + max_deviations * plant.height_spread);
+}
+
+double rooted_fraction(const MeadowPart& meadow, const Mixture& mixture) {
+  const double rooted_m2 =
+      blade_area_m2(meadow, mixture, [](const Plant& plant) { return plant.crown_m <= 0.0; });
+  return rooted_m2 / blade_area_m2(meadow, mixture);
 }
 
 double blade_area_m2(const MeadowPart& meadow) {

@@ -45,13 +45,20 @@ bool is_hair(const Physiology& physiology);
 /// Whether any species of the meadow is hair.
 bool has_hair(const Scene& scene);
 
-/// The meadow's patch with blades as high and as wide as the mean over all of the meadow's species:
-/// for what asks how the meadow is from afar, not what grows in it.
+/// The meadow's patch with blades that stand in the ground, as high and as wide as plants stand and
+/// blades are in the mean over all of the meadow's species: for what asks how the meadow is from
+/// afar, not what grows in it.
 Grass mean_grass(const MeadowPart& meadow);
 
-/// The longest that a blade of the species is before it droops, metres: its mean and as many
+/// How high a plant stands before it droops, metres: its crown and a blade of mean length.
+double standing_m(const Plant& plant);
+/// The highest that it may stand: its crown and a blade that is longer than the mean by as many
 /// standard deviations as lengths are cut at.
-double longest_blade_m(const Plant& plant);
+double max_standing_m(const Plant& plant);
+
+/// Which part of the blades' area of a patch of a mixture stands in the ground, where the wind combs
+/// it, not on the twigs of shrubs.
+double rooted_fraction(const MeadowPart& meadow, const Mixture& mixture);
 
 /// Square metres of blades, one side of each, on a patch that is of all species, and on the patch
 /// of that mixture which has most.

@@ -76,10 +76,10 @@ Rule blades_fit_the_patch(const Judged& judged) {
   const std::string& table = judged.in.plant;
   return {
       {table + ".height", "grass.patch", table + ".height_spread"},
-      longest_blade_m(plant) <= max_patches_high * judged.patch_m,
+      max_standing_m(plant) <= max_patches_high * judged.patch_m,
       fmt::format("{0}.height: found {1} m, with {0}.height_spread up to {2} m, expected at "
                   "most {3} times grass.patch ({4} m)",
-                  table, plant.height_m, longest_blade_m(plant), max_patches_high, judged.patch_m)};
+                  table, plant.height_m, max_standing_m(plant), max_patches_high, judged.patch_m)};
 }
 
 Rule blades_are_narrower_than_the_patch(const Judged& judged) {

@@ -30,6 +30,11 @@ std::vector<Key> plant_keys(const std::string& table, Part of) {
                 "the meadow's; the blades are shared out evenly, an empty list is one steady "
                 "sample."),
           PART(mingle)),
+      bound(
+          number(table + ".crown", "m", {0, 3},
+                 "Height of a shrub's crown, on whose twigs the blades stand, turned outwards; 0: "
+                 "they stand in the ground."),
+          PART(crown_m)),
       bound(number(table + ".height", "m", {0.01, 3}, "Mean length of a blade."), PART(height_m)),
       bound(number(table + ".height_spread", "", {0, 1},
                    "Standard deviation of the length over its mean."),

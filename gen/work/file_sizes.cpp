@@ -82,7 +82,7 @@ VolumeSize volume_size(const scene::Grass& grass, int lod, double weathering, do
   const double voxel_m = grass.patch_m / side;
   const double bent_m =
       grass.height_m * std::max(1.15 - 0.62 * weathering, 0.73) * (1.0 - 0.5 * snow);
-  const double voxels = side * side * (bent_m / voxel_m + 2.0);
+  const double voxels = side * side * ((grass.crown_m + bent_m) / voxel_m + 2.0);
   // A blade fills voxels along its length, as many beside each other as it is wide and, at its
   // borders, some more.
   constexpr double border = 2.5;

@@ -84,6 +84,18 @@ TEST(Species, MeanBladeIsThatOfAllBlades) {
   EXPECT_NEAR(blade_area_m2(scene), 0.5 * (301 * 0.2 * 0.0056 + 100 * 0.4 * 0.008), 1e-12);
 }
 
+TEST(Species, ThatAreShrubsStandAboveTheGround) {
+  Scene scene = parse_scene(two, "a.toml", {});
+  EXPECT_EQ(rooted_fraction(scene, {0, 1}), 1.0);
+  scene.species[1].plant.crown_m = 0.7;
+  EXPECT_NEAR(standing_m(scene.species[1].plant), 0.7 + 0.4, 1e-12);
+  EXPECT_NEAR(max_standing_m(scene.species[1].plant), 0.7 + 0.4 * (1.0 + 2.2 * 0.22), 1e-12);
+  EXPECT_NEAR(mean_grass(scene).height_m, 0.75 * 0.2 + 0.25 * 1.1, 1e-12);
+  EXPECT_EQ(rooted_fraction(scene, {1}), 0.0);
+  const double grass = 301 * 0.2 * 0.0056, shrub = 100 * 0.4 * 0.008;
+  EXPECT_NEAR(rooted_fraction(scene, {0, 1}), grass / (grass + shrub), 1e-12);
+}
+
 TEST(Species, AreBlamedByTheirOwnKeys) {
   EXPECT_THAT(problems_of("[[species]]\n[[species]]\nmesophyll_shrinkage = 0.1\n"),
               testing::HasSubstr("a.toml:3:1: species[2].vein_shrinkage: found 0.15, expected less "

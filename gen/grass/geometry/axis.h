@@ -27,7 +27,7 @@ inline glm::vec3 from_plane(const Blade& blade, const glm::vec2& in_plane) {
 
 /// Where a point of the axis is on the patch, metres, not wrapped.
 inline glm::vec3 on_patch_m(const Blade& blade, const AxisPoint& at) {
-  return glm::vec3(blade.root_m, 0.0F) + from_plane(blade, at.position_m);
+  return foot_m(blade) + from_plane(blade, at.position_m);
 }
 
 /// An axis by [TVT]'s rule ([TVT], section 3.1).

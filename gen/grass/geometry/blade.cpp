@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "core/angle.h"
 #include "core/elementary.h"
 #include "core/random.h"
+#include "grass/geometry/axis.h"
 #include "grass/geometry/clumps.h"
+#include "grass/geometry/crown.h"
 #include "scene/species.h"
 
 namespace wold::grass {
@@ -88,6 +91,21 @@ Blade make_blade(const scene::Plant& plant, const scene::Physiology& physiology,
   return blade;
 }
 
+/// Moves a blade that grows from the ground to a twig of a shrub: there it grows half-way between
+/// the twig's direction and the one that it had.
+void put_on_twig(const Crown& crown, const BladeRandom& random, Blade& blade) {
+  const Crown::Twig twig =
+      crown.twig({random.uniform("cushion"), random.uniform("twig height"),
+                  random.uniform("twig heading"), random.uniform("twig depth")});
+  blade.root_m = twig.place_m;
+  blade.root_height_m = twig.height_m;
+  const glm::vec3 grown = from_plane(blade, {math::sin(blade.lean), math::cos(blade.lean)});
+  const glm::vec3 along = glm::normalize(twig.outwards + grown);
+  const float level = glm::length(glm::vec2(along));
+  if (level > 0.0F) blade.heading = glm::vec2(along) / level;
+  blade.lean = math::atan2(level, along.z);
+}
+
 }  // namespace
 
 std::vector<Blade> scatter_blades(const scene::Plant& plant, const scene::Physiology& physiology,
@@ -95,12 +113,15 @@ std::vector<Blade> scatter_blades(const scene::Plant& plant, const scene::Physio
   const auto& [patch_m, count, seed, variant, sample] = scattering;
   const auto tufts =
       random_bits({seed, key_of("tufts"), static_cast<std::uint64_t>(variant), key_of("snow")});
+  std::optional<Crown> crown;
+  if (plant.crown_m > 0.0) crown.emplace(plant.crown_m, patch_m, seed, variant);
   std::vector<Blade> blades;
   blades.reserve(static_cast<std::size_t>(count));
   for (int number = 0; number < count; ++number) {
     const BladeRandom random(seed, variant, sample, number);
     blades.push_back(make_blade(plant, physiology, random,
                                 stratified_root(random, number, count, patch_m), tufts));
+    if (crown) put_on_twig(*crown, random, blades.back());
   }
   if (scene::is_hair(physiology)) clump(blades, physiology, patch_m, seed, variant);
   return blades;

@@ -14,9 +14,10 @@ namespace wold::grass {
 /// A blade of grass as it grows: a cone that stands on the patch and leans, and what sets it apart
 /// from its neighbours when it withers. Metres, radians.
 struct Blade {
-  glm::vec2 root_m;   ///< on the patch, [0, patch)^2
-  glm::vec2 heading;  ///< unit, the horizontal direction it leans and droops to
-  float lean = 0.0F;  ///< angle of the axis from the vertical at the root
+  glm::vec2 root_m;            ///< on the patch, [0, patch)^2
+  float root_height_m = 0.0F;  ///< of a twig that it stands on, over the ground
+  glm::vec2 heading;           ///< unit, the horizontal direction it leans and droops to
+  float lean = 0.0F;           ///< angle of the axis from the vertical at the root
   float length_m = 0.0F;
   float radius_m = 0.0F;        ///< of the cone at the root; 0 at the tip
   float keel_depth_m = 0.001F;  ///< of its fold, edges to keel
@@ -42,6 +43,9 @@ struct Scattering {
   int variant = 0;
   int sample = 0;
 };
+
+/// Where a blade stands, metres on the patch.
+inline glm::vec3 foot_m(const Blade& blade) { return {blade.root_m, blade.root_height_m}; }
 
 /// Blades of a plant. Roots are stratified within the sample, one per cell of a grid, so that no
 /// bald spot repeats over the hillside; everything is keyed by (seed, sample, variant, blade

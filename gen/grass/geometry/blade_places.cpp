@@ -55,7 +55,7 @@ void append_snow(const BladePatch& patch, std::size_t i, const BladeAxis& axis, 
     const AxisPoint at = axis.at(length_m * along);
     const SnowRidge ridge = snow_ridge(blade, patch.poses[i], along, at);
     rings.push_back({static_cast<std::uint32_t>(i),
-                     glm::vec3(blade.root_m, 0.0F) + from_plane(blade, ridge.centre_m),
+                     foot_m(blade) + from_plane(blade, ridge.centre_m),
                      ridge.half_width_m,
                      length_m * (end - begin) / segments * mean_width_m(ridge),
                      {from_plane(blade, at.tangent), snow_albedo, glm::vec3(0.0F), 0.0F}});

@@ -28,7 +28,7 @@ void append_ridge(const Blade& blade, const BladePose& pose, const BladeAxis& ax
                   std::vector<Piece>& pieces) {
   constexpr int segments = 48;
   const float length_m = blade.length_m * pose.length_scale;
-  const glm::vec3 root_m(blade.root_m, 0.0F);
+  const glm::vec3 root_m = foot_m(blade);
   piece.snow = true;
   piece.level = glm::vec3(-blade.heading.y, blade.heading.x, 0.0F);
   for (int i = 0; i < segments; ++i) {

@@ -23,7 +23,7 @@ struct RestPoint {
 
 /// Coordinates of the blade: along its axis, off it in its vertical plane, off it horizontally.
 RestPoint at_rest(const Blade& blade, const glm::vec3& place_m, float area_m2, bool vein) {
-  const glm::vec3 from_root = place_m - glm::vec3(blade.root_m, 0.0F);
+  const glm::vec3 from_root = place_m - foot_m(blade);
   const float out = glm::dot(glm::vec2(from_root), blade.heading);
   const float sine = math::sin(blade.lean);
   const float cosine = math::cos(blade.lean);

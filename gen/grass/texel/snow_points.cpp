@@ -33,7 +33,7 @@ void add_pair(const Blade& blade, const SnowRidge& ridge, const AxisPoint& at, i
   constexpr float middle = 0.7071F;  // radius that halves the section
   const glm::vec3 across(-blade.heading.y, blade.heading.x, 0.0F);
   const glm::vec3 up = from_plane(blade, upper_side(at.tangent));
-  const glm::vec3 centre_m = glm::vec3(blade.root_m, 0.0F) + from_plane(blade, ridge.centre_m);
+  const glm::vec3 centre_m = foot_m(blade) + from_plane(blade, ridge.centre_m);
   const float angle = golden_angle * static_cast<float>(step);
   const glm::vec3 offset_m = middle * (math::cos(angle) * ridge.half_width_m * across +
                                        math::sin(angle) * ridge.half_height_m * up);

@@ -171,7 +171,7 @@ void append_blade(std::vector<Drawn>::const_iterator begin, std::vector<Drawn>::
   std::vector<Place> places;
   blade.length_m = static_cast<float>(texel.shape.voxel_m);
   for (auto point = begin; point != end; ++point) {
-    const glm::vec3 way_m = point->position_m - glm::vec3(blade.root_m, 0.0F);
+    const glm::vec3 way_m = point->position_m - foot_m(blade);
     const float arc_m = std::max(glm::dot(way_m, axis), 0.0F);
     const glm::vec3 off_m = way_m - arc_m * axis;
     places.push_back({arc_m, glm::dot(off_m, side), glm::dot(off_m, across), &*point});

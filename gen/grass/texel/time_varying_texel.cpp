@@ -51,7 +51,8 @@ void add(StageTimes& to, const StageTimes& from) {
   to.points += from.points;
 }
 
-double height_m(const Blade& blade, const scene::Physiology& physiology, double water_lost) {
+/// Of a blade's highest point over its foot.
+double rise_m(const Blade& blade, const scene::Physiology& physiology, double water_lost) {
   // Blades that move by steps bow from the straight one; how far, only the steps tell.
   if (physiology.motion == scene::AgeingMotion::points)
     return double{blade.length_m * math::cos(blade.lean)};
@@ -75,8 +76,9 @@ double tallest_m(const scene::MeadowPart& meadow) {
       for (const Blade& blade : sample_blades(meadow, variant, sample)) {
         const scene::Physiology& physiology =
             species[static_cast<std::size_t>(blade.species)].physiology;
-        tallest =
-            std::max({tallest, height_m(blade, physiology, 0.0), height_m(blade, physiology, 1.0)});
+        const double rise =
+            std::max(rise_m(blade, physiology, 0.0), rise_m(blade, physiology, 1.0));
+        tallest = std::max(tallest, double{blade.root_height_m} + rise);
       }
   }
   return tallest;

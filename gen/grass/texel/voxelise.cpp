@@ -38,7 +38,7 @@ void add_slice(const Blade& blade, const AxisFrame& frame, float arc_m, float sl
   const auto voxel_m = static_cast<float>(shape.voxel_m);
   const int count =
       std::max(3, static_cast<int>(std::ceil(12.0F * radius * radius / voxel_m / voxel_m)));
-  const glm::vec3 centre = glm::vec3(blade.root_m, 0.0F) + frame.along * arc_m;
+  const glm::vec3 centre = foot_m(blade) + frame.along * arc_m;
   for (int k = 0; k < count; ++k) {
     const float weight = std::sqrt((static_cast<float>(k) + 0.5F) / static_cast<float>(count));
     const float turn = golden_angle * static_cast<float>(k);
