@@ -92,7 +92,7 @@ SpeedUp::SpeedUp(const Heightfield& terrain, const Profile& profile) {
   transform(ground);
   ComplexSquare east{mirrored, std::vector<std::complex<double>>(ground.values.size())};
   ComplexSquare north = east, mixed = east;
-  double changes = 0.0, lengths_m = 0.0;
+  double changes = 0.0, numbers = 0.0;
   each_wave(2.0 * terrain.size_m(), [&](std::size_t which, const glm::dvec2& k) {
     const double number = glm::length(k);
     if (number == 0.0) return;
@@ -103,9 +103,9 @@ SpeedUp::SpeedUp(const Heightfield& terrain, const Profile& profile) {
     mixed.values[which] = gained * (k.x * k.y);
     const double change = std::norm(gained) * number * number * number * number;
     changes += change;
-    lengths_m += change * quarter_wave_m(number);
+    numbers += change * number;
   });
-  if (changes > 0.0) hill_m_ = lengths_m / changes;
+  if (changes > 0.0) hill_m_ = quarter_wave_m(numbers / changes);
   east_ = map_of(std::move(east), terrain);
   north_ = map_of(std::move(north), terrain);
   mixed_ = map_of(std::move(mixed), terrain);

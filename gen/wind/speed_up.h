@@ -28,14 +28,15 @@ class SpeedUp {
   SpeedUp(const Heightfield& terrain, const Profile& profile);
 
   /// The mean wind near the ground over that above level ground, as a vector east and north, at a
-  /// place; `along` is a unit vector. The speed along it is more than 0.1 and less than 2:
+  /// place; `along` is a unit vector. The speed along it is from 0.1 to 2:
   /// a change d becomes tanh(d) or, where wind is lost, 0.9 tanh(d / 0.9).
   glm::dvec2 mean(const glm::dvec2& place_m, const glm::dvec2& along) const;
   /// The same at a height above the ground, metres: the change fades as exp(-3 z / L)
   /// ([Taylor1984]), L being the ground's own.
   glm::dvec2 mean(const glm::dvec2& place_m, const glm::dvec2& along, double height_m) const;
 
-  /// L of the ground as a whole: its waves weighted by what they do to the wind.
+  /// L of the ground as a whole: that of its mean wave number, waves weighted by what they do to the
+  /// wind.
   double hill_m() const { return hill_m_; }
 
  private:
