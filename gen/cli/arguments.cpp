@@ -78,7 +78,8 @@ place::WindPoint parse_wind_point(const std::string& text) {
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const auto parts = split(rest, ',');
     const auto number = number_in<double>(parts ? parts->first : rest);
-    fits = fits && number && std::isfinite(*number) && parts.has_value() == (i + 1 < numbers.size());
+    fits =
+        fits && number && std::isfinite(*number) && parts.has_value() == (i + 1 < numbers.size());
     numbers[i] = number.value_or(0.0);
     rest = parts ? parts->second : std::string_view();
   }

@@ -28,14 +28,16 @@ double heading_deg(const glm::dvec3& velocity_m_s) {
 
 std::string text_of(const std::vector<place::WindPoint>& points,
                     const std::vector<glm::dvec3>& velocities_m_s) {
-  std::string text = fmt::format("{:>10} {:>10} {:>8} {:>10} {:>8} {:>8} {:>8} {:>8} {:>8}\n",
-                                 "x_m", "y_m", "z_m", "t_s", "east", "north", "up", "m/s", "to_deg");
+  std::string text =
+      fmt::format("{:>10} {:>10} {:>8} {:>10} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "x_m", "y_m", "z_m",
+                  "t_s", "east", "north", "up", "m/s", "to_deg");
   for (std::size_t i = 0; i < points.size(); ++i) {
     const place::WindPoint& at = points[i];
     const glm::dvec3& v = velocities_m_s[i];
-    text += fmt::format("{:10.2f} {:10.2f} {:8.2f} {:10.3f} {:8.3f} {:8.3f} {:8.3f} {:8.3f} {:8.1f}\n",
-                        at.place_m.x, at.place_m.y, at.height_m, at.time_s, v.x, v.y, v.z,
-                        glm::length(v), heading_deg(v));
+    text +=
+        fmt::format("{:10.2f} {:10.2f} {:8.2f} {:10.3f} {:8.3f} {:8.3f} {:8.3f} {:8.3f} {:8.1f}\n",
+                    at.place_m.x, at.place_m.y, at.height_m, at.time_s, v.x, v.y, v.z,
+                    glm::length(v), heading_deg(v));
   }
   return text;
 }

@@ -19,8 +19,8 @@ struct FrameGrass {
 /// In a frame (from 1). Throws InputError when the scene has no such frame.
 FrameGrass frame_grass(const scene::Scene& scene, const place::Site& site, int frame);
 
-/// The same without the wind of the moment, for what needs no lean: `season` is the scene's, nullptr
-/// of one that is none, `weather` that of the film.
+/// The same without the wind of the moment, for what needs no lean: `season` is the scene's,
+/// nullptr of one that is none, `weather` that of the film.
 FrameGrass still_grass(const scene::Scene& scene, const phenology::FilmSeason* season,
                        const snow::Weather& weather, int frame);
 

@@ -13,10 +13,10 @@ wind::Beam beam_of(const scene::Species& species, double weathering, double snow
   const double lost =
       1.0 - grass::load_curve(grass::CurveKind::water, species.physiology.water)(weathering);
   const double weight = grass::relative_weight(lost);
-  return {double{blade.length_m}, 2.0 * double{blade.radius_m},
-          grass::fresh_mass_kg_m(blade) * (weight + grass::relative_snow_weight() * snow),
-          grass::fresh_stiffness_n_m2(blade) * weight /
-              grass::relative_load(species.physiology, lost)};
+  return {
+      double{blade.length_m}, 2.0 * double{blade.radius_m},
+      grass::fresh_mass_kg_m(blade) * (weight + grass::relative_snow_weight() * snow),
+      grass::fresh_stiffness_n_m2(blade) * weight / grass::relative_load(species.physiology, lost)};
 }
 
 }  // namespace

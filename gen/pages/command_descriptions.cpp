@@ -65,7 +65,8 @@ std::string_view command_description(std::string_view command) {
       {"wind",
        "Prints the velocity of the scene's wind, east, north and up in metres per second, at each "
        "place and time that --at names: the mean wind of its weather with hills, gusts and the "
-       "waves of the grass, as it moves the grass where wind.grass is \"waving\". Nothing has to be "
+       "waves of the grass, as it moves the grass where wind.grass is \"waving\". Nothing has to "
+       "be "
        "made before."},
       {"film",
        "Encodes the frames of an output folder by FFmpeg, as a film that any player shows "

@@ -15,8 +15,8 @@ struct WindPoint {
   double time_s = 0.0;    ///< since the film's first frame
 };
 
-/// East, north and up, m/s, at each point: air_flow()'s under the weather of the scene's film. Throws
-/// what terrain::make_ground(), phenology::film_season() and snow::Weather throw.
+/// East, north and up, m/s, at each point: air_flow()'s under the weather of the scene's film.
+/// Throws what terrain::make_ground(), phenology::film_season() and snow::Weather throw.
 std::vector<glm::dvec3> wind_at(const scene::Scene& scene, std::span<const WindPoint> points);
 
 }  // namespace wold::place

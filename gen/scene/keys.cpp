@@ -176,11 +176,12 @@ std::vector<Key> wind_keys() {
       bound(number("wind.turbulence", "", {0, 1},
                    "Standard deviation of that speed over its mean, in gusts."),
             FIELD(wind.turbulence)),
-      bound(word("wind.grass",
-                 "Whether grass stands still as it has been combed, or waves from frame to frame in "
-                 "the wind of the moment: in gusts, over hills and in waves of its own. "
-                 "film.frame_seconds of 0.0417 shows it as one sees it."),
-            FIELD(wind.grass)),
+      bound(
+          word("wind.grass",
+               "Whether grass stands still as it has been combed, or waves from frame to frame in "
+               "the wind of the moment: in gusts, over hills and in waves of its own. "
+               "film.frame_seconds of 0.0417 shows it as one sees it."),
+          FIELD(wind.grass)),
   };
 }
 

@@ -11,8 +11,8 @@ namespace {
 double canopy_waves_at(const std::vector<CanopyWave>& waves, const glm::dvec2& place_m) {
   double sum = 0.0;
   for (const CanopyWave& wave : waves)
-    sum += wave.height * math::cos(2.0 * std::numbers::pi *
-                                   (glm::dot(wave.per_m, place_m) + wave.phase));
+    sum += wave.height *
+           math::cos(2.0 * std::numbers::pi * (glm::dot(wave.per_m, place_m) + wave.phase));
   return sum;
 }
 
@@ -30,10 +30,9 @@ glm::dvec3 AirFlow::velocity_m_s(const glm::dvec2& place_m, double height_m,
   const Axes axes(now.heading_deg);
   const glm::dvec2 mean = mean_m_s * speed_up_.mean(place_m, axes.along, height_m);
   const glm::dvec3 gust = gust_at(gusts_.waves(height_m, now), place_m);
-  const double waving =
-      honami_.left_at(height_m) * canopy_waves_at(honami_.waves(now), place_m);
-  const glm::dvec2 level = (1.0 + gust.x) * (1.0 + waving) * mean +
-                           gust.y * glm::dvec2(mean.y, -mean.x);
+  const double waving = honami_.left_at(height_m) * canopy_waves_at(honami_.waves(now), place_m);
+  const glm::dvec2 level =
+      (1.0 + gust.x) * (1.0 + waving) * mean + gust.y * glm::dvec2(mean.y, -mean.x);
   return {level, gust.z * glm::length(mean)};
 }
 

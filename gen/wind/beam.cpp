@@ -46,8 +46,8 @@ double first_mode(double along) {
   const double x = first_root * along;
   const auto cosh = [](double y) { return 0.5 * (math::exp(y) + math::exp(-y)); };
   const auto sinh = [](double y) { return 0.5 * (math::exp(y) - math::exp(-y)); };
-  const double ratio = (cosh(first_root) + math::cos(first_root)) /
-                       (sinh(first_root) + math::sin(first_root));
+  const double ratio =
+      (cosh(first_root) + math::cos(first_root)) / (sinh(first_root) + math::sin(first_root));
   return 0.5 * (cosh(x) - math::cos(x) - ratio * (sinh(x) - math::sin(x)));
 }
 
@@ -57,22 +57,18 @@ double natural_frequency_hz(const Beam& beam) {
 }
 
 double steady_deflection(const Beam& beam, const Profile& profile, double top_m_s) {
-  const double force = mean_along([&](double along) {
-    return square(sheltered(beam, profile, along)) * first_mode(along);
-  });
+  const double force = mean_along(
+      [&](double along) { return square(sheltered(beam, profile, along)) * first_mode(along); });
   const double drag_n_m = 0.5 * air_kg_m3 * drag_coefficient * beam.width_m * square(top_m_s);
-  const double stiffness_n_m2 =
-      modal_mass_kg_m(beam) * square(two_pi * natural_frequency_hz(beam));
+  const double stiffness_n_m2 = modal_mass_kg_m(beam) * square(two_pi * natural_frequency_hz(beam));
   return drag_n_m * force / (stiffness_n_m2 * beam.length_m);
 }
 
 double damping_ratio(const Beam& beam, const Profile& profile, double top_m_s) {
-  const double felt = mean_along([&](double along) {
-    return sheltered(beam, profile, along) * square(first_mode(along));
-  });
+  const double felt = mean_along(
+      [&](double along) { return sheltered(beam, profile, along) * square(first_mode(along)); });
   const double by_air = air_kg_m3 * drag_coefficient * beam.width_m * top_m_s * felt;
-  return own_damping +
-         by_air / (2.0 * modal_mass_kg_m(beam) * two_pi * natural_frequency_hz(beam));
+  return own_damping + by_air / (2.0 * modal_mass_kg_m(beam) * two_pi * natural_frequency_hz(beam));
 }
 
 std::complex<double> answer(double frequency_hz, double natural_hz, double damping) {

@@ -9,8 +9,8 @@ namespace wold::wind {
 /// A blade as a uniform beam that is clamped at its root and free at its tip.
 struct Beam {
   double length_m = 0.0;
-  double width_m = 0.0;          ///< that it turns to the wind
-  double mass_kg_m = 0.0;        ///< per length, with what it carries
+  double width_m = 0.0;         ///< that it turns to the wind
+  double mass_kg_m = 0.0;       ///< per length, with what it carries
   double stiffness_n_m2 = 0.0;  ///< E I
 };
 

@@ -22,8 +22,7 @@ class CellAnswer {
   CellAnswer(const Beam& beam, double damping, double cell_m)
       : natural_hz_(natural_frequency_hz(beam)), damping_(damping), cell_m_(cell_m) {}
 
-  void add(const glm::dvec2& per_m, double per_s, double phase, double height,
-           WaveSum& sum) const {
+  void add(const glm::dvec2& per_m, double per_s, double phase, double height, WaveSum& sum) const {
     const std::complex<double> by = answer(per_s, natural_hz_, damping_);
     const double lead = math::atan2(by.imag(), by.real()) / (2.0 * std::numbers::pi);
     const double gain = math::hypot(by.real(), by.imag()) * mean_over(per_m.x * cell_m_) *
@@ -38,8 +37,8 @@ class CellAnswer {
 
 }  // namespace
 
-CanopyMotion::CanopyMotion(std::shared_ptr<const AirFlow> flow, const Moment& now,
-                           const Beam& beam, double cell_m)
+CanopyMotion::CanopyMotion(std::shared_ptr<const AirFlow> flow, const Moment& now, const Beam& beam,
+                           double cell_m)
     : flow_(std::move(flow)), heading_(Axes(now.heading_deg).along) {
   const Profile& profile = flow_->profile();
   const double top_m_s = now.speed_m_s * profile.at_top();

@@ -23,7 +23,8 @@ Complex times(const Complex& a, const Complex& b) {
 std::vector<Complex> roots_of_one(std::size_t side) {
   std::vector<Complex> roots(side / 2);
   for (std::size_t k = 0; k < roots.size(); ++k) {
-    const double angle = -2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(side);
+    const double angle =
+        -2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(side);
     roots[k] = {math::cos(angle), math::sin(angle)};
   }
   return roots;
@@ -73,9 +74,9 @@ void transpose(ComplexSquare& square) {
 void transform(ComplexSquare& square) {
   const auto side = static_cast<std::size_t>(square.side);
   if (!std::has_single_bit(side) || square.values.size() != side * side)
-    throw std::invalid_argument("a Fourier transform needs a square whose side is a power of two, got " +
-                                std::to_string(square.side) + " and " +
-                                std::to_string(square.values.size()) + " values");
+    throw std::invalid_argument(
+        "a Fourier transform needs a square whose side is a power of two, got " +
+        std::to_string(square.side) + " and " + std::to_string(square.values.size()) + " values");
   const std::vector<Complex> roots = roots_of_one(side);
   for (int axis = 0; axis < 2; ++axis) {
     transform_rows(square, roots);

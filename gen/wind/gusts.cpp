@@ -31,10 +31,10 @@ Gusts::Gusts(const Profile& profile, double intensity, std::uint64_t seed)
     : profile_(profile), intensity_(intensity) {
   for (int i = 0; i < bands * modes_per_band; ++i) {
     const auto uniform = [&](const char* purpose) {
-      return random_uniform(
-          {seed, key_of("gust"), static_cast<std::uint64_t>(i), key_of(purpose)});
+      return random_uniform({seed, key_of("gust"), static_cast<std::uint64_t>(i), key_of(purpose)});
     };
-    const double low = border_per_m(i / modes_per_band), high = border_per_m(i / modes_per_band + 1);
+    const double low = border_per_m(i / modes_per_band),
+                 high = border_per_m(i / modes_per_band + 1);
     const double along = low * math::pow(high / low, uniform("wave length"));
     const double square = davenport_decay / two_pi * along * cauchy_radius(1.0 - uniform("aside"));
     const double angle = two_pi * uniform("way aside");
@@ -77,8 +77,7 @@ glm::dvec3 gust_at(const std::vector<GustWave>& waves, const glm::dvec2& place_m
   for (const GustWave& wave : waves)
     for (std::size_t i = 0; i < 3; ++i)
       sum[static_cast<glm::length_t>(i)] +=
-          wave.height[i] *
-          math::cos(two_pi * (glm::dot(wave.per_m, place_m) + wave.phase[i]));
+          wave.height[i] * math::cos(two_pi * (glm::dot(wave.per_m, place_m) + wave.phase[i]));
   return sum;
 }
 

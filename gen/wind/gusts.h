@@ -13,21 +13,21 @@ namespace wold::wind {
 
 /// One of the plane waves that gusts are made of, at a height and a moment.
 struct GustWave {
-  glm::dvec2 per_m;             ///< wave vector on the ground, turns per metre east and north
-  double per_s = 0.0;           ///< turns per second at one place
-  std::array<double, 3> phase;  ///< turns, of each Component
+  glm::dvec2 per_m;              ///< wave vector on the ground, turns per metre east and north
+  double per_s = 0.0;            ///< turns per second at one place
+  std::array<double, 3> phase;   ///< turns, of each Component
   std::array<double, 3> height;  ///< of each Component, over the local mean speed
 };
 
-/// Turbulence that the mean wind carries along ([Taylor1938]): a sum of plane waves ([Shinozuka1972])
-/// whose amplitudes, wave vectors and phases are keyed, so that it is a closed form of place, height
-/// and time.
+/// Turbulence that the mean wind carries along ([Taylor1938]): a sum of plane waves
+/// ([Shinozuka1972]) whose amplitudes, wave vectors and phases are keyed, so that it is a closed
+/// form of place, height and time.
 ///
 /// At a height z each band of frequencies has the variance that Kaimal's spectrum has there
-/// (spectrum.h), the whole along the wind being (intensity U(z))^2. The part of a wave's vector that
-/// is square to the wind, k' (to the right and up), has a Cauchy distribution of scale
-/// C n / (2 pi U), n the frequency and U the speed at reference_m. Its characteristic function is
-/// the root coherence that [Davenport1961] found for two places that are d apart across the wind:
+/// (spectrum.h), the whole along the wind being (intensity U(z))^2. The part of a wave's vector
+/// that is square to the wind, k' (to the right and up), has a Cauchy distribution of scale C n /
+/// (2 pi U), n the frequency and U the speed at reference_m. Its characteristic function is the
+/// root coherence that [Davenport1961] found for two places that are d apart across the wind:
 ///   exp(-C n d / U), C = 10 ([Simiu1996]: 10 along the vertical; across, 8 to 16 are found).
 class Gusts {
  public:

@@ -44,8 +44,8 @@ double inner_gain(double radians_per_m, double roughness_m) {
   constexpr double shortest = 10.0;
   const double cut = shortest * roughness_m * radians_per_m;
   const double hill_m = std::max(quarter_wave_m(radians_per_m), shortest * roughness_m);
-  const double ratio = math::log(hill_m / roughness_m) /
-                       math::log(inner_layer_m(hill_m, roughness_m) / roughness_m);
+  const double ratio =
+      math::log(hill_m / roughness_m) / math::log(inner_layer_m(hill_m, roughness_m) / roughness_m);
   return ratio * ratio * math::exp(-cut * cut);
 }
 

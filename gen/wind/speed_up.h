@@ -35,8 +35,8 @@ class SpeedUp {
   /// ([Taylor1984]), L being the ground's own.
   glm::dvec2 mean(const glm::dvec2& place_m, const glm::dvec2& along, double height_m) const;
 
-  /// L of the ground as a whole: that of its mean wave number, waves weighted by what they do to the
-  /// wind.
+  /// L of the ground as a whole: that of its mean wave number, waves weighted by what they do to
+  /// the wind.
   double hill_m() const { return hill_m_; }
 
  private:

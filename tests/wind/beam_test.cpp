@@ -52,8 +52,8 @@ TEST(Beam, BendsUnderASteadyWindAsUnderItsDrag) {
     const double u = profile.at((i + 0.5) / 200.0 * blade.length_m) / profile.at_top() * top_m_s;
     load.push_back(0.5 * 1.2 * blade.width_m * u * u);
   }
-  const double wanted = deflection(load).back() * std::pow(blade.length_m, 3.0) /
-                        blade.stiffness_n_m2;
+  const double wanted =
+      deflection(load).back() * std::pow(blade.length_m, 3.0) / blade.stiffness_n_m2;
   EXPECT_NEAR(steady_deflection(blade, profile, top_m_s) / wanted, 1.0, 0.05);
 }
 
@@ -64,7 +64,8 @@ TEST(Beam, HeavierOnesAreSlowerAndAirDampsThem) {
   EXPECT_NEAR(natural_frequency_hz(snowy), 0.5 * natural_frequency_hz(blade), 1e-9);
   EXPECT_NEAR(damping_ratio(blade, profile, 0.0), 0.1, 1e-12);
   EXPECT_GT(damping_ratio(blade, profile, 1.0), 0.2);
-  EXPECT_NEAR(steady_deflection(snowy, profile, 1.0), steady_deflection(blade, profile, 1.0), 1e-12);
+  EXPECT_NEAR(steady_deflection(snowy, profile, 1.0), steady_deflection(blade, profile, 1.0),
+              1e-12);
 }
 
 TEST(Answer, IsThatOfADampedOscillator) {

@@ -69,8 +69,8 @@ TEST_P(KaimalsSpectrum, IsWhatSampledGustsHaveAtTwoHeights) {
       double sampled = 0.0;
       for (const test::Transform& line : lines)
         sampled += test::variance_between(line, step_m, low, 2.0 * low) / seeds;
-      const double wanted = kaimal_between(GetParam(), low * f_m, 2.0 * low * f_m) *
-                            intensity * intensity / 4.636;  // sigma_u = 2.153 u_*
+      const double wanted = kaimal_between(GetParam(), low * f_m, 2.0 * low * f_m) * intensity *
+                            intensity / 4.636;  // sigma_u = 2.153 u_*
       EXPECT_NEAR(sampled / wanted, 1.0, 0.1) << height_m << " m, from " << 1.0 / low << " m down";
     }
   }
