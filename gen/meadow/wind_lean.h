@@ -25,9 +25,10 @@ class WindLean {
   /// Metres to the east and north by which the grass at a place leans over per metre of height.
   glm::dvec2 lean(const glm::dvec2& at_m) const;
 
- private:
+  /// The same without the wind of the moment.
   glm::dvec2 combed(const glm::dvec2& at_m) const;
 
+ private:
   scene::Wind wind_;
   phenology::WindChange change_;
   Fbm waves_;
