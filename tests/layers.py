@@ -32,7 +32,7 @@ FOREIGN = {
     "zip.h": "${ZIP_LIBRARY}",
 }
 # Phenomena by themselves: what they know of a scene is in their signatures.
-PHYSICS = ("weather", "snowpack", "phenology", "light", "terrain", "grass", "cloud", "snow")
+PHYSICS = ("weather", "snowpack", "phenology", "light", "terrain", "grass", "cloud", "snow", "wind")
 WHOLE_SCENE = re.compile(r"\bscene::Scene\s*&")
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]', re.MULTILINE)
 

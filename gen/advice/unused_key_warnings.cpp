@@ -33,6 +33,7 @@ void warn_of_other_choices(const scene::Scene& scene, Keys& warnings) {
   for (const Condition& condition : {
            Condition{"snowfall.box", paper_flakes, "snowfall.motion = \"paper\""},
            Condition{"snow_cover.white_after", paper_cover, "snow_cover.cover = \"paper\""},
+           Condition{"wind.grass", !scene::has_hair(scene), "grass: hair lies as it is combed"},
            Condition{"terrain.centre", real_place, "terrain.elevation"},
            Condition{"terrain.system", real_place, "terrain.elevation"},
            Condition{"terrain.surroundings", real_place, "terrain.elevation"},

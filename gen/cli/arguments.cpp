@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -66,6 +68,28 @@ std::string size_override(const std::string& text) {
     throw InputError(fmt::format("--size: found {}, expected WIDTHxHEIGHT in px like 960x540",
                                  scene::in_quotes(text)));
   return fmt::format("render.size=[{}, {}]", *width, *height);
+}
+
+place::WindPoint parse_wind_point(const std::string& text) {
+  constexpr double highest_m = 1000.0, longest_s = 1e9;
+  std::array<double, 4> numbers{};
+  std::string_view rest = text;
+  bool fits = true;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const auto parts = split(rest, ',');
+    const auto number = number_in<double>(parts ? parts->first : rest);
+    fits =
+        fits && number && std::isfinite(*number) && parts.has_value() == (i + 1 < numbers.size());
+    numbers[i] = number.value_or(0.0);
+    rest = parts ? parts->second : std::string_view();
+  }
+  const auto [east_m, north_m, height_m, time_s] = numbers;
+  if (!fits || height_m < 0.0 || height_m > highest_m || time_s < 0.0 || time_s > longest_s)
+    throw InputError(fmt::format(
+        "--at: found {}, expected metres east and north, metres above the ground from 0 to {} and "
+        "seconds from 0 like 21,20,0.3,4.5",
+        scene::in_quotes(text), highest_m));
+  return {{east_m, north_m}, height_m, time_s};
 }
 
 }  // namespace wold::cli

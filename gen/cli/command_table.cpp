@@ -366,6 +366,24 @@ Action declare_preview(CLI::App& app) {
   };
 }
 
+Action declare_wind(CLI::App& app) {
+  auto arguments = std::make_shared<SceneArguments<WindOptions>>();
+  WindOptions& options = arguments->options;
+  add_scene_arguments(app, *arguments);
+  app.add_option_function<std::vector<std::string>>(
+         "--at",
+         [&options](const std::vector<std::string>& texts) {
+           for (const std::string& text : texts) options.points.push_back(parse_wind_point(text));
+         },
+         "where and when: metres east and north on the terrain, metres above the ground, seconds "
+         "since the first frame; may be repeated")
+      ->type_name("X,Y,Z,T")
+      ->required()
+      ->allow_extra_args(false);
+  app.add_flag("--json", options.json, "print one JSON array");
+  return [arguments] { return run_wind(resolved(*arguments)); };
+}
+
 Action declare_report(CLI::App& app) {
   struct Options {
     std::filesystem::path out;
@@ -444,6 +462,8 @@ const std::vector<Command>& command_table() {
        "wold compare got.png want.png --report differences --rmse 0.01", declare_compare},
       {"curves", "draw or tabulate a scene's ageing: pigments, water, shrinkage, droop, colour",
        "wold curves meadow.toml --out ageing.svg --set ageing.water=cold", declare_curves},
+      {"wind", "say how the wind blows at places, heights and times of a scene",
+       "wold wind meadow.toml --at 21,20,0.3,0 --at 21,20,10,0", declare_wind},
       {"film", "encode frames as a film (.mp4) and as a picture that loops (.webp)",
        "wold film out/meadow --renderer povray --fps 25", declare_film},
       {"report",

@@ -7,6 +7,7 @@
 #include "compare/differences.h"
 #include "core/error.h"
 #include "core/progress.h"
+#include "place/wind_at.h"
 #include "work/encode_films.h"
 #include "work/job.h"
 
@@ -38,6 +39,14 @@ struct PreviewOptions {
   std::filesystem::path scene;
   std::vector<std::string> overrides;  ///< key=value, applied after the scene file
   std::filesystem::path out;           ///< ends in .png; empty: out/<scene name>/preview.png
+};
+
+/// What `wind` is asked for.
+struct WindOptions {
+  std::filesystem::path scene;
+  std::vector<std::string> overrides;  ///< key=value, applied after the scene file
+  std::vector<place::WindPoint> points;
+  bool json = false;
 };
 
 /// What `doctor` is asked for.
@@ -78,6 +87,10 @@ ExitCode run_curves(const CurvesOptions& options);
 
 /// Draws a contact sheet of a scene, without any renderer, and prints its name.
 ExitCode run_preview(const PreviewOptions& options, Progress& progress);
+
+/// Prints the wind at places, heights and times. Throws InputError where a place is not on the
+/// terrain.
+ExitCode run_wind(const WindOptions& options);
 
 /// Encodes a folder's frames as films, .mp4 and a .webp that loops beside it, and prints their
 /// names. With a name of its own there is one film: that of the first renderer of the table that

@@ -49,7 +49,7 @@ class Ground {
 
   FrameDemand demand(int frame) const {
     FrameDemand demand;
-    const meadow::FrameGrass now = meadow::frame_grass(scene_, season_.get(), weather_, frame);
+    const meadow::FrameGrass now = meadow::still_grass(scene_, season_.get(), weather_, frame);
     for (const meadow::CellChoice& cell :
          meadow::choose_cells(scene_, terrain_, growth_, mixtures_, withering_, now)) {
       demand.parts += cell.parts.size();

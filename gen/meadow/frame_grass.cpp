@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <memory>
+#include <utility>
+
 #include "core/error.h"
 #include "meadow/canopy_snow.h"
 #include "meadow/film_lights.h"
+#include "meadow/mean_beam.h"
+#include "place/air.h"
 #include "scene/calendar.h"
 
 namespace wold::meadow {
@@ -23,17 +28,37 @@ phenology::WindChange week_before(const scene::Scene& scene, const phenology::Fi
   return season->week_of_wind(scene::season_days(scene.season, frame));
 }
 
+/// How the grass answers the wind of a frame.
+std::shared_ptr<const wind::CanopyMotion> motion_in(std::shared_ptr<const wind::AirFlow> air,
+                                                    const scene::Scene& scene,
+                                                    const snow::Weather& weather, double snow,
+                                                    int frame) {
+  if (!air) return nullptr;
+  const double weathering = scene.ageing.frames[static_cast<std::size_t>(frame - 1)];
+  return std::make_shared<const wind::CanopyMotion>(
+      std::move(air), place::mean_wind(weather, scene::time_s(scene, frame)),
+      mean_beam(scene, weathering, snow), scene.grass.patch_m);
+}
+
+FrameGrass grass_in(std::shared_ptr<const wind::AirFlow> air, const scene::Scene& scene,
+                    const phenology::FilmSeason* season, const snow::Weather& weather, int frame) {
+  check_frame(scene, frame);
+  const double snow = canopy_snow(scene, weather, frame);
+  return {frame,
+          WindLean(scene.wind, week_before(scene, season, frame), scene.seed,
+                   motion_in(std::move(air), scene, weather, snow, frame)),
+          snow, light_of_frame(scene, frame)};
+}
+
 }  // namespace
 
-FrameGrass frame_grass(const scene::Scene& scene, const phenology::FilmSeason* season,
+FrameGrass still_grass(const scene::Scene& scene, const phenology::FilmSeason* season,
                        const snow::Weather& weather, int frame) {
-  check_frame(scene, frame);
-  return {frame, WindLean(scene.wind, week_before(scene, season, frame), scene.seed),
-          canopy_snow(scene, weather, frame), light_of_frame(scene, frame)};
+  return grass_in(nullptr, scene, season, weather, frame);
 }
 
 FrameGrass frame_grass(const scene::Scene& scene, const place::Site& site, int frame) {
-  return frame_grass(scene, site.season.get(), *site.weather, frame);
+  return grass_in(site.air, scene, site.season.get(), *site.weather, frame);
 }
 
 }  // namespace wold::meadow

@@ -16,11 +16,12 @@ struct FrameGrass {
   double light;  ///< light_of_frame()
 };
 
-/// In a frame (from 1). `season`: the scene's, nullptr of one that is none; `weather`: that of the
-/// film. Throws InputError when the scene has no such frame.
-FrameGrass frame_grass(const scene::Scene& scene, const phenology::FilmSeason* season,
-                       const snow::Weather& weather, int frame);
-/// The same with the season and the weather of the scene's site.
+/// In a frame (from 1). Throws InputError when the scene has no such frame.
 FrameGrass frame_grass(const scene::Scene& scene, const place::Site& site, int frame);
+
+/// The same without the wind of the moment, for what needs no lean: `season` is the scene's,
+/// nullptr of one that is none, `weather` that of the film.
+FrameGrass still_grass(const scene::Scene& scene, const phenology::FilmSeason* season,
+                       const snow::Weather& weather, int frame);
 
 }  // namespace wold::meadow

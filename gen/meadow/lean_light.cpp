@@ -1,5 +1,6 @@
 #include "meadow/lean_light.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/colour.h"
@@ -14,7 +15,7 @@ grass::Fibre leaning(grass::Fibre fibre, const glm::vec2& lean) {
   return fibre;
 }
 
-constexpr float sunlit = 0.5F;
+constexpr float usually_sunlit = 0.5F;
 
 /// Half of the sky, and what fibres scatter again: the fraction p of what one scatters meets
 /// another (photon recollision, Smolander and Stenberg 2005), 0.45 for a canopy of leaf area index
@@ -29,7 +30,7 @@ grass::DiffuseLight typical_light(const std::vector<grass::Fibre>& fibres,
   glm::vec3 albedo(0.0F), taken(0.0F);
   for (const grass::Fibre& fibre : fibres) {
     albedo += fibre.albedo / static_cast<float>(fibres.size());
-    taken += (sunlit * light.sun_irradiance *
+    taken += (usually_sunlit * light.sun_irradiance *
                   grass::kajiya_kay_diffuse(fibre.tangent, glm::vec3(light.sun)) +
               grass::leaf_share(diffuse, fibre.tangent, light.eye).taken) /
              static_cast<float>(fibres.size());
@@ -49,11 +50,12 @@ LeanLight::LeanLight(std::vector<grass::Fibre> fibres, grass::Lighting lighting,
   const grass::TurnedLight light(lighting_, /*turn=*/0);
   upright_ = glm::vec3(0.0F);
   for (const grass::Fibre& fibre : fibres_)
-    upright_ += grass::source_radiance(fibre, light, sunlit, diffuse_, specular_exponent_) /
+    upright_ += grass::source_radiance(fibre, light, usually_sunlit, diffuse_, specular_exponent_) /
                 static_cast<float>(fibres_.size());
 }
 
-glm::vec3 LeanLight::radiance(const glm::dvec2& lean, const glm::dvec3& to_eye) const {
+glm::vec3 LeanLight::radiance(const glm::dvec2& lean, const glm::dvec3& to_eye,
+                              float sunlit) const {
   grass::TurnedLight light(lighting_, /*turn=*/0);
   light.eye = glm::vec3(to_eye);
   glm::vec3 sum(0.0F);
@@ -68,7 +70,28 @@ glm::vec3 LeanLight::radiance(const glm::dvec2& lean, const glm::dvec3& to_eye) 
 }
 
 glm::vec3 LeanLight::factor(const glm::dvec2& lean, const glm::dvec3& to_eye) const {
-  return radiance(lean, to_eye) / glm::max(upright_, 1e-6F);
+  return radiance(lean, to_eye, usually_sunlit) / glm::max(upright_, 1e-6F);
+}
+
+glm::vec3 LeanLight::factor(const glm::dvec2& lean, const glm::dvec2& combed,
+                            const glm::dvec3& to_eye) const {
+  if (lean == combed) return factor(lean, to_eye);
+  const double more = sunlit_share(lean, to_eye) / sunlit_share(combed, to_eye);
+  const double sunlit = std::min(double{usually_sunlit} * more, 1.0);
+  return radiance(lean, to_eye, static_cast<float>(sunlit)) / glm::max(upright_, 1e-6F);
+}
+
+double LeanLight::sunlit_share(const glm::dvec2& lean, const glm::dvec3& to_eye) const {
+  constexpr double flattest = 0.03;
+  double to_sun = 0.0, to_see = 0.0;
+  for (const grass::Fibre& upright : fibres_) {
+    const grass::Fibre fibre = leaning(upright, glm::vec2(lean));
+    to_sun += double{grass::kajiya_kay_diffuse(fibre.tangent, glm::vec3(lighting_.sun_direction))};
+    to_see += double{grass::kajiya_kay_diffuse(fibre.tangent, glm::vec3(to_eye))};
+  }
+  const double sun = to_sun / std::max(lighting_.sun_direction.z, flattest);
+  const double eye = to_see / std::max(to_eye.z, flattest);
+  return eye / (eye + sun);
 }
 
 ColourMap lean_light_map(const LeanLight& light, const WindLean& wind_lean,
@@ -83,7 +106,9 @@ ColourMap lean_light_map(const LeanLight& light, const WindLean& wind_lean,
                          const GroundGrid& grid) {
   ColourMap map(grid.samples, grid.square, glm::vec3(1.0F));
   place::each_in_view(map, terrain, view, [&](int i, int j, const glm::dvec3& at_m) {
-    map.at(i, j) = light.factor(wind_lean.lean(glm::dvec2(at_m)), -view.line_of_sight(at_m));
+    const glm::dvec2 place_m(at_m);
+    map.at(i, j) =
+        light.factor(wind_lean.lean(place_m), wind_lean.combed(place_m), -view.line_of_sight(at_m));
   });
   return map;
 }

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/angle.h"
 #include "core/elementary.h"
 #include "core/random.h"
+#include "wind/streamlining.h"
 
 namespace wold::meadow {
 namespace {
@@ -34,13 +36,19 @@ constexpr double max_deg = 40.0;
 
 }  // namespace
 
-WindLean::WindLean(const scene::Wind& wind, const phenology::WindChange& change, std::uint64_t seed)
+WindLean::WindLean(const scene::Wind& wind, const phenology::WindChange& change, std::uint64_t seed,
+                   std::shared_ptr<const wind::CanopyMotion> motion)
     : wind_(wind),
       change_(change),
       waves_(field(seed, "waves", 2)),
-      turns_(field(seed, "turns", 2)) {}
+      turns_(field(seed, "turns", 2)),
+      motion_(std::move(motion)) {}
 
 glm::dvec2 WindLean::lean(const glm::dvec2& at_m) const {
+  return motion_ ? wind::leaning_under(combed(at_m), motion_->load(at_m)) : combed(at_m);
+}
+
+glm::dvec2 WindLean::combed(const glm::dvec2& at_m) const {
   const glm::dvec2 along = direction(wind_.heading_deg);
   const glm::dvec2 across(along.y, -along.x);
   const glm::dvec2 place =

@@ -62,6 +62,12 @@ std::string_view command_description(std::string_view command) {
        " reflectance spectra with their colours. Of a season, or with --weather of any "
        "place, it draws greenness, weathering degree, depth and water of the snow day by day"
        " instead. A name that ends in .csv is written as a table."},
+      {"wind",
+       "Prints the velocity of the scene's wind, east, north and up in metres per second, at each "
+       "place and time that --at names: the mean wind of its weather with hills, gusts and the "
+       "waves of the grass, as it moves the grass where wind.grass is \"waving\". Nothing has to "
+       "be "
+       "made before."},
       {"film",
        "Encodes the frames of an output folder by FFmpeg, as a film that any player shows "
        "(H.264 in .mp4) and as a small picture that loops (.webp) beside it. It takes the "

@@ -8,6 +8,7 @@
 
 #include "core/elementary.h"
 #include "core/files.h"
+#include "place/air.h"
 #include "place/cell_window.h"
 #include "place/ground_grids.h"
 #include "place/growth.h"
@@ -166,6 +167,8 @@ Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmS
         sketch ? sketch->snow_samples : snow::SnowGround::usual_max_samples);
   auto withering = std::make_shared<const Withering>(scene, terrain, season);
   auto mixtures = std::make_shared<const MixtureField>(scene, terrain);
+  std::shared_ptr<const wind::AirFlow> air;
+  if (grass_waves(scene)) air = air_flow(scene, terrain);
   Site site{std::move(terrain),
             std::move(finer),
             std::move(surroundings),
@@ -180,6 +183,7 @@ Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmS
             std::move(withering),
             std::move(mixtures),
             std::move(snow),
+            std::move(air),
             sketch};
   if (!scene::sun_moves(scene)) light_ground(scene, site);
   return site;

@@ -18,6 +18,7 @@
 #include "terrain/lighting.h"
 #include "terrain/surface.h"
 #include "terrain/surroundings.h"
+#include "wind/air_flow.h"
 
 namespace wold::place {
 
@@ -66,8 +67,9 @@ struct Site {
   std::shared_ptr<const snow::Weather> weather;
   std::shared_ptr<const Withering> withering;
   std::shared_ptr<const MixtureField> mixtures;
-  std::shared_ptr<const Snow> snow;   ///< none where none can fall or lie
-  std::optional<Sketch> sketch = {};  ///< none: as fine as pictures need
+  std::shared_ptr<const Snow> snow;          ///< none where none can fall or lie
+  std::shared_ptr<const wind::AirFlow> air;  ///< of grass that waves; none where it stands still
+  std::optional<Sketch> sketch = {};         ///< none: as fine as pictures need
 
   /// The ground on a grid; the site has to outlive it.
   terrain::Surface surface(const GroundGrid& grid) const;

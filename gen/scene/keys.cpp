@@ -170,11 +170,18 @@ std::vector<Key> wind_keys() {
                "How it carries flakes: evenly, in gusts that every flake feels in its own way, or "
                "round a tornado on the terrain's middle that drifts with the wind."),
           FIELD(wind.field)),
-      bound(number("wind.speed", "m/s", {0, 60}, "How fast it carries flakes."),
+      bound(number("wind.speed", "m/s", {0, 60},
+                   "How fast it carries flakes, and blows 10 m above the grass that it moves."),
             FIELD(wind.speed_m_s)),
       bound(number("wind.turbulence", "", {0, 1},
                    "Standard deviation of that speed over its mean, in gusts."),
             FIELD(wind.turbulence)),
+      bound(
+          word("wind.grass",
+               "Whether grass stands still as it has been combed, or waves from frame to frame in "
+               "the wind of the moment: in gusts, over hills and in waves of its own. "
+               "film.frame_seconds of 0.0417 shows it as one sees it."),
+          FIELD(wind.grass)),
   };
 }
 

@@ -45,6 +45,10 @@ constexpr auto words_of(AgeingMotion) { return std::array{"closed_form", "points
 enum class WindPattern { steady, gusts, tornado };
 constexpr auto words_of(WindPattern) { return std::array{"steady", "gusts", "tornado"}; }
 
+/// wind.grass: whether grass stands as it has been combed, or waves in the wind of the moment.
+enum class GrassMotion { still, waving };
+constexpr auto words_of(GrassMotion) { return std::array{"still", "waving"}; }
+
 /// render.grass: what grass is drawn as. `automatic` is blades where the finest texel is too coarse
 /// and texels beyond.
 enum class GrassForm { texels, blades, automatic, points };

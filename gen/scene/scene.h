@@ -192,15 +192,16 @@ struct Sky {
   bool operator==(const Sky&) const = default;
 };
 
-/// The wind that has combed the grass and carries the flakes.
+/// The wind that has combed the grass, carries the flakes and may move the grass.
 struct Wind {
   double heading_deg = 75.0;               ///< where it blows to, clockwise from north
   double lean_deg = 15.0;                  ///< mean angle by which the grass leans over
   double waves_deg = 9.0;                  ///< standard deviation of that angle from place to place
   double wave_length_m = 6.0;              ///< size of such places, along the wind
   WindPattern field = WindPattern::gusts;  ///< of flakes
-  double speed_m_s = 1.5;                  ///< of flakes
+  double speed_m_s = 1.5;                  ///< of flakes, and 10 m above the grass that it moves
   double turbulence = 0.25;  ///< standard deviation of that speed over its mean, in gusts
+  GrassMotion grass = GrassMotion::still;
 
   bool operator==(const Wind&) const = default;
 };

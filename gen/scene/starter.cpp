@@ -36,7 +36,8 @@ Starter hillside() {
   return {"hillside",
           "A withering meadow.",
           {},
-          {"grass.blades", "ageing.water", "ageing.frames", "sun.elevation", "sun.azimuth"}};
+          {"grass.blades", "ageing.water", "ageing.frames", "sun.elevation", "sun.azimuth",
+           "wind.grass", "wind.speed", "wind.heading", "film.frame_seconds"}};
 }
 
 /// Numbers from `first` to `last`, evenly spread, with four decimals.

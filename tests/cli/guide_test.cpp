@@ -97,8 +97,8 @@ TEST_F(Guide, ExamplesOfManualPagesWork) {
   };
   run("new");
   write("meadow.toml", wold(shrunk("check meadow.toml")).out);
-  for (const char* command :
-       {"check", "plan", "task", "generate", "render", "inspect", "preview", "curves", "film"})
+  for (const char* command : {"check", "plan", "task", "generate", "render", "inspect", "preview",
+                              "curves", "wind", "film"})
     run(command);
   for (const char* copy : {"got.png", "want.png"})
     fs::copy_file(folder_ / "out/meadow/frames/povray/0001.png", folder_ / copy);

@@ -115,7 +115,7 @@ TEST_F(Program, EveryCommandHasItsPage) {
   const Result manual = wold("--man");
   for (const std::string command :
        {"render", "generate", "plan", "task", "preview", "check", "inspect", "compare", "curves",
-        "film", "report", "new", "doctor", "extension"}) {
+        "film", "report", "new", "wind", "doctor", "extension"}) {
     expect_contains(manual.out, "\\fBwold\\fR \\fB" + command);
     const Result page = wold(command + " --man");
     EXPECT_EQ(page.code, 0) << page.err;

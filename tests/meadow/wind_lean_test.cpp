@@ -131,6 +131,20 @@ TEST(LeanLight, GlintsWhereItMirrorsTheSun) {
             1.2F * light.factor(glm::dvec2(0.0), lighting().eye_direction).g);
 }
 
+// Upright fibres under a sun at 45 degrees, seen from the same height: G is the same to both, so
+// half of what is seen is sunlit. Fibres along the sun's rays hide nothing from it.
+TEST(LeanLight, TheSunShinesInMoreDeeplyWhereBladesLeanToIt) {
+  const LeanLight light({{glm::vec3(0, 0, 1), glm::vec3(0.3F), glm::vec3(0.0F), 0.0F}}, lighting(),
+                        24.0F);
+  const glm::dvec3 from_north = glm::normalize(glm::dvec3(0.0, 1.0, 1.0));
+  EXPECT_NEAR(light.sunlit_share({0.0, 0.0}, from_north), 0.5, 1e-6);
+  EXPECT_NEAR(light.sunlit_share({0.0, -1.0}, from_north), 1.0, 1e-3);
+  EXPECT_LT(light.sunlit_share({0.0, 0.5}, from_north), 0.4);
+  const glm::dvec2 upright(0.0), to_sun(0.0, -0.3);
+  EXPECT_EQ(light.factor(to_sun, to_sun, from_north), light.factor(to_sun, from_north));
+  EXPECT_GT(light.factor(to_sun, upright, from_north).g, light.factor(to_sun, from_north).g);
+}
+
 TEST(RepresentativeFibres, StandForTheWholePatch) {
   const scene::Scene scene;
   const grass::MeadowModel model(scene);

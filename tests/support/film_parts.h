@@ -33,7 +33,7 @@ inline place::MixtureField mixtures_of(const scene::Scene& scene, const Heightfi
 
 inline meadow::FrameGrass grass_of(const scene::Scene& scene, int frame) {
   const auto season = phenology::film_season(scene);
-  return meadow::frame_grass(scene, season.get(), snow::Weather(scene, season.get()), frame);
+  return meadow::still_grass(scene, season.get(), snow::Weather(scene, season.get()), frame);
 }
 
 }  // namespace wold::test
