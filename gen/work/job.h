@@ -34,6 +34,7 @@ struct RenderOptions {
   std::uint64_t memory_bytes = 0;  ///< 0: the machine's
   Keep keep = Keep::all;           ///< of `render` and `generate`
   bool dry_run = false;
+  bool json = false;  ///< whether what is printed is JSON
   bool quiet = false;
 };
 
