@@ -161,11 +161,12 @@ void add_job_options(CLI::App& app, RenderArguments& arguments) {
       ->check(at_least_a_megabyte, "");
 }
 
-void add_keep(CLI::App& app, work::Keep& keep) {
+CLI::Option* add_keep(CLI::App& app, work::Keep& keep) {
   const std::map<std::string, work::Keep> words = {{"all", work::Keep::all},
                                                    {"scenes", work::Keep::scenes}};
-  app.add_option("--keep", keep,
-                 "what stays: all, or scenes, without the texels that scene files are made from")
+  return app
+      .add_option("--keep", keep,
+                  "what stays: all, or scenes, without the texels that scene files are made from")
       ->type_name("WHAT")
       ->transform(CLI::CheckedTransformer(words));
 }
@@ -232,6 +233,7 @@ Action declare_plan(CLI::App& app) {
       add_form("--openjd", PlanForm::openjd, "as a job template of Open Job Description");
   json->excludes(why)->excludes(openjd);
   why->excludes(openjd);
+  add_keep(app, arguments->options.keep)->needs(openjd);
   return [arguments, form] { return run_plan(resolved(*arguments), *form); };
 }
 
