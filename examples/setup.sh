@@ -10,7 +10,7 @@ build_packages=(g++ cmake ninja-build libopenvdb-dev libopenimageio-dev libtbb-d
   libboost-iostreams-dev libgdal-dev libzip-dev libxxhash-dev fonts-dejavu-core)
 render_packages=(blender povray ffmpeg)
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev libxml2-utils locales slurmctld slurmd
-  slurm-client munge python3 procps chromium chromium-driver man-db zsh fish)
+  slurm-client munge python3 procps strace chromium chromium-driver man-db zsh fish)
 
 say() { printf '\n== %s\n' "$*" >&2; }
 

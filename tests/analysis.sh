@@ -84,8 +84,8 @@ check_python() {
   install python3 python3-venv
   python3 -m venv --clear build-python
   "$programs/pip" install -q --disable-pip-version-check 'ruff==0.17.*' 'mypy==2.*'
-  "$programs/ruff" check templates tests
-  "$programs/ruff" format --check templates tests
+  "$programs/ruff" check templates tests examples
+  "$programs/ruff" format --check templates tests examples
   "$programs/mypy"
 }
 

@@ -170,6 +170,9 @@ def bad_versions(wold: str) -> list[str]:
         "bl_info": ".".join(
             re.findall(r'"version": \((\d+), (\d+), (\d+)\)', read(add_on / "__init__.py"))[0]
         ),
+        "CITATION.cff": "".join(
+            re.findall(r"^version: (\S+)$", read(ROOT / "CITATION.cff"), re.MULTILINE)
+        ),
         "CHANGELOG.md": "".join(
             re.findall(r"^## (\S+), ", read(ROOT / "CHANGELOG.md"), re.MULTILINE)[:1]
         ),

@@ -37,8 +37,8 @@ python3 -m venv "$here/build-openjd"
 "$here/build-openjd/bin/pip" install -q --disable-pip-version-check 'openjd-cli==0.8.*'
 write_scene
 cd "$folder"
-"$wold" render ./*.toml --quiet --out rendered >/dev/null
-"$wold" plan ./*.toml --openjd --out farm >template.json
+"$wold" render ./*.toml --quiet --out rendered --passes depth,species --keep scenes >/dev/null
+"$wold" plan ./*.toml --openjd --out farm --passes depth,species --keep scenes >template.json
 say "Open Job Description"
 "$tool" check template.json
 PATH=$here/build:$PATH "$tool" run template.json >run.log 2>&1 || {
@@ -47,4 +47,6 @@ PATH=$here/build:$PATH "$tool" run template.json >run.log 2>&1 || {
 }
 diff <(hashes rendered) <(hashes farm)
 [ "$(find farm/frames -name '*.png' | wc -l)" = 2 ]
+[ "$(find farm/passes -name '*.exr' | wc -l)" = 2 ]
+[ "$(find farm/texels -name '*.vdb' | wc -l)" = 0 ] # --keep scenes
 echo "The job's files are those of wold render."

@@ -40,6 +40,7 @@ const exporter::Exporter& entry() {
       .name = "blender",
       .display_name = render::display_name(renderer()),
       .export_frame = export_landscape,
+      .shared_folders = {"data", "data/volumes", "data/blades", "data/flakes"},
       .warning_of = warning_of,
       // Fitted to what examples/ write.
       .files = {.frame = 0.9e6,

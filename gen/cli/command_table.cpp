@@ -161,13 +161,18 @@ void add_job_options(CLI::App& app, RenderArguments& arguments) {
       ->check(at_least_a_megabyte, "");
 }
 
-void add_keep(CLI::App& app, work::Keep& keep) {
+CLI::Option* add_keep(CLI::App& app, work::Keep& keep) {
   const std::map<std::string, work::Keep> words = {{"all", work::Keep::all},
                                                    {"scenes", work::Keep::scenes}};
-  app.add_option("--keep", keep,
-                 "what stays: all, or scenes, without the texels that scene files are made from")
+  return app
+      .add_option("--keep", keep,
+                  "what stays: all, or scenes, without the texels that scene files are made from")
       ->type_name("WHAT")
       ->transform(CLI::CheckedTransformer(words));
+}
+
+void add_json(CLI::App& app, bool& json, const std::string& doc) {
+  app.add_flag("--json", json, doc);
 }
 
 void add_quiet(CLI::App& app, bool& quiet) { app.add_flag("--quiet", quiet, "no progress"); }
@@ -187,6 +192,7 @@ Action generate_like(CLI::App& app, const std::shared_ptr<RenderArguments>& argu
   add_keep(app, arguments->options.keep);
   app.add_flag("--dry-run", arguments->options.dry_run,
                "check the scene, say what is to do and what it takes, stop");
+  add_json(app, arguments->options.json, "print what has been made, or is to do, as JSON");
   add_quiet(app, arguments->options.quiet);
   return [arguments, run] {
     console::ConsoleProgress progress(console::progress_style(arguments->options.quiet));
@@ -227,6 +233,7 @@ Action declare_plan(CLI::App& app) {
       add_form("--openjd", PlanForm::openjd, "as a job template of Open Job Description");
   json->excludes(why)->excludes(openjd);
   why->excludes(openjd);
+  add_keep(app, arguments->options.keep)->needs(openjd);
   return [arguments, form] { return run_plan(resolved(*arguments), *form); };
 }
 
@@ -251,9 +258,10 @@ Action declare_task(CLI::App& app) {
 Action declare_check(CLI::App& app) {
   auto arguments = std::make_shared<RenderArguments>();
   add_scene_arguments(app, *arguments);
+  add_json(app, arguments->options.json, "print JSON instead of TOML");
   return [arguments] {
     const work::RenderOptions options = resolved(*arguments);
-    return run_check(options.scene, options.overrides);
+    return run_check(options.scene, options.overrides, options.json);
   };
 }
 
@@ -264,7 +272,7 @@ Action declare_inspect(CLI::App& app) {
   };
   auto options = std::make_shared<Options>();
   app.add_option("FILE", options->files, "pictures, .vdb or .df3 files")->required();
-  app.add_flag("--json", options->json, "print one JSON array");
+  add_json(app, options->json, "print one JSON array");
   return [options] { return run_inspect(options->files, options->json); };
 }
 
@@ -416,9 +424,15 @@ Action declare_new(CLI::App& app) {
 }
 
 Action declare_explain(CLI::App& app) {
-  auto name = std::make_shared<std::string>();
-  app.add_option("KEY", *name, "a key, such as sun.elevation, or a table, such as sun")->required();
-  return [name] { return run_explain(*name); };
+  struct Options {
+    std::string name;
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  app.add_option("KEY", options->name, "a key, such as sun.elevation, or a table, such as sun")
+      ->required();
+  add_json(app, options->json, "print JSON");
+  return [options] { return run_explain(options->name, options->json); };
 }
 
 Action declare_schema(CLI::App& /*app*/) { return run_schema; }
@@ -426,7 +440,7 @@ Action declare_schema(CLI::App& /*app*/) { return run_schema; }
 Action declare_doctor(CLI::App& app) {
   auto options = std::make_shared<DoctorOptions>();
   add_programs(app, options->programs);
-  app.add_flag("--json", options->json, "print JSON");
+  add_json(app, options->json, "print JSON");
   return [options] { return run_doctor(*options); };
 }
 

@@ -55,10 +55,10 @@ struct DoctorOptions {
   bool json = false;
 };
 
-/// Generates everything the renderers need.
+/// Generates everything the renderers need; as JSON, prints what there is then.
 ExitCode run_generate(const work::RenderOptions& options, Progress& progress);
 
-/// Generates, then runs the renderers.
+/// Generates, then runs the renderers, and prints the names of what they have made.
 ExitCode run_render(const work::RenderOptions& options, Progress& progress);
 
 /// Makes the passes of a scene's frames without pictures, all of them where the options name none,
@@ -72,8 +72,9 @@ ExitCode run_plan(const work::RenderOptions& options, PlanForm form);
 ExitCode run_task(const work::RenderOptions& options, const std::string& stage, int index,
                   Progress& progress);
 
-/// Prints the scene with every key filled in.
-ExitCode run_check(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
+/// Prints the scene with every key filled in, as TOML or JSON.
+ExitCode run_check(const std::filesystem::path& scene, const std::vector<std::string>& overrides,
+                   bool json);
 
 /// Prints what is in the files, and as JSON in one array. ExitCode::file when one is damaged.
 ExitCode run_inspect(const std::vector<std::filesystem::path>& files, bool json);
@@ -115,13 +116,13 @@ ExitCode run_doctor(const DoctorOptions& options);
 ExitCode run_extension(const std::filesystem::path& out);
 
 /// Prints what a key, or each key of a table, means and accepts; see scene::explanation().
-ExitCode run_explain(const std::string& name);
+ExitCode run_explain(const std::string& name, bool json);
 
 /// Prints the scene file as JSON Schema.
 ExitCode run_schema();
 
 /// Prints the version, what the program was built from and with, and the renderers on this machine.
-ExitCode run_version();
+ExitCode run_version(bool json);
 
 /// Prints all keys of a scene as markdown.
 ExitCode run_help_keys();

@@ -1,13 +1,14 @@
 #include "cli/commands.h"
 #include "console/output.h"
+#include "pages/explanation_json.h"
 #include "pages/scene_schema.h"
 #include "scene/explanation.h"
 #include "scene/write.h"
 
 namespace wold::cli {
 
-ExitCode run_explain(const std::string& name) {
-  console::print_data(scene::explanation(name));
+ExitCode run_explain(const std::string& name, bool json) {
+  console::print_data(json ? pages::explanation_json(name) : scene::explanation(name));
   return ExitCode::done;
 }
 

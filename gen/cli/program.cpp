@@ -33,6 +33,7 @@ using Action = std::function<ExitCode()>;
 struct CommandLine {
   CLI::App app{"Wold: a withering meadow on a hillside, for Blender and POV-Ray", "wold"};
   Action action;
+  bool json = false;  ///< of --version
 };
 
 ExitCode run_man(const std::vector<pages::CommandFacts>& commands) {
@@ -67,8 +68,9 @@ ExitCode run_completion(const std::vector<pages::CommandFacts>& commands,
 void declare(CommandLine& line) {
   CLI::App& app = line.app;
   app.add_flag_callback(
-      "--version", [&line] { line.action = run_version; },
+      "--version", [&line] { line.action = [&line] { return run_version(line.json); }; },
       "print the version, what it is built with, and the renderers on this machine");
+  app.add_flag("--json", line.json, "with --version: print JSON")->needs("--version");
   app.add_flag_callback(
       "--help-keys", [&line] { line.action = run_help_keys; },
       "list the keys of a scene as markdown");

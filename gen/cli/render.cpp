@@ -4,6 +4,7 @@
 #include "cli/warnings.h"
 #include "console/output.h"
 #include "work/complete_job.h"
+#include "work/made_files.h"
 #include "work/plan.h"
 
 namespace wold::cli {
@@ -14,20 +15,18 @@ std::vector<work::StageTasks> without_pictures(std::vector<work::StageTasks> sta
   return stages;
 }
 
-std::string pass_files(const work::Job& job) {
-  std::string files;
-  if (!job.passes.empty())
-    for (const int frame : job.frames) files += work::passes_path(job, frame).string() + "\n";
-  return files;
-}
-
 /// What the stages would do, for --dry-run.
-void print_plan(const work::Job& job, bool with_pictures) {
+void print_plan(const work::Job& job, bool with_pictures, bool json) {
   std::vector<work::StagePlan> plan = work::make_plan(job);
   if (!with_pictures)
     std::erase_if(plan,
                   [](const work::StagePlan& stage) { return makes_pictures(stage.tasks.stage); });
-  console::print_data(work::plan_text(job, plan, /*why=*/false));
+  console::print_data(json ? work::plan_json(job, plan)
+                           : work::plan_text(job, plan, /*why=*/false));
+}
+
+void print_made(const work::Job& job, const std::vector<work::StageTasks>& stages, bool json) {
+  console::print_data(json ? work::made_json(job, stages) : work::made_text(job, stages));
 }
 
 /// Of files without pictures.
@@ -44,10 +43,13 @@ ExitCode run_generate(const work::RenderOptions& options, Progress& progress) {
   const work::Job job = work::plan_job(options);
   print_warnings(job.text_warnings);
   print_warnings(job.scene, job.season.get());
-  if (options.dry_run)
-    print_plan(job, /*with_pictures=*/false);
-  else
-    work::complete_job(job, without_pictures(work::stages_of(job)), progress);
+  if (options.dry_run) {
+    print_plan(job, /*with_pictures=*/false, options.json);
+    return ExitCode::done;
+  }
+  const std::vector<work::StageTasks> stages = without_pictures(work::stages_of(job));
+  work::complete_job(job, stages, progress);
+  if (options.json) console::print_data(work::made_json(job, stages));
   return ExitCode::done;
 }
 
@@ -56,18 +58,13 @@ ExitCode run_render(const work::RenderOptions& options, Progress& progress) {
   print_warnings(job.text_warnings);
   print_warnings(job.scene, job.season.get());
   if (options.dry_run) {
-    print_plan(job, /*with_pictures=*/true);
+    print_plan(job, /*with_pictures=*/true, options.json);
     return ExitCode::done;
   }
   const std::vector<work::StageTasks> stages = work::stages_of(job);
   work::complete_job(job, stages, progress);
   say_who_has_no_renderer(job, progress);
-  std::string pictures;
-  for (const int frame : job.frames)
-    for (const work::StageTasks& stage : stages)
-      if (work::makes_pictures(stage.stage))
-        pictures += work::picture_path(job, {stage.stage, frame}).string() + "\n";
-  console::print_data(pictures + pass_files(job));
+  print_made(job, stages, options.json);
   return ExitCode::done;
 }
 
@@ -78,11 +75,12 @@ ExitCode run_passes(const work::RenderOptions& options, Progress& progress) {
   job.exporters.clear();
   print_warnings(job.text_warnings);
   if (options.dry_run) {
-    print_plan(job, /*with_pictures=*/false);
+    print_plan(job, /*with_pictures=*/false, options.json);
     return ExitCode::done;
   }
-  work::complete_job(job, work::stages_of(job), progress);
-  console::print_data(pass_files(job));
+  const std::vector<work::StageTasks> stages = work::stages_of(job);
+  work::complete_job(job, stages, progress);
+  print_made(job, stages, options.json);
   return ExitCode::done;
 }
 

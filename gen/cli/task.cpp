@@ -4,6 +4,7 @@
 #include "work/do_tasks.h"
 #include "work/folder_lock.h"
 #include "work/memory_budget.h"
+#include "work/own_folder.h"
 #include "work/renderers.h"
 
 namespace wold::cli {
@@ -18,6 +19,7 @@ ExitCode run_task(const work::RenderOptions& options, const std::string& stage, 
   work::require_renderers(job, stages, renderers);
   work::require_memory(job, stages);
   const ThreadLimit limit(job.threads);
+  work::require_no_way_out(job.out, work::folders_written(job, task));
   const work::FolderLock lock(job.out, work::Access::shared, progress);
   work::Work work(job, &renderers);
   work::do_tasks(job, work, stages, progress);

@@ -5,12 +5,13 @@
 
 namespace wold::cli {
 
-ExitCode run_version() {
+ExitCode run_version(bool json) {
   std::vector<report::RendererHere> renderers;
   for (const exporter::Exporter* one : film::exporters())
     if (one->renderer)
       renderers.push_back({&*one->renderer, render::program_on_machine(*one->renderer)});
-  console::print_data(report::version_text(renderers, render::diagnose_ffmpeg()));
+  const auto text = json ? report::version_json : report::version_text;
+  console::print_data(text(renderers, render::diagnose_ffmpeg()));
   return ExitCode::done;
 }
 

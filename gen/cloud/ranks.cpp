@@ -1,12 +1,9 @@
 #include "cloud/ranks.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <tuple>
 
 #include "cloud/box_filter.h"
-#include "core/elementary.h"
 
 namespace wold::cloud {
 namespace {
@@ -55,27 +52,6 @@ std::vector<PeriodicMap<float>> ranked(const std::vector<PeriodicMap<float>>& fi
     next = end;
   }
   return result;
-}
-
-double rank_of_gaussian(double gaussian) {
-  return 0.5 * math::erfc(-gaussian / std::numbers::sqrt2);
-}
-
-double gaussian_of_rank(double rank) {
-  // Newton's method on the distribution's logarithm-free tail converges from Winitzki's (2008)
-  // approximation of the inverse error function in three steps to the last bits.
-  const double x = 2.0 * rank - 1.0;
-  const double log_term = math::log(4.0 * rank * (1.0 - rank));
-  constexpr double a = 0.147;
-  const double half = 2.0 / (std::numbers::pi * a) + 0.5 * log_term;
-  double gaussian = std::copysign(std::sqrt(std::sqrt(half * half - log_term / a) - half), x) *
-                    std::numbers::sqrt2;
-  for (int step = 0; step < 3; ++step) {
-    const double density =
-        math::exp(-0.5 * gaussian * gaussian) / std::sqrt(2.0 * std::numbers::pi);
-    gaussian -= (rank_of_gaussian(gaussian) - rank) / density;
-  }
-  return gaussian;
 }
 
 }  // namespace wold::cloud

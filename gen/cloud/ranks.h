@@ -12,10 +12,4 @@ namespace wold::cloud {
 /// surroundings are, and then by their places.
 std::vector<PeriodicMap<float>> ranked(const std::vector<PeriodicMap<float>>& fields);
 
-/// Quantiles of a standard normal distribution and back (Gaussianisation, Heitz and Neyret 2018);
-/// `rank` in (0, 1). Boost.Math's quantile would call the C library's exp() and log(), whose last
-/// bits differ from system to system; these have core/elementary.h's.
-double gaussian_of_rank(double rank);
-double rank_of_gaussian(double gaussian);
-
 }  // namespace wold::cloud

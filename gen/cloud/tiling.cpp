@@ -6,6 +6,7 @@
 #include "cloud/ranks.h"
 #include "cloud/texture_noise.h"
 #include "core/elementary.h"
+#include "core/normal_distribution.h"
 #include "core/parallel.h"
 #include "core/random.h"
 
@@ -66,7 +67,7 @@ std::vector<Sample> all_samples(const glm::ivec2& vertices, std::size_t textures
 std::vector<PeriodicMap<float>> gaussianised(const std::vector<PeriodicMap<float>>& ranks) {
   std::vector<PeriodicMap<float>> result = ranks;
   for (PeriodicMap<float>& map : result)
-    for (float& value : map.values()) value = static_cast<float>(gaussian_of_rank(value));
+    for (float& value : map.values()) value = static_cast<float>(normal_quantile(value));
   return result;
 }
 
@@ -156,7 +157,7 @@ LayerMap repeated_by_blending(const TextureSet& textures, const glm::ivec2& cell
     }
     const glm::dvec2 in_layer = place / glm::dvec2(cells);
     const double gaussian_sum = sum / std::sqrt(squares) + patches.sample(in_layer.x, in_layer.y);
-    return rank_of_gaussian(gaussian_sum / std::sqrt(1.0 + weight * weight));
+    return normal_cdf(gaussian_sum / std::sqrt(1.0 + weight * weight));
   });
 }
 

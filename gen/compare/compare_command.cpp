@@ -31,7 +31,9 @@ Json folders_json(const fs::path& got, const fs::path& want,
   return json;
 }
 
-Verdict verdict(const std::vector<Comparison>& comparisons, const Json& json) {
+Verdict verdict(const std::vector<Comparison>& comparisons, const Json& metrics) {
+  Json json = {{"version", 1}};
+  json.update(metrics);
   Verdict result;
   result.code = std::ranges::all_of(comparisons, is_same) ? ExitCode::done : ExitCode::different;
   result.json = text(json);

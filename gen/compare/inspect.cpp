@@ -141,7 +141,10 @@ std::string as_lines(const Json& json, std::string_view indent) {
 
 Inspection inspect(const fs::path& path) {
   const FileKind kind = file_kind(path);
-  Json facts = {{"file", path.string()}, {"kind", to_string(kind)}, {"bytes", fs::file_size(path)}};
+  Json facts = {{"version", 1},
+                {"file", path.string()},
+                {"kind", to_string(kind)},
+                {"bytes", fs::file_size(path)}};
   Inspection result;
   try {
     describe(kind, path, facts, result.problems);
@@ -149,8 +152,9 @@ Inspection inspect(const fs::path& path) {
     result.problems.emplace_back(error.what());
   }
   facts["problems"] = result.problems;
-  result.text = printable(as_lines(facts, ""));
   result.json = facts.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  facts.erase("version");
+  result.text = printable(as_lines(facts, ""));
   return result;
 }
 

@@ -42,9 +42,13 @@ OIIO::ImageBuf without_alpha(const OIIO::ImageBuf& picture) {
 }  // namespace
 
 std::string jpeg_of(const std::filesystem::path& picture, const PagePicture& form) {
-  Image image = read_image(picture);
-  const OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::FLOAT);
-  const OIIO::ImageBuf read(spec, image.values.data());
+  return jpeg_of(read_image(picture), form);
+}
+
+std::string jpeg_of(Image picture, const PagePicture& form) {
+  const OIIO::ImageSpec spec(picture.width, picture.height, picture.channels,
+                             OIIO::TypeDesc::FLOAT);
+  const OIIO::ImageBuf read(spec, picture.values.data());
   OIIO::ImageBuf small = shrunk(without_alpha(read), form.widest_px);
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
@@ -52,7 +56,7 @@ std::string jpeg_of(const std::filesystem::path& picture, const PagePicture& for
   small.specmod().attribute("compression", fmt::format("jpeg:{}", form.quality));
   small.specmod().attribute("jpeg:subsampling", "4:2:0");
   if (!small.write("page.jpg", OIIO::TypeDesc::UINT8))
-    throw FileError(fmt::format("cannot encode {}: {}", picture.string(), small.geterror()));
+    throw FileError(fmt::format("cannot encode a picture: {}", small.geterror()));
   return {bytes.begin(), bytes.end()};
 }
 

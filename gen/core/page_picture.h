@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "core/image.h"
+
 namespace wold {
 
 /// How a picture is kept in a page: at most that wide, as JPEG.
@@ -11,8 +13,11 @@ struct PagePicture {
   int quality = 80;  ///< of JPEG, [1, 100]
 };
 
-/// The bytes of a JPEG file of a picture in 8-bit colours, shrunk where it is wider. Throws
-/// FileError when it is missing or damaged.
+/// The bytes of a JPEG file of a picture in 8-bit colours, shrunk where it is wider. Its values are
+/// those that are shown, from 0 to 1. Throws FileError.
+std::string jpeg_of(Image picture, const PagePicture& form);
+
+/// The same of a picture's file. Throws FileError when it is missing or damaged.
 std::string jpeg_of(const std::filesystem::path& picture, const PagePicture& form);
 
 /// "data:<type>;base64,...": a file inside a page. `type` is a media type, such as "image/jpeg".

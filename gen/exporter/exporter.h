@@ -30,6 +30,9 @@ struct Exporter {
       export_frame;
   /// Writes what a film has once into a folder. Throws FileError. May be missing.
   std::function<void(const FilmSettings&, const std::filesystem::path& folder)> export_film = {};
+  /// Folders below its own that frames write to, but for data/frame_0001 and its like: "data",
+  /// "data/volumes". Their number does not depend on the film's length.
+  std::vector<std::string> shared_folders = {};
   /// Names of files of its folder that are copied to the output folder with every frame.
   std::vector<std::string> files_for_output_folder = {};
   /// What will be wrong with a frame's picture soon; empty when nothing is. Throws InputError when

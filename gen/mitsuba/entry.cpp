@@ -18,6 +18,7 @@ const exporter::Exporter& entry() {
       .name = "mitsuba",
       .display_name = "Mitsuba",
       .export_frame = export_landscape,
+      .shared_folders = {"data", "data/texels", "data/leaves"},
       .needs = {.materials = true},
       // By what the files hold: ground and sky as floats, a PLY terrain of 32 bytes a height; four
       // floats a voxel of a texel, of which the file has all.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cloud/ranks.h"
 #include "core/noise.h"
+#include "core/normal_distribution.h"
 #include "core/parallel.h"
 #include "core/random.h"
 #include "place/cell_window.h"
@@ -57,7 +57,7 @@ class ScaleFreePatches {
     const double of_exposure = std::clamp(exposure, -2.0, 2.0);
     const double field =
         std::sqrt(1.0 - by_exposure * by_exposure) * field_.at(at_m) + by_exposure * of_exposure;
-    return cloud::rank_of_gaussian((cloud::gaussian_of_rank(probability) - field) / softness_);
+    return normal_cdf((normal_quantile(probability) - field) / softness_);
   }
 
  private:

@@ -150,19 +150,52 @@ class Reader {
   std::string_view rest_;
 };
 
-/// Those below `data`, but for the folders of frames with other names than `own`.
+void require_folder(const fs::path& folder) {
+  if (fs::is_symlink(folder) && fs::is_directory(folder))
+    throw FileError(
+        fmt::format("{}: found a link to a folder, expected a folder", folder.string()));
+}
+
+/// Adds those below a folder, which need not be there.
+void add_include_files(const fs::path& folder, std::vector<fs::path>& files) {
+  require_folder(folder);
+  if (!fs::exists(folder)) return;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    require_folder(entry.path());
+    if (entry.path().extension() == ".inc") files.push_back(entry.path());
+  }
+}
+
+/// The files of data/ that a text has the scene program include. They end as all do, or POV-Ray
+/// might find one with another ending.
+std::vector<std::string> terrain_files_in(std::string_view text, const fs::path& file) {
+  constexpr std::string_view word = "Wold_terrain_file", sign = " = \"", ending = ".inc\"";
+  std::vector<std::string> names;
+  for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word)) {
+    text.remove_prefix(at + word.size());
+    const std::size_t end = text.find('"', sign.size());
+    const bool is_name = text.starts_with(sign) && end != std::string_view::npos &&
+                         text.substr(0, end + 1).ends_with(ending);
+    if (!is_name)
+      throw FileError(fmt::format("{}: found {}{}, expected the name of a file that ends in .inc",
+                                  file.string(), word,
+                                  text.substr(0, std::min(max_shown, text.find('\n')))));
+    names.emplace_back(text.substr(sign.size(), end - sign.size()));
+  }
+  return names;
+}
+
+/// All that the scene program can include for a frame. data/ itself is not looked through: it has
+/// a folder of every frame.
 std::vector<fs::path> include_files(const fs::path& data, const std::string& own) {
   std::vector<fs::path> files;
-  for (auto entry = fs::recursive_directory_iterator(data); entry != end(entry); ++entry) {
-    const fs::path& path = entry->path();
-    const std::string name = path.filename().string();
-    if (entry->is_symlink() && entry->is_directory())
-      throw FileError(
-          fmt::format("{}: found a link to a folder, expected a folder", path.string()));
-    if (entry->is_directory() && name.starts_with("frame_") && name != own)
-      entry.disable_recursion_pending();
-    if (path.extension() == ".inc") files.push_back(path);
-  }
+  require_folder(data);
+  for (const fs::path& folder : {data / own, data / "volumes", data / "blades"})
+    add_include_files(folder, files);
+  if (const fs::path all = data / "frames.inc"; fs::exists(all)) files.push_back(all);
+  for (std::size_t i = 0, count = files.size(); i < count; ++i)
+    for (const std::string& name : terrain_files_in(read_file(files[i]), files[i]))
+      if (fs::exists(data / name)) files.push_back(data / name);
   return files;
 }
 

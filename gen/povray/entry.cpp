@@ -38,6 +38,7 @@ const exporter::Exporter& entry() {
       .display_name = render::display_name(renderer()),
       .export_frame = export_landscape,
       .export_film = export_film,
+      .shared_folders = {"data", "data/volumes", "data/blades", "data/flakes"},
       // POV-Ray takes its settings from where it is started: `povray povray/scene.pov` from the
       // output folder, too.
       .files_for_output_folder = {"povray.ini"},

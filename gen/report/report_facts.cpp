@@ -11,6 +11,7 @@
 #include "core/file_list.h"
 #include "core/files.h"
 #include "film/exporters.h"
+#include "passes/pass.h"
 #include "phenology/film_season.h"
 #include "scene/parse.h"
 #include "work/folder_format.h"
@@ -45,12 +46,19 @@ void read_scene_warnings(ReportFacts& facts) {
   }
 }
 
+void read_passes(const fs::path& out, ReportFacts& facts) {
+  for (const int frame : facts.frames)
+    if (const fs::path file = out / "passes" / fmt::format("{:04}.exr", frame); fs::exists(file))
+      facts.passes[frame] = file;
+}
+
 void read_times(const fs::path& out, ReportFacts& facts) {
   if (!facts.scene) return;
   work::Job job;
   job.scene = *facts.scene;
   job.frames = facts.frames;
   job.exporters = film::wanted_exporters(job.scene);
+  if (!facts.passes.empty()) job.passes = passes::passes_of("all");
   const work::TaskRecords records(out);
   for (const work::StageTasks& tasks : work::stages_of(job)) {
     StageTime time{std::string(work::name_of(tasks.stage)), 0,
@@ -117,6 +125,7 @@ ReportFacts report_facts(const fs::path& out) {
         out.string()));
   read_scene(out, facts);
   facts.frames = work::expected_frames(out, facts.pictures);
+  read_passes(out, facts);
   read_scene_warnings(facts);
   warn_of_gaps(out, facts);
   read_times(out, facts);

@@ -25,6 +25,7 @@ struct ReportFacts {
   std::optional<scene::Scene> scene;                     ///< DIR/scene.toml's, when it can be read
   std::vector<int> frames;                               ///< that there should be, from 1
   std::vector<work::FramePictures> pictures;             ///< that there are
+  std::map<int, std::filesystem::path> passes;           ///< files of ground truth, by frame
   std::vector<StageTime> stages;                         ///< in the order they are done
   std::map<std::string, std::map<int, double>> seconds;  ///< by renderer and frame
   /// What will look wrong, what is missing, what the renderers warned of.

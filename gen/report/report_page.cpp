@@ -12,6 +12,7 @@
 #include "core/version.h"
 #include "grass/ageing/withering_curves.h"
 #include "report/curves_figure.h"
+#include "report/pass_pictures.h"
 #include "report/report_pictures.h"
 #include "scene/registry.h"
 #include "work/job.h"
@@ -65,6 +66,21 @@ std::string curves(const ReportFacts& facts) {
       "water, shrinkage, stiffness, droop and reflectance over the weathering degree\" src=\"{}\">"
       "</section>\n",
       data_uri("image/svg+xml", svg));
+}
+
+/// Of the first frame that has some.
+std::string passes(const ReportFacts& facts) {
+  if (facts.passes.empty()) return {};
+  const auto& [frame, file] = *facts.passes.begin();
+  std::string figures;
+  for (const PassPicture& pass : pass_pictures(file))
+    figures +=
+        fmt::format("<figure><img alt=\"{0}\" src=\"{1}\"><figcaption>{0}</figcaption></figure>\n",
+                    markup_escaped(pass.name), pass.data_uri);
+  return fmt::format(
+      "<h2>Passes of frame {}</h2>\n<section class=\"card passes\">\n{}</section>\n", frame,
+      figures.empty() ? fmt::format("<p>{} is damaged.</p>\n", markup_escaped(file.string()))
+                      : figures);
 }
 
 /// A key's row; `usual` is its value where a scene says nothing, and is empty where there is none.
@@ -161,6 +177,7 @@ std::string report_page(const ReportFacts& facts, Progress& progress) {
   page = filled(page, "<!-- FACTS -->", summary(facts, film));
   page = filled(page, "<!-- WARNINGS -->", list_of_warnings(warnings));
   page = filled(page, "<!-- TIMES -->", times(facts));
+  page = filled(page, "<!-- PASSES -->", passes(facts));
   page = filled(page, "<!-- CURVES -->", curves(facts));
   page = filled(page, "<!-- PARAMETERS -->", parameters(facts));
   return filled(page, "<!-- DATA -->", data_of(facts, film));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "core/libraries.h"
@@ -10,6 +11,8 @@
 
 namespace wold::report {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 std::string line(std::string_view name, std::string_view value) {
   return fmt::format("{:11}{}\n", name, value);
@@ -20,6 +23,22 @@ std::string libraries_text() {
   for (const LibraryVersion& library : library_versions())
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", library.name, library.version);
   return text;
+}
+
+Json json_of(const RendererHere& one) {
+  Json json = {{"renderer", one.kind->program.name}, {"program", nullptr}, {"version", nullptr}};
+  if (one.program) {
+    json["program"] = one.program->found.path.string();
+    json["version"] = one.program->version;
+  }
+  return json;
+}
+
+Json libraries_json() {
+  Json libraries = Json::object();
+  for (const LibraryVersion& library : library_versions())
+    libraries[library.name] = library.version;
+  return libraries;
 }
 
 }  // namespace
@@ -34,6 +53,22 @@ std::string version_text(const std::vector<RendererHere>& renderers,
                                          : std::string(display_name(*one.kind)) + ": missing");
   return text + line("films", ffmpeg ? fmt::format("FFmpeg {} ({})", ffmpeg->version, ffmpeg->path)
                                      : "FFmpeg: missing");
+}
+
+std::string version_json(const std::vector<RendererHere>& renderers,
+                         const std::optional<render::OtherProgram>& ffmpeg) {
+  Json programs = Json::array();
+  for (const RendererHere& one : renderers) programs.push_back(json_of(one));
+  Json json = {{"version", 1},
+               {"wold", version},
+               {"revision", revision()},
+               {"built_by", build},
+               {"libraries", libraries_json()},
+               {"folder_format", work::folder_format},
+               {"renderers", std::move(programs)},
+               {"ffmpeg", nullptr}};
+  if (ffmpeg) json["ffmpeg"] = {{"program", ffmpeg->path}, {"version", ffmpeg->version}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace wold::report

@@ -20,4 +20,8 @@ struct RendererHere {
 std::string version_text(const std::vector<RendererHere>& renderers,
                          const std::optional<render::OtherProgram>& ffmpeg);
 
+/// The same as JSON, for `wold --version --json`; docs/scripting.md has its fields.
+std::string version_json(const std::vector<RendererHere>& renderers,
+                         const std::optional<render::OtherProgram>& ffmpeg);
+
 }  // namespace wold::report

@@ -51,11 +51,18 @@ Section section_with(std::string_view name) {
       near.empty() ? "docs/keys.md has all" : fmt::format("did you mean {}?", near)));
 }
 
+Section known_section(std::string_view name) {
+  Section section = section_with(present_name(name));
+  if (name.empty() || section.keys.empty()) throw_unknown(name);
+  return section;
+}
+
 }  // namespace
 
+std::vector<Key> keys_named(std::string_view name) { return known_section(name).keys; }
+
 std::string explanation(std::string_view name) {
-  const Section section = section_with(present_name(name));
-  if (name.empty() || section.keys.empty()) throw_unknown(name);
+  const Section section = known_section(name);
   const Scene defaults = defaults_with_items();
   std::string text = section.header;
   for (const Key& key : section.keys) text += explained_assignment(key, defaults);

@@ -2,13 +2,19 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "scene/registry.h"
 
 namespace wold::scene {
 
-/// What a key means, what it accepts and its default, as TOML that a scene can take:
-/// "sun.elevation", "clouds.kind", or all keys of a table: "sun", "clouds". An old name is taken
-/// for the present one. Throws InputError, with the name that may have been meant, when there is no
-/// such key or table.
+/// The key of that name, "sun.elevation" or "clouds.kind", or all keys of a table: "sun", "clouds";
+/// of a table that may stand many times those of its first item. An old name is taken for the
+/// present one. Throws InputError, with the name that may have been meant, when there is no such
+/// key or table.
+std::vector<Key> keys_named(std::string_view name);
+
+/// What the keys_named() mean, what they accept and their defaults, as TOML that a scene can take.
 std::string explanation(std::string_view name);
 
 }  // namespace wold::scene

@@ -70,12 +70,14 @@ class Judge {
     const double elevation_deg = sun_elevation_deg(lowest);
     if (elevation_deg >= min_sun_elevation_deg) return;
     const std::chrono::year_month_day date(lowest);
-    add("sun.time", fmt::format("found {} h, when the sun stands at {:.1f} degrees on [{}, {}, {}],"
-                                " expected a time of day when it stands at {} degrees at least all "
-                                "season",
-                                scene_.sun.time_h, elevation_deg, static_cast<int>(date.year()),
-                                static_cast<unsigned>(date.month()),
-                                static_cast<unsigned>(date.day()), min_sun_elevation_deg));
+    add("sun.time",
+        fmt::format("found {} h of universal time, when the sun stands at {:.1f} degrees on "
+                    "[{}, {}, {}],"
+                    " expected a time of day when it stands at {} degrees at least all "
+                    "season",
+                    scene_.sun.time_h, elevation_deg, static_cast<int>(date.year()),
+                    static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
+                    min_sun_elevation_deg));
   }
 
   void judge_sources() const {

@@ -38,10 +38,10 @@ double flakes_on_a_ray(const std::vector<snow::SeenFlake>& flakes, const snow::F
 }
 
 float min_opacity_of(const std::vector<snow::SeenFlake>& flakes, const snow::Frustum& frustum,
-                     double most_on_a_ray) {
-  if (flakes_on_a_ray(flakes, frustum, 0.0F) <= most_on_a_ray) return 0.0F;
+                     double max_on_a_ray) {
+  if (flakes_on_a_ray(flakes, frustum, 0.0F) <= max_on_a_ray) return 0.0F;
   float min = 1.0F / 64.0F;
-  while (min < 1.0F && flakes_on_a_ray(flakes, frustum, min) > most_on_a_ray)
+  while (min < 1.0F && flakes_on_a_ray(flakes, frustum, min) > max_on_a_ray)
     min *= std::numbers::sqrt2_v<float>;
   return std::min(min, 1.0F);
 }
@@ -57,8 +57,8 @@ double chance_of(const snow::SeenFlake& flake, std::uint64_t seed) {
 
 std::vector<snow::SeenFlake> without_subpixel_flakes(std::vector<snow::SeenFlake> flakes,
                                                      const snow::Frustum& frustum,
-                                                     std::uint64_t seed, double most_on_a_ray) {
-  const float min_opacity = min_opacity_of(flakes, frustum, most_on_a_ray);
+                                                     std::uint64_t seed, double max_on_a_ray) {
+  const float min_opacity = min_opacity_of(flakes, frustum, max_on_a_ray);
   std::erase_if(flakes, [&](const snow::SeenFlake& flake) {
     return flake.opacity < min_opacity &&
            chance_of(flake, seed) >= drawn_fraction(flake.opacity, min_opacity);

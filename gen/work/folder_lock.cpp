@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
@@ -57,7 +58,10 @@ void write_holder(int file) {
 FolderLock::FolderLock(const fs::path& folder, Access access, Progress& progress)
     : folder_(folder), path_(folder / "tasks" / "lock") {
   make_folder(folder);
-  require_no_way_out(folder);
+  if (access == Access::alone)
+    require_no_way_out(folder);
+  else
+    require_no_way_out(folder, std::array{fs::path("tasks")});
   for (bool said = false; !try_lock(access); said = true) {
     if (!said)
       progress.say(fmt::format("{} is in use by {}; waiting until it is free", folder.string(),

@@ -18,7 +18,8 @@ enum class Access { shared, alone };
 class FolderLock {
  public:
   /// Makes the folder. Throws FileError, also where a link leads out of it (own_folder.h), and
-  /// InterruptedError when the user stops the waiting.
+  /// InterruptedError when the user stops the waiting. `shared` looks for such a link only on the
+  /// way to the lock: whoever asks for it looks at the folders that it writes to.
   FolderLock(const std::filesystem::path& folder, Access access, Progress& progress);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;

@@ -32,8 +32,9 @@ struct RenderOptions {
   ChosenPrograms programs;
   int threads = 0;                 ///< 0: the scene's render.threads
   std::uint64_t memory_bytes = 0;  ///< 0: the machine's
-  Keep keep = Keep::all;           ///< of `render` and `generate`
+  Keep keep = Keep::all;  ///< of `render` and `generate`, and of the last step of a farm's job
   bool dry_run = false;
+  bool json = false;  ///< whether what is printed is JSON
   bool quiet = false;
 };
 

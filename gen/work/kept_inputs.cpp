@@ -17,8 +17,9 @@ namespace {
 
 /// Whether a run writes there in its output folder.
 bool is_written(std::string_view name) {
-  constexpr std::array<std::string_view, 8> always = {
-      "scene.toml", "manifest.json", "texels", "clouds", "snow", "frames", "logs", "tasks"};
+  constexpr std::array<std::string_view, 9> always = {"scene.toml", "manifest.json", "texels",
+                                                      "clouds",     "snow",          "passes",
+                                                      "frames",     "logs",          "tasks"};
   return std::ranges::count(always, name) > 0 ||
          std::ranges::any_of(film::exporters(), [&](const exporter::Exporter* one) {
            return exporter::writes(*one, name);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string_view>
 
 #include "core/error.h"
@@ -39,6 +40,12 @@ bool is_name_of_record(std::string_view name) {
          (std::ranges::count(kinds, kind) > 0 || exporter::find_exporter(film::exporters(), kind));
 }
 
+/// At once, however many records there are; a folder that began without one has others.
+bool has_format(const fs::path& folder) {
+  std::error_code unknown;
+  return fs::is_regular_file(folder / "tasks" / "format.json", unknown);
+}
+
 bool has_record(const fs::path& folder) {
   const std::vector<std::string> tasks = names_in(folder / "tasks");
   return std::ranges::any_of(tasks, is_name_of_record) || is_own_manifest(folder / "manifest.json");
@@ -52,6 +59,16 @@ bool is_of_no_account(const fs::path& folder, const std::string& name) {
   std::error_code unknown;
   const bool is_made_by_a_run = name == "tasks" || name == "snow" || name == "lost+found";
   return is_made_by_a_run && fs::is_directory(folder / name, unknown) && inside.empty();
+}
+
+void require_link_within(const fs::path& link, const fs::path& folder) {
+  std::error_code unknown;
+  const fs::path target = fs::weakly_canonical(link, unknown);
+  if (unknown || !is_within(target, folder))
+    throw FileError(
+        fmt::format("{} is a link that leads out of the output folder, to {}: remove it, or "
+                    "choose another folder (--out)",
+                    link.string(), target.string()));
 }
 
 }  // namespace
@@ -70,6 +87,7 @@ bool is_own_manifest(const fs::path& file) {
 }
 
 void require_own_folder(const fs::path& folder) {
+  if (has_format(folder)) return;
   const std::vector<std::string> names = names_in(folder);
   const auto own = std::ranges::find_if(
       names, [&](const std::string& name) { return !is_of_no_account(folder, name); });
@@ -86,15 +104,22 @@ void require_no_way_out(const fs::path& folder) {
   if (error) return;  // making it tells why
   fs::recursive_directory_iterator entry(own, fs::directory_options::skip_permission_denied, error);
   for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
-    std::error_code unknown;
-    if (!entry->is_symlink(unknown)) continue;
-    const fs::path target = fs::weakly_canonical(entry->path(), unknown);
-    if (unknown || !is_within(target, own))
-      throw FileError(
-          fmt::format("{} is a link that leads out of the output folder, to {}: remove it, or "
-                      "choose another folder (--out)",
-                      entry->path().string(), target.string()));
+    if (std::error_code unknown; entry->is_symlink(unknown))
+      require_link_within(entry->path(), own);
   }
+}
+
+void require_no_way_out(const fs::path& folder, std::span<const fs::path> below) {
+  std::error_code error;
+  const fs::path own = fs::canonical(folder, error);
+  if (error) return;
+  std::set<fs::path> places;
+  for (const fs::path& one : below) {
+    fs::path place = own;
+    for (const fs::path& name : one) places.insert(place /= name);
+  }
+  for (const fs::path& place : places)
+    if (std::error_code unknown; fs::is_symlink(place, unknown)) require_link_within(place, own);
 }
 
 }  // namespace wold::work

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 
 namespace wold::work {
 
@@ -18,5 +19,10 @@ bool is_own_manifest(const std::filesystem::path& file);
 /// elsewhere is to be written, removed or locked. Throws FileError that names the link and where it
 /// leads.
 void require_no_way_out(const std::filesystem::path& folder);
+
+/// The same of these folders below it alone, named relative to it, and of those that they lie in:
+/// for a task, which must not look through all of a film. A folder that is not there leads nowhere.
+void require_no_way_out(const std::filesystem::path& folder,
+                        std::span<const std::filesystem::path> below);
 
 }  // namespace wold::work

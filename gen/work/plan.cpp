@@ -230,7 +230,9 @@ std::string plan_openjd(const RenderOptions& options, const Job& job,
     if (!is_waited_for(stage.tasks.stage, plan)) last.push_back(name_of(stage.tasks.stage));
   }
   // Finds everything there and lists it in manifest.json.
-  steps.push_back(step_json("manifest", {"render", "{{Param.Scene}}"}, with));
+  std::vector<std::string> last_command = {"render", "{{Param.Scene}}"};
+  if (options.keep == Keep::scenes) last_command.insert(last_command.end(), {"--keep", "scenes"});
+  steps.push_back(step_json("manifest", last_command, with));
   steps.back()["dependencies"] = dependencies_json(last);
   const Json json = {
       {"specificationVersion", "jobtemplate-2023-09"},

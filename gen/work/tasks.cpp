@@ -10,6 +10,8 @@
 #include "scene/text.h"
 
 namespace wold::work {
+namespace fs = std::filesystem;
+
 std::string_view name_of(const Stage& stage) {
   if (stage.exporter) return stage.exporter->name;
   constexpr std::string_view names[] = {"texels", "clouds", "passes", "scenes"};
@@ -30,6 +32,18 @@ std::vector<StageTasks> stages_of(const Job& job) {
     if (one->renderer)
       stages.push_back({Stage{Step::pictures, one}, job.frames, {}, Stage::scenes});
   return stages;
+}
+
+std::vector<fs::path> folders_written(const Job& job, const Task& task) {
+  std::vector<fs::path> folders = {"tasks", "snow", "texels", "clouds", "passes", "logs"};
+  if (const exporter::Exporter* shown = task.stage.exporter)
+    folders.push_back(fs::path("frames") / shown->name);
+  for (const exporter::Exporter* one : job.exporters) {
+    const fs::path own = one->name;
+    folders.push_back(own / "data" / fmt::format("frame_{:04}", task.index));
+    for (const std::string& shared : one->shared_folders) folders.push_back(own / shared);
+  }
+  return folders;
 }
 
 Task find_task(const Job& job, const std::string& stage, int index) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -55,6 +56,10 @@ struct StageTasks {
 
 /// The whole work of a job, in an order in which it can be done.
 std::vector<StageTasks> stages_of(const Job& job);
+
+/// The folders that a task writes to, relative to the output folder. Their number does not grow
+/// with the film.
+std::vector<std::filesystem::path> folders_written(const Job& job, const Task& task);
 
 /// A task of the job by its stage's name and index. Throws InputError that lists what there is.
 Task find_task(const Job& job, const std::string& stage, int index);

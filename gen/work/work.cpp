@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 
@@ -307,8 +308,11 @@ void Work::remove_damaged(const Task& task) {
   const auto record = records_.read(task);
   if (!record || record->source != source(task)) return;
   for (const auto& [name, state] : record->outputs)
-    if (may_make(task.stage, fs::path(name).lexically_normal()) && !states_.is_still(name, state))
-      fs::remove(job_.out / name);
+    if (const fs::path file = fs::path(name).lexically_normal();
+        may_make(task.stage, file) && !states_.is_still(name, state)) {
+      require_no_way_out(job_.out, std::array{file.parent_path()});
+      fs::remove(job_.out / file);
+    }
 }
 
 }  // namespace wold::work

@@ -49,6 +49,12 @@ def parse_arguments() -> tuple[argparse.Namespace, list[str]]:
         help="an option of sbatch for one stage, such as blender=--mem=4G; may be repeated",
     )
     parser.add_argument(
+        "--keep",
+        choices=["all", "scenes"],
+        default="all",
+        help="what stays when all is done, as of `wold render`",
+    )
+    parser.add_argument(
         "--wold",
         default=find_wold(),
         metavar="PROGRAM",
@@ -163,6 +169,7 @@ def main() -> None:
     # Finds all there and writes manifest.json.
     last = ["afterok:" + ":".join(jobs.values())]
     render = [word if word != "task" else "render" for word in submission.command]
+    render += ["--keep", arguments.keep]
     jobs["manifest"] = submission.submit("manifest", last, "1", "1", "render", *render)
     for name, job in jobs.items():
         print(name, job)

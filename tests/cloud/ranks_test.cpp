@@ -38,13 +38,5 @@ TEST(Ranks, OfOnePixelAreItsMiddle) {
   EXPECT_FLOAT_EQ(ranked({PeriodicMap<float>(1, 1, 0.3F)})[0].at(0, 0), 0.5F);
 }
 
-TEST(Gaussian, HasItsPublishedQuantiles) {
-  EXPECT_NEAR(gaussian_of_rank(0.975), 1.959963984540054, 1e-12);
-  EXPECT_NEAR(gaussian_of_rank(0.5), 0.0, 1e-15);
-  EXPECT_NEAR(gaussian_of_rank(1e-9), -5.997807015008182, 1e-8);
-  for (double rank = 1e-7; rank < 1.0; rank += 0.0137)
-    EXPECT_NEAR(rank_of_gaussian(gaussian_of_rank(rank)), rank, 1e-13);
-}
-
 }  // namespace
 }  // namespace wold::cloud

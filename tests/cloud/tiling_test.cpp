@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "cloud/ranks.h"
+#include "core/normal_distribution.h"
 
 namespace wold::cloud {
 namespace {
@@ -65,7 +65,7 @@ TEST(Tiling, BlendingKeepsHistogramAndVariance) {
   EXPECT_LT(distance_from_even(map), 0.05);
   double sum = 0.0, squares = 0.0;
   for (const std::uint16_t rank : map.values()) {
-    const double gaussian = gaussian_of_rank((rank + 0.5) / 65536.0);
+    const double gaussian = normal_quantile((rank + 0.5) / 65536.0);
     sum += gaussian;
     squares += gaussian * gaussian;
   }
@@ -81,7 +81,7 @@ double variance_of_cells(const LayerMap& map, int cells) {
   for (int cell = 0; cell < cells * cells; ++cell) {
     double sum = 0.0;
     for (int i = 0; i < side * side; ++i)
-      sum += gaussian_of_rank(
+      sum += normal_quantile(
           (map.at(cell % cells * side + i % side, cell / cells * side + i / side) + 0.5) / 65536.0);
     squares += sum * sum / std::pow(side, 4);
   }

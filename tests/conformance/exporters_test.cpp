@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -116,6 +117,16 @@ TEST_P(Exporters, ListTheFilesOfAFrameAndAllOfThemAreThere) {
   for (const fs::path& file : files) EXPECT_TRUE(fs::is_regular_file(file)) << file;
   for (const std::string& name : GetParam()->files_for_output_folder)
     EXPECT_TRUE(fs::is_regular_file(folder / "out" / name)) << name;
+}
+
+// Before it writes, a task looks for links that lead elsewhere in these folders and in no others.
+TEST_P(Exporters, WriteToTheFoldersThatTheyName) {
+  std::set<fs::path> named = {folder / "out", folder / "out/data/frame_0001"};
+  for (const std::string& shared : GetParam()->shared_folders)
+    named.insert(folder / "out" / shared);
+  run(landscape, folder / "out");
+  for (const auto& entry : fs::recursive_directory_iterator(folder / "out"))
+    EXPECT_TRUE(!entry.is_directory() || named.contains(entry.path())) << entry.path();
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Exporters,

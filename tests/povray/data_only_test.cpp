@@ -84,11 +84,34 @@ TEST_F(DataOnly, OnlyFilesThatTheFrameCanIncludeCount) {
   EXPECT_NE(said_of("volumes/v0.inc", program), "");
 }
 
+// The terrain lies among the folders of all frames, which are not looked through.
+TEST_F(DataOnly, TheTerrainThatTheFrameNamesCounts) {
+  const std::string program = "#fopen F \"x\" write";
+  EXPECT_EQ(said_of("terrain_1.inc", program), "");
+  make_folder(folder_.path() / "data/frame_0002");
+  write_file(folder_.path() / "data/frame_0002/frame.inc",
+             "#declare Wold_terrain_file = \"terrain_1.inc\";\n");
+  EXPECT_THAT(said_of("terrain_1.inc", program), HasSubstr("data/terrain_1.inc:1: found \""));
+  EXPECT_EQ(said_of("terrain_1.inc", "1"), "");
+}
+
+// POV-Ray adds endings to a name that has none, and takes the first file that it finds.
+TEST_F(DataOnly, TheTerrainsNameIsWhole) {
+  for (const char* text :
+       {"#declare Wold_terrain_file = \"evil\";", "#declare Wold_terrain_file // ?\n = \"evil\";",
+        "#declare Wold_terrain_file=\"x.inc\";", "Wold_terrain_file = \""})
+    EXPECT_THAT(said_of("frame_0002/volumes.inc", text), HasSubstr("a file that ends in .inc"))
+        << text;
+}
+
 TEST_F(DataOnly, FoldersBehindLinksAreRefused) {
   make_folder(folder_.path() / "elsewhere");
   make_folder(folder_.path() / "data");
   fs::create_directory_symlink(folder_.path() / "elsewhere", folder_.path() / "data/volumes");
   EXPECT_THAT(said_of("frames.inc", "1"), HasSubstr("data/volumes: found a link to a folder"));
+  fs::remove(folder_.path() / "data/volumes");
+  fs::create_directory_symlink(folder_.path() / "elsewhere", folder_.path() / "data/frame_0002");
+  EXPECT_THAT(said_of("frames.inc", "1"), HasSubstr("data/frame_0002: found a link to a folder"));
 }
 
 }  // namespace

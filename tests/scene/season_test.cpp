@@ -54,7 +54,8 @@ TEST(Season, SaysWhatContradictsItself) {
                  "a.toml:8:1: season_keys[2].date: found [2026, 9, 1], expected a day after");
   const auto dark = problems_of(season(withers), {"sun.time=0"});
   ASSERT_EQ(dark.size(), 1u);
-  expect_start(dark[0], "--set sun.time=0: sun.time: found 0 h, when the sun stands at -");
+  expect_start(dark[0],
+               "--set sun.time=0: sun.time: found 0 h of universal time, when the sun stands at -");
 }
 
 // Beyond the polar circle the sun may be seen on the first day and the last, and not between them:

@@ -44,14 +44,16 @@ fail() {
   exit 1
 }
 
-"$wold" render film.toml --quiet --out local >/dev/null
+"$wold" render film.toml --quiet --out local --passes depth --keep scenes >/dev/null
 cluster_up "$folder/cluster" 2
-"$here/../../templates/slurm/submit.py" film.toml --out farm --wold "$folder/slow_wold"
+"$here/../../templates/slurm/submit.py" film.toml --out farm --passes depth --keep scenes --wold "$folder/slow_wold"
 wait_until 120 test -e renders_on_n2
 lose_node n2
 wait_until 300 is_over
 
 [ "$(scontrol show jobs | grep -c 'Restarts=[1-9]')" -ge 2 ] || fail "two jobs have to be started again"
 diff <(hashes local) <(hashes farm) || fail "the films differ"
+[ "$(find farm/passes -name '*.exr' | wc -l)" = 6 ] || fail "there are no passes of every frame"
+[ "$(find farm/texels -name '*.vdb' | wc -l)" = 0 ] || fail "texels stay with --keep scenes"
 [ -e farm/manifest.json ] || fail "no manifest.json: the last job did not run"
 echo "the film of two nodes, one of them lost, is the same: $(hashes farm | wc -l) files"
