@@ -40,6 +40,15 @@ struct PreviewOptions {
   std::filesystem::path out;           ///< ends in .png; empty: out/<scene name>/preview.png
 };
 
+/// What `maps` is asked for.
+struct MapsOptions {
+  std::filesystem::path scene;
+  std::vector<std::string> overrides;  ///< key=value, applied after the scene file
+  std::filesystem::path out;           ///< folder; empty: out/<scene name>/maps
+  std::vector<int> frames;             ///< from 1; empty: all
+  bool json = false;
+};
+
 /// What `doctor` is asked for.
 struct DoctorOptions {
   work::ChosenPrograms programs;
@@ -78,6 +87,9 @@ ExitCode run_curves(const CurvesOptions& options);
 
 /// Draws a contact sheet of a scene, without any renderer, and prints its name.
 ExitCode run_preview(const PreviewOptions& options, Progress& progress);
+
+/// Writes maps of a scene's ground for geographic information systems, and prints their names.
+ExitCode run_maps(const MapsOptions& options, Progress& progress);
 
 /// Encodes a folder's frames as films, .mp4 and a .webp that loops beside it, and prints their
 /// names. With a name of its own there is one film: that of the first renderer of the table that

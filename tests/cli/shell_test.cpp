@@ -114,7 +114,7 @@ TEST_F(Program, TheManualHasEveryCommandAndKeyAndNoFaults) {
 TEST_F(Program, EveryCommandHasItsPage) {
   const Result manual = wold("--man");
   for (const std::string command :
-       {"render", "generate", "plan", "task", "preview", "check", "inspect", "compare", "curves",
+       {"render", "generate", "plan", "task", "preview", "maps", "check", "inspect", "compare", "curves",
         "film", "report", "new", "doctor", "extension"}) {
     expect_contains(manual.out, "\\fBwold\\fR \\fB" + command);
     const Result page = wold(command + " --man");
