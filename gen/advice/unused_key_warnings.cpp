@@ -37,6 +37,8 @@ void warn_of_other_choices(const scene::Scene& scene, Keys& warnings) {
            Condition{"terrain.centre", real_place, "terrain.elevation"},
            Condition{"terrain.system", real_place, "terrain.elevation"},
            Condition{"terrain.surroundings", real_place, "terrain.elevation"},
+           Condition{"terrain.cover", real_place, "terrain.elevation"},
+           Condition{"terrain.water", real_place, "terrain.elevation"},
        })
     if (!condition.holds && is_given(scene, condition.key))
       warnings.push_back(

@@ -392,6 +392,21 @@ Action declare_wind(CLI::App& app) {
   return [arguments] { return run_wind(resolved(*arguments)); };
 }
 
+Action declare_maps(CLI::App& app) {
+  auto arguments = std::make_shared<SceneArguments<MapsOptions>>();
+  add_scene_arguments(app, *arguments);
+  app.add_option("--out", arguments->options.out, "the folder; out/<scene name>/maps without it")
+      ->type_name("DIR");
+  add_frames(app, arguments->options.frames, "frames, counted from 1; all without it");
+  app.add_flag("--json", arguments->options.json, "print what is in the files, as JSON");
+  auto quiet = std::make_shared<bool>(false);
+  add_quiet(app, *quiet);
+  return [arguments, quiet] {
+    console::ConsoleProgress progress(console::progress_style(*quiet));
+    return run_maps(resolved(*arguments), progress);
+  };
+}
+
 Action declare_report(CLI::App& app) {
   struct Options {
     std::filesystem::path out;
@@ -468,6 +483,8 @@ const std::vector<Command>& command_table() {
        "wold task meadow.toml texels 1 --out shared/meadow", declare_task},
       {"preview", "draw a contact sheet of a scene in seconds, without any renderer",
        "wold preview meadow.toml --out meadow.png --set sun.elevation=12", declare_preview},
+      {"maps", "write maps of the ground as GeoTIFFs: height, slope, growth, weathering, snow",
+       "wold maps meadow.toml --out maps --frames 1-3", declare_maps},
       {"check", "check a scene and print it with every key filled in",
        "wold check meadow.toml --set sun.elevation=20", declare_check},
       {"inspect", "say what is in pictures, .vdb and .df3 files, and what is wrong with them",

@@ -49,6 +49,15 @@ struct WindOptions {
   bool json = false;
 };
 
+/// What `maps` is asked for.
+struct MapsOptions {
+  std::filesystem::path scene;
+  std::vector<std::string> overrides;  ///< key=value, applied after the scene file
+  std::filesystem::path out;           ///< folder; empty: out/<scene name>/maps
+  std::vector<int> frames;             ///< from 1; empty: all
+  bool json = false;
+};
+
 /// What `doctor` is asked for.
 struct DoctorOptions {
   work::ChosenPrograms programs;
@@ -92,6 +101,9 @@ ExitCode run_preview(const PreviewOptions& options, Progress& progress);
 /// Prints the wind at places, heights and times. Throws InputError where a place is not on the
 /// terrain.
 ExitCode run_wind(const WindOptions& options);
+
+/// Writes maps of a scene's ground for geographic information systems, and prints their names.
+ExitCode run_maps(const MapsOptions& options, Progress& progress);
 
 /// Encodes a folder's frames as films, .mp4 and a .webp that loops beside it, and prints their
 /// names. With a name of its own there is one film: that of the first renderer of the table that

@@ -194,8 +194,12 @@ AssembledFrame assemble_frame(const scene::Scene& scene, const place::Site& site
       metered * sunward(site, landscape, open, metered) * math::exp2(scene.render.exposure);
   sky.show(landscape,
            overcast_per_m > 0.0 || ground::sees_land_around(site, landscape.camera, scene.render));
+  const auto mirrored_sky = [&, image = landscape.sky](const glm::dvec3& direction) {
+    const glm::vec3 clear = ground::sky_radiance(image, direction);
+    return overcast_per_m > 0.0 ? air.sky_radiance(clear, direction) : clear;
+  };
   ground::LitGround(scene, site, now, landscape, choices, lookup.far, illuminate)
-      .show(ground, light, landscape);
+      .show(ground, light, mirrored_sky, landscape);
   if (overcast_per_m > 0.0) sky::add_precipitation(scene, site, air, needs, landscape);
   // Under an overcast sky the air itself shines: there is none without it.
   if (needs.materials)

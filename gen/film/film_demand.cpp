@@ -14,6 +14,7 @@
 #include "place/mixture_field.h"
 #include "place/view.h"
 #include "place/withering.h"
+#include "scene/cover_classes.h"
 #include "terrain/ground.h"
 
 namespace wold::film {
@@ -35,11 +36,11 @@ class Ground {
  public:
   Ground(const scene::Scene& scene, std::shared_ptr<const phenology::FilmSeason> season)
       : scene_(scene),
-        ground_(terrain::make_ground(scene.terrain, scene.seed)),
+        ground_(terrain::make_ground(scene.terrain, scene.seed, scene::cover_classes_of(scene))),
         growth_(place::is_large(scene)
                     ? place::growth_map(scene, terrain::Surface(terrain_, ground_.finer.get(),
-                                                                place::window_grid(scene)))
-                    : place::growth_map(scene, terrain_)),
+                                                                place::window_grid(scene), known()))
+                    : place::growth_map(scene, terrain_, known())),
         mixtures_(scene, terrain_),
         withering_(scene, terrain_, season),
         weather_(scene, season.get()),
@@ -71,6 +72,8 @@ class Ground {
   }
 
   const scene::Scene& scene_;
+  terrain::KnownGround known() const { return {ground_.water.get(), ground_.cover.get()}; }
+
   terrain::Ground ground_;
   const Heightfield& terrain_ = ground_.heights_m;
   FactorMap growth_;

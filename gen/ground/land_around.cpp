@@ -69,16 +69,20 @@ glm::vec3 LandAround::irradiance(const glm::dvec3& at_m, const glm::dvec3& up) c
 }
 
 glm::vec3 LandAround::radiance(const glm::dvec2& place_m) const {
+  return haze_.before(near_radiance(place_m), {place_m, land_.height_m(place_m)});
+}
+
+glm::vec3 LandAround::near_radiance(const glm::dvec2& place_m) const {
   const glm::dvec3 at_m(place_m, land_.height_m(place_m));
   const glm::dvec3 up = land_.up(place_m);
   const double rich = std::clamp(variation_.at(place_m), -2.0, 2.0);
   const glm::vec3 look = appearance_.at(up, at_m.z) *
                          std::max(1.0F + appearance_.spread() * static_cast<float>(rich), 0.2F);
-  return haze_.before(look * irradiance(at_m, up), at_m);
+  return look * irradiance(at_m, up);
 }
 
-void paint_land_around(const LandAround& land, const LandView& view, const glm::dvec3& eye_m,
-                       landscape::Backdrop& backdrop) {
+void paint_land_around(const LandRadiance& land, const LandAround& around, const LandView& view,
+                       const glm::dvec3& eye_m, landscape::Backdrop& backdrop) {
   constexpr std::array<glm::dvec2, 4> places = {
       {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}}};
   Image& picture = backdrop.picture;
@@ -88,8 +92,8 @@ void paint_land_around(const LandAround& land, const LandView& view, const glm::
   };
   const auto seen = [&](const glm::dvec3& to, const glm::vec3& sky) {
     const auto at_m = view.place(to);
-    if (at_m) return land.radiance(*at_m);
-    return to.z < 0.0 ? land.beyond(to) : sky;
+    if (at_m) return land(*at_m);
+    return to.z < 0.0 ? around.beyond(to) : sky;
   };
   parallel_for(static_cast<std::size_t>(picture.height), [&](std::size_t row) {
     const int y = static_cast<int>(row);

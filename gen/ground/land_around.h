@@ -28,6 +28,8 @@ class LandAround {
 
   /// Radiance that an eye sees of a place.
   glm::vec3 radiance(const glm::dvec2& at_m) const;
+  /// The same without the haze before it.
+  glm::vec3 near_radiance(const glm::dvec2& at_m) const;
   /// In a direction below the level one in which no land is seen: farther out there is only haze.
   glm::vec3 beyond(const glm::dvec3& direction) const { return day_.haze_radiance(direction, 1.0); }
 
@@ -49,8 +51,12 @@ class LandAround {
   ScaleFreeNoise variation_;
 };
 
-/// Paints it over the sky of a backdrop, as the camera sees it.
-void paint_land_around(const LandAround& land, const LandView& view, const glm::dvec3& eye_m,
-                       landscape::Backdrop& backdrop);
+/// Radiance that an eye sees of a place on the land around.
+using LandRadiance = std::function<glm::vec3(const glm::dvec2& at_m)>;
+
+/// Paints it over the sky of a backdrop, as the camera sees it: `land`, and what is `around` beyond
+/// it.
+void paint_land_around(const LandRadiance& land, const LandAround& around, const LandView& view,
+                       const glm::dvec3& eye_m, landscape::Backdrop& backdrop);
 
 }  // namespace wold::ground

@@ -9,6 +9,7 @@
 #include "core/elementary.h"
 #include "core/parallel.h"
 #include "core/pinhole.h"
+#include "ground/line_of_sight.h"
 #include "light/daylight.h"
 
 namespace wold::ground {
@@ -16,30 +17,8 @@ namespace {
 
 using std::numbers::pi;
 
-double azimuth_rad(const glm::dvec3& direction) { return math::atan2(direction.x, direction.y); }
-
-/// In [-pi, pi].
-double turned_rad(double rad) { return std::remainder(rad, 2.0 * pi); }
-
 double rise_of(const glm::dvec3& direction) {
   return direction.z / std::max(glm::length(glm::dvec2(direction)), 1e-12);
-}
-
-/// How far it is from a place in a square to its border, along a level unit direction.
-double to_border_m(const Square& square, const glm::dvec2& from_m, const glm::dvec2& towards) {
-  double distance_m = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 2; ++axis) {
-    if (towards[axis] == 0.0) continue;
-    const double border_m = square.corner_m[axis] + (towards[axis] > 0.0 ? square.size_m : 0.0);
-    distance_m = std::min(distance_m, (border_m - from_m[axis]) / towards[axis]);
-  }
-  return std::max(distance_m, 0.0);
-}
-
-/// How much lower the round earth's ground looks than flat ground would.
-double drop_m(double distance_m) {
-  constexpr double earth_radius_m = 6.371e6, refraction = 0.13;
-  return (1.0 - refraction) / (2.0 * earth_radius_m) * distance_m * distance_m;
 }
 
 /// The rise per distance of the skyline of the scene's own ground.

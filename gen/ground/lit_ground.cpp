@@ -1,7 +1,10 @@
 #include "ground/lit_ground.h"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include "core/parallel.h"
@@ -13,6 +16,7 @@
 #include "place/cell_window.h"
 #include "place/each_in_view.h"
 #include "place/ground_grids.h"
+#include "scene/calendar.h"
 
 namespace wold::ground {
 namespace {
@@ -67,6 +71,9 @@ void add_reflected(const ColourMap& reflectance, const ColourMap& light, ColourM
     }
   });
 }
+
+/// In place of a height.
+constexpr double in_water = std::numeric_limits<double>::lowest();
 
 meadow::PatchAppearances far_appearances(const scene::Scene& scene, const place::Site& site,
                                          const meadow::FrameGrass& now, const FarLook& far) {
@@ -140,24 +147,26 @@ void LitGround::add_hot_spot(const ColourMap& bare, const terrain::GroundLight& 
   add_reflected(bare, illuminate_(more), radiance);
 }
 
-ColourMap LitGround::painted(ColourMap ground, const FactorMap& growth,
-                             const ColourMap& grass_light) const {
+ColourMap LitGround::painted(ColourMap ground, const FactorMap& growth, const ColourMap& light,
+                             const ColourMap& grass_light, const Shore* shore) const {
+  if (shore != nullptr) add_water_surface(*shore, light, ground);
   if (!meadow_) return ground;
   meadow::paint_far_grass(ground, scene_, site_.terrain, growth, grass_light, view_, *meadow_);
   veil_ground(ground, site_.terrain, view_, haze_);
   return ground;
 }
 
-landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const GroundGrid& grid) const {
+landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const GroundGrid& grid,
+                                          const Shore* shore) const {
   place::GroundPart part = place::ground_part(scene_, site_, grid);
   const ColourMap bare = ground.bare(part);
   part = ground.covered(std::move(part), under_grass_);
   const ColourMap light = illuminate_(part.light);
   ColourMap radiance = product(part.reflectance, light);
   add_hot_spot(bare, part.light, part.growth, radiance);
-  return {
-      painted(std::move(radiance), part.growth, on_grass(light, grid)).at_corner(glm::dvec2(0.0)),
-      grid.square.corner_m};
+  return {painted(std::move(radiance), part.growth, light, on_grass(light, grid), shore)
+              .at_corner(glm::dvec2(0.0)),
+          grid.square.corner_m};
 }
 
 ColourMap LitGround::light_in_window() const {
@@ -165,54 +174,198 @@ ColourMap LitGround::light_in_window() const {
   return on_grass(illuminate_(place::light_on(site_, window)), window);
 }
 
-LandAppearance LitGround::land_appearance(const SnowyGround& ground, const ColourMap& light,
-                                          const ColourMap& grass_light,
-                                          const landscape::Camera& camera) const {
-  constexpr double grazing = 0.06;  // how much lower than level one looks at far land
-  constexpr int places = 64;        // along a side
-  constexpr float min = 1e-4F;
-  const ColourMap reflectance = ground.reflectance(under_grass_);
-  const FactorMap growth = ground.growth();
-  const CameraAxes axes(camera.eye_m, camera.target_m);
-  const glm::dvec3 level = glm::cross(glm::dvec3(0.0, 0.0, 1.0), axes.right);
-  const glm::dvec3 sight = glm::normalize(level - glm::dvec3(0.0, 0.0, grazing));
-  const double size_m = site_.terrain.size_m();
-  std::vector<LandSample> samples(places * places);
-  parallel_for(samples.size(), [&](std::size_t i) {
-    const glm::dvec2 at_m = (glm::dvec2(i % places, i / places) + 0.5) * (size_m / places);
-    const glm::dvec3 place_m = place::above_ground(site_.terrain, at_m, 0.0);
+struct LitGround::LevelLook {
+  const LitGround& of;
+  const ColourMap reflectance;
+  const FactorMap growth;
+  const ColourMap& light;
+  const ColourMap& grass_light;
+  const glm::dvec3 sight;
+
+  LevelLook(const LitGround& lit, const SnowyGround& ground, const ColourMap& on_ground,
+            const ColourMap& on_grass, const landscape::Camera& camera)
+      : of(lit),
+        reflectance(ground.reflectance(lit.under_grass_)),
+        growth(ground.growth()),
+        light(on_ground),
+        grass_light(on_grass),
+        sight(level_sight(camera)) {}
+
+  glm::vec3 at(const glm::dvec2& at_m) const {
+    constexpr float min = 1e-4F;
+    const glm::dvec3 place_m = place::above_ground(of.site_.terrain, at_m, 0.0);
     const landscape::AggregateAppearance grass =
-        meadow::thickened(meadow_->look(place_m, sight), growth.sample(at_m.x, at_m.y));
+        meadow::thickened(of.meadow_->look(place_m, sight), growth.sample(at_m.x, at_m.y));
     const glm::vec3 on_blades =
         grass_light.sample(at_m.x, at_m.y) / glm::max(light.sample(at_m.x, at_m.y), glm::vec3(min));
-    samples[i] = {site_.surroundings->up(at_m), place_m.z,
-                  glm::vec3(grass.radiance) * on_blades +
-                      static_cast<float>(grass.transmittance) * reflectance.sample(at_m.x, at_m.y)};
+    return glm::vec3(grass.radiance) * on_blades +
+           static_cast<float>(grass.transmittance) * reflectance.sample(at_m.x, at_m.y);
+  }
+
+ private:
+  static glm::dvec3 level_sight(const landscape::Camera& camera) {
+    constexpr double grazing = 0.06;  // how much lower than level one looks at far land
+    const CameraAxes axes(camera.eye_m, camera.target_m);
+    const glm::dvec3 level = glm::cross(glm::dvec3(0.0, 0.0, 1.0), axes.right);
+    return glm::normalize(level - glm::dvec3(0.0, 0.0, grazing));
+  }
+};
+
+/// Water is no land that land around could look like.
+LandAppearance LitGround::land_appearance(const LevelLook& look) const {
+  constexpr int places = 64;  // along a side
+  constexpr double most_water = 0.5;
+  const double step_m = site_.terrain.size_m() / places;
+  std::vector<LandSample> samples(places * places);
+  parallel_for(samples.size(), [&](std::size_t i) {
+    const glm::dvec2 at_m = (glm::dvec2(i % places, i / places) + 0.5) * step_m;
+    samples[i] = {site_.surroundings->up(at_m), double{site_.terrain.sample(at_m.x, at_m.y)},
+                  look.at(at_m)};
+    if (site_.water && site_.water->share(at_m, 1.0) > most_water) samples[i].height_m = in_water;
   });
-  return LandAppearance(samples);
+  std::vector<LandSample> land;
+  std::ranges::copy_if(samples, std::back_inserter(land),
+                       [](const LandSample& sample) { return sample.height_m != in_water; });
+  return LandAppearance(land.empty() ? samples : land);
 }
 
-void LitGround::show_land_around(LandAppearance appearance, landscape::Landscape& landscape) const {
-  const terrain::Surroundings& around = *site_.surroundings;
+LandAround LitGround::land_around(const LevelLook& look) const {
+  return {*site_.surroundings, site_.day, haze_, land_appearance(look), illuminate_, scene_.seed};
+}
+
+struct LitGround::Shore {
+  MirroredLand land;
+  ColourMap on_square, around, far_around;  ///< radiance of land, without haze
+  ColourMap sunlight;                       ///< of a plane that faces the sun
+  SkyRadiance sky;
+  snow::WeatherMoment wind;
+  double time_s;
+  glm::dvec3 eye_m;
+  const SnowyGround& ground;  ///< has to outlive it
+};
+
+std::shared_ptr<const LitGround::Shore> LitGround::shore(
+    const SnowyGround& ground, const ColourMap& light, const ColourMap& grass_light,
+    const LandAround& around, const SkyRadiance& sky, const landscape::Landscape& landscape) const {
   const landscape::Camera& camera = landscape.camera;
-  const LandAround land(around, site_.day, haze_, std::move(appearance), illuminate_, scene_.seed);
-  const LandView view(around, landscape.terrain, camera.eye_m,
-                      panorama(camera, landscape.width_px, landscape.height_px));
-  paint_land_around(land, view, camera.eye_m, *landscape.backdrop);
+  const Square& square = site_.surroundings->square();
+  const LevelLook look(*this, ground, light, grass_light, camera);
+  const auto filled = [](const GroundGrid& grid, const auto& radiance) {
+    ColourMap map(grid.samples, grid.square);
+    parallel_for(static_cast<std::size_t>(grid.samples), [&](std::size_t row) {
+      const int j = static_cast<int>(row);
+      for (int i = 0; i < grid.samples; ++i) map.at(i, j) = radiance(map.place_m(i, j));
+    });
+    return map;
+  };
+  const auto of_around = [&](double width_m) {
+    constexpr int samples = 193;
+    const Square wide{square.corner_m - 0.5 * (width_m - square.size_m), width_m};
+    return filled({wide, samples},
+                  [&](const glm::dvec2& at_m) { return around.near_radiance(at_m); });
+  };
+  constexpr int samples_of_square = 513;
+  const double time_s = scene::time_s(scene_, now_.frame);
+  return std::make_shared<const Shore>(Shore{
+      {*site_.surroundings, landscape.terrain, camera.eye_m,
+       panorama(camera, landscape.width_px, landscape.height_px)},
+      filled({square, samples_of_square},
+             [&](const glm::dvec2& at_m) { return look.at(at_m) * light.sample(at_m.x, at_m.y); }),
+      of_around(3.0 * square.size_m),
+      of_around(square.size_m + 2.0 * site_.surroundings->reach_m()),
+      sun_alone(ground.light()),
+      sky,
+      site_.weather->at(time_s),
+      time_s,
+      camera.eye_m,
+      ground});
 }
 
-void LitGround::show(const SnowyGround& ground, const ColourMap& light,
+/// What of the sun's light reaches places, whatever way they face.
+ColourMap LitGround::sun_alone(const terrain::GroundLight& clear) const {
+  const int samples = clear.sun.samples();
+  const Square& square = clear.sun.square();
+  ColourMap sun = illuminate_(
+      {clear.sun, ColourMap(samples, square, glm::vec3(0.0F)), FactorMap(samples, square, 0.0F)});
+  const auto sine = static_cast<float>(std::max(site_.day.sun_direction().z, 1e-3));
+  for (glm::vec3& irradiance : sun.values())
+    irradiance = glm::min(irradiance / sine, site_.day.sun_irradiance());
+  return sun;
+}
+
+glm::vec3 LitGround::seen_land(const Shore& shore, const glm::dvec2& at_m) {
+  for (const ColourMap* map : {&shore.on_square, &shore.around})
+    if (map->square().contains(at_m)) return map->sample(at_m.x, at_m.y);
+  return shore.far_around.sample(at_m.x, at_m.y);
+}
+
+WaterSurface LitGround::water_surface_at(const Shore& shore, const glm::dvec3& at_m,
+                                         const Waves& waves) const {
+  const Mirrored mirrored{
+      shore.land, [&](const glm::dvec2& place_m) { return seen_land(shore, place_m); }, shore.sky};
+  const SunOnWater sun{site_.day.sun_direction(), [&](const glm::dvec2& place_m) {
+                         return shore.sunlight.sample(place_m.x, place_m.y);
+                       }};
+  return water_surface(at_m, shore.eye_m, waves, mirrored, sun);
+}
+
+double LitGround::open_water(const Shore& shore, const glm::dvec2& at_m, double step_m) const {
+  const double share = site_.water->share(at_m, step_m);
+  return share > 0.0 ? share * (1.0 - shore.ground.frozen(at_m)) : 0.0;
+}
+
+void LitGround::add_water_surface(const Shore& shore, const ColourMap& light,
+                                  ColourMap& ground) const {
+  const Waves waves(shore.wind, shore.time_s, scene_.seed, ground.step_m());
+  const glm::vec3 of_water = terrain::water_albedo / std::numbers::pi_v<float>;
+  place::each_in_view(ground, site_.terrain, view_, [&](int i, int j, const glm::dvec3& at_m) {
+    const glm::dvec2 place_m(at_m);
+    const auto share = static_cast<float>(open_water(shore, place_m, ground.step_m()));
+    if (share <= 0.0F) return;
+    const WaterSurface surface =
+        water_surface_at(shore, {place_m, site_.water->level_m(place_m)}, waves);
+    const glm::vec3 from_below = of_water * light.sample(at_m.x, at_m.y);
+    ground.at(i, j) += share * (surface.radiance - surface.reflectance * from_below);
+  });
+}
+
+glm::vec3 LitGround::seen_around(const LandAround& around, const Shore* shore,
+                                 const glm::dvec2& at_m) const {
+  constexpr double step_m = 10.0;  // waves are smaller
+  if (shore == nullptr) return around.radiance(at_m);
+  if (open_water(*shore, at_m, step_m) < 0.5) return around.radiance(at_m);
+  const glm::dvec3 place_m(at_m, site_.water->level_m(at_m));
+  const Waves waves(shore->wind, shore->time_s, scene_.seed, step_m);
+  return haze_.before(water_surface_at(*shore, place_m, waves).radiance, place_m);
+}
+
+void LitGround::show_land_around(const LandAround& around, const Shore* shore,
+                                 landscape::Landscape& landscape) const {
+  const landscape::Camera& camera = landscape.camera;
+  const LandView view(*site_.surroundings, landscape.terrain, camera.eye_m,
+                      panorama(camera, landscape.width_px, landscape.height_px));
+  paint_land_around([&](const glm::dvec2& at_m) { return seen_around(around, shore, at_m); },
+                    around, view, camera.eye_m, *landscape.backdrop);
+}
+
+void LitGround::show(const SnowyGround& ground, const ColourMap& light, const SkyRadiance& sky,
                      landscape::Landscape& landscape) const {
   ColourMap grass_light = on_grass(light, place::whole_grid(scene_));
+  const bool sees_around =
+      landscape.backdrop && sees_land_around(site_, landscape.camera, scene_.render);
+  std::optional<LandAround> around;
+  if (sees_around || site_.water)
+    around.emplace(land_around(LevelLook(*this, ground, light, grass_light, landscape.camera)));
+  const std::shared_ptr<const Shore> water =
+      site_.water ? shore(ground, light, grass_light, *around, sky, landscape) : nullptr;
   // Maps are large: each goes before the next one is made.
   ColourMap radiance = product(ground.reflectance(under_grass_), light);
   add_hot_spot(ground.bare(), ground.light(), ground.growth(), radiance);
-  landscape.ground = painted(std::move(radiance), ground.growth(), grass_light);
+  landscape.ground = painted(std::move(radiance), ground.growth(), light, grass_light, water.get());
   for (const GroundGrid& grid : place::detail_grids(scene_, landscape.camera))
-    landscape.ground_details.push_back(detail(ground, grid));
+    landscape.ground_details.push_back(detail(ground, grid, water.get()));
 
-  if (landscape.backdrop && sees_land_around(site_, landscape.camera, scene_.render))
-    show_land_around(land_appearance(ground, light, grass_light, landscape.camera), landscape);
+  if (sees_around) show_land_around(*around, water.get(), landscape);
   if (place::is_large(scene_)) grass_light = light_in_window();
   landscape.light =
       product(grass_light,
@@ -235,7 +388,7 @@ bool shows_distance(const scene::Scene& scene, const place::Site& site, int fram
   const landscape::Camera camera =
       place::resolved_camera(scene.camera, site.terrain, place::time_of_frame(scene, frame));
   const place::View view(camera, scene.render.size_px[0], scene.render.size_px[1]);
-  return sees_land_around(site, camera, scene.render) ||
+  return site.water || sees_land_around(site, camera, scene.render) ||
          meadow::has_far_field(scene, site.terrain, view) ||
          shows_haze(site.terrain, camera.eye_m, place::visual_range_m(scene, site, frame));
 }

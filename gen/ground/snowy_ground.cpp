@@ -15,6 +15,7 @@
 #include "place/view.h"
 #include "scene/species.h"
 #include "scene/winter.h"
+#include "snow/lake_ice.h"
 #include "snow/wet_ground.h"
 #include "terrain/lighting.h"
 
@@ -23,6 +24,9 @@ namespace {
 
 /// Of a meadow's grass, seen from above: what is reported of the ground's surroundings.
 constexpr double grass_albedo = 0.2;
+
+/// Of pictures of the ground.
+constexpr double finest_step_m = 0.03;
 
 /// A map of the ground every 2 cm, 4097 a side at most: white spots have sharp edges.
 int white_samples(double size_m) { return map_samples(size_m, 0.02); }
@@ -153,6 +157,7 @@ bool is_paper(const scene::Scene& scene) {
 
 SnowyGround::SnowyGround(const scene::Scene& scene, const place::Site& site, int frame)
     : scene_(scene), site_(site), grass_(scene::mean_grass(scene)), surface_(site.terrain) {
+  if (site.water) freeze_water(frame);
   if (!site.snow) return;
   wetness_ =
       snow::ground_wetness(*site.weather, scene::time_s(scene, frame), mean(site.terrain.values()));
@@ -174,7 +179,7 @@ void SnowyGround::lay_about_the_camera(int frame) {
   parallel_for(static_cast<std::size_t>(surface_.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < surface_.samples(); ++i)
-      surface_.at(i, j) += lying_->depth_m(surface_.place_m(i, j));
+      surface_.at(i, j) += depth_m(surface_.place_m(i, j));
   });
 }
 
@@ -186,6 +191,8 @@ void SnowyGround::lay_everywhere(int frame) {
   albedo_ = static_cast<float>(mean(state.albedo.values()));
   const std::optional<place::Sketch>& sketch = site_.sketch;
   white_ = snow.white(state, sketch ? sketch->ground_samples : white_samples(surface_.size_m()));
+  keep_from_water(depth_m_);
+  keep_from_water(*white_);
   if (is_paper(scene_)) return;  // the ground's shape stays
   surface_ = snow_surface(scene_, site_.terrain, depth_m_, *white_);
   light_ = sketch ? terrain::ground_light(surface_, site_.day,
@@ -193,15 +200,69 @@ void SnowyGround::lay_everywhere(int frame) {
                   : terrain::ground_light(surface_, site_.day);
 }
 
+void SnowyGround::keep_from_water(FactorMap& snow) const {
+  if (!site_.water) return;
+  parallel_for(static_cast<std::size_t>(snow.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < snow.samples(); ++i)
+      snow.at(i, j) *= holds_snow(snow.place_m(i, j), snow.step_m());
+  });
+}
+
 const terrain::GroundLight& SnowyGround::light() const { return light_ ? *light_ : site_.light; }
 
+void SnowyGround::freeze_water(int frame) {
+  constexpr int heights = 9;
+  const auto [lowest, highest] = std::ranges::minmax_element(site_.terrain.values());
+  lowest_m_ = double{*lowest};
+  highest_m_ = double{*highest};
+  for (int k = 0; k < heights; ++k)
+    ice_m_.push_back(snow::lake_ice_m(*site_.weather, scene::time_s(scene_, frame),
+                                      std::lerp(lowest_m_, highest_m_, k / (heights - 1.0))));
+}
+
+double SnowyGround::frozen(const glm::dvec2& at_m) const {
+  constexpr double first_m = 0.01, closed_m = 0.05;
+  if (ice_m_.empty()) return 0.0;
+  const double rise = (site_.water->level_m(at_m) - lowest_m_) / (highest_m_ - lowest_m_ + 1e-9);
+  const double place = std::clamp(rise, 0.0, 1.0) * static_cast<double>(ice_m_.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(place), ice_m_.size() - 2);
+  return glm::smoothstep(
+      first_m, closed_m,
+      std::lerp(ice_m_[below], ice_m_[below + 1], place - static_cast<double>(below)));
+}
+
+/// What falls into open water is gone.
+float SnowyGround::holds_snow(const glm::dvec2& at_m, double step_m) const {
+  if (!site_.water) return 1.0F;
+  const double share = site_.water->share(at_m, step_m);
+  return share > 0.0 ? static_cast<float>(1.0 - share * (1.0 - frozen(at_m))) : 1.0F;
+}
+
+ColourMap SnowyGround::iced(ColourMap bare) const {
+  if (std::ranges::none_of(ice_m_, [](double ice_m) { return ice_m > 0.0; })) return bare;
+  // Bare ice of lakes, grey and a little blue: 0.3 to 0.4 without bubbles ([Bolsenga1969]).
+  constexpr glm::vec3 ice(0.30F, 0.34F, 0.36F);
+  parallel_for(static_cast<std::size_t>(bare.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < bare.samples(); ++i) {
+      const glm::dvec2 at_m = bare.place_m(i, j);
+      const double share = site_.water->share(at_m, bare.step_m());
+      if (share <= 0.0) continue;
+      bare.at(i, j) = glm::mix(bare.at(i, j), ice / std::numbers::pi_v<float>,
+                               static_cast<float>(share * frozen(at_m)));
+    }
+  });
+  return bare;
+}
+
 float SnowyGround::depth_m(const glm::dvec2& at_m) const {
-  if (lying_) return lying_->depth_m(at_m);
+  if (lying_) return lying_->depth_m(at_m) * holds_snow(at_m, surface_.step_m());
   return is_bare() ? 0.0F : depth_m_.sample(at_m.x, at_m.y);
 }
 
 float SnowyGround::white_fraction(const glm::dvec2& at_m) const {
-  if (lying_) return lying_->fraction(at_m);
+  if (lying_) return lying_->fraction(at_m) * holds_snow(at_m, finest_step_m);
   return is_bare() ? 0.0F : white_->sample(at_m.x, at_m.y);
 }
 
@@ -261,6 +322,7 @@ place::GroundPart SnowyGround::covered(place::GroundPart part, const glm::vec3& 
 }
 
 ColourMap SnowyGround::wetted(ColourMap bare) const {
+  bare = iced(std::move(bare));
   if (wetness_ <= 0.0) return bare;
   constexpr float pi = std::numbers::pi_v<float>;
   const auto fraction = static_cast<float>(wetness_);

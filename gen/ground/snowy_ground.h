@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/ground_map.h"
 #include "ground/lying_snow.h"
@@ -53,6 +54,8 @@ class SnowyGround {
   float depth_m(const glm::dvec2& at_m) const;
   /// Fraction of the ground there that is white.
   float white_fraction(const glm::dvec2& at_m) const;
+  /// Fraction of water at a place that ice covers: all of it from 5 cm of ice on.
+  double frozen(const glm::dvec2& at_m) const;
   /// How far rain has darkened bare ground, in [0, 1).
   double wetness() const { return wetness_; }
 
@@ -66,6 +69,12 @@ class SnowyGround {
   bool is_bare() const { return !white_; }
   void lay_everywhere(int frame);
   void lay_about_the_camera(int frame);
+  /// How much of what falls there stays, in [0, 1]: none of it in water.
+  float holds_snow(const glm::dvec2& at_m, double step_m) const;
+  void keep_from_water(FactorMap& snow) const;
+  void freeze_water(int frame);
+  /// Ice where water is frozen, in place of what comes out of the water.
+  ColourMap iced(ColourMap bare) const;
   float grass_above(const glm::dvec2& at_m) const;
   FactorMap above_snow(FactorMap growth) const;
   FactorMap white(const GroundGrid& grid) const;
@@ -84,7 +93,9 @@ class SnowyGround {
   FactorMap depth_m_;                          ///< where `lying_` is none
   std::optional<LyingSnow> lying_;             ///< on a large terrain
   float albedo_ = 0.9F;
-  double wetness_ = 0.0;  ///< of the bare ground, in [0, 1)
+  std::vector<double> ice_m_;  ///< of lakes, from the lowest height of the terrain to the highest
+  double lowest_m_ = 0.0, highest_m_ = 0.0;  ///< these heights
+  double wetness_ = 0.0;                     ///< of the bare ground, in [0, 1)
 };
 
 }  // namespace wold::ground

@@ -42,6 +42,13 @@ std::string_view command_description(std::string_view command) {
        "and snow, the sky, flakes, and the grass at some of its key frames. The frames are"
        " drawn coarsely; where things stand, how they are lit and what colours they have "
        "is as the renderers will have it."},
+      {"maps",
+       "Writes what the ground of a scene is like as GeoTIFFs, with a value at each of its "
+       "heights: height, slope, share on which grass grows, share that is a lake, and of "
+       "each frame the weathering degree, the depth of the snow and, on terrains of up to "
+       "2000 patches along a side, the water in it. They lie where terrain.elevation does, in the "
+       "azimuthal equidistant projection about the scene's middle, whose metres are the "
+       "scene's; without a model they are in metres from its south-western corner."},
       {"check",
        "Reads a scene, says with file, line and column everything that is wrong with it, "
        "warns of what will look wrong, and prints the scene with every key filled in. The "

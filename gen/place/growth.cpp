@@ -82,9 +82,9 @@ FactorMap filled(const scene::Scene& scene, const terrain::Surface& surface,
   parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < map.samples(); ++i) {
-      const double probability =
-          limited(limits, surface, i, j) * habitats.any(surface.place_m(i, j));
-      map.at(i, j) = static_cast<float>(grown_at(i, j, probability));
+      const double probability = limited(limits, surface, i, j) *
+                                 habitats.any(surface.place_m(i, j)) * surface.cover(i, j).grass;
+      map.at(i, j) = static_cast<float>(grown_at(i, j, probability) * (1.0 - surface.water(i, j)));
     }
   });
   return map;
@@ -92,11 +92,13 @@ FactorMap filled(const scene::Scene& scene, const terrain::Surface& surface,
 
 }  // namespace
 
-FactorMap growth_map(const scene::Scene& scene, const Heightfield& terrain) {
+FactorMap growth_map(const scene::Scene& scene, const Heightfield& terrain,
+                     const terrain::KnownGround& known) {
   constexpr double step_m = 0.05;
-  return growth_map(scene, terrain::Surface(terrain, nullptr,
-                                            {{.size_m = terrain.size_m()},
-                                             map_samples(terrain.size_m(), step_m)}));
+  return growth_map(
+      scene, terrain::Surface(terrain, nullptr,
+                              {{.size_m = terrain.size_m()}, map_samples(terrain.size_m(), step_m)},
+                              known));
 }
 
 FactorMap growth_map(const scene::Scene& scene, const terrain::Surface& surface) {

@@ -14,6 +14,7 @@
 #include "place/growth.h"
 #include "place/view.h"
 #include "scene/calendar.h"
+#include "scene/cover_classes.h"
 #include "scene/species.h"
 #include "scene/sun_path.h"
 #include "scene/winter.h"
@@ -127,7 +128,7 @@ GroundPart ground_part(const scene::Scene& scene, const Site& site, const Ground
 }
 
 terrain::Surface Site::surface(const GroundGrid& grid) const {
-  return {terrain, finer.get(), grid};
+  return {terrain, finer.get(), grid, {water.get(), cover.get()}};
 }
 
 terrain::GroundLight light_on(const Site& site, const GroundGrid& grid) {
@@ -142,7 +143,9 @@ const FactorMap& growth_of_cells(const Site& site) {
 
 Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmSeason> season,
                const fs::path& snow_folder, const std::optional<Sketch>& sketch) {
-  auto [terrain, finer] = terrain::make_ground(scene.terrain, scene.seed);
+  auto [terrain, finer, water, cover] =
+      terrain::make_ground(scene.terrain, scene.seed, scene::cover_classes_of(scene));
+  const terrain::KnownGround known{water.get(), cover.get()};
   if (!is_large(scene)) finer = nullptr;
   auto surroundings = std::make_shared<const terrain::Surroundings>(
       scene.terrain, terrain, scene.seed, farthest_land_m(scene));
@@ -150,12 +153,12 @@ Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmS
   const light::Daylight day(half_way.sun, scene.sky);
   const bool large = is_large(scene);
   const auto grid = grid_of_ground(scene, terrain, sketch);
-  FactorMap growth = grid ? growth_map(scene, terrain::Surface(terrain, finer.get(), *grid))
-                          : growth_map(scene, terrain);
+  FactorMap growth = grid ? growth_map(scene, terrain::Surface(terrain, finer.get(), *grid, known))
+                          : growth_map(scene, terrain, known);
   std::optional<FactorMap> growth_of_window;
   if (large)
     growth_of_window =
-        growth_map(scene, terrain::Surface(terrain, finer.get(), window_grid(scene)));
+        growth_map(scene, terrain::Surface(terrain, finer.get(), window_grid(scene), known));
   std::optional<cloud::Clouds> clouds;
   if (!scene.clouds.empty())
     clouds.emplace(half_way, cloud::Clouds::usual_pixel_m(scene.clouds), season.get());
@@ -171,6 +174,8 @@ Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmS
   if (grass_waves(scene)) air = air_flow(scene, terrain);
   Site site{std::move(terrain),
             std::move(finer),
+            std::move(water),
+            std::move(cover),
             std::move(surroundings),
             std::move(growth),
             std::move(growth_of_window),

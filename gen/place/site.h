@@ -56,6 +56,8 @@ struct Sketch {
 struct Site {
   Heightfield terrain;
   std::shared_ptr<const terrain::FinerRelief> finer;  ///< of a large terrain, where it has some
+  std::shared_ptr<const terrain::Water> water;        ///< of lakes, if there are any
+  std::shared_ptr<const terrain::LandCover> cover;    ///< if it is known
   std::shared_ptr<const terrain::Surroundings> surroundings;
   FactorMap growth;                           ///< growth_map()'s
   std::optional<FactorMap> growth_of_window;  ///< the same in the CellWindow of a large terrain

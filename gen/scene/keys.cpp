@@ -57,6 +57,17 @@ std::vector<Key> terrain_keys() {
                   "lies farther out than terrain.elevation reaches; where no model reaches, the "
                   "land goes on as it may. Relative paths start at the scene file."),
             FIELD(terrain.surroundings)),
+      bound(
+          plain(Kind::file, "terrain.cover", "", {0, 0},
+                "Raster of land cover, in any coordinate system, whose numbers are classes: ESA "
+                "WorldCover's, or those of [[cover_classes]]. They say where grass may grow, what "
+                "colour other ground has, and where lakes are. Relative paths start at the scene "
+                "file."),
+          FIELD(terrain.cover)),
+      bound(word("terrain.water",
+                 "Lakes where the elevation model is level as only water is, and where "
+                 "terrain.cover has them (\"auto\"), or none."),
+            FIELD(terrain.water)),
       bound(number("terrain.size", "m", {1, 200000}, "Side of the square."), FIELD(terrain.size_m)),
       bound(integer("terrain.samples", "", {17, 4097}, "Heights along each side."),
             FIELD(terrain.samples)),

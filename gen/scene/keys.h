@@ -30,11 +30,13 @@ std::vector<Key> cloud_keys(std::size_t item);
 std::vector<Key> cloud_event_keys(std::size_t item);
 std::vector<Key> season_key_keys(std::size_t item);
 std::vector<Key> species_keys(std::size_t item);
+std::vector<Key> cover_class_keys(std::size_t item);
 
 /// More layers no picture shows, and each costs its map.
 inline constexpr std::size_t max_cloud_layers = 16;
 inline constexpr std::size_t max_cloud_events = 1000;
 inline constexpr std::size_t max_season_keys = 1000;
+inline constexpr std::size_t max_cover_classes = 256;
 /// Each is simulated by itself.
 inline constexpr std::size_t max_species = 16;
 

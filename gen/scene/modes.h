@@ -26,6 +26,10 @@ constexpr std::string_view word_of(T mode) {
 enum class TerrainShape { hillside, mountain };
 constexpr auto words_of(TerrainShape) { return std::array{"hillside", "mountain"}; }
 
+/// terrain.water: where lakes are, by what the elevation model shows of them, or nowhere.
+enum class WaterSource { automatic, none };
+constexpr auto words_of(WaterSource) { return std::array{"auto", "none"}; }
+
 /// ageing.colour: how pigments become colour. PROSPECT is a model of leaves, `paper` has the
 /// functions of paper 1, and melanin colours hair.
 enum class ColourModel { prospect, paper, melanin };

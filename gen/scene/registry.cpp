@@ -39,7 +39,10 @@ std::vector<TableArray> all_arrays() {
            [](Scene& scene) { scene.cloud_events.emplace_back(); }, cloud_event_keys},
           {"season_keys", "day of the season", max_season_keys,
            [](const Scene& scene) { return scene.season_keys.size(); },
-           [](Scene& scene) { scene.season_keys.emplace_back(); }, season_key_keys}};
+           [](Scene& scene) { scene.season_keys.emplace_back(); }, season_key_keys},
+          {"cover_classes", "class of land cover", max_cover_classes,
+           [](const Scene& scene) { return scene.cover_classes.size(); },
+           [](Scene& scene) { scene.cover_classes.emplace_back(); }, cover_class_keys}};
 }
 
 std::vector<std::string> all_tables() {

@@ -32,10 +32,12 @@ struct Terrain {
   std::string system;     ///< the raster's, "EPSG:4326"; empty: as the raster says, else metres
   std::vector<double> centre;     ///< of the square, in the raster's coordinates; empty: its middle
   std::string surroundings = {};  ///< path of another raster of the land around; empty: none
-  double size_m = 42.0;           ///< side of the square
-  int samples = 337;              ///< heights per side
-  double hill_height_m = 6.0;     ///< from the near edge to the crest
-  double relief_m = 0.45;         ///< standard deviation of the fractal relief
+  std::string cover = {};         ///< path of a raster of land cover; empty: none
+  WaterSource water = WaterSource::automatic;
+  double size_m = 42.0;            ///< side of the square
+  int samples = 337;               ///< heights per side
+  double hill_height_m = 6.0;      ///< from the near edge to the crest
+  double relief_m = 0.45;          ///< standard deviation of the fractal relief
   double relief_feature_m = 14.0;  ///< largest feature of the relief
   double roughness = 0.9;          ///< Hurst exponent H: 1 smooth, 0.5 rugged
   int octaves = 6;
@@ -47,6 +49,16 @@ struct Terrain {
   double rock_slope_deg = 40.0;  ///< rock shows where the ground is steeper
 
   bool operator==(const Terrain&) const = default;
+};
+
+/// What a number of terrain.cover stands for.
+struct CoverClass {
+  std::int64_t number = 0;
+  double grass = 1.0;               ///< share on which grass grows as far as [growth] lets it
+  double water = 0.0;               ///< from a half on it is water
+  std::vector<double> albedo = {};  ///< where no grass grows, linear RGB; empty: soil and rock
+
+  bool operator==(const CoverClass&) const = default;
 };
 
 /// Where grass grows: each limit is a ragged border, a strip where it grows in patches.
@@ -367,6 +379,7 @@ struct Scene {
   FilmTiming film;
   Weather weather;
   Season season;
+  std::vector<CoverClass> cover_classes;  ///< empty: ESA WorldCover's, cover_classes_of()
   std::vector<SeasonKey> season_keys;
   Snowfall snowfall;
   Rainfall rainfall;

@@ -14,6 +14,7 @@
 #include "core/quiet_gdal.h"
 #include "terrain/cell_map.h"
 #include "terrain/raster_cells.h"
+#include "terrain/scene_place.h"
 
 namespace wold::terrain {
 namespace {
@@ -160,21 +161,6 @@ std::vector<double> filled_values(const Raster& raster, GDALRasterBand& band,
   return values_of(band);
 }
 
-/// Where the square's middle lies, in the raster's own coordinates.
-glm::dvec2 middle_of(const scene::Terrain& terrain, const Raster& raster) {
-  return terrain.centre.empty() ? raster.middle()
-                                : glm::dvec2(terrain.centre[0], terrain.centre[1]);
-}
-
-/// The cells of a raster under a square about the local system's centre.
-CellMap cells_about(const Transformer& transformer, const LocalSystem& local, int samples,
-                    double size_m) {
-  return {[&transformer, centre = local.centre](const glm::dvec2& from_middle_m) {
-            return transformer.cell_at(centre + from_middle_m);
-          },
-          samples, size_m};
-}
-
 /// Values on the ground, from the south-west, of a raster's rows from the north-west.
 template <class Value, class Convert>
 void turn_over(const std::vector<double>& rows, GroundMap<Value>& map, const Convert& convert) {
@@ -200,7 +186,7 @@ Elevation read_elevation(const scene::Terrain& terrain) {
   const double size_m = terrain.size_m;
   const glm::dvec2 middle = middle_of(terrain, raster);
   const LocalSystem local = local_system(raster, middle);
-  Elevation elevation{GroundMap<double>(samples, size_m), cell_m(raster, local)};
+  Elevation elevation{GroundMap<double>(samples, size_m), cell_m(raster, local), 0.0};
   require_heights(raster, cells_under(raster, local, size_m));
   const Transformer transformer(raster, local);
   const CellMap cells = cells_about(transformer, local, samples, size_m);
@@ -212,6 +198,7 @@ Elevation read_elevation(const scene::Terrain& terrain) {
   const auto [low, high] = std::ranges::minmax_element(stored);
   const auto [lowest_m, highest_m] = std::minmax({scale.height_m(*low), scale.height_m(*high)});
   require_slopes(raster, highest_m - lowest_m, size_m);
+  elevation.zero_m = lowest_m;
   turn_over(stored, elevation.heights_m,
             [&](double value) { return scale.height_m(value) - lowest_m; });
   return elevation;

@@ -11,6 +11,7 @@ namespace wold::terrain {
 struct Elevation {
   GroundMap<double> heights_m;  ///< above the lowest point of the square
   double cell_m = 0.0;          ///< side of the raster's cells on the ground
+  double zero_m = 0.0;          ///< height of the lowest point, over the raster's own zero
 };
 
 /// The square of terrain.size_m around a place of the elevation model terrain.elevation, a file of

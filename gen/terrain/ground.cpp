@@ -10,6 +10,7 @@
 #include "terrain/creep.h"
 #include "terrain/elevation.h"
 #include "terrain/hillside.h"
+#include "terrain/model_lakes.h"
 #include "terrain/mountain.h"
 #include "terrain/relief.h"
 
@@ -46,14 +47,31 @@ void add_relief(Heights& heights_m, const FinerRelief& relief) {
   });
 }
 
-Ground real_place(const scene::Terrain& terrain, std::uint64_t seed) {
+/// The lakes of the model and of its cover, if the scene has any.
+std::shared_ptr<const Water> water_of(const scene::Terrain& terrain, const LandCover* cover,
+                                      double zero_m, const Heightfield& heights_m,
+                                      std::uint64_t seed) {
+  if (terrain.water == scene::WaterSource::none) return nullptr;
+  auto lakes = model_lakes(terrain, zero_m);
+  if (cover != nullptr) lakes = with_covered_water(std::move(lakes), *cover, heights_m);
+  return lakes ? std::make_shared<const Water>(std::move(*lakes), seed) : nullptr;
+}
+
+Ground real_place(const scene::Terrain& terrain, std::uint64_t seed,
+                  const std::vector<scene::CoverClass>& cover_classes) {
   Elevation place = read_elevation(terrain);
-  if (terrain.relief_m <= 0.0) return {crept(std::move(place.heights_m)), nullptr};
-  const auto relief =
-      std::make_shared<const FinerRelief>(relief_below(terrain, place.cell_m, seed));
-  add_relief(place.heights_m, *relief);
-  const bool is_fine = place.heights_m.step_m() <= finest_step_m;
-  return {crept(std::move(place.heights_m)), is_fine ? nullptr : relief};
+  std::shared_ptr<const FinerRelief> relief;
+  if (terrain.relief_m > 0.0) {
+    relief = std::make_shared<const FinerRelief>(relief_below(terrain, place.cell_m, seed));
+    add_relief(place.heights_m, *relief);
+  }
+  if (place.heights_m.step_m() <= finest_step_m) relief = nullptr;
+  Ground ground{crept(std::move(place.heights_m)), std::move(relief)};
+  if (auto cover = read_land_cover(terrain, cover_classes, seed))
+    ground.cover = std::make_shared<const LandCover>(std::move(*cover));
+  ground.water = water_of(terrain, ground.cover.get(), place.zero_m, ground.heights_m, seed);
+  if (ground.water) ground.water->settle(ground.heights_m);
+  return ground;
 }
 
 /// The heights of a landscape of the scene's own at a fraction of its relief's largest features.
@@ -110,8 +128,10 @@ Ground own_place(const scene::Terrain& terrain, std::uint64_t seed) {
 
 }  // namespace
 
-Ground make_ground(const scene::Terrain& terrain, std::uint64_t seed) {
-  return terrain.elevation.empty() ? own_place(terrain, seed) : real_place(terrain, seed);
+Ground make_ground(const scene::Terrain& terrain, std::uint64_t seed,
+                   const std::vector<scene::CoverClass>& cover_classes) {
+  return terrain.elevation.empty() ? own_place(terrain, seed)
+                                   : real_place(terrain, seed, cover_classes);
 }
 
 }  // namespace wold::terrain

@@ -6,6 +6,8 @@
 #include "core/ground_map.h"
 #include "scene/scene.h"
 #include "terrain/finer_relief.h"
+#include "terrain/land_cover.h"
+#include "terrain/water.h"
 
 namespace wold::terrain {
 
@@ -13,15 +15,21 @@ namespace wold::terrain {
 struct Ground {
   Heightfield heights_m;
   std::shared_ptr<const FinerRelief>
-      finer;  ///< none where the step is no coarser than soil's creep
+      finer;                                ///< none where the step is no coarser than soil's creep
+  std::shared_ptr<const Water> water = {};  ///< lakes; none where there are none
+  std::shared_ptr<const LandCover> cover = {};  ///< read_land_cover()'s
 };
 
 /// The scene's ground: make_hillside(), make_mountain(), or the place of an elevation model when it
 /// names one (elevation.h).
 ///
 /// What was measured stays. Below the model's cells its relief goes on (FinerRelief) down to the
-/// heights' step, unless terrain.relief is 0, and soil creeps (crept()). The same for any number of
-/// threads. Throws what read_elevation() throws.
-Ground make_ground(const scene::Terrain& terrain, std::uint64_t seed);
+/// heights' step, unless terrain.relief is 0, and soil creeps (crept()). Where the model has lakes
+/// (model_lakes()) the ground is their surface, unless terrain.water is none. The same for any
+/// number of threads. Throws what read_elevation() and read_land_cover() throw.
+///
+/// `cover_classes`: scene::cover_classes_of(), of terrain.cover.
+Ground make_ground(const scene::Terrain& terrain, std::uint64_t seed,
+                   const std::vector<scene::CoverClass>& cover_classes = {});
 
 }  // namespace wold::terrain

@@ -216,9 +216,13 @@ ColourMap ground_reflectance(const Surface& surface, const glm::dvec3& sun_direc
       const glm::dvec2 at_m = map.place_m(i, j);
       const float grown = growth.sample(at_m.x, at_m.y);
       const glm::dvec3 place_m(at_m, surface.height_m(i, j));
-      map.at(i, j) =
-          colour.albedo(place_m, surface.up(i, j), sun_direction, surface.exposure(i, j), grown) *
-          static_cast<float>(1.0 / pi);
+      const LandCover::Shares cover = surface.cover(i, j);
+      const auto own = static_cast<float>(1.0 - cover.coloured * (1.0 - double{grown}));
+      const glm::vec3 land = own * colour.albedo(place_m, surface.up(i, j), sun_direction,
+                                                 surface.exposure(i, j), grown) +
+                             (1.0F - grown) * cover.albedo;
+      map.at(i, j) = glm::mix(land, water_albedo, static_cast<float>(surface.water(i, j))) *
+                     static_cast<float>(1.0 / pi);
     }
   });
   return map;

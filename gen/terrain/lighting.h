@@ -28,11 +28,17 @@ GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day)
 GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day,
                          const GroundGrid& grid);
 
+/// Albedo of clear water by what it scatters back: less than 5 % of the light, most of it blue and
+/// green ([Mobley1994], irradiance reflectances of lakes).
+inline constexpr glm::vec3 water_albedo(0.010F, 0.026F, 0.032F);
+
 /// What the bare ground makes of the light that falls on it: radiance over irradiance, albedo / pi.
 ///
 /// The albedo varies about terrain.ground_albedo: moist hollows and litter (keyed fBm), detail down
 /// to the grid's step, what is smaller shows its mean; beyond terrain.rock_slope it turns to rock,
-/// whose relief the sun shows. Where grass grows, `growth` in [0, 1], the ground is soil.
+/// whose relief the sun shows. Where grass grows, `growth` in [0, 1], the ground is soil. Where
+/// land cover has a colour, the ground has it beside the grass. Water has what comes back out of
+/// it, without what its surface mirrors.
 ColourMap ground_reflectance(const Surface& surface, const glm::dvec3& sun_direction,
                              const scene::Terrain& look, std::uint64_t seed,
                              const FactorMap& growth);

@@ -26,8 +26,9 @@ double more_sky(const glm::dvec3& face, const glm::dvec3& ground) {
 
 }  // namespace
 
-Surface::Surface(const Heightfield& heights_m, const FinerRelief* finer, const GroundGrid& grid)
-    : heights_m_(heights_m), grid_(grid) {
+Surface::Surface(const Heightfield& heights_m, const FinerRelief* finer, const GroundGrid& grid,
+                 const KnownGround& known)
+    : heights_m_(heights_m), grid_(grid), known_(known) {
   if (finer == nullptr || grid.step_m() >= heights_m.step_m()) return;
   const FinerRelief::Weights weights = finer->shown_below(heights_m.step_m(), grid.step_m());
   const GroundMap<FinerRelief::Bump> bumps = finer->on_grid(grid, weights);
@@ -37,6 +38,26 @@ Surface::Surface(const Heightfield& heights_m, const FinerRelief* finer, const G
     const double exposure = bump.height_m / std::max(bump.deviation_m, 1e-9);
     bumps_->values()[k] = {glm::vec2(bump.gradient), static_cast<float>(exposure)};
   }
+  if (known_.water != nullptr) level_water();
+}
+
+/// What is finer than the heights is no water's.
+void Surface::level_water() {
+  parallel_for(static_cast<std::size_t>(grid_.samples), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < grid_.samples; ++i) {
+      const auto land = static_cast<float>(1.0 - water(i, j));
+      bumps_->at(i, j) = {bumps_->at(i, j).gradient * land, bumps_->at(i, j).exposure * land};
+    }
+  });
+}
+
+double Surface::water(int i, int j) const {
+  return known_.water == nullptr ? 0.0 : known_.water->share(place_m(i, j), grid_.step_m());
+}
+
+LandCover::Shares Surface::cover(int i, int j) const {
+  return known_.cover == nullptr ? LandCover::Shares{} : known_.cover->at(place_m(i, j));
 }
 
 glm::dvec2 Surface::place_m(int i, int j) const {

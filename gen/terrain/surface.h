@@ -6,16 +6,25 @@
 #include "core/ground_map.h"
 #include "light/daylight.h"
 #include "terrain/finer_relief.h"
+#include "terrain/land_cover.h"
 #include "terrain/lighting.h"
+#include "terrain/water.h"
 
 namespace wold::terrain {
+
+/// What is known of the ground beside its shape; null where nothing is.
+struct KnownGround {
+  const Water* water = nullptr;
+  const LandCover* cover = nullptr;
+};
 
 /// The ground's surface on a grid, as finely as its step shows it: heights, and the relief below
 /// their samples where there is some.
 class Surface {
  public:
-  /// The heights have to outlive it.
-  Surface(const Heightfield& heights_m, const FinerRelief* finer, const GroundGrid& grid);
+  /// The heights and what is known have to outlive it.
+  Surface(const Heightfield& heights_m, const FinerRelief* finer, const GroundGrid& grid,
+          const KnownGround& known = {});
 
   const GroundGrid& grid() const { return grid_; }
   /// The heights, without what is finer than their samples.
@@ -31,6 +40,12 @@ class Surface {
   /// spurs are above 0, gullies below; of a normal distribution. 0 where there is no relief.
   double exposure(int i, int j) const;
 
+  /// Share of it that is water, which is level, in [0, 1].
+  double water(int i, int j) const;
+
+  /// What a raster of land cover says of it.
+  LandCover::Shares cover(int i, int j) const;
+
   /// A light on the heights, as it falls on this surface: the sun by Lambert's law, the sky by how
   /// much of it the surface faces. The light itself where there is no relief below the heights.
   GroundLight lit(GroundLight on_heights, const glm::dvec3& to_sun) const;
@@ -41,8 +56,11 @@ class Surface {
     float exposure = 0.0F;
   };
 
+  void level_water();
+
   const Heightfield& heights_m_;
   GroundGrid grid_;
+  KnownGround known_;
   std::optional<GroundMap<Bump>> bumps_;
 };
 

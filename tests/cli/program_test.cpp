@@ -28,7 +28,7 @@ TEST_F(Program, HelpListsEveryCommandAndEachHasAnExample) {
   const Result help = wold("--help");
   for (const std::string command :
        {"render", "generate", "plan", "task", "check", "inspect", "compare", "curves", "film",
-        "report", "preview", "new", "wind", "doctor", "extension"}) {
+        "report", "preview", "maps", "new", "wind", "doctor", "extension"}) {
     expect_answer(help, "\n  " + command + " ");
     expect_answer(wold(command + " --help"), "Example:\n  wold " + command + " ");
   }

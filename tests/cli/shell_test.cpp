@@ -114,8 +114,8 @@ TEST_F(Program, TheManualHasEveryCommandAndKeyAndNoFaults) {
 TEST_F(Program, EveryCommandHasItsPage) {
   const Result manual = wold("--man");
   for (const std::string command :
-       {"render", "generate", "plan", "task", "preview", "check", "inspect", "compare", "curves",
-        "film", "report", "new", "wind", "doctor", "extension"}) {
+       {"render", "generate", "plan", "task", "preview", "maps", "check", "inspect", "compare",
+        "curves", "film", "report", "new", "wind", "doctor", "extension"}) {
     expect_contains(manual.out, "\\fBwold\\fR \\fB" + command);
     const Result page = wold(command + " --man");
     EXPECT_EQ(page.code, 0) << page.err;

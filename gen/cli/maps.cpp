@@ -1,0 +1,62 @@
+#include "maps/maps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "cli/commands.h"
+#include "cli/warnings.h"
+#include "console/output.h"
+#include "core/parallel.h"
+#include "core/temporary_name.h"
+#include "film/machine_check.h"
+#include "film/scratch_folder.h"
+#include "phenology/film_season.h"
+#include "scene/parse.h"
+
+namespace wold::cli {
+namespace fs = std::filesystem;
+namespace {
+
+/// All of the scene's where none are asked for. Throws InputError.
+std::vector<int> frames_of(const MapsOptions& options, const scene::Scene& scene) {
+  const int count = static_cast<int>(scene.ageing.frames.size());
+  if (!options.frames.empty()) {
+    const int last = std::ranges::max(options.frames);
+    if (last > count)
+      throw InputError(
+          fmt::format("--frames: found {}, expected frames from 1 to {}", last, count));
+    return options.frames;
+  }
+  std::vector<int> all(static_cast<std::size_t>(count));
+  std::iota(all.begin(), all.end(), 1);
+  return all;
+}
+
+std::string listed(const std::vector<maps::MapFile>& files, bool json) {
+  if (json) return maps::as_json(files);
+  std::string text;
+  for (const maps::MapFile& map : files) text += map.file.string() + "\n";
+  return text;
+}
+
+}  // namespace
+
+ExitCode run_maps(const MapsOptions& options, Progress& progress) {
+  const scene::LocatedScene read = scene::read_located_scene(options.scene, options.overrides);
+  film::require_files(read.scene, read.places);
+  const auto season = phenology::film_season(read.scene);
+  const scene::Scene scene = phenology::as_film(read.scene, season.get());
+  const std::vector<int> frames = frames_of(options, scene);
+  print_warnings(read.warnings);
+  print_warnings(scene, season.get());
+  const fs::path folder = options.out.empty() ? fs::path("out") / scene.name / "maps" : options.out;
+  const ThreadLimit limit(scene.render.threads);
+  const film::ScratchFolder scratch(temporary_name(folder / "snow"));
+  console::print_data(listed(
+      maps::write_maps(scene, season, frames, folder, scratch.path(), progress), options.json));
+  return ExitCode::done;
+}
+
+}  // namespace wold::cli

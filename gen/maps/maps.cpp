@@ -1,0 +1,119 @@
+#include "maps/maps.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "core/files.h"
+#include "core/parallel.h"
+#include "ground/snowy_ground.h"
+#include "maps/geotiff.h"
+#include "place/site.h"
+#include "scene/calendar.h"
+#include "terrain/elevation.h"
+#include "terrain/relief.h"
+
+namespace wold::maps {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Writes maps of one ground and remembers them.
+class Folder {
+ public:
+  Folder(fs::path folder, const Heightfield& terrain, Georeference place)
+      : folder_(std::move(folder)), terrain_(terrain), place_(std::move(place)) {}
+
+  template <class ValueAt>
+  void write(const Quantity& quantity, int frame, const ValueAt& value_at) {
+    FactorMap map(terrain_.samples(), terrain_.square());
+    parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
+      const int j = static_cast<int>(row);
+      for (int i = 0; i < map.samples(); ++i)
+        map.at(i, j) = static_cast<float>(value_at(map.place_m(i, j)));
+    });
+    const std::string name =
+        frame > 0 ? fmt::format("{}_{:04}.tif", quantity.name, frame) : quantity.name + tif;
+    write_geotiff(folder_ / name, map, place_, quantity);
+    files_.push_back({folder_ / name, quantity.name, quantity.unit, frame});
+  }
+
+  std::vector<MapFile> files() && { return std::move(files_); }
+
+ private:
+  inline static const std::string tif = ".tif";
+
+  fs::path folder_;
+  const Heightfield& terrain_;
+  Georeference place_;
+  std::vector<MapFile> files_;
+};
+
+/// Height of the scene's zero.
+double zero_m(const scene::Terrain& terrain) {
+  return terrain.elevation.empty() ? 0.0 : terrain::read_elevation(terrain).zero_m;
+}
+
+void write_ground(const scene::Scene& scene, const place::Site& site, Folder& folder) {
+  const double zero = zero_m(scene.terrain);
+  folder.write({"height", "m"}, 0, [&](const glm::dvec2& at_m) {
+    return zero + double{site.terrain.sample(at_m.x, at_m.y)};
+  });
+  folder.write({"slope", "deg"}, 0, [&](const glm::dvec2& at_m) {
+    return terrain::slope_deg(site.terrain, at_m.x, at_m.y);
+  });
+  folder.write({"growth", ""}, 0,
+               [&](const glm::dvec2& at_m) { return site.growth.sample(at_m.x, at_m.y); });
+  folder.write({"water", ""}, 0, [&](const glm::dvec2& at_m) {
+    return site.water ? site.water->share(at_m, site.terrain.step_m()) : 0.0;
+  });
+}
+
+void write_frame(const scene::Scene& scene, const place::Site& site, int frame, Folder& folder) {
+  folder.write({"weathering", ""}, frame,
+               [&](const glm::dvec2& at_m) { return site.withering->at(at_m, frame); });
+  if (!site.snow) return;
+  const ground::SnowyGround ground(scene, site, frame);
+  folder.write({"snow_depth", "m"}, frame,
+               [&](const glm::dvec2& at_m) { return ground.depth_m(at_m); });
+  if (site.snow->large) return;
+  const snow::SnowGround::State state = site.snow->ground.at(scene::time_s(scene, frame));
+  folder.write({"snow_water", "mm"}, frame, [&](const glm::dvec2& at_m) {
+    const double land = site.water ? 1.0 - site.water->share(at_m, site.terrain.step_m()) : 1.0;
+    return land * double{state.water_mm.sample(at_m.x, at_m.y)};
+  });
+}
+
+}  // namespace
+
+std::vector<MapFile> write_maps(const scene::Scene& scene,
+                                std::shared_ptr<const phenology::FilmSeason> season,
+                                const std::vector<int>& frames, const fs::path& folder,
+                                const fs::path& scratch, Progress& progress) {
+  progress.begin("maps", frames.size() + 1);
+  make_folder(folder);
+  const place::Site site = place::make_site(scene, std::move(season), scratch);
+  const scene::Terrain& terrain = scene.terrain;
+  Folder maps(folder, site.terrain,
+              georeference(terrain.elevation, terrain.system, terrain.centre, terrain.size_m));
+  write_ground(scene, site, maps);
+  progress.advance(1, "ground");
+  for (const int frame : frames) {
+    write_frame(scene, site, frame, maps);
+    progress.advance(1, fmt::format("frame {}", frame));
+  }
+  progress.end();
+  return std::move(maps).files();
+}
+
+std::string as_json(const std::vector<MapFile>& files) {
+  constexpr int indent = 2;
+  auto list = nlohmann::ordered_json::array();
+  for (const MapFile& map : files)
+    list.push_back(
+        {{"file", map.file.string()}, {"map", map.name}, {"unit", map.unit}, {"frame", map.frame}});
+  return list.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace wold::maps
