@@ -18,7 +18,8 @@
 ///     folder/data/frame_0001/cloud_*.vdb clouds that are volumes
 ///
 /// Left out: fog; what tints texels by place; parts of cells of texels, which lie whole on the mean
-/// of how their parts lie. Blades are tinted by place in steps of an eighth of an octave.
+/// of how their parts lie. Blades are lighter
+/// and darker by place in steps of a quarter of an octave, and of one hue.
 namespace wold::usd {
 
 /// Writes everything this frame needs. Same landscape, same bytes, so that frames may be written by

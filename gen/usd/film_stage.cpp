@@ -33,25 +33,30 @@ std::string frame_text(const FrameMoment& moment) {
       frame + 1);
 }
 
-/// Its values are those of the frames' cameras.
-std::string camera_text(std::size_t frames) {
+/// Its values are those of the frames' cameras: clip i is of frame i + 1.
+std::string camera_text(std::span<const FrameMoment> film) {
+  const auto layer = [](const FrameMoment& moment) { return asset(frame_layer(moment.frame)); };
+  const auto begin = [](const FrameMoment& moment) {
+    return pair({moment.frame, moment.frame - 1});
+  };
+  const auto time = [](const FrameMoment& moment) { return pair(glm::dvec2(moment.frame)); };
   return fmt::format(
       "def Camera \"camera\" (\n"
       "    clips = {{\n"
       "        dictionary default = {{\n"
-      "            string primPath = \"/Landscape/camera\"\n"
+      "            double2[] active = {}\n"
+      "            asset[] assetPaths = {}\n"
       "            asset manifestAssetPath = @./camera.usda@\n"
-      "            string templateAssetPath = \"./frame.####.usda\"\n"
-      "            double templateEndTime = {}\n"
-      "            double templateStartTime = 1\n"
-      "            double templateStride = 1\n"
+      "            string primPath = \"/Landscape/camera\"\n"
+      "            double2[] times = {}\n"
       "        }}\n"
       "    }}\n"
       ")\n"
       "{{\n"
+      "    matrix4d xformOp:transform\n"
       "    uniform token[] xformOpOrder = [\"xformOp:transform\"]\n"
       "}}\n",
-      frames);
+      array(film, begin), array(film, layer), array(film, time));
 }
 
 /// Which of the camera's values the clips have.
@@ -95,7 +100,7 @@ void write_film_stage(std::span<const FrameMoment> film, const std::filesystem::
                                   "A film by Wold: every frame is seen at its own time code. "
                                   "Hosts without animated visibility open frame.0001.usda.");
   text += landscape_begin();
-  text += indented(camera_text(film.size()));
+  text += indented(camera_text(film));
   for (const FrameMoment& moment : film) text += indented(frame_text(moment));
   text += "\n    variantSet \"light\" = {\n" + indented(light_variant("baked", film)) +
           indented(light_variant("lit", film)) + "    }\n}\n";

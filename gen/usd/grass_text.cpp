@@ -95,9 +95,9 @@ std::string volume_text(const std::string& inside, const std::filesystem::path& 
          field("density") + field("emission") + "}\n";
 }
 
-Grass::Grass(const Landscape& landscape) : landscape_(landscape) {
-  for (const landscape::BladeCell& cell : landscape.blade_cells) {
-    const TintedBlades look = {cell.mesh, nearest_step(mean_light(landscape, cell))};
+Grass::Grass(const Landscape& landscape) : landscape_(landscape), light_(landscape) {
+  for (std::size_t i = 0; i < landscape.blade_cells.size(); ++i) {
+    const TintedBlades look = {landscape.blade_cells[i].mesh, light_.step_of(i)};
     blades_of_cells_.push_back(number_of(look, blades_));
   }
   for (const landscape::Cell& cell : landscape.cells) {
@@ -168,7 +168,7 @@ std::string Grass::materials_text(Light light) const {
           Texture{(blades_folder / blades_reflectance(mesh.name)).generic_string()};
     else
       surface.radiance = Texture{(blades_folder / blades_radiance(mesh.name)).generic_string(),
-                                 landscape_.exposure_gain * tint_of(look.step)};
+                                 landscape_.exposure_gain * light_.tint_of(look.step)};
     text += fmt::format(
         "over \"{}\"\n{{\n{}}}\n", name,
         indented(material_text("/Landscape/Prototypes/" + name + "/material", surface)));

@@ -35,6 +35,7 @@ class Grass {
   std::string cells_text() const;
 
   const landscape::Landscape& landscape_;
+  CellLight light_;
   std::map<TintedBlades, int> blades_;               ///< to the prototype's number
   std::map<std::string, int> texels_;                ///< by the file's name
   std::map<int, const landscape::Volume*> volumes_;  ///< of the prototypes of texels

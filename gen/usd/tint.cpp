@@ -2,37 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "core/elementary.h"
 
 namespace wold::usd {
 namespace {
 
-constexpr double steps_per_octave = 8.0;
+constexpr double steps_per_octave = 4.0;
 
-}  // namespace
-
-bool TintedBlades::operator<(const TintedBlades& other) const {
-  return std::tie(mesh, step.x, step.y, step.z) <
-         std::tie(other.mesh, other.step.x, other.step.y, other.step.z);
-}
-
-glm::dvec3 tint_of(const glm::ivec3& step) {
-  glm::dvec3 tint;
-  for (int channel = 0; channel < 3; ++channel)
-    tint[channel] = math::exp2(step[channel] / steps_per_octave);
-  return tint;
-}
-
-glm::ivec3 nearest_step(const glm::dvec3& tint) {
-  constexpr double darkest = 1.0 / 256.0;
-  glm::ivec3 step;
-  for (int channel = 0; channel < 3; ++channel)
-    step[channel] = static_cast<int>(
-        std::lround(steps_per_octave * math::log2(std::max(tint[channel], darkest))));
-  return step;
-}
+double brightness(const glm::dvec3& colour) { return (colour.r + colour.g + colour.b) / 3.0; }
 
 glm::dvec3 mean_light(const landscape::Landscape& landscape, const landscape::BladeCell& cell) {
   constexpr int per_side = 4;
@@ -47,5 +25,24 @@ glm::dvec3 mean_light(const landscape::Landscape& landscape, const landscape::Bl
     }
   return sum / double{per_side * per_side};
 }
+
+}  // namespace
+
+CellLight::CellLight(const landscape::Landscape& landscape) {
+  glm::dvec3 sum(0.0);
+  for (const landscape::BladeCell& cell : landscape.blade_cells) {
+    light_.push_back(mean_light(landscape, cell));
+    sum += light_.back();
+  }
+  if (brightness(sum) > 0.0) hue_ = sum / brightness(sum);
+}
+
+int CellLight::step_of(std::size_t cell) const {
+  constexpr double darkest = 1.0 / 256.0;
+  const double octaves = math::log2(std::max(brightness(light_.at(cell)), darkest));
+  return static_cast<int>(std::lround(steps_per_octave * octaves));
+}
+
+glm::dvec3 CellLight::tint_of(int step) const { return math::exp2(step / steps_per_octave) * hue_; }
 
 }  // namespace wold::usd

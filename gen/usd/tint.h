@@ -1,6 +1,9 @@
 #pragma once
 
+#include <compare>
+#include <cstddef>
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "landscape/landscape.h"
 
@@ -9,19 +12,26 @@ namespace wold::usd {
 /// A mesh of blades as cells show it: USD's preview surface cannot look up the light at an
 /// instance's place, so that there is a prototype for each step of light.
 struct TintedBlades {
-  int mesh = 0;        ///< index into Landscape::blade_meshes
-  glm::ivec3 step{0};  ///< of tint_of()
+  int mesh = 0;  ///< index into Landscape::blade_meshes
+  int step = 0;  ///< of brightness: quarters of an octave
 
-  bool operator<(const TintedBlades& other) const;
+  auto operator<=>(const TintedBlades&) const = default;
 };
 
-/// What multiplies radiance at a step of red, green and blue: steps are eighths of an octave.
-glm::dvec3 tint_of(const glm::ivec3& step);
+/// The light on a frame's blade cells: steps of brightness, and one hue for all.
+class CellLight {
+ public:
+  explicit CellLight(const landscape::Landscape& landscape);
 
-/// The step that is nearest to a colour; each channel at least 2^-8.
-glm::ivec3 nearest_step(const glm::dvec3& tint);
+  /// The step that is nearest to the brightness of a cell, by its index.
+  int step_of(std::size_t cell) const;
 
-/// The mean of Landscape::light where a cell stands.
-glm::dvec3 mean_light(const landscape::Landscape& landscape, const landscape::BladeCell& cell);
+  /// What multiplies radiance at a step.
+  glm::dvec3 tint_of(int step) const;
+
+ private:
+  std::vector<glm::dvec3> light_;  ///< mean of Landscape::light on each cell
+  glm::dvec3 hue_{1.0};            ///< its channels' mean is 1
+};
 
 }  // namespace wold::usd
