@@ -65,7 +65,9 @@ class FrameOfBlender:
 
         def turn(angles: Any) -> Any:
             result = Gf.Matrix4d(1.0)
-            for axis, angle in zip((Gf.Vec3d(1, 0, 0), Gf.Vec3d(0, 1, 0), Gf.Vec3d(0, 0, 1)), angles):
+            for axis, angle in zip(
+                (Gf.Vec3d(1, 0, 0), Gf.Vec3d(0, 1, 0), Gf.Vec3d(0, 0, 1)), angles
+            ):
                 result *= Gf.Matrix4d().SetRotate(Gf.Rotation(axis, math.degrees(angle)))
             return result
 
@@ -133,7 +135,7 @@ def whole_cells(matrices: list[Any]) -> list[list[Any]]:
 
 
 def check_instances(stage: Any, blender: FrameOfBlender) -> int:
-    """Every cell is where it is in Blender, sheared alike; one of texels in parts lies among them."""
+    """Every cell is where it is in Blender, sheared alike; one in parts lies among them."""
     cache = UsdGeom.XformCache(stage.GetStartTimeCode())
     instances = [prim for prim in Usd.PrimRange(stage.GetDefaultPrim()) if prim.IsInstance()]
     want = [[matrix] for matrix in blender.matrices("blade_cells")]
@@ -157,7 +159,10 @@ def check_shape(prim: Any) -> None:
     if prim.IsA(UsdGeom.Mesh):
         material, _ = UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial()
         check(bool(material), f"{prim.GetPath()} has no material")
-        check(material.ComputeSurfaceSource()[0].GetIdAttr().Get() == "UsdPreviewSurface", "another surface")
+        check(
+            material.ComputeSurfaceSource()[0].GetIdAttr().Get() == "UsdPreviewSurface",
+            "another surface",
+        )
     if prim.IsA(UsdVol.Volume):
         for name, path in UsdVol.Volume(prim).GetFieldPaths().items():
             field = UsdVol.OpenVDBAsset(prim.GetStage().GetPrimAtPath(path))
@@ -190,8 +195,12 @@ def check_bounds(stage: Any, blender: FrameOfBlender) -> None:
     box = cache.ComputeWorldBound(stage.GetPrimAtPath("/Landscape/Grass")).ComputeAlignedRange()
     size_m = blender.facts["terrain"]["size_m"]
     low, high = min(blender.numbers("heights_m.f32")), max(blender.numbers("heights_m.f32"))
-    check(box.GetMin()[0] > -1.0 and box.GetMax()[0] < size_m + 1.0, f"grass beside the ground: {box}")
-    check(box.GetMin()[2] > low - 0.5 and box.GetMax()[2] < high + 1.0, f"grass off the ground: {box}")
+    check(
+        box.GetMin()[0] > -1.0 and box.GetMax()[0] < size_m + 1.0, f"grass beside the ground: {box}"
+    )
+    check(
+        box.GetMin()[2] > low - 0.5 and box.GetMax()[2] < high + 1.0, f"grass off the ground: {box}"
+    )
     check(box.GetMax()[2] > low + 0.02, f"grass in the ground: {box}")
 
 
