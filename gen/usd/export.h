@@ -19,7 +19,7 @@
 ///
 /// Left out: fog; what tints texels by place; parts of cells of texels, which lie whole on the mean
 /// of how their parts lie. Blades are lighter
-/// and darker by place in steps of a quarter of an octave, and of one hue.
+/// and darker by place in steps of a fifth of an octave.
 namespace wold::usd {
 
 /// Writes everything this frame needs. Same landscape, same bytes, so that frames may be written by

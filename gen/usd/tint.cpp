@@ -8,7 +8,7 @@
 namespace wold::usd {
 namespace {
 
-constexpr double steps_per_octave = 4.0;
+constexpr double steps_per_octave = 5.0;
 
 double brightness(const glm::dvec3& colour) { return (colour.r + colour.g + colour.b) / 3.0; }
 
@@ -26,23 +26,28 @@ glm::dvec3 mean_light(const landscape::Landscape& landscape, const landscape::Bl
   return sum / double{per_side * per_side};
 }
 
+int nearest_step(double value) {
+  constexpr double least = 1.0 / 256.0;
+  return static_cast<int>(std::lround(steps_per_octave * math::log2(std::max(value, least))));
+}
+
+LightStep nearest_step(const glm::dvec3& light) {
+  const double all = brightness(light);
+  return {nearest_step(all), all > 0.0 ? nearest_step(light.b / all) : 0};
+}
+
 }  // namespace
 
 CellLight::CellLight(const landscape::Landscape& landscape) {
-  glm::dvec3 sum(0.0);
+  std::map<LightStep, int> cells;
   for (const landscape::BladeCell& cell : landscape.blade_cells) {
-    light_.push_back(mean_light(landscape, cell));
-    sum += light_.back();
+    const glm::dvec3 light = mean_light(landscape, cell);
+    const LightStep step = nearest_step(light);
+    steps_.push_back(step);
+    tints_.try_emplace(step, 0.0).first->second += light;
+    ++cells[step];
   }
-  if (brightness(sum) > 0.0) hue_ = sum / brightness(sum);
+  for (auto& [step, tint] : tints_) tint /= cells.at(step);
 }
-
-int CellLight::step_of(std::size_t cell) const {
-  constexpr double darkest = 1.0 / 256.0;
-  const double octaves = math::log2(std::max(brightness(light_.at(cell)), darkest));
-  return static_cast<int>(std::lround(steps_per_octave * octaves));
-}
-
-glm::dvec3 CellLight::tint_of(int step) const { return math::exp2(step / steps_per_octave) * hue_; }
 
 }  // namespace wold::usd
