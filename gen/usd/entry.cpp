@@ -26,13 +26,13 @@ const exporter::Exporter& entry() {
                                          .needs = {.materials = true},
                                          // Fitted to what examples/ write: numbers are text.
                                          .files = {.frame = 1.0e6,
-                .frame_ground_sample = 8.5,
-                .frame_part = 1100.0,
-                .frame_cloud_voxel = 4.0,
-                .shared_terrain_sample = 103.0,
-                .shared_blade = 1800.0,
-                .shared_volume = 20e3,
-                .shared_filled_voxel = 8.0}};
+                                                   .frame_ground_sample = 8.5,
+                                                   .frame_part = 1650.0,
+                                                   .frame_cloud_voxel = 4.0,
+                                                   .shared_terrain_sample = 103.0,
+                                                   .shared_blade = 1800.0,
+                                                   .shared_volume = 20e3,
+                                                   .shared_filled_voxel = 8.0}};
   return usd;
 }
 

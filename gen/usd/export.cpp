@@ -15,7 +15,7 @@
 #include "usd/frame_stage.h"
 #include "usd/ground_file.h"
 #include "usd/text.h"
-#include "usd/volume_files.h"
+#include "usd/volume_file.h"
 
 namespace wold::usd {
 namespace {

@@ -13,7 +13,7 @@
 ///     folder/data/ground_HASH.usda       the ground, shared by frames with the same
 ///     (ground_file.h) folder/data/blades/NAME.*          blades, shared by all frames
 ///     (blade_files.h) folder/data/volumes/NAME.vdb       texels, shared by all frames
-///     (volume_files.h) folder/data/flakes/NAME.png        opacity of flakes, shared by all frames
+///     (volume_file.h) folder/data/flakes/NAME.png        opacity of flakes, shared by all frames
 ///     folder/data/frame_0001/*.exr       sky, ground and what is before the sky
 ///     folder/data/frame_0001/cloud_*.vdb clouds that are volumes
 ///

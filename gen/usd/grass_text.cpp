@@ -9,7 +9,7 @@
 #include "usd/material.h"
 #include "usd/placement.h"
 #include "usd/text.h"
-#include "usd/volume_files.h"
+#include "usd/volume_file.h"
 
 namespace wold::usd {
 namespace {

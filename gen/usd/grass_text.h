@@ -13,7 +13,7 @@ namespace wold::usd {
 /// Where the light comes from: see frame_text().
 enum class Light { baked, lit };
 
-/// A Volume prim with the grids of volume_files.h. `inside`: path of the prim around it. It reaches
+/// A Volume prim with the grids of volume_file.h. `inside`: path of the prim around it. It reaches
 /// from 0 to `size_m`.
 std::string volume_text(const std::string& inside, const std::filesystem::path& file,
                         const glm::dvec3& size_m);

@@ -21,7 +21,7 @@
 #include "usd/placement.h"
 #include "usd/text.h"
 #include "usd/tint.h"
-#include "usd/volume_files.h"
+#include "usd/volume_file.h"
 
 namespace wold::usd {
 namespace {

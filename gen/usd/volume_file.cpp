@@ -1,4 +1,4 @@
-#include "usd/volume_files.h"
+#include "usd/volume_file.h"
 
 #include <fmt/format.h>
 
