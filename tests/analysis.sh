@@ -38,7 +38,7 @@ test_units() {
   left_out+='|Assemble\.(Exposes|Dusk)|Rebuild\.(BigTujunga|FrontRange)|CloudBoxes\.HaveTheLayers'
   left_out+='|CloudLayerView\.Glows|Exposure\.Changes|TracedSky|LandView\.Sees)'
   local libraries=(core scene weather snowpack phenology light terrain grass cloud snow landscape
-    place sky meadow ground expectation passes film povray blender mitsuba preview report compare
+    place sky meadow ground expectation passes film povray blender mitsuba usd preview report compare
     render work console)
   local corpora=(scene df3 weather_table daily_weather elevation pictures vdb arguments records)
   local labels

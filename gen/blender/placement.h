@@ -15,8 +15,7 @@ struct Placement {
   glm::dvec3 second_turn_rad;  ///< U
 };
 
-/// Splits world_from_cell, whose determinant is positive, into proper rotations and positive
-/// scales (two-sided Jacobi singular value decomposition, Imath).
+/// Splits world_from_cell, whose determinant is positive (core/singular_values.h).
 Placement placement_of(const glm::dmat4& world_from_cell);
 
 }  // namespace wold::blender

@@ -8,6 +8,7 @@
 #include "mitsuba/entry.h"
 #include "povray/entry.h"
 #include "scene/calendar.h"
+#include "usd/entry.h"
 
 namespace wold::film {
 
@@ -16,6 +17,7 @@ exporter::Exporters exporters() {
       &blender::entry(),
       &povray::entry(),
       &mitsuba::entry(),
+      &usd::entry(),
   };
   return table;
 }

@@ -11,7 +11,7 @@ namespace wold::scene {
 namespace {
 
 /// Each exporter's name, in the order of film/exporters.cpp.
-constexpr std::array exporter_names = {"blender", "povray", "mitsuba"};
+constexpr std::array exporter_names = {"blender", "povray", "mitsuba", "usd"};
 
 constexpr const char* both = "both";
 constexpr std::array both_names = {"blender", "povray"};

@@ -86,6 +86,19 @@ TEST_F(Generate, TexelsWithoutLightAreThereForWhoReadsThem) {
   EXPECT_THAT(different(all, baked), IsEmpty());
 }
 
+// Farms write each frame by itself.
+TEST_F(Generate, AFrameOfUsdIsTheSameAloneAndNoPictureIsMade) {
+  const std::string options = "small.toml --quiet --renderer usd --grass blades --out ";
+  EXPECT_EQ(wold("render " + options + "all").code, 0);
+  EXPECT_EQ(wold("render " + options + "last --frames 2").code, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "all/frames"));
+  const auto all = contents("all/usd"), last = contents("last/usd");
+  EXPECT_TRUE(all.contains("frame.0001.usda"));
+  EXPECT_FALSE(last.contains("frame.0001.usda"));
+  for (const auto& [file, hash] : last)
+    EXPECT_TRUE(all.contains(file) && all.at(file) == hash) << file;
+}
+
 TEST_F(Generate, KeepsTexelsAndVolumesThatAreStillRight) {
   generate("out");
   const auto before = times("out");

@@ -1,0 +1,95 @@
+#include "usd/volume_file.h"
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "core/vdb_file.h"
+
+namespace wold::usd {
+namespace {
+
+namespace fs = std::filesystem;
+
+template <class Grid>
+typename Grid::Ptr read_grid(const fs::path& path, const std::string& name) {
+  auto grid = openvdb::gridPtrCast<Grid>(read_vdb_grid(path, name));
+  if (!grid)
+    throw FileError(fmt::format("{}: grid \"{}\" has an unexpected type", path.string(), name));
+  return grid;
+}
+
+/// Voxels of no density left out.
+void keep_what_is_there(openvdb::FloatGrid& density) {
+  for (auto at = density.beginValueOn(); at; ++at)
+    if (!(*at > 0.0F)) at.setValueOff();
+  density.pruneGrid();
+}
+
+openvdb::Vec3SGrid::Ptr emission_of(const openvdb::FloatGrid& density,
+                                    const openvdb::Vec3SGrid& radiance) {
+  auto emission = openvdb::Vec3SGrid::create(openvdb::Vec3s(0.0F));
+  emission->topologyUnion(density);
+  auto source = radiance.getConstAccessor();
+  auto extinction = density.getConstAccessor();
+  for (auto at = emission->beginValueOn(); at; ++at)
+    at.setValue(extinction.getValue(at.getCoord()) * source.getValue(at.getCoord()));
+  return emission;
+}
+
+/// Index (1, 1, 1) is the first voxel; OpenVDB's values lie at whole indices.
+openvdb::math::Transform::Ptr cell_transform(double voxel_m) {
+  auto transform = openvdb::math::Transform::createLinearTransform(voxel_m);
+  transform->postTranslate(openvdb::Vec3d(-0.5 * voxel_m));
+  return transform;
+}
+
+void prepare(openvdb::GridBase& grid, const char* name, double voxel_m) {
+  grid.clearMetadata();
+  grid.setName(name);
+  grid.setTransform(cell_transform(voxel_m));
+  grid.setGridClass(openvdb::GRID_FOG_VOLUME);
+}
+
+void write_medium(const fs::path& path, const openvdb::FloatGrid::Ptr& density,
+                  const openvdb::Vec3SGrid& radiance, double voxel_m) {
+  keep_what_is_there(*density);
+  const auto emission = emission_of(*density, radiance);
+  prepare(*density, "density", voxel_m);
+  prepare(*emission, "emission", voxel_m);
+  density->setSaveFloatAsHalf(true);
+  emission->setSaveFloatAsHalf(true);
+  write_vdb(path, {density, emission});
+}
+
+}  // namespace
+
+std::string volume_name(const landscape::Volume& volume) {
+  return fmt::format("{}_{}_{}", volume.vdb.stem().string(), volume.emission_grid, volume.content);
+}
+
+void write_volume(const landscape::Volume& volume, const fs::path& folder) {
+  const fs::path path = folder / (volume_name(volume) + ".vdb");
+  if (fs::exists(path)) return;
+  const auto density = read_grid<openvdb::FloatGrid>(volume.vdb, "density");
+  const auto radiance = read_grid<openvdb::Vec3SGrid>(volume.vdb, volume.emission_grid);
+  write_medium(path, density, *radiance, volume.voxel_m);
+}
+
+void write_cloud(const fs::path& path, const landscape::CloudBox& cloud) {
+  auto density = openvdb::FloatGrid::create(0.0F);
+  auto radiance = openvdb::Vec3SGrid::create(openvdb::Vec3s(0.0F));
+  auto rho = density->getAccessor();
+  auto source = radiance->getAccessor();
+  std::size_t i = 0;
+  for (int z = 1; z <= cloud.voxels.z; ++z)
+    for (int y = 1; y <= cloud.voxels.y; ++y)
+      for (int x = 1; x <= cloud.voxels.x; ++x, ++i) {
+        if (!(cloud.extinction_per_m[i] > 0.0F)) continue;
+        const glm::vec3& light = cloud.radiance[i];
+        rho.setValue(openvdb::Coord(x, y, z), cloud.extinction_per_m[i]);
+        source.setValue(openvdb::Coord(x, y, z), openvdb::Vec3s(light.x, light.y, light.z));
+      }
+  write_medium(path, density, *radiance, cloud.voxel_m);
+}
+
+}  // namespace wold::usd
