@@ -169,6 +169,9 @@ void report_contradictions(const Scene& scene, const Places& places,
       ends_inside("camera.eye_end", scene.camera.eye_end, scene.terrain.size_m),
       ends_inside("camera.target_end", scene.camera.target_end, scene.terrain.size_m),
   };
+  for (std::size_t item = 0; item < scene.cover_classes.size(); ++item)
+    rules.push_back(has_all_or_none(item_name("cover_classes", item) + ".albedo",
+                                    scene.cover_classes[item].albedo.size(), 3, "three"));
   for (Rule& rule : species_rules(scene)) rules.push_back(std::move(rule));
   report_broken(rules, places, problems);
   report_cloud_contradictions(scene, places, problems);

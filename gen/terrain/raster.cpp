@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "core/elementary.h"
 #include "core/error.h"
@@ -26,8 +27,10 @@ GDALDatasetUniquePtr open(const std::filesystem::path& file) {
 Raster::Raster(const std::filesystem::path& file, const std::string& system, const char* key)
     : file_(file.string()), key_(key), dataset_(open(file)), given_(system) {
   if (!dataset_)
-    fail(fmt::format("expected an elevation model of one of these kinds: {}: {}",
-                     fmt::join(elevation_drivers, ", "), CPLGetLastErrorMsg()));
+    fail(fmt::format(
+        "expected {} of one of these kinds: {}: {}",
+        key == std::string_view("terrain.cover") ? "a raster of land cover" : "an elevation model",
+        fmt::join(elevation_drivers, ", "), CPLGetLastErrorMsg()));
   if (dataset_->GetRasterCount() == 0) fail("it has no band of numbers");
   if (dataset_->GetGeoTransform(transform_.data()) != CE_None)
     fail("it does not say where on the ground it lies (no geotransform)");

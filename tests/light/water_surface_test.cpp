@@ -37,6 +37,12 @@ TEST(WaterSurface, IsAsRoughAsCoxAndMunkMeasured) {
   }
 }
 
+TEST(WaterSurface, IsRoughestAlongTheWind) {
+  const WaterFacets facets({0.04, 0.01}, {0.6, 0.8});
+  EXPECT_NEAR(facets.deviation({0.6, 0.8}), 0.2, 1e-12);
+  EXPECT_NEAR(facets.deviation({-0.8, 0.6}), 0.1, 1e-12);
+}
+
 TEST(WaterSurface, TheSunsGlitterIsBrightestWhereAMirrorShowsTheSun) {
   const WaterFacets facets(slope_variance(0.5), {0.6, 0.8});
   const glm::dvec3 to_sun = direction_of(radians(130.0), radians(50.0));

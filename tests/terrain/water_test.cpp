@@ -58,6 +58,24 @@ TEST(Water, HasAShoreWithoutCorners) {
   EXPECT_GT(rises, 300);  // a shore, not a scatter of puddles
 }
 
+// Where cells end in a straight line, at 1492.5 m, the shore swings about it by some metres.
+TEST(Water, HasBaysAlongAStraightShore) {
+  Lakes lakes{GroundMap<int>(201, size_m, -1), {level_m}};
+  for (int j = 0; j < 201; ++j)
+    for (int i = 0; i < 100; ++i) lakes.number.at(i, j) = 0;
+  const Water water(lakes, 5);
+  double mean_m = 0.0, square_m2 = 0.0;
+  constexpr int rows = 700;
+  for (int row = 0; row < rows; ++row) {
+    double east_m = 1440.0;
+    while (water.share({east_m, 200.0 + 3.0 * row}, 0.1) > 0.5) east_m += 0.1;
+    mean_m += east_m / rows;
+    square_m2 += east_m * east_m / rows;
+  }
+  EXPECT_NEAR(mean_m, 1492.5, 1.0);
+  EXPECT_GT(std::sqrt(square_m2 - mean_m * mean_m), 1.0);
+}
+
 TEST(Water, IsLevelAndTheLandComesDownToIt) {
   const Water water(round_lake(), 5);
   Heightfield heights_m(301, size_m);
