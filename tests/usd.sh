@@ -4,10 +4,10 @@
 #     tests/usd.sh                          the library; takes half a minute
 #     tests/usd.sh blender [PROGRAM...]     Blender; default: bpy 4.5 LTS and 5.2 LTS
 #
-# The library, a Python package that nothing else needs, validates stages of small films and compares
-# them with Blender's files of the same films (usd/stage_check.py). Blender imports the hillside's
-# blades and renders them, and its picture is held against that of the scene files: exit code 1 when it is
-# farther away than FLIP 0.05. Needs what tests/run.sh builds.
+# The library, a Python package that nothing else needs, validates stages of small films and
+# compares them with Blender's files of the same films (usd/stage_check.py). Blender imports the
+# hillside's blades and renders them, and its picture is held against that of the scene files: exit
+# code 1 when it is farther away than FLIP 0.05. Needs what tests/run.sh builds.
 set -euo pipefail
 source "$(dirname "$0")/../examples/setup.sh"
 # shellcheck source=support/roots.sh
