@@ -48,7 +48,8 @@ std::string json_of(const std::vector<place::WindPoint>& points,
   for (std::size_t i = 0; i < points.size(); ++i) {
     const place::WindPoint& at = points[i];
     const glm::dvec3& v = velocities_m_s[i];
-    all.push_back({{"place_m", {at.place_m.x, at.place_m.y}},
+    all.push_back({{"version", 1},
+                   {"place_m", {at.place_m.x, at.place_m.y}},
                    {"height_m", at.height_m},
                    {"time_s", at.time_s},
                    {"velocity_m_s", {v.x, v.y, v.z}}});

@@ -111,8 +111,11 @@ std::string as_json(const std::vector<MapFile>& files) {
   constexpr int indent = 2;
   auto list = nlohmann::ordered_json::array();
   for (const MapFile& map : files)
-    list.push_back(
-        {{"file", map.file.string()}, {"map", map.name}, {"unit", map.unit}, {"frame", map.frame}});
+    list.push_back({{"version", 1},
+                    {"file", map.file.string()},
+                    {"map", map.name},
+                    {"unit", map.unit},
+                    {"frame", map.frame}});
   return list.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

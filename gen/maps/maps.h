@@ -31,7 +31,8 @@ std::vector<MapFile> write_maps(const scene::Scene& scene,
                                 const std::vector<int>& frames, const std::filesystem::path& folder,
                                 const std::filesystem::path& scratch, Progress& progress);
 
-/// As a JSON array of objects with the keys file, map, unit and frame, a line break at the end.
+/// As a JSON array of objects with the keys version, file, map, unit and frame, a line break at the
+/// end.
 std::string as_json(const std::vector<MapFile>& files);
 
 }  // namespace wold::maps

@@ -56,8 +56,8 @@ double standing_m(const Plant& plant);
 /// standard deviations as lengths are cut at.
 double max_standing_m(const Plant& plant);
 
-/// Which part of the blades' area of a patch of a mixture stands in the ground, where the wind combs
-/// it, not on the twigs of shrubs.
+/// Which part of the blades' area of a patch of a mixture stands in the ground, where the wind
+/// combs it, not on the twigs of shrubs.
 double rooted_fraction(const MeadowPart& meadow, const Mixture& mixture);
 
 /// Square metres of blades, one side of each, on a patch that is of all species, and on the patch

@@ -169,6 +169,17 @@ class Fields(unittest.TestCase):
         pairs = folders.pop("files")
         self.hold("compare", [*answers, folders | {"files": []}, *pairs])
 
+    def test_maps(self) -> None:
+        answer = self.answer("maps", "tiny.toml", "--json", "--out", "maps", "--quiet")
+        self.hold("maps --json", [answer])
+        for one in answer:
+            self.assertTrue((self.folder / one["file"]).is_file(), one["file"])
+
+    def test_wind(self) -> None:
+        answer = self.answer("wind", "tiny.toml", "--json", "--at", "1,2,10,0", "--at", "1,2,10,5")
+        self.hold("wind --json", [answer])
+        self.assertEqual([one["time_s"] for one in answer], [0.0, 5.0])
+
     def test_doctor(self) -> None:
         if not (shutil.which("povray") or shutil.which("blender")):
             self.skipTest("no renderer on this machine")

@@ -212,8 +212,8 @@ void PointDynamics::rest_frames(std::size_t number) {
   for (std::uint32_t i = points_.blade_begin[number]; i < points_.blade_begin[number + 1]; ++i) {
     const glm::vec3 off_m = points_.side_m[i] * section.side + points_.across_m[i] * section.across;
     const bool on_vein = points_.vein[i] != 0 || off_m == glm::vec3(0.0F);
-    frames_[i] = {foot_m(blade) + points_.arc_m[i] * section.along + off_m,
-                  section.along, on_vein ? off_m * 0.0F : glm::normalize(off_m)};
+    frames_[i] = {foot_m(blade) + points_.arc_m[i] * section.along + off_m, section.along,
+                  on_vein ? off_m * 0.0F : glm::normalize(off_m)};
   }
 }
 
