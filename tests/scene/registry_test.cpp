@@ -86,10 +86,8 @@ Value another_value(const Key& key, const Value& value) {
     }
     case Kind::numbers: {
       auto items = std::get<std::vector<double>>(value);
-      if (key.list.spans_range)
+      if (key.list.spans_range || items.empty())
         items = {key.lowest, key.highest};
-      else if (items.empty())
-        items = {1.0, 2.0};
       else
         items[0] = 0.5 * (items[0] + key.highest);
       return items;

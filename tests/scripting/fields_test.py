@@ -112,7 +112,7 @@ class Fields(unittest.TestCase):
         for name, value in scene.items():
             if isinstance(value, dict):
                 yield from value
-            elif name in ("species", "clouds", "cloud_events", "season_keys"):
+            elif name in ("species", "clouds", "cloud_events", "season_keys", "cover_classes"):
                 for item in value:
                     yield from item
             else:
