@@ -98,7 +98,7 @@ def wrong_commands(page: str, wold: str) -> list[str]:
         wrong, place = [], folder
         for shown in commands_of(page):
             if shown.startswith("cd "):
-                place = folder / shown.removeprefix("cd ")
+                place = (place / shown.removeprefix("cd ")).resolve()
                 continue
             command = shrunk(shown, wold).replace("/shared/", f"{shared}/")
             if wold in command and "--out /" in shown:
