@@ -35,11 +35,11 @@ test_with() {
 test_units() {
   local left_out='^(BlenderRender|BlenderAddOn|BlenderDifferences|BlenderStranger|Includes|OwnScene'
   left_out+='|Picture|RealPovray|LargeTerrain|SiteOfFrame|SnowfallModel|Growth\.Covers'
-  left_out+='|Assemble\.(Exposes|Dusk)|Rebuild\.(BigTujunga|FrontRange)|CloudBoxes\.HaveTheLayers'
-  left_out+='|CloudLayerView\.Glows|Exposure\.Changes|TracedSky|LandView\.Sees)'
-  local libraries=(core scene weather snowpack phenology light terrain grass cloud snow landscape
-    place sky meadow ground expectation passes film povray blender mitsuba usd preview report compare
-    render work console)
+  left_out+='|Assemble\.(Exposes|Dusk|HasTheLight)|Rebuild\.(BigTujunga|FrontRange)'
+  left_out+='|CloudBoxes\.HaveTheLayers|CloudLayerView\.Glows|Exposure\.Changes|TracedSky|LandView\.Sees)'
+  local libraries=(core scene weather snowpack phenology light terrain grass cloud snow wind landscape
+    place sky meadow ground expectation passes maps film povray blender mitsuba usd preview report
+    compare render work console)
   local corpora=(scene df3 weather_table daily_weather elevation pictures vdb arguments records)
   local labels
   labels=$(IFS='|' && echo "${libraries[*]}")
