@@ -1,10 +1,5 @@
 #include "maps/maps.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <numeric>
-
 #include "cli/commands.h"
 #include "cli/warnings.h"
 #include "console/output.h"
@@ -14,25 +9,12 @@
 #include "film/scratch_folder.h"
 #include "phenology/film_season.h"
 #include "scene/parse.h"
+#include "work/job.h"
+#include "work/kept_inputs.h"
 
 namespace wold::cli {
 namespace fs = std::filesystem;
 namespace {
-
-/// All of the scene's where none are asked for. Throws InputError.
-std::vector<int> frames_of(const MapsOptions& options, const scene::Scene& scene) {
-  const int count = static_cast<int>(scene.ageing.frames.size());
-  if (!options.frames.empty()) {
-    const int last = std::ranges::max(options.frames);
-    if (last > count)
-      throw InputError(
-          fmt::format("--frames: found {}, expected frames from 1 to {}", last, count));
-    return options.frames;
-  }
-  std::vector<int> all(static_cast<std::size_t>(count));
-  std::iota(all.begin(), all.end(), 1);
-  return all;
-}
 
 std::string listed(const std::vector<maps::MapFile>& files, bool json) {
   if (json) return maps::as_json(files);
@@ -48,10 +30,13 @@ ExitCode run_maps(const MapsOptions& options, Progress& progress) {
   film::require_files(read.scene, read.places);
   const auto season = phenology::film_season(read.scene);
   const scene::Scene scene = phenology::as_film(read.scene, season.get());
-  const std::vector<int> frames = frames_of(options, scene);
+  const std::vector<int> frames =
+      work::chosen_frames(options.frames, static_cast<int>(scene.ageing.frames.size()));
+  const fs::path folder = options.out.empty() ? fs::path("out") / scene.name / "maps" : options.out;
+  const std::vector<fs::path> inputs = work::input_files(options.scene, scene);
+  for (const fs::path& file : maps::map_files(folder, frames)) work::require_no_input(file, inputs);
   print_warnings(read.warnings);
   print_warnings(scene, season.get());
-  const fs::path folder = options.out.empty() ? fs::path("out") / scene.name / "maps" : options.out;
   const ThreadLimit limit(scene.render.threads);
   const film::ScratchFolder scratch(temporary_name(folder / "snow"));
   console::print_data(listed(

@@ -19,6 +19,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr Quantity height = {"height", "m"}, slope = {"slope", "deg"}, growth = {"growth", ""},
+                   water = {"water", ""}, weathering = {"weathering", ""},
+                   snow_depth = {"snow_depth", "m"}, snow_water = {"snow_water", "mm"};
+
+/// `frame`: 0 of what is the same in all frames.
+std::string file_name(const Quantity& quantity, int frame) {
+  return frame > 0 ? fmt::format("{}_{:04}.tif", quantity.name, frame)
+                   : fmt::format("{}.tif", quantity.name);
+}
+
 /// Writes maps of one ground and remembers them.
 class Folder {
  public:
@@ -33,17 +43,14 @@ class Folder {
       for (int i = 0; i < map.samples(); ++i)
         map.at(i, j) = static_cast<float>(value_at(map.place_m(i, j)));
     });
-    const std::string name =
-        frame > 0 ? fmt::format("{}_{:04}.tif", quantity.name, frame) : quantity.name + tif;
-    write_geotiff(folder_ / name, map, place_, quantity);
-    files_.push_back({folder_ / name, quantity.name, quantity.unit, frame});
+    const fs::path file = folder_ / file_name(quantity, frame);
+    write_geotiff(file, map, place_, quantity);
+    files_.push_back({file, quantity.name, quantity.unit, frame});
   }
 
   std::vector<MapFile> files() && { return std::move(files_); }
 
  private:
-  inline static const std::string tif = ".tif";
-
   fs::path folder_;
   const Heightfield& terrain_;
   Georeference place_;
@@ -57,35 +64,44 @@ double zero_m(const scene::Terrain& terrain) {
 
 void write_ground(const scene::Scene& scene, const place::Site& site, Folder& folder) {
   const double zero = zero_m(scene.terrain);
-  folder.write({"height", "m"}, 0, [&](const glm::dvec2& at_m) {
+  folder.write(height, 0, [&](const glm::dvec2& at_m) {
     return zero + double{site.terrain.sample(at_m.x, at_m.y)};
   });
-  folder.write({"slope", "deg"}, 0, [&](const glm::dvec2& at_m) {
+  folder.write(slope, 0, [&](const glm::dvec2& at_m) {
     return terrain::slope_deg(site.terrain, at_m.x, at_m.y);
   });
-  folder.write({"growth", ""}, 0,
+  folder.write(growth, 0,
                [&](const glm::dvec2& at_m) { return site.growth.sample(at_m.x, at_m.y); });
-  folder.write({"water", ""}, 0, [&](const glm::dvec2& at_m) {
+  folder.write(water, 0, [&](const glm::dvec2& at_m) {
     return site.water ? site.water->share(at_m, site.terrain.step_m()) : 0.0;
   });
 }
 
 void write_frame(const scene::Scene& scene, const place::Site& site, int frame, Folder& folder) {
-  folder.write({"weathering", ""}, frame,
+  folder.write(weathering, frame,
                [&](const glm::dvec2& at_m) { return site.withering->at(at_m, frame); });
   if (!site.snow) return;
   const ground::SnowyGround ground(scene, site, frame);
-  folder.write({"snow_depth", "m"}, frame,
-               [&](const glm::dvec2& at_m) { return ground.depth_m(at_m); });
+  folder.write(snow_depth, frame, [&](const glm::dvec2& at_m) { return ground.depth_m(at_m); });
   if (site.snow->large) return;
   const snow::SnowGround::State state = site.snow->ground.at(scene::time_s(scene, frame));
-  folder.write({"snow_water", "mm"}, frame, [&](const glm::dvec2& at_m) {
+  folder.write(snow_water, frame, [&](const glm::dvec2& at_m) {
     const double land = site.water ? 1.0 - site.water->share(at_m, site.terrain.step_m()) : 1.0;
     return land * double{state.water_mm.sample(at_m.x, at_m.y)};
   });
 }
 
 }  // namespace
+
+std::vector<fs::path> map_files(const fs::path& folder, const std::vector<int>& frames) {
+  std::vector<fs::path> files;
+  for (const Quantity& quantity : {height, slope, growth, water})
+    files.push_back(folder / file_name(quantity, 0));
+  for (const int frame : frames)
+    for (const Quantity& quantity : {weathering, snow_depth, snow_water})
+      files.push_back(folder / file_name(quantity, frame));
+  return files;
+}
 
 std::vector<MapFile> write_maps(const scene::Scene& scene,
                                 std::shared_ptr<const phenology::FilmSeason> season,

@@ -19,6 +19,10 @@ struct MapFile {
   int frame = 0;     ///< from 1; 0: the same in all of them
 };
 
+/// All files that write_maps() may write.
+std::vector<std::filesystem::path> map_files(const std::filesystem::path& folder,
+                                             const std::vector<int>& frames);
+
 /// Writes what a scene's ground is like as GeoTIFFs into a folder, a value at each of its heights:
 /// height.tif (over the elevation model's zero, or the scene's), slope.tif (degrees), growth.tif
 /// (share on which grass grows), water.tif (share that is a lake), and of each of the frames (from

@@ -6,10 +6,12 @@
 #include "core/ground_map.h"
 #include "terrain/cell_map.h"
 #include "terrain/raster_cells.h"
+#include "terrain/scene_place.h"
 
 namespace wold::terrain {
 
-/// Every so manieth cell of a box of a raster, in both directions, as it is stored; voids are NaN.
+/// Cells of a box of a raster as they are stored, of every `apart` columns and rows one; voids are
+/// NaN.
 struct ThinnedCells {
   CellBlock block;     ///< `first` in cells of the raster
   double apart = 1.0;  ///< in cells of the raster
@@ -28,11 +30,7 @@ template <class Value, class ValueOf>
 GroundMap<Value> by_place(const ThinnedCells& cells, const Raster& raster, const LocalSystem& local,
                           const GroundGrid& grid, const ValueOf& value_of) {
   const Transformer transformer(raster, local);
-  const CellMap places(
-      [&transformer, centre = local.centre](const glm::dvec2& from_middle_m) {
-        return transformer.cell_at(centre + from_middle_m);
-      },
-      grid.samples, grid.square.size_m);
+  const CellMap places = cells_about(transformer, local, grid.samples, grid.square.size_m);
   GroundMap<Value> map(grid.samples, grid.square);
   for (int j = 0; j < grid.samples; ++j)
     for (int i = 0; i < grid.samples; ++i) {

@@ -11,8 +11,8 @@ namespace wold::usd {
 /// Writes a mesh of blades below `folder`:
 ///   NAME.usda             /Blades/mesh, tubes in cell space, metres to 10 um; primvar st
 ///   NAME_radiance.exr     Landscape's radiance before Landscape::light, per ring and tube
-///   NAME_reflectance.exr  what a blade sends back and lets through, likewise: surfaces of USD let
-///                         nothing through; not where that is unknown
+///   NAME_reflectance.exr  fraction of light that a blade sends back or lets through, per ring and
+///                         tube: surfaces of USD let nothing through; no file where it is unknown
 /// Row r, column c of the pictures is for ring c of tube r. The name says what is in them: what is
 /// there already stays. Throws FileError.
 void write_blades(const landscape::BladeMesh& mesh, const std::filesystem::path& folder);

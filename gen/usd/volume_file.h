@@ -17,7 +17,8 @@ std::string volume_name(const landscape::Volume& volume);
 /// stays. Throws FileError.
 void write_volume(const landscape::Volume& volume, const std::filesystem::path& folder);
 
-/// Writes a cloud likewise, in metres from its corner, and always anew.
+/// Writes a cloud with the grids of write_volume(), their transform being metres from its corner. A
+/// file that is there is replaced. Throws FileError.
 void write_cloud(const std::filesystem::path& path, const landscape::CloudBox& cloud);
 
 }  // namespace wold::usd

@@ -25,7 +25,7 @@ class Profile {
   /// Metres over the displacement, where similarity of turbulence counts from; of places within the
   /// canopy those of its top.
   double above_displacement_m(double height_m) const;
-  /// The mean speed at the canopy's top, likewise.
+  /// The mean speed at the canopy's top, over that at reference_m.
   double at_top() const { return top_; }
   /// Friction velocity over the speed at reference_m.
   double friction() const { return friction_; }

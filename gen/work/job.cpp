@@ -18,17 +18,6 @@
 #include "work/own_folder.h"
 
 namespace wold::work {
-namespace {
-
-void check_frames(const std::vector<int>& frames, int count) {
-  for (const int frame : frames)
-    if (frame > count)
-      throw InputError(
-          fmt::format("--frames: found {}, expected frames from 1 to {}: the scene has {}", frame,
-                      count, count));
-}
-
-}  // namespace
 
 std::string ranges_text(const std::vector<int>& rising) {
   std::string text;
@@ -40,6 +29,15 @@ std::string ranges_text(const std::vector<int>& rising) {
     first = last + 1;
   }
   return text;
+}
+
+std::vector<int> chosen_frames(const std::vector<int>& asked, int count) {
+  for (const int frame : asked)
+    if (frame > count)
+      throw InputError(
+          fmt::format("--frames: found {}, expected frames from 1 to {}: the scene has {}", frame,
+                      count, count));
+  return asked.empty() ? counted(count) : asked;
 }
 
 int threads_of(const Job& job) {
@@ -66,8 +64,7 @@ Job plan_job(const RenderOptions& options) {
   job.places = std::move(read.places);
   job.text_warnings = std::move(read.warnings);
   const int count = static_cast<int>(job.scene.ageing.frames.size());
-  check_frames(options.frames, count);
-  job.frames = options.frames.empty() ? counted(count) : options.frames;
+  job.frames = chosen_frames(options.frames, count);
   job.out = options.out.empty() ? std::filesystem::path("out") / job.scene.name : options.out;
   require_own_folder(job.out);
   require_known_format(job.out);

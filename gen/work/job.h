@@ -57,6 +57,10 @@ double memory_of(const Job& job);
 /// 1 to `count`.
 std::vector<int> counted(int count);
 
+/// The frames, from 1, that are asked for of a scene that has `count`: all of them where none are.
+/// Throws InputError where it does not have one.
+std::vector<int> chosen_frames(const std::vector<int>& asked, int count);
+
 /// "1-3,7": the form in which frames are given.
 std::string ranges_text(const std::vector<int>& rising);
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <ogr_spatialref.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -115,6 +116,8 @@ TEST_F(Maps, AreThoseOfTheFramesThatAreAskedFor) {
   for (const auto& entry : fs::directory_iterator(folder_.path() / "maps"))
     count += entry.is_regular_file() ? 1 : 0;
   EXPECT_EQ(count, files.size());  // nothing else, nothing half-written
+  const std::vector<fs::path> expected = map_files(folder_.path() / "maps", {2});
+  for (const MapFile& map : files) EXPECT_EQ(std::ranges::count(expected, map.file), 1) << map.file;
 }
 
 // Snow of 20 mm of water that has fallen and not melted weighs that, and is some ten times as deep.
