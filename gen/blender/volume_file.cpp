@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/vdb_file.h"
 #include "landscape/cell_parts.h"
+#include "landscape/cloud_grids.h"
 
 namespace wold::blender {
 namespace {
@@ -203,22 +204,10 @@ void write_volume(const fs::path& path, const landscape::Volume& volume) {
 }
 
 void write_cloud(const fs::path& path, const landscape::CloudBox& cloud) {
-  auto density = openvdb::FloatGrid::create(0.0F);
-  auto radiance = openvdb::Vec3SGrid::create(openvdb::Vec3s(0.0F));
-  auto rho = density->getAccessor();
-  auto source = radiance->getAccessor();
-  std::size_t i = 0;
-  for (int z = 1; z <= cloud.voxels.z; ++z)
-    for (int y = 1; y <= cloud.voxels.y; ++y)
-      for (int x = 1; x <= cloud.voxels.x; ++x, ++i) {
-        const float extinction = cloud.extinction_per_m[i];
-        if (!(extinction > 0.0F)) continue;
-        const glm::vec3& light = cloud.radiance[i];
-        rho.setValue(openvdb::Coord(x, y, z), extinction);
-        source.setValue(openvdb::Coord(x, y, z), openvdb::Vec3s(light.x, light.y, light.z));
-      }
+  const landscape::CloudGrids grids = landscape::cloud_grids(cloud);
   const openvdb::CoordBBox voxels(openvdb::Coord(1), openvdb::Coord(&cloud.voxels.x));
-  write_vdb(path, medium_grids(density, emission_of(*density, *radiance), voxels, cloud.voxel_m));
+  write_vdb(path, medium_grids(grids.extinction, emission_of(*grids.extinction, *grids.radiance),
+                               voxels, cloud.voxel_m));
 }
 
 }  // namespace wold::blender

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/vdb_file.h"
+#include "landscape/cloud_grids.h"
 
 namespace wold::usd {
 namespace {
@@ -76,20 +77,8 @@ void write_volume(const landscape::Volume& volume, const fs::path& folder) {
 }
 
 void write_cloud(const fs::path& path, const landscape::CloudBox& cloud) {
-  auto density = openvdb::FloatGrid::create(0.0F);
-  auto radiance = openvdb::Vec3SGrid::create(openvdb::Vec3s(0.0F));
-  auto rho = density->getAccessor();
-  auto source = radiance->getAccessor();
-  std::size_t i = 0;
-  for (int z = 1; z <= cloud.voxels.z; ++z)
-    for (int y = 1; y <= cloud.voxels.y; ++y)
-      for (int x = 1; x <= cloud.voxels.x; ++x, ++i) {
-        if (!(cloud.extinction_per_m[i] > 0.0F)) continue;
-        const glm::vec3& light = cloud.radiance[i];
-        rho.setValue(openvdb::Coord(x, y, z), cloud.extinction_per_m[i]);
-        source.setValue(openvdb::Coord(x, y, z), openvdb::Vec3s(light.x, light.y, light.z));
-      }
-  write_medium(path, density, *radiance, cloud.voxel_m);
+  const landscape::CloudGrids grids = landscape::cloud_grids(cloud);
+  write_medium(path, grids.extinction, *grids.radiance, cloud.voxel_m);
 }
 
 }  // namespace wold::usd

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/vdb.h"
+#include "landscape/landscape.h"
+
+namespace wold::landscape {
+
+/// A cloud as OpenVDB's grids, index (1, 1, 1) being its first voxel; voxels without droplets are
+/// left out. Neither has a name or a transform.
+struct CloudGrids {
+  openvdb::FloatGrid::Ptr extinction;  ///< 1/m
+  openvdb::Vec3SGrid::Ptr radiance;    ///< of the source, CloudBox::radiance
+};
+
+CloudGrids cloud_grids(const CloudBox& cloud);
+
+}  // namespace wold::landscape
