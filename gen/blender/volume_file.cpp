@@ -10,7 +10,7 @@
 #include "core/error.h"
 #include "core/vdb_file.h"
 #include "landscape/cell_parts.h"
-#include "landscape/cloud_grids.h"
+#include "landscape/medium_grids.h"
 
 namespace wold::blender {
 namespace {
@@ -40,14 +40,6 @@ bool is_there(const fs::path& path, const std::string& content) {
   }
 }
 
-template <class Grid>
-typename Grid::Ptr read_grid(const fs::path& path, const std::string& name) {
-  auto grid = openvdb::gridPtrCast<Grid>(read_vdb_grid(path, name));
-  if (!grid)
-    throw FileError(fmt::format("{}: grid \"{}\" has an unexpected type", path.string(), name));
-  return grid;
-}
-
 /// Up to version 4.5 Cycles holds voxel i to be the box from i to i + 1, its value in the middle,
 /// where OpenVDB's own convention puts the value at i. Index 1 is our first voxel, so index space
 /// starts one whole voxel below the cell and not half of one.
@@ -55,14 +47,6 @@ openvdb::math::Transform::Ptr cycles_transform(double voxel_m) {
   auto transform = openvdb::math::Transform::createLinearTransform(voxel_m);
   transform->postTranslate(openvdb::Vec3d(-voxel_m));
   return transform;
-}
-
-/// In one thread: OpenVDB's foreach shares a leaf between threads, whose voxels' states share
-/// words.
-void leave_out_empty_voxels(openvdb::FloatGrid& density) {
-  for (auto at = density.beginValueOn(); at; ++at)
-    if (!(*at > 0.0F)) at.setValueOff();
-  density.pruneGrid();
 }
 
 /// The highest layers, which have `fraction` of the extinction at most: the tips of a blade or two.
@@ -183,10 +167,10 @@ openvdb::BoolGrid::Ptr hull_of(const landscape::Part& quarter, const glm::ivec3&
 void write_volume(const fs::path& path, const landscape::Volume& volume) {
   const std::string content = content_of(volume);
   if (is_there(path, content)) return;
-  const auto density = read_grid<openvdb::FloatGrid>(volume.vdb, "density");
-  const auto radiance = read_grid<openvdb::Vec3SGrid>(volume.vdb, volume.emission_grid);
+  const auto density = read_vdb_grid_as<openvdb::FloatGrid>(volume.vdb, "density");
+  const auto radiance = read_vdb_grid_as<openvdb::Vec3SGrid>(volume.vdb, volume.emission_grid);
   leave_out_tips(*density, fraction_of_tips);
-  leave_out_empty_voxels(*density);
+  landscape::leave_out_empty_voxels(*density);
   count_in_units(*density);
   const openvdb::MaskTree leaves = leaves_of(*density);
   const openvdb::CoordBBox box = without_air_above(volume.voxels, *density);

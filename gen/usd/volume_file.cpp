@@ -2,29 +2,13 @@
 
 #include <fmt/format.h>
 
-#include "core/error.h"
 #include "core/vdb_file.h"
-#include "landscape/cloud_grids.h"
+#include "landscape/medium_grids.h"
 
 namespace wold::usd {
 namespace {
 
 namespace fs = std::filesystem;
-
-template <class Grid>
-typename Grid::Ptr read_grid(const fs::path& path, const std::string& name) {
-  auto grid = openvdb::gridPtrCast<Grid>(read_vdb_grid(path, name));
-  if (!grid)
-    throw FileError(fmt::format("{}: grid \"{}\" has an unexpected type", path.string(), name));
-  return grid;
-}
-
-/// Voxels of no density left out.
-void keep_what_is_there(openvdb::FloatGrid& density) {
-  for (auto at = density.beginValueOn(); at; ++at)
-    if (!(*at > 0.0F)) at.setValueOff();
-  density.pruneGrid();
-}
 
 openvdb::Vec3SGrid::Ptr emission_of(const openvdb::FloatGrid& density,
                                     const openvdb::Vec3SGrid& radiance) {
@@ -53,7 +37,7 @@ void prepare(openvdb::GridBase& grid, const char* name, double voxel_m) {
 
 void write_medium(const fs::path& path, const openvdb::FloatGrid::Ptr& density,
                   const openvdb::Vec3SGrid& radiance, double voxel_m) {
-  keep_what_is_there(*density);
+  landscape::leave_out_empty_voxels(*density);
   const auto emission = emission_of(*density, radiance);
   prepare(*density, "density", voxel_m);
   prepare(*emission, "emission", voxel_m);
@@ -71,8 +55,8 @@ std::string volume_name(const landscape::Volume& volume) {
 void write_volume(const landscape::Volume& volume, const fs::path& folder) {
   const fs::path path = folder / (volume_name(volume) + ".vdb");
   if (fs::exists(path)) return;
-  const auto density = read_grid<openvdb::FloatGrid>(volume.vdb, "density");
-  const auto radiance = read_grid<openvdb::Vec3SGrid>(volume.vdb, volume.emission_grid);
+  const auto density = read_vdb_grid_as<openvdb::FloatGrid>(volume.vdb, "density");
+  const auto radiance = read_vdb_grid_as<openvdb::Vec3SGrid>(volume.vdb, volume.emission_grid);
   write_medium(path, density, *radiance, volume.voxel_m);
 }
 

@@ -1,6 +1,12 @@
-#include "landscape/cloud_grids.h"
+#include "landscape/medium_grids.h"
 
 namespace wold::landscape {
+
+void leave_out_empty_voxels(openvdb::FloatGrid& extinction) {
+  for (auto at = extinction.beginValueOn(); at; ++at)
+    if (!(*at > 0.0F)) at.setValueOff();
+  extinction.pruneGrid();
+}
 
 CloudGrids cloud_grids(const CloudBox& cloud) {
   CloudGrids grids = {openvdb::FloatGrid::create(0.0F),
