@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <map>
-#include <numbers>
 #include <utility>
 
 #include "core/parallel.h"
@@ -72,8 +70,15 @@ void add_reflected(const ColourMap& reflectance, const ColourMap& light, ColourM
   });
 }
 
-/// In place of a height.
-constexpr double in_water = std::numeric_limits<double>::lowest();
+template <class Radiance>
+ColourMap filled(const GroundGrid& grid, const Radiance& radiance) {
+  ColourMap map(grid.samples, grid.square);
+  parallel_for(static_cast<std::size_t>(grid.samples), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < grid.samples; ++i) map.at(i, j) = radiance(map.place_m(i, j));
+  });
+  return map;
+}
 
 meadow::PatchAppearances far_appearances(const scene::Scene& scene, const place::Site& site,
                                          const meadow::FrameGrass& now, const FarLook& far) {
@@ -148,8 +153,8 @@ void LitGround::add_hot_spot(const ColourMap& bare, const terrain::GroundLight& 
 }
 
 ColourMap LitGround::painted(ColourMap ground, const FactorMap& growth, const ColourMap& light,
-                             const ColourMap& grass_light, const Shore* shore) const {
-  if (shore != nullptr) add_water_surface(*shore, light, ground);
+                             const ColourMap& grass_light, const LakeSurface* lakes) const {
+  if (lakes != nullptr) lakes->add_to(ground, light, view_);
   if (!meadow_) return ground;
   meadow::paint_far_grass(ground, scene_, site_.terrain, growth, grass_light, view_, *meadow_);
   veil_ground(ground, site_.terrain, view_, haze_);
@@ -157,14 +162,14 @@ ColourMap LitGround::painted(ColourMap ground, const FactorMap& growth, const Co
 }
 
 landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const GroundGrid& grid,
-                                          const Shore* shore) const {
+                                          const LakeSurface* lakes) const {
   place::GroundPart part = place::ground_part(scene_, site_, grid);
   const ColourMap bare = ground.bare(part);
   part = ground.covered(std::move(part), under_grass_);
   const ColourMap light = illuminate_(part.light);
   ColourMap radiance = product(part.reflectance, light);
   add_hot_spot(bare, part.light, part.growth, radiance);
-  return {painted(std::move(radiance), part.growth, light, on_grass(light, grid), shore)
+  return {painted(std::move(radiance), part.growth, light, on_grass(light, grid), lakes)
               .at_corner(glm::dvec2(0.0)),
           grid.square.corner_m};
 }
@@ -216,48 +221,32 @@ LandAppearance LitGround::land_appearance(const LevelLook& look) const {
   constexpr int places = 64;  // along a side
   constexpr double most_water = 0.5;
   const double step_m = site_.terrain.size_m() / places;
-  std::vector<LandSample> samples(places * places);
+  std::vector<glm::dvec2> all_m, land_m;
+  for (int place = 0; place < places * places; ++place)
+    all_m.push_back((glm::dvec2(place % places, place / places) + 0.5) * step_m);
+  std::ranges::copy_if(all_m, std::back_inserter(land_m), [&](const glm::dvec2& at_m) {
+    return !site_.water || site_.water->share(at_m, 1.0) <= most_water;
+  });
+  const std::vector<glm::dvec2>& looked_at_m = land_m.empty() ? all_m : land_m;
+  std::vector<LandSample> samples(looked_at_m.size());
   parallel_for(samples.size(), [&](std::size_t i) {
-    const glm::dvec2 at_m = (glm::dvec2(i % places, i / places) + 0.5) * step_m;
+    const glm::dvec2& at_m = looked_at_m[i];
     samples[i] = {site_.surroundings->up(at_m), double{site_.terrain.sample(at_m.x, at_m.y)},
                   look.at(at_m)};
-    if (site_.water && site_.water->share(at_m, 1.0) > most_water) samples[i].height_m = in_water;
   });
-  std::vector<LandSample> land;
-  std::ranges::copy_if(samples, std::back_inserter(land),
-                       [](const LandSample& sample) { return sample.height_m != in_water; });
-  return LandAppearance(land.empty() ? samples : land);
+  return LandAppearance(samples);
 }
 
 LandAround LitGround::land_around(const LevelLook& look) const {
   return {*site_.surroundings, site_.day, haze_, land_appearance(look), illuminate_, scene_.seed};
 }
 
-struct LitGround::Shore {
-  MirroredLand land;
-  ColourMap on_square, around, far_around;  ///< radiance of land, without haze
-  ColourMap sunlight;                       ///< of a plane that faces the sun
-  SkyRadiance sky;
-  snow::WeatherMoment wind;
-  double time_s;
-  glm::dvec3 eye_m;
-  const SnowyGround& ground;  ///< has to outlive it
-};
-
-std::shared_ptr<const LitGround::Shore> LitGround::shore(
+std::unique_ptr<const LakeSurface> LitGround::lake_surface(
     const SnowyGround& ground, const ColourMap& light, const ColourMap& grass_light,
     const LandAround& around, const SkyRadiance& sky, const landscape::Landscape& landscape) const {
   const landscape::Camera& camera = landscape.camera;
   const Square& square = site_.surroundings->square();
   const LevelLook look(*this, ground, light, grass_light, camera);
-  const auto filled = [](const GroundGrid& grid, const auto& radiance) {
-    ColourMap map(grid.samples, grid.square);
-    parallel_for(static_cast<std::size_t>(grid.samples), [&](std::size_t row) {
-      const int j = static_cast<int>(row);
-      for (int i = 0; i < grid.samples; ++i) map.at(i, j) = radiance(map.place_m(i, j));
-    });
-    return map;
-  };
   const auto of_around = [&](double width_m) {
     constexpr int samples = 193;
     const Square wide{square.corner_m - 0.5 * (width_m - square.size_m), width_m};
@@ -265,20 +254,18 @@ std::shared_ptr<const LitGround::Shore> LitGround::shore(
                   [&](const glm::dvec2& at_m) { return around.near_radiance(at_m); });
   };
   constexpr int samples_of_square = 513;
-  const double time_s = scene::time_s(scene_, now_.frame);
-  return std::make_shared<const Shore>(Shore{
+  OverLakes over{
       {*site_.surroundings, landscape.terrain, camera.eye_m,
        panorama(camera, landscape.width_px, landscape.height_px)},
-      filled({square, samples_of_square},
-             [&](const glm::dvec2& at_m) { return look.at(at_m) * light.sample(at_m.x, at_m.y); }),
-      of_around(3.0 * square.size_m),
-      of_around(square.size_m + 2.0 * site_.surroundings->reach_m()),
-      sun_alone(ground.light()),
+      {filled({square, samples_of_square},
+              [&](const glm::dvec2& at_m) { return look.at(at_m) * light.sample(at_m.x, at_m.y); }),
+       of_around(3.0 * square.size_m),
+       of_around(square.size_m + 2.0 * site_.surroundings->reach_m())},
       sky,
-      site_.weather->at(time_s),
-      time_s,
-      camera.eye_m,
-      ground});
+      sun_alone(ground.light()),
+      camera.eye_m};
+  return std::make_unique<const LakeSurface>(site_, ground, scene::time_s(scene_, now_.frame),
+                                             scene_.seed, std::move(over));
 }
 
 /// What of the sun's light reaches places, whatever way they face.
@@ -293,58 +280,19 @@ ColourMap LitGround::sun_alone(const terrain::GroundLight& clear) const {
   return sun;
 }
 
-glm::vec3 LitGround::seen_land(const Shore& shore, const glm::dvec2& at_m) {
-  for (const ColourMap* map : {&shore.on_square, &shore.around})
-    if (map->square().contains(at_m)) return map->sample(at_m.x, at_m.y);
-  return shore.far_around.sample(at_m.x, at_m.y);
-}
-
-WaterSurface LitGround::water_surface_at(const Shore& shore, const glm::dvec3& at_m,
-                                         const Waves& waves) const {
-  const Mirrored mirrored{
-      shore.land, [&](const glm::dvec2& place_m) { return seen_land(shore, place_m); }, shore.sky};
-  const SunOnWater sun{site_.day.sun_direction(), [&](const glm::dvec2& place_m) {
-                         return shore.sunlight.sample(place_m.x, place_m.y);
-                       }};
-  return water_surface(at_m, shore.eye_m, waves, mirrored, sun);
-}
-
-double LitGround::open_water(const Shore& shore, const glm::dvec2& at_m, double step_m) const {
-  const double share = site_.water->share(at_m, step_m);
-  return share > 0.0 ? share * (1.0 - shore.ground.frozen(at_m)) : 0.0;
-}
-
-void LitGround::add_water_surface(const Shore& shore, const ColourMap& light,
-                                  ColourMap& ground) const {
-  const Waves waves(shore.wind, shore.time_s, scene_.seed, ground.step_m());
-  const glm::vec3 of_water = terrain::water_albedo / std::numbers::pi_v<float>;
-  place::each_in_view(ground, site_.terrain, view_, [&](int i, int j, const glm::dvec3& at_m) {
-    const glm::dvec2 place_m(at_m);
-    const auto share = static_cast<float>(open_water(shore, place_m, ground.step_m()));
-    if (share <= 0.0F) return;
-    const WaterSurface surface =
-        water_surface_at(shore, {place_m, site_.water->level_m(place_m)}, waves);
-    const glm::vec3 from_below = of_water * light.sample(at_m.x, at_m.y);
-    ground.at(i, j) += share * (surface.radiance - surface.reflectance * from_below);
-  });
-}
-
-glm::vec3 LitGround::seen_around(const LandAround& around, const Shore* shore,
+glm::vec3 LitGround::seen_around(const LandAround& around, const LakeSurface* lakes,
                                  const glm::dvec2& at_m) const {
   constexpr double step_m = 10.0;  // waves are smaller
-  if (shore == nullptr) return around.radiance(at_m);
-  if (open_water(*shore, at_m, step_m) < 0.5) return around.radiance(at_m);
-  const glm::dvec3 place_m(at_m, site_.water->level_m(at_m));
-  const Waves waves(shore->wind, shore->time_s, scene_.seed, step_m);
-  return haze_.before(water_surface_at(*shore, place_m, waves).radiance, place_m);
+  if (lakes == nullptr || lakes->open_water(at_m, step_m) < 0.5) return around.radiance(at_m);
+  return haze_.before(lakes->at(at_m, step_m).radiance, {at_m, site_.water->level_m(at_m)});
 }
 
-void LitGround::show_land_around(const LandAround& around, const Shore* shore,
+void LitGround::show_land_around(const LandAround& around, const LakeSurface* lakes,
                                  landscape::Landscape& landscape) const {
   const landscape::Camera& camera = landscape.camera;
   const LandView view(*site_.surroundings, landscape.terrain, camera.eye_m,
                       panorama(camera, landscape.width_px, landscape.height_px));
-  paint_land_around([&](const glm::dvec2& at_m) { return seen_around(around, shore, at_m); },
+  paint_land_around([&](const glm::dvec2& at_m) { return seen_around(around, lakes, at_m); },
                     around, view, camera.eye_m, *landscape.backdrop);
 }
 
@@ -356,16 +304,16 @@ void LitGround::show(const SnowyGround& ground, const ColourMap& light, const Sk
   std::optional<LandAround> around;
   if (sees_around || site_.water)
     around.emplace(land_around(LevelLook(*this, ground, light, grass_light, landscape.camera)));
-  const std::shared_ptr<const Shore> water =
-      site_.water ? shore(ground, light, grass_light, *around, sky, landscape) : nullptr;
+  const std::unique_ptr<const LakeSurface> lakes =
+      site_.water ? lake_surface(ground, light, grass_light, *around, sky, landscape) : nullptr;
   // Maps are large: each goes before the next one is made.
   ColourMap radiance = product(ground.reflectance(under_grass_), light);
   add_hot_spot(ground.bare(), ground.light(), ground.growth(), radiance);
-  landscape.ground = painted(std::move(radiance), ground.growth(), light, grass_light, water.get());
+  landscape.ground = painted(std::move(radiance), ground.growth(), light, grass_light, lakes.get());
   for (const GroundGrid& grid : place::detail_grids(scene_, landscape.camera))
-    landscape.ground_details.push_back(detail(ground, grid, water.get()));
+    landscape.ground_details.push_back(detail(ground, grid, lakes.get()));
 
-  if (sees_around) show_land_around(*around, water.get(), landscape);
+  if (sees_around) show_land_around(*around, lakes.get(), landscape);
   if (place::is_large(scene_)) grass_light = light_in_window();
   landscape.light =
       product(grass_light,

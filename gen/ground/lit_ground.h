@@ -11,9 +11,9 @@
 #include "grass/optics/shared_gaps.h"
 #include "grass/texel/blade_patch.h"
 #include "ground/haze.h"
+#include "ground/lake_surface.h"
 #include "ground/land_around.h"
 #include "ground/snowy_ground.h"
-#include "ground/water_look.h"
 #include "landscape/landscape.h"
 #include "meadow/cells.h"
 #include "meadow/far_field.h"
@@ -43,9 +43,6 @@ std::optional<meadow::Meadow> far_meadow(const scene::Scene& scene, const place:
                                          const meadow::FrameGrass& now, const place::View& view,
                                          const FarLook& far);
 
-/// Radiance of the sky, with its clouds, in a unit direction.
-using SkyRadiance = std::function<glm::vec3(const glm::dvec3& direction)>;
-
 /// The ground of one frame with what is painted on it, and the light on the grass that stands.
 class LitGround {
  public:
@@ -69,33 +66,25 @@ class LitGround {
   /// elsewhere. `bare`: reflectance of what is no snow; `clear`: the light under a clear sky.
   void add_hot_spot(const ColourMap& bare, const terrain::GroundLight& clear,
                     const FactorMap& growth, ColourMap& radiance) const;
-  /// What water mirrors, and the sun on it; none where there is no water.
-  struct Shore;
-  std::shared_ptr<const Shore> shore(const SnowyGround& ground, const ColourMap& light,
-                                     const ColourMap& grass_light, const LandAround& around,
-                                     const SkyRadiance& sky,
-                                     const landscape::Landscape& landscape) const;
+  /// `around`: the land around, which water mirrors, too.
+  std::unique_ptr<const LakeSurface> lake_surface(const SnowyGround& ground, const ColourMap& light,
+                                                  const ColourMap& grass_light,
+                                                  const LandAround& around, const SkyRadiance& sky,
+                                                  const landscape::Landscape& landscape) const;
   ColourMap sun_alone(const terrain::GroundLight& clear) const;
-  static glm::vec3 seen_land(const Shore& shore, const glm::dvec2& at_m);
-  /// `at_m` on the water.
-  WaterSurface water_surface_at(const Shore& shore, const glm::dvec3& at_m,
-                                const Waves& waves) const;
-  /// Adds what the surface of water sends to the eye to what comes out of it.
-  void add_water_surface(const Shore& shore, const ColourMap& light, ColourMap& ground) const;
-  /// Share of a place that is open water, on a map with that step.
-  double open_water(const Shore& shore, const glm::dvec2& at_m, double step_m) const;
   /// Water, far grass and haze over the ground's own radiance. `light`: on it.
   ColourMap painted(ColourMap ground, const FactorMap& growth, const ColourMap& light,
-                    const ColourMap& grass_light, const Shore* shore) const;
+                    const ColourMap& grass_light, const LakeSurface* lakes) const;
   landscape::GroundDetail detail(const SnowyGround& ground, const GroundGrid& grid,
-                                 const Shore* shore) const;
+                                 const LakeSurface* lakes) const;
   /// How the ground looks along a level line of sight of the camera: radiance over irradiance.
   struct LevelLook;
   LandAppearance land_appearance(const LevelLook& look) const;
   LandAround land_around(const LevelLook& look) const;
   /// Radiance that the eye sees of a place on the land around.
-  glm::vec3 seen_around(const LandAround& around, const Shore* shore, const glm::dvec2& at_m) const;
-  void show_land_around(const LandAround& around, const Shore* shore,
+  glm::vec3 seen_around(const LandAround& around, const LakeSurface* lakes,
+                        const glm::dvec2& at_m) const;
+  void show_land_around(const LandAround& around, const LakeSurface* lakes,
                         landscape::Landscape& landscape) const;
   /// On the grass of a large terrain's window of cells.
   ColourMap light_in_window() const;
