@@ -10,7 +10,7 @@
 #include "core/error.h"
 #include "core/vdb_file.h"
 #include "landscape/cell_parts.h"
-#include "landscape/medium_grids.h"
+#include "landscape/vdb_medium.h"
 
 namespace wold::blender {
 namespace {

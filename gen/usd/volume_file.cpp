@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/vdb_file.h"
-#include "landscape/medium_grids.h"
+#include "landscape/vdb_medium.h"
 
 namespace wold::usd {
 namespace {

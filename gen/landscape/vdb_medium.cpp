@@ -1,4 +1,4 @@
-#include "landscape/medium_grids.h"
+#include "landscape/vdb_medium.h"
 
 namespace wold::landscape {
 
