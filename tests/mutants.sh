@@ -3,6 +3,7 @@
 # builds it and runs the tests of the room, the folder of gen/, that has the fault:
 #
 #     tests/mutants.sh [ROOM|ROOM.NAME]...       e.g. tests/mutants.sh light snow.flakes_never_sway
+#     tests/mutants.sh --every K [ROOM|ROOM.NAME]...   one of each K, over all of their rooms
 #     tests/mutants.sh --list [ROOM|ROOM.NAME]...
 #
 # tests/mutants/ROOM.toml has the faults; the test MutantPlaces holds that each has its place in the
@@ -52,7 +53,7 @@ configure_copy() {
 install "${build_packages[@]}" "${test_packages[@]}" git
 try=(python3 -B "$here/tests/mutants/run.py" --copy "$copy" --jobs "${MUTANT_JOBS:-2}" "$@")
 "${try[@]}" --list >/dev/null # are they known?
-if [ "${1:-}" != --list ]; then
+if [[ " $* " != *" --list "* ]]; then
   say "Copying to $copy"
   refresh_copy
   configure_copy

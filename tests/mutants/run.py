@@ -209,9 +209,10 @@ def main():
     parser.add_argument("--jobs", type=int, default=2, help=argparse.SUPPRESS)
     parser.add_argument("--list", action="store_true", help="only say what there is")
     parser.add_argument("--places", action="store_true", help="only look for the faults' places")
+    parser.add_argument("--every", type=int, default=1, metavar="K", help="try one of each K only")
     parser.add_argument("wanted", nargs="*", metavar="ROOM|ROOM.NAME")
     arguments = parser.parse_args()
-    mutants = chosen(read_mutants(), arguments.wanted)
+    mutants = chosen(read_mutants(), arguments.wanted)[:: arguments.every]
     if arguments.list:
         for mutant in mutants:
             print(f"{mutant.full_name}: {mutant.breaks}")
