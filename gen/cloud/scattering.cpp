@@ -61,6 +61,31 @@ TwoStream two_stream(double asymmetry, double depth_before, double depth_behind)
   return {(1.0 + c * depth_behind) / all, c * depth_behind / all};
 }
 
+/// Of dF+/dt = -(c + loss) F+ + c F- and -dF-/dt = -(c + loss) F- + c F+, whose solutions fall and
+/// rise by exp(decay t), with F+ = 1 on the lit side and F- = 0 on the other. Numbers are those
+/// over exp(decay all), so that none is too large.
+TwoStream two_stream(double asymmetry, double depth_before, double depth_behind, double decay) {
+  if (decay <= 0.0) return two_stream(asymmetry, depth_before, depth_behind);
+  const double c = 0.75 * (1.0 - asymmetry);
+  const double turned_or_lost = std::sqrt(c * c + decay * decay);  // loss = this - c
+  const double all = depth_before + depth_behind;
+  const auto sinh_over_decay = [&](double depth) {
+    return 0.5 * (math::exp(decay * (depth - all)) - math::exp(-decay * (depth + all))) / decay;
+  };
+  const auto cosh = [&](double depth) {
+    return 0.5 * (math::exp(decay * (depth - all)) + math::exp(-decay * (depth + all)));
+  };
+  const auto onward = [&](double depth) {
+    return cosh(depth) + turned_or_lost * sinh_over_decay(depth);
+  };
+  return {onward(depth_behind) / onward(all), c * sinh_over_decay(depth_behind) / onward(all)};
+}
+
+double decay_along_slab(double asymmetry, double depth_across) {
+  const double turns = 1.0 - asymmetry;
+  return turns * pi / (turns * depth_across + 4.0 / 3.0);
+}
+
 double radiance_of(const TwoStream& streams, double cosine) {
   return ((1.0 + cosine) * streams.onward + (1.0 - cosine) * streams.back) / (2.0 * pi);
 }

@@ -20,6 +20,17 @@ struct TwoStream {
 /// Their difference, the net flux, is 1 / (1 + c all) everywhere: no light is lost.
 TwoStream two_stream(double asymmetry, double depth_before, double depth_behind);
 
+/// The same in a cloud that loses light to its sides: both streams fall by e over an optical depth
+/// of 1 / `decay` in the middle of a deep one. Without decay it is two_stream() of three numbers.
+/// No stream is negative.
+TwoStream two_stream(double asymmetry, double depth_before, double depth_behind, double decay);
+
+/// The decay, per unit of optical depth, of diffuse light that goes along a slab of an optical
+/// depth across, by the slowest mode of its diffusion: pi over the depth that counts for diffusion,
+/// (1 - g) across + 4/3 with what lies beyond its faces (Ishimaru 1978, Wave Propagation and
+/// Scattering in Random Media, chapter 9), per unit of which (1 - g) pass.
+double decay_along_slab(double asymmetry, double depth_across);
+
 /// Radiance of what travels at an angle of that cosine to the onward stream's way: each stream
 /// fills its side evenly, and one passes into the other in between.
 double radiance_of(const TwoStream& streams, double cosine);

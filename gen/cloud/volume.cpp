@@ -78,12 +78,15 @@ std::vector<glm::vec3> diffuse_source(const ScatteringBox& scattering, double pe
 }
 
 /// Source radiance per unit of the sun's irradiance: light that still goes roughly its way, and the
-/// rest of the fluxes. cosine: between the sun's light and that to the eye.
-double sun_source(const ForwardTable& forward, double asymmetry, double before, double behind,
-                  double cosine) {
-  TwoStream rest = two_stream(asymmetry, before, behind);
-  rest.onward -= in_forward_peak(asymmetry, before);
-  return forward.at(before, cosine) + radiance_of(rest, cosine);
+/// rest of the fluxes, of which a low sun's leave by the base and the top. cosine: between the
+/// sun's light and that to the eye.
+double sun_source(const ForwardTable& forward, double asymmetry, const DepthsAround& depths,
+                  const glm::dvec3& sun_direction, double cosine) {
+  const double level = std::sqrt(std::max(1.0 - sun_direction.z * sun_direction.z, 0.0));
+  const double decay = level * decay_along_slab(asymmetry, depths.up + depths.down);
+  TwoStream rest = two_stream(asymmetry, depths.to_sun, depths.from_sun, decay);
+  rest.onward = std::max(rest.onward - in_forward_peak(asymmetry, depths.to_sun), 0.0);
+  return forward.at(depths.to_sun, cosine) + radiance_of(rest, cosine);
 }
 
 }  // namespace
@@ -103,7 +106,7 @@ CloudLight cloud_light(const light::Daylight& day, double height_m, const glm::d
 
 glm::vec3 source_at(const ForwardTable& forward, double asymmetry, const DepthsAround& depths,
                     const glm::dvec3& from_eye, const CloudLight& light) {
-  const double sun = sun_source(forward, asymmetry, depths.to_sun, depths.from_sun,
+  const double sun = sun_source(forward, asymmetry, depths, light.sun_direction,
                                 glm::dot(from_eye, light.sun_direction));
   const double sky = radiance_of(two_stream(asymmetry, depths.up, depths.down), from_eye.z);
   const double ground = radiance_of(two_stream(asymmetry, depths.down, depths.up), -from_eye.z);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "cloud/scattering.h"
+
 namespace wold::cloud {
 namespace {
 
@@ -77,6 +79,35 @@ TEST(DiffuseLight, OfDeepSlabsUnderTheSunFollowsTheEscapeFunction) {
 }
 
 // Nothing is absorbed: what goes down is the same at all heights.
+/// A bar of droplets, of an optical depth across both ways, with the sun before its end.
+ScatteringBox bar(double depth) {
+  constexpr int across = 24, along = 72;
+  ScatteringBox bar;
+  bar.box = {{}, {10.0, 10.0, 10.0}, {along, across, across}, false};
+  bar.asymmetry = asymmetry / (1.0 + asymmetry);
+  const double outside_peak = (1.0 - asymmetry * asymmetry) * depth / across;
+  bar.extinction_per_m.assign(bar.box.count(), static_cast<float>(outside_peak / 10.0));
+  bar.sun_irradiance = glm::vec3(1.0F);
+  bar.sun_direction = {-1.0, 0.0, 0.0};
+  for (std::size_t i = 0; i < bar.box.count(); ++i)
+    bar.sunlight.push_back(
+        static_cast<float>(std::exp(-outside_peak * (static_cast<double>(i % along) + 0.5))));
+  return bar;
+}
+
+/// Of the light in a bar, whose modes are products of two slabs', what the law of the clouds seen
+/// as heaps counts on.
+TEST(DiffuseLight, FallsAlongABarAsTheSlowestModeDoes) {
+  for (const double depth : {30.0, 60.0}) {
+    const ScatteringBox lit = bar(depth);
+    const std::vector<LightMoments> light = diffuse_light(lit);
+    const auto middle = [&](int x) { return double{light[lit.box.index({x, 12, 12})].mean.g}; };
+    const double per_voxel = std::log(middle(20) / middle(40)) / 20.0;
+    const double expected = std::sqrt(2.0) * decay_along_slab(asymmetry, depth) * depth / 24.0;
+    EXPECT_NEAR(per_voxel, expected, 0.1 * expected) << depth;
+  }
+}
+
 TEST(DiffuseLight, IsNotLostOnItsWayThroughASlab) {
   const ScatteringBox lit = slab(30.0, 0.7);
   const std::vector<LightMoments> light = diffuse_light(lit);

@@ -43,6 +43,44 @@ TEST(Scattering, TwoStreamReflectsWhatBohrenSaysAndLosesNothing) {
   }
 }
 
+/// By differences, of dF+/dt = -(c + loss) F+ + c F- and the same backwards.
+TEST(Scattering, TwoStreamThatDecaysFollowsItsEquations) {
+  constexpr double g = 0.86, all = 50.0, c = 0.75 * (1.0 - g), step = 1e-3;
+  for (const double decay : {0.01, 0.05, 0.3}) {
+    const double loss = std::sqrt(c * c + decay * decay) - c;
+    const auto at = [&](double before) { return two_stream(g, before, all - before, decay); };
+    EXPECT_NEAR(at(0.0).onward, 1.0, 1e-12);
+    EXPECT_NEAR(at(all).back, 0.0, 1e-12);
+    for (double before = 1.0; before < all; before += 4.0) {
+      const TwoStream low = at(before - step), here = at(before), high = at(before + step);
+      EXPECT_NEAR((high.onward - low.onward) / (2.0 * step),
+                  -(c + loss) * here.onward + c * here.back, 1e-6);
+      EXPECT_NEAR((high.back - low.back) / (2.0 * step), (c + loss) * here.back - c * here.onward,
+                  1e-6);
+      EXPECT_LT(here.onward, two_stream(g, before, all - before).onward);
+    }
+  }
+}
+
+TEST(Scattering, TwoStreamWithoutDecayIsItsLimit) {
+  for (const double before : {0.0, 3.0, 40.0}) {
+    const TwoStream none = two_stream(0.86, before, 10.0, 0.0);
+    const TwoStream hardly = two_stream(0.86, before, 10.0, 1e-5);
+    EXPECT_NEAR(hardly.onward, none.onward, 1e-6);
+    EXPECT_NEAR(hardly.back, none.back, 1e-6);
+  }
+}
+
+TEST(Scattering, TwoStreamOfAnyDepthIsFinite) {
+  for (const double depth : {0.0, 1e-6, 1e3, 1e7}) {
+    const TwoStream far = two_stream(0.86, depth, depth, 0.05);
+    EXPECT_GE(far.onward, 0.0);
+    EXPECT_LE(far.onward, 1.0);
+    EXPECT_GE(far.back, 0.0);
+    EXPECT_LE(far.back, far.onward + 1e-12);
+  }
+}
+
 /// A direction `cosine` away from a unit vector, at an azimuth about it.
 glm::dvec3 turned(const glm::dvec3& way, double cosine, double azimuth_rad) {
   const glm::dvec3 off = std::abs(way.z) > 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
