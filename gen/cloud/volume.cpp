@@ -77,16 +77,30 @@ std::vector<glm::vec3> diffuse_source(const ScatteringBox& scattering, double pe
   return source;
 }
 
-/// Source radiance per unit of the sun's irradiance: light that still goes roughly its way, and the
-/// rest of the fluxes, of which a low sun's leave by the base and the top. cosine: between the
-/// sun's light and that to the eye.
+/// Radiance, per unit of what falls on their lit side, of streams without what of them still goes
+/// roughly the sun's way.
+double even_radiance(TwoStream streams, double in_peak, double cosine) {
+  streams.onward = std::max(streams.onward - in_peak, 0.0);
+  return radiance_of(streams, cosine);
+}
+
+/// Source radiance per unit of the sun's irradiance: light that still goes roughly its way, and
+/// diffuse light, which comes along the sun's way and of a low sun leaves by base and top
+/// meanwhile, or down from the top and leaves by the sides, whichever is more.
 double sun_source(const ForwardTable& forward, double asymmetry, const DepthsAround& depths,
-                  const glm::dvec3& sun_direction, double cosine) {
-  const double level = std::sqrt(std::max(1.0 - sun_direction.z * sun_direction.z, 0.0));
-  const double decay = level * decay_along_slab(asymmetry, depths.up + depths.down);
-  TwoStream rest = two_stream(asymmetry, depths.to_sun, depths.from_sun, decay);
-  rest.onward = std::max(rest.onward - in_forward_peak(asymmetry, depths.to_sun), 0.0);
-  return forward.at(depths.to_sun, cosine) + radiance_of(rest, cosine);
+                  const glm::dvec3& from_eye, const glm::dvec3& sun_direction) {
+  constexpr double width_over_depth = 2.0;  // of heaps
+  const double deep = depths.up + depths.down;
+  const double sine = std::clamp(sun_direction.z, 0.0, 1.0);
+  const double to_base = std::sqrt(1.0 - sine * sine) * decay_along_slab(asymmetry, deep);
+  const double to_sides = decay_along_slab(asymmetry, width_over_depth * deep);
+  const double cosine = glm::dot(from_eye, sun_direction);
+  const double in_peak = in_forward_peak(asymmetry, depths.to_sun);
+  const double along_sun = even_radiance(
+      two_stream(asymmetry, depths.to_sun, depths.from_sun, to_base), in_peak, cosine);
+  const double from_top =
+      even_radiance(two_stream(asymmetry, depths.up, depths.down, to_sides), in_peak, from_eye.z);
+  return forward.at(depths.to_sun, cosine) + std::max(along_sun, sine * from_top);
 }
 
 }  // namespace
@@ -106,8 +120,7 @@ CloudLight cloud_light(const light::Daylight& day, double height_m, const glm::d
 
 glm::vec3 source_at(const ForwardTable& forward, double asymmetry, const DepthsAround& depths,
                     const glm::dvec3& from_eye, const CloudLight& light) {
-  const double sun = sun_source(forward, asymmetry, depths, light.sun_direction,
-                                glm::dot(from_eye, light.sun_direction));
+  const double sun = sun_source(forward, asymmetry, depths, from_eye, light.sun_direction);
   const double sky = radiance_of(two_stream(asymmetry, depths.up, depths.down), from_eye.z);
   const double ground = radiance_of(two_stream(asymmetry, depths.down, depths.up), -from_eye.z);
   return static_cast<float>(sun) * light.sun_irradiance +
