@@ -179,6 +179,71 @@ TEST(Light, MakesThinEdgesShineAroundTheSun) {
   EXPECT_NEAR(into_the_sun, once + twice + thrice, 0.03);
 }
 
+/// A heap that stands alone: half a ball of 300 m, of droplets as heaps have them on average.
+CloudVolume dome() {
+  CloudVolume dome{{{-480.0, -480.0, 0.0}, {16.0, 16.0, 16.0}, {60, 60, 24}, false}, {}, 0.866};
+  for (int z = 0; z < 24; ++z)
+    for (int y = 0; y < 60; ++y)
+      for (int x = 0; x < 60; ++x)
+        dome.extinction_per_m.push_back(glm::length(dome.box.centre_m({x, y, z})) < 300.0 ? 0.08F
+                                                                                          : 0.0F);
+  return dome;
+}
+
+CloudLight sun_and_sky(double elevation_rad, const glm::dvec3& eye_m) {
+  CloudLight light;
+  light.sun_direction = {std::cos(elevation_rad), 0.0, std::sin(elevation_rad)};
+  light.sun_irradiance = glm::vec3(1.0F);
+  light.sky_irradiance = glm::vec3(0.15F);
+  light.ground_irradiance = glm::vec3(0.05F);
+  light.eye_m = eye_m;
+  light.surroundings = [](const glm::dvec3& direction) {
+    return glm::vec3((direction.z > 0.0 ? 0.15F : 0.05F) / std::numbers::pi_v<float>);
+  };
+  return light;
+}
+
+std::vector<glm::vec3> source_by_depths(const CloudVolume& dome, const glm::dvec3& from_eye,
+                                        const CloudLight& light) {
+  const ForwardTable forward(forward_source, dome.asymmetry);
+  const auto depth = [&](const glm::dvec3& way) {
+    return depth_towards(dome.box, dome.extinction_per_m, way);
+  };
+  const auto to_sun = depth(light.sun_direction), from_sun = depth(-light.sun_direction),
+             up = depth({0.0, 0.0, 1.0}), down = depth({0.0, 0.0, -1.0});
+  std::vector<glm::vec3> source;
+  for (std::size_t i = 0; i < dome.box.count(); ++i)
+    source.push_back(source_at(
+        forward, dome.asymmetry,
+        {double{to_sun[i]}, double{from_sun[i]}, double{up[i]}, double{down[i]}}, from_eye, light));
+  return source;
+}
+
+/// What a far eye sees of it, over all of its picture.
+double seen(const CloudVolume& dome, const glm::dvec3& from_eye,
+            const std::vector<glm::vec3>& source) {
+  const auto before = depth_towards(dome.box, dome.extinction_per_m, -from_eye);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < source.size(); ++i)
+    sum += double{dome.extinction_per_m[i]} * std::exp(-double{before[i]}) * double{source[i].g};
+  return sum;
+}
+
+/// The law of heaps seen as sheets, which has the optical depths along four ways alone.
+TEST(Light, OfAHeapByItsDepthsIsNearThatOfAllOrders) {
+  const CloudVolume heap = dome();
+  for (const double elevation_deg : {5.0, 20.0, 50.0})
+    for (const glm::dvec3& from_eye :
+         {glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, 1.0, 0.0),
+          glm::normalize(glm::dvec3(1.0, 0.0, 0.5)), glm::normalize(glm::dvec3(-1.0, 0.0, 0.5))}) {
+      const CloudLight light = sun_and_sky(elevation_deg * pi / 180.0, -1e5 * from_eye);
+      const double all_orders = seen(heap, from_eye, source_radiance(heap, light));
+      const double by_depths = seen(heap, from_eye, source_by_depths(heap, from_eye, light));
+      EXPECT_NEAR(by_depths / all_orders, 1.0, 0.35)
+          << elevation_deg << " " << from_eye.x << " " << from_eye.y << " " << from_eye.z;
+    }
+}
+
 TEST(Light, IsNeverNegativeOrEndless) {
   const CloudVolume volume = lifted_period(one_volume(scene::CloudKind::cumulus), {48, 48, 16});
   scene::Sun sun;
