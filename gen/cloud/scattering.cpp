@@ -47,6 +47,9 @@ double cosine_of(int step) {
   return 1.0 - 2.0 * math::pow(root, 4);
 }
 
+/// What of each of two streams turns back per unit of optical depth (Bohren 1987).
+double turned_back(double asymmetry) { return 0.75 * (1.0 - asymmetry); }
+
 }  // namespace
 
 double henyey_greenstein(double asymmetry, double cosine) {
@@ -56,7 +59,7 @@ double henyey_greenstein(double asymmetry, double cosine) {
 }
 
 TwoStream two_stream(double asymmetry, double depth_before, double depth_behind) {
-  const double c = 0.75 * (1.0 - asymmetry);
+  const double c = turned_back(asymmetry);
   const double all = 1.0 + c * (depth_before + depth_behind);
   return {(1.0 + c * depth_behind) / all, c * depth_behind / all};
 }
@@ -66,7 +69,7 @@ TwoStream two_stream(double asymmetry, double depth_before, double depth_behind)
 /// over exp(decay all), so that none is too large.
 TwoStream two_stream(double asymmetry, double depth_before, double depth_behind, double decay) {
   if (decay <= 0.0) return two_stream(asymmetry, depth_before, depth_behind);
-  const double c = 0.75 * (1.0 - asymmetry);
+  const double c = turned_back(asymmetry);
   const double turned_or_lost = std::sqrt(c * c + decay * decay);  // loss = this - c
   const double all = depth_before + depth_behind;
   const auto sinh_over_decay = [&](double depth) {
