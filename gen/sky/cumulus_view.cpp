@@ -13,8 +13,15 @@ namespace {
 /// A transmittance below which nothing behind is seen.
 constexpr double nothing_left = 0.004;
 
-/// How far from a place the heaps are followed as they are seen, as a fraction of the thickness.
-constexpr double near_fraction = 0.45;
+/// How far from a place the heaps are followed as they are seen, as a fraction of the thickness; to
+/// a low sun, before which their edges shine, until light comes from so much higher.
+constexpr double near_fraction = 0.45, near_rise = 0.2;
+
+/// Where the sun shines from into clouds.
+glm::dvec3 shining_from(glm::dvec3 sun_direction) {
+  sun_direction.z = std::max(sun_direction.z, cloud::lowest_sun_sine);
+  return glm::normalize(sun_direction);
+}
 
 }  // namespace
 
@@ -49,6 +56,7 @@ CumulusView::CumulusView(const cloud::LayerState& state, std::vector<cloud::Shee
                          const std::optional<CloudWindow>& window)
     : layer_(state.layer),
       light_(cloud::cloud_light(day, cloud::middle_m(*state.layer), eye_m)),
+      to_sun_(shining_from(light_.sun_direction)),
       finest_rad_(finest_rad),
       colour_(state.moment.light),
       alpha_(state.moment.amount_is_alpha ? static_cast<float>(state.moment.amount) : 1.0F),
@@ -143,28 +151,29 @@ double CumulusView::extinction_per_m(const glm::dvec3& place_m, double footprint
   return layer_->droplets.extinction_per_m * inside * inside;
 }
 
-/// Optical depth from a place to near_fraction of the thickness from there; what is nearer counts
-/// in shorter steps.
-double CumulusView::near_depth(const glm::dvec3& place_m, const glm::dvec3& direction) const {
-  constexpr int steps = 4;  // each twice as long as the one before
-  double length_m = near_fraction * layer_->thickness_m / ((1 << steps) - 1);
-  double from_m = 0.0, depth = 0.0;
-  for (int i = 0; i < steps; ++i, from_m += length_m, length_m *= 2.0)
-    depth += length_m *
-             extinction_per_m(place_m + direction * (from_m + 0.5 * length_m), 0.5 * length_m);
+/// Optical depth from a place to a distance from there; what is nearer counts in shorter steps.
+double CumulusView::near_depth(const glm::dvec3& place_m, const glm::dvec3& direction,
+                               double reach_m) const {
+  constexpr double growth = 1.6, first = 0.03;  // of the thickness
+  double length_m = first * layer_->thickness_m, from_m = 0.0, depth = 0.0;
+  for (; from_m < reach_m; from_m += length_m, length_m *= growth) {
+    const double step_m = std::min(length_m, reach_m - from_m);
+    depth += step_m * extinction_per_m(place_m + direction * (from_m + 0.5 * step_m), 0.5 * step_m);
+  }
   return depth;
 }
 
 double CumulusView::depth_to_sun(const glm::dvec3& place_m) const {
-  const glm::dvec3& to_sun = light_.sun_direction;
-  const glm::dvec3 far_m = place_m + to_sun * (near_fraction * layer_->thickness_m);
-  return near_depth(place_m, to_sun) + heaps_.depth_to_sun(far_m);
+  const double reach_m = std::max(near_fraction, near_rise / to_sun_.z) * layer_->thickness_m;
+  return near_depth(place_m, to_sun_, reach_m) + heaps_.depth_to_sun(place_m + to_sun_ * reach_m);
 }
 
 double CumulusView::depth_above(const glm::dvec3& place_m) const {
-  const double far_m = place_m.z + near_fraction * layer_->thickness_m - layer_->base_m;
+  const double reach_m = near_fraction * layer_->thickness_m;
+  const double far_m = place_m.z + reach_m - layer_->base_m;
   const double above_m = std::max(heaps_.top_m(glm::dvec2(place_m)) - far_m, 0.0);
-  return near_depth(place_m, {0.0, 0.0, 1.0}) + layer_->droplets.extinction_per_m * above_m;
+  return near_depth(place_m, {0.0, 0.0, 1.0}, reach_m) +
+         layer_->droplets.extinction_per_m * above_m;
 }
 
 /// Radiance that the place sends to the eye per unit of optical depth. Behind it, away from the sun
@@ -172,9 +181,8 @@ double CumulusView::depth_above(const glm::dvec3& place_m) const {
 glm::vec3 CumulusView::source(const glm::dvec3& place_m, const glm::dvec3& from_eye) const {
   const cloud::Droplets& droplets = layer_->droplets;
   const double below = droplets.extinction_per_m * std::max(place_m.z - layer_->base_m, 0.0);
-  const double slant = std::max(light_.sun_direction.z, cloud::lowest_sun_sine);
   return cloud::source_at(forward_, droplets.asymmetry,
-                          {depth_to_sun(place_m), below / slant, depth_above(place_m), below},
+                          {depth_to_sun(place_m), below / to_sun_.z, depth_above(place_m), below},
                           from_eye, light_);
 }
 

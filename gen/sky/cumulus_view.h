@@ -49,13 +49,14 @@ class CumulusView {
   double surface_between(const Ray& ray, double outside_m, double inside_m,
                          double footprint_m) const;
   double extinction_per_m(const glm::dvec3& place_m, double footprint_m) const;
-  double near_depth(const glm::dvec3& place_m, const glm::dvec3& direction) const;
+  double near_depth(const glm::dvec3& place_m, const glm::dvec3& direction, double reach_m) const;
   double depth_to_sun(const glm::dvec3& place_m) const;
   double depth_above(const glm::dvec3& place_m) const;
   glm::vec3 source(const glm::dvec3& place_m, const glm::dvec3& from_eye) const;
 
   std::shared_ptr<const cloud::Layer> layer_;
   cloud::CloudLight light_;
+  glm::dvec3 to_sun_;  ///< as it shines into clouds
   double finest_rad_;
   glm::vec3 colour_;  ///< of the layer's light
   float alpha_;       ///< what [Wang2010]'s events leave of its opacity
