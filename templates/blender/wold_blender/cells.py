@@ -38,6 +38,7 @@ def load_volumes(frame: Frame) -> Any:
         volume.render.clipping = CLIPPING
         volume.materials.append(materials.of(kind))
         collection.objects.link(bpy.data.objects.new(volume.name, volume))
+    materials.remove_forms()
     return collection
 
 

@@ -11,6 +11,8 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
+import bpy
+
 from .differences import volume_shift_voxels
 from .frame_data import Frame, check_size
 from .nodes import (
@@ -30,6 +32,7 @@ EMISSION = "emission"  # grid of a volume
 
 # Names of the nodes in which kinds differ.
 LOWER, UPPER = "lower slice", "upper slice"  # pictures
+STANDING = "standing light"  # a picture, too
 PLACE, SLICES, NEXT_SLICE = "place in picture", "slices before", "next slice"
 
 
@@ -136,6 +139,7 @@ def grass_medium(nodes: Nodes, frame: Frame, density: Any) -> Any:
     `density_unit_per_m`; the map `standing_light` multiplies them, its alpha the first and its
     colour the second."""
     ground = map_outputs(nodes, frame, frame["standing_light"])
+    ground["Color"].node.name = STANDING
     extinction = nodes.math("MULTIPLY", density, frame["density_unit_per_m"])
     standing = nodes.math("MULTIPLY", extinction, ground["Alpha"])
     colour = nodes.vector_math("MULTIPLY", colour_in_picture(nodes), ground["Color"])
@@ -175,7 +179,8 @@ def hull_node(number: int) -> str:
 
 
 def material_form(frame: Frame, is_whole: bool) -> Any:
-    """The nodes of all materials that show the whole patch, or a quarter of it."""
+    """The nodes of all materials that show the whole patch, or a quarter of it, without pictures:
+    Blender counts a picture's users too high when a material that shows it is copied."""
     material, nodes = new_material("grass")
     density = grid_number(nodes, "density")
     shader = grass_medium(nodes, frame, density)
@@ -186,6 +191,7 @@ def material_form(frame: Frame, is_whole: bool) -> Any:
     if not is_whole:  # the hull alone would not do: Cycles passes over a face at times
         shader = mixed(nodes, inside_part(nodes), None, shader)
     end_in(nodes, "Volume", shader)
+    material.node_tree.nodes[STANDING].image = None
     return material
 
 
@@ -195,14 +201,15 @@ def show_kind(material: Any, frame: Frame, kind: Kind) -> None:
     material.cycles.volume_step_rate = kind.step_voxels
     nodes = material.node_tree.nodes
     show_colours(nodes, frame, kind)
+    nodes[STANDING].image = load_picture(frame.path(frame["standing_light"]["file"]))
     nodes[GAIN].inputs["Strength"].default_value = frame["density_unit_per_m"] * kind.colours.scale
     for number, grid in enumerate(kind.hull_grids()):
         nodes[hull_node(number)].attribute_name = grid
 
 
 class GrassMaterials:
-    """A frame's materials of grass, each made once. Those of one form are copies of the first:
-    Blender takes some 50 ms to build such nodes, and 2 ms to copy them."""
+    """A frame's materials of grass, each made once, as copies of one of their form: Blender takes
+    some 50 ms to build such nodes, and 2 ms to copy them."""
 
     def __init__(self, frame: Frame) -> None:
         self._frame = frame
@@ -215,8 +222,13 @@ class GrassMaterials:
             show_kind(self._materials[kind], self._frame, kind)
         return self._materials[kind]
 
+    def remove_forms(self) -> None:
+        """When all materials are made."""
+        for form in self._forms.values():
+            bpy.data.materials.remove(form)
+        self._forms.clear()
+
     def _new(self, is_whole: bool) -> Any:
-        if is_whole in self._forms:
-            return self._forms[is_whole].copy()
-        self._forms[is_whole] = material_form(self._frame, is_whole)
-        return self._forms[is_whole]
+        if is_whole not in self._forms:
+            self._forms[is_whole] = material_form(self._frame, is_whole)
+        return self._forms[is_whole].copy()
