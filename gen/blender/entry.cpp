@@ -50,18 +50,18 @@ const exporter::Exporter& entry() {
                 .frame_cloud_voxel = 1.1,
                 .shared_blade = 1000.0,
                 .shared_volume = 20e3,  // names, tree and what else does not grow with its voxels
-                .shared_filled_voxel = 8.0},
+                .shared_filled_voxel = 5.0},
       .renderer = &renderer(),
-      // Blender 3.4 keeps the whole box of a volume, four numbers a voxel, and OpenVDB's trees
-      // beside it; newer ones take less.
+      // Blender 3.4 keeps the whole box of a volume, two numbers a voxel and a pixel for eight, and
+      // OpenVDB's trees beside it; newer ones take less.
       .memory = {.start = 660e6,
                  .ground_sample = 30.0,
                  .cloud_voxel = 22.0,
                  .terrain_sample = 600.0,
                  .part = 9000.0,
                  .blade = 5000.0,
-                 .voxel = 16.0,
-                 .filled_voxel = 110.0},
+                 .voxel = 8.5,
+                 .filled_voxel = 60.0},
       .seconds_per_megapixel = seconds_per_megapixel};
   return blender;
 }

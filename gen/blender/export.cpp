@@ -50,9 +50,10 @@ double step_voxels(const Landscape& landscape, double voxel_m, double distance_m
 /// What frames share, in `data`, as far as this one needs it.
 std::vector<fs::path> shared_files(const Landscape& landscape,
                                    const std::vector<VolumeEntry>& volumes, const fs::path& data) {
-  std::set<fs::path> vdbs;
-  for (const VolumeEntry& volume : volumes) vdbs.insert(volume.file);
-  std::vector<fs::path> files(vdbs.begin(), vdbs.end());
+  std::set<fs::path> of_volumes;
+  for (const VolumeEntry& volume : volumes)
+    of_volumes.insert({volume.file, colour_file(volume.file)});
+  std::vector<fs::path> files(of_volumes.begin(), of_volumes.end());
   for (const landscape::BladeMesh& mesh : landscape.blade_meshes)
     for (const fs::path& file : blade_files(mesh.name, data / "blades")) files.push_back(file);
   if (!landscape.flakes.flakes.empty())
@@ -69,16 +70,18 @@ std::vector<VolumeEntry> write_volumes(const Landscape& landscape, const ShownVo
     return folder / (landscape.volumes[volume].name + ".vdb");
   };
   std::set<std::size_t> used;
+  for (const ShownVolume& each : shown.all()) used.insert(each.volume);
+  const std::vector<std::size_t> todo(used.begin(), used.end());
+  std::vector<ColourPicture> colours(landscape.volumes.size());
+  parallel_for(todo.size(), [&](std::size_t i) {
+    colours[todo[i]] = write_volume(file_of(todo[i]), landscape.volumes[todo[i]]);
+  });
   std::vector<VolumeEntry> entries;
   for (const ShownVolume& each : shown.all()) {
     const double voxel_m = landscape.volumes[each.volume].voxel_m;
-    const double step = step_voxels(landscape, voxel_m, distances_m[each.volume]);
-    used.insert(each.volume);
-    entries.push_back({file_of(each.volume), voxel_m, step, each.quarter});
+    entries.push_back({file_of(each.volume), colours[each.volume], voxel_m,
+                       step_voxels(landscape, voxel_m, distances_m[each.volume]), each.quarter});
   }
-  const std::vector<std::size_t> todo(used.begin(), used.end());
-  parallel_for(todo.size(),
-               [&](std::size_t i) { write_volume(file_of(todo[i]), landscape.volumes[todo[i]]); });
   return entries;
 }
 

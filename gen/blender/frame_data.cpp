@@ -17,7 +17,7 @@ namespace wold::blender {
 namespace {
 
 /// Of the folder; templates/blender/wold_blender/frame_data.py reads no other.
-constexpr int format = 6;
+constexpr int format = 7;
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
@@ -277,12 +277,22 @@ Json write_blade_cells(const Landscape& landscape, const fs::path& folder) {
   return write_instances(placements, picks, folder, "blade_");
 }
 
+Json colours_json(const VolumeEntry& volume, const fs::path& folder) {
+  const fs::path file = colour_file(volume.file);
+  return {{"file", file.lexically_relative(folder).generic_string()},
+          {"bytes", fs::file_size(file)},
+          {"side", volume.colours.side},
+          {"slices", volume.colours.slices},
+          {"scale", volume.colours.scale}};
+}
+
 /// The size lets a file that was cut short be refused; Blender itself would crash.
 Json volumes_json(const std::vector<VolumeEntry>& volumes, const fs::path& folder) {
   Json list = Json::array();
   for (const VolumeEntry& volume : volumes)
     list.push_back({{"file", volume.file.lexically_relative(folder).generic_string()},
                     {"bytes", fs::file_size(volume.file)},
+                    {"colours", colours_json(volume, folder)},
                     {"voxel_m", volume.voxel_m},
                     {"step_voxels", volume.step_voxels},
                     {"quarter", volume.quarter ? Json(*volume.quarter) : Json(nullptr)}});

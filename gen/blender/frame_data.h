@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "blender/colour_picture.h"
 #include "landscape/landscape.h"
 
 namespace wold::blender {
@@ -11,6 +12,7 @@ namespace wold::blender {
 /// What cells of the frame show, as frame.json names it.
 struct VolumeEntry {
   std::filesystem::path file;  ///< the .vdb
+  ColourPicture colours;       ///< of its colour_file()
   double voxel_m = 0.0;        ///< side of its voxels
   double step_voxels = 1.0;    ///< length of a ray's step
   std::optional<int> quarter;  ///< see ShownVolume

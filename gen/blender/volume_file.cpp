@@ -3,13 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <cstdint>
 #include <iterator>
 #include <map>
+#include <optional>
+#include <vector>
 
-#include "core/error.h"
+#include "core/colour.h"
+#include "core/files.h"
+#include "core/image.h"
+#include "core/vdb_dense.h"
 #include "core/vdb_file.h"
 #include "landscape/cell_parts.h"
+#include "landscape/emitted_light.h"
 #include "landscape/vdb_medium.h"
 
 namespace wold::blender {
@@ -18,26 +24,46 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* content_key = "wold_content";
+constexpr const char* colours_key = "wold_colours";  ///< hash of the picture
 
 /// Of a volume's extinction, what leave_out_tips() may leave out.
 constexpr double fraction_of_tips = 0.0005;
 
 /// Changes whenever this file writes the same volume differently.
-constexpr int layout = 6;
+constexpr int layout = 7;
 
 std::string content_of(const landscape::Volume& volume) {
   return fmt::format("{} {} {}", layout, volume.content, volume.emission_grid);
 }
 
-bool is_there(const fs::path& path, const std::string& content) {
-  if (!fs::exists(path)) return false;
+std::string hash_of(const fs::path& path) { return content_hash(read_file(path)); }
+
+/// How the colours lie that belong to a file of this content; none when one of the two is missing
+/// or damaged.
+std::optional<ColourPicture> colours_there(const fs::path& path, const std::string& content) {
+  if (!fs::exists(path) || !fs::exists(colour_file(path))) return std::nullopt;
   try {
     const auto metadata = read_vdb_metadata(path);
-    const auto found = metadata->getMetadata<openvdb::StringMetadata>(content_key);
-    return found && found->value() == content;
-  } catch (const FileError&) {
-    return false;  // damaged: written anew
+    if (metadata->metaValue<std::string>(content_key) != content ||
+        metadata->metaValue<std::string>(colours_key) != hash_of(colour_file(path)))
+      return std::nullopt;
+    return ColourPicture{metadata->metaValue<std::int32_t>("wold_colour_side"),
+                         metadata->metaValue<std::int32_t>("wold_colour_slices"),
+                         metadata->metaValue<float>("wold_colour_scale")};
+  } catch (const std::exception&) {
+    return std::nullopt;  // damaged: written anew
   }
+}
+
+openvdb::MetaMap metadata_of(const std::string& content, const fs::path& path,
+                             const ColourPicture& colours) {
+  openvdb::MetaMap metadata;
+  metadata.insertMeta(content_key, openvdb::StringMetadata(content));
+  metadata.insertMeta(colours_key, openvdb::StringMetadata(hash_of(colour_file(path))));
+  metadata.insertMeta("wold_colour_side", openvdb::Int32Metadata(colours.side));
+  metadata.insertMeta("wold_colour_slices", openvdb::Int32Metadata(colours.slices));
+  metadata.insertMeta("wold_colour_scale", openvdb::FloatMetadata(colours.scale));
+  return metadata;
 }
 
 /// Up to version 4.5 Cycles holds voxel i to be the box from i to i + 1, its value in the middle,
@@ -84,23 +110,50 @@ void count_in_units(openvdb::FloatGrid& density) {
     at.setValue(std::min(*at / density_unit_per_m, max));
 }
 
-/// What a ray's radiance gains, a grid for each colour: a vector would take the memory of four
-/// numbers in some renderers, and cannot be had in half precision.
-using Emission = std::array<openvdb::FloatGrid::Ptr, 3>;
+/// What a ray's radiance gains, by name.
+struct Emission {
+  const char* name;
+  openvdb::FloatGrid::Ptr grid;
+};
 
-constexpr std::array<const char*, 3> emission_names = {"emission red", "emission green",
-                                                       "emission blue"};
-
-/// density * radiance on the voxels of `density`.
-Emission emission_of(const openvdb::FloatGrid& density, const openvdb::Vec3SGrid& radiance) {
-  Emission emission;
-  for (std::size_t colour = 0; colour < emission.size(); ++colour) {
-    emission[colour] = density.deepCopy();
-    auto source = radiance.getConstAccessor();
-    for (auto at = emission[colour]->beginValueOn(); at; ++at)
-      at.setValue(*at * source.getValue(at.getCoord())[static_cast<int>(colour)]);
-  }
+/// density * value(radiance) on the voxels of `density`.
+template <class Value>
+openvdb::FloatGrid::Ptr emission_of(const openvdb::FloatGrid& density,
+                                    const openvdb::Vec3SGrid& radiance, const Value& value) {
+  const openvdb::FloatGrid::Ptr emission = density.deepCopy();
+  auto source = radiance.getConstAccessor();
+  for (auto at = emission->beginValueOn(); at; ++at)
+    at.setValue(*at * value(source.getValue(at.getCoord())));
   return emission;
+}
+
+Emission luminance_of(const openvdb::FloatGrid& density, const openvdb::Vec3SGrid& radiance) {
+  return {"emission", emission_of(density, radiance, [](const openvdb::Vec3s& colour) {
+            return static_cast<float>(luminance({colour.x(), colour.y(), colour.z()}));
+          })};
+}
+
+std::vector<Emission> channels_of(const openvdb::FloatGrid& density,
+                                  const openvdb::Vec3SGrid& radiance) {
+  std::vector<Emission> channels;
+  for (const char* name : {"emission red", "emission green", "emission blue"}) {
+    const auto channel = static_cast<int>(channels.size());
+    channels.push_back({name, emission_of(density, radiance, [&](const openvdb::Vec3s& colour) {
+                          return colour[channel];
+                        })});
+  }
+  return channels;
+}
+
+/// The colours of a volume as high as a box of its voxels.
+landscape::ColourGrid colours_in(const landscape::Volume& volume,
+                                 const openvdb::CoordBBox& voxels) {
+  const glm::ivec3 first(1);
+  const glm::ivec3 size(volume.voxels.x, volume.voxels.y, voxels.max().z());
+  return landscape::emitted_light(read_dense_floats(volume.vdb, "density", first, size),
+                                  read_dense_vectors(volume.vdb, volume.emission_grid, first, size),
+                                  size)
+      .colours;
 }
 
 /// A border of zeros, one voxel wide. Cycles repeats a grid's outermost values beyond it: without
@@ -120,7 +173,8 @@ void prepare(openvdb::GridBase& grid, const std::string& name, double voxel_m) {
 }
 
 /// Density and what it emits, ready to be written.
-openvdb::GridPtrVec medium_grids(const openvdb::FloatGrid::Ptr& density, const Emission& emission,
+openvdb::GridPtrVec medium_grids(const openvdb::FloatGrid::Ptr& density,
+                                 const std::vector<Emission>& emission,
                                  const openvdb::CoordBBox& voxels, double voxel_m) {
   openvdb::GridPtrVec grids;
   const auto add = [&](const openvdb::FloatGrid::Ptr& grid, const char* name) {
@@ -131,8 +185,7 @@ openvdb::GridPtrVec medium_grids(const openvdb::FloatGrid::Ptr& density, const E
     grids.push_back(grid);
   };
   add(density, "density");
-  for (std::size_t colour = 0; colour < emission.size(); ++colour)
-    add(emission[colour], emission_names[colour]);
+  for (const Emission& each : emission) add(each.grid, each.name);
   return grids;
 }
 
@@ -164,9 +217,13 @@ openvdb::BoolGrid::Ptr hull_of(const landscape::Part& quarter, const glm::ivec3&
 
 }  // namespace
 
-void write_volume(const fs::path& path, const landscape::Volume& volume) {
+fs::path colour_file(const fs::path& volume_file) {
+  return fs::path(volume_file).replace_extension(".png");
+}
+
+ColourPicture write_volume(const fs::path& path, const landscape::Volume& volume) {
   const std::string content = content_of(volume);
-  if (is_there(path, content)) return;
+  if (const auto there = colours_there(path, content)) return *there;
   const auto density = read_vdb_grid_as<openvdb::FloatGrid>(volume.vdb, "density");
   const auto radiance = read_vdb_grid_as<openvdb::Vec3SGrid>(volume.vdb, volume.emission_grid);
   leave_out_tips(*density, fraction_of_tips);
@@ -175,22 +232,24 @@ void write_volume(const fs::path& path, const landscape::Volume& volume) {
   const openvdb::MaskTree leaves = leaves_of(*density);
   const openvdb::CoordBBox box = without_air_above(volume.voxels, *density);
   openvdb::GridPtrVec grids =
-      medium_grids(density, emission_of(*density, *radiance), box, volume.voxel_m);
+      medium_grids(density, {luminance_of(*density, *radiance)}, box, volume.voxel_m);
   int number = 0;
   for (const landscape::Part& quarter : landscape::quarters_of_patch(volume.voxels.x)) {
     const auto hull = hull_of(quarter, volume.voxels, leaves);
     prepare(*hull, fmt::format("quarter {}", number++), volume.voxel_m);
     grids.push_back(hull);
   }
-  openvdb::MetaMap metadata;
-  metadata.insertMeta(content_key, openvdb::StringMetadata(content));
-  write_vdb(path, grids, metadata);
+  const landscape::ColourGrid colours = colours_in(volume, box);
+  const ColourPicture picture = colour_picture_of(colours);
+  write_image(colour_file(path), pixels_of(picture, colours), PixelFormat::uint8);
+  write_vdb(path, grids, metadata_of(content, path, picture));
+  return picture;
 }
 
 void write_cloud(const fs::path& path, const landscape::CloudBox& cloud) {
   const landscape::CloudGrids grids = landscape::cloud_grids(cloud);
   const openvdb::CoordBBox voxels(openvdb::Coord(1), openvdb::Coord(&cloud.voxels.x));
-  write_vdb(path, medium_grids(grids.extinction, emission_of(*grids.extinction, *grids.radiance),
+  write_vdb(path, medium_grids(grids.extinction, channels_of(*grids.extinction, *grids.radiance),
                                voxels, cloud.voxel_m));
 }
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "blender/colour_picture.h"
 #include "landscape/landscape.h"
 
 namespace wold::blender {
@@ -12,19 +13,24 @@ constexpr float density_unit_per_m = 4096.0F;
 
 /// Writes a volume as Cycles reads it, in half precision (error below 0.05 % or 0.0002/m):
 ///   `density`    extinction in density_unit_per_m,
-///   `emission red`, `emission green`, `emission blue`   density times source radiance: what a
-///                ray's radiance gains. The product is stored, since interpolating the two apart
-///                darkens every edge. A vector would take the memory of four numbers,
+///   `emission`   density times luminance of the source radiance: what a ray's luminance gains. The
+///                product is stored, since interpolating the two apart darkens every edge,
 ///   `quarter 0`  to 3, in the order of landscape::quarters_of_patch(): truth values, active in
 ///                just those of OpenVDB's leaves of which the quarter consists. Cycles builds a
 ///                hull for each, while all of them share the volume in memory.
 /// Voxels of no density are left out, so that Cycles steps over them. So are the highest layers,
 /// the tips of a blade or two, that have 0.05 % of the extinction. The volume ends one voxel above
-/// the rest. A file remembers the volume's content; one that is there with the same content stays.
-/// Throws FileError.
-void write_volume(const std::filesystem::path& path, const landscape::Volume& volume);
+/// the rest. The colour of what is emitted goes into colour_file(), a PNG of 8 bits beside it at
+/// half the resolution. A file remembers the volume's content; one that is there with the same
+/// content stays. Throws FileError.
+ColourPicture write_volume(const std::filesystem::path& path, const landscape::Volume& volume);
 
-/// Writes a cloud likewise, but per metre, without quarters and always anew.
+/// The picture of a volume's colours.
+std::filesystem::path colour_file(const std::filesystem::path& volume_file);
+
+/// Writes a cloud likewise, but per metre, always anew, without quarters, and with its colour in
+/// full: `emission red`, `emission green` and `emission blue`. A vector would take the memory of
+/// four numbers.
 void write_cloud(const std::filesystem::path& path, const landscape::CloudBox& cloud);
 
 }  // namespace wold::blender

@@ -8,11 +8,10 @@
 #include <string>
 #include <string_view>
 
-#include "core/colour.h"
 #include "core/df3.h"
 #include "core/files.h"
 #include "core/vdb_dense.h"
-#include "povray/coarse_colours.h"
+#include "landscape/emitted_light.h"
 #include "povray/text.h"
 
 namespace wold::povray {
@@ -131,32 +130,14 @@ void write_density(const landscape::Volume& volume, const Extinction& extinction
                  grid_text(extinction.voxels, volume.voxel_m) + extinction_text(largest), folder);
 }
 
-float relative_luminance(const glm::vec3& rgb) { return static_cast<float>(luminance(rgb)); }
-
-/// Of what a volume emits, per metre, the luminance.
-std::vector<float> emitted_luminance(const Extinction& extinction,
-                                     std::span<const glm::vec3> radiance) {
-  std::vector<float> emitted(extinction.per_m.size());
-  for (std::size_t i = 0; i < emitted.size(); ++i)
-    emitted[i] = extinction.per_m[i] * relative_luminance(radiance[i]);
-  return emitted;
-}
-
-/// Colours of luminance 1; black where it is dark.
-std::vector<glm::vec3> colours_of(std::vector<glm::vec3> radiance) {
-  for (glm::vec3& value : radiance)
-    if (const float luminance = relative_luminance(value); luminance > 0.0F) value /= luminance;
-  return radiance;
-}
-
 void write_light(const landscape::Volume& volume, const Extinction& extinction, int bits,
                  const fs::path& folder) {
   const glm::ivec3& voxels = extinction.voxels;
   auto radiance = read_dense_vectors(volume.vdb, volume.emission_grid, glm::ivec3(1), voxels);
-  const std::vector<float> emitted = emitted_luminance(extinction, radiance);
-  const ColourGrid colours = coarse_colours(emitted, colours_of(std::move(radiance)), voxels);
+  const auto [luminance, colours] =
+      landscape::emitted_light(extinction.per_m, std::move(radiance), voxels);
   const GridFiles files = light_files(volume);
-  const float emission_max = write_grid(files.grid(folder, "_l"), emitted, voxels, bits);
+  const float emission_max = write_grid(files.grid(folder, "_l"), luminance, voxels, bits);
   const glm::vec3 colour_max = write_colours(files, colours.values, colours.voxels, bits, folder);
   files.describe(
       content_line(files, volume, bits),

@@ -36,7 +36,7 @@ std::string density_name(const landscape::Volume& volume);
 ///     <density>.inc                 its size and maximum
 ///     <name>_l.df3                  luminance of what it emits, extinction times radiance,
 ///     <name>_r.df3, _g.df3, _b.df3  colour of that, of luminance 1, at half the resolution
-///                                   (coarse_colours.h),
+///                                   (landscape/emitted_light.h),
 ///     <name>.inc                    their maxima, for each of the volumes
 ///
 /// in integers of 8 or 16 bits. An .inc is written after its df3 files and has the content's hash

@@ -85,7 +85,7 @@ scene.frame_set(2)
 assert scene.wold.frame == 2 and instances() == SECOND, (scene.wold.frame, instances())
 assert abs(camera.location[1] - at_first[1] + 1.0) < 1e-5, "the camera did not follow"
 at_second = tuple(camera.location), tuple(camera.rotation_euler)
-assert counts() == there, "things pile up"
+assert counts() == there, ("things pile up", counts(), there)
 terrain = next(thing for thing in marked("objects") if thing.name.startswith("terrain"))
 for number in (3, 250, 2):
     scene.frame_set(number)
@@ -119,7 +119,7 @@ assert scene.wold.frame == 2 and scene.wold.problem == "", scene.wold.problem
 scene.frame_set(1)
 assert scene.wold.frame == 2, "the degree picks now"
 assert instances() == SECOND, instances()
-assert counts() == there, "things pile up"
+assert counts() == there, ("things pile up", counts(), there)
 assert abs(only(marked("lights")).energy - 1.8) < 1e-6
 assert own.name in scene.collection.all_objects
 

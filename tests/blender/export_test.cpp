@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -13,8 +12,10 @@
 #include <nlohmann/json.hpp>
 
 #include "blender/volume_file.h"
+#include "core/colour.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "core/image.h"
 #include "core/vdb_file.h"
 #include "support/quartered.h"
 #include "support/synthetic_landscape.h"
@@ -158,7 +159,7 @@ TEST_F(BlenderExport, StepsFollowTheWidthOfPixels) {
   EXPECT_NEAR(frame_json()["volumes"][0]["step_voxels"], step_voxels, 0.02 * step_voxels);
 }
 
-TEST_F(BlenderExport, VolumesHoldDensityAndItsProductWithRadiance) {
+TEST_F(BlenderExport, VolumesHoldDensityAndItsProductWithLuminance) {
   export_frame(landscape, folder / "out");
   const landscape::Volume& volume = landscape.volumes.front();
   const auto want = openvdb::gridPtrCast<openvdb::FloatGrid>(read_vdb_grid(volume.vdb, "density"));
@@ -169,15 +170,12 @@ TEST_F(BlenderExport, VolumesHoldDensityAndItsProductWithRadiance) {
   ASSERT_GT(want->activeVoxelCount(), 100U);
   for (auto at = want->cbeginValueOn(); at; ++at)
     EXPECT_NEAR(density_unit_per_m * got->tree().getValue(at.getCoord()), *at, 1e-3F * *at + 2e-4F);
-  const std::array<std::string, 3> names = {"emission red", "emission green", "emission blue"};
-  for (int colour = 0; colour < 3; ++colour) {
-    const auto emission = openvdb::gridPtrCast<openvdb::FloatGrid>(
-        read_vdb_grid(file, names[static_cast<std::size_t>(colour)]));
-    for (auto at = want->cbeginValueOn(); at; ++at) {
-      const float gain = *at * radiance->tree().getValue(at.getCoord())[colour];
-      EXPECT_NEAR(density_unit_per_m * emission->tree().getValue(at.getCoord()), gain,
-                  1e-3F * gain + 2e-4F);
-    }
+  const auto emission = openvdb::gridPtrCast<openvdb::FloatGrid>(read_vdb_grid(file, "emission"));
+  for (auto at = want->cbeginValueOn(); at; ++at) {
+    const openvdb::Vec3s colour = radiance->tree().getValue(at.getCoord());
+    const auto gain = static_cast<float>(*at * luminance({colour.x(), colour.y(), colour.z()}));
+    EXPECT_NEAR(density_unit_per_m * emission->tree().getValue(at.getCoord()), gain,
+                1e-3F * gain + 2e-4F);
   }
   // For Cycles voxel i is the box from i to i + 1: the first one, 1, begins where the cell does.
   EXPECT_LT((got->indexToWorld(openvdb::Coord(1)) - openvdb::Vec3d(0.0)).length(), 1e-9);
@@ -203,10 +201,40 @@ TEST_F(BlenderExport, VolumesEndAboveTheHighestVoxelThatIsThere) {
   write_vdb(volume.vdb, {density, radiance});
   export_frame(landscape, folder / "out");
   const fs::path file = folder / "out/data/volumes" / (volume.name + ".vdb");
-  for (const std::string name : {"density", "emission red", "emission blue"})
+  for (const std::string name : {"density", "emission"})
     EXPECT_EQ(read_vdb_grid(file, name)->evalActiveVoxelBoundingBox().max(),
               openvdb::Coord(volume.voxels.x + 1, volume.voxels.y + 1, highest + 1))
         << name;
+}
+
+// The synthetic meadow has one colour, at several brightnesses.
+TEST_F(BlenderExport, ColoursAreInAPictureBesideTheVolume) {
+  export_frame(landscape, folder / "out");
+  const auto entry = frame_json()["volumes"][0];
+  const landscape::Volume& volume = landscape.volumes.front();
+  EXPECT_EQ(entry["colours"]["file"], "../volumes/" + volume.name + ".png");
+  EXPECT_EQ(entry["colours"]["side"], volume.voxels.x / 2);
+  const fs::path file = folder / "out/data/volumes" / (volume.name + ".png");
+  EXPECT_EQ(entry["colours"]["bytes"], fs::file_size(file));
+  const Image picture = read_image(file);
+  EXPECT_EQ(picture.width, volume.voxels.x / 2 + 2);
+  EXPECT_EQ(picture.height, picture.width * entry["colours"]["slices"].get<int>());
+  const glm::vec3 own(0.03F, 0.10F, 0.015F);
+  const glm::vec3 wanted = own / static_cast<float>(luminance(own));
+  const float scale = entry["colours"]["scale"];
+  for (std::size_t i = 0; i < picture.values.size(); ++i)
+    EXPECT_NEAR(picture.values[i] * scale, wanted[static_cast<int>(i % 3)], 0.6F * scale / 255.0F);
+}
+
+TEST_F(BlenderExport, AMissingOrChangedPictureOfColoursIsMadeAnew) {
+  export_frame(landscape, folder / "out");
+  const fs::path file = folder / "out/data/volumes" / (landscape.volumes[0].name + ".png");
+  const std::string whole = read_file(file);
+  for (const std::string& damaged : {std::string(), whole.substr(0, whole.size() / 2)}) {
+    damaged.empty() ? static_cast<void>(fs::remove(file)) : write_file(file, damaged);
+    export_frame(landscape, folder / "out");
+    EXPECT_EQ(read_file(file), whole);
+  }
 }
 
 // A tip with almost no extinction does not make the box higher; one with more does.
@@ -275,7 +303,7 @@ TEST_F(BlenderExport, WritesOnlyVolumesInUseAndTheSameBytesTwice) {
   export_frame(landscape, folder / "again");
   EXPECT_FALSE(fs::exists(folder / "out/data/volumes" / (landscape.volumes[2].name + ".vdb")));
   const auto once = all_files(folder / "out");
-  EXPECT_EQ(once.size(), 24U);
+  EXPECT_EQ(once.size(), 26U);
   EXPECT_TRUE(once == all_files(folder / "again"));
 }
 

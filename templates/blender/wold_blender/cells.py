@@ -13,10 +13,10 @@ import bpy
 from .blades import load_blades
 from .differences import add_group_socket, volume_shift_voxels
 from .frame_data import DataError, Frame
-from .grass_material import Kind, grass_material
+from .grass_material import EMISSION, GrassMaterials, Kind
 from .hull_names import name_of_volume
 from .meshes import add_object, give_attribute, point_mesh, quad_mesh
-from .nodes import EMISSION, Nodes, constant, end_in, medium, new_material
+from .nodes import Nodes, constant, end_in, medium, new_material
 from .volumes import load_volume
 
 SHIFT = "shift_m"  # name of the attribute by which volumes are moved along each of their axes
@@ -30,16 +30,15 @@ def load_volumes(frame: Frame) -> Any:
     """The frame's volumes as a collection that is not itself in the scene. Blender orders its
     members by name: an instance's index counts on it."""
     collection = bpy.data.collections.new("volumes")
-    materials: dict[Kind, Any] = {}
+    materials = GrassMaterials(frame)
     for number, entry in enumerate(frame["volumes"]):
         kind = Kind.of(entry)
-        grids = {"density", *EMISSION} | kind.hull_grids()
+        grids = {"density", EMISSION, *kind.hull_grids()}
         volume = load_volume(frame, entry, name_of_volume(number), grids)
-        if kind not in materials:
-            materials[kind] = grass_material(frame, kind)
         volume.render.clipping = CLIPPING
-        volume.materials.append(materials[kind])
+        volume.materials.append(materials.of(kind))
         collection.objects.link(bpy.data.objects.new(volume.name, volume))
+    materials.remove_forms()
     return collection
 
 

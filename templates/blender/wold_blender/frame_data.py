@@ -12,7 +12,7 @@ import re
 import sys
 from typing import Any, NamedTuple
 
-FORMAT = 6  # of the folder; gen/blender/frame_data.cpp writes it
+FORMAT = 7  # of the folder; gen/blender/frame_data.cpp writes it
 
 
 class DataError(Exception):

@@ -123,12 +123,15 @@ def end_in(nodes: Nodes, kind: str, shader: Any) -> None:
     nodes.link(shader, nodes.add("ShaderNodeOutputMaterial").inputs[kind])
 
 
+GAIN = "gain"  # name of the node that adds radiance in medium()
+
+
 def medium(nodes: Nodes, extinction: Any, radiance: Any, strength: float = 1.0) -> Any:
     """A volume shader that absorbs by `extinction` (1/m) and adds `radiance` times `strength` (per
     m); the first two are output sockets."""
     absorption = nodes.add("ShaderNodeVolumeAbsorption")
     absorption.inputs["Color"].default_value = (0, 0, 0, 1)
-    emission = nodes.add("ShaderNodeEmission")
+    emission = nodes.add("ShaderNodeEmission", name=GAIN)
     emission.inputs["Strength"].default_value = strength
     both = nodes.add("ShaderNodeAddShader")
     nodes.link(extinction, absorption.inputs["Density"])

@@ -19,4 +19,5 @@ def load_picture(path: str) -> Any:
     picture.alpha_mode = "CHANNEL_PACKED"  # four numbers, not a colour and how opaque it is
     if min(picture.size) == 0:
         raise DataError(f"{path} is damaged")
+    picture.buffers_free()  # which the size was asked of: the renderer reads the file by itself
     return picture

@@ -1,8 +1,8 @@
-#include "povray/coarse_colours.h"
+#include "landscape/coarse_colours.h"
 
 #include <cstddef>
 
-namespace wold::povray {
+namespace wold::landscape {
 namespace {
 
 /// Sums over each voxel: brightness times colour, and brightness.
@@ -70,4 +70,4 @@ ColourGrid coarse_colours(std::span<const float> brightness, std::span<const glm
   return result;
 }
 
-}  // namespace wold::povray
+}  // namespace wold::landscape

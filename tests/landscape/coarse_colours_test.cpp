@@ -1,11 +1,11 @@
-#include "povray/coarse_colours.h"
+#include "landscape/coarse_colours.h"
 
 #include <gtest/gtest.h>
 
 #include <cstddef>
 #include <random>
 
-namespace wold::povray {
+namespace wold::landscape {
 namespace {
 
 struct Fine {
@@ -81,4 +81,4 @@ TEST(CoarseColours, OfNothingIsDark) {
 }
 
 }  // namespace
-}  // namespace wold::povray
+}  // namespace wold::landscape

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace wold::povray {
+namespace wold::landscape {
 
 /// Colours on a grid: x fastest, then y, then z.
 struct ColourGrid {
@@ -21,4 +21,4 @@ struct ColourGrid {
 ColourGrid coarse_colours(std::span<const float> brightness, std::span<const glm::vec3> colours,
                           glm::ivec3 voxels);
 
-}  // namespace wold::povray
+}  // namespace wold::landscape
