@@ -40,9 +40,9 @@ std::vector<int> shown_frames(const scene::Scene& scene) {
 }
 
 std::string caption_of(const scene::Scene& scene, const landscape::Landscape& landscape) {
-  const scene::Shot* shot = scene::shot_of(scene, landscape.frame);
-  return fmt::format("Frame {}, {}weathering degree {:.3g}", landscape.frame,
-                     shot != nullptr ? shot->name + ", " : "", landscape.weathering);
+  if (const scene::Shot* shot = scene::shot_of(scene, landscape.frame))
+    return fmt::format("Frame {}, {}", landscape.frame, shot->name);
+  return fmt::format("Frame {}, weathering degree {:.3g}", landscape.frame, landscape.weathering);
 }
 
 /// What multiplies the radiance of grass, developed, on the mean of the terrain.

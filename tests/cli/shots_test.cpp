@@ -149,7 +149,8 @@ TEST_F(FilmOfShots, AFrameAloneIsTheFrameOfTheWholeFilm) {
 
 TEST_F(FilmOfShots, WhatItsFolderSaysReadsBackAsTheSameFilm) {
   generate("whole", "--frames 1");
-  EXPECT_EQ(wold("check whole/scene.toml --quiet").code, 0) << wold("check whole/scene.toml").err;
+  const Result check = wold("check whole/scene.toml");
+  EXPECT_EQ(check.code, 0) << check.err;
   const Result plan = wold("plan whole/scene.toml --out whole --frames 1 --renderer both");
   EXPECT_EQ(plan.code, 0) << plan.err;
   expect_contains(plan.out, "frames 1 of 6");

@@ -172,10 +172,11 @@ TEST(Shots, SayWhatContradictsThem) {
          "shots[1].time: found 23 h of universal time, by which the sun stands");
   expect_problem(two_shots, "a.toml:22:1: shots[2].time: found 9.5 h of universal time, by which",
                  {"shots[2].frame_seconds=1e6"});  // at night, 11 days later
-  expect_problem(two_shots,
-                 "a.toml:22:1: shots[2].frame_seconds: found 3600 s, by which its 4800 frames last "
-                 "200.0 days; expected at most 71.6 days, to the end of season.last ([2026, 11, 30])",
-                 {"shots[2].seconds=600"});
+  expect_problem(
+      two_shots,
+      "a.toml:22:1: shots[2].frame_seconds: found 3600 s, by which its 4800 frames last "
+      "200.0 days; expected at most 71.6 days, to the end of season.last ([2026, 11, 30])",
+      {"shots[2].seconds=600"});
   expect("shots[2].seconds=3000", "shots[2].seconds: found 3000 s, by which the film has 24004");
   expect("shots[1].start=5", "shots[1].start: found beside a season; expected date and time");
   expect("shots[1].weathering=[0.5]", "shots[1].weathering: found beside a season, whose days");
