@@ -8,8 +8,10 @@
 
 #include "advice/scene_warnings.h"
 #include "core/elementary.h"
+#include "core/pinhole.h"
 #include "place/view.h"
 #include "scene/registry.h"
+#include "scene/shots.h"
 #include "scene/species.h"
 
 namespace wold::advice {
@@ -22,6 +24,7 @@ struct Pose {
   double eye_height_m;
   glm::dvec2 target_m;
   double target_height_m;
+  double pixels_per_radian;
 };
 
 glm::dvec3 on_the_way(const std::array<double, 2>& from_m, double height_m,
@@ -30,22 +33,27 @@ glm::dvec3 on_the_way(const std::array<double, 2>& from_m, double height_m,
   return end.empty() ? from : glm::mix(from, glm::dvec3(end[0], end[1], end[2]), time);
 }
 
-Pose pose_at(const scene::Camera& camera, double time) {
+Pose pose_at(const scene::Scene& scene, const scene::Camera& camera, double time) {
   const glm::dvec3 eye = on_the_way(camera.eye_m, camera.eye_height_m, camera.eye_end, time);
   const glm::dvec3 target =
       on_the_way(camera.target_m, camera.target_height_m, camera.target_end, time);
-  return {glm::dvec2(eye), eye.z, glm::dvec2(target), target.z};
+  return {glm::dvec2(eye), eye.z, glm::dvec2(target), target.z,
+          pixels_per_radian(camera.field_of_view_deg, scene.render.size_px[0])};
 }
 
 std::vector<Pose> poses(const scene::Scene& scene) {
-  const bool moves = !scene.camera.eye_end.empty() || !scene.camera.target_end.empty();
-  if (!moves) return {pose_at(scene.camera, 0.0)};
-  return {pose_at(scene.camera, 0.0), pose_at(scene.camera, 0.5), pose_at(scene.camera, 1.0)};
+  std::vector<Pose> all;
+  for (const scene::Camera& camera : scene::cameras_of(scene)) {
+    const bool moves = !camera.eye_end.empty() || !camera.target_end.empty();
+    for (const double time : {0.0, 0.5, 1.0})
+      if (moves || time == 0.0) all.push_back(pose_at(scene, camera, time));
+  }
+  return all;
 }
 
 /// How far the grass at the picture's lower edge is away; infinite where that looks into the sky.
 double nearest_grass_m(const scene::Scene& scene, const Pose& pose) {
-  const double half_height = 0.5 * scene.render.size_px[1] / place::pixels_per_radian(scene);
+  const double half_height = 0.5 * scene.render.size_px[1] / pose.pixels_per_radian;
   const double ahead_m = std::max(glm::distance(pose.eye_m, pose.target_m), 1e-6);
   const double down_rad =
       math::atan2(pose.eye_height_m - pose.target_height_m, ahead_m) + math::atan(half_height);
@@ -72,10 +80,13 @@ std::string finer_grass(const scene::Scene& scene, double pixels_per_m) {
 
 void warn_of_coarse_texels(const scene::Scene& scene, std::vector<std::string>& warnings) {
   if (scene.render.grass != scene::GrassForm::texels) return;
-  double nearest_m = std::numeric_limits<double>::infinity();
-  for (const Pose& pose : poses(scene))
-    nearest_m = std::min(nearest_m, nearest_grass_m(scene, pose));
-  const double pixels_per_m = place::pixels_per_radian(scene) / nearest_m;
+  double nearest_m = std::numeric_limits<double>::infinity(), pixels_per_m = 0.0;
+  for (const Pose& pose : poses(scene)) {
+    const double here_m = nearest_grass_m(scene, pose);
+    if (pose.pixels_per_radian / here_m <= pixels_per_m) continue;
+    nearest_m = here_m;
+    pixels_per_m = pose.pixels_per_radian / here_m;
+  }
   const double voxel_m = scene.grass.patch_m / scene.grass.lods.front();
   constexpr double unseen = 1.5;  // at the picture's lower edge alone
   if (voxel_m * pixels_per_m <= unseen * scene.grass.pixels_per_voxel) return;

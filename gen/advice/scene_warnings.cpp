@@ -10,6 +10,8 @@
 #include "cloud/timeline.h"
 #include "core/elementary.h"
 #include "scene/calendar.h"
+#include "scene/shots.h"
+#include "scene/text.h"
 #include "scene/winter.h"
 #include "snow/weather.h"
 #include "weather/daily_weather.h"
@@ -22,19 +24,37 @@ using Warnings = std::vector<std::string>;
 /// Fewer are pictures for themselves.
 constexpr std::size_t min_film_frames = 8;
 
-/// The longest way that a layer drifts from one frame to the next.
-double longest_step_m(const scene::Scene& scene, const phenology::FilmSeason* season,
-                      std::size_t layer, double cell_m) {
+/// A way that a layer drifts from one frame to the next.
+struct Step {
+  double way_m = 0.0;
+  int frame = 1;  ///< to which
+};
+
+/// The longest between two frames without a cut between them.
+Step longest_step(const scene::Scene& scene, const phenology::FilmSeason* season, std::size_t layer,
+                  double cell_m) {
   const cloud::Timeline timeline(scene, layer, cell_m, season);
-  double longest_m = 0.0;
-  glm::dvec2 before_m = timeline.at(0.0).way_m;
-  for (std::size_t frame = 1; frame < scene.ageing.frames.size(); ++frame) {
-    const double time_s = static_cast<double>(frame) * scene.film.frame_seconds;
-    const glm::dvec2 way_m = timeline.at(time_s).way_m;
-    longest_m = std::max(longest_m, glm::distance(before_m, way_m));
-    before_m = way_m;
+  const auto way_m = [&](int frame) {
+    return timeline.at(scene::cloud_time_s(scene, frame)).way_m;
+  };
+  Step longest;
+  for (const scene::Take& take : scene::takes_of(scene)) {
+    glm::dvec2 before_m = way_m(take.first);
+    for (int frame = take.first + 1; frame <= take.last(); ++frame) {
+      const glm::dvec2 now_m = way_m(frame);
+      const double step_m = glm::distance(before_m, now_m);
+      if (step_m > longest.way_m) longest = {step_m, frame};
+      before_m = now_m;
+    }
   }
-  return longest_m;
+  return longest;
+}
+
+/// The table that says how far frames are apart for clouds.
+std::string table_of_rate(const scene::Scene& scene, int frame) {
+  const scene::Shot* shot = scene::shot_of(scene, frame);
+  if (shot == nullptr || scene::is_time_lapse(scene, frame)) return "film";
+  return scene::item_name("shots", static_cast<std::size_t>(shot - scene.shots.data()));
 }
 
 void warn_of_jumping_clouds(const scene::Scene& scene, const phenology::FilmSeason* season,
@@ -44,13 +64,14 @@ void warn_of_jumping_clouds(const scene::Scene& scene, const phenology::FilmSeas
   for (std::size_t i = 0; i < scene.clouds.size(); ++i) {
     const scene::CloudLayer& layer = scene.clouds[i];
     const double cell_m = layer.cell_m.value_or(cloud::recipe_of(layer.kind).cell_m);
-    const double step_m = longest_step_m(scene, season, i, cell_m);
+    const auto [step_m, frame] = longest_step(scene, season, i, cell_m);
     if (step_m <= cell_m) continue;
     const double slower = smooth * cell_m / step_m;
     warnings.push_back(fmt::format(
         "clouds[{0}] jump {1:.3g} m from one frame to the next, more than their cell of {2:.3g} m; "
-        "set film.frame_seconds = {3:.2g}, or clouds[{0}].speed = {4:.2g}",
-        i + 1, step_m, cell_m, slower * scene.film.frame_seconds, slower * layer.speed_m_s));
+        "set {3}.frame_seconds = {4:.2g}, or clouds[{0}].speed = {5:.2g}",
+        i + 1, step_m, cell_m, table_of_rate(scene, frame),
+        slower * scene::cloud_step_s(scene, frame), slower * layer.speed_m_s));
   }
 }
 

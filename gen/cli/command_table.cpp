@@ -349,10 +349,10 @@ Action declare_film(CLI::App& app) {
       ->check(CLI::IsMember(names_of_renderers()))
       ->type_name(fmt::format("{}", fmt::join(names_of_renderers(), "|")));
   add_frames(app, options->frames, "frames to take, without gaps; all without it");
-  app.add_option("--fps", options->frames_per_second, "frames per second")
+  app.add_option("--fps", options->frames_per_second,
+                 "frames per second; as film.frames_per_second says without it")
       ->type_name("N")
-      ->check([](const std::string& text) { return number_fault(text, 0.1, 240.0); })
-      ->capture_default_str();
+      ->check([](const std::string& text) { return number_fault(text, 0.1, 240.0); });
   add_quiet(app, *quiet);
   return [options, quiet] {
     console::ConsoleProgress progress(console::progress_style(*quiet));

@@ -185,9 +185,7 @@ struct Clouds::LayerHistory {
 };
 
 Clouds::Clouds(const scene::CloudsPart& part, double pixel_m, const phenology::FilmSeason* season)
-    : pixel_m_(pixel_m),
-      frame_seconds_(part.frame_seconds),
-      sun_direction_(direction_to(part.sun)) {
+    : pixel_m_(pixel_m), sun_direction_(direction_to(part.sun)) {
   for (std::size_t i = 0; i < part.layers.size(); ++i) {
     const scene::CloudLayer& described = part.layers[i];
     const std::uint64_t key = random_bits({part.seed, key_of("cloud layer"), i});
@@ -227,10 +225,6 @@ double Clouds::usual_pixel_m(const std::vector<scene::CloudLayer>& layers) {
     smallest_cell_m = smallest_cell_m == 0.0 ? cell_m : std::min(smallest_cell_m, cell_m);
   }
   return std::max(pixel_m, smallest_cell_m / usual_cell_px);
-}
-
-CloudState Clouds::at_frame(int frame, const glm::dvec3& sun_direction) const {
-  return at((frame - 1) * frame_seconds_, sun_direction);
 }
 
 CloudState Clouds::at(double time_s) const { return at(time_s, sun_direction_); }

@@ -85,10 +85,9 @@ class Clouds {
   /// a layer has pictures or is a volume without heaps, which are without detail; 0 without clouds.
   static double usual_pixel_m(const std::vector<scene::CloudLayer>& layers);
 
-  /// `frame` >= 1, alone: no other frame is needed. Maps are made when they are first used.
-  /// sun_direction, of unit length: the scene's or that of the frame.
-  CloudState at_frame(int frame, const glm::dvec3& sun_direction) const;
-  /// time_s >= 0, since the first frame.
+  /// time_s >= 0, on the clouds' clock (scene/calendar.h), alone: no other moment is needed. Maps
+  /// are made when they are first used. sun_direction, of unit length: the scene's or that of the
+  /// frame.
   CloudState at(double time_s, const glm::dvec3& sun_direction) const;
   /// In the scene's sun.
   CloudState at(double time_s) const;
@@ -97,7 +96,6 @@ class Clouds {
   struct LayerHistory;
   std::vector<std::shared_ptr<LayerHistory>> films_;  ///< one for each layer, highest first
   double pixel_m_;
-  double frame_seconds_;
   glm::dvec3 sun_direction_;
 };
 

@@ -146,8 +146,8 @@ glm::dvec2 gust_velocity_m_s(double deviation_m_s, double time_s, std::uint64_t 
 std::vector<WindNow> season_winds(const scene::CloudsPart& part,
                                   const phenology::FilmSeason* season) {
   if (season == nullptr) return {};
-  const double days = scene::season_days(part.season, part.season.frames);
-  const double last_s = (part.season.frames - 1) * part.frame_seconds;
+  const double days = scene::season_length_days(part.season);
+  const double last_s = part.season_s;
   std::vector<WindNow> winds;
   for (int day = 0; day <= days; ++day) {
     const phenology::WindChange wind = season->wind(day);

@@ -21,7 +21,7 @@ std::vector<CloudEvent> changes(const scene::CloudsPart& part, std::size_t layer
   std::vector<CloudEvent> found;
   for (const CloudEvent& event : part.events)
     if (scene::happens_to(event, layer) && scene::change_of(event) == change)
-      found.push_back(scene::on_clock(part.season, part.frame_seconds, event));
+      found.push_back(scene::on_clock(part.season, part.season_s, event));
   std::ranges::stable_sort(found, {}, &CloudEvent::start_s);
   return found;
 }

@@ -13,6 +13,7 @@
 #include "meadow/blade_parts.h"
 #include "place/view.h"
 #include "scene/calendar.h"
+#include "scene/shots.h"
 #include "scene/sun_path.h"
 #include "scene/sun_position.h"
 #include "scene/winter.h"
@@ -112,15 +113,17 @@ sky::Subject bare_subject(const scene::Scene& scene) {
   return scene.clouds.empty() ? sky::Subject::meadow : sky::Subject::clouds;
 }
 
-/// What the camera leaves of how dark it gets. A season's frames are days apart, and each is
-/// exposed anew.
+/// What the camera leaves of how dark it gets in a take. A season's frames are days apart, and each
+/// is exposed anew.
 double dusk(const scene::Scene& scene, int frame) {
-  const auto elevation_deg = [&](double time) {
-    return scene::sun_position(scene::sun_at(scene, time)).elevation_deg;
+  const auto elevation_deg = [](const scene::Sun& sun) {
+    return scene::sun_position(sun).elevation_deg;
   };
-  const double now_deg = elevation_deg(place::time_of_frame(scene, frame));
-  if (scene::is_season(scene)) return sky::dusk_gain(now_deg, now_deg);
-  return sky::dusk_gain(now_deg, std::max(elevation_deg(0.0), elevation_deg(1.0)));
+  const double now_deg = elevation_deg(scene::sun_of_frame(scene, frame));
+  if (scene::is_season(scene) && scene.shots.empty()) return sky::dusk_gain(now_deg, now_deg);
+  const scene::Take take = scene::take_of(scene, frame);
+  return sky::dusk_gain(now_deg, std::max(elevation_deg(scene::sun_on_way(scene, take, 0.0)),
+                                          elevation_deg(scene::sun_on_way(scene, take, 1.0))));
 }
 
 /// A film in which it may snow is exposed for snow all through; a season is so long that the camera
@@ -169,8 +172,7 @@ AssembledFrame assemble_frame(const scene::Scene& scene, const place::Site& site
   landscape.weathering = scene.ageing.frames.at(static_cast<std::size_t>(frame - 1));
   landscape.time_s = scene::time_s(scene, frame);
   landscape.patch_m = scene.grass.patch_m;
-  landscape.camera =
-      place::resolved_camera(scene.camera, site.terrain, place::time_of_frame(scene, frame));
+  landscape.camera = place::camera_of_frame(scene, site.terrain, frame);
   landscape.width_px = scene.render.size_px[0];
   landscape.height_px = scene.render.size_px[1];
   landscape.samples = scene.render.samples;

@@ -15,6 +15,7 @@
 #include "place/view.h"
 #include "place/withering.h"
 #include "scene/cover_classes.h"
+#include "scene/shots.h"
 #include "terrain/ground.h"
 
 namespace wold::film {
@@ -22,13 +23,25 @@ namespace {
 
 constexpr std::size_t max_sampled = 8;
 
-/// All of them, or some from the first to the last.
-std::vector<int> spread(const std::vector<int>& frames) {
-  if (frames.size() <= max_sampled) return frames;
+/// All of them, or some from the first to the last: `max`, at least 2.
+std::vector<int> spread(const std::vector<int>& frames, std::size_t max) {
+  if (frames.size() <= max) return frames;
   std::vector<int> chosen;
-  for (std::size_t i = 0; i < max_sampled; ++i)
-    chosen.push_back(frames[i * (frames.size() - 1) / (max_sampled - 1)]);
+  for (std::size_t i = 0; i < max; ++i)
+    chosen.push_back(frames[i * (frames.size() - 1) / (max - 1)]);
   return chosen;
+}
+
+/// Those of each take that has some.
+std::vector<std::vector<int>> by_take(const scene::Scene& scene, const std::vector<int>& frames) {
+  std::vector<std::vector<int>> takes;
+  for (const scene::Take& take : scene::takes_of(scene)) {
+    std::vector<int> of_take;
+    for (const int frame : frames)
+      if (frame >= take.first && frame <= take.last()) of_take.push_back(frame);
+    if (!of_take.empty()) takes.push_back(std::move(of_take));
+  }
+  return takes;
 }
 
 /// The parts of a Site that cells are chosen from.
@@ -65,8 +78,7 @@ class Ground {
 
  private:
   bool has_distance(int frame) const {
-    const landscape::Camera camera =
-        place::resolved_camera(scene_.camera, terrain_, place::time_of_frame(scene_, frame));
+    const landscape::Camera camera = place::camera_of_frame(scene_, terrain_, frame);
     return meadow::has_far_field(
         scene_, terrain_, place::View(camera, scene_.render.size_px[0], scene_.render.size_px[1]));
   }
@@ -101,13 +113,17 @@ std::vector<grass::PatchState> states_between(const grass::PatchState& from,
 FilmDemand::FilmDemand(const Request& request) {
   const Ground ground(request.scene, request.season);
   mixtures_ = ground.mixtures();
-  const FrameDemand* last = nullptr;
-  for (const int frame : spread(request.frames)) {
-    const FrameDemand& now = frames_.emplace(frame, ground.demand(frame)).first->second;
-    volumes_.insert(now.volumes.begin(), now.volumes.end());
-    patches_.insert(now.patches.begin(), now.patches.end());
-    if (last && request.frames.size() > max_sampled) pass(*last, now);
-    last = &now;
+  const std::vector<std::vector<int>> takes = by_take(request.scene, request.frames);
+  for (const std::vector<int>& take : takes) {
+    const std::size_t max = std::max<std::size_t>(2, max_sampled / takes.size());
+    const FrameDemand* last = nullptr;
+    for (const int frame : spread(take, max)) {
+      const FrameDemand& now = frames_.emplace(frame, ground.demand(frame)).first->second;
+      volumes_.insert(now.volumes.begin(), now.volumes.end());
+      patches_.insert(now.patches.begin(), now.patches.end());
+      if (last && take.size() > max) pass(*last, now);
+      last = &now;
+    }
   }
 }
 

@@ -37,8 +37,8 @@ struct FrameDemand {
 /// What a request's frames show, found by choosing their cells, without making any file. The bytes,
 /// memory and time of a film grow with it.
 ///
-/// Of long films some frames are looked at, evenly spread. Between two of them each variant passes
-/// through the states between theirs.
+/// Of long films some frames of each take are looked at, evenly spread. Between two of them each
+/// variant passes through the states between theirs.
 class FilmDemand {
  public:
   /// Throws what making the ground and choosing cells throw.

@@ -11,6 +11,7 @@
 #include "meadow/far_field.h"
 #include "place/cell_window.h"
 #include "place/view.h"
+#include "scene/shots.h"
 #include "scene/species.h"
 
 namespace wold::film {
@@ -43,16 +44,15 @@ std::vector<std::string> names_of(const std::vector<scene::Species>& species) {
   return names;
 }
 
-/// The camera of the next frame. After the last it goes on as it came.
+/// The camera of the next frame. After the last one before a cut it goes on as it came.
 landscape::Camera next_camera(const scene::Scene& scene, const place::Site& site, int frame) {
   const auto camera = [&](int of_frame) {
-    return place::resolved_camera(scene.camera, site.terrain,
-                                  place::time_of_frame(scene, of_frame));
+    return place::camera_of_frame(scene, site.terrain, of_frame);
   };
-  const auto last = static_cast<int>(scene.ageing.frames.size());
-  if (frame < last) return camera(frame + 1);
+  const scene::Take take = scene::take_of(scene, frame);
+  if (frame < take.last()) return camera(frame + 1);
   landscape::Camera next = camera(frame);
-  if (last < 2) return next;
+  if (take.count < 2) return next;
   const landscape::Camera before = camera(frame - 1);
   next.eye_m += next.eye_m - before.eye_m;
   next.target_m += next.target_m - before.target_m;

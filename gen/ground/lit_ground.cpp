@@ -333,8 +333,7 @@ bool sees_land_around(const place::Site& site, const landscape::Camera& camera,
 }
 
 bool shows_distance(const scene::Scene& scene, const place::Site& site, int frame) {
-  const landscape::Camera camera =
-      place::resolved_camera(scene.camera, site.terrain, place::time_of_frame(scene, frame));
+  const landscape::Camera camera = place::camera_of_frame(scene, site.terrain, frame);
   const place::View view(camera, scene.render.size_px[0], scene.render.size_px[1]);
   return site.water || sees_land_around(site, camera, scene.render) ||
          meadow::has_far_field(scene, site.terrain, view) ||

@@ -169,8 +169,7 @@ SnowyGround::SnowyGround(const scene::Scene& scene, const place::Site& site, int
 }
 
 void SnowyGround::lay_about_the_camera(int frame) {
-  const landscape::Camera camera =
-      place::resolved_camera(scene_.camera, site_.terrain, place::time_of_frame(scene_, frame));
+  const landscape::Camera camera = place::camera_of_frame(scene_, site_.terrain, frame);
   LyingSnow lying(site_.snow->large->view(scene::time_s(scene_, frame), glm::dvec2(camera.eye_m)));
   if (lying.is_none()) return;
   lying_ = std::move(lying);

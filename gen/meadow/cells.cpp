@@ -269,8 +269,7 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
                                      const place::Withering& withering, const FrameGrass& now) {
   const place::CellWindow window(scene);
   const std::vector<Texel> texels = choose_texels(scene, window);
-  const landscape::Camera camera =
-      place::resolved_camera(scene.camera, terrain, place::time_of_frame(scene, now.frame));
+  const landscape::Camera camera = place::camera_of_frame(scene, terrain, now.frame);
   const Sight sight(scene, terrain, camera);
   std::optional<Heightfield> mesh;
   if (place::is_large(scene)) mesh = terrain::mesh_heights(terrain, place::window_grid(scene));

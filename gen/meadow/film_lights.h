@@ -8,9 +8,10 @@
 
 namespace wold::meadow {
 
-/// For how many moments of a film its grass is baked, evenly spaced from the first frame to the
-/// last: 1 where the sun stands still, else enough that it moves by 10 degrees at most between two,
-/// by 4 where it sets, on average over its way.
+/// For how many moments of a film its grass is baked: 1 where the sun stands still; else they are
+/// evenly spaced from the first frame of a take to its last, and enough that the sun moves by 10
+/// degrees at most between two, by 4 where it sets, on average over its way. Shots of the same time
+/// share theirs.
 int light_count(const scene::Scene& scene);
 
 /// Where among these moments, from 0 to light_count() - 1, a frame (from 1) lies.

@@ -25,7 +25,7 @@ void check_frame(const scene::Scene& scene, int frame) {
 phenology::WindChange week_before(const scene::Scene& scene, const phenology::FilmSeason* season,
                                   int frame) {
   if (season == nullptr) return {};
-  return season->week_of_wind(scene::season_days(scene.season, frame));
+  return season->week_of_wind(scene::season_days(scene, frame));
 }
 
 /// How the grass answers the wind of a frame.

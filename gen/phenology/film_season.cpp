@@ -14,6 +14,7 @@
 #include "phenology/greenness.h"
 #include "phenology/withering.h"
 #include "scene/calendar.h"
+#include "scene/shots.h"
 #include "scene/text.h"
 #include "weather/day_length.h"
 
@@ -228,11 +229,12 @@ std::shared_ptr<const FilmSeason> film_season(const scene::SeasonPart& part) {
 }
 
 scene::Scene as_film(scene::Scene scene, const FilmSeason* season) {
+  scene::take_frames_of_shots(scene);
   if (season == nullptr) return scene;
   scene.ageing.frames.clear();
   for (int frame = 1; frame <= scene.season.frames; ++frame)
-    scene.ageing.frames.push_back(season->weathering_at(scene::season_days(scene.season, frame)));
-  scene.weather.earlier_h = -hours_per_day * season->first_day() + scene.sun.time_h;
+    scene.ageing.frames.push_back(season->weathering_at(scene::season_days(scene, frame)));
+  scene.weather.earlier_h = -hours_per_day * season->first_day() + scene::clock_begins_h(scene);
   return scene;
 }
 

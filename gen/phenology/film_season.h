@@ -69,8 +69,9 @@ class FilmSeason {
 /// days.
 std::shared_ptr<const FilmSeason> film_season(const scene::SeasonPart& part);
 
-/// The scene as a film of ageing.frames and weather.earlier, which follow from its season. With
-/// nullptr, film_season() of a scene that is none, it stays as it is.
+/// The scene as a film of ageing.frames and weather.earlier, which follow from its season, and with
+/// season.frames of its shots. With nullptr, film_season() of a scene that is none, one without
+/// shots stays as it is.
 scene::Scene as_film(scene::Scene scene, const FilmSeason* season);
 
 }  // namespace wold::phenology

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "place/view.h"
+#include "scene/shots.h"
 
 namespace wold::place {
 namespace {
@@ -19,7 +20,21 @@ glm::dvec2 way_end_m(const scene::Camera& camera) {
   return {camera.eye_end[0], camera.eye_end[1]};
 }
 
-/// So many cells hold the camera's way and all grass about it that stands, or as many as there may
+/// The least rectangle with sides along the axes that holds the ways of all cameras.
+struct Ways {
+  explicit Ways(const std::vector<scene::Camera>& cameras) {
+    for (const scene::Camera& camera : cameras)
+      for (const glm::dvec2& at_m :
+           {glm::dvec2(camera.eye_m[0], camera.eye_m[1]), way_end_m(camera)}) {
+        low_m = glm::min(low_m, at_m);
+        high_m = glm::max(high_m, at_m);
+      }
+  }
+
+  glm::dvec2 low_m = glm::dvec2(std::numeric_limits<double>::infinity()), high_m = -low_m;
+};
+
+/// So many cells hold the cameras' ways and all grass about it that stands, or as many as there may
 /// be.
 int wanted_cells(const scene::Scene& scene, double way_m) {
   const double size_m = (way_m + 2.0 * farthest_standing_m(scene)) / (1.0 - edge_fraction);
@@ -43,10 +58,9 @@ CellWindow::CellWindow(const scene::Scene& scene)
   if (!is_large(scene)) return;
   const int whole = per_side;
   const double patch_m = scene.grass.patch_m;
-  const glm::dvec2 from_m(scene.camera.eye_m[0], scene.camera.eye_m[1]);
-  const glm::dvec2 to_m = way_end_m(scene.camera);
-  per_side = wanted_cells(scene, glm::distance(from_m, to_m));
-  const glm::ivec2 middle(glm::floor(0.5 * (from_m + to_m) / patch_m));
+  const Ways ways(scene::cameras_of(scene));
+  per_side = wanted_cells(scene, glm::distance(ways.low_m, ways.high_m));
+  const glm::ivec2 middle(glm::floor(0.5 * (ways.low_m + ways.high_m) / patch_m));
   first = glm::clamp(middle - per_side / 2, glm::ivec2(0), glm::ivec2(whole - per_side));
   square = {glm::dvec2(first) * patch_m, per_side * patch_m};
   for (int axis = 0; axis < 2; ++axis) {

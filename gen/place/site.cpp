@@ -91,9 +91,9 @@ void light_ground(const scene::Scene& scene, Site& site) {
   site.ground_reflectance = std::move(ground.reflectance);
 }
 
-/// The scene with its sun where it stands then.
-scene::Scene at_time(scene::Scene scene, double time) {
-  scene.sun = scene::sun_at(scene, time);
+/// The scene with its sun where it stands in the middle of the film.
+scene::Scene half_way_through(scene::Scene scene) {
+  scene.sun = scene::sun_on_way(scene, scene::take_of(scene, scene::frame_count(scene) / 2), 0.5);
   return scene;
 }
 
@@ -149,7 +149,7 @@ Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmS
   if (!is_large(scene)) finer = nullptr;
   auto surroundings = std::make_shared<const terrain::Surroundings>(
       scene.terrain, terrain, scene.seed, farthest_land_m(scene));
-  const scene::Scene half_way = at_time(scene, 0.5);
+  const scene::Scene half_way = half_way_through(scene);
   const light::Daylight day(half_way.sun, scene.sky);
   const bool large = is_large(scene);
   const auto grid = grid_of_ground(scene, terrain, sketch);
@@ -196,7 +196,7 @@ Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmS
 
 double visual_range_m(const scene::Scene& scene, const Site& site, int frame) {
   if (!site.season) return scene.sky.visual_range_m;
-  return site.season->visual_range_m(scene::season_days(scene.season, frame));
+  return site.season->visual_range_m(scene::season_days(scene, frame));
 }
 
 Site site_of_frame(const scene::Scene& scene, const Site& site, int frame) {
@@ -204,7 +204,7 @@ Site site_of_frame(const scene::Scene& scene, const Site& site, int frame) {
   Site now = site;
   scene::Sky sky = scene.sky;
   sky.visual_range_m = visual_range_m(scene, site, frame);
-  now.day = light::Daylight(scene::sun_at(scene, time_of_frame(scene, frame)), sky);
+  now.day = light::Daylight(scene::sun_of_frame(scene, frame), sky);
   light_ground(scene, now);
   return now;
 }

@@ -33,18 +33,26 @@ landscape::Camera resolved_camera(const scene::Camera& camera, const Heightfield
           camera.field_of_view_deg};
 }
 
-double time_of_frame(const scene::Scene& scene, int frame) {
-  const auto frames = static_cast<double>(scene.ageing.frames.size());
-  return frames < 2.0 ? 0.0 : (frame - 1.0) / (frames - 1.0);
+landscape::Camera camera_of_frame(const scene::Scene& scene, const Heightfield& terrain,
+                                  int frame) {
+  return resolved_camera(scene::camera_of(scene, frame), terrain,
+                         scene::way_of_frame(scene, frame));
 }
 
-glm::dvec3 film_eye_direction(const scene::Scene& scene, const Heightfield& terrain) {
-  const landscape::Camera camera = resolved_camera(scene.camera, terrain, /*time=*/0.5);
+glm::dvec3 eye_direction(const scene::Scene& scene, const Heightfield& terrain,
+                         const scene::Take& take) {
+  const int middle = take.first + take.count / 2;
+  const landscape::Camera camera =
+      resolved_camera(scene::camera_of(scene, middle), terrain, /*time=*/0.5);
   return glm::normalize(camera.eye_m - camera.target_m);
 }
 
 double pixels_per_radian(const scene::Scene& scene) {
-  return wold::pixels_per_radian(scene.camera.field_of_view_deg, scene.render.size_px[0]);
+  double most = 0.0;
+  for (const scene::Camera& camera : scene::cameras_of(scene))
+    most =
+        std::max(most, wold::pixels_per_radian(camera.field_of_view_deg, scene.render.size_px[0]));
+  return most;
 }
 
 double farthest_standing_m(const scene::Scene& scene) {

@@ -6,25 +6,28 @@
 #include "core/ground_map.h"
 #include "landscape/landscape.h"
 #include "scene/scene.h"
+#include "scene/shots.h"
 
 namespace wold::place {
 
 /// A place over the terrain's ground, in world space.
 glm::dvec3 above_ground(const Heightfield& terrain, const glm::dvec2& at_m, double height_m);
 
-/// The scene's camera with its heights above the ground resolved to world space. One that moves is
-/// `time` of its way from the first frame to the last, in [0, 1].
+/// A camera with its heights above the ground resolved to world space. One that moves is `time` of
+/// its way from the first frame to the last, in [0, 1].
 landscape::Camera resolved_camera(const scene::Camera& camera, const Heightfield& terrain,
                                   double time);
 
-/// How far a frame (from 1) is on the scene's way from the first to the last, in [0, 1].
-double time_of_frame(const scene::Scene& scene, int frame);
+/// That of a frame (from 1): its shot's, or the scene's.
+landscape::Camera camera_of_frame(const scene::Scene& scene, const Heightfield& terrain, int frame);
 
-/// Unit direction to the eye that highlights are baked for: where the camera is half-way through
-/// the film, seen from what it looks at.
-glm::dvec3 film_eye_direction(const scene::Scene& scene, const Heightfield& terrain);
+/// Unit direction to the eye that highlights are baked for in a take: where the camera of its
+/// middle frame is half-way, seen from what it looks at.
+glm::dvec3 eye_direction(const scene::Scene& scene, const Heightfield& terrain,
+                         const scene::Take& take);
 
-/// Pixels that an angle of one radian covers in the middle of the scene's pictures.
+/// Pixels that an angle of one radian covers in the middle of the scene's pictures; of a film of
+/// shots, in those of the longest lens.
 double pixels_per_radian(const scene::Scene& scene);
 
 /// How far from the eye grass stands at the farthest, not painted on the ground (far_field.h);

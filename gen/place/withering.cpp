@@ -66,7 +66,7 @@ Withering::Withering(const scene::Scene& scene, const Heightfield& terrain,
   if (!season) return;
   season_ = std::move(season);
   for (int frame = 1; frame <= scene.season.frames; ++frame)
-    frame_days_.push_back(scene::season_days(scene.season, frame));
+    frame_days_.push_back(scene::season_days(scene, frame));
   spread_days_ = scene.season.spread_days;
   delay_days_ = delays_days(scene, coarsened(terrain));
   const auto [min, max] =

@@ -15,6 +15,7 @@
 #include "report/pass_pictures.h"
 #include "report/report_pictures.h"
 #include "scene/registry.h"
+#include "scene/shots.h"
 #include "work/job.h"
 
 namespace wold::report {
@@ -144,12 +145,18 @@ Json seconds_by_frame(const ReportFacts& facts, const std::string& renderer,
   return list;
 }
 
+Json shot_name(const ReportFacts& facts, int frame) {
+  const scene::Shot* shot = facts.scene ? scene::shot_of(*facts.scene, frame) : nullptr;
+  return shot != nullptr ? Json(shot->name) : Json(nullptr);
+}
+
 /// What the page's script shows, as JSON that may stand in a script element.
 std::string data_of(const ReportFacts& facts, const EmbeddedFilm& film) {
   Json json = {{"count", facts.frames.size()}, {"size", {film.size_px.x, film.size_px.y}}};
   json["frames"] = Json::array();
   for (const int frame : film.frames)
     json["frames"].push_back({{"number", frame},
+                              {"shot", shot_name(facts, frame)},
                               {"degree", facts.scene ? Json(facts.scene->ageing.frames.at(
                                                            static_cast<std::size_t>(frame - 1)))
                                                      : Json(nullptr)}});

@@ -9,6 +9,7 @@
 #include "scene/calendar.h"
 #include "scene/cloud_consistency.h"
 #include "scene/season_consistency.h"
+#include "scene/shot_consistency.h"
 #include "scene/species.h"
 #include "scene/species_consistency.h"
 #include "scene/sun_position.h"
@@ -21,6 +22,7 @@ namespace {
 constexpr double max_samples_per_root_m = 376.0;
 /// Square metres of leaf per square metre of ground; dense turf has 10.
 constexpr double max_leaf_area = 50.0;
+
 Rule inside_terrain(const std::string& key, const std::array<double, 2>& place_m, double size_m) {
   const bool inside =
       place_m[0] >= 0.0 && place_m[0] <= size_m && place_m[1] >= 0.0 && place_m[1] <= size_m;
@@ -31,10 +33,10 @@ Rule inside_terrain(const std::string& key, const std::array<double, 2>& place_m
                       key, place_m[0], place_m[1], size_m)};
 }
 
-Rule looks_somewhere(const Camera& camera) {
-  return {{"camera.target", "camera.eye"},
+Rule looks_somewhere(const std::string& table, const Camera& camera) {
+  return {{table + ".target", table + ".eye"},
           camera.eye_m != camera.target_m,
-          fmt::format("camera.target: found [{}, {}] m, expected another place than camera.eye",
+          fmt::format("{0}.target: found [{1}, {2}] m, expected another place than {0}.eye", table,
                       camera.target_m[0], camera.target_m[1])};
 }
 
@@ -102,6 +104,21 @@ Rule ends_inside(const std::string& key, const std::vector<double>& end, double 
                                key, end[0], end[1], end[2], size_m)};
 }
 
+/// Of [camera] or of an item of [[shots]], whose keys are the same.
+std::vector<Rule> camera_rules(const std::string& table, const Camera& camera, double size_m) {
+  std::vector<Rule> rules = {
+      has_all_or_none(table + ".eye_end", camera.eye_end.size(), 3, "three"),
+      has_all_or_none(table + ".target_end", camera.target_end.size(), 3, "three"),
+      inside_terrain(table + ".eye", camera.eye_m, size_m),
+      inside_terrain(table + ".target", camera.target_m, size_m),
+      looks_somewhere(table, camera),
+      ends_inside(table + ".eye_end", camera.eye_end, size_m),
+      ends_inside(table + ".target_end", camera.target_end, size_m),
+  };
+  for (Rule& rule : rules) rule.keys.push_back(table);
+  return rules;
+}
+
 Rule a_texel_is_one_sample_of_grass(const Scene& scene) {
   const bool hair = has_hair(scene);
   if (!scene.species.empty())
@@ -156,26 +173,26 @@ void report_contradictions(const Scene& scene, const Places& places,
       a_texel_is_one_sample_of_grass(scene),
       grows_somewhere(scene.growth),
       has_all_or_none("terrain.centre", scene.terrain.centre.size(), 2, "two"),
-      has_all_or_none("camera.eye_end", scene.camera.eye_end.size(), 3, "three"),
-      has_all_or_none("camera.target_end", scene.camera.target_end.size(), 3, "three"),
       has_all_or_none("sun.date", scene.sun.date.size(), 3, "three"),
       has_all_or_none("sun.end", scene.sun.end.size(), 2, "two"),
-      inside_terrain("camera.eye", scene.camera.eye_m, scene.terrain.size_m),
-      inside_terrain("camera.target", scene.camera.target_m, scene.terrain.size_m),
       date_is_a_day(scene.sun),
       sun_gives_light(scene.sun),
       sun_ends_where_it_may(scene),
-      looks_somewhere(scene.camera),
-      ends_inside("camera.eye_end", scene.camera.eye_end, scene.terrain.size_m),
-      ends_inside("camera.target_end", scene.camera.target_end, scene.terrain.size_m),
   };
   for (std::size_t item = 0; item < scene.cover_classes.size(); ++item)
     rules.push_back(has_all_or_none(item_name("cover_classes", item) + ".albedo",
                                     scene.cover_classes[item].albedo.size(), 3, "three"));
-  for (Rule& rule : species_rules(scene)) rules.push_back(std::move(rule));
+  const auto add = [&](std::vector<Rule> more) {
+    for (Rule& rule : more) rules.push_back(std::move(rule));
+  };
+  add(camera_rules("camera", scene.camera, scene.terrain.size_m));
+  for (std::size_t item = 0; item < scene.shots.size(); ++item)
+    add(camera_rules(item_name("shots", item), scene.shots[item].camera, scene.terrain.size_m));
+  add(species_rules(scene));
   report_broken(rules, places, problems);
   report_cloud_contradictions(scene, places, problems);
   report_season_contradictions(scene, places, problems);
+  report_shot_contradictions(scene, places, problems);
 }
 
 }  // namespace wold::scene

@@ -200,8 +200,12 @@ std::vector<Key> film_keys() {
   return {
       bound(number("film.frame_seconds", "s", {0.001, 1e6},
                    "Time that passes in the landscape from one frame to the next; how many frames "
-                   "there are, ageing.frames says."),
+                   "there are, ageing.frames, the season or [[shots]] say."),
             FIELD(film.frame_seconds)),
+      bound(number("film.frames_per_second", "1/s", {0.1, 240},
+                   "How fast the film is played: by it [[shots]] have frames, and `wold film` has "
+                   "it without --fps."),
+            FIELD(film.frames_per_second)),
   };
 }
 

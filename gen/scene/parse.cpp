@@ -15,6 +15,7 @@
 #include "scene/nearest.h"
 #include "scene/old_names.h"
 #include "scene/registry.h"
+#include "scene/shots.h"
 #include "scene/text.h"
 
 namespace wold::scene {
@@ -279,6 +280,7 @@ LocatedScene parse_located_scene(std::string_view text, const std::string& file_
                             override.problems.end());
   report_contradictions(reading.scene, reading.places, reading.problems);
   throw_problems(std::move(reading.problems));
+  take_frames_of_shots(reading.scene);
   sort_by_line(reading.warnings);
   return {std::move(reading.scene), std::move(reading.places), std::move(reading.warnings)};
 }

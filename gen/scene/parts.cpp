@@ -5,7 +5,9 @@
 namespace wold::scene {
 
 MeadowPart::MeadowPart(const Scene& scene)
-    : seed(scene.seed), grass(scene.grass), ageing(scene.ageing), species(scene.species) {}
+    : seed(scene.seed), grass(scene.grass), ageing(scene.ageing), species(scene.species) {
+  if (!scene.shots.empty()) takes = takes_of(scene);
+}
 
 SeasonPart::SeasonPart(const Scene& scene)
     : season(scene.season),
@@ -32,7 +34,7 @@ SnowCoverPart::SnowCoverPart(const Scene& scene)
     : seed(scene.seed),
       cover(scene.snow_cover),
       earlier_h(scene.weather.earlier_h),
-      film_s(time_s(scene, static_cast<int>(scene.ageing.frames.size()))),
+      film_s(scene::film_s(scene)),
       is_season(scene::is_season(scene)) {}
 
 CloudsPart::CloudsPart(const Scene& scene)
@@ -42,6 +44,7 @@ CloudsPart::CloudsPart(const Scene& scene)
       season(scene.season),
       sun(scene.sun),
       turbidity(scene.sky.turbidity),
-      frame_seconds(scene.film.frame_seconds) {}
+      frame_seconds(scene.film.frame_seconds),
+      season_s(cloud_season_s(scene)) {}
 
 }  // namespace wold::scene

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scene/scene.h"
+#include "scene/shots.h"
 
 /// The parts of a scene, one for each phenomenon: what its physics may know. A function that takes
 /// a part can be called with a scene.
@@ -12,6 +13,7 @@ struct MeadowPart {
   Grass grass;
   Ageing ageing;
   std::vector<Species> species;  ///< as in Scene
+  std::vector<Take> takes;       ///< of shots, into which ageing.frames fall; empty: without cuts
 
   MeadowPart(const Scene& scene);
 };
@@ -57,7 +59,7 @@ struct SnowCoverPart {
   std::uint64_t seed;
   const SnowCover& cover;
   double earlier_h;  ///< for how long the weather had lasted at the first frame
-  double film_s;     ///< from the first frame to the last, by the weather's clock
+  double film_s;     ///< to the latest frame, by the weather's clock
   bool is_season;
 
   SnowCoverPart(const Scene& scene);
@@ -71,7 +73,8 @@ struct CloudsPart {
   const Season& season;  ///< without a first day where the scene is no season
   const Sun& sun;
   double turbidity;
-  double frame_seconds;
+  double frame_seconds;  ///< of [film]
+  double season_s;       ///< calendar.h's cloud_season_s()
 
   CloudsPart(const Scene& scene);
 };

@@ -27,6 +27,16 @@ void take_common(Scene& scene, std::size_t item) {
   scene.species[item].physiology = scene.ageing;
 }
 
+void append_shot(Scene& scene) {
+  scene.shots.push_back({.name = fmt::format("shot_{}", scene.shots.size() + 1)});
+}
+
+/// A shot is taken as [camera] and [film] say, as far as its own keys do not.
+void take_camera_and_rate(Scene& scene, std::size_t item) {
+  scene.shots[item].camera = scene.camera;
+  scene.shots[item].frame_seconds = scene.film.frame_seconds;
+}
+
 std::vector<TableArray> all_arrays() {
   return {{"species", "kind of plant", max_species,
            [](const Scene& scene) { return scene.species.size(); },
@@ -40,6 +50,9 @@ std::vector<TableArray> all_arrays() {
           {"season_keys", "day of the season", max_season_keys,
            [](const Scene& scene) { return scene.season_keys.size(); },
            [](Scene& scene) { scene.season_keys.emplace_back(); }, season_key_keys},
+          {"shots", "shot of the film", max_shots,
+           [](const Scene& scene) { return scene.shots.size(); }, append_shot, shot_keys,
+           take_camera_and_rate},
           {"cover_classes", "class of land cover", max_cover_classes,
            [](const Scene& scene) { return scene.cover_classes.size(); },
            [](Scene& scene) { scene.cover_classes.emplace_back(); }, cover_class_keys}};

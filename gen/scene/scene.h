@@ -245,11 +245,31 @@ struct Render {
   bool operator==(const Render&) const = default;
 };
 
-/// The time that passes in the landscape; frame k, from 1, shows it at (k - 1) frame_seconds.
+/// The time that passes in the landscape; frame k, from 1, shows it at (k - 1) frame_seconds. Shots
+/// have clocks of their own, shots.h.
 struct FilmTiming {
   double frame_seconds = 10.0;
+  double frames_per_second = 24.0;  ///< at which it is played
 
   bool operator==(const FilmTiming&) const = default;
+};
+
+/// Frames that follow each other without a cut. A film of shots shows them one after the other;
+/// what a shot does not say of its camera and its rate, [camera] and [film] say for all of them.
+struct Shot {
+  std::string name;
+  /// Year, month and day on which it begins, in a season; else empty.
+  std::vector<std::int64_t> date = {};
+  std::optional<double> time_h = {};  ///< of that day, universal time; none: that of [sun]
+  double start_s = 0.0;               ///< where there is no season: on the scene's clock
+  double seconds = 2.0;               ///< for which it is played
+  double frame_seconds = 10.0;        ///< that pass in the landscape from frame to frame
+  /// Where there is no season: weathering degree all through, or of its first and of its last
+  /// frame; empty: 0.
+  std::vector<double> weathering = {};
+  Camera camera = {};  ///< its way leads from the shot's first frame to its last
+
+  bool operator==(const Shot&) const = default;
 };
 
 /// What falls and how warm it is while the film lasts.
@@ -262,9 +282,9 @@ struct Weather {
   bool operator==(const Weather&) const = default;
 };
 
-/// The days that the film's frames are spread over evenly. With a first day the film is a season:
-/// weathering degrees, weather and the sun's place follow the days, and [ageing] frames, [weather]
-/// and [sun] elevation, azimuth and date do not count.
+/// The days that the film's frames are spread over evenly, or that its shots are of. With a first
+/// day the film is a season: weathering degrees, weather and the sun's place follow the days, and
+/// [ageing] frames, [weather] and [sun] elevation, azimuth and date do not count.
 struct Season {
   std::vector<std::int64_t> first = {};  ///< year, month, day of the first frame; empty: no season
   std::vector<std::int64_t> last = {};   ///< of the last frame
@@ -377,6 +397,7 @@ struct Scene {
   Sky sky;
   Wind wind;
   FilmTiming film;
+  std::vector<Shot> shots;  ///< empty: one film of ageing's or of the season's frames; see shots.h
   Weather weather;
   Season season;
   std::vector<CoverClass> cover_classes;  ///< empty: ESA WorldCover's, cover_classes_of()

@@ -49,7 +49,8 @@ class Judge {
       add("season.last",
           fmt::format("found {}, expected a day after season.first ({}), at most {} later",
                       season.last, season.first, max_days));
-    if (days >= 1 && days <= max_days) judge_sun(date_of(season.first), date_of(season.last));
+    if (days >= 1 && days <= max_days && scene_.shots.empty())
+      judge_sun(date_of(season.first), date_of(season.last));
   }
 
   void judge_day(const std::string& key, const Numbers& date) const {

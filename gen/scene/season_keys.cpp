@@ -22,9 +22,11 @@ std::vector<Key> season_keys() {
                  "days instead of their own keys; an empty list is no season."),
             FIELD(season.first)),
       bound(list(Kind::integers, "season.last", "", {1, 2999}, year_month_day,
-                 "The last frame's; the frames are spread evenly over the days."),
+                 "The last frame's; the frames are spread evenly over the days, or lie where "
+                 "[[shots]] say."),
             FIELD(season.last)),
-      bound(integer("season.frames", "", {2, 10000}, "How many frames the season has."),
+      bound(integer("season.frames", "", {2, max_film_frames},
+                    "How many frames the season has; with [[shots]] these say it."),
             FIELD(season.frames)),
       bound(
           plain(Kind::file, "season.table", "", {0, 0},

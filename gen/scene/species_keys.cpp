@@ -258,7 +258,8 @@ std::vector<Key> variation_keys() {
       bound(number("ageing.pigment_spread_feature", "m", {0.1, 1000},
                    "Size of the largest such places; others are down to an eighth of it."),
             FIELD(ageing.pigment_spread_feature_m)),
-      bound(list(Kind::numbers, "ageing.frames", "", {0, 1}, {.min_items = 1, .max_items = 10000},
+      bound(list(Kind::numbers, "ageing.frames", "", {0, 1},
+                 {.min_items = 1, .max_items = max_film_frames},
                  "Weathering degree of each frame: 0 is fresh, 1 fully withered."),
             FIELD(ageing.frames)),
   };

@@ -14,6 +14,7 @@
 #include "preview/sheet.h"
 #include "preview/sky_picture.h"
 #include "scene/key_frames.h"
+#include "scene/shots.h"
 #include "sketch/preview_film.h"
 
 namespace wold::sketch {
@@ -22,14 +23,25 @@ namespace {
 
 using preview::Tile;
 
-/// First, middle and last.
+/// First, middle and last; of a film of shots the middle of each, of as many as find room.
 std::vector<int> shown_frames(const scene::Scene& scene) {
-  std::vector<int> frames = some_of(static_cast<int>(scene.ageing.frames.size()), 3);
-  for (int& frame : frames) ++frame;
+  std::vector<int> frames;
+  if (scene.shots.empty()) {
+    for (const int frame : some_of(scene::frame_count(scene), 3)) frames.push_back(frame + 1);
+    return frames;
+  }
+  constexpr int max = 6;
+  const std::vector<scene::Take> takes = scene::takes_of(scene);
+  for (const int number : some_of(static_cast<int>(takes.size()), max)) {
+    const scene::Take& take = takes[static_cast<std::size_t>(number)];
+    frames.push_back(take.first + take.count / 2);
+  }
   return frames;
 }
 
-std::string caption_of(const landscape::Landscape& landscape) {
+std::string caption_of(const scene::Scene& scene, const landscape::Landscape& landscape) {
+  if (const scene::Shot* shot = scene::shot_of(scene, landscape.frame))
+    return fmt::format("Frame {}, {}", landscape.frame, shot->name);
   return fmt::format("Frame {}, weathering degree {:.3g}", landscape.frame, landscape.weathering);
 }
 
@@ -72,7 +84,7 @@ class Preview {
     std::vector<Tile> camera_row(landscapes.size());
     parallel_for(landscapes.size(), [&](std::size_t i) {
       camera_row[i] = {preview::camera_picture(landscapes[i], width_px_),
-                       caption_of(landscapes[i])};
+                       caption_of(scene_, landscapes[i])};
     });
     progress_.advance(frames_.size(), "pictures");
     std::vector<Tile> around = surroundings(landscapes.front());

@@ -14,16 +14,25 @@ namespace {
 
 constexpr int usual_sky_width_px = 1024;
 
+/// How long the clouds drift between the moments over which a frame's shadows are the mean; 0 where
+/// they are those of the frame's moment. The frames of a time lapse are so far apart that shadows
+/// that drift by from frame to frame would make it flicker.
+double shadow_step_s(const scene::Scene& scene, int frame) {
+  constexpr double frames_apart = 2.0;
+  return scene::is_time_lapse(scene, frame) ? frames_apart * scene::cloud_step_s(scene, frame)
+                                            : 0.0;
+}
+
 /// Their own events have gathered them; in a season they are as many of these as its days have.
-/// Those that have drifted there after so many frames more may be asked for.
+/// Those that have drifted there so much later may be asked for.
 std::optional<cloud::CloudState> clouds_of(const scene::Scene& scene, const place::Site& site,
-                                           int frame, int drifted_frames = 0) {
+                                           int frame, double drifted_s = 0.0) {
   if (!site.clouds) return std::nullopt;
   cloud::CloudState clouds =
-      site.clouds->at_frame(frame + drifted_frames, site.day.sun_direction());
+      site.clouds->at(scene::cloud_time_s(scene, frame) + drifted_s, site.day.sun_direction());
   if (site.season) {
     const double cover = place::mean_of_nearby(scene, frame, [&](int near) {
-      return site.season->cloud_cover(scene::season_days(scene.season, near));
+      return site.season->cloud_cover(scene::season_days(scene, near));
     });
     for (cloud::LayerState& layer : clouds.layers) layer.moment.amount *= cover;
   }
@@ -55,18 +64,18 @@ double FrameSky::openness() const {
   return clouds_ ? glm::smoothstep(closed, open, cloud::mean_transmittance(*clouds_, sine)) : 1.0;
 }
 
-/// Fraction of the sunlight that passes the clouds. The frames of a season are days apart, and
-/// shadows that drift by from frame to frame would make it flicker: there it is the mean over what
-/// drifts by in as many frames as an eye sees in a second.
+/// Fraction of the sunlight that passes the clouds. Where frames are far apart it is the mean over
+/// what drifts by in as many steps as an eye sees frames in half a second.
 FactorMap FrameSky::sunlit_fraction(const GroundGrid& grid) const {
   const auto at = [&](const cloud::CloudState& clouds) {
     return cloud::sunlit_fraction(clouds, site_.terrain, site_.day.sun_direction(), grid);
   };
-  if (!site_.season) return at(*clouds_);
-  constexpr int moments = 12, frames_apart = 2;
+  const double step_s = shadow_step_s(scene_, frame_);
+  if (step_s == 0.0) return at(*clouds_);
+  constexpr int moments = 12;
   FactorMap mean(grid.samples, grid.square, 0.0F);
   for (int moment = 0; moment < moments; ++moment) {
-    const FactorMap fraction = at(*clouds_of(scene_, site_, frame_, moment * frames_apart));
+    const FactorMap fraction = at(*clouds_of(scene_, site_, frame_, moment * step_s));
     for (std::size_t i = 0; i < mean.values().size(); ++i)
       mean.values()[i] += fraction.values()[i] / moments;
   }

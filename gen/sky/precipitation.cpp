@@ -57,8 +57,7 @@ snow::SeenFlakes together(snow::SeenFlakes flakes, const snow::SeenFlakes& drops
 
 double falling_extinction_per_m(const scene::Scene& scene, const place::Site& site, int frame) {
   if (!site.snow) return 0.0;
-  const landscape::Camera camera =
-      place::resolved_camera(scene.camera, site.terrain, place::time_of_frame(scene, frame));
+  const landscape::Camera camera = place::camera_of_frame(scene, site.terrain, frame);
   const snow::Weather& weather = *site.weather;
   const double time_s = scene::time_s(scene, frame);
   const double snow_mm_h = weather.falling_snow_mm_h(time_s, camera.eye_m.z);

@@ -64,7 +64,8 @@ void write_films(const EncodingOptions& options, const FramePictures& pictures,
   encoding.first = frames.front();
   encoding.count = static_cast<int>(frames.size());
   encoding.size_px = common_size(pictures, frames);
-  encoding.frames_per_second = options.frames_per_second;
+  encoding.frames_per_second =
+      options.frames_per_second ? *options.frames_per_second : frames_per_second(options.out);
   // Far more than any machine needs; it is there for an FFmpeg that hangs.
   encoding.timeout = std::chrono::seconds(60 + 20 * encoding.count);
   for (const char* extension : {".mp4", ".webp"}) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,11 +12,11 @@ namespace wold::work {
 
 /// Which pictures of an output folder become films.
 struct EncodingOptions {
-  std::filesystem::path out;        ///< the output folder with the frames
-  std::filesystem::path film;       ///< .mp4; empty: out/film_<renderer>.mp4 for each renderer
-  std::string renderer;             ///< "blender" or "povray"; empty: those that have all frames
-  std::vector<int> frames;          ///< from 1, rising, without gaps; empty: all of the scene
-  double frames_per_second = 24.0;  ///< more than 0
+  std::filesystem::path out;   ///< the output folder with the frames
+  std::filesystem::path film;  ///< .mp4; empty: out/film_<renderer>.mp4 for each renderer
+  std::string renderer;        ///< "blender" or "povray"; empty: those that have all frames
+  std::vector<int> frames;     ///< from 1, rising, without gaps; empty: all of the scene
+  std::optional<double> frames_per_second;  ///< more than 0; none: what the folder's scene says
 };
 
 /// Is given the path of each film once it is there.

@@ -10,6 +10,7 @@
 #include "core/number_text.h"
 #include "film/exporters.h"
 #include "scene/parse.h"
+#include "scene/shots.h"
 #include "work/job.h"
 
 namespace wold::work {
@@ -23,6 +24,15 @@ std::optional<int> frame_of(const fs::path& picture) {
   if (picture.extension() != ".png" || !frame || *frame < 1 || fmt::format("{:04}", *frame) != stem)
     return std::nullopt;
   return frame;
+}
+
+/// Pictures alone make a film, too: none where the folder's scene is missing or cannot be read.
+std::optional<scene::Scene> scene_in(const fs::path& out) {
+  try {
+    return scene::read_scene(out / "scene.toml");
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -55,14 +65,14 @@ std::vector<int> missing_frames(const FramePictures& pictures, const std::vector
 }
 
 std::vector<int> expected_frames(const fs::path& out, const std::vector<FramePictures>& pictures) {
+  if (const auto scene = scene_in(out)) return counted(scene::frame_count(*scene));
   int last = 0;
   for (const FramePictures& one : pictures) last = std::max(last, one.by_frame.rbegin()->first);
-  try {
-    last = static_cast<int>(scene::read_scene(out / "scene.toml").ageing.frames.size());
-  } catch (const InputError&) {
-    // Pictures alone make a film, too.
-  }
   return counted(last);
+}
+
+double frames_per_second(const fs::path& out) {
+  return scene_in(out).value_or(scene::Scene()).film.frames_per_second;
 }
 
 }  // namespace wold::work

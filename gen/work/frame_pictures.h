@@ -29,4 +29,7 @@ std::vector<int> missing_frames(const FramePictures& pictures, const std::vector
 std::vector<int> expected_frames(const std::filesystem::path& out,
                                  const std::vector<FramePictures>& pictures);
 
+/// How fast they are played: film.frames_per_second of that scene, or what it usually is.
+double frames_per_second(const std::filesystem::path& out);
+
 }  // namespace wold::work

@@ -13,6 +13,7 @@
 #include "phenology/film_season.h"
 #include "scene/parse.h"
 #include "scene/renderers.h"
+#include "scene/shots.h"
 #include "work/folder_format.h"
 #include "work/kept_inputs.h"
 #include "work/own_folder.h"
@@ -78,12 +79,29 @@ Job plan_job(const RenderOptions& options) {
   return job;
 }
 
+namespace {
+
+/// "  shots: flight 1-36, gusts 37-60"; nothing where the film has none.
+std::string shots_text(const scene::Scene& scene) {
+  std::string text;
+  for (std::size_t shot = 0; shot < scene.shots.size(); ++shot) {
+    const scene::Take take = scene::takes_of(scene)[shot];
+    text += fmt::format("{} {} {}", text.empty() ? "  shots:" : ",", scene.shots[shot].name,
+                        take.count == 1 ? fmt::format("{}", take.first)
+                                        : fmt::format("{}-{}", take.first, take.last()));
+  }
+  return text.empty() ? text : text + "\n";
+}
+
+}  // namespace
+
 std::string summary(const Job& job) {
   const scene::Render& render = job.scene.render;
   return fmt::format("{}: frames {} of {}, {} x {} px, {} samples, renderer {}, into {}\n",
                      job.scene.name, ranges_text(job.frames), job.scene.ageing.frames.size(),
                      render.size_px[0], render.size_px[1], render.samples,
-                     scene::renderers_text(render.renderers), job.out.string());
+                     scene::renderers_text(render.renderers), job.out.string()) +
+         shots_text(job.scene);
 }
 
 }  // namespace wold::work

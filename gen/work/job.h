@@ -68,7 +68,7 @@ std::string ranges_text(const std::vector<int>& rising);
 /// the scene does not have and for files that it names and that are not there.
 Job plan_job(const RenderOptions& options);
 
-/// One line about the job, above what there is to do.
+/// One line about the job, above what there is to do, and one about its shots if it has some.
 std::string summary(const Job& job);
 
 }  // namespace wold::work

@@ -16,7 +16,14 @@
 namespace wold::work {
 namespace {
 
-bool changes_no_file(const std::string& key) {
+bool is_name_of_shot(const std::string& key) {
+  return key.starts_with("shots[") && scene::leaf_of(key) == "name";
+}
+
+/// How fast a film is played says how many frames its shots have, but nothing of any other film.
+bool changes_no_file(const scene::Scene& scene, const std::string& key) {
+  if (key == "film.frames_per_second") return scene.shots.empty();
+  if (is_name_of_shot(key)) return true;
   return key == "name" || key == "render.renderer" || key == "render.device" ||
          key == "render.threads" || key == "render.timeout";
 }
@@ -46,7 +53,7 @@ SceneFacts facts_of(const scene::Scene& scene) {
   SceneFacts facts;
   const auto add = [&](const std::vector<scene::Key>& keys) {
     for (const scene::Key& key : keys)
-      if (!changes_no_file(key.name)) facts[key.name] = fact(key, key.get(scene));
+      if (!changes_no_file(scene, key.name)) facts[key.name] = fact(key, key.get(scene));
   };
   add(scene::registry());
   for (const scene::TableArray& array : scene::table_arrays())

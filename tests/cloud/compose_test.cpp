@@ -98,12 +98,12 @@ TEST(Compose, FramesAndThreadsDoNotMatter) {
     return glm::normalize(glm::dvec3(0.5, -1.0, 1.2 - 0.01 * frame));
   };
   const auto frame_alone = [&](int frame) {
-    return composed(Clouds(scene, pixel_m).at_frame(frame, sun_of(frame)), window).values;
+    return composed(Clouds(scene, pixel_m).at(10.0 * (frame - 1), sun_of(frame)), window).values;
   };
   const Clouds film(scene, pixel_m);
   std::vector<float> fiftieth;
   for (int frame = 1; frame <= 50; frame += 7)
-    fiftieth = composed(film.at_frame(frame, sun_of(frame)), window).values;
+    fiftieth = composed(film.at(10.0 * (frame - 1), sun_of(frame)), window).values;
   EXPECT_EQ(fiftieth, frame_alone(50));
   const ThreadLimit one(1);
   EXPECT_EQ(fiftieth, frame_alone(50));
@@ -216,16 +216,6 @@ TEST(Clouds, OfAnyScalesLieOverEachOther) {
     const Image image = composed(clouds.at(time_s), window);
     for (const float value : image.values) EXPECT_TRUE(value >= 0.0F && value <= 1.0F);
   }
-}
-
-TEST(Clouds, FramesAreCountedFromOneAtTheStart) {
-  scene::Scene scene;
-  scene.clouds.resize(1);
-  scene.film.frame_seconds = 4.0;
-  const Clouds clouds(scene, 400.0);
-  const glm::dvec3 up(0.0, 0.0, 1.0);
-  EXPECT_EQ(clouds.at_frame(1, up).time_s, 0.0);
-  EXPECT_EQ(clouds.at_frame(11, up).time_s, 40.0);
 }
 
 TEST(Clouds, AClearSkyComposesToNothing) {

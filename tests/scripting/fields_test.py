@@ -109,10 +109,11 @@ class Fields(unittest.TestCase):
         self.assertEqual(sorted(keys), sorted(self.keys_of(scene)))
 
     def keys_of(self, scene: dict[str, Any]) -> Iterator[str]:
+        lists = ("species", "clouds", "cloud_events", "season_keys", "shots", "cover_classes")
         for name, value in scene.items():
             if isinstance(value, dict):
                 yield from value
-            elif name in ("species", "clouds", "cloud_events", "season_keys", "cover_classes"):
+            elif name in lists:
                 for item in value:
                     yield from item
             else:

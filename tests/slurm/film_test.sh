@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A short film on a real Slurm of two nodes, of which one is lost on the way: the same bytes as on
-# this machine alone. film_test.sh WOLD; exit code 77: something is not installed.
+# A film of two shots on a real Slurm of two nodes, of which one is lost on the way: the same bytes as
+# on this machine alone. film_test.sh WOLD; exit code 77: something is not installed.
 set -euo pipefail
 wold=$1
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -17,9 +17,18 @@ cat >film.toml <<'SCENE'
 name = "film"
 terrain = { size = 6, samples = 49 }
 grass = { blades = 40, variants = 2, levels = [62, 30], key_frames = [0.0, 0.5, 1.0] }
-ageing = { frames = [0.0, 0.2, 0.4, 0.6, 0.8, 1.0] }
 camera = { eye = [3, 0.5], target = [3, 4] }
 render = { renderer = "povray", size = [64, 36], samples = 1 }
+film = { frames_per_second = 3 }
+[[shots]]
+seconds = 1
+weathering = [0.0, 0.4]
+eye_end = [4, 1, 2]
+[[shots]]
+seconds = 1
+start = 100
+weathering = [0.6, 1.0]
+eye = [2, 1]
 SCENE
 
 # Pictures take two seconds longer and say where they are made, so that a node can be lost in the
