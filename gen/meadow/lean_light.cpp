@@ -4,15 +4,20 @@
 #include <utility>
 
 #include "core/colour.h"
+#include "grass/optics/flat_leaf.h"
 #include "place/each_in_view.h"
 
 namespace wold::meadow {
 namespace {
 
-/// A fibre after the shear that leans the grass over.
-grass::Fibre leaning(grass::Fibre fibre, const glm::vec2& lean) {
-  fibre.tangent = glm::normalize(fibre.tangent + glm::vec3(lean * fibre.tangent.z, 0.0F));
-  return fibre;
+/// Fibres that were combed to `combed` and lean as `lean`.
+std::vector<TurnedBlade> turned_blades(const std::vector<grass::Fibre>& fibres,
+                                       const glm::dvec2& lean, const glm::dvec2& combed) {
+  std::vector<TurnedBlade> blades;
+  blades.reserve(fibres.size());
+  for (const grass::Fibre& fibre : fibres)
+    blades.push_back(turned_by_wind(fibre, glm::vec2(combed), glm::vec2(lean)));
+  return blades;
 }
 
 constexpr float usually_sunlit = 0.5F;
@@ -54,40 +59,53 @@ LeanLight::LeanLight(std::vector<grass::Fibre> fibres, grass::Lighting lighting,
                 static_cast<float>(fibres_.size());
 }
 
-glm::vec3 LeanLight::radiance(const glm::dvec2& lean, const glm::dvec3& to_eye,
+glm::vec3 LeanLight::radiance(std::span<const TurnedBlade> blades, const glm::dvec3& to_eye,
                               float sunlit) const {
   grass::TurnedLight light(lighting_, /*turn=*/0);
   light.eye = glm::vec3(to_eye);
   glm::vec3 sum(0.0F);
   float shown = 0.0F;
-  for (const grass::Fibre& upright : fibres_) {
-    const grass::Fibre fibre = leaning(upright, glm::vec2(lean));
-    const float sine = grass::kajiya_kay_diffuse(fibre.tangent, light.eye);
-    sum += sine * grass::source_radiance(fibre, light, sunlit, diffuse_, specular_exponent_);
-    shown += sine;
+  for (const TurnedBlade& blade : blades) {
+    const float any_way =
+        (1.0F - blade.turned) * grass::kajiya_kay_diffuse(blade.fibre.tangent, light.eye);
+    sum +=
+        any_way * grass::source_radiance(blade.fibre, light, sunlit, diffuse_, specular_exponent_);
+    shown += any_way;
+    if (blade.turned == 0.0F) continue;
+    const float flat = blade.turned * grass::flat_leaf_area(blade.normal, light.eye);
+    sum += flat * grass::flat_leaf_radiance(blade.fibre, blade.normal, light, sunlit, diffuse_,
+                                            specular_exponent_);
+    shown += flat;
   }
   return sum / shown;
 }
 
 glm::vec3 LeanLight::factor(const glm::dvec2& lean, const glm::dvec3& to_eye) const {
-  return radiance(lean, to_eye, usually_sunlit) / glm::max(upright_, 1e-6F);
+  return radiance(turned_blades(fibres_, lean, lean), to_eye, usually_sunlit) /
+         glm::max(upright_, 1e-6F);
 }
 
 glm::vec3 LeanLight::factor(const glm::dvec2& lean, const glm::dvec2& combed,
                             const glm::dvec3& to_eye) const {
   if (lean == combed) return factor(lean, to_eye);
-  const double more = sunlit_share(lean, to_eye) / sunlit_share(combed, to_eye);
+  const std::vector<TurnedBlade> blades = turned_blades(fibres_, lean, combed);
+  const double more = sunlit_share(blades, to_eye) / sunlit_share(combed, combed, to_eye);
   const double sunlit = std::min(double{usually_sunlit} * more, 1.0);
-  return radiance(lean, to_eye, static_cast<float>(sunlit)) / glm::max(upright_, 1e-6F);
+  return radiance(blades, to_eye, static_cast<float>(sunlit)) / glm::max(upright_, 1e-6F);
 }
 
-double LeanLight::sunlit_share(const glm::dvec2& lean, const glm::dvec3& to_eye) const {
+double LeanLight::sunlit_share(const glm::dvec2& lean, const glm::dvec2& combed,
+                               const glm::dvec3& to_eye) const {
+  return sunlit_share(turned_blades(fibres_, lean, combed), to_eye);
+}
+
+double LeanLight::sunlit_share(std::span<const TurnedBlade> blades,
+                               const glm::dvec3& to_eye) const {
   constexpr double flattest = 0.03;
   double to_sun = 0.0, to_see = 0.0;
-  for (const grass::Fibre& upright : fibres_) {
-    const grass::Fibre fibre = leaning(upright, glm::vec2(lean));
-    to_sun += double{grass::kajiya_kay_diffuse(fibre.tangent, glm::vec3(lighting_.sun_direction))};
-    to_see += double{grass::kajiya_kay_diffuse(fibre.tangent, glm::vec3(to_eye))};
+  for (const TurnedBlade& blade : blades) {
+    to_sun += double{shown_area(blade, glm::vec3(lighting_.sun_direction))};
+    to_see += double{shown_area(blade, glm::vec3(to_eye))};
   }
   const double sun = to_sun / std::max(lighting_.sun_direction.z, flattest);
   const double eye = to_see / std::max(to_eye.z, flattest);

@@ -83,6 +83,10 @@ struct Fibre {
 /// 1: pi / 8 times the integral of cos^p over the angle from the mirror cone.
 float highlight_albedo(float specular_exponent);
 
+/// The fraction of the light that a fibre takes which its highlight sends on: no more than it
+/// reflects.
+glm::vec3 mirrored_fraction(const Fibre& fibre, float specular_exponent);
+
 /// Radiance that a fibre sends to the eye.
 ///
 /// `sunlit`: fraction of the sun that reaches it; `diffuse`: all other light that does.
