@@ -24,9 +24,10 @@ class LeanLight {
   /// in half the sun and half the sky. `lean` is WindLean's, `to_eye` unit.
   glm::vec3 factor(const glm::dvec2& lean, const glm::dvec3& to_eye) const;
 
-  /// The same of grass that was combed to `combed` and leans as `lean` for a moment. What the wind
-  /// has bent shows its broad side (TurnedBlade), and of what the eye sees of it, the sun reaches
-  /// sunlit_share() over that of combed grass.
+  /// The same of grass that was combed to `combed` and leans as `lean` for a moment: that of combed
+  /// grass, times what the wind makes of what the eye sees of it. What the wind has bent shows its
+  /// broad side (TurnedBlade), tips hide what is below them, and the sun reaches sunlit_share()
+  /// over that of combed grass.
   glm::vec3 factor(const glm::dvec2& lean, const glm::dvec2& combed,
                    const glm::dvec3& to_eye) const;
 
@@ -41,8 +42,12 @@ class LeanLight {
   const glm::vec3& upright() const { return upright_; }
 
  private:
-  glm::vec3 radiance(std::span<const TurnedBlade> blades, const glm::dvec3& to_eye,
-                     float sunlit) const;
+  /// Mean radiance of blades towards an eye.
+  struct Seen {
+    glm::vec3 all;   ///< where none hides another
+    glm::vec3 tips;  ///< where tips hide what is below them, as in a canopy
+  };
+  Seen seen(std::span<const TurnedBlade> blades, const glm::dvec3& to_eye, float sunlit) const;
   double sunlit_share(std::span<const TurnedBlade> blades, const glm::dvec3& to_eye) const;
 
   std::vector<grass::Fibre> fibres_;

@@ -1,7 +1,7 @@
 """How a meadow's brightness waves move in a film whose camera stands still, by its pictures:
 
     wold render SCENE --passes position --frames ... --out DIR
-    python3 tests/benchmark/moving_film.py DIR/passes/0001.exr PICTURES... [--fps 24] [--cell 0.5]
+    python3 tests/benchmark/moving_film.py DIR/passes/0001.exr PICTURES... [--fps 24] [--cell 1]
 
 The first file says where in the world each pixel lies; pictures are in their order. Needs NumPy,
 Pillow and OpenEXR from Python's registry. It prints
@@ -130,11 +130,11 @@ def main() -> None:
     parser.add_argument("position", type=Path)
     parser.add_argument("pictures", type=Path, nargs="+")
     parser.add_argument("--fps", type=float, default=24.0)
-    parser.add_argument("--cell", type=float, default=0.5, help="side of a square, metres")
+    parser.add_argument("--cell", type=float, default=1.0, help="side of a square, metres")
     parser.add_argument(
         "--reach", type=float, default=14.0, help="half of the field's side, metres"
     )
-    parser.add_argument("--lag", type=int, default=3, help="frames between pictures that are held")
+    parser.add_argument("--lag", type=int, default=4, help="frames between pictures that are held")
     parser.add_argument("--fastest", type=float, default=16.0, help="m/s that are looked for")
     options = parser.parse_args()
     pictures = [luminance(path) for path in options.pictures]

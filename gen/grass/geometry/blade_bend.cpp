@@ -13,35 +13,10 @@ namespace {
 
 constexpr int segments = BladePlaces::per_blade - 1;
 
-/// 3 A / 4, east and north.
-glm::dvec2 angle_rad(const BladeBend& bend) {
-  return BladeBend::step_rad * glm::dvec2(bend.east, bend.north);
+/// By how much a blade turns at `along`, east and north.
+glm::dvec2 angle_rad(const BladeBend& bend, double along) {
+  return cantilever_turn(along) * BladeBend::step_rad * glm::dvec2(bend.east, bend.north);
 }
-
-/// By how much a blade turns at `along`, 0 at its foot to 1 at its tip, radians.
-double turned_rad(const BladeBend& bend, double along) {
-  const double left = 1.0 - along;
-  return 4.0 / 3.0 * glm::length(angle_rad(bend)) * (1.0 - left * left * left);
-}
-
-/// Turns vectors from upright towards the wind's direction, by what a blade turns at a place.
-class Turn {
- public:
-  Turn(const BladeBend& bend, double along)
-      : towards_(glm::normalize(angle_rad(bend))),
-        cosine_(math::cos(turned_rad(bend, along))),
-        sine_(math::sin(turned_rad(bend, along))) {}
-
-  glm::dvec3 operator()(const glm::dvec3& v) const {
-    const double with = glm::dot(glm::dvec2(v), towards_);
-    const double turned = cosine_ * with + sine_ * v.z;
-    return {glm::dvec2(v) + (turned - with) * towards_, cosine_ * v.z - sine_ * with};
-  }
-
- private:
-  glm::dvec2 towards_;
-  double cosine_, sine_;
-};
 
 using Axis = std::array<glm::dvec3, BladePlaces::per_blade>;
 
@@ -60,8 +35,9 @@ Axis bent_axis(const Axis& straight_m, const BladeBend& bend) {
   Axis bent_m;
   bent_m[0] = straight_m[0];
   for (std::size_t i = 1; i < bent_m.size(); ++i) {
-    const Turn turn(bend, (static_cast<double>(i) - 0.5) / segments);
-    bent_m[i] = above_ground(bent_m[i - 1], turn(straight_m[i] - straight_m[i - 1]));
+    const double middle = (static_cast<double>(i) - 0.5) / segments;
+    bent_m[i] = above_ground(
+        bent_m[i - 1], turned_over(straight_m[i] - straight_m[i - 1], angle_rad(bend, middle)));
   }
   return bent_m;
 }
@@ -80,6 +56,21 @@ Axis axis_of(const BladePlaces& places, std::size_t blade) {
 }
 
 }  // namespace
+
+double cantilever_turn(double along) {
+  const double left = 1.0 - along;
+  return 4.0 / 3.0 * (1.0 - left * left * left);
+}
+
+glm::dvec3 turned_over(const glm::dvec3& v, const glm::dvec2& angle_rad) {
+  const double angle = glm::length(angle_rad);
+  if (angle == 0.0) return v;
+  const glm::dvec2 towards = angle_rad / angle;
+  const double cosine = math::cos(angle), sine = math::sin(angle);
+  const double with = glm::dot(glm::dvec2(v), towards);
+  const double turned = cosine * with + sine * v.z;
+  return {glm::dvec2(v) + (turned - with) * towards, cosine * v.z - sine * with};
+}
 
 std::string suffix_of(const BladeBend& bend) {
   return bend.is_none() ? std::string() : fmt::format("_b{}_{}", bend.east, bend.north);
@@ -114,10 +105,11 @@ Tubes bent(const Tubes& straight, const BladePlaces& places, const BladeBend& be
     const Axis is_m = bent_axis(was_m, bend);
     for (std::size_t ring = first; ring < first + per_blade; ++ring) {
       const double along{places.places[ring].along};
-      const Turn turn(bend, along);
+      const glm::dvec2 turn_rad = angle_rad(bend, along);
       const glm::dvec3 from_m = at_along(was_m, along), to_m = at_along(is_m, along);
       for (std::size_t k = ring * corners; k < (ring + 1) * corners; ++k)
-        result.vertices_m[k] = glm::vec3(to_m + turn(glm::dvec3(straight.vertices_m[k]) - from_m));
+        result.vertices_m[k] =
+            glm::vec3(to_m + turned_over(glm::dvec3(straight.vertices_m[k]) - from_m, turn_rad));
     }
   }
   return result;

@@ -9,15 +9,21 @@
 
 namespace wold::grass {
 
-/// How wind bends all blades of a patch: one of the few states that meshes are made for.
-///
-/// A blade is a cantilever under an even load: it stays as it grew at its foot, and turns with the
-/// wind by A (1 - (1 - s)^3) at s of the way to its tip ([Timoshenko1955]), which puts the tip of a
-/// straight one 3 A / 4 off.
+/// By how much a cantilever under an even load turns at s = `along` of the way to its tip, over the
+/// angle by which its tip lies off, to first order: 4/3 (1 - (1 - s)^3) ([Timoshenko1955]). At its
+/// foot it stays as it grew.
+double cantilever_turn(double along);
+
+/// A vector turned over towards a direction along the ground: by the length of `angle_rad`, which
+/// lies along that direction.
+glm::dvec3 turned_over(const glm::dvec3& v, const glm::dvec2& angle_rad);
+
+/// How wind bends all blades of a patch, by cantilever_turn(): one of the few states that meshes
+/// are made for.
 struct BladeBend {
   static constexpr double step_rad = 0.08726646259971647;  ///< 5 degrees
 
-  /// 3 A / 4 as a vector along the ground, in step_rad.
+  /// By how much tips lie off, along the ground, in step_rad.
   int east = 0, north = 0;
 
   bool is_none() const { return east == 0 && north == 0; }

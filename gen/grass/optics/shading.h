@@ -77,6 +77,7 @@ struct Fibre {
   glm::vec3 albedo;         ///< reflectance and transmittance together
   glm::vec3 transmittance;  ///< what leaves on the side that the light does not fall on
   float specular;
+  float along = 0.5F;  ///< of the way from the blade's root to its tip, 0 to 1
 };
 
 /// The fraction of the light that a fibre takes which its highlight sends on, for a coefficient of
