@@ -104,7 +104,9 @@ LeanLight::Seen LeanLight::seen(std::span<const TurnedBlade> blades, const glm::
   WeightedMean all, tips;
   for (const TurnedBlade& blade : blades) {
     const float not_hidden = left_of_sight(depth, blade.fibre.along);
-    const auto add = [&](float area, const glm::vec3& radiance) {
+    constexpr float least = 1e-6F;  // where one looks along all of them, all count
+    const auto add = [&](float shown, const glm::vec3& radiance) {
+      const float area = std::max(shown, least);
       all.add(area, radiance);
       tips.add(not_hidden * area, radiance);
     };
