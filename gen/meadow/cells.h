@@ -30,7 +30,7 @@ struct CellChoice {
   int light = 0;
   int turn = 0;
   int lod = 0;
-  bool blades = false;  ///< drawn as a mesh of blades or points, not as the volume of `lod`
+  bool blades = false;      ///< drawn as a mesh of blades or points, not as the volume of `lod`
   grass::BladeBend bend{};  ///< of that mesh; what it leaves of the lean `parts` have
 
   grass::PatchState state() const { return {key_frame, snow, light}; }
