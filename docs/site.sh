@@ -17,7 +17,7 @@ cat "$here/README.md" "$here/docs/site/contents.md" >index.md
 cp -r "$here/docs" .
 rm -r docs/site docs/site.sh
 cp "$here/examples/guide.md" examples/
-cp "$here"/examples/pictures/*.jpg examples/pictures/
+cp "$here"/examples/pictures/*.{jpg,webp} examples/pictures/
 python3 -B "$here/docs/site/gallery.py" >docs/gallery.md
 # Debian's own Python has Sphinx, whichever comes first on the PATH.
 /usr/bin/python3 -B -m sphinx -q -W --keep-going -E -b html -c "$here/docs/site" . "$site/html"

@@ -34,6 +34,17 @@ make() {
   fi
 }
 
+# film NAME SCENE SIZE: all frames of a scene that lasts seconds, POV-Ray's, as a film of 24 a second.
+film() {
+  local name=$1 out=$here/build/pictures/$1
+  [ ${#wanted[@]} -eq 0 ] || [[ " ${wanted[*]} " == *" $name "* ]] || return 0
+  say "$name"
+  "$here/build/wold" render "$here/examples/$2.toml" --quiet --out "$out" --renderer povray \
+    --size "$3" >/dev/null
+  ffmpeg -v error -y -framerate 24 -i "$out/frames/povray/%04d.png" -c:v libwebp_anim -loop 0 \
+    -quality 75 -compression_level 6 "$here/examples/pictures/$name.webp"
+}
+
 wanted=("$@")
 install "${build_packages[@]}" "${render_packages[@]}"
 build -- wold
@@ -43,3 +54,4 @@ make snow first_snow 640x360 beside 5 18 48
 make clouds cumulus 720x405 beside 2
 make sunset clouds 480x200 above 36 62 84
 make season autumn_to_winter 360x202 above 1 43 62 118
+film windy_meadow windy_meadow 240x135

@@ -74,8 +74,9 @@ std::tuple<int, grass::PatchState, int, int> volume_key(const Drawn& part) {
   return {choice.variant, choice.state(), choice.turn, choice.lod};
 }
 
-std::tuple<int, grass::PatchState, landscape::Part> blades_key(const Drawn& part) {
-  return {part.choice->variant, part.choice->state(), part.placed->part};
+std::tuple<int, grass::PatchState, grass::BladeBend, landscape::Part> blades_key(
+    const Drawn& part) {
+  return {part.choice->variant, part.choice->state(), part.choice->bend, part.placed->part};
 }
 
 /// Where none of a patch's blades stands on a part, there is nothing to draw.

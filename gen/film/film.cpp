@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "core/error.h"
 #include "core/files.h"
@@ -13,6 +14,7 @@
 #include "film/machine_check.h"
 #include "grass/texel/texel_file.h"
 #include "ground/lit_ground.h"
+#include "meadow/bent_cells.h"
 #include "meadow/far_field.h"
 #include "meadow/film_lights.h"
 #include "passes/paint.h"
@@ -91,8 +93,11 @@ void FilmPipeline::find_demand(Progress& progress) {
 }
 
 std::vector<meadow::CellChoice> FilmPipeline::cells_of(const meadow::FrameGrass& now) const {
-  return meadow::choose_cells(request_.scene, site_.terrain, place::growth_of_cells(site_),
-                              *site_.mixtures, *site_.withering, now);
+  std::vector<meadow::CellChoice> cells =
+      meadow::choose_cells(request_.scene, site_.terrain, place::growth_of_cells(site_),
+                           *site_.mixtures, *site_.withering, now);
+  meadow::bend_blades(request_.scene, site_.terrain, now.frame, cells);
+  return cells;
 }
 
 void FilmPipeline::demand_far_field(const meadow::FrameGrass& now) {
@@ -145,17 +150,29 @@ landscape::Volume FilmPipeline::volume(const meadow::CellChoice& cell) const {
   return volume;
 }
 
+Tubes FilmPipeline::straight_blades(const meadow::CellChoice& cell) const {
+  if (request_.scene.render.grass == scene::GrassForm::points)
+    return texels_.points(cell.variant, cell.state());
+  Tubes tubes = texels_.blades(cell.variant, cell.state());
+  if (needs_of(request_.exporters).materials)
+    texels_.add_leaf_shades(cell.variant, cell.state(), tubes);
+  return tubes;
+}
+
+/// Light and materials are those of the straight ones, which are made once for all bends.
+Tubes FilmPipeline::bent_blades(meadow::CellChoice cell) {
+  const grass::BladeBend bend = std::exchange(cell.bend, {});
+  return texels_.bent_blades(cell.variant, cell.state(), bend, *blades(cell).tubes);
+}
+
 landscape::BladeMesh FilmPipeline::blades(const meadow::CellChoice& cell) {
-  landscape::BladeMesh& mesh = blades_[{cell.variant, cell.state()}];
+  landscape::BladeMesh& mesh = blades_[{cell.variant, cell.state(), cell.bend}];
   if (mesh.tubes) return mesh;
   const bool points = request_.scene.render.grass == scene::GrassForm::points;
-  mesh.name = fmt::format("{}{}_{}_{}", points ? 'p' : 'v', cell.variant, cell.state().name(),
-                          texels_.content(cell.variant, cell.state()));
-  Tubes tubes = points ? texels_.points(cell.variant, cell.state())
-                       : texels_.blades(cell.variant, cell.state());
-  if (!points && needs_of(request_.exporters).materials)
-    texels_.add_leaf_shades(cell.variant, cell.state(), tubes);
-  mesh.tubes = std::make_shared<const Tubes>(std::move(tubes));
+  mesh.name = fmt::format("{}{}_{}_{}{}", points ? 'p' : 'v', cell.variant, cell.state().name(),
+                          texels_.content(cell.variant, cell.state()), suffix_of(cell.bend));
+  mesh.tubes = std::make_shared<const Tubes>(cell.bend.is_none() ? straight_blades(cell)
+                                                                 : bent_blades(cell));
   return mesh;
 }
 
@@ -165,7 +182,7 @@ landscape::BladeMesh FilmPipeline::shaded_blades(const meadow::CellChoice& cell)
   if (!mesh.tubes->reflectance.empty()) return mesh;
   Tubes tubes = *mesh.tubes;
   texels_.add_leaf_shades(cell.variant, cell.state(), tubes);
-  landscape::BladeMesh& kept = blades_[{cell.variant, cell.state()}];
+  landscape::BladeMesh& kept = blades_[{cell.variant, cell.state(), cell.bend}];
   kept.tubes = std::make_shared<const Tubes>(std::move(tubes));
   return kept;
 }

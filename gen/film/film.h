@@ -58,6 +58,8 @@ class FilmPipeline {
   void demand(int variant, const grass::PatchState& state, int lod);
   landscape::Volume volume(const meadow::CellChoice& cell) const;
   landscape::BladeMesh blades(const meadow::CellChoice& cell);
+  Tubes bent_blades(meadow::CellChoice cell);
+  Tubes straight_blades(const meadow::CellChoice& cell) const;
   landscape::BladeMesh shaded_blades(const meadow::CellChoice& cell);
   meadow::PatchAppearance far_appearance(int mixture, const grass::PatchState& state);
 
@@ -66,7 +68,8 @@ class FilmPipeline {
   place::Site site_;
   grass::TimeVaryingTexel texels_;
   grass::TexelDemand demand_;
-  std::map<std::pair<int, grass::PatchState>, landscape::BladeMesh> blades_;  ///< by variant
+  /// By variant.
+  std::map<std::tuple<int, grass::PatchState, grass::BladeBend>, landscape::BladeMesh> blades_;
   meadow::PatchAppearances far_appearances_;
 };
 

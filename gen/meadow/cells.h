@@ -6,6 +6,7 @@
 
 #include "core/ground_map.h"
 #include "grass/ageing/patch_state.h"
+#include "grass/geometry/blade_bend.h"
 #include "landscape/cell_parts.h"
 #include "meadow/frame_grass.h"
 #include "place/cell_window.h"
@@ -29,7 +30,8 @@ struct CellChoice {
   int light = 0;
   int turn = 0;
   int lod = 0;
-  bool blades = false;  ///< drawn as a mesh of blades or points, not as the volume of `lod`
+  bool blades = false;      ///< drawn as a mesh of blades or points, not as the volume of `lod`
+  grass::BladeBend bend{};  ///< of that mesh; what it leaves of the lean `parts` have
 
   grass::PatchState state() const { return {key_frame, snow, light}; }
 };

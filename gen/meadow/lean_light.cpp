@@ -4,18 +4,60 @@
 #include <utility>
 
 #include "core/colour.h"
+#include "core/elementary.h"
+#include "grass/optics/flat_leaf.h"
 #include "place/each_in_view.h"
 
 namespace wold::meadow {
 namespace {
 
-/// A fibre after the shear that leans the grass over.
-grass::Fibre leaning(grass::Fibre fibre, const glm::vec2& lean) {
-  fibre.tangent = glm::normalize(fibre.tangent + glm::vec3(lean * fibre.tangent.z, 0.0F));
-  return fibre;
+/// Fibres that were combed to `combed` and lean as `lean`.
+std::vector<TurnedBlade> turned_blades(const std::vector<grass::Fibre>& fibres,
+                                       const glm::dvec2& lean, const glm::dvec2& combed) {
+  std::vector<TurnedBlade> blades;
+  blades.reserve(fibres.size());
+  for (const grass::Fibre& fibre : fibres)
+    blades.push_back(turned_by_wind(fibre, glm::vec2(combed), glm::vec2(lean)));
+  return blades;
 }
 
 constexpr float usually_sunlit = 0.5F;
+
+/// Of a meadow, as typical_light() has it.
+constexpr double leaf_area_index = 2.5;
+
+/// Sine of the lowest direction that is told from the horizontal.
+constexpr double flattest = 0.03;
+
+/// Optical depth of the whole canopy along a direction: leaf area index times G over the cosine of
+/// the zenith angle; G is half of what a leaf shows over its mean.
+float canopy_depth(std::span<const TurnedBlade> blades, const glm::dvec3& direction) {
+  double shown = 0.0;
+  for (const TurnedBlade& blade : blades)
+    shown += double{shown_area(blade, glm::vec3(direction))} / static_cast<double>(blades.size());
+  return static_cast<float>(leaf_area_index * 0.5 * shown / std::max(direction.z, flattest));
+}
+
+/// What is left of a line of sight at a place of a blade, through what is above it in a canopy of
+/// so great an optical depth: of blades that taper to their tips (1 - s)^2 of the area is above s.
+float left_of_sight(float depth, float along) {
+  const float below_tip = 1.0F - along;
+  return math::exp(-depth * below_tip * below_tip);
+}
+
+/// Of radiances, by the areas that send them.
+class WeightedMean {
+ public:
+  void add(float area, const glm::vec3& radiance) {
+    sum_ += area * radiance;
+    area_ += area;
+  }
+  glm::vec3 mean() const { return sum_ / area_; }
+
+ private:
+  glm::vec3 sum_{0.0F};
+  float area_ = 0.0F;
+};
 
 /// Half of the sky, and what fibres scatter again: the fraction p of what one scatters meets
 /// another (photon recollision, Smolander and Stenberg 2005), 0.45 for a canopy of leaf area index
@@ -54,40 +96,58 @@ LeanLight::LeanLight(std::vector<grass::Fibre> fibres, grass::Lighting lighting,
                 static_cast<float>(fibres_.size());
 }
 
-glm::vec3 LeanLight::radiance(const glm::dvec2& lean, const glm::dvec3& to_eye,
-                              float sunlit) const {
+LeanLight::Seen LeanLight::seen(std::span<const TurnedBlade> blades, const glm::dvec3& to_eye,
+                                float sunlit) const {
   grass::TurnedLight light(lighting_, /*turn=*/0);
   light.eye = glm::vec3(to_eye);
-  glm::vec3 sum(0.0F);
-  float shown = 0.0F;
-  for (const grass::Fibre& upright : fibres_) {
-    const grass::Fibre fibre = leaning(upright, glm::vec2(lean));
-    const float sine = grass::kajiya_kay_diffuse(fibre.tangent, light.eye);
-    sum += sine * grass::source_radiance(fibre, light, sunlit, diffuse_, specular_exponent_);
-    shown += sine;
+  const float depth = canopy_depth(blades, to_eye);
+  WeightedMean all, tips;
+  for (const TurnedBlade& blade : blades) {
+    const float not_hidden = left_of_sight(depth, blade.fibre.along);
+    constexpr float least = 1e-6F;  // where one looks along all of them, all count
+    const auto add = [&](float shown, const glm::vec3& radiance) {
+      const float area = std::max(shown, least);
+      all.add(area, radiance);
+      tips.add(not_hidden * area, radiance);
+    };
+    add((1.0F - blade.turned) * grass::kajiya_kay_diffuse(blade.fibre.tangent, light.eye),
+        grass::source_radiance(blade.fibre, light, sunlit, diffuse_, specular_exponent_));
+    if (blade.turned == 0.0F) continue;
+    add(blade.turned * grass::flat_leaf_area(blade.normal, light.eye),
+        grass::flat_leaf_radiance(blade.fibre, blade.normal, light, sunlit, diffuse_,
+                                  specular_exponent_));
   }
-  return sum / shown;
+  return {all.mean(), tips.mean()};
 }
 
 glm::vec3 LeanLight::factor(const glm::dvec2& lean, const glm::dvec3& to_eye) const {
-  return radiance(lean, to_eye, usually_sunlit) / glm::max(upright_, 1e-6F);
+  return seen(turned_blades(fibres_, lean, lean), to_eye, usually_sunlit).all /
+         glm::max(upright_, 1e-6F);
 }
 
 glm::vec3 LeanLight::factor(const glm::dvec2& lean, const glm::dvec2& combed,
                             const glm::dvec3& to_eye) const {
   if (lean == combed) return factor(lean, to_eye);
-  const double more = sunlit_share(lean, to_eye) / sunlit_share(combed, to_eye);
-  const double sunlit = std::min(double{usually_sunlit} * more, 1.0);
-  return radiance(lean, to_eye, static_cast<float>(sunlit)) / glm::max(upright_, 1e-6F);
+  const std::vector<TurnedBlade> before = turned_blades(fibres_, combed, combed);
+  const std::vector<TurnedBlade> now = turned_blades(fibres_, lean, combed);
+  const double more = sunlit_share(now, to_eye) / sunlit_share(before, to_eye);
+  const auto sunlit = static_cast<float>(std::min(double{usually_sunlit} * more, 1.0));
+  const Seen was = seen(before, to_eye, usually_sunlit);
+  return was.all / glm::max(upright_, 1e-6F) * seen(now, to_eye, sunlit).tips /
+         glm::max(was.tips, 1e-6F);
 }
 
-double LeanLight::sunlit_share(const glm::dvec2& lean, const glm::dvec3& to_eye) const {
-  constexpr double flattest = 0.03;
+double LeanLight::sunlit_share(const glm::dvec2& lean, const glm::dvec2& combed,
+                               const glm::dvec3& to_eye) const {
+  return sunlit_share(turned_blades(fibres_, lean, combed), to_eye);
+}
+
+double LeanLight::sunlit_share(std::span<const TurnedBlade> blades,
+                               const glm::dvec3& to_eye) const {
   double to_sun = 0.0, to_see = 0.0;
-  for (const grass::Fibre& upright : fibres_) {
-    const grass::Fibre fibre = leaning(upright, glm::vec2(lean));
-    to_sun += double{grass::kajiya_kay_diffuse(fibre.tangent, glm::vec3(lighting_.sun_direction))};
-    to_see += double{grass::kajiya_kay_diffuse(fibre.tangent, glm::vec3(to_eye))};
+  for (const TurnedBlade& blade : blades) {
+    to_sun += double{shown_area(blade, glm::vec3(lighting_.sun_direction))};
+    to_see += double{shown_area(blade, glm::vec3(to_eye))};
   }
   const double sun = to_sun / std::max(lighting_.sun_direction.z, flattest);
   const double eye = to_see / std::max(to_eye.z, flattest);

@@ -134,7 +134,10 @@ class Reader {
   }
   /// The name of a file beside this one, without any dot but that of its extension.
   bool skip_string() {
-    std::size_t end = 1 + length_of_word(1);
+    constexpr auto is_of_name = [](char c) { return is_of_word(c) || c == '-'; };
+    const std::string_view name = rest_.substr(1);
+    std::size_t end =
+        1 + static_cast<std::size_t>(std::ranges::find_if_not(name, is_of_name) - name.begin());
     if (rest_.substr(end).starts_with(".inc")) end += 4;
     return rest_.substr(end).starts_with('"') && skip(end + 1);
   }

@@ -77,11 +77,12 @@ void add_precipitation(const scene::Scene& scene, const place::Site& site,
   const place::Snow& snow = *site.snow;
   const snow::SnowView view = view_of(landscape);
   const double time_s = scene::time_s(scene, landscape.frame);
-  snow::SeenFlakes seen = together(
-      snow::SnowfallModel(scene, *site.weather, snow.pictures).at(time_s, view, landscape.terrain),
-      snow::FallingSnow(scene, *site.weather, snow.pictures, snow::Falling::rain)
-          .at(time_s, view, landscape.terrain),
-      view.eye_m);
+  snow::SeenFlakes seen =
+      together(snow::SnowfallModel(scene, *site.weather, snow.pictures, site.air)
+                   .at(time_s, view, landscape.terrain),
+               snow::FallingSnow(scene, *site.weather, snow.pictures, snow::Falling::rain, site.air)
+                   .at(time_s, view, landscape.terrain),
+               view.eye_m);
   landscape.flakes = with_used_pictures(
       snow.pictures, without_subpixel_flakes(std::move(seen.flakes), snow::Frustum(view),
                                              scene.seed, needs.max_flakes_on_a_ray));

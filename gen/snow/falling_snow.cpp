@@ -221,10 +221,11 @@ std::vector<Range> gathered(const std::vector<Range>& parts) {
 }
 
 std::optional<FlakeMotion> motion_of(const scene::PrecipitationPart& part, const Weather& weather,
-                                     Falling what) {
+                                     Falling what,
+                                     const std::shared_ptr<const wind::AirFlow>& air) {
   const double heaviest = weather.heaviest_mm_h();
   if (heaviest <= 0.0) return std::nullopt;
-  return FlakeMotion(part, weather, heaviest, what);
+  return FlakeMotion(part, weather, heaviest, what, air);
 }
 
 /// Of what falls; 0: as many as usual.
@@ -235,11 +236,12 @@ int asked_for(const scene::PrecipitationPart& part, Falling what) {
 }  // namespace
 
 FallingSnow::FallingSnow(const scene::PrecipitationPart& part, const Weather& weather,
-                         const FlakePictures& pictures, Falling what)
+                         const FlakePictures& pictures, Falling what,
+                         const std::shared_ptr<const wind::AirFlow>& air)
     : what_(what),
       weather_(weather),
       pictures_(pictures),
-      motion_(motion_of(part, weather, what)),
+      motion_(motion_of(part, weather, what, air)),
       key_(random_bits(
           {part.seed, key_of(what == Falling::rain ? "rain" : "snow"), 0, key_of("flakes")})),
       flakes_(asked_for(part, what) > 0 ? asked_for(part, what) : usual_flakes),
@@ -262,7 +264,7 @@ SeenFlakes FallingSnow::at(double time_s, const SnowView& view, const Heightfiel
   if (!motion_ || rate_mm_h < min_rate_mm_h) return {};
   const Frustum frustum(view);
   const NearField field = field_of(rate_mm_h, frustum.solid_angle_sr());
-  const FlakeMotion::Moment moment = motion_->moment(time_s, rate_mm_h);
+  const FlakeMotion::Moment moment = motion_->moment(time_s, rate_mm_h, glm::dvec2(view.eye_m));
   const FlakeLook look(pictures_, frustum, shutter_s_, what_);
   const FlakeCuller culler(look, frustum, ground);
   const std::vector<Shell> shells = shells_of(frustum, field, motion_->farthest_own_way_m(), key_);

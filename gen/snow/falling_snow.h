@@ -23,9 +23,10 @@ namespace wold::snow {
 /// while the camera moves or turns, and far air, where few flakes are drawn, has few.
 class FallingSnow {
  public:
-  /// `pictures` has to outlive this.
+  /// `pictures` has to outlive this. `air`: see WindField.
   FallingSnow(const scene::PrecipitationPart& part, const Weather& weather,
-              const FlakePictures& pictures, Falling what = Falling::snow);
+              const FlakePictures& pictures, Falling what = Falling::snow,
+              const std::shared_ptr<const wind::AirFlow>& air = nullptr);
 
   /// At `time_s` since the first frame, above the ground. Nothing where none falls: the weather's
   /// precipitation that is snow, or rain, at the eye's height counts.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/random.h"
 #include "core/simd_turns.h"
@@ -63,18 +64,19 @@ Population::Population(std::uint64_t key, std::uint64_t flakes, int max_bits)
 }
 
 FlakeMotion::FlakeMotion(const scene::PrecipitationPart& part, const Weather& weather,
-                         double rate_mm_h, Falling what)
+                         double rate_mm_h, Falling what, std::shared_ptr<const wind::AirFlow> air)
     : what_(what),
       wind_(weather, part.wind.field == scene::WindPattern::steady ? 0.0 : part.wind.turbulence,
-            random_bits({part.seed, key_of("snow"), 0, key_of("wind")})),
+            random_bits({part.seed, key_of("snow"), 0, key_of("wind")}), std::move(air)),
       sizes_(what == Falling::rain ? FlakeSizes::raindrops(rate_mm_h)
                                    : FlakeSizes(rate_mm_h, part.snowfall.crystal)),
       farthest_gust_m_(static_cast<float>(wind_.farthest_own_gust_m())) {}
 
-FlakeMotion::Moment FlakeMotion::moment(double time_s, double rate_mm_h) const {
+FlakeMotion::Moment FlakeMotion::moment(double time_s, double rate_mm_h,
+                                        const glm::dvec2& eye_m) const {
   return {time_s,
           sizes_.diameters_m(rate_mm_h),
-          wind_.common(time_s),
+          wind_.common(time_s, eye_m),
           wind_.moment(time_s),
           turning(slowest_sway_per_s, sway_range_per_s, time_s),
           turning(-fastest_spin_per_s, 2.0 * fastest_spin_per_s, time_s),

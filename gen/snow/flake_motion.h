@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <vector>
 
 #include "core/random.h"
@@ -53,9 +54,9 @@ class Population {
 /// to a ten-millionth of the cube's side however long it has fallen.
 class FlakeMotion {
  public:
-  /// `rate_mm_h`: see FlakeSizes. Drops do not sway.
+  /// `rate_mm_h`: see FlakeSizes. Drops do not sway. `air`: see WindField.
   FlakeMotion(const scene::PrecipitationPart& part, const Weather& weather, double rate_mm_h,
-              Falling what = Falling::snow);
+              Falling what = Falling::snow, std::shared_ptr<const wind::AirFlow> air = nullptr);
 
   /// A turning whose rate is one of 2^bits equally spaced ones, at a moment: rate k has turned by
   /// `slowest` + k `step`, both off whole turns.
@@ -73,8 +74,8 @@ class FlakeMotion {
     Turning sway = {}, spin = {}, tilt = {};
     float thinning_per_m = 0.0F;  ///< see FlakeSizes
   };
-  /// rate_mm_h > 0: what falls there and then.
-  Moment moment(double time_s, double rate_mm_h) const;
+  /// rate_mm_h > 0: what falls there and then, seen from a place on the ground.
+  Moment moment(double time_s, double rate_mm_h, const glm::dvec2& eye_m = glm::dvec2(0.0)) const;
 
   /// A cube's flakes at a moment, seen from the eye.
   struct Air {

@@ -10,9 +10,11 @@ namespace wold::snow {
 /// The snow in the air of a scene, by its snowfall.motion.
 class SnowfallModel {
  public:
-  /// `pictures` has to outlive this.
+  /// `pictures` has to outlive this. `air`: see WindField; flakes that move as "paper" has it do
+  /// without.
   SnowfallModel(const scene::PrecipitationPart& part, const Weather& weather,
-                const FlakePictures& pictures);
+                const FlakePictures& pictures,
+                const std::shared_ptr<const wind::AirFlow>& air = nullptr);
 
   /// See FallingSnow::at() and PaperSnow::at().
   SeenFlakes at(double time_s, const SnowView& view, const Heightfield& ground) const;

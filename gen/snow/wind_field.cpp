@@ -2,10 +2,12 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/elementary.h"
 #include "core/random.h"
 #include "core/simd_turns.h"
+#include "wind/gust_drift.h"
 
 namespace wold::snow {
 namespace {
@@ -29,8 +31,10 @@ float own_phase(std::uint32_t bits, int first_bit) {
 
 }  // namespace
 
-WindField::WindField(const Weather& weather, double turbulence, std::uint64_t key)
+WindField::WindField(const Weather& weather, double turbulence, std::uint64_t key,
+                     std::shared_ptr<const wind::AirFlow> air)
     : weather_(weather),
+      air_(std::move(air)),
       turbulence_(turbulence),
       own_heights_(wave_height(turbulence * own_deviation, own_lengths_m.size()) *
                    glm::dvec3(axis_fraction[0], axis_fraction[1], axis_fraction[2])) {
@@ -43,13 +47,29 @@ WindField::WindField(const Weather& weather, double turbulence, std::uint64_t ke
     }
 }
 
-Motion WindField::common(double time_s) const {
+Motion WindField::common(double time_s, const glm::dvec2& place_m) const {
   const glm::dvec2 way = weather_.wind_way_m(time_s);
   const WeatherMoment now = weather_.at(time_s);
   const double heading = glm::radians(now.wind_heading_deg);
   Motion motion = {{way, 0.0},
                    now.wind_speed_m_s * glm::dvec3(math::sin(heading), math::cos(heading), 0.0)};
   const double run_m = weather_.wind_run_m(time_s);
+  if (air_)
+    add_gusts_of_air({now.wind_speed_m_s, now.wind_heading_deg, run_m}, place_m, motion);
+  else
+    add_own_common(run_m, now.wind_speed_m_s, motion);
+  return motion;
+}
+
+void WindField::add_gusts_of_air(const wind::Moment& now, const glm::dvec2& place_m,
+                                 Motion& motion) const {
+  const wind::GustDrift drift =
+      wind::gust_drift(air_->gusts(), place_m, wind::reference_m, shortest_common_m, now);
+  motion.way_m += drift.way_m;
+  motion.velocity_m_s += drift.velocity_m_s;
+}
+
+void WindField::add_own_common(double run_m, double speed_m_s, Motion& motion) const {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double height = wave_height(
         axis_fraction[axis] * turbulence_ * std::sqrt(1.0 - own_deviation * own_deviation),
@@ -58,10 +78,9 @@ Motion WindField::common(double time_s) const {
       const double phase = two_pi * off_whole(wave.per_m * run_m + wave.phase);
       const auto i = static_cast<glm::length_t>(axis);
       motion.way_m[i] += height / (two_pi * wave.per_m) * math::sin(phase);
-      motion.velocity_m_s[i] += height * now.wind_speed_m_s * math::cos(phase);
+      motion.velocity_m_s[i] += height * speed_m_s * math::cos(phase);
     }
   }
-  return motion;
 }
 
 WindField::Moment WindField::moment(double time_s) const {

@@ -3,9 +3,11 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 
 #include "snow/simd_lanes.h"
 #include "snow/weather.h"
+#include "wind/air_flow.h"
 
 namespace wold::snow {
 
@@ -23,13 +25,18 @@ struct Motion {
 /// standard deviation turbulence times the wind's speed, along both axes, and half of it upwards.
 /// Long ones, of 6 to 90 m, are common to all flakes about the eye; each flake has short ones, of
 /// 1.5 and 4 m, of its own, a quarter of the variance: neighbours agree by 0.75.
+///
+/// Where the scene's air is given, the long ones are its gusts at the eye, ten metres up: a gust
+/// that bends the grass before the camera takes the flakes along.
 class WindField {
  public:
-  /// turbulence 0: steady.
-  WindField(const Weather& weather, double turbulence, std::uint64_t key);
+  /// turbulence 0: steady. `air`: that of grass that waves, or nullptr.
+  WindField(const Weather& weather, double turbulence, std::uint64_t key,
+            std::shared_ptr<const wind::AirFlow> air = nullptr);
 
-  /// The mean wind and the gusts that all flakes feel.
-  Motion common(double time_s) const;
+  /// The mean wind and the gusts that all flakes feel; those of the air are a place's, on the
+  /// ground.
+  Motion common(double time_s, const glm::dvec2& place_m = glm::dvec2(0.0)) const;
 
   /// What own gusts need to know of a moment.
   struct Moment {
@@ -66,7 +73,11 @@ class WindField {
     double per_m;  ///< turns
     double phase;
   };
+  void add_own_common(double run_m, double speed_m_s, Motion& motion) const;
+  void add_gusts_of_air(const wind::Moment& now, const glm::dvec2& place_m, Motion& motion) const;
+
   Weather weather_;
+  std::shared_ptr<const wind::AirFlow> air_;
   double turbulence_;
   glm::vec3 own_heights_;  ///< of own gusts' sines, over the wind's speed, by axis
   std::array<std::array<Wave, common_waves>, 3> common_;  ///< by axis

@@ -137,12 +137,95 @@ TEST(LeanLight, TheSunShinesInMoreDeeplyWhereBladesLeanToIt) {
   const LeanLight light({{glm::vec3(0, 0, 1), glm::vec3(0.3F), glm::vec3(0.0F), 0.0F}}, lighting(),
                         24.0F);
   const glm::dvec3 from_north = glm::normalize(glm::dvec3(0.0, 1.0, 1.0));
-  EXPECT_NEAR(light.sunlit_share({0.0, 0.0}, from_north), 0.5, 1e-6);
-  EXPECT_NEAR(light.sunlit_share({0.0, -1.0}, from_north), 1.0, 1e-3);
-  EXPECT_LT(light.sunlit_share({0.0, 0.5}, from_north), 0.4);
+  EXPECT_NEAR(light.sunlit_share({0.0, 0.0}, {0.0, 0.0}, from_north), 0.5, 1e-6);
+  EXPECT_NEAR(light.sunlit_share({0.0, -1.0}, {0.0, -1.0}, from_north), 1.0, 1e-3);
+  EXPECT_LT(light.sunlit_share({0.0, 0.5}, {0.0, 0.5}, from_north), 0.4);
   const glm::dvec2 upright(0.0), to_sun(0.0, -0.3);
   EXPECT_EQ(light.factor(to_sun, to_sun, from_north), light.factor(to_sun, from_north));
   EXPECT_GT(light.factor(to_sun, upright, from_north).g, light.factor(to_sun, from_north).g);
+}
+
+// A thin blade bends about its broad side: where the wind alone has bent it that side lies up the
+// wind, square to the blade; of one that droops to the side as far, half.
+TEST(TurnedBlade, ShowsItsBroadSideToTheWind) {
+  grass::Fibre tip{{0, 0, 1}, glm::vec3(0.3F), glm::vec3(0.1F), 0.2F};
+  tip.along = 1.0F;
+  const glm::vec2 gust(std::tan(0.3F), 0.0F), none(0.0F);
+  const TurnedBlade east = turned_by_wind(tip, none, gust);
+  EXPECT_FLOAT_EQ(east.turned, 1.0F);
+  EXPECT_NEAR(glm::dot(east.fibre.tangent, glm::vec3(std::sin(0.4F), 0.0F, std::cos(0.4F))), 1.0F,
+              1e-5F);
+  EXPECT_NEAR(std::abs(glm::dot(east.normal, glm::vec3(std::cos(0.4F), 0.0F, -std::sin(0.4F)))),
+              1.0F, 1e-5F);
+  grass::Fibre drooping = tip;
+  drooping.tangent = {0.0F, std::sin(0.4F), std::cos(0.4F)};
+  const TurnedBlade half = turned_by_wind(drooping, none, gust);
+  EXPECT_NEAR(half.turned, 0.5F, 1e-4F);
+  EXPECT_NEAR(glm::dot(half.normal, half.fibre.tangent), 0.0F, 1e-5F);
+  EXPECT_NEAR(glm::length(half.normal), 1.0F, 1e-5F);
+  EXPECT_EQ(turned_by_wind(drooping, {0.2F, 0.1F}, {0.2F, 0.1F}).turned, 0.0F);
+}
+
+// Wind lifts what droops against it, which a shear would not.
+TEST(TurnedBlade, DroopingTipsTurnWithTheWind) {
+  const grass::Fibre level{{-1, 0, 0}, glm::vec3(0.3F), glm::vec3(0.1F), 0.2F, 1.0F};
+  const TurnedBlade lifted = turned_by_wind(level, {0.0F, 0.0F}, {std::tan(0.3F), 0.0F});
+  EXPECT_NEAR(lifted.fibre.tangent.z, std::sin(0.4F), 1e-5F);
+  const grass::Fibre foot{{-1, 0, 0}, glm::vec3(0.3F), glm::vec3(0.1F), 0.2F, 0.0F};
+  EXPECT_EQ(turned_by_wind(foot, {0.0F, 0.0F}, {1.0F, 0.0F}).fibre.tangent, foot.tangent);
+}
+
+/// Grass that stands every way.
+std::vector<grass::Fibre> nearly_upright() {
+  std::vector<grass::Fibre> fibres;
+  for (int i = 0; i < 12; ++i) {
+    const float azimuth = glm::radians(30.0F * static_cast<float>(i));
+    fibres.push_back(
+        {glm::normalize(glm::vec3(0.3F * std::cos(azimuth), 0.3F * std::sin(azimuth), 1.0F)),
+         glm::vec3(0.4F), glm::vec3(0.2F), 0.1F});
+  }
+  return fibres;
+}
+
+// With sun and eye in the south, a gust to the north turns broad sides to both, one to the east
+// their edges: brighter and darker than blades that lean as far but face any way.
+TEST(LeanLight, GustsShowBroadSidesOrEdges) {
+  const LeanLight light(nearly_upright(), lighting(), 24.0F);
+  const glm::dvec3 eye = glm::normalize(glm::dvec3(0.0, -1.0, 0.4));
+  const glm::dvec2 none(0.0), away(0.0, 0.6), aside(0.6, 0.0);
+  EXPECT_GT(light.factor(away, none, eye).g, 1.05F * light.factor(away, eye).g);
+  EXPECT_LT(light.factor(aside, none, eye).g, 0.9F * light.factor(aside, eye).g);
+  EXPECT_GT(light.factor(away, none, eye).g, 1.25F * light.factor(none, eye).g);
+}
+
+// Of two halves of blades that a gust turns to the sun and away from it, the eye sees the upper
+// ones: they hide the others, the more the flatter it looks.
+TEST(LeanLight, OfACanopyTipsAreSeen) {
+  std::vector<grass::Fibre> fibres = nearly_upright();
+  for (std::size_t i = 0; i < fibres.size(); ++i) fibres[i].along = i % 2 == 0 ? 0.9F : 0.05F;
+  std::vector<grass::Fibre> tips;
+  for (std::size_t i = 0; i < fibres.size(); i += 2) tips.push_back(fibres[i]);
+  const glm::dvec2 none(0.0), away(0.0, 0.5);
+  const auto gain = [&](const std::vector<grass::Fibre>& blades, double height) {
+    const LeanLight light(blades, lighting(), 24.0F);
+    const glm::dvec3 eye = glm::normalize(glm::dvec3(0.0, -1.0, height));
+    return light.factor(away, none, eye).g / light.factor(none, eye).g - 1.0F;
+  };
+  EXPECT_GT(gain(fibres, 0.1), 0.85F * gain(tips, 0.1));
+  EXPECT_LT(gain(fibres, 1.5), 0.9F * gain(tips, 1.5));
+}
+
+// A gust that is just beginning changes nothing at once.
+TEST(LeanLight, IsSmoothInTheLean) {
+  const LeanLight light(nearly_upright(), lighting(), 24.0F);
+  const glm::dvec3 eye = glm::normalize(glm::dvec3(0.5, -1.0, 0.4));
+  const glm::dvec2 combed(0.1, 0.05);
+  float before = light.factor(combed, eye).g;
+  for (int i = 0; i <= 100; ++i) {
+    const float now = light.factor(combed + glm::dvec2(0.008 * i, 0.004 * i), combed, eye).g;
+    EXPECT_NEAR(now / before, 1.0F, 0.02F) << i;
+    before = now;
+  }
 }
 
 TEST(RepresentativeFibres, StandForTheWholePatch) {

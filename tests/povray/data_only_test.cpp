@@ -40,6 +40,7 @@ TEST_F(DataOnly, NumbersNamesAndCommentsAre) {
                     "#declare Wold_terrain_file = \"terrain_3cfc2014cb24781d.inc\";\n"
                     "Wold_grass_density(0, \"v0_k00_062_d\")\n"
                     "Wold_volume(0, \"v0_k00_q0_062\", 0)\n"
+                    "Wold_blades(0, \"v0_k01_09e2a5c4_b-2_3_x0-5000_y0-5000\")\n"
                     "#declare Wold_frames = array[1][3] {\n  { 1, 0.1, 0 },\n}\n"
                     "#version _version;"),
             "");

@@ -68,6 +68,40 @@ TEST(WindField, TurbulenceIsSharedByNeighbours) {
   for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(products[axis] / squares[axis], 0.75, 0.02);
 }
 
+std::shared_ptr<const wind::AirFlow> air(double turbulence) {
+  return std::make_shared<const wind::AirFlow>(Heightfield(3, 60.0, 2.0F), 0.4, turbulence, 5);
+}
+
+// Grass and flakes have one wind: what all flakes about the eye feel are the gusts there, but for
+// short ones, and they bring them as far as they blow.
+TEST(WindField, OfAirThatMovesGrassHasItsGusts) {
+  const double speed = 5.0, turbulence = 0.25;
+  const auto flow = air(turbulence);
+  const WindField field(windy(speed), turbulence, 3, flow);
+  const glm::dvec2 eye_m(21.0, 12.0);
+  double products = 0.0, ours = 0.0, theirs = 0.0;
+  for (int i = 0; i < 400; ++i) {
+    const double time_s = 13.7 * i;
+    const double gust = field.common(time_s, eye_m).velocity_m_s.x - speed;
+    const wind::Moment now{speed, 90.0, speed * time_s};
+    const double of_air = flow->velocity_m_s(eye_m, wind::reference_m, now).x - speed;
+    products += gust * of_air;
+    ours += gust * gust;
+    theirs += of_air * of_air;
+  }
+  EXPECT_GT(products / std::sqrt(ours * theirs), 0.9);
+  EXPECT_LT(ours, theirs);
+  EXPECT_GT(ours, 0.7 * theirs);
+  for (double time_s = 1.0; time_s < 60.0; time_s *= 1.7) {
+    constexpr double step_s = 1e-3;
+    const glm::dvec3 moved_m =
+        field.common(time_s + step_s, eye_m).way_m - field.common(time_s - step_s, eye_m).way_m;
+    EXPECT_LT(glm::distance(moved_m / (2.0 * step_s), field.common(time_s, eye_m).velocity_m_s),
+              1e-3);
+  }
+  EXPECT_NE(field.common(3.0, eye_m).velocity_m_s, field.common(3.0, {60.0, 12.0}).velocity_m_s);
+}
+
 TEST(WindField, OwnGustsStayWithinTheirBound) {
   const WindField field(windy(5.0), 1.0, 3);
   float farthest_m = 0.0F;

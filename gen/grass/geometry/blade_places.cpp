@@ -29,7 +29,8 @@ void append_places(const BladePatch& patch, const MeadowModel& meadow, std::size
                       on_patch_m(blade, at),
                       radius_m,
                       0.5F * std::numbers::pi_v<float> * radius_m * length_m / segments,
-                      {from_plane(blade, at.tangent), leaf.albedo, leaf.transmittance, specular}});
+                      {from_plane(blade, at.tangent), leaf.albedo, leaf.transmittance, specular},
+                      along});
   }
 }
 
@@ -58,7 +59,8 @@ void append_snow(const BladePatch& patch, std::size_t i, const BladeAxis& axis, 
                      foot_m(blade) + from_plane(blade, ridge.centre_m),
                      ridge.half_width_m,
                      length_m * (end - begin) / segments * mean_width_m(ridge),
-                     {from_plane(blade, at.tangent), snow_albedo, glm::vec3(0.0F), 0.0F}});
+                     {from_plane(blade, at.tangent), snow_albedo, glm::vec3(0.0F), 0.0F},
+                     along});
     heights_m.push_back(ridge.half_height_m);
     highest_m = std::max(highest_m, ridge.half_height_m);
   }

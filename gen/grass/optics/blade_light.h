@@ -16,6 +16,7 @@ struct BladePlace {
   float radius_m = 0.0F;    ///< of the blade here
   float area_m2 = 0.0F;     ///< that it stands for, projected, the mean over all directions
   Fibre fibre;
+  float along = 0.0F;  ///< of the way from the blade's root to its tip, 0 to 1
 };
 
 /// Thinner than any blade.

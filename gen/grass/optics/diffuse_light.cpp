@@ -5,15 +5,12 @@
 #include "grass/optics/leaf_phase.h"
 
 namespace wold::grass {
-namespace {
 
-/// v^T M v for the matrix of second moments.
-glm::vec3 along(const std::array<glm::vec3, 6>& second, const glm::vec3& v) {
+glm::vec3 second_moment(const DiffuseLight& light, const glm::vec3& v) {
+  const std::array<glm::vec3, 6>& second = light.second;
   return v.x * v.x * second[0] + v.y * v.y * second[1] + v.z * v.z * second[2] +
          2.0F * (v.x * v.y * second[3] + v.x * v.z * second[4] + v.y * v.z * second[5]);
 }
-
-}  // namespace
 
 void DiffuseLight::add(const glm::vec3& d, const glm::vec3& irradiance) {
   sum += irradiance;
@@ -41,8 +38,8 @@ LeafShare leaf_share(const DiffuseLight& light, const glm::vec3& tangent, const 
   // The phase's even part as a + b c^2 with a mean of 1 about the axis.
   constexpr float level = 0.785F, rise = 0.43F;
   const glm::vec3 e = seen_along(tangent, eye);
-  const glm::vec3 taken = 4.0F / pi * (a * light.sum + b * along(light.second, tangent));
-  const glm::vec3 even = level * taken + 1.5F * rise * along(light.second, e);
+  const glm::vec3 taken = 4.0F / pi * (a * light.sum + b * second_moment(light, tangent));
+  const glm::vec3 even = level * taken + 1.5F * rise * second_moment(light, e);
   const glm::vec3 odd =
       0.5F * pi * (e.x * light.flux[0] + e.y * light.flux[1] + e.z * light.flux[2]);
   return {taken, even + odd, even - odd};

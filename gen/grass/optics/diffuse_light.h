@@ -19,6 +19,9 @@ struct DiffuseLight {
   void add_even(const glm::vec3& even_sum);
 };
 
+/// The integral of radiance times (v d)^2 over the directions d it comes from.
+glm::vec3 second_moment(const DiffuseLight& light, const glm::vec3& v);
+
 /// Of diffuse light, what a leaf takes that is turned about its axis by any angle, and what of it
 /// is sent to an eye over what is sent to all directions on average (leaf_phase() in shading.h).
 struct LeafShare {

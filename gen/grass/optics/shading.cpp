@@ -158,6 +158,11 @@ float highlight_albedo(float specular_exponent) {
   return std::numbers::pi_v<float> / 8.0F * lobe;
 }
 
+glm::vec3 mirrored_fraction(const Fibre& fibre, float specular_exponent) {
+  const glm::vec3 reflectance = fibre.albedo - fibre.transmittance;
+  return glm::min(glm::vec3(fibre.specular * highlight_albedo(specular_exponent)), reflectance);
+}
+
 glm::vec3 source_radiance(const Fibre& fibre, const TurnedLight& light, float sunlit,
                           const DiffuseLight& diffuse, float specular_exponent) {
   constexpr float per_sphere = 1.0F / (4.0F * std::numbers::pi_v<float>);
@@ -166,10 +171,8 @@ glm::vec3 source_radiance(const Fibre& fibre, const TurnedLight& light, float su
   const glm::vec3 sunlight = direct * kajiya_kay_diffuse(fibre.tangent, towards);
   const LeafPhase phase = leaf_phase(fibre.tangent, towards, light.eye);
   const LeafShare share = leaf_share(diffuse, fibre.tangent, light.eye);
-  // The highlight cannot send more than the leaf reflects.
   const glm::vec3 reflectance = fibre.albedo - fibre.transmittance;
-  const glm::vec3 mirrored =
-      glm::min(glm::vec3(fibre.specular * highlight_albedo(specular_exponent)), reflectance);
+  const glm::vec3 mirrored = mirrored_fraction(fibre, specular_exponent);
   const float mirror = kajiya_kay_specular(fibre.tangent, towards, light.eye, specular_exponent) /
                        highlight_albedo(specular_exponent);
   return per_sphere * ((reflectance - mirrored) * (phase.reflected * sunlight + share.reflected) +

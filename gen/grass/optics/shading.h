@@ -77,11 +77,16 @@ struct Fibre {
   glm::vec3 albedo;         ///< reflectance and transmittance together
   glm::vec3 transmittance;  ///< what leaves on the side that the light does not fall on
   float specular;
+  float along = 0.5F;  ///< of the way from the blade's root to its tip, 0 to 1
 };
 
 /// The fraction of the light that a fibre takes which its highlight sends on, for a coefficient of
 /// 1: pi / 8 times the integral of cos^p over the angle from the mirror cone.
 float highlight_albedo(float specular_exponent);
+
+/// The fraction of the light that a fibre takes which its highlight sends on: no more than it
+/// reflects.
+glm::vec3 mirrored_fraction(const Fibre& fibre, float specular_exponent);
 
 /// Radiance that a fibre sends to the eye.
 ///

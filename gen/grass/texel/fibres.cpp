@@ -21,7 +21,7 @@ std::vector<Fibre> representative_fibres(const BladePatch& patch, const MeadowMo
       const AxisPoint at = axis.at(along * length_m);
       const SeenPlace seen = seen_place(patch, model, i, double{along}, at);
       fibres.push_back({from_plane(patch.blades[i], at.tangent), seen.albedo, seen.transmittance,
-                        seen.specular});
+                        seen.specular, along});
     }
   }
   return fibres;

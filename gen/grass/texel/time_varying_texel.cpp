@@ -204,6 +204,11 @@ Tubes TimeVaryingTexel::blades(int variant, const PatchState& state, double shad
                      shadow_pixel_m);
 }
 
+Tubes TimeVaryingTexel::bent_blades(int variant, const PatchState& state, const BladeBend& bend,
+                                    const Tubes& straight) const {
+  return bent(straight, blade_places(patch(variant, state), model_), bend);
+}
+
 Tubes TimeVaryingTexel::points(int variant, const PatchState& state) const {
   const auto now = static_cast<std::size_t>(state.key_frame);
   Samples samples(meadow_, shape_, variant, model_);

@@ -9,6 +9,7 @@
 #include "core/progress.h"
 #include "core/tubes.h"
 #include "grass/ageing/patch_state.h"
+#include "grass/geometry/blade_bend.h"
 #include "grass/mechanics/meadow_model.h"
 #include "grass/optics/blade_light.h"
 #include "grass/optics/shading.h"
@@ -70,6 +71,9 @@ class TimeVaryingTexel {
   Tubes blades(int variant, const PatchState& state,
                double shadow_pixel_m = fine_shadow_pixel_m) const;
   Tubes points(int variant, const PatchState& state) const;
+  /// The blades() of that variant and state as wind bends them; their light stays.
+  Tubes bent_blades(int variant, const PatchState& state, const BladeBend& bend,
+                    const Tubes& straight) const;
   /// Sets reflectance and transmittance of the blades() of that variant and state.
   void add_leaf_shades(int variant, const PatchState& state, Tubes& blades) const;
   /// What both were made from: equal for equal tubes.
