@@ -17,6 +17,10 @@ using std::numbers::pi;
 
 constexpr double steepest_deg = 60.0;
 
+/// Of heights. What differs within some metres of a small square differs by chance, and would be
+/// seen as a line along a contour of all the land around.
+constexpr double least_range_m = 600.0;
+
 double slope_deg(const glm::dvec3& up) {
   return math::acos(std::clamp(up.z, -1.0, 1.0)) / radians_per_degree;
 }
@@ -45,8 +49,10 @@ LandAppearance::LandAppearance(std::span<const LandSample> samples)
     : table_(std::size_t{slopes} * heights * aspects) {
   const auto [lowest, highest] =
       std::ranges::minmax(samples, {}, [](const LandSample& sample) { return sample.height_m; });
-  lowest_m_ = lowest.height_m;
-  highest_m_ = std::max(highest.height_m, lowest_m_ + 1.0);
+  const double middle_m = 0.5 * (lowest.height_m + highest.height_m);
+  const double half_m = 0.5 * std::max(highest.height_m - lowest.height_m, least_range_m);
+  lowest_m_ = middle_m - half_m;
+  highest_m_ = middle_m + half_m;
   parallel_for(table_.size(), [&](std::size_t i) {
     const int rest = static_cast<int>(i) / aspects;
     table_[i] = regression(samples, rest / heights, rest % heights, static_cast<int>(i) % aspects);
