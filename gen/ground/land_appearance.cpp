@@ -17,9 +17,9 @@ using std::numbers::pi;
 
 constexpr double steepest_deg = 60.0;
 
-/// Of heights. What differs within some metres of a small square differs by chance, and would be
-/// seen as a line along a contour of all the land around.
-constexpr double least_range_m = 600.0;
+/// Of heights that may look otherwise. What differs within some metres of a small square differs by
+/// chance, and would be seen as a line along a contour of all the land around.
+constexpr double least_step_m = 50.0;
 
 double slope_deg(const glm::dvec3& up) {
   return math::acos(std::clamp(up.z, -1.0, 1.0)) / radians_per_degree;
@@ -49,10 +49,8 @@ LandAppearance::LandAppearance(std::span<const LandSample> samples)
     : table_(std::size_t{slopes} * heights * aspects) {
   const auto [lowest, highest] =
       std::ranges::minmax(samples, {}, [](const LandSample& sample) { return sample.height_m; });
-  const double middle_m = 0.5 * (lowest.height_m + highest.height_m);
-  const double half_m = 0.5 * std::max(highest.height_m - lowest.height_m, least_range_m);
-  lowest_m_ = middle_m - half_m;
-  highest_m_ = middle_m + half_m;
+  lowest_m_ = lowest.height_m;
+  highest_m_ = std::max(highest.height_m, lowest_m_ + 1.0);
   parallel_for(table_.size(), [&](std::size_t i) {
     const int rest = static_cast<int>(i) / aspects;
     table_[i] = regression(samples, rest / heights, rest % heights, static_cast<int>(i) % aspects);
@@ -66,8 +64,8 @@ LandAppearance::LandAppearance(std::span<const LandSample> samples)
   spread_ = static_cast<float>(std::sqrt(squares / static_cast<double>(samples.size())));
 }
 
-/// Nadaraya and Watson 1964, with the widths of one step of the table. What lies nowhere alike has
-/// the look of what lies least differently.
+/// Nadaraya and Watson 1964, with the widths of one step of the table, and least_step_m at least.
+/// What lies nowhere alike has the look of what lies least differently.
 glm::vec3 LandAppearance::regression(std::span<const LandSample> samples, int slope, int height,
                                      int aspect) const {
   const double slope_step = steepest_deg / (slopes - 1);
@@ -79,7 +77,7 @@ glm::vec3 LandAppearance::regression(std::span<const LandSample> samples, int sl
   double weights = 0.0;
   for (const LandSample& sample : samples) {
     const double away = glm::length(sample.up - up) / normal_step;
-    const double higher = (sample.height_m - height_m) / height_step_m;
+    const double higher = (sample.height_m - height_m) / std::max(height_step_m, least_step_m);
     const double square = away * away + higher * higher;
     const double weight = math::exp(-0.5 * std::min(square, 60.0)) + 1e-9 / (1.0 + square * square);
     sum += weight * glm::dvec3(sample.radiance);
