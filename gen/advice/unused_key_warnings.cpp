@@ -38,6 +38,7 @@ void warn_of_other_choices(const scene::Scene& scene, Keys& warnings) {
            Condition{"terrain.system", real_place, "terrain.elevation"},
            Condition{"terrain.surroundings", real_place, "terrain.elevation"},
            Condition{"terrain.cover", real_place, "terrain.elevation"},
+           Condition{"terrain.photo", real_place, "terrain.elevation"},
            Condition{"terrain.water", real_place, "terrain.elevation"},
        })
     if (!condition.holds && is_given(scene, condition.key))

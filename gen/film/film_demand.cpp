@@ -12,11 +12,10 @@
 #include "place/ground_grids.h"
 #include "place/growth.h"
 #include "place/mixture_field.h"
+#include "place/scene_ground.h"
 #include "place/view.h"
 #include "place/withering.h"
-#include "scene/cover_classes.h"
 #include "scene/shots.h"
-#include "terrain/ground.h"
 
 namespace wold::film {
 namespace {
@@ -49,11 +48,12 @@ class Ground {
  public:
   Ground(const scene::Scene& scene, std::shared_ptr<const phenology::FilmSeason> season)
       : scene_(scene),
-        ground_(terrain::make_ground(scene.terrain, scene.seed, scene::cover_classes_of(scene))),
+        ground_(place::scene_ground(scene)),
         growth_(place::is_large(scene)
-                    ? place::growth_map(scene, terrain::Surface(terrain_, ground_.finer.get(),
-                                                                place::window_grid(scene), known()))
-                    : place::growth_map(scene, terrain_, known())),
+                    ? place::growth_map(
+                          scene, terrain::Surface(terrain_, ground_.finer.get(),
+                                                  place::window_grid(scene), ground_.known()))
+                    : place::growth_map(scene, terrain_, ground_.known())),
         mixtures_(scene, terrain_),
         withering_(scene, terrain_, season),
         weather_(scene, season.get()),
@@ -84,8 +84,6 @@ class Ground {
   }
 
   const scene::Scene& scene_;
-  terrain::KnownGround known() const { return {ground_.water.get(), ground_.cover.get()}; }
-
   terrain::Ground ground_;
   const Heightfield& terrain_ = ground_.heights_m;
   FactorMap growth_;

@@ -86,6 +86,7 @@ void require_files(const scene::Scene& scene, const scene::Places& places) {
       file_exists({"terrain.elevation"}, scene.terrain.elevation),
       file_exists({"terrain.surroundings"}, scene.terrain.surroundings),
       file_exists({"terrain.cover"}, scene.terrain.cover),
+      file_exists({"terrain.photo"}, scene.terrain.photo),
       file_exists({"growth.mask"}, scene.growth.mask),
       file_exists({"grass.from_texel"}, scene.grass.from_texel),
       file_exists({"weather.table"}, scene.weather.table),

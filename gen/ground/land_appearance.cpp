@@ -17,6 +17,10 @@ using std::numbers::pi;
 
 constexpr double steepest_deg = 60.0;
 
+/// Of heights that may look otherwise. What differs within some metres of a small square differs by
+/// chance, and would be seen as a line along a contour of all the land around.
+constexpr double least_step_m = 50.0;
+
 double slope_deg(const glm::dvec3& up) {
   return math::acos(std::clamp(up.z, -1.0, 1.0)) / radians_per_degree;
 }
@@ -60,8 +64,8 @@ LandAppearance::LandAppearance(std::span<const LandSample> samples)
   spread_ = static_cast<float>(std::sqrt(squares / static_cast<double>(samples.size())));
 }
 
-/// Nadaraya and Watson 1964, with the widths of one step of the table. What lies nowhere alike has
-/// the look of what lies least differently.
+/// Nadaraya and Watson 1964, with the widths of one step of the table, and least_step_m at least.
+/// What lies nowhere alike has the look of what lies least differently.
 glm::vec3 LandAppearance::regression(std::span<const LandSample> samples, int slope, int height,
                                      int aspect) const {
   const double slope_step = steepest_deg / (slopes - 1);
@@ -73,7 +77,7 @@ glm::vec3 LandAppearance::regression(std::span<const LandSample> samples, int sl
   double weights = 0.0;
   for (const LandSample& sample : samples) {
     const double away = glm::length(sample.up - up) / normal_step;
-    const double higher = (sample.height_m - height_m) / height_step_m;
+    const double higher = (sample.height_m - height_m) / std::max(height_step_m, least_step_m);
     const double square = away * away + higher * higher;
     const double weight = math::exp(-0.5 * std::min(square, 60.0)) + 1e-9 / (1.0 + square * square);
     sum += weight * glm::dvec3(sample.radiance);

@@ -5,6 +5,7 @@
 
 #include "core/elementary.h"
 #include "core/statistics.h"
+#include "place/topography.h"
 #include "terrain/relief.h"
 #include "terrain/streams.h"
 
@@ -37,18 +38,25 @@ void standardise(FactorMap& map) {
 
 }  // namespace
 
-FactorMap dryness_map(const Heightfield& terrain) {
+FactorMap dryness_map(const Heightfield& terrain, const glm::dvec3& sun) {
   constexpr double least_slope = 0.01;
+  constexpr double usual_sunlight = 0.25;  // deviation on mountains
   const GroundMap<double> heights_m = coarse(terrain);
   const GroundMap<double> drained = terrain::drained_samples(heights_m);
   FactorMap dryness(heights_m.samples(), heights_m.square());
+  FactorMap sunlight = dryness;
   for (int j = 0; j < dryness.samples(); ++j)
     for (int i = 0; i < dryness.samples(); ++i) {
       const glm::dvec2 at_m = dryness.place_m(i, j);
-      const double slope = glm::length(terrain::gradient(terrain, at_m.x, at_m.y));
+      const glm::dvec2 ascent = terrain::gradient(terrain, at_m.x, at_m.y);
       const double contour_m = drained.at(i, j) * heights_m.step_m();
-      dryness.at(i, j) = static_cast<float>(-math::log(contour_m / std::max(slope, least_slope)));
+      dryness.at(i, j) =
+          static_cast<float>(-math::log(contour_m / std::max(glm::length(ascent), least_slope)));
+      sunlight.at(i, j) = static_cast<float>((sun_over_level(ascent, sun) - 1.0) / usual_sunlight);
     }
+  standardise(dryness);
+  for (std::size_t k = 0; k < dryness.values().size(); ++k)
+    dryness.values()[k] += sunlight.values()[k];
   standardise(dryness);
   for (int pass = 0; pass < 2; ++pass) smooth(dryness);
   return dryness;

@@ -9,6 +9,7 @@
 #include "core/random.h"
 #include "place/cell_window.h"
 #include "place/habitat.h"
+#include "place/topography.h"
 
 namespace wold::place {
 namespace {
@@ -67,6 +68,32 @@ class ScaleFreePatches {
   double softness_;
 };
 
+/// Slopes of a large terrain that face the noon sun of the equinox dry out and are left bare in
+/// part. Where users say what grows, they know that, too.
+class SunnySlopes {
+ public:
+  explicit SunnySlopes(const scene::Scene& scene)
+      : bare_(is_large(scene) && scene.growth.mask.empty() && scene.terrain.cover.empty() &&
+                      scene.terrain.photo.empty()
+                  ? most_bare
+                  : 0.0),
+        sun_(equinox_sun(scene.sun.latitude_deg)) {}
+
+  /// Share of what grows on level ground.
+  double grown(const glm::dvec3& up) const {
+    constexpr double level = 1.0, sunniest = 1.45;  // sunlight over that of level ground
+    if (bare_ <= 0.0) return 1.0;
+    return 1.0 -
+           bare_ * glm::smoothstep(level, sunniest, sun_over_level(-glm::dvec2(up) / up.z, sun_));
+  }
+
+ private:
+  static constexpr double most_bare = 0.4;  // a modelling choice
+
+  double bare_;
+  glm::dvec3 sun_;
+};
+
 /// Of value (i, j) of a map on the surface's grid.
 double limited(const GrowthLimits& limits, const terrain::Surface& surface, int i, int j) {
   const double on_level = limits.on_level(surface.place_m(i, j), surface.height_m(i, j));
@@ -78,12 +105,14 @@ FactorMap filled(const scene::Scene& scene, const terrain::Surface& surface,
                  const GrownAt& grown_at) {
   const GrowthLimits limits(scene, scene.growth);
   const Habitats habitats(scene, surface.heights_m());
+  const SunnySlopes sunny(scene);
   FactorMap map(surface.grid().samples, surface.grid().square);
   parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < map.samples(); ++i) {
       const double probability = limited(limits, surface, i, j) *
-                                 habitats.any(surface.place_m(i, j)) * surface.cover(i, j).grass;
+                                 habitats.any(surface.place_m(i, j)) * surface.cover(i, j).grass *
+                                 (1.0 - surface.scree(i, j)) * sunny.grown(surface.up(i, j));
       map.at(i, j) = static_cast<float>(grown_at(i, j, probability) * (1.0 - surface.water(i, j)));
     }
   });

@@ -11,9 +11,10 @@ namespace wold::place {
 ///
 /// Slope, height and the mask say with which probability it grows at a place, growth.cover at most,
 /// and less where no species of the meadow has its habitat (Habitats::any()); keyed noise of
-/// growth.feature, equalised to be uniform, decides. None grows in water, and
-/// where terrain.cover says so less. So the mean of the map is
-/// the mean probability. Throws FileError when a mask cannot be read.
+/// growth.feature, equalised to be uniform, decides. On large terrains it is less on slopes that
+/// face the noon sun, unless a mask, terrain.cover or terrain.photo says what grows. None grows in
+/// water and on scree, and where terrain.cover or terrain.photo says so less. So the mean of the
+/// map is the mean probability. Throws FileError when a mask cannot be read.
 FactorMap growth_map(const scene::Scene& scene, const Heightfield& terrain,
                      const terrain::KnownGround& known = {});
 /// The same on a surface's grid; where patches are smaller than its step it shows the probability.

@@ -12,13 +12,12 @@
 #include "place/cell_window.h"
 #include "place/ground_grids.h"
 #include "place/growth.h"
+#include "place/scene_ground.h"
 #include "place/view.h"
 #include "scene/calendar.h"
-#include "scene/cover_classes.h"
 #include "scene/species.h"
 #include "scene/sun_path.h"
 #include "scene/winter.h"
-#include "terrain/ground.h"
 #include "terrain/lighting.h"
 
 namespace wold::place {
@@ -49,15 +48,20 @@ std::unique_ptr<snow::LargeCover> large_cover(const scene::Scene& scene, const H
       snow::LargeCover::Limits{.view_samples = cover_samples(scene)});
 }
 
-/// A part of the ground on which that grows, in the light of a day.
-GroundPart lit_part(const scene::Scene& scene, const Heightfield& terrain,
-                    const light::Daylight& day, const terrain::Surface& surface,
-                    const std::optional<Sketch>& sketch, FactorMap growth) {
-  terrain::GroundLight light =
-      surface.lit(terrain::ground_light(terrain, day, light_grid(terrain, surface.grid(), sketch)),
-                  day.sun_direction());
-  ColourMap reflectance =
-      terrain::ground_reflectance(surface, day.sun_direction(), scene.terrain, scene.seed, growth);
+/// The light of a clear sky on a surface.
+terrain::GroundLight lit(const Site& site, const terrain::Surface& surface) {
+  return surface.lit(terrain::ground_light(site.terrain, site.day,
+                                           light_grid(site.terrain, surface.grid(), site.sketch),
+                                           site.land_shadow.get()),
+                     site.day.sun_direction());
+}
+
+/// A part of a site's ground on which that grows.
+GroundPart lit_part(const scene::Scene& scene, const Site& site, const terrain::Surface& surface,
+                    FactorMap growth) {
+  terrain::GroundLight light = lit(site, surface);
+  ColourMap reflectance = terrain::ground_reflectance(surface, site.day.sun_direction(),
+                                                      scene.terrain, scene.seed, growth);
   return {std::move(growth), std::move(light), std::move(reflectance)};
 }
 
@@ -74,16 +78,23 @@ std::optional<GroundGrid> grid_of_ground(const scene::Scene& scene, const Height
 GroundPart whole_ground(const scene::Scene& scene, const Site& site,
                         const std::optional<GroundGrid>& grid, FactorMap growth) {
   const light::Daylight& day = site.day;
-  if (grid)
-    return lit_part(scene, site.terrain, day, site.surface(*grid), site.sketch, std::move(growth));
-  terrain::GroundLight light = terrain::ground_light(site.terrain, day);
+  if (grid) return lit_part(scene, site, site.surface(*grid), std::move(growth));
+  terrain::GroundLight light = terrain::ground_light(site.terrain, day, site.land_shadow.get());
   ColourMap reflectance = terrain::ground_reflectance(
       site.surface(picture_grid(scene)), day.sun_direction(), scene.terrain, scene.seed, growth);
   return {std::move(growth), std::move(light), std::move(reflectance)};
 }
 
+/// Land that is made up casts none: nobody knows what is there.
+std::shared_ptr<const terrain::LandShadow> land_shadow(const scene::Scene& scene,
+                                                       const Site& site) {
+  if (scene.terrain.elevation.empty()) return nullptr;
+  return std::make_shared<const terrain::LandShadow>(*site.surroundings, site.day.sun_direction());
+}
+
 /// Sets the light of its day on a site's ground, and what the ground makes of it.
 void light_ground(const scene::Scene& scene, Site& site) {
+  site.land_shadow = land_shadow(scene, site);
   GroundPart ground = whole_ground(scene, site, grid_of_ground(scene, site.terrain, site.sketch),
                                    std::move(site.growth));
   site.growth = std::move(ground.growth);
@@ -124,17 +135,15 @@ GroundGrid light_grid(const Heightfield& terrain, const GroundGrid& grid,
 
 GroundPart ground_part(const scene::Scene& scene, const Site& site, const GroundGrid& grid) {
   const terrain::Surface surface = site.surface(grid);
-  return lit_part(scene, site.terrain, site.day, surface, site.sketch, growth_map(scene, surface));
+  return lit_part(scene, site, surface, growth_map(scene, surface));
 }
 
 terrain::Surface Site::surface(const GroundGrid& grid) const {
-  return {terrain, finer.get(), grid, {water.get(), cover.get()}};
+  return {terrain, finer.get(), grid, {water.get(), cover.get(), scree.get(), photo.get()}};
 }
 
 terrain::GroundLight light_on(const Site& site, const GroundGrid& grid) {
-  return site.surface(grid).lit(
-      terrain::ground_light(site.terrain, site.day, light_grid(site.terrain, grid, site.sketch)),
-      site.day.sun_direction());
+  return lit(site, site.surface(grid));
 }
 
 const FactorMap& growth_of_cells(const Site& site) {
@@ -143,10 +152,8 @@ const FactorMap& growth_of_cells(const Site& site) {
 
 Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmSeason> season,
                const fs::path& snow_folder, const std::optional<Sketch>& sketch) {
-  auto [terrain, finer, water, cover] =
-      terrain::make_ground(scene.terrain, scene.seed, scene::cover_classes_of(scene));
-  const terrain::KnownGround known{water.get(), cover.get()};
-  if (!is_large(scene)) finer = nullptr;
+  auto [terrain, finer, water, cover, scree, photo] = scene_ground(scene);
+  const terrain::KnownGround known{water.get(), cover.get(), scree.get(), photo.get()};
   auto surroundings = std::make_shared<const terrain::Surroundings>(
       scene.terrain, terrain, scene.seed, farthest_land_m(scene));
   const scene::Scene half_way = half_way_through(scene);
@@ -176,10 +183,13 @@ Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmS
             std::move(finer),
             std::move(water),
             std::move(cover),
+            std::move(scree),
+            std::move(photo),
             std::move(surroundings),
             std::move(growth),
             std::move(growth_of_window),
             day,
+            {},
             {},
             {},
             std::move(clouds),

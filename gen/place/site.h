@@ -15,6 +15,7 @@
 #include "snow/crystal_picture.h"
 #include "snow/large_cover.h"
 #include "snow/weather.h"
+#include "terrain/land_shadow.h"
 #include "terrain/lighting.h"
 #include "terrain/surface.h"
 #include "terrain/surroundings.h"
@@ -58,10 +59,14 @@ struct Site {
   std::shared_ptr<const terrain::FinerRelief> finer;  ///< of a large terrain, where it has some
   std::shared_ptr<const terrain::Water> water;        ///< of lakes, if there are any
   std::shared_ptr<const terrain::LandCover> cover;    ///< if it is known
+  std::shared_ptr<const terrain::Scree> scree;        ///< of a large terrain, where it has some
+  std::shared_ptr<const terrain::Photo> photo;        ///< if there is one
   std::shared_ptr<const terrain::Surroundings> surroundings;
   FactorMap growth;                           ///< growth_map()'s
   std::optional<FactorMap> growth_of_window;  ///< the same in the CellWindow of a large terrain
   light::Daylight day;
+  /// What land around hides of that day's sun; none where nobody knows that land.
+  std::shared_ptr<const terrain::LandShadow> land_shadow;
   terrain::GroundLight light;    ///< under a clear sky
   ColourMap ground_reflectance;  ///< of the bare ground, radiance over irradiance
   std::optional<cloud::Clouds> clouds;

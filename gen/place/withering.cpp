@@ -61,7 +61,7 @@ Withering::Withering(const scene::Scene& scene, const Heightfield& terrain,
                         ScaleFreeNoise::Sizes{std::max(of_terrain * terrain.size_m(), feature_m),
                                               of_feature * feature_m},
                         hurst, /*step_m=*/0.0);
-    dryness_ = dryness_map(terrain);
+    dryness_ = dryness_map(terrain, equinox_sun(scene.sun.latitude_deg));
   }
   if (!season) return;
   season_ = std::move(season);

@@ -17,7 +17,8 @@ namespace wold::place {
 ///
 /// Without a season it is the frame's plus ageing.age_spread times a smooth keyed field, which
 /// fades to nothing for all-fresh and all-dry frames: the same spots wither first. On a large
-/// terrain that field has places of all sizes, and dry ground withers before wet.
+/// terrain that field has places of all sizes, and dry ground withers before wet:
+/// spurs before hollows, sunny slopes before shady ones.
 ///
 /// In a season places go through the same days earlier or later. By Hopkins' bioclimatic law (1920,
 /// Bioclimatics) autumn comes four days earlier for every 400 feet of height. What makes nights

@@ -64,6 +64,13 @@ std::vector<Key> terrain_keys() {
                 "colour other ground has, and where lakes are. Relative paths start at the scene "
                 "file."),
           FIELD(terrain.cover)),
+      bound(
+          plain(Kind::file, "terrain.photo", "", {0, 0},
+                "Orthophoto, in any coordinate system: a raster of red, green and blue bytes. Its "
+                "shading is taken out; grass grows where it is green, other ground has its "
+                "colour. What terrain.cover says of grass holds, too. Relative paths start at the "
+                "scene file."),
+          FIELD(terrain.photo)),
       bound(word("terrain.water",
                  "Lakes where the elevation model is level as only water is, and where "
                  "terrain.cover has them (\"auto\"), or none."),

@@ -33,6 +33,7 @@ struct Terrain {
   std::vector<double> centre;     ///< of the square, in the raster's coordinates; empty: its middle
   std::string surroundings = {};  ///< path of another raster of the land around; empty: none
   std::string cover = {};         ///< path of a raster of land cover; empty: none
+  std::string photo = {};         ///< path of an orthophoto; empty: none
   WaterSource water = WaterSource::automatic;
   double size_m = 42.0;            ///< side of the square
   int samples = 337;               ///< heights per side

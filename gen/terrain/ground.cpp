@@ -69,6 +69,8 @@ Ground real_place(const scene::Terrain& terrain, std::uint64_t seed,
   Ground ground{crept(std::move(place.heights_m)), std::move(relief)};
   if (auto cover = read_land_cover(terrain, cover_classes, seed))
     ground.cover = std::make_shared<const LandCover>(std::move(*cover));
+  if (auto photo = read_photo(terrain, ground.heights_m))
+    ground.photo = std::make_shared<const Photo>(std::move(*photo));
   ground.water = water_of(terrain, ground.cover.get(), place.zero_m, ground.heights_m, seed);
   if (ground.water) ground.water->settle(ground.heights_m);
   return ground;
@@ -130,8 +132,11 @@ Ground own_place(const scene::Terrain& terrain, std::uint64_t seed) {
 
 Ground make_ground(const scene::Terrain& terrain, std::uint64_t seed,
                    const std::vector<scene::CoverClass>& cover_classes) {
-  return terrain.elevation.empty() ? own_place(terrain, seed)
-                                   : real_place(terrain, seed, cover_classes);
+  Ground ground = terrain.elevation.empty() ? own_place(terrain, seed)
+                                            : real_place(terrain, seed, cover_classes);
+  if (ground.finer)
+    ground.scree = std::make_shared<const Scree>(ground.heights_m, terrain.rock_slope_deg, seed);
+  return ground;
 }
 
 }  // namespace wold::terrain

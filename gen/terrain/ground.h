@@ -7,6 +7,9 @@
 #include "scene/scene.h"
 #include "terrain/finer_relief.h"
 #include "terrain/land_cover.h"
+#include "terrain/photo.h"
+#include "terrain/scree.h"
+#include "terrain/surface.h"
 #include "terrain/water.h"
 
 namespace wold::terrain {
@@ -18,6 +21,10 @@ struct Ground {
       finer;                                ///< none where the step is no coarser than soil's creep
   std::shared_ptr<const Water> water = {};  ///< lakes; none where there are none
   std::shared_ptr<const LandCover> cover = {};  ///< read_land_cover()'s
+  std::shared_ptr<const Scree> scree = {};      ///< none where there is nothing finer
+  std::shared_ptr<const Photo> photo = {};      ///< read_photo()'s
+
+  KnownGround known() const { return {water.get(), cover.get(), scree.get(), photo.get()}; }
 };
 
 /// The scene's ground: make_hillside(), make_mountain(), or the place of an elevation model when it
@@ -25,8 +32,9 @@ struct Ground {
 ///
 /// What was measured stays. Below the model's cells its relief goes on (FinerRelief) down to the
 /// heights' step, unless terrain.relief is 0, and soil creeps (crept()). Where the model has lakes
-/// (model_lakes()) the ground is their surface, unless terrain.water is none. The same for any
-/// number of threads. Throws what read_elevation() and read_land_cover() throw.
+/// (model_lakes()) the ground is their surface, unless terrain.water is none. Debris lies below its
+/// rock. The same for any
+/// number of threads. Throws what read_elevation(), read_land_cover() and read_photo() throw.
 ///
 /// `cover_classes`: scene::cover_classes_of(), of terrain.cover.
 Ground make_ground(const scene::Terrain& terrain, std::uint64_t seed,

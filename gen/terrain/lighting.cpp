@@ -7,13 +7,16 @@
 #include <vector>
 
 #include "core/angle.h"
+#include "core/colour.h"
 #include "core/elementary.h"
 #include "core/noise.h"
 #include "core/parallel.h"
 #include "core/random.h"
 #include "terrain/horizon.h"
+#include "terrain/land_shadow.h"
 #include "terrain/relief.h"
 #include "terrain/rock.h"
+#include "terrain/sun_disc.h"
 #include "terrain/surface.h"
 
 namespace wold::terrain {
@@ -67,29 +70,34 @@ glm::dvec4 sky_light(const Heightfield& terrain, const glm::dvec2& at_m, const g
   return sum;
 }
 
-/// Fraction of the sun's disc that is seen, in [0, 1]. The disc is taken as 2 degrees wide: grass,
-/// not a sharp edge, casts the hill's shadow.
+/// Fraction of the sun's disc that is seen over the terrain, in [0, 1].
 double sun_seen(const Heightfield& terrain, const glm::dvec2& at_m, const glm::dvec3& to_sun) {
-  constexpr std::array<double, 3> offsets_deg = {-0.7, 0.0, 0.7};
-  constexpr double half_width = 1.0 * radians_per_degree;
   const double azimuth = math::atan2(to_sun.x, to_sun.y);
   const double elevation = math::asin(to_sun.z);
   double seen = 0.0;
-  for (const double offset_deg : offsets_deg) {
-    const glm::dvec2 towards(light::direction_of(azimuth + offset_deg * radians_per_degree, 0.0));
+  for (const double offset_rad : sun_disc::offsets_rad) {
+    const glm::dvec2 towards(light::direction_of(azimuth + offset_rad, 0.0));
     const double above = elevation - horizon_rad(terrain, at_m, towards, 0.02);
-    const double t = std::clamp(0.5 + 0.5 * above / half_width, 0.0, 1.0);
-    seen += t * t * (3.0 - 2.0 * t) / offsets_deg.size();
+    seen +=
+        sun_disc::seen(0.5 + 0.5 * above / sun_disc::half_width_rad) / sun_disc::offsets_rad.size();
   }
   return seen;
 }
 
+/// The same over the land around, too.
+double sun_seen(const Heightfield& terrain, const glm::dvec2& at_m, const glm::dvec3& to_sun,
+                const LandShadow* around) {
+  const double over_terrain = sun_seen(terrain, at_m, to_sun);
+  if (around == nullptr || over_terrain <= 0.0) return over_terrain;
+  return std::min(over_terrain, around->sun_seen({at_m, terrain.sample(at_m.x, at_m.y)}));
+}
+
 glm::dvec3 sun_light(const Heightfield& terrain, const glm::dvec2& at_m, const glm::dvec3& up,
-                     const light::Daylight& day) {
+                     const light::Daylight& day, const LandShadow* around) {
   const double lambert = glm::dot(up, day.sun_direction());
   if (lambert <= 0.0) return glm::dvec3(0.0);
   return glm::dvec3(day.sun_irradiance()) *
-         (lambert * sun_seen(terrain, at_m, day.sun_direction()));
+         (lambert * sun_seen(terrain, at_m, day.sun_direction(), around));
 }
 
 /// Irradiance of level ground under nothing but the patches: what the sum over patches makes of
@@ -106,7 +114,7 @@ struct GroundColour {
   static constexpr double litter_m = 0.35;
   static constexpr double border_m = 1.5;
 
-  glm::vec3 soil;
+  glm::vec3 soil, rock_albedo;
   Rock rock;
   double rock_slope_deg;
   ScaleFreeNoise wide;  ///< soils of large terrains
@@ -119,8 +127,8 @@ struct GroundColour {
 
   GroundColour(const scene::Terrain& terrain, std::uint64_t seed, double step_m)
       : soil(terrain.ground_albedo[0], terrain.ground_albedo[1], terrain.ground_albedo[2]),
-        rock({terrain.rock_albedo[0], terrain.rock_albedo[1], terrain.rock_albedo[2]}, seed,
-             step_m),
+        rock_albedo(terrain.rock_albedo[0], terrain.rock_albedo[1], terrain.rock_albedo[2]),
+        rock(rock_albedo, seed, step_m),
         rock_slope_deg(terrain.rock_slope_deg),
         wide(random_bits({seed, key_of("ground"), 0, key_of("soil")}),
              {0.1 * terrain.size_m, 2.0 * moisture_m}, /*hurst=*/0.1, step_m),
@@ -142,24 +150,45 @@ struct GroundColour {
            (1.0F + straw * glm::vec3(0.30F, 0.30F, 0.24F));
   }
 
+  /// Of a place, and what it is there on the mean.
+  struct Albedo {
+    glm::vec3 here, mean;
+    /// How much brighter than the mean the place is.
+    float detail() const {
+      return static_cast<float>(luminance(here) / std::max(luminance(mean), 1e-6));
+    }
+  };
+
+  Albedo debris(const glm::dvec3& place_m, const glm::dvec3& up, const glm::dvec3& to_sun) const {
+    return {rock.debris_at(place_m, up, to_sun), rock_albedo};
+  }
+
   /// Rock shows where it is steep, over 5 degrees and along a ragged border, sooner where it stands
   /// out, and where no grass holds soil on it.
-  glm::vec3 albedo(const glm::dvec3& place_m, const glm::dvec3& up, const glm::dvec3& to_sun,
-                   double exposure, float growth) const {
+  Albedo albedo(const glm::dvec3& place_m, const glm::dvec3& up, const glm::dvec3& to_sun,
+                double exposure, float growth) const {
     constexpr double deg_per_exposure = 4.0;
     const glm::dvec2 at_m(place_m);
     const double beyond = math::acos(up.z) / radians_per_degree - rock_slope_deg +
                           deg_per_exposure * std::clamp(exposure, -2.0, 2.0);
-    if (beyond < -8.0) return earth(at_m);
+    if (beyond < -8.0) return {earth(at_m), soil};
     const double ragged = beyond + 2.5 * border_shown * fbm(at_m / border_m, border);
     const double bare = (1.0 - double{growth}) * glm::smoothstep(-2.5, 2.5, ragged);
-    if (bare <= 0.0) return earth(at_m);
-    return glm::mix(earth(at_m), rock.at(place_m, up, to_sun), static_cast<float>(bare));
+    if (bare <= 0.0) return {earth(at_m), soil};
+    const auto share = static_cast<float>(bare);
+    return {glm::mix(earth(at_m), rock.at(place_m, up, to_sun), share),
+            glm::mix(soil, rock_albedo, share)};
   }
 };
 
+/// Ground of which a share is bare, in the colour that a cover gives to that.
+glm::vec3 covered(const GroundColour::Albedo& albedo, const LandCover::Shares& cover, float bare) {
+  const auto own = static_cast<float>(1.0 - cover.coloured * double{bare});
+  return own * albedo.here + (bare * albedo.detail()) * cover.albedo;
+}
+
 GroundLight smoothed_light(const Heightfield& terrain, const light::Daylight& day,
-                           const GroundGrid& grid, int passes) {
+                           const GroundGrid& grid, int passes, const LandShadow* around) {
   const ColourMap dark(grid.samples, grid.square);
   GroundLight light{dark, dark, FactorMap(grid.samples, grid.square)};
   const SkyPatches sky(day);
@@ -170,7 +199,7 @@ GroundLight smoothed_light(const Heightfield& terrain, const light::Daylight& da
     for (int i = 0; i < dark.samples(); ++i) {
       const glm::dvec2 at_m = dark.place_m(i, j);
       const glm::dvec3 up = normal(terrain, at_m.x, at_m.y);
-      light.sun.at(i, j) = glm::vec3(sun_light(terrain, at_m, up, day));
+      light.sun.at(i, j) = glm::vec3(sun_light(terrain, at_m, up, day, around));
       const glm::vec4 by_sky(sky_light(terrain, at_m, up, sky) * sky_scale);
       light.sky.at(i, j) = glm::vec3(by_sky);
       light.overcast.at(i, j) = by_sky.w;
@@ -192,16 +221,18 @@ ColourMap GroundLight::together() const {
   return sum;
 }
 
-GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day) {
+GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day,
+                         const LandShadow* around) {
   // Grass takes its light from about its own height around: a deviation of 0.28 m.
   constexpr int passes = 4;
   return smoothed_light(terrain, day,
-                        {{.size_m = terrain.size_m()}, map_samples(terrain.size_m(), 0.2)}, passes);
+                        {{.size_m = terrain.size_m()}, map_samples(terrain.size_m(), 0.2)}, passes,
+                        around);
 }
 
 GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day,
-                         const GroundGrid& grid) {
-  return smoothed_light(terrain, day, grid, /*passes=*/1);
+                         const GroundGrid& grid, const LandShadow* around) {
+  return smoothed_light(terrain, day, grid, /*passes=*/1, around);
 }
 
 ColourMap ground_reflectance(const Surface& surface, const glm::dvec3& sun_direction,
@@ -217,10 +248,13 @@ ColourMap ground_reflectance(const Surface& surface, const glm::dvec3& sun_direc
       const float grown = growth.sample(at_m.x, at_m.y);
       const glm::dvec3 place_m(at_m, surface.height_m(i, j));
       const LandCover::Shares cover = surface.cover(i, j);
-      const auto own = static_cast<float>(1.0 - cover.coloured * (1.0 - double{grown}));
-      const glm::vec3 land = own * colour.albedo(place_m, surface.up(i, j), sun_direction,
-                                                 surface.exposure(i, j), grown) +
-                             (1.0F - grown) * cover.albedo;
+      glm::vec3 land = covered(
+          colour.albedo(place_m, surface.up(i, j), sun_direction, surface.exposure(i, j), grown),
+          cover, 1.0F - grown);
+      if (const double scree = surface.scree(i, j) * (1.0 - double{grown}); scree > 0.0)
+        land = glm::mix(
+            land, covered(colour.debris(place_m, surface.up(i, j), sun_direction), cover, 1.0F),
+            static_cast<float>(scree));
       map.at(i, j) = glm::mix(land, water_albedo, static_cast<float>(surface.water(i, j))) *
                      static_cast<float>(1.0 / pi);
     }

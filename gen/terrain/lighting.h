@@ -8,6 +8,7 @@
 
 namespace wold::terrain {
 
+class LandShadow;
 class Surface;
 
 /// The light that falls on the ground, relative to flat open ground, per channel: the sun's
@@ -23,10 +24,12 @@ struct GroundLight {
 
   ColourMap together() const;
 };
-GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day);
+/// `around`: what land around the terrain takes of the sun; null takes nothing.
+GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day,
+                         const LandShadow* around = nullptr);
 /// The same on another grid, smoothed over one of its steps.
 GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day,
-                         const GroundGrid& grid);
+                         const GroundGrid& grid, const LandShadow* around = nullptr);
 
 /// Albedo of clear water by what it scatters back: less than 5 % of the light, most of it blue and
 /// green ([Mobley1994], irradiance reflectances of lakes).
@@ -36,9 +39,10 @@ inline constexpr glm::vec3 water_albedo(0.010F, 0.026F, 0.032F);
 ///
 /// The albedo varies about terrain.ground_albedo: moist hollows and litter (keyed fBm), detail down
 /// to the grid's step, what is smaller shows its mean; beyond terrain.rock_slope it turns to rock,
-/// whose relief the sun shows. Where grass grows, `growth` in [0, 1], the ground is soil. Where
-/// land cover has a colour, the ground has it beside the grass. Water has what comes back out of
-/// it, without what its surface mirrors.
+/// whose relief the sun shows. Scree is stones of that rock. Where grass grows, `growth` in [0, 1],
+/// the ground is soil. Where land cover or a photo has a colour, the ground has it beside the
+/// grass, with the detail of its soil or rock. Water has what comes back out of it, without what
+/// its surface mirrors.
 ColourMap ground_reflectance(const Surface& surface, const glm::dvec3& sun_direction,
                              const scene::Terrain& look, std::uint64_t seed,
                              const FactorMap& growth);

@@ -22,15 +22,18 @@ GDALDatasetUniquePtr open(const std::filesystem::path& file) {
                                                 GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR));
 }
 
+const char* expected(std::string_view key) {
+  if (key == "terrain.cover") return "a raster of land cover";
+  return key == "terrain.photo" ? "an orthophoto" : "an elevation model";
+}
+
 }  // namespace
 
 Raster::Raster(const std::filesystem::path& file, const std::string& system, const char* key)
     : file_(file.string()), key_(key), dataset_(open(file)), given_(system) {
   if (!dataset_)
-    fail(fmt::format(
-        "expected {} of one of these kinds: {}: {}",
-        key == std::string_view("terrain.cover") ? "a raster of land cover" : "an elevation model",
-        fmt::join(elevation_drivers, ", "), CPLGetLastErrorMsg()));
+    fail(fmt::format("expected {} of one of these kinds: {}: {}", expected(key),
+                     fmt::join(elevation_drivers, ", "), CPLGetLastErrorMsg()));
   if (dataset_->GetRasterCount() == 0) fail("it has no band of numbers");
   if (dataset_->GetGeoTransform(transform_.data()) != CE_None)
     fail("it does not say where on the ground it lies (no geotransform)");

@@ -15,6 +15,7 @@ namespace {
 /// A block's face.
 struct Face {
   glm::dvec3 tilt{0.0};  ///< of its normal, in [-1, 1] along each axis
+  double shade = 0.0;    ///< of its own, in [-1, 1]
   double joint = 0.0;    ///< distance to the next joint, in blocks
 };
 
@@ -47,7 +48,7 @@ Face face_at(const glm::dvec3& at, std::uint64_t key) {
           next2 = away2, next = away;
         }
       }
-  return {2.0 * place_of(mixed(block)) - 1.0,
+  return {2.0 * place_of(mixed(block)) - 1.0, 2.0 * place_of(mixed(block + 1)).x - 1.0,
           0.5 * (next2 - nearest2) / std::max(glm::distance(next, nearest), 1e-9)};
 }
 
@@ -57,6 +58,9 @@ constexpr double bend_feature_m = 500.0;
 /// How much of a joint a place is, 0 to 1, and the mean over all places.
 double joint_at(const Face& face) { return 1.0 - glm::smoothstep(0.0, 0.08, face.joint); }
 constexpr double mean_joint = 0.207;
+
+/// Of what a block sends back, over the mean.
+constexpr float darkest = 0.08F, brightest = 2.69F;
 
 /// What a rough surface that faces `up` sends back of sun and sky: in clear air four fifths of the
 /// light are the sun's, of a low sun less, of one that has set nothing.
@@ -78,6 +82,12 @@ glm::dmat3 beds(std::uint64_t key) {
 
 }  // namespace
 
+template <std::size_t count>
+void Rock::Sizes<count>::show(double step_m, std::uint64_t with_key) {
+  key = with_key;
+  for (std::size_t i = 0; i < count; ++i) shown[i] = shown_fraction(sizes[i].block_m, step_m);
+}
+
 Rock::Rock(const glm::vec3& albedo, std::uint64_t seed, double step_m)
     : albedo_(albedo),
       key_(random_bits({seed, key_of("ground"), 0, key_of("rock")})),
@@ -87,8 +97,8 @@ Rock::Rock(const glm::vec3& albedo, std::uint64_t seed, double step_m)
       stain_{random_bits({key_, key_of("stain"), 0, 0}), 5, 0.5},
       stain_shown_(shown_fraction(1.2, step_m)),
       to_beds_(beds(key_)) {
-  for (std::size_t i = 0; i < sizes.size(); ++i)
-    shown_[i] = shown_fraction(sizes[i].block_m, step_m);
+  blocks_.show(step_m, key_);
+  stones_.show(step_m, random_bits({key_, key_of("stones"), 0, 0}));
 }
 
 /// Bent, so that no joint is a straight line; a bed is half as thick as a block is wide.
@@ -107,21 +117,36 @@ glm::vec3 Rock::bed_at(const glm::dvec3& bedded_m) const {
   return 1.0F + bed * glm::vec3(0.19F, 0.17F, 0.14F);
 }
 
-glm::vec3 Rock::at(const glm::dvec3& place_m, const glm::dvec3& up,
-                   const glm::dvec3& to_sun) const {
-  if (shown_.front() <= 0.0) return albedo_;
-  const glm::dvec3 place = bedded(place_m);
+template <std::size_t count>
+float Rock::shade(const Sizes<count>& broken, const glm::dvec3& place_m, const glm::dvec3& up,
+                  const glm::dvec3& to_sun) const {
   glm::dvec3 faced = up;  // of no unit length, so that faces have the light of `up` on the mean
   double open = 1.0;
-  for (std::size_t i = 0; i < sizes.size(); ++i) {
-    if (shown_[i] <= 0.0) continue;
-    const Face face = face_at(place / sizes[i].block_m, key_ + i);
-    faced += shown_[i] * sizes[i].tilt * face.tilt;
-    open *= 1.0 + shown_[i] * sizes[i].dark * (mean_joint - joint_at(face));
+  for (std::size_t i = 0; i < count; ++i) {
+    const Size& size = broken.sizes[i];
+    const double shown = broken.shown[i];
+    if (shown <= 0.0) continue;
+    const Face face = face_at(place_m / size.block_m, broken.key + i);
+    faced += shown * size.tilt * face.tilt;
+    open *= 1.0 + shown * size.dark * (mean_joint - joint_at(face));
+    open *= 1.0 + shown * size.own_shade * face.shade;
   }
   const double lit = light_on(faced, to_sun) / light_on(up, to_sun);
-  const auto shade = static_cast<float>(open * std::clamp(lit, 0.3, 1.8));
-  return albedo_ * glm::clamp(shade * bed_at(place) * stain_at(place_m), 0.08F, 2.69F);
+  return static_cast<float>(open * std::clamp(lit, 0.3, 1.8));
+}
+
+glm::vec3 Rock::at(const glm::dvec3& place_m, const glm::dvec3& up,
+                   const glm::dvec3& to_sun) const {
+  if (blocks_.shown.front() <= 0.0) return albedo_;
+  const glm::dvec3 place = bedded(place_m);
+  return albedo_ * glm::clamp(shade(blocks_, place, up, to_sun) * bed_at(place) * stain_at(place_m),
+                              darkest, brightest);
+}
+
+glm::vec3 Rock::debris_at(const glm::dvec3& place_m, const glm::dvec3& up,
+                          const glm::dvec3& to_sun) const {
+  if (stones_.shown.front() <= 0.0) return albedo_;
+  return albedo_ * std::clamp(shade(stones_, place_m, up, to_sun), darkest, brightest);
 }
 
 /// Damp and lichens.

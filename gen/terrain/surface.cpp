@@ -29,6 +29,7 @@ double more_sky(const glm::dvec3& face, const glm::dvec3& ground) {
 Surface::Surface(const Heightfield& heights_m, const FinerRelief* finer, const GroundGrid& grid,
                  const KnownGround& known)
     : heights_m_(heights_m), grid_(grid), known_(known) {
+  if (known.scree != nullptr) scree_.emplace(*known.scree, grid.step_m());
   if (finer == nullptr || grid.step_m() >= heights_m.step_m()) return;
   const FinerRelief::Weights weights = finer->shown_below(heights_m.step_m(), grid.step_m());
   const GroundMap<FinerRelief::Bump> bumps = finer->on_grid(grid, weights);
@@ -57,7 +58,18 @@ double Surface::water(int i, int j) const {
 }
 
 LandCover::Shares Surface::cover(int i, int j) const {
-  return known_.cover == nullptr ? LandCover::Shares{} : known_.cover->at(place_m(i, j));
+  LandCover::Shares shares =
+      known_.cover == nullptr ? LandCover::Shares{} : known_.cover->at(place_m(i, j));
+  if (known_.photo == nullptr) return shares;
+  const LandCover::Shares seen = known_.photo->at(place_m(i, j));
+  shares.grass *= seen.grass;
+  shares.albedo = static_cast<float>(1.0 - seen.coloured) * shares.albedo + seen.albedo;
+  shares.coloured = std::lerp(shares.coloured, 1.0, seen.coloured);
+  return shares;
+}
+
+double Surface::scree(int i, int j) const {
+  return scree_ ? scree_->share(place_m(i, j), slope_deg(i, j), exposure(i, j)) : 0.0;
 }
 
 glm::dvec2 Surface::place_m(int i, int j) const {

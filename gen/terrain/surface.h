@@ -8,6 +8,8 @@
 #include "terrain/finer_relief.h"
 #include "terrain/land_cover.h"
 #include "terrain/lighting.h"
+#include "terrain/photo.h"
+#include "terrain/scree.h"
 #include "terrain/water.h"
 
 namespace wold::terrain {
@@ -16,6 +18,8 @@ namespace wold::terrain {
 struct KnownGround {
   const Water* water = nullptr;
   const LandCover* cover = nullptr;
+  const Scree* scree = nullptr;
+  const Photo* photo = nullptr;
 };
 
 /// The ground's surface on a grid, as finely as its step shows it: heights, and the relief below
@@ -43,8 +47,12 @@ class Surface {
   /// Share of it that is water, which is level, in [0, 1].
   double water(int i, int j) const;
 
-  /// What a raster of land cover says of it.
+  /// What a raster of land cover says of it, and a photo: grass grows where both let it, and
+  /// where the photo shows ground its colour counts.
   LandCover::Shares cover(int i, int j) const;
+
+  /// Share of it that debris of rock covers, in [0, 1].
+  double scree(int i, int j) const;
 
   /// A light on the heights, as it falls on this surface: the sun by Lambert's law, the sky by how
   /// much of it the surface faces. The light itself where there is no relief below the heights.
@@ -62,6 +70,7 @@ class Surface {
   GroundGrid grid_;
   KnownGround known_;
   std::optional<GroundMap<Bump>> bumps_;
+  std::optional<Scree::Patches> scree_;
 };
 
 }  // namespace wold::terrain

@@ -36,6 +36,33 @@ TEST(Rock, HasItsAlbedoOnTheMeanHoweverFine) {
     }
 }
 
+TEST(Rock, DebrisHasTheRocksAlbedoOnTheMeanHoweverFine) {
+  const glm::dvec3 up = glm::normalize(glm::dvec3(0.0, -0.6, 1.0));
+  for (const double step_m : {0.02, 0.3, 1.0, 10.0}) {
+    const Rock rock(glm::vec3(0.2F), 5, step_m);
+    const double albedo = mean(4000, [&](const glm::dvec3& place_m) {
+      return double{rock.debris_at(place_m, up, to_sun).g};
+    });
+    EXPECT_NEAR(albedo, 0.2, 0.012) << step_m << " m";
+  }
+}
+
+// Stones of a metre at most: what is farther apart is another stone.
+TEST(Rock, DebrisIsBrokenSmall) {
+  const Rock rock(glm::vec3(1.0F), 5, 0.02);
+  const glm::dvec3 up = glm::normalize(glm::dvec3(0.0, -0.6, 1.0));
+  const auto change = [&](double way_m) {
+    return mean(3000, [&](const glm::dvec3& place_m) {
+      return std::abs(double{rock.debris_at(place_m + glm::dvec3(way_m, 0.0, 0.0), up, to_sun).g} -
+                      double{rock.debris_at(place_m, up, to_sun).g});
+    });
+  };
+  const double far = change(300.0);
+  EXPECT_GT(far, 0.2);
+  EXPECT_NEAR(change(4.0), far, 0.1 * far);
+  EXPECT_LT(change(0.004), 0.5 * far);
+}
+
 TEST(Rock, FacesTurnToTheSunAndAway) {
   const Rock rock(glm::vec3(1.0F), 5, 0.02);
   const glm::dvec3 up = glm::normalize(glm::dvec3(0.0, -1.0, 0.7));

@@ -1,10 +1,7 @@
 #include "terrain/surroundings.h"
 
-#include <gdal_priv.h>
 #include <gtest/gtest.h>
-#include <ogr_spatialref.h>
 
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +9,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "support/elevation_raster.h"
 #include "support/temporary_folder.h"
 #include "terrain/ground.h"
 #include "terrain/known_land.h"
@@ -20,36 +18,14 @@
 namespace wold::terrain {
 namespace {
 
-/// Land that rises to the east and falls to the north, in zone 11 of UTM.
-double slope_m(double east_m, double north_m) {
-  return 700.0 + 0.05 * (east_m - 5e5) - 0.02 * (north_m - 3.8e6);
-}
-
 class SurroundingsTest : public testing::Test {
  protected:
-  /// A model of a square of that land about its middle, or so far east of it.
+  /// A model of land that rises to the east and falls to the north.
   std::string model(const char* name, double size_m, double cell_m, double lift_m = 0.0,
                     double east_m = 0.0) {
-    GDALAllRegister();
-    const std::filesystem::path file = folder_.path() / name;
-    const int cells = static_cast<int>(size_m / cell_m);
-    const double west = 5e5 + east_m - 0.5 * size_m, north = 3.8e6 + 0.5 * size_m;
-    GDALDatasetUniquePtr raster(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
-        file.c_str(), cells, cells, 1, GDT_Float64, nullptr));
-    std::array<double, 6> place = {west, cell_m, 0.0, north, 0.0, -cell_m};
-    raster->SetGeoTransform(place.data());
-    OGRSpatialReference system;
-    system.SetFromUserInput("EPSG:32611");
-    raster->SetSpatialRef(&system);
-    for (int row = 0; row < cells; ++row)
-      for (int column = 0; column < cells; ++column) {
-        double value =
-            lift_m + slope_m(west + (column + 0.5) * cell_m, north - (row + 0.5) * cell_m);
-        EXPECT_EQ(raster->GetRasterBand(1)->RasterIO(GF_Write, column, row, 1, 1, &value, 1, 1,
-                                                     GDT_Float64, 0, 0),
-                  CE_None);
-      }
-    return file.string();
+    return test::write_elevation(
+        folder_.path() / name, {size_m, cell_m, east_m},
+        [&](double east, double north) { return 700.0 + lift_m + 0.05 * east - 0.02 * north; });
   }
 
   wold::test::TemporaryFolder folder_{"surroundings"};
