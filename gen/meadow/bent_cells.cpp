@@ -40,9 +40,8 @@ int steps_apart(double height_m, double pixels_per_m) {
 void bend_blades(const scene::Scene& scene, const Heightfield& terrain, int frame,
                  std::vector<CellChoice>& cells) {
   if (!place::grass_waves(scene) || !are_blades(scene)) return;
-  const place::View view(
-      place::resolved_camera(scene.camera, terrain, place::time_of_frame(scene, frame)),
-      scene.render.size_px[0], scene.render.size_px[1]);
+  const place::View view(place::camera_of_frame(scene, terrain, frame), scene.render.size_px[0],
+                         scene.render.size_px[1]);
   const double height_m = scene::mean_grass(scene).height_m;
   for (CellChoice& cell : cells) {
     if (!cell.blades) continue;

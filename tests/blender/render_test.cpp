@@ -309,8 +309,8 @@ double peak_mb(const std::string& log) {
   return max;
 }
 
-// A volume of 126^3 takes 26 MB, where colours as grids took 41: as much whole, in quarters, in parts
-// of them, and all at once, but for the quarters' masks.
+// A volume of 126^3 takes 26 MB, where colours as grids took 41: as much whole, in quarters, in
+// parts of them, and all at once, but for the quarters' masks.
 TEST_F(BlenderRender, PartsOfAVolumeShareItInMemory) {
   landscape::Volume& volume = landscape.volumes.front();
   const int voxels = 126;
