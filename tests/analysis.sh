@@ -35,8 +35,10 @@ test_with() {
 test_units() {
   local left_out='^(BlenderRender|BlenderAddOn|BlenderDifferences|BlenderStranger|Includes|OwnScene'
   left_out+='|Picture|RealPovray|LargeTerrain|SiteOfFrame|SnowfallModel|Growth\.Covers'
-  left_out+='|Assemble\.(Exposes|Dusk|HasTheLight)|Rebuild\.(BigTujunga|FrontRange)'
-  left_out+='|CloudBoxes\.HaveTheLayers|CloudLayerView\.Glows|Exposure\.Changes|TracedSky|LandView\.Sees)'
+  left_out+='|Assemble\.(Exposes|Dusk|HasTheLight|DoesNotBurn|PartsWithout)'
+  left_out+='|GroundDetails\.Agree|LitGround\.HasAHotSpot|Rebuild\.(BigTujunga|FrontRange)'
+  left_out+='|CloudBoxes\.HaveTheLayers|CloudLayerView\.Glows|Exposure\.Changes|TracedSky|LandView\.Sees'
+  left_out+='|DiffuseLight\.OfDeepSlabsUnderTheSun)'
   local libraries=(core scene weather snowpack phenology light terrain grass cloud snow wind landscape
     place sky meadow ground expectation passes maps film povray blender mitsuba usd preview report
     compare render work console)
