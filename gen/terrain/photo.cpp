@@ -91,15 +91,16 @@ class MeanCells {
 
   void add_row(int row) {
     const int columns = cells_.block.size.x * apart_;
-    std::array<std::vector<std::uint8_t>, channels + 1> values;
-    for (auto& band : values) band.resize(static_cast<std::size_t>(columns));
+    std::vector<std::uint8_t> shown(static_cast<std::size_t>(columns));
+    std::array<std::vector<std::uint8_t>, channels> values;
+    values.fill(shown);
     GDALDataset& dataset = raster_.dataset();
     for (int band = 0; band < channels; ++band)
       read(*dataset.GetRasterBand(band + 1), row, values[static_cast<std::size_t>(band)]);
-    read(*dataset.GetRasterBand(1)->GetMaskBand(), row, values[channels]);
+    read(*dataset.GetRasterBand(1)->GetMaskBand(), row, shown);
     for (int column = 0; column < columns; ++column) {
       const auto k = static_cast<std::size_t>(column);
-      if (values[channels][k] == 0) continue;
+      if (shown[k] == 0) continue;
       const auto cell =
           static_cast<std::size_t>(row / apart_ * cells_.block.size.x + column / apart_);
       colours_[cell] +=
