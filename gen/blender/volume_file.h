@@ -28,9 +28,9 @@ ColourPicture write_volume(const std::filesystem::path& path, const landscape::V
 /// The picture of a volume's colours.
 std::filesystem::path colour_file(const std::filesystem::path& volume_file);
 
-/// Writes a cloud likewise, but per metre, always anew, without quarters, and with its colour in
-/// full: `emission red`, `emission green` and `emission blue`. A vector would take the memory of
-/// four numbers.
+/// Writes a cloud as Cycles reads it, in half precision, replacing the file: `density`, its
+/// extinction per metre, and `emission red`, `emission green` and `emission blue`, what a ray gains
+/// per metre. A grid of vectors would take the memory of four numbers. Throws FileError.
 void write_cloud(const std::filesystem::path& path, const landscape::CloudBox& cloud);
 
 }  // namespace wold::blender

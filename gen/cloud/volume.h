@@ -39,8 +39,10 @@ struct DepthsAround {
 
 /// Radiance that a place in a cloud sends per unit of optical depth along a unit direction from the
 /// eye. Free of noise: sunlight that still goes roughly its way comes by `forward`, a table of
-/// forward_source(), which makes thin edges shine around the sun; the rest of it, the sky's and the
-/// ground's light by two-stream diffusion along their ways.
+/// forward_source(), which makes thin edges shine around the sun; the sky's and the ground's light
+/// by two-stream diffusion along their ways. The rest of the sun's comes along its way and is lost
+/// by base and top, or down from the top and is lost by the sides of a heap that is twice as wide
+/// as deep, whichever is more. Of a heap that stands alone the whole is within 35 % of all orders.
 glm::vec3 source_at(const ForwardTable& forward, double asymmetry, const DepthsAround& depths,
                     const glm::dvec3& from_eye, const CloudLight& light);
 
