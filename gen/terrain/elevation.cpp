@@ -196,7 +196,9 @@ Elevation read_elevation(const scene::Terrain& terrain) {
       filled_values(raster, *square->GetRasterBand(1), middle, local, size_m);
   const HeightScale scale = raster.height_scale();
   const auto [low, high] = std::ranges::minmax_element(stored);
-  const auto [lowest_m, highest_m] = std::minmax({scale.height_m(*low), scale.height_m(*high)});
+  // A scale may be negative.
+  const double lowest_m = std::min(scale.height_m(*low), scale.height_m(*high));
+  const double highest_m = std::max(scale.height_m(*low), scale.height_m(*high));
   require_slopes(raster, highest_m - lowest_m, size_m);
   elevation.zero_m = lowest_m;
   turn_over(stored, elevation.heights_m,

@@ -11,7 +11,9 @@ from pathlib import Path
 import tomllib
 
 LEAST_CAUGHT = 0.95
+MOST_SECONDS = 900  # for one program's tests, which take a tenth of it without a fault
 HERE = Path(__file__).resolve().parent
+NO_END = f"no end after {MOST_SECONDS} s"
 FAULT_KEYS = {"name", "file", "find", "replace", "breaks"}
 
 
@@ -86,8 +88,8 @@ class Copy:
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         return done.returncode == 0, done.stdout
 
-    def test(self, program, tests, most_seconds):
-        """The first test that fails, "" when none does."""
+    def test(self, program, tests):
+        """The first test that fails, NO_END when they do not end, "" when none fails."""
         command = [
             self.build_folder / f"test_{program}",
             f"--gtest_filter={tests}",
@@ -101,10 +103,10 @@ class Copy:
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT,
-                timeout=most_seconds,
+                timeout=MOST_SECONDS,
             )
         except subprocess.TimeoutExpired:
-            return f"no end after {most_seconds:.0f} s"
+            return NO_END
         if done.returncode == 0:
             return ""
         failed = re.search(r"\[  FAILED  \] ([^\s,]+)", done.stdout.decode(errors="replace"))
@@ -127,50 +129,65 @@ def check_places(tree, mutants):
     return not wrong
 
 
-def try_mutant(copy, mutant, usual_seconds):
-    """Puts it in, builds and tests; what became of it, and by what."""
+@dataclasses.dataclass(frozen=True)
+class Outcome:
+    """What became of a fault: `why` is the test that caught it, or what nobody saw."""
+
+    mutant: Mutant
+    state: str
+    why: str
+    program: str = ""
+
+
+def try_mutant(copy, mutant):
+    """Puts it in, builds and tests."""
     path = copy.tree / mutant.file
     text, wrong = find_place(copy.tree, mutant)
     if wrong:
-        return "not found", wrong
+        return Outcome(mutant, "not found", wrong)
     path.write_text(text.replace(mutant.find, mutant.replace))
     try:
         for program in mutant.programs:
             built, log = copy.build([program])
             if not built:
                 errors = [line for line in log.splitlines() if "error" in line]
-                return "did not build", errors[0] if errors else log.splitlines()[-1]
-            by = copy.test(program, mutant.tests, 30 + 5 * usual_seconds[program, mutant.tests])
+                return Outcome(mutant, "did not build", errors[0] if errors else log[-200:])
+            by = copy.test(program, mutant.tests)
             if by:
-                return "caught", by
+                return Outcome(mutant, "caught", by, program)
     finally:
         path.write_text(text)
-    return "survived", mutant.breaks
+    return Outcome(mutant, "survived", mutant.breaks)
 
 
-def usual_seconds(copy, mutants):
-    """How long the tests take without any fault; they have to pass."""
-    print("Building without a fault", file=sys.stderr, flush=True)
-    built, log = copy.build({program for mutant in mutants for program in mutant.programs})
+def catching_tests(outcomes):
+    """By program a filter of all tests that caught a fault, one by one or all of a fault's."""
+    filters = {}
+    for outcome in outcomes:
+        if outcome.state == "caught":
+            one = outcome.mutant.tests if outcome.why == NO_END else outcome.why
+            filters.setdefault(outcome.program, set()).add(one)
+    return filters
+
+
+def require_passing(copy, outcomes):
+    """Tests that caught a fault have to pass without any."""
+    filters = catching_tests(outcomes)
+    built, log = copy.build(filters)
     if not built:
         sys.exit(f"error: the copy does not build without a fault:\n{log[-4000:]}")
-    seconds = {}
-    for program, tests in sorted({(one, m.tests) for m in mutants for one in m.programs}):
-        begin = time.monotonic()
-        failed = copy.test(program, tests, 3600)
-        if failed:
+    for program, tests in sorted(filters.items()):
+        if failed := copy.test(program, ":".join(sorted(tests))):
             sys.exit(f"error: tests of {program} fail without a fault: {failed}")
-        seconds[program, tests] = time.monotonic() - begin
-        print(f"{program} passes in {seconds[program, tests]:.0f} s", file=sys.stderr, flush=True)
-    return seconds
 
 
 def print_row(*cells):
     print("| " + " | ".join(str(cell) for cell in cells) + " |", flush=True)
 
 
-def print_sums(states):
+def print_sums(outcomes):
     """By room and of all; whether enough were caught and all could be tried."""
+    states = [(outcome.mutant.room, outcome.state) for outcome in outcomes]
     kinds = ["caught", "survived", "did not build", "not found"]
     print()
     print_row("room", *kinds)
@@ -190,17 +207,17 @@ def print_sums(states):
 
 
 def try_all(copy, mutants):
-    seconds = usual_seconds(copy, mutants)
     print_row("fault", "what became of it", "by, or what nobody saw", "seconds")
     print_row(*["---"] * 4)
-    states = []
+    outcomes = []
     # Those of a file together: it is compiled once for each, and once more at the end.
     for mutant in sorted(mutants, key=lambda one: (one.room, one.file)):
         begin = time.monotonic()
-        state, why = try_mutant(copy, mutant, seconds)
-        print_row(mutant.full_name, state, why, round(time.monotonic() - begin))
-        states.append((mutant.room, state))
-    return print_sums(states)
+        outcome = try_mutant(copy, mutant)
+        print_row(mutant.full_name, outcome.state, outcome.why, round(time.monotonic() - begin))
+        outcomes.append(outcome)
+    require_passing(copy, outcomes)
+    return print_sums(outcomes)
 
 
 def main():
