@@ -63,9 +63,14 @@ std::array<Format, formats.size()> formats_to_try(const std::filesystem::path& p
 /// Sizes are checked before memory is taken.
 void check_size(const std::filesystem::path& path, const OIIO::ImageSpec& spec) {
   constexpr OIIO::imagesize_t max_numbers = 1U << 28;
+  constexpr int max_side = 1 << 17;
   if (spec.deep || spec.depth > 1)
     refuse(path, "found pixels in depth, expected one layer of them");
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) refuse(path, "it has no pixels");
+  // OpenImageIO takes memory for many whole rows at once, however few there are.
+  if (std::max(spec.width, spec.height) > max_side)
+    refuse(path, fmt::format("found {} x {} pixels, expected {} along a side at most", spec.width,
+                             spec.height, max_side));
   if (spec.image_pixels() > max_numbers / static_cast<OIIO::imagesize_t>(spec.nchannels))
     refuse(path, fmt::format("found {} x {} pixels of {} numbers, expected {} numbers at most",
                              spec.width, spec.height, spec.nchannels, max_numbers));

@@ -205,7 +205,10 @@ auto read_checked(const fs::path& path, const Read& read) {
   } catch (const FileError&) {
     throw;
   } catch (const std::bad_alloc&) {
-    throw;
+    throw FileError(
+        fmt::format("cannot read {}: out of memory; the file is damaged, or larger than --memory, "
+                    "or the machine, allows",
+                    path.string()));
   } catch (const std::ios::failure&) {
     throw FileError(fmt::format("cannot read {}: it ends too early", path.string()));
   } catch (const std::exception& error) {

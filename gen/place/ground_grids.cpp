@@ -9,7 +9,7 @@
 namespace wold::place {
 namespace {
 
-constexpr double finest_step_m = 0.03;
+constexpr double finest_step_m = 0.01;
 constexpr double side_ratio = 0.25;
 constexpr double ahead = 0.3;  ///< of a square's side, from the eye to its middle
 constexpr int max_samples = 2049;

@@ -17,7 +17,7 @@ FactorMap ranks(FactorMap map) {
   std::ranges::sort(sorted);
   const auto count = static_cast<float>(sorted.size());
   for (float& value : values) {
-    const auto [first, last] = std::ranges::equal_range(sorted, value);
+    const auto [first, last] = std::equal_range(sorted.begin(), sorted.end(), value);
     const auto below = static_cast<float>(first - sorted.begin());
     const auto not_above = static_cast<float>(last - sorted.begin());
     value = 0.5F * (below + not_above) / count;

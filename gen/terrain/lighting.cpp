@@ -16,6 +16,7 @@
 #include "terrain/land_shadow.h"
 #include "terrain/relief.h"
 #include "terrain/rock.h"
+#include "terrain/soil.h"
 #include "terrain/sun_disc.h"
 #include "terrain/surface.h"
 
@@ -110,45 +111,22 @@ glm::dvec4 flat_sky_light(const SkyPatches& sky) {
 
 /// The keyed fields that colour the ground.
 struct GroundColour {
-  static constexpr double moisture_m = 3.5;
-  static constexpr double litter_m = 0.35;
   static constexpr double border_m = 1.5;
 
-  glm::vec3 soil, rock_albedo;
+  Soil soil;
+  glm::vec3 rock_albedo;
   Rock rock;
   double rock_slope_deg;
-  ScaleFreeNoise wide;  ///< soils of large terrains
-  Fbm moisture;
-  Fbm litter;
   Fbm border;
-  double wet_shown;  ///< fractions of the details that the map shows
-  double litter_shown;
-  double border_shown;
+  double border_shown;  ///< fraction of it that the map shows
 
   GroundColour(const scene::Terrain& terrain, std::uint64_t seed, double step_m)
-      : soil(terrain.ground_albedo[0], terrain.ground_albedo[1], terrain.ground_albedo[2]),
+      : soil(terrain, seed, step_m),
         rock_albedo(terrain.rock_albedo[0], terrain.rock_albedo[1], terrain.rock_albedo[2]),
         rock(rock_albedo, seed, step_m),
         rock_slope_deg(terrain.rock_slope_deg),
-        wide(random_bits({seed, key_of("ground"), 0, key_of("soil")}),
-             {0.1 * terrain.size_m, 2.0 * moisture_m}, /*hurst=*/0.1, step_m),
-        moisture{random_bits({seed, key_of("ground"), 0, key_of("moisture")}), 2, 0.8},
-        litter{random_bits({seed, key_of("ground"), 0, key_of("litter")}), 3, 0.3},
         border{random_bits({seed, key_of("ground"), 0, key_of("border")}), 6, 0.95},
-        wet_shown(shown_fraction(moisture_m, step_m)),
-        litter_shown(shown_fraction(litter_m, step_m)),
         border_shown(shown_fraction(border_m, step_m)) {}
-
-  /// Soil, darker where moist, with pale dry litter on it.
-  glm::vec3 earth(const glm::dvec2& at_m) const {
-    const auto wet =
-        static_cast<float>(wet_shown * std::clamp(fbm(at_m / moisture_m, moisture), -2.0, 2.0));
-    const auto straw =
-        static_cast<float>(litter_shown * math::tanh(0.8 * fbm(at_m / litter_m, litter)));
-    const auto kind = static_cast<float>(std::clamp(wide.at(at_m), -2.0, 2.0));
-    return soil * (1.0F + kind * glm::vec3(0.16F, 0.18F, 0.2F)) * (1.0F - 0.12F * wet) *
-           (1.0F + straw * glm::vec3(0.30F, 0.30F, 0.24F));
-  }
 
   /// Of a place, and what it is there on the mean.
   struct Albedo {
@@ -171,13 +149,14 @@ struct GroundColour {
     const glm::dvec2 at_m(place_m);
     const double beyond = math::acos(up.z) / radians_per_degree - rock_slope_deg +
                           deg_per_exposure * std::clamp(exposure, -2.0, 2.0);
-    if (beyond < -8.0) return {earth(at_m), soil};
+    const Albedo earth{soil.at(at_m, up, to_sun), soil.mean_albedo()};
+    if (beyond < -8.0) return earth;
     const double ragged = beyond + 2.5 * border_shown * fbm(at_m / border_m, border);
     const double bare = (1.0 - double{growth}) * glm::smoothstep(-2.5, 2.5, ragged);
-    if (bare <= 0.0) return {earth(at_m), soil};
+    if (bare <= 0.0) return earth;
     const auto share = static_cast<float>(bare);
-    return {glm::mix(earth(at_m), rock.at(place_m, up, to_sun), share),
-            glm::mix(soil, rock_albedo, share)};
+    return {glm::mix(earth.here, rock.at(place_m, up, to_sun), share),
+            glm::mix(earth.mean, rock_albedo, share)};
   }
 };
 

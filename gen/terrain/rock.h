@@ -1,10 +1,10 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 
 #include "core/noise.h"
+#include "terrain/broken_surface.h"
 
 namespace wold::terrain {
 
@@ -30,25 +30,6 @@ class Rock {
                       const glm::dvec3& to_sun) const;
 
  private:
-  struct Size {
-    double block_m;
-    double tilt;             ///< how far faces turn from the ground's
-    double dark;             ///< fraction of the light that joints take
-    double own_shade = 0.0;  ///< how far a block's own shade is off the mean at most
-  };
-  /// Blocks in blocks, and how much of each size a map shows.
-  template <std::size_t count>
-  struct Sizes {
-    std::array<Size, count> sizes;
-    std::array<double, count> shown{};
-    std::uint64_t key = 0;
-
-    void show(double step_m, std::uint64_t with_key);
-  };
-
-  template <std::size_t count>
-  float shade(const Sizes<count>& broken, const glm::dvec3& place_m, const glm::dvec3& up,
-              const glm::dvec3& to_sun) const;
   glm::dvec3 bedded(const glm::dvec3& place_m) const;
   glm::vec3 bed_at(const glm::dvec3& bedded_m) const;
   glm::vec3 stain_at(const glm::dvec3& place_m) const;
@@ -59,18 +40,7 @@ class Rock {
   Fbm stain_;
   double stain_shown_;
   glm::dmat3 to_beds_;
-  Sizes<8> blocks_{{{{300.0, 0.16, 0.1},
-                     {75.0, 0.2, 0.16},
-                     {19.0, 0.24, 0.24},
-                     {4.8, 0.3, 0.36},
-                     {1.2, 0.42, 0.6},
-                     {0.4, 0.26, 0.4},
-                     {0.12, 0.16, 0.2},
-                     {0.03, 0.14, 0.07}}}};
-  Sizes<4> stones_{{{{1.2, 0.35, 0.3, 0.2},
-                     {0.4, 0.45, 0.5, 0.25},
-                     {0.12, 0.4, 0.4, 0.25},
-                     {0.03, 0.2, 0.2, 0.15}}}};
+  BrokenSurface<3> blocks_, stones_;
 };
 
 }  // namespace wold::terrain

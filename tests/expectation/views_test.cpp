@@ -5,6 +5,7 @@
 
 #include "core/elementary.h"
 #include "expectation/bare_view.h"
+#include "expectation/blades_appearance.h"
 #include "expectation/cloud_view.h"
 
 namespace wold::expectation {
@@ -35,6 +36,34 @@ TEST(BareView, FindsThePlaceOfTheSkysPicture) {
   EXPECT_NEAR(seen(292.5, 22.5).r, 6.0, 1e-4);
   EXPECT_NEAR(seen(112.5, 67.5).g, 0.0, 1e-4);
   EXPECT_NEAR(seen(112.5, -22.5).g, 2.0, 1e-4);
+}
+
+TEST(BareView, SeesTheFinerPictureOfTheGroundWhereThereIsOne) {
+  landscape::Landscape landscape;
+  landscape.ground = ColourMap(65, 64.0, glm::vec3(0.1F));
+  landscape.ground_details = {{ColourMap(65, 16.0, glm::vec3(0.4F)), {8.0, 8.0}}};
+  const auto seen = [&](const glm::dvec2& at_m) {
+    return bare_view(landscape, {at_m, 2.0}, {0.0, 0.0, -1.0}, 2.0).radiance.g;
+  };
+  EXPECT_FLOAT_EQ(seen({16.0, 16.0}), 0.4F);
+  EXPECT_FLOAT_EQ(seen({40.0, 16.0}), 0.1F);
+  EXPECT_NEAR(seen({8.0 + 1.0, 16.0}), 0.25, 1e-5);  // half of the soft border of two steps
+}
+
+// A bar that lies hides its own width times its length from above, whatever it is below.
+TEST(BladesAppearance, OfALyingBarIsItsWidth) {
+  constexpr float width_m = 0.02F, length_m = 0.8F;
+  constexpr double ground_m2 = 0.5;
+  Tubes bar;
+  bar.rings = 2;
+  bar.corners = 4;
+  for (const float x : {0.0F, length_m})
+    for (const glm::vec2 corner : {glm::vec2(-1, -1), {1, -1}, {1, 1}, {-1, 1}})
+      bar.vertices_m.emplace_back(x, 0.5F * width_m * corner.x, 0.1F + 0.5F * width_m * corner.y);
+  bar.radiance.assign(2, glm::vec3(1.0F));
+  const BladesAppearance blades(bar, ground_m2);
+  const double seen = blades.trace({.direction = {0.0, 0.0, -1.0}}).transmittance;
+  EXPECT_NEAR(seen, math::exp(-double{width_m * length_m} / ground_m2), 1e-4);
 }
 
 /// A box of one voxel, 10 m wide and hardly to be seen through, `ahead_m` to the north.

@@ -51,6 +51,14 @@ TEST(Exporters, AreThoseThatTheSceneAsksFor) {
   EXPECT_EQ(wanted_exporters(scene).front()->name, "povray");
 }
 
+TEST(FilmSettings, CountFramesFromOne) {
+  const exporter::FilmSettings film = film_settings(tiny_film());
+  ASSERT_EQ(film.frames.size(), 2U);
+  EXPECT_EQ(film.frames[0].frame, 1);
+  EXPECT_EQ(film.frames[1].frame, 2);
+  EXPECT_EQ(film.frames[1].weathering, 0.5);
+}
+
 TEST(Exporters, AskTogetherForTheStrictestOfAll) {
   const std::array wanted = {exporters().front(), &test::file_only_exporter()};
   EXPECT_EQ(exporter::needs_of_all(wanted).max_flakes_on_a_ray, 50.0);

@@ -1,0 +1,110 @@
+#include "terrain/broken_surface.h"
+
+#include <algorithm>
+
+#include "core/ground_map.h"
+#include "core/random.h"
+
+namespace wold::terrain {
+namespace {
+
+/// Three numbers in [0, 1).
+glm::dvec3 three_of(std::uint64_t bits) {
+  constexpr std::uint64_t part_bits = 21, mask = (1ULL << part_bits) - 1;
+  return glm::dvec3(bits & mask, bits >> part_bits & mask, bits >> 2 * part_bits & mask) /
+         static_cast<double>(mask + 1);
+}
+
+std::uint64_t bits_of(const glm::ivec2& cell, std::uint64_t key) {
+  return random_bits(
+      {key, static_cast<std::uint64_t>(cell.x), static_cast<std::uint64_t>(cell.y), 0});
+}
+
+std::uint64_t bits_of(const glm::ivec3& cell, std::uint64_t key) {
+  return random_bits({key, static_cast<std::uint64_t>(cell.x), static_cast<std::uint64_t>(cell.y),
+                      static_cast<std::uint64_t>(cell.z)});
+}
+
+/// Calls visit(cell) for a cell and all that touch it.
+template <class Visit>
+void each_near(const glm::ivec2& cell, const Visit& visit) {
+  for (int j = -1; j <= 1; ++j)
+    for (int i = -1; i <= 1; ++i) visit(cell + glm::ivec2(i, j));
+}
+
+template <class Visit>
+void each_near(const glm::ivec3& cell, const Visit& visit) {
+  for (int k = -1; k <= 1; ++k)
+    for (int j = -1; j <= 1; ++j)
+      for (int i = -1; i <= 1; ++i) visit(cell + glm::ivec3(i, j, k));
+}
+
+/// How much of a joint a place is, 0 to 1, and the mean over all places.
+double joint_at(double joint) { return 1.0 - glm::smoothstep(0.0, 0.08, joint); }
+template <int dims>
+constexpr double mean_joint = dims == 3 ? 0.207 : 0.149;
+
+glm::dvec3 level(const glm::dvec2& way) { return {way, 0.0}; }
+glm::dvec3 level(const glm::dvec3& way) { return way; }
+
+}  // namespace
+
+template <int dims>
+Block<dims> block_at(const glm::vec<dims, double>& at, std::uint64_t key) {
+  using Way = glm::vec<dims, double>;
+  double nearest2 = 1e9, next2 = 1e9;
+  Way next{};
+  Block<dims> block;
+  each_near(glm::vec<dims, int>(glm::floor(at)), [&](const glm::vec<dims, int>& cell) {
+    const std::uint64_t bits = bits_of(cell, key);
+    const Way away = Way(cell) + Way(three_of(bits)) - at;
+    const double away2 = glm::dot(away, away);
+    if (away2 < nearest2) {
+      next2 = nearest2, next = block.middle_away;
+      nearest2 = away2, block.middle_away = away, block.bits = bits;
+    } else if (away2 < next2) {
+      next2 = away2, next = away;
+    }
+  });
+  block.joint = 0.5 * (next2 - nearest2) / std::max(glm::distance(next, block.middle_away), 1e-9);
+  return block;
+}
+
+double light_on(const glm::dvec3& up, const glm::dvec3& to_sun) {
+  constexpr double low_sine = 0.1;
+  const double sunlight = 0.8 * std::clamp(to_sun.z / low_sine, 0.0, 1.0);
+  return sunlight * std::max(0.0, glm::dot(up, to_sun)) + (1.0 - sunlight) * (0.5 + 0.5 * up.z);
+}
+
+template <int dims>
+BrokenSurface<dims>::BrokenSurface(std::span<const BlockSize> sizes, std::uint64_t key,
+                                   double step_m)
+    : sizes_(sizes.first(std::min(sizes.size(), most_sizes))), key_(key) {
+  for (std::size_t i = 0; i < sizes_.size(); ++i)
+    shown_[i] = shown_fraction(sizes_[i].block_m, step_m);
+}
+
+template <int dims>
+double BrokenSurface<dims>::shade(const glm::vec<dims, double>& place_m, const glm::dvec3& up,
+                                  const glm::dvec3& to_sun) const {
+  glm::dvec3 faced = up;  // of no unit length, so that faces have the light of `up` on the mean
+  double open = 1.0;
+  for (std::size_t i = 0; i < sizes_.size(); ++i) {
+    const BlockSize& size = sizes_[i];
+    if (shown_[i] <= 0.0) continue;
+    const Block<dims> block = block_at<dims>(place_m / size.block_m, key_ + i);
+    faced += shown_[i] * size.tilt * (2.0 * three_of(mixed(block.bits)) - 1.0);
+    faced -= shown_[i] * size.dome * level(block.middle_away);
+    open *= 1.0 + shown_[i] * size.dark * (mean_joint<dims> - joint_at(block.joint));
+    open *= 1.0 + shown_[i] * size.own_shade * (2.0 * three_of(mixed(block.bits + 1)).x - 1.0);
+  }
+  constexpr double least = 0.3, most = 1.8;
+  return open * std::clamp(light_on(faced, to_sun) / light_on(up, to_sun), least, most);
+}
+
+template Block<2> block_at<2>(const glm::dvec2&, std::uint64_t);
+template Block<3> block_at<3>(const glm::dvec3&, std::uint64_t);
+template class BrokenSurface<2>;
+template class BrokenSurface<3>;
+
+}  // namespace wold::terrain

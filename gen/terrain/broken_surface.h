@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+
+namespace wold::terrain {
+
+/// One of the blocks that fill the plane or space: of each place the nearest point of those that
+/// lie one in each unit cell (cellular noise, Worley 1996). Lengths are in cells.
+template <int dims>
+struct Block {
+  std::uint64_t bits = 0;                ///< keyed random bits of its own
+  glm::vec<dims, double> middle_away{};  ///< from the place to the block's point
+  double joint = 0.0;                    ///< from the place to the next joint
+};
+
+/// The block about a place, of the field that `key` names. dims: 2 or 3.
+template <int dims>
+Block<dims> block_at(const glm::vec<dims, double>& at, std::uint64_t key);
+
+/// What a rough surface that faces `up` sends back of sun and sky, over what it would send back of
+/// light that met it square: in clear air four fifths of the light are the sun's, of a low sun
+/// less, of one that has set nothing. World space; `to_sun` is a unit vector.
+double light_on(const glm::dvec3& up, const glm::dvec3& to_sun);
+
+/// One size of the blocks that a surface is broken into.
+struct BlockSize {
+  double block_m;          ///< width, metres
+  double tilt;             ///< how far faces turn from the surface's, as tangents
+  double dark;             ///< fraction of the light that joints take
+  double own_shade = 0.0;  ///< how far a block's own shade is off the mean at most, a fraction
+  double dome = 0.0;       ///< how far a face turns outwards at a block's width from its middle
+};
+
+/// A surface that is broken into blocks, these into smaller ones and so on. Each block has a face
+/// of its own that turns to or away from the light, and dark joints about it.
+template <int dims>
+class BrokenSurface {
+ public:
+  /// As a map with that step, > 0, shows it: blocks finer than the step are evened out. The sizes,
+  /// from the largest to the smallest, have to outlive it.
+  BrokenSurface(std::span<const BlockSize> sizes, std::uint64_t key, double step_m);
+
+  /// Whether a map shows any of it.
+  bool is_shown() const { return shown_.front() > 0.0; }
+
+  /// How much brighter than the unbroken surface a place is, > 0; 1 on the mean but for what is cut
+  /// off at 0.3 and 1.8 times the light. `up` is the unbroken surface's unit normal, `to_sun` a
+  /// unit vector; place in metres.
+  double shade(const glm::vec<dims, double>& place_m, const glm::dvec3& up,
+               const glm::dvec3& to_sun) const;
+
+ private:
+  static constexpr std::size_t most_sizes = 8;
+
+  std::span<const BlockSize> sizes_;
+  std::array<double, most_sizes> shown_{};
+  std::uint64_t key_;
+};
+
+}  // namespace wold::terrain
