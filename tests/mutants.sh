@@ -9,7 +9,7 @@
 # tests/mutants/ROOM.toml has the faults; the test MutantPlaces holds that each has its place in the
 # code. Prints a table of what was caught, by which test, and what survived; exit code 1 when less
 # than 95 % are caught, or when a fault could not be tried: its place is no longer in the code, or
-# it does not compile. Takes some hours for all; MUTANT_JOBS says how many files are compiled at
+# it does not compile. Takes three hours for all; MUTANT_JOBS says how many files are compiled at
 # once, 2 when it says nothing. The copy is a work tree of git in a folder for temporary files; it
 # is brought to what is here at each start, whatever a run that was ended left in it, and its build
 # is kept for the next one.

@@ -38,12 +38,11 @@ struct Format {
   std::array<std::string_view, 2> extensions;
 };
 
-constexpr std::array<Format, 6> formats = {{{"png", {".png", ""}},
+constexpr std::array<Format, 5> formats = {{{"png", {".png", ""}},
                                             {"openexr", {".exr", ""}},
                                             {"jpeg", {".jpg", ".jpeg"}},
                                             {"tiff", {".tif", ".tiff"}},
-                                            {"hdr", {".hdr", ".rgbe"}},
-                                            {"bmp", {".bmp", ""}}}};
+                                            {"hdr", {".hdr", ".rgbe"}}}};
 
 /// That of the extension first.
 std::array<Format, formats.size()> formats_to_try(const std::filesystem::path& path) {
@@ -93,8 +92,7 @@ std::unique_ptr<OIIO::ImageInput> open_picture(const std::filesystem::path& path
     const std::string said = in ? in->geterror() : OIIO::geterror();
     if (why.empty()) why = said;
   }
-  refuse(path,
-         fmt::format("expected a PNG, JPEG, TIFF, BMP, OpenEXR or Radiance HDR picture: {}", why));
+  refuse(path, fmt::format("expected a PNG, JPEG, TIFF, OpenEXR or Radiance HDR picture: {}", why));
 }
 
 std::map<std::string, std::string> text_attributes(const OIIO::ImageSpec& spec) {

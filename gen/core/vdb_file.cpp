@@ -161,8 +161,7 @@ class Reader : public openvdb::io::Archive {
       passing.end();
       openvdb::io::GridDescriptor descriptor;
       const openvdb::GridBase::Ptr empty = descriptor.read(in);
-      if (fileVersion() >= openvdb::OPENVDB_FILE_VERSION_NODE_MASK_COMPRESSION)
-        check_metadata(in, /*is_behind_compression=*/true);
+      check_metadata(in, fileVersion() >= openvdb::OPENVDB_FILE_VERSION_NODE_MASK_COMPRESSION);
       // Where a grid ends is written last: 0 when there was no room for that any more.
       if (descriptor.getEndPos() <= in.tellg()) throw std::runtime_error("a grid has no end");
       visit(Grid{descriptor, empty, in});

@@ -16,7 +16,7 @@ GroundGrid picture_grid(const scene::Scene& scene);
 /// The grids of the pictures of a large terrain's ground.
 ///
 /// The whole terrain, and about the camera squares of a quarter of the side of the one before, down
-/// to steps of 3 cm. All have the same number of samples. The eye stands at a fifth of a square's
+/// to steps of 1 cm. All have the same number of samples. The eye stands at a fifth of a square's
 /// side from its rear, so that what lies beyond a square is at least a fifth of the next coarser
 /// one's side away: with two samples per pixel and radian a step there covers 2.5 pixels at most.
 GroundGrid whole_grid(const scene::Scene& scene);

@@ -23,7 +23,7 @@ struct StoneSize {
   double block_m;
   double share;  ///< of the cells that are stones, where soil is as stony as on the mean
 };
-constexpr std::array<StoneSize, 3> stone_sizes{{{0.2, 0.01}, {0.08, 0.03}, {0.035, 0.06}}};
+constexpr std::array<StoneSize, 2> stone_sizes{{{0.08, 0.03}, {0.035, 0.06}}};
 /// Where in its cell a stone ends: distance to the next joint, in blocks.
 constexpr double stone_edge = 0.16, stone_soft = 0.05;
 /// Share of its cell that a stone covers, and of the light there that its hollow takes.
@@ -55,23 +55,30 @@ Stone stone_at(const glm::dvec2& at, std::uint64_t key, double is_stone, const g
           (0.6 + 0.5 * unit_of(block.bits + 1)) * lit};
 }
 
+/// A number in [0, 1) of one of the dead blades of a cell.
+double of_blade(const glm::ivec2& cell, std::uint64_t number, std::uint64_t key,
+                std::uint64_t purpose) {
+  return random_uniform({key, static_cast<std::uint64_t>(cell.x),
+                         static_cast<std::uint64_t>(cell.y), 16 * number + purpose});
+}
+
 /// How a dead blade lies.
 struct LyingBlade {
   glm::dvec2 middle, along;  ///< in cells
-  double half_length, half_width, there;
+  double half_length, half_width;
 };
 
 LyingBlade blade_of(const glm::ivec2& cell, std::uint64_t number, std::uint64_t key) {
-  const auto uniform = [&](std::uint64_t purpose) {
-    return random_uniform({key, static_cast<std::uint64_t>(cell.x),
-                           static_cast<std::uint64_t>(cell.y), 16 * number + purpose});
-  };
-  const double turn = std::numbers::pi * uniform(0);
-  return {glm::dvec2(cell) + glm::dvec2(uniform(1), uniform(2)),
-          {math::cos(turn), math::sin(turn)},
-          std::lerp(0.15, 0.75, uniform(3)),
-          std::lerp(0.015, 0.035, uniform(4)),
-          uniform(5)};
+  const double turn = std::numbers::pi * of_blade(cell, number, key, 0);
+  return {
+      glm::dvec2(cell) + glm::dvec2(of_blade(cell, number, key, 1), of_blade(cell, number, key, 2)),
+      {math::cos(turn), math::sin(turn)},
+      std::lerp(0.15, 0.75, of_blade(cell, number, key, 3)),
+      std::lerp(0.015, 0.035, of_blade(cell, number, key, 4))};
+}
+
+bool lies_there(const glm::ivec2& cell, std::uint64_t number, std::uint64_t key, double dense) {
+  return of_blade(cell, number, key, 5) < dense;
 }
 
 /// Share of a map's step that a blade covers at a place; lengths are in cells.
@@ -128,10 +135,12 @@ glm::vec3 Soil::with_blades(const glm::vec3& earth, const glm::dvec2& at_m) cons
   double covered = 0.0;
   for (int j = -1; j <= 1; ++j)
     for (int i = -1; i <= 1; ++i)
-      for (std::uint64_t n = 0; n < blades_a_cell; ++n)
-        if (const LyingBlade blade = blade_of(low + glm::ivec2(i, j), n, blades_key_);
-            blade.there < dense)
-          covered = std::max(covered, covered_by(blade, at, step_m_ / blade_m));
+      for (std::uint64_t n = 0; n < blades_a_cell; ++n) {
+        const glm::ivec2 cell = low + glm::ivec2(i, j);
+        if (!lies_there(cell, n, blades_key_, dense)) continue;
+        const LyingBlade blade = blade_of(cell, n, blades_key_);
+        covered = std::max(covered, covered_by(blade, at, step_m_ / blade_m));
+      }
   const auto over_mean = static_cast<float>(blades_shown_ * (covered - mean_blades));
   return earth * (1.0F + over_mean * glm::vec3(1.2F, 1.2F, 0.95F));
 }

@@ -41,7 +41,7 @@ TEST_P(Pictures, OfAnyFormatGiveTheirLuminance) {
   EXPECT_NEAR(opacity.at(39, 0), 0.0, 0.03);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, Pictures, testing::Values(".bmp", ".png", ".jpg", ".exr"));
+INSTANTIATE_TEST_SUITE_P(Formats, Pictures, testing::Values(".tif", ".png", ".jpg", ".exr"));
 
 TEST(Pictures, PreferTheirAlphaUnlessAllIsOpaque) {
   const test::TemporaryFolder folder("clouds");

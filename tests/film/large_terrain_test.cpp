@@ -90,7 +90,7 @@ TEST(GroundDetails, AreNestedAndMoveByWholeSteps) {
   landscape::Camera camera{{50e3, 50e3, 2.0}, {50.3e3, 51e3, 2.0}, 60.0};
   const auto grids = place::detail_grids(scene, camera);
   ASSERT_GE(grids.size(), 4U);
-  EXPECT_LE(grids.back().step_m(), 0.03);
+  EXPECT_LE(grids.back().step_m(), 0.01);
   GroundGrid before = place::whole_grid(scene);
   for (const GroundGrid& grid : grids) {
     EXPECT_TRUE(before.square.contains(grid.square.corner_m));

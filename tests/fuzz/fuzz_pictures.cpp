@@ -6,7 +6,7 @@
 #include "scratch_file.h"
 
 /// Any bytes are a picture or an error; a picture has as many numbers as it says. The first kind
-/// that takes the bytes reads them: PNG, OpenEXR, JPEG, TIFF, Radiance HDR, BMP.
+/// that takes the bytes reads them: PNG, OpenEXR, JPEG, TIFF, Radiance HDR.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
   using namespace wold;
   const fuzz::ScratchFile file(bytes, count);
