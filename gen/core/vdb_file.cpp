@@ -67,17 +67,16 @@ class Passing {
   /// Back to where it began.
   void end() { in_.seekg(begin_); }
 
-  void text() {
-    const auto bytes = number();
-    if (bytes > end_ - in_.tellg()) throw std::runtime_error("it ends too early");
-    in_.seekg(bytes, std::ios::cur);
-  }
+  void text() { in_.seekg(length(), std::ios::cur); }
   void texts(int count) {
     for (int i = 0; i < count; ++i) text();
   }
   /// Name, type and value of each.
   void metadata() {
-    for (auto left = number(); left > 0; --left) texts(3);
+    for (auto left = number(); left > 0; --left) {
+      text();
+      value_of(word());
+    }
   }
   std::streamoff number() {
     std::uint32_t value = 0;
@@ -86,6 +85,28 @@ class Passing {
   }
 
  private:
+  /// Of what follows.
+  std::streamoff length() {
+    const auto bytes = number();
+    if (bytes > end_ - in_.tellg()) throw std::runtime_error("it ends too early");
+    return bytes;
+  }
+  std::string word() {
+    std::string text(static_cast<std::size_t>(length()), ' ');
+    in_.read(text.data(), static_cast<std::streamsize>(text.size()));
+    return text;
+  }
+  /// Whatever length stands before it, OpenVDB reads a value of a type of one size as that.
+  void value_of(const std::string& type) {
+    const auto bytes = length();
+    if (openvdb::Metadata::isRegisteredType(type))
+      if (const auto of_type = std::streamoff{openvdb::Metadata::createMetadata(type)->size()};
+          of_type > 0 && bytes != of_type)
+        throw std::runtime_error(
+            fmt::format("found {} bytes of a value of type {}, expected {}", bytes, type, of_type));
+    in_.seekg(bytes, std::ios::cur);
+  }
+
   std::istream& in_;
   std::streampos begin_, end_;
 };
