@@ -172,7 +172,7 @@ class Reader : public openvdb::io::Archive {
     readHeader(in);
     setFormatVersion(in);
     setLibraryVersion(in);
-    check_metadata(in);
+    check_lengths_of_file(in);
     metadata_ = std::make_shared<openvdb::MetaMap>();
     metadata_->readMeta(in);
     for (int grids_left = readGridCount(in); grids_left > 0; --grids_left) {
@@ -182,7 +182,7 @@ class Reader : public openvdb::io::Archive {
       passing.end();
       openvdb::io::GridDescriptor descriptor;
       const openvdb::GridBase::Ptr empty = descriptor.read(in);
-      check_metadata(in, fileVersion() >= openvdb::OPENVDB_FILE_VERSION_NODE_MASK_COMPRESSION);
+      check_lengths_of_grid(in);
       // Where a grid ends is written last: 0 when there was no room for that any more.
       if (descriptor.getEndPos() <= in.tellg()) throw std::runtime_error("a grid has no end");
       visit(Grid{descriptor, empty, in});
@@ -194,22 +194,31 @@ class Reader : public openvdb::io::Archive {
       throw std::runtime_error("it ends too early");
   }
 
-  /// Of the file, or of a grid, where the number of its compression stands before it.
-  static void check_metadata(std::istream& in, bool is_behind_compression = false) {
+  static void check_lengths_of_file(std::istream& in) {
     Passing passing(in);
-    if (is_behind_compression) passing.number();
     passing.metadata();
     passing.end();
   }
 
-  /// Of a newer format OpenVDB says on the terminal what it thinks, and tries all the same.
+  static void check_lengths_of_grid(std::istream& in) {
+    Passing passing(in);
+    passing.number();  // of its compression
+    passing.metadata();
+    passing.text();  // kind of its transform
+    passing.end();
+  }
+
+  /// Of a newer format OpenVDB says on the terminal what it thinks, and tries all the same. Grids
+  /// of formats before 2013 are laid out otherwise, so that lengths in them could not be checked.
   static void check_version(std::istream& in) {
+    constexpr std::uint32_t least = openvdb::OPENVDB_FILE_VERSION_NODE_MASK_COMPRESSION;
+    constexpr std::uint32_t most = openvdb::OPENVDB_FILE_VERSION;
     std::uint32_t version = 0;
     in.seekg(sizeof(std::uint64_t));  // behind the magic number
     in.read(reinterpret_cast<char*>(&version), sizeof version);
-    if (version > openvdb::OPENVDB_FILE_VERSION)
-      throw std::runtime_error(fmt::format("found version {} of the format, expected {} at most",
-                                           version, std::uint32_t{openvdb::OPENVDB_FILE_VERSION}));
+    if (version < least || version > most)
+      throw std::runtime_error(
+          fmt::format("found version {} of the format, expected {} to {}", version, least, most));
     in.seekg(0);
   }
 

@@ -115,12 +115,16 @@ Soil::Soil(const scene::Terrain& terrain, std::uint64_t seed, double step_m)
       blades_key_(random_bits({seed, key_of("ground"), 0, key_of("lying blades")})),
       stones_key_(random_bits({seed, key_of("ground"), 0, key_of("lying stones")})) {}
 
+/// How much more litter lies than on the mean, in (-1, 1).
+double Soil::litter_at(const glm::dvec2& at_m) const {
+  return math::tanh(0.8 * fbm(at_m / litter_m, litter_));
+}
+
 /// Soil, darker where moist, with pale dry litter on it.
 glm::vec3 Soil::earth_at(const glm::dvec2& at_m) const {
   const auto wet =
       static_cast<float>(wet_shown_ * std::clamp(fbm(at_m / moisture_m, moisture_), -2.0, 2.0));
-  const auto straw =
-      static_cast<float>(litter_shown_ * math::tanh(0.8 * fbm(at_m / litter_m, litter_)));
+  const auto straw = static_cast<float>(litter_shown_ * litter_at(at_m));
   const auto kind = static_cast<float>(std::clamp(wide_.at(at_m), -2.0, 2.0));
   return albedo_ * (1.0F + kind * glm::vec3(0.16F, 0.18F, 0.2F)) * (1.0F - 0.12F * wet) *
          (1.0F + straw * glm::vec3(0.30F, 0.30F, 0.24F));
@@ -129,7 +133,7 @@ glm::vec3 Soil::earth_at(const glm::dvec2& at_m) const {
 /// More of them where litter lies.
 glm::vec3 Soil::with_blades(const glm::vec3& earth, const glm::dvec2& at_m) const {
   if (blades_shown_ <= 0.0) return earth;
-  const double dense = 0.5 + 0.35 * math::tanh(0.8 * fbm(at_m / litter_m, litter_));
+  const double dense = 0.5 + 0.35 * litter_at(at_m);
   const glm::dvec2 at = at_m / blade_m;
   const glm::ivec2 low(glm::floor(at));
   double covered = 0.0;

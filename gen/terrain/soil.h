@@ -28,6 +28,7 @@ class Soil {
  private:
   static constexpr double moisture_m = 3.5, litter_m = 0.35, blade_m = 0.05;
 
+  double litter_at(const glm::dvec2& at_m) const;
   glm::vec3 earth_at(const glm::dvec2& at_m) const;
   glm::vec3 with_blades(const glm::vec3& earth, const glm::dvec2& at_m) const;
   glm::vec3 with_stones(glm::vec3 earth, const glm::dvec2& at_m, const glm::dvec3& up,
