@@ -7,7 +7,7 @@
 namespace {
 
 void* taken_if_there(std::size_t bytes) noexcept {
-  constexpr std::size_t most_bytes = std::size_t{2} << 30;
+  constexpr std::size_t most_bytes = std::size_t{1} << 30;
   return bytes <= most_bytes ? std::malloc(bytes) : nullptr;
 }
 
