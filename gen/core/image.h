@@ -51,7 +51,8 @@ ImageHeader read_image_header(const std::filesystem::path& path);
 
 /// Reads a PNG, JPEG, TIFF, OpenEXR or Radiance HDR picture, whatever its name, values as
 /// stored (8 and 16 bit scaled to [0, 1]). Throws FileError when the file is missing, damaged, none
-/// of these, deep or of several layers in depth, or has more than 2^28 numbers.
+/// of these, deep or of several layers in depth, or has more than 2^28 numbers or 2^17 pixels along
+/// a side.
 Image read_image(const std::filesystem::path& path);
 
 }  // namespace wold

@@ -39,7 +39,8 @@ void each_near(const glm::ivec3& cell, const Visit& visit) {
       for (int i = -1; i <= 1; ++i) visit(cell + glm::ivec3(i, j, k));
 }
 
-/// How much of a joint a place is, 0 to 1, and the mean over all places.
+/// How much of a joint a place is at that distance from one, in blocks: 0 to 1; and the mean over
+/// all places.
 double joint_at(double joint) { return 1.0 - glm::smoothstep(0.0, 0.08, joint); }
 template <int dims>
 constexpr double mean_joint = dims == 3 ? 0.207 : 0.149;

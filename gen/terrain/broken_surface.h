@@ -41,7 +41,7 @@ template <int dims>
 class BrokenSurface {
  public:
   /// As a map with that step, > 0, shows it: blocks finer than the step are evened out. The sizes,
-  /// from the largest to the smallest, have to outlive it.
+  /// eight at most and from the largest to the smallest, have to outlive it.
   BrokenSurface(std::span<const BlockSize> sizes, std::uint64_t key, double step_m);
 
   /// Whether a map shows any of it.

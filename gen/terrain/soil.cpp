@@ -158,8 +158,9 @@ glm::vec3 Soil::with_stones(glm::vec3 earth, const glm::dvec2& at_m, const glm::
   for (std::size_t i = 0; i < stone_sizes.size(); ++i) {
     const StoneSize& size = stone_sizes[i];
     const double shown = shown_fraction(size.block_m, step_m_);
-    const Stone stone = stone_at(at_m / size.block_m, stones_key_ + i,
-                                 shown > 0.0 ? size.share * stony : 0.0, up, to_sun);
+    if (shown <= 0.0) break;
+    const Stone stone =
+        stone_at(at_m / size.block_m, stones_key_ + i, size.share * stony, up, to_sun);
     const auto hollow = static_cast<float>(shown * (stone.hollow - size.share * stone_hollow));
     const auto covered = static_cast<float>(shown * stone.covered);
     const auto mean = static_cast<float>(shown * size.share * stone_cover);
