@@ -147,24 +147,23 @@ constexpr std::string_view out_of_memory =
     "out of memory: allow more (--memory, or the machine's), or coarser grass.levels, fewer "
     "grass.variants or fewer --threads";
 
-/// Says so where nobody can catch it: in a thread that a library starts. Without memory, so that it
-/// writes by the system's own means.
-void report_exhaustion() {
-  for (const std::string_view part :
-       {std::string_view("error: "), out_of_memory, std::string_view("\n")})
+/// Says what ends the program where nobody can catch it: in a thread that a library starts. Takes
+/// no memory, so that it can say that there is none: it writes by the system's own means.
+[[noreturn]] void end_with(std::string_view message) {
+  for (const std::string_view part : {std::string_view("error: "), message, std::string_view("\n")})
     if (::write(STDERR_FILENO, part.data(), part.size()) < 0) break;
+  std::_Exit(static_cast<int>(ExitCode::file));
 }
 
-/// Ends the program as an uncaught exception does, but for one: it has an exit code of its own.
+/// Where memory ends, TBB's threads cannot start further ones, and say so by an exception.
 [[noreturn]] void end_of_uncaught() {
   try {
     if (const std::exception_ptr uncaught = std::current_exception())
       std::rethrow_exception(uncaught);
   } catch (const std::bad_alloc&) {
-    report_exhaustion();
-    std::_Exit(static_cast<int>(ExitCode::file));
+    end_with(out_of_memory);
   } catch (const std::exception& error) {
-    console::print_message(fmt::format("error: uncaught: {}", error.what()));
+    end_with(error.what());
   }
   std::abort();
 }

@@ -26,8 +26,10 @@ std::int64_t wrapped(std::int64_t i, int period) {
   return rest < 0 ? rest + period : rest;
 }
 
-std::array<glm::dvec2, 256> all_directions() {
-  std::array<glm::dvec2, 256> all;
+using Directions = std::array<glm::dvec2, 256>;
+
+Directions all_directions() {
+  Directions all;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const double angle = 2.0 * std::numbers::pi * (static_cast<double>(k) + 0.5) / all.size();
     all[k] = {math::cos(angle), math::sin(angle)};
@@ -35,16 +37,40 @@ std::array<glm::dvec2, 256> all_directions() {
   return all;
 }
 
-/// Unit vectors in 256 directions: as good as any angle, and cheaper than its sine.
-const glm::dvec2& direction_of(std::uint64_t bits) {
-  static const std::array<glm::dvec2, 256> directions = all_directions();
+/// Unit vectors: as good as any angle, and cheaper than its sine.
+const Directions& unit_vectors() {
+  static const Directions directions = all_directions();
+  return directions;
+}
+
+const glm::dvec2& one_of(const Directions& directions, std::uint64_t bits) {
   return directions[bits >> 56];
 }
 
-const glm::dvec2& gradient(const Lattice& corner, std::uint64_t key, const glm::ivec2& period) {
-  const auto x = static_cast<std::uint64_t>(wrapped(corner.x, period.x));
-  const auto y = static_cast<std::uint64_t>(wrapped(corner.y, period.y));
-  return direction_of(random_bits({key, key_of("gradient"), x, y}));
+/// What random_bits() of a key of gradient noise has in common for all corners.
+std::uint64_t field_of(std::uint64_t key) { return mixed(mixed(key) ^ key_of("gradient")); }
+
+/// Gradient noise of the field that field_of() has made.
+double noise_of(const glm::dvec2& at, std::uint64_t field, const glm::ivec2& period) {
+  const Directions& directions = unit_vectors();
+  const glm::dvec2 low = glm::floor(at);
+  const glm::dvec2 from[2] = {at - low, at - low - 1.0};
+  double weight_x[2], weight_y[2];
+  std::uint64_t column[2], row[2];
+  for (int i = 0; i < 2; ++i) {
+    weight_x[i] = corner_weight(std::abs(from[i].x));
+    weight_y[i] = corner_weight(std::abs(from[i].y));
+    const Lattice corner(low + static_cast<double>(i));
+    column[i] = mixed(field ^ static_cast<std::uint64_t>(wrapped(corner.x, period.x)));
+    row[i] = static_cast<std::uint64_t>(wrapped(corner.y, period.y));
+  }
+  double sum = 0.0;
+  for (int j = 0; j < 2; ++j)
+    for (int i = 0; i < 2; ++i)
+      sum +=
+          weight_x[i] * weight_y[j] *
+          glm::dot(one_of(directions, mixed(column[i] ^ row[j])), glm::dvec2(from[i].x, from[j].y));
+  return sum;
 }
 
 /// The point of a cell, in the cell.
@@ -63,16 +89,7 @@ double gradient_noise(const glm::dvec2& at, std::uint64_t key, int period) {
 }
 
 double gradient_noise(const glm::dvec2& at, std::uint64_t key, const glm::ivec2& period) {
-  const glm::dvec2 low = glm::floor(at);
-  double sum = 0.0;
-  for (int corner = 0; corner < 4; ++corner) {
-    const glm::dvec2 offset(corner & 1, corner >> 1);
-    const glm::dvec2 from_corner = at - low - offset;
-    const double weight =
-        corner_weight(std::abs(from_corner.x)) * corner_weight(std::abs(from_corner.y));
-    sum += weight * glm::dot(gradient(Lattice(low + offset), key, period), from_corner);
-  }
-  return sum;
+  return noise_of(at, field_of(key), period);
 }
 
 NoiseSlope gradient_noise_slope(const glm::dvec2& at, std::uint64_t key) {
@@ -87,8 +104,8 @@ NoiseSlope gradient_noise_slope(const glm::dvec2& at, std::uint64_t key) {
                              glm::dvec2(corner_weight_slope(apart.x), corner_weight_slope(apart.y));
     const Lattice at_corner(low + offset);
     const glm::dvec2& direction =
-        direction_of(mixed(mixed(key ^ static_cast<std::uint64_t>(at_corner.x)) ^
-                           static_cast<std::uint64_t>(at_corner.y)));
+        one_of(unit_vectors(), mixed(mixed(key ^ static_cast<std::uint64_t>(at_corner.x)) ^
+                                     static_cast<std::uint64_t>(at_corner.y)));
     const double height = glm::dot(direction, from_corner);
     sum.value += weight.x * weight.y * height;
     sum.gradient += weight.x * weight.y * direction +
@@ -110,20 +127,27 @@ double cell_noise(const glm::dvec2& at, std::uint64_t key, const glm::ivec2& per
   return std::sqrt(nearest2);
 }
 
-double fbm(const glm::dvec2& at, const Fbm& shape) {
-  double sum = 0.0;
+Fbm::Fbm(std::uint64_t key, int octaves, double hurst, int period) {
   double variance = 0.0;
-  for (int octave = 0; octave < shape.octaves; ++octave) {
-    const auto index = static_cast<std::uint64_t>(octave);
-    const double scale = math::exp2(1.0 * octave);
-    const double height = math::exp2(-shape.hurst * octave);
-    const glm::dvec2 shift(random_uniform({shape.key, key_of("octave"), index, key_of("x")}),
-                           random_uniform({shape.key, key_of("octave"), index, key_of("y")}));
-    const std::uint64_t key = random_bits({shape.key, key_of("octave"), index, key_of("field")});
-    sum += height * gradient_noise(at * scale + shift, key, shape.period << octave);
+  for (int octave = 0; octave < octaves; ++octave) {
+    const auto drawn = [&](std::string_view what) {
+      return RandomKey{key, key_of("octave"), static_cast<std::uint64_t>(octave), key_of(what)};
+    };
+    const double height = math::exp2(-hurst * octave);
+    octaves_.push_back({math::exp2(1.0 * octave), height,
+                        glm::dvec2(random_uniform(drawn("x")), random_uniform(drawn("y"))),
+                        field_of(random_bits(drawn("field"))), period << octave});
     variance += height * height;
   }
-  return sum / (gradient_noise_deviation * std::sqrt(variance));
+  deviation_ = gradient_noise_deviation * std::sqrt(variance);
+}
+
+double Fbm::at(const glm::dvec2& at) const {
+  double sum = 0.0;
+  for (const Octave& octave : octaves_)
+    sum += octave.height *
+           noise_of(at * octave.scale + octave.shift, octave.field, glm::ivec2(octave.period));
+  return sum / deviation_;
 }
 
 ScaleFreeNoise::ScaleFreeNoise(std::uint64_t key, const Sizes& sizes, double hurst, double step_m) {
@@ -139,7 +163,7 @@ ScaleFreeNoise::ScaleFreeNoise(std::uint64_t key, const Sizes& sizes, double hur
       return random_uniform({key, key_of("octave"), index, key_of(axis)});
     };
     octaves_.push_back({feature_m, shown * height, glm::dvec2(unit("x"), unit("y")),
-                        random_bits({key, key_of("octave"), index, key_of("field")})});
+                        field_of(random_bits({key, key_of("octave"), index, key_of("field")}))});
   }
   for (Octave& octave : octaves_) {
     octave.height /= std::sqrt(variance);
@@ -151,7 +175,8 @@ ScaleFreeNoise::ScaleFreeNoise(std::uint64_t key, const Sizes& sizes, double hur
 double ScaleFreeNoise::at(const glm::dvec2& at_m) const {
   double sum = 0.0;
   for (const Octave& octave : octaves_)
-    sum += octave.height * gradient_noise(at_m / octave.feature_m + octave.shift, octave.key);
+    sum += octave.height *
+           noise_of(at_m / octave.feature_m + octave.shift, octave.field, glm::ivec2(0));
   return sum;
 }
 

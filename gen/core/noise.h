@@ -35,17 +35,28 @@ double cell_noise(const glm::dvec2& at, std::uint64_t key, const glm::ivec2& per
 inline constexpr double gradient_noise_deviation = 0.21571;
 
 /// Fractional Brownian motion: octaves of gradient noise, each of half the size and 2^-hurst the
-/// height of the one before (Mandelbrot and Van Ness 1968; Musgrave 1993).
-struct Fbm {
-  std::uint64_t key = 0;
-  int octaves = 6;
-  double hurst = 0.9;  ///< 1 smooth, 0.5 rugged; the variogram grows with distance^(2 hurst)
-  int period = 0;      ///< 0: none; otherwise the field repeats after this many units
-};
+/// height of the one before (Mandelbrot and Van Ness 1968; Musgrave 1993). Octaves are shifted
+/// against each other by keyed offsets, so no lattice point is special.
+class Fbm {
+ public:
+  /// hurst: 1 smooth, 0.5 rugged; the variogram grows with distance^(2 hurst). With period > 0 the
+  /// field repeats after that many units, without it never.
+  explicit Fbm(std::uint64_t key, int octaves = 6, double hurst = 0.9, int period = 0);
 
-/// The field at a point, in units of its largest feature; mean 0, standard deviation 1. Octaves are
-/// shifted against each other by keyed offsets, so no lattice point is special.
-double fbm(const glm::dvec2& at, const Fbm& shape);
+  /// The field at a place, in units of its largest feature; mean 0, standard deviation 1.
+  double at(const glm::dvec2& at) const;
+
+ private:
+  struct Octave {
+    double scale, height;
+    glm::dvec2 shift;
+    std::uint64_t field;  ///< random bits that all corners of its lattice share
+    int period;
+  };
+
+  std::vector<Octave> octaves_;
+  double deviation_ = 1.0;
+};
 
 /// A field without a preferred size: fBm from features of `largest_m` down to some of
 /// `smallest_m`, of which a map with steps of `step_m` shows what is larger than them. All octaves
@@ -66,7 +77,7 @@ class ScaleFreeNoise {
   struct Octave {
     double feature_m, height;
     glm::dvec2 shift;
-    std::uint64_t key;
+    std::uint64_t field;  ///< random bits that all corners of its lattice share
   };
 
   std::vector<Octave> octaves_;

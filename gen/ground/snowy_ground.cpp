@@ -33,7 +33,7 @@ int white_samples(double size_m) { return map_samples(size_m, 0.02); }
 
 /// Snow heaps where tufts hold it: a fraction of its depth.
 Fbm heaps(std::uint64_t seed) {
-  return {random_bits({seed, key_of("snow cover"), 0, key_of("heaps")}), 3, 0.7};
+  return Fbm(random_bits({seed, key_of("snow cover"), 0, key_of("heaps")}), 3, 0.7);
 }
 constexpr double heap_feature_m = 0.55;
 constexpr double heap_fraction = 0.16;
@@ -65,7 +65,7 @@ Heightfield snow_surface(const scene::Scene& scene, const Heightfield& terrain,
     const int j = static_cast<int>(row);
     for (int i = 0; i < terrain.samples(); ++i) {
       const glm::dvec2 at_m = glm::dvec2(i, j) * terrain.step_m();
-      const double heap = math::tanh(fbm(at_m / heap_feature_m, heaped));
+      const double heap = math::tanh(heaped.at(at_m / heap_feature_m));
       snow_m.at(i, j) = depth_m.sample(at_m.x, at_m.y) * white.sample(at_m.x, at_m.y) *
                         static_cast<float>(1.0 + heap_fraction * heap);
     }
@@ -89,7 +89,7 @@ class Grain {
       : ripples_{random_bits({seed, key_of("snow cover"), 0, key_of("grain")}), 4, 0.4},
         shown_(shown_fraction(feature_m, step_m)) {}
   float at(const glm::dvec2& at_m) const {
-    const double ripple = shown_ > 0.0 ? math::tanh(fbm(at_m / feature_m, ripples_)) : 0.0;
+    const double ripple = shown_ > 0.0 ? math::tanh(ripples_.at(at_m / feature_m)) : 0.0;
     return static_cast<float>(1.0 - 0.035 * (1.0 + shown_ * ripple));
   }
 

@@ -51,15 +51,24 @@ double largest_feature_m(const scene::Scene& scene) {
                                 : feature_m;
 }
 
+std::vector<Fbm> octaves_of(const scene::Scene& scene, double largest_m) {
+  const int larger =
+      static_cast<int>(math::log2(largest_m / scene.ageing.pigment_spread_feature_m));
+  const auto count = static_cast<std::uint64_t>(4 + std::max(0, larger));
+  const std::uint64_t key = random_bits({scene.seed, key_of("variety"), 0, key_of("field")});
+  std::vector<Fbm> octaves;
+  for (std::uint64_t octave = 0; octave < count; ++octave)
+    octaves.emplace_back(random_bits({key, key_of("octave"), octave, 0}), /*octaves=*/1);
+  return octaves;
+}
+
 }  // namespace
 
 PigmentSpread::PigmentSpread(const scene::Scene& scene, const grass::WitheringPatch& patch,
                              double snow, const grass::Lighting& lighting)
     : largest_m_(largest_feature_m(scene)),
-      octaves_(4 + std::max(0, static_cast<int>(math::log2(
-                                   largest_m_ / scene.ageing.pigment_spread_feature_m)))),
       rough_(place::is_large(scene) ? 0.9 : 0.7),
-      key_(random_bits({scene.seed, key_of("variety"), 0, key_of("field")})),
+      octaves_(octaves_of(scene, largest_m_)),
       factors_(degrees) {
   std::vector<grass::MeadowModel> models;
   const std::size_t count = ByRichness{}.size();
@@ -82,10 +91,9 @@ PigmentSpread::PigmentSpread(const scene::Scene& scene, const grass::WitheringPa
 
 double PigmentSpread::richness(const glm::dvec2& at_m, double step_m) const {
   double sum = 0.0, variance = 0.0, height = 1.0, feature_m = largest_m_;
-  for (std::uint64_t octave = 0; octave < static_cast<std::uint64_t>(octaves_); ++octave) {
-    const Fbm field{random_bits({key_, key_of("octave"), octave, 0}), /*octaves=*/1};
+  for (const Fbm& octave : octaves_) {
     const double shown = shown_fraction(feature_m, step_m);
-    if (shown > 0.0) sum += shown * height * fbm(at_m / feature_m, field);
+    if (shown > 0.0) sum += shown * height * octave.at(at_m / feature_m);
     variance += height * height;
     height *= rough_;
     feature_m *= 0.5;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/ground_map.h"
+#include "core/noise.h"
 #include "grass/optics/shading.h"
 #include "grass/texel/blade_patch.h"
 #include "place/view.h"
@@ -38,9 +39,8 @@ class PigmentSpread {
   using ByRichness = std::array<glm::vec3, 5>;  ///< from the least to the largest
 
   double largest_m_;
-  int octaves_;
-  double rough_;  ///< height of an octave over that of the one twice as large
-  std::uint64_t key_;
+  double rough_;                     ///< height of an octave over that of the one twice as large
+  std::vector<Fbm> octaves_;         ///< from the largest feature on, each of half the size
   std::vector<ByRichness> factors_;  ///< by weathering degree, from 0 to 1
 };
 

@@ -25,7 +25,7 @@ glm::dvec2 direction(double heading_deg) {
 }
 
 Fbm field(std::uint64_t seed, const char* purpose, int octaves) {
-  return {random_bits({seed, key_of("combing"), 0, key_of(purpose)}), octaves, 0.9};
+  return Fbm(random_bits({seed, key_of("combing"), 0, key_of(purpose)}), octaves, 0.9);
 }
 
 /// A field's value with the tails cut, so that no blade is pressed flat.
@@ -54,9 +54,9 @@ glm::dvec2 WindLean::combed(const glm::dvec2& at_m) const {
   const glm::dvec2 place =
       glm::dvec2(glm::dot(at_m, along), glm::dot(at_m, across) / crest_length) /
       wind_.wave_length_m;
-  const double usual_deg = wind_.lean_deg + wind_.waves_deg * tame(fbm(place, waves_));
+  const double usual_deg = wind_.lean_deg + wind_.waves_deg * tame(waves_.at(place));
   const double lean_deg = std::min(usual_deg * change_.speed_factor, std::max(usual_deg, max_deg));
-  const double turned_deg = turning_deg * tame(fbm(place / 2.0, turns_));
+  const double turned_deg = turning_deg * tame(turns_.at(place / 2.0));
   return math::tan(lean_deg * radians_per_degree) *
          direction(wind_.heading_deg + turned_deg + change_.turned_rad / radians_per_degree);
 }

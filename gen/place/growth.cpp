@@ -27,7 +27,7 @@ class Patches {
   Patches(const scene::Scene& scene, double step_m)
       : feature_m_(scene.growth.feature_m),
         shown_(shown_fraction(feature_m_, step_m)),
-        tufts_({random_bits({scene.seed, key_of("growth"), 0, key_of("tufts")}), 6, 0.35},
+        tufts_(Fbm(random_bits({scene.seed, key_of("growth"), 0, key_of("tufts")}), 6, 0.35),
                feature_m_) {}
 
   double grown_at(const glm::dvec2& at_m, double probability) const {

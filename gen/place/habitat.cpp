@@ -91,7 +91,7 @@ double GrowthLimits::on_slope(double slope_deg) const {
   return below(slope_deg, growth_.steepest_deg, slope_strip_deg_);
 }
 
-double Tufts::at(const glm::dvec2& at_m) const { return equalised(fbm(at_m / feature_m_, field_)); }
+double Tufts::at(const glm::dvec2& at_m) const { return equalised(field_.at(at_m / feature_m_)); }
 
 Habitats::Habitats(const scene::Scene& scene, const Heightfield& terrain)
     : terrain_(terrain), some_everywhere_(false) {

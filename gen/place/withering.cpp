@@ -43,6 +43,10 @@ FactorMap delays_days(const scene::Scene& scene, const Heightfield& terrain) {
   return delays;
 }
 
+std::uint64_t key_of_field(std::uint64_t seed) {
+  return random_bits({seed, key_of("weathering"), 0, key_of("field")});
+}
+
 /// How far the weathering degree may differ from place to place without a season.
 double amplitude(const scene::Ageing& ageing, double degree) {
   return ageing.age_spread * 4.0 * degree * (1.0 - degree);
@@ -52,12 +56,11 @@ double amplitude(const scene::Ageing& ageing, double degree) {
 
 Withering::Withering(const scene::Scene& scene, const Heightfield& terrain,
                      std::shared_ptr<const phenology::FilmSeason> season)
-    : ageing_(scene.ageing),
-      field_{random_bits({scene.seed, key_of("weathering"), 0, key_of("field")}), 2, 1.0} {
+    : ageing_(scene.ageing), field_(key_of_field(scene.seed), /*octaves=*/2, /*hurst=*/1.0) {
   if (is_large(scene)) {
     constexpr double of_terrain = 0.1, of_feature = 0.25, hurst = 0.2;
     const double feature_m = ageing_.age_spread_feature_m;
-    scale_free_.emplace(field_.key,
+    scale_free_.emplace(key_of_field(scene.seed),
                         ScaleFreeNoise::Sizes{std::max(of_terrain * terrain.size_m(), feature_m),
                                               of_feature * feature_m},
                         hurst, /*step_m=*/0.0);
@@ -76,7 +79,7 @@ Withering::Withering(const scene::Scene& scene, const Heightfield& terrain,
 }
 
 double Withering::noise(const glm::dvec2& at_m) const {
-  if (!scale_free_) return fbm(at_m / ageing_.age_spread_feature_m, field_);
+  if (!scale_free_) return field_.at(at_m / ageing_.age_spread_feature_m);
   constexpr double by_chance = 0.8, by_water = 0.6;  // their squares are 1 together
   return by_chance * scale_free_->at(at_m) + by_water * double{dryness_.sample(at_m.x, at_m.y)};
 }

@@ -16,9 +16,8 @@ namespace {
 Fbm patch_noise(double step_m, double feature_m, std::uint64_t seed) {
   constexpr double max_octaves = 6.0;
   const double octaves = std::floor(math::log2(std::max(feature_m / (2.0 * step_m), 1.0))) + 1.0;
-  return {.key = random_bits({seed, key_of("snow cover"), 0, key_of("patches")}),
-          .octaves = static_cast<int>(std::min(octaves, max_octaves)),
-          .hurst = 0.7};
+  return Fbm(random_bits({seed, key_of("snow cover"), 0, key_of("patches")}),
+             static_cast<int>(std::min(octaves, max_octaves)), /*hurst=*/0.7);
 }
 
 /// How much the ground bends up along one axis, m: the mean height on both sides of a place less
@@ -106,7 +105,7 @@ WhitePatches::WhitePatches(const Heightfield& terrain, const GroundGrid& grid, d
   const FactorMap hollow = hollows(terrain, feature_m);
   const Fbm noise = patch_noise(ranks_.step_m(), feature_m, seed);
   const auto late = [&](const glm::dvec2& at_m) {  // about mean 0, deviation 1
-    return static_cast<float>(fbm(at_m / feature_m, noise) -
+    return static_cast<float>(noise.at(at_m / feature_m) -
                               drawn_to_hollows * hollow.sample(at_m.x, at_m.y));
   };
   std::vector<float>& values = ranks_.values();

@@ -1,6 +1,7 @@
 #include "terrain/broken_surface.h"
 
 #include <algorithm>
+#include <array>
 
 #include "core/ground_map.h"
 #include "core/random.h"
@@ -15,29 +16,64 @@ glm::dvec3 three_of(std::uint64_t bits) {
          static_cast<double>(mask + 1);
 }
 
-std::uint64_t bits_of(const glm::ivec2& cell, std::uint64_t key) {
-  return random_bits(
-      {key, static_cast<std::uint64_t>(cell.x), static_cast<std::uint64_t>(cell.y), 0});
+template <int dims>
+using Step = glm::vec<dims, int>;
+
+/// From a cell to itself and to all that touch it, those across a face before those across edges
+/// and corners.
+template <int dims>
+auto steps_outwards() {
+  constexpr std::size_t count = dims == 3 ? 27 : 9;
+  std::array<Step<dims>, count> steps;
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t axis = 0, rest = i; axis < dims; ++axis, rest /= 3)
+      steps[i][static_cast<int>(axis)] = static_cast<int>(rest % 3) - 1;
+  std::ranges::stable_sort(steps, {}, [](const Step<dims>& step) {
+    return std::ranges::count_if(std::array{step.x, step.y, dims == 3 ? step[dims - 1] : 0},
+                                 [](int along) { return along != 0; });
+  });
+  return steps;
 }
 
-std::uint64_t bits_of(const glm::ivec3& cell, std::uint64_t key) {
-  return random_bits({key, static_cast<std::uint64_t>(cell.x), static_cast<std::uint64_t>(cell.y),
-                      static_cast<std::uint64_t>(cell.z)});
-}
+/// The cell that a place is in, and those about it.
+template <int dims>
+class CellsNear {
+ public:
+  using Way = glm::vec<dims, double>;
 
-/// Calls visit(cell) for a cell and all that touch it.
-template <class Visit>
-void each_near(const glm::ivec2& cell, const Visit& visit) {
-  for (int j = -1; j <= 1; ++j)
-    for (int i = -1; i <= 1; ++i) visit(cell + glm::ivec2(i, j));
-}
+  CellsNear(const Way& at, std::uint64_t key)
+      : cell_(glm::floor(at)), within_(at - glm::floor(at)) {
+    for (int step = -1; step <= 1; ++step)
+      column_[static_cast<std::size_t>(step + 1)] = mixed(mixed(key) ^ as_bits(cell_.x + step));
+  }
 
-template <class Visit>
-void each_near(const glm::ivec3& cell, const Visit& visit) {
-  for (int k = -1; k <= 1; ++k)
-    for (int j = -1; j <= 1; ++j)
-      for (int i = -1; i <= 1; ++i) visit(cell + glm::ivec3(i, j, k));
-}
+  Way corner(const Step<dims>& step) const { return Way(cell_ + step); }
+
+  /// Squared distance from the place to the nearest corner or face of one.
+  double apart2(const Step<dims>& step) const {
+    double apart2 = 0.0;
+    for (int axis = 0; axis < dims; ++axis) {
+      const double apart = step[axis] > 0 ? 1.0 - within_[axis] : within_[axis];
+      if (step[axis] != 0) apart2 += apart * apart;
+    }
+    return apart2;
+  }
+
+  /// random_bits() of {key, x, y, z}, z of the plane being 0.
+  std::uint64_t bits(const Step<dims>& step) const {
+    const Step<dims> cell = cell_ + step;
+    const int z = dims == 3 ? cell[dims - 1] : 0;
+    return mixed(mixed(column_[static_cast<std::size_t>(step.x + 1)] ^ as_bits(cell.y)) ^
+                 as_bits(z));
+  }
+
+ private:
+  static std::uint64_t as_bits(int number) { return static_cast<std::uint64_t>(number); }
+
+  Step<dims> cell_;
+  Way within_;
+  std::array<std::uint64_t, 3> column_{};  ///< what the random bits of a column have in common
+};
 
 /// How much of a joint a place is at that distance from one, in blocks: 0 to 1; and the mean over
 /// all places.
@@ -53,12 +89,15 @@ glm::dvec3 level(const glm::dvec3& way) { return way; }
 template <int dims>
 Block<dims> block_at(const glm::vec<dims, double>& at, std::uint64_t key) {
   using Way = glm::vec<dims, double>;
+  static const auto steps = steps_outwards<dims>();
+  const CellsNear<dims> cells(at, key);
   double nearest2 = 1e9, next2 = 1e9;
   Way next{};
   Block<dims> block;
-  each_near(glm::vec<dims, int>(glm::floor(at)), [&](const glm::vec<dims, int>& cell) {
-    const std::uint64_t bits = bits_of(cell, key);
-    const Way away = Way(cell) + Way(three_of(bits)) - at;
+  for (const Step<dims>& step : steps) {
+    if (cells.apart2(step) >= next2) continue;
+    const std::uint64_t bits = cells.bits(step);
+    const Way away = cells.corner(step) + Way(three_of(bits)) - at;
     const double away2 = glm::dot(away, away);
     if (away2 < nearest2) {
       next2 = nearest2, next = block.middle_away;
@@ -66,7 +105,7 @@ Block<dims> block_at(const glm::vec<dims, double>& at, std::uint64_t key) {
     } else if (away2 < next2) {
       next2 = away2, next = away;
     }
-  });
+  }
   block.joint = 0.5 * (next2 - nearest2) / std::max(glm::distance(next, block.middle_away), 1e-9);
   return block;
 }

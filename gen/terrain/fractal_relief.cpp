@@ -14,7 +14,7 @@ void add_fractal_relief(GroundMap<double>& heights_m, const scene::Terrain& terr
     const int j = static_cast<int>(row);
     for (int i = 0; i < heights_m.samples(); ++i) {
       const glm::dvec2 at_m = glm::dvec2(i, j) * heights_m.step_m();
-      heights_m.at(i, j) += deviation_m * fbm(at_m / feature_m, relief);
+      heights_m.at(i, j) += deviation_m * relief.at(at_m / feature_m);
     }
   });
 }

@@ -94,7 +94,7 @@ bool LandCover::is_water(int i, int j) const {
 LandCover::Shares LandCover::at(const glm::dvec2& at_m) const {
   constexpr double bays = 0.35, feature_steps = 4.0;  // of a step
   const double feature_m = feature_steps * number_.step_m();
-  const glm::dvec2 bay(fbm(at_m / feature_m, bays_), fbm(at_m / feature_m + 71.3, bays_));
+  const glm::dvec2 bay(bays_.at(at_m / feature_m), bays_.at(at_m / feature_m + 71.3));
   const glm::dvec2 place = glm::clamp((at_m - number_.corner_m()) / number_.step_m() + bays * bay,
                                       0.0, number_.samples() - 1.0);
   const glm::ivec2 first = glm::min(glm::ivec2(place), number_.samples() - 2);

@@ -151,7 +151,7 @@ struct GroundColour {
                           deg_per_exposure * std::clamp(exposure, -2.0, 2.0);
     const Albedo earth{soil.at(at_m, up, to_sun), soil.mean_albedo()};
     if (beyond < -8.0) return earth;
-    const double ragged = beyond + 2.5 * border_shown * fbm(at_m / border_m, border);
+    const double ragged = beyond + 2.5 * border_shown * border.at(at_m / border_m);
     const double bare = (1.0 - double{growth}) * glm::smoothstep(-2.5, 2.5, ragged);
     if (bare <= 0.0) return earth;
     const auto share = static_cast<float>(bare);

@@ -31,7 +31,7 @@ glm::dvec2 displaced(const glm::dvec2& at, std::uint64_t seed, double feature, d
   const Fbm east{random_bits({seed, key_of("mountain"), 0, key_of("east")}), 4, 0.8};
   const Fbm north{random_bits({seed, key_of("mountain"), 0, key_of("north")}), 4, 0.8};
   const double amplitude = deviation * smooth_step(0.0, feature, glm::distance(at, summit));
-  return at + amplitude * glm::dvec2(fbm(at / feature, east), fbm(at / feature, north));
+  return at + amplitude * glm::dvec2(east.at(at / feature), north.at(at / feature));
 }
 
 /// 0 at the summit, 1 at the foot: a rounded square that reaches from the meadow to the borders.
@@ -58,7 +58,7 @@ double rise(const glm::dvec2& at, std::uint64_t seed) {
   constexpr double feature = 0.08;
   constexpr double deviation = 0.3;
   const Fbm uneven{random_bits({seed, key_of("mountain"), 0, key_of("uneven")}), 5, 0.3};
-  return body(at, seed) * math::exp(deviation * fbm(at / feature, uneven));
+  return body(at, seed) * math::exp(deviation * uneven.at(at / feature));
 }
 
 template <class Value>

@@ -92,8 +92,7 @@ glm::vec3 Rock::debris_at(const glm::dvec3& place_m, const glm::dvec3& up,
 glm::vec3 Rock::stain_at(const glm::dvec3& place_m) const {
   constexpr double feature_m = 1.2;
   const glm::dvec3 at = place_m / feature_m;
-  const double stain =
-      stain_shown_ * math::tanh(fbm({at.x + 0.7 * at.z, at.y - 0.7 * at.z}, stain_));
+  const double stain = stain_shown_ * math::tanh(stain_.at({at.x + 0.7 * at.z, at.y - 0.7 * at.z}));
   return 1.0F + static_cast<float>(stain) * glm::vec3(0.16F, 0.13F, 0.06F);
 }
 

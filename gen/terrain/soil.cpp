@@ -117,13 +117,13 @@ Soil::Soil(const scene::Terrain& terrain, std::uint64_t seed, double step_m)
 
 /// How much more litter lies than on the mean, in (-1, 1).
 double Soil::litter_at(const glm::dvec2& at_m) const {
-  return math::tanh(0.8 * fbm(at_m / litter_m, litter_));
+  return math::tanh(0.8 * litter_.at(at_m / litter_m));
 }
 
 /// Soil, darker where moist, with pale dry litter on it.
 glm::vec3 Soil::earth_at(const glm::dvec2& at_m) const {
   const auto wet =
-      static_cast<float>(wet_shown_ * std::clamp(fbm(at_m / moisture_m, moisture_), -2.0, 2.0));
+      static_cast<float>(wet_shown_ * std::clamp(moisture_.at(at_m / moisture_m), -2.0, 2.0));
   const auto straw = static_cast<float>(litter_shown_ * litter_at(at_m));
   const auto kind = static_cast<float>(std::clamp(wide_.at(at_m), -2.0, 2.0));
   return albedo_ * (1.0F + kind * glm::vec3(0.16F, 0.18F, 0.2F)) * (1.0F - 0.12F * wet) *
@@ -154,7 +154,7 @@ glm::vec3 Soil::with_stones(glm::vec3 earth, const glm::dvec2& at_m, const glm::
                             const glm::dvec3& to_sun) const {
   constexpr double stony_m = 2.5;
   if (shown_fraction(stone_sizes.front().block_m, step_m_) <= 0.0) return earth;
-  const double stony = std::clamp(1.0 + 0.8 * fbm(at_m / stony_m, stony_), 0.0, 2.0);
+  const double stony = std::clamp(1.0 + 0.8 * stony_.at(at_m / stony_m), 0.0, 2.0);
   for (std::size_t i = 0; i < stone_sizes.size(); ++i) {
     const StoneSize& size = stone_sizes[i];
     const double shown = shown_fraction(size.block_m, step_m_);

@@ -87,7 +87,7 @@ double Water::beyond_shore(const glm::dvec2& at_m) const {
   const double wet{wet_.sample(at_m.x, at_m.y)};
   if (wet <= 0.0 || wet >= 1.0) return wet - 0.5;
   const double feature_m = 4.0 * wet_.step_m();
-  const double bay = std::clamp(fbm(at_m / feature_m, bays_), -highest, highest);
+  const double bay = std::clamp(bays_.at(at_m / feature_m), -highest, highest);
   return wet - 0.5 + 4.0 * wet * (1.0 - wet) * bays * bay;
 }
 

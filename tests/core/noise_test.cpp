@@ -26,7 +26,7 @@ TEST(Noise, RepeatsExactlyAfterItsPeriod) {
   for (int k = 0; k < 50; ++k) {
     const glm::dvec2 at(k * 0.125 - 3.0, k * 0.0625);  // sums with the period are exact
     EXPECT_EQ(gradient_noise(at, 3, 5), gradient_noise(at + glm::dvec2(5.0, -10.0), 3, 5));
-    EXPECT_NEAR(fbm(at, shape), fbm(at + glm::dvec2(-5.0, 15.0), shape), 1e-9);
+    EXPECT_NEAR(shape.at(at), shape.at(at + glm::dvec2(-5.0, 15.0)), 1e-9);
     EXPECT_NE(gradient_noise(at + 0.03, 3, 5), gradient_noise(at + 0.03, 4, 5));
   }
 }
@@ -38,7 +38,7 @@ TEST(Noise, HasUnitDeviation) {
   double squares = 0.0;
   for (int i = 0; i < samples; ++i)
     for (int j = 0; j < samples; ++j) {
-      const double value = fbm({i * 0.37, j * 0.37}, shape);
+      const double value = shape.at({i * 0.37, j * 0.37});
       sum += value;
       squares += value * value;
     }
@@ -54,7 +54,7 @@ double variogram(const Fbm& shape, double distance) {
   for (int i = 0; i < samples; ++i)
     for (int j = 0; j < samples; ++j) {
       const glm::dvec2 at(i * 0.731, j * 0.677);
-      const double across = fbm(at + glm::dvec2(distance, 0.0), shape) - fbm(at, shape);
+      const double across = shape.at(at + glm::dvec2(distance, 0.0)) - shape.at(at);
       sum += across * across;
     }
   return sum / (samples * samples);

@@ -14,10 +14,10 @@ namespace {
 
 /// Steep fractal ground, 64 x 64 samples of 0.25 m.
 GroundMap<double> rugged() {
+  const Fbm relief(3, 5, 0.6);
   GroundMap<double> heights_m(65, 16.0);
   for (int j = 0; j < 65; ++j)
-    for (int i = 0; i < 65; ++i)
-      heights_m.at(i, j) = 2.0 * fbm(glm::dvec2(i, j) / 16.0, {3, 5, 0.6});
+    for (int i = 0; i < 65; ++i) heights_m.at(i, j) = 2.0 * relief.at(glm::dvec2(i, j) / 16.0);
   return heights_m;
 }
 

@@ -18,7 +18,7 @@ GroundMap<double> rough_slope(double deviation_m, double hurst) {
   for (int j = 0; j < map.samples(); ++j)
     for (int i = 0; i < map.samples(); ++i) {
       const glm::dvec2 at_m = map.place_m(i, j);
-      map.at(i, j) = 0.3 * at_m.y + deviation_m * fbm(at_m / 640.0, relief);
+      map.at(i, j) = 0.3 * at_m.y + deviation_m * relief.at(at_m / 640.0);
     }
   return map;
 }

@@ -17,12 +17,13 @@ namespace {
 
 /// Fractal ground full of pits over a dome, zero at the border; the same for any number of samples.
 GroundMap<double> pitted_dome(int samples) {
+  const Fbm relief(5, 5, 0.7);
   GroundMap<double> heights_m(samples, 100.0);
   for (int j = 0; j < samples; ++j)
     for (int i = 0; i < samples; ++i) {
       const glm::dvec2 at = glm::dvec2(i, j) / (samples - 1.0);
       const double dome = std::sin(std::numbers::pi * at.x) * std::sin(std::numbers::pi * at.y);
-      heights_m.at(i, j) = dome * (20.0 + 8.0 * fbm(at / 0.2, {5, 5, 0.7}));
+      heights_m.at(i, j) = dome * (20.0 + 8.0 * relief.at(at / 0.2));
     }
   return heights_m;
 }

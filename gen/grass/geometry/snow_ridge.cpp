@@ -41,7 +41,7 @@ double lump_rank(const Blade& blade, float along) {
 /// Uniform over the ground: smooth noise, which is nearly normal, through the normal distribution.
 double tuft_rank(const Blade& blade, const AxisPoint& at) {
   const glm::dvec2 place = glm::dvec2(on_patch_m(blade, at)) / tuft_m;
-  return 0.5 * math::erfc(-fbm(place, {blade.tufts, 2, 0.9}) / std::numbers::sqrt2);
+  return 0.5 * math::erfc(-Fbm(blade.tufts, 2, 0.9).at(place) / std::numbers::sqrt2);
 }
 
 /// Distribution of a u + (1 - a) v, u and v uniform in [0, 1], a in [1/2, 1): makes it uniform.
