@@ -30,27 +30,55 @@ test_with() {
   ctest --preset "$preset" --parallel "$(nproc)" "${@:2}"
 }
 
-# Of the command line only what reads: its tests start the program often, and renderers. Left out are
-# tests that start renderers, too, and those that take longest, with siblings that run the same code.
+# Patterns of tests that asan-units leaves out, with siblings that run the same code: those that start
+# a renderer or wold, and those that take longest.
+units_left_out=(
+  BlenderRender.* BlenderAddOn.* BlenderDifferences.* BlenderStranger.* Includes.* OwnScene.*
+  Picture.* RealPovray.*
+  LargeTerrain.* SiteOfFrame.* SnowfallModel.* Growth.Covers* Assemble.* GroundDetails.Agree*
+  GroundDetails.ShowPatches* GroundReflectance.GrassStands* LitGround.HasAHotSpot*
+  Rebuild.BigTujunga* Rebuild.FrontRange* CloudBoxes.HaveTheLayers* CloudLayerView.Glows*
+  CloudySkies.Shine* CloudySkies.HaveBases* Exposure.Changes* TracedSky.* LandView.Sees*
+  DiffuseLight.OfDeepSlabs* DiffuseLight.FallsAlong* Light.OfAHeapByItsDepths*
+  MeanTransmittance.IsThatOfPlaces* BentBlades.AreNeither* ShotsInPlace.ShareTheLights*
+  FlakeLook.NearFlakesTurn* Gusts.HaveDavenportsCoherenceAcross* CanopyMotion.GustsTravel*
+  CanopyMotion.Honami* AirFlow.HasTheIntensity* WavingGrass.MovesFrom* WavingGrass.StandsStill*
+  Maps.HaveSnow* Maps.AreThose* Maps.HaveTheNorth* SeasonSnow.LiesOrHasLeft* Passes.GrassHides*
+  SnowyGround.Is* SnowyGround.LiesSmooth* SnowyGround.DeepSnow* SnowyGround.ThePapers*
+  Samples.OneSteady* SurroundingsTest.AreThose* LandShadowTest.APlane* LandShadowTest.Follows*
+  TimeVaryingTexel.SameBytes*)
+
+# Runs whole test programs, each in as many parts as there are processors: a process of its own for
+# each test takes longer to start than most tests take. Says what fails; exit code 123 if any does.
+run_units() {
+  local preset=$1
+  shift
+  export GTEST_BRIEF=1 GTEST_FILTER
+  GTEST_FILTER=-$(IFS=: && echo "${units_left_out[*]}")
+  GTEST_TOTAL_SHARDS=$(nproc)
+  export GTEST_TOTAL_SHARDS
+  export UBSAN_OPTIONS="halt_on_error=1 print_stacktrace=1"
+  export LSAN_OPTIONS="suppressions=$here/tests/lsan.suppressions"
+  local library part
+  for library in "$@"; do
+    for ((part = 0; part < GTEST_TOTAL_SHARDS; ++part)); do
+      echo "GTEST_SHARD_INDEX=$part build-$preset/test_$library"
+    done
+  done | xargs -P "$(nproc)" -L 1 env
+}
+
+# Of the command line only what reads: its tests start the program often, and renderers.
 test_units() {
-  local left_out='^(BlenderRender|BlenderAddOn|BlenderDifferences|BlenderStranger|Includes|OwnScene'
-  left_out+='|Picture|RealPovray|LargeTerrain|SiteOfFrame|SnowfallModel|Growth\.Covers'
-  left_out+='|Assemble\.(Exposes|Dusk|HasTheLight|DoesNotBurn|PartsWithout)'
-  left_out+='|GroundDetails\.Agree|LitGround\.HasAHotSpot|Rebuild\.(BigTujunga|FrontRange)'
-  left_out+='|CloudBoxes\.HaveTheLayers|CloudLayerView\.Glows|Exposure\.Changes|TracedSky|LandView\.Sees'
-  left_out+='|DiffuseLight\.OfDeepSlabsUnderTheSun)'
   local libraries=(core scene weather snowpack phenology light terrain grass cloud snow wind landscape
     place sky meadow ground expectation passes maps film povray blender mitsuba usd preview report
     compare render work console)
   local corpora=(scene df3 weather_table daily_weather elevation pictures vdb arguments records)
-  local labels
-  labels=$(IFS='|' && echo "${libraries[*]}")
   install "${build_packages[@]}" "${test_packages[@]}"
   say "Building libraries with asan"
   cmake --preset asan >/dev/null
   cmake --build --preset asan --target "${libraries[@]/#/test_}" "${corpora[@]/#/fuzz_}" >&2
   say "Testing libraries with asan"
-  ctest --preset asan --parallel "$(nproc)" --label-regex "^($labels)\$" --exclude-regex "$left_out"
+  run_units asan "${libraries[@]}"
   ctest --preset asan --parallel "$(nproc)" --tests-regex '^Corpus'
 }
 

@@ -106,10 +106,16 @@ void add_scene_arguments(CLI::App& app, SceneArguments<Options>& arguments) {
   add_overrides(app, arguments.options.overrides);
 }
 
-void add_frames(CLI::App& app, std::vector<int>& frames, const std::string& doc) {
-  app.add_option_function<std::string>(
-         "--frames", [&frames](const std::string& text) { frames = parse_frames(text); }, doc)
-      ->type_name("1,5,9-12");
+void add_frames(CLI::App& app, work::FrameChoice& frames, const std::string& doc) {
+  CLI::Option* numbers =
+      app.add_option_function<std::string>(
+             "--frames",
+             [&frames](const std::string& text) { frames.numbers = parse_frames(text); }, doc)
+          ->type_name("1,5,9-12");
+  app.add_option("--shot", frames.shots, "frames of the shot of that name; may be repeated")
+      ->type_name("NAME")
+      ->allow_extra_args(false)
+      ->excludes(numbers);
 }
 
 /// The programs that make pictures, by name or path.

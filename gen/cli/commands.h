@@ -54,7 +54,7 @@ struct MapsOptions {
   std::filesystem::path scene;
   std::vector<std::string> overrides;  ///< key=value, applied after the scene file
   std::filesystem::path out;           ///< folder; empty: out/<scene name>/maps
-  std::vector<int> frames;             ///< from 1; empty: all
+  work::FrameChoice frames;
   bool json = false;
 };
 

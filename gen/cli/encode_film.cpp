@@ -11,10 +11,6 @@ void check(const work::EncodingOptions& options) {
   if (!options.film.empty() && options.film.extension() != ".mp4")
     throw InputError(fmt::format("--out: found {}, expected a file name that ends in .mp4",
                                  options.film.string()));
-  const std::vector<int>& frames = options.frames;
-  if (!frames.empty() && frames.back() - frames.front() + 1 != static_cast<int>(frames.size()))
-    throw InputError(fmt::format("--frames: found {}, expected frames without gaps, such as {}-{}",
-                                 work::ranges_text(frames), frames.front(), frames.back()));
 }
 
 }  // namespace

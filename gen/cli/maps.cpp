@@ -30,8 +30,7 @@ ExitCode run_maps(const MapsOptions& options, Progress& progress) {
   film::require_files(read.scene, read.places);
   const auto season = phenology::film_season(read.scene);
   const scene::Scene scene = phenology::as_film(read.scene, season.get());
-  const std::vector<int> frames =
-      work::chosen_frames(options.frames, static_cast<int>(scene.ageing.frames.size()));
+  const std::vector<int> frames = work::chosen_frames(options.frames, scene);
   const fs::path folder = options.out.empty() ? fs::path("out") / scene.name / "maps" : options.out;
   const std::vector<fs::path> inputs = work::input_files(options.scene, scene);
   for (const fs::path& file : maps::map_files(folder, frames)) work::require_no_input(file, inputs);

@@ -31,6 +31,18 @@ std::vector<FramePictures> wanted_pictures(const EncodingOptions& options,
   return all;
 }
 
+/// Without gaps: what is asked for, or all that there should be.
+std::vector<int> frames_to_encode(const EncodingOptions& options,
+                                  const std::vector<FramePictures>& all) {
+  if (options.frames == FrameChoice()) return expected_frames(options.out, all);
+  std::vector<int> frames = options.frames.numbers;
+  if (!options.frames.shots.empty()) frames = frames_of_shots(options.out, options.frames.shots);
+  if (frames.back() - frames.front() + 1 != static_cast<int>(frames.size()))
+    throw InputError(fmt::format("found frames {}, expected frames without gaps, such as {}-{}",
+                                 ranges_text(frames), frames.front(), frames.back()));
+  return frames;
+}
+
 FileError incomplete(const EncodingOptions& options, const std::vector<FramePictures>& all,
                      const std::vector<int>& frames) {
   std::string text = fmt::format("frames are missing in {}:", (options.out / "frames").string());
@@ -83,8 +95,7 @@ void encode_films(const EncodingOptions& options, const FilmMade& made, Progress
   require_no_way_out(options.out);
   require_known_format(options.out);
   const std::vector<FramePictures> all = frame_pictures(options.out);
-  const std::vector<int> frames =
-      options.frames.empty() ? expected_frames(options.out, all) : options.frames;
+  const std::vector<int> frames = frames_to_encode(options, all);
   const std::vector<FramePictures> wanted = wanted_pictures(options, all);
   std::vector<FramePictures> complete = wanted;
   std::erase_if(complete, [&](const FramePictures& one) {

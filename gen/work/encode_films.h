@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/progress.h"
+#include "work/frame_choice.h"
 
 namespace wold::work {
 
@@ -15,7 +16,7 @@ struct EncodingOptions {
   std::filesystem::path out;   ///< the output folder with the frames
   std::filesystem::path film;  ///< .mp4; empty: out/film_<renderer>.mp4 for each renderer
   std::string renderer;        ///< "blender" or "povray"; empty: those that have all frames
-  std::vector<int> frames;     ///< from 1, rising, without gaps; empty: all of the scene
+  FrameChoice frames;          ///< without gaps
   std::optional<double> frames_per_second;  ///< more than 0; none: what the folder's scene says
 };
 

@@ -11,7 +11,7 @@
 #include "film/exporters.h"
 #include "scene/parse.h"
 #include "scene/shots.h"
-#include "work/job.h"
+#include "work/frame_choice.h"
 
 namespace wold::work {
 namespace fs = std::filesystem;
@@ -69,6 +69,14 @@ std::vector<int> expected_frames(const fs::path& out, const std::vector<FramePic
   int last = 0;
   for (const FramePictures& one : pictures) last = std::max(last, one.by_frame.rbegin()->first);
   return counted(last);
+}
+
+std::vector<int> frames_of_shots(const fs::path& out, const std::vector<std::string>& shots) {
+  const auto scene = scene_in(out);
+  if (!scene)
+    throw InputError(fmt::format("--shot: expected a scene in {}; --frames takes frames by number",
+                                 (out / "scene.toml").string()));
+  return chosen_frames({.shots = shots}, *scene);
 }
 
 double frames_per_second(const fs::path& out) {

@@ -29,6 +29,11 @@ std::vector<int> missing_frames(const FramePictures& pictures, const std::vector
 std::vector<int> expected_frames(const std::filesystem::path& out,
                                  const std::vector<FramePictures>& pictures);
 
+/// Those of the shots of that scene. Throws InputError where it cannot be read or does not have
+/// them.
+std::vector<int> frames_of_shots(const std::filesystem::path& out,
+                                 const std::vector<std::string>& shots);
+
 /// How fast they are played: film.frames_per_second of that scene, or what it usually is.
 double frames_per_second(const std::filesystem::path& out);
 

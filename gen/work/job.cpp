@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <thread>
 
 #include "core/error.h"
@@ -20,27 +19,6 @@
 
 namespace wold::work {
 
-std::string ranges_text(const std::vector<int>& rising) {
-  std::string text;
-  for (std::size_t first = 0; first < rising.size();) {
-    std::size_t last = first;
-    while (last + 1 < rising.size() && rising[last + 1] == rising[last] + 1) ++last;
-    text += fmt::format("{}{}", text.empty() ? "" : ",", rising[first]);
-    if (last > first) text += fmt::format("-{}", rising[last]);
-    first = last + 1;
-  }
-  return text;
-}
-
-std::vector<int> chosen_frames(const std::vector<int>& asked, int count) {
-  for (const int frame : asked)
-    if (frame > count)
-      throw InputError(
-          fmt::format("--frames: found {}, expected frames from 1 to {}: the scene has {}", frame,
-                      count, count));
-  return asked.empty() ? counted(count) : asked;
-}
-
 int threads_of(const Job& job) {
   const auto all = static_cast<int>(std::thread::hardware_concurrency());
   return std::max(1, job.threads > 0 ? job.threads : all);
@@ -48,12 +26,6 @@ int threads_of(const Job& job) {
 
 double memory_of(const Job& job) {
   return job.memory_bytes > 0.0 ? job.memory_bytes : machine_memory_bytes();
-}
-
-std::vector<int> counted(int count) {
-  std::vector<int> numbers(static_cast<std::size_t>(count));
-  std::iota(numbers.begin(), numbers.end(), 1);
-  return numbers;
 }
 
 Job plan_job(const RenderOptions& options) {
@@ -64,8 +36,7 @@ Job plan_job(const RenderOptions& options) {
   job.scene = phenology::as_film(std::move(read.scene), job.season.get());
   job.places = std::move(read.places);
   job.text_warnings = std::move(read.warnings);
-  const int count = static_cast<int>(job.scene.ageing.frames.size());
-  job.frames = chosen_frames(options.frames, count);
+  job.frames = chosen_frames(options.frames, job.scene);
   job.out = options.out.empty() ? std::filesystem::path("out") / job.scene.name : options.out;
   require_own_folder(job.out);
   require_known_format(job.out);

@@ -11,6 +11,7 @@
 #include "film/request.h"
 #include "passes/pass.h"
 #include "scene/rule.h"
+#include "work/frame_choice.h"
 
 namespace wold::work {
 
@@ -26,9 +27,9 @@ enum class Keep { all, scenes };
 struct RenderOptions {
   std::filesystem::path scene;
   std::vector<std::string> overrides;  ///< key=value, applied after the scene file
-  std::vector<int> frames;             ///< from 1, rising; empty: all
-  std::filesystem::path out;           ///< empty: out/<scene name>
-  std::string passes;                  ///< "depth,normal"; empty: none
+  FrameChoice frames;
+  std::filesystem::path out;  ///< empty: out/<scene name>
+  std::string passes;         ///< "depth,normal"; empty: none
   ChosenPrograms programs;
   int threads = 0;                 ///< 0: the scene's render.threads
   std::uint64_t memory_bytes = 0;  ///< 0: the machine's
@@ -53,16 +54,6 @@ int threads_of(const Job& job);
 
 /// Memory that the job may use: the machine's where it does not say.
 double memory_of(const Job& job);
-
-/// 1 to `count`.
-std::vector<int> counted(int count);
-
-/// The frames, from 1, that are asked for of a scene that has `count`: all of them where none are.
-/// Throws InputError where it does not have one.
-std::vector<int> chosen_frames(const std::vector<int>& asked, int count);
-
-/// "1-3,7": the form in which frames are given.
-std::string ranges_text(const std::vector<int>& rising);
 
 /// Reads the scene and resolves the options against it. Throws InputError, also for frames that
 /// the scene does not have and for files that it names and that are not there.

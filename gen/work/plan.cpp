@@ -95,8 +95,10 @@ void require_no_expression(std::string_view text) {
 /// The options of a plan that change what its tasks make.
 std::vector<std::string> task_options(const RenderOptions& options) {
   std::vector<std::string> arguments = {"--out", "{{Param.Out}}"};
-  if (!options.frames.empty())
-    arguments.insert(arguments.end(), {"--frames", ranges_text(options.frames)});
+  if (!options.frames.numbers.empty())
+    arguments.insert(arguments.end(), {"--frames", ranges_text(options.frames.numbers)});
+  for (const std::string& shot : options.frames.shots)
+    arguments.insert(arguments.end(), {"--shot", shot});
   if (!options.passes.empty()) arguments.insert(arguments.end(), {"--passes", options.passes});
   for (const exporter::Exporter* one : film::exporters())
     if (const auto chosen = options.programs.find(one->name);

@@ -182,6 +182,38 @@ TEST_F(FilmOfShots, KilledItGoesOnToTheSameBytes) {
   expect_nothing_half_written("out");
 }
 
+TEST_F(FilmOfShots, OneShotIsMadeAndPlayedAlone) {
+  if (!is_installed("povray") || !is_installed("ffprobe"))
+    GTEST_SKIP() << "no povray or ffmpeg on this machine";
+  ASSERT_EQ(wold("render shots.toml --quiet --out out --shot gusts").code, 0);
+  for (int frame = 1; frame <= frames; ++frame)
+    EXPECT_EQ(fs::exists(folder_ / fmt::format("out/frames/povray/{:04}.png", frame)),
+              frame == 4 || frame == 5)
+        << frame;
+  ASSERT_EQ(wold("film out --quiet --shot gusts").code, 0);
+  EXPECT_EQ(shell("ffprobe -v error -count_frames -show_entries stream=nb_read_frames -of csv=p=0 "
+                  "out/film_povray.mp4")
+                .out,
+            "2\n");
+  const Result apart = wold("film out --shot flight --shot snow");
+  EXPECT_EQ(apart.code, 2);
+  expect_contains(apart.err, "found frames 1-3,6, expected frames without gaps");
+  const Result both = wold("plan shots.toml --shot gusts --frames 1");
+  EXPECT_EQ(both.code, 2);
+  expect_contains(both.err, "--frames excludes --shot");
+}
+
+TEST_F(FilmOfShots, OfAFarmRepeatsItsShotInEachTask) {
+  const auto job =
+      nlohmann::json::parse(wold("plan shots.toml --out out --shot gusts --openjd").out);
+  const nlohmann::json& task = job.at("steps").at(0);
+  const std::vector<std::string> words =
+      task.at("script").at("actions").at("onRun").at("args").get<std::vector<std::string>>();
+  const auto shot = std::ranges::find(words, "--shot");
+  ASSERT_LT(shot + 1, words.end());
+  EXPECT_EQ(*(shot + 1), "gusts");
+}
+
 TEST_F(FilmOfShots, IsPlayedAtItsOwnSpeed) {
   if (!is_installed("povray") || !is_installed("ffprobe"))
     GTEST_SKIP() << "no povray or ffmpeg on this machine";
