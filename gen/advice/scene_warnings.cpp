@@ -14,6 +14,7 @@
 #include "scene/text.h"
 #include "scene/winter.h"
 #include "snow/weather.h"
+#include "terrain/elevation.h"
 #include "weather/daily_weather.h"
 
 namespace wold::advice {
@@ -137,6 +138,22 @@ void warn_of_unseen_tornado(const scene::Scene& scene, Warnings& warnings) {
       "snowfall.strength = \"moderate\"");
 }
 
+/// Ridges and valleys that the elevation model has and the terrain does not take.
+void warn_of_coarse_terrain(const scene::Terrain& terrain, Warnings& warnings) {
+  constexpr double much = 1.5;
+  constexpr int most_samples = 4097;
+  if (terrain.elevation.empty()) return;
+  const double step_m = terrain.size_m / (terrain.samples - 1.0);
+  const double cell_m = terrain::elevation_cell_m(terrain);
+  if (step_m < much * cell_m) return;
+  const double samples = std::min<double>(std::ceil(terrain.size_m / cell_m) + 1.0, most_samples);
+  if (samples <= terrain.samples) return;
+  warnings.push_back(
+      fmt::format("the terrain has a height each {:.3g} m and terrain.elevation one each {:.3g} m, "
+                  "so that ridges are lost; set terrain.samples = {:.0f}",
+                  step_m, cell_m, samples));
+}
+
 void warn_of_late_table(const scene::Scene& scene, Warnings& warnings) {
   constexpr std::chrono::days enough(60);
   if (!scene::is_season(scene) || scene.season.table.empty()) return;
@@ -164,6 +181,7 @@ Warnings scene_warnings(const scene::Scene& film, const phenology::FilmSeason* s
   warn_of_streaks(film, warnings);
   warn_of_unseen_tornado(film, warnings);
   warn_of_late_table(film, warnings);
+  warn_of_coarse_terrain(film.terrain, warnings);
   for (const auto& more : {season_warnings(film), unused_key_warnings(film)})
     warnings.insert(warnings.end(), more.begin(), more.end());
   return warnings;

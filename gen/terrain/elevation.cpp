@@ -206,6 +206,12 @@ Elevation read_elevation(const scene::Terrain& terrain) {
   return elevation;
 }
 
+double elevation_cell_m(const scene::Terrain& terrain) {
+  const QuietGdal quiet;
+  const Raster raster(terrain.elevation, terrain.system);
+  return cell_m(raster, local_system(raster, middle_of(terrain, raster)));
+}
+
 GroundMap<double> heights_around(const scene::Terrain& terrain, const std::string& file,
                                  const GroundGrid& grid) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();

@@ -34,6 +34,11 @@ struct Elevation {
 /// when nobody knows terrain.system.
 Elevation read_elevation(const scene::Terrain& terrain);
 
+/// Side of a cell of terrain.elevation on the ground about terrain.centre, metres. Reads no height.
+/// Throws InputError when the file is no raster that lies somewhere, or when nobody knows
+/// terrain.system.
+double elevation_cell_m(const scene::Terrain& terrain);
+
 /// Heights on a grid about the same place, metres above the file's own zero: of terrain.elevation,
 /// or of another model, `file`, whose place its own coordinate system tells. NaN where the model
 /// has none, or where the grid covers so much of it (2^27 cells) that reading it would take long.

@@ -11,6 +11,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::StartsWith;
 
 class Warnings : public Program {
@@ -133,6 +134,19 @@ TEST_F(Warnings, SeasonKeysOutsideTheSeason) {
               AllOf(StartsWith("warning: 2 of the 4 [[season_keys]] lie outside the season, "
                                "2026-08-25 to 2026-11-01"),
                     HasSubstr("season_keys[1] (2026-08-24), season_keys[4] (2026-11-02)")));
+}
+
+TEST_F(Warnings, ATerrainCoarserThanItsElevationModel) {
+  std::string model = "ncols 41\nnrows 41\nxllcorner 0\nyllcorner 0\ncellsize 30\n";
+  for (int cell = 0; cell < 41 * 41; ++cell) model += fmt::format("{} ", 100 + cell % 7);
+  write("dem.asc", model);
+  const std::string scene = "[terrain]\nelevation = \"dem.asc\"\nsize = 1200\n";
+  EXPECT_THAT(
+      about(scene, "--set terrain.samples=17"),
+      AllOf(HasSubstr("the terrain has a height each 75 m"),
+            HasSubstr("terrain.elevation one each 30 m"), HasSubstr("set terrain.samples = 41")));
+  EXPECT_THAT(about(scene, "--set terrain.samples=41"), Not(HasSubstr("terrain.samples")));
+  EXPECT_THAT(about(scene, "--set terrain.samples=31"), Not(HasSubstr("terrain.samples")));
 }
 
 TEST_F(Warnings, ATornadoThatNobodySees) {

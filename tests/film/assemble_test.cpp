@@ -23,6 +23,7 @@ using test::grown;
 
 scene::Scene small_meadow() {
   scene::Scene scene;
+  scene.render.size_px = {160, 90};
   scene.terrain.size_m = 8.0;
   scene.grass.patch_m = 0.5;
   scene.terrain.samples = 65;
@@ -173,6 +174,7 @@ TEST(Assemble, DoesNotBurnOutTheSkyOfAnEvening) {
 // Every cell is drawn once, as a volume or as blades; meshes are shared by turns and levels.
 TEST(Assemble, CellsOfBladesReferToTheirMeshes) {
   scene::Scene scene = small_meadow();
+  scene.render.size_px = {960, 540};  // blades stand only where they are seen as such
   scene.render.grass = scene::GrassForm::automatic;
   scene.grass.pixels_per_voxel = 0.4;
   const place::Site site = test::site_of(scene);

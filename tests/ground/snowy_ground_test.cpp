@@ -13,6 +13,7 @@ namespace {
 
 scene::Scene snowed_in(double water_mm) {
   scene::Scene scene;
+  scene.render.size_px = {160, 90};
   scene.terrain.size_m = 8.0;
   scene.terrain.samples = 65;
   scene.terrain.hill_height_m = 1.0;

@@ -69,6 +69,7 @@ TEST(BentBlades, AreNeitherVolumesNorPointsNorStill) {
     return std::ranges::count_if(cells_of(scene).bent, is_bent);
   };
   scene::Scene scene = gusty_scene();
+  scene.render.size_px = {160, 90};
   EXPECT_GT(bent(scene), 0);
   scene.render.grass = scene::GrassForm::points;
   EXPECT_EQ(bent(scene), 0);

@@ -18,6 +18,7 @@ namespace {
 /// own.
 scene::Scene film() {
   scene::Scene scene;
+  scene.render.size_px = {160, 90};
   scene.terrain.size_m = 8.0;
   scene.terrain.samples = 33;
   scene.camera = {.eye_m = {4.0, 0.5}, .target_m = {4.0, 6.0}};

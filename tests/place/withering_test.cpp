@@ -99,6 +99,7 @@ TEST(Withering, SoilSpreadsItAndItNeverGoesBack) {
 // most 10 degrees between the first day's and the last's.
 TEST(SiteOfFrame, HasTheDaysLight) {
   scene::Scene scene = even_season();
+  scene.render.size_px = {160, 90};
   scene.terrain.size_m = 8.0;
   scene.terrain.samples = 33;
   scene.camera.eye_m = {4.0, 0.5};
@@ -140,6 +141,7 @@ TEST(SiteOfFrame, HasLightsForTheSunsWayUpAndDownInAYear) {
 // way in steps of 10 degrees at most: here 24 to the west and 20 down are 31.
 TEST(SiteOfFrame, HasTheLightOfASettingSun) {
   scene::Scene scene;
+  scene.render.size_px = {160, 90};
   scene.terrain.size_m = 8.0;
   scene.terrain.samples = 33;
   scene.camera.eye_m = {4.0, 0.5};

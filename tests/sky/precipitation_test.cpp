@@ -35,6 +35,7 @@ landscape::Landscape snowing(const scene::Scene& scene) {
 
 scene::Scene snowy(scene::SnowfallStrength strength) {
   scene::Scene scene;
+  scene.render.size_px = {160, 90};
   scene.terrain.size_m = 30.0;
   scene.terrain.samples = 33;
   scene.snowfall.strength = strength;
