@@ -36,6 +36,8 @@ SMALL = [
     "--set", "grass.variants=1", "--set", "grass.levels=[30]",
     "--set", "grass.key_frames=[0,0.5,1]",
 ]  # fmt: skip
+# Of the scenes that `wold new` writes: what is before the camera.
+SMALL_GROUND = ["--set", "terrain.size=22"]
 DAYS = [31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31]
 MAKES = {"render", "generate", "passes", "preview", "task"}
 LONG_OPTIONS = re.compile(r" --(size|frames) [\w,-]+")
@@ -86,7 +88,8 @@ def shrunk(command: str, wold: str) -> str:
         return f"{command} --wold {shlex.quote(wold)}{world}{few} {shlex.join(SMALL)}"
     if verb in MAKES and "--out /shared" not in command:
         command = re.sub(r" --size \w+", "", command)
-        return f"{command} {shlex.join(SMALL)}"
+        ground = SMALL_GROUND if "moor.toml" in words else []
+        return f"{command} {shlex.join(SMALL + ground)}"
     return command
 
 
