@@ -66,10 +66,10 @@ double noise_of(const glm::dvec2& at, std::uint64_t field, const glm::ivec2& per
   }
   double sum = 0.0;
   for (int j = 0; j < 2; ++j)
-    for (int i = 0; i < 2; ++i)
-      sum +=
-          weight_x[i] * weight_y[j] *
-          glm::dot(one_of(directions, mixed(column[i] ^ row[j])), glm::dvec2(from[i].x, from[j].y));
+    for (int i = 0; i < 2; ++i) {
+      const glm::dvec2& direction = one_of(directions, mixed(column[i] ^ row[j]));
+      sum += weight_x[i] * weight_y[j] * glm::dot(direction, glm::dvec2(from[i].x, from[j].y));
+    }
   return sum;
 }
 
