@@ -19,19 +19,24 @@ glm::dvec3 three_of(std::uint64_t bits) {
 template <int dims>
 using Step = glm::vec<dims, int>;
 
+/// Along how many axes a step leads.
+template <int dims>
+int axes_of(const Step<dims>& step) {
+  int axes = 0;
+  for (int axis = 0; axis < dims; ++axis) axes += step[axis] != 0;
+  return axes;
+}
+
 /// From a cell to itself and to all that touch it, those across a face before those across edges
 /// and corners.
 template <int dims>
 auto steps_outwards() {
-  constexpr std::size_t count = dims == 3 ? 27 : 9;
+  constexpr int count = dims == 3 ? 27 : 9;
   std::array<Step<dims>, count> steps;
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t axis = 0, rest = i; axis < dims; ++axis, rest /= 3)
-      steps[i][static_cast<int>(axis)] = static_cast<int>(rest % 3) - 1;
-  std::ranges::stable_sort(steps, {}, [](const Step<dims>& step) {
-    return std::ranges::count_if(std::array{step.x, step.y, dims == 3 ? step[dims - 1] : 0},
-                                 [](int along) { return along != 0; });
-  });
+  for (int i = 0; i < count; ++i)
+    for (int axis = 0, rest = i; axis < dims; ++axis, rest /= 3)
+      steps[static_cast<std::size_t>(i)][axis] = rest % 3 - 1;
+  std::ranges::stable_sort(steps, {}, axes_of<dims>);
   return steps;
 }
 
@@ -47,9 +52,10 @@ class CellsNear {
       column_[static_cast<std::size_t>(step + 1)] = mixed(mixed(key) ^ as_bits(cell_.x + step));
   }
 
+  /// The low corner of one.
   Way corner(const Step<dims>& step) const { return Way(cell_ + step); }
 
-  /// Squared distance from the place to the nearest corner or face of one.
+  /// Squared distance from the place to the nearest place in one.
   double apart2(const Step<dims>& step) const {
     double apart2 = 0.0;
     for (int axis = 0; axis < dims; ++axis) {
