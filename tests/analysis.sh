@@ -51,20 +51,17 @@ units_left_out=(
 # Runs whole test programs, each in as many parts as there are processors: a process of its own for
 # each test takes longer to start than most tests take. Says what fails; exit code 123 if any does.
 run_units() {
-  local preset=$1
+  local preset=$1 left_out parts library part
   shift
-  export GTEST_BRIEF=1 GTEST_FILTER
-  GTEST_FILTER=-$(IFS=: && echo "${units_left_out[*]}")
-  GTEST_TOTAL_SHARDS=$(nproc)
-  export GTEST_TOTAL_SHARDS
-  export UBSAN_OPTIONS="halt_on_error=1 print_stacktrace=1"
-  export LSAN_OPTIONS="suppressions=$here/tests/lsan.suppressions"
-  local library part
+  left_out=$(IFS=: && echo "${units_left_out[*]}")
+  parts=$(nproc)
   for library in "$@"; do
-    for ((part = 0; part < GTEST_TOTAL_SHARDS; ++part)); do
+    for ((part = 0; part < parts; ++part)); do
       echo "GTEST_SHARD_INDEX=$part build-$preset/test_$library"
     done
-  done | xargs -P "$(nproc)" -L 1 env
+  done | xargs -P "$parts" -L 1 env GTEST_BRIEF=1 "GTEST_FILTER=-$left_out" \
+    "GTEST_TOTAL_SHARDS=$parts" "UBSAN_OPTIONS=halt_on_error=1 print_stacktrace=1" \
+    "LSAN_OPTIONS=suppressions=$here/tests/lsan.suppressions"
 }
 
 # Of the command line only what reads: its tests start the program often, and renderers.
