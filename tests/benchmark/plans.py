@@ -44,12 +44,12 @@ def planned_costs(plan):
     """By "disk", ("seconds", stage) and ("memory", stage); what Wold does itself is "generate"."""
     costs = {"disk": 0.0}
     for stage in plan["stages"]:
-        estimate = stage["estimate"]
+        estimate, tasks = stage["estimate"], stage["tasks"]  # each of them takes that much
         name = stage["stage"] if stage["stage"] in RENDERERS else "generate"
         if name == "generate":
-            costs["disk"] += estimate["disk_bytes"] / 1e6
+            costs["disk"] += tasks * estimate["disk_bytes"] / 1e6
         seconds, memory = ("seconds", name), ("memory", name)
-        costs[seconds] = costs.get(seconds, 0.0) + estimate["seconds"]
+        costs[seconds] = costs.get(seconds, 0.0) + tasks * estimate["seconds"]
         costs[memory] = max(costs.get(memory, 0.0), estimate["memory_bytes"] / 1e6)
     return costs
 
