@@ -7,6 +7,7 @@
 
 #include "film/exporters.h"
 #include "film/film_demand.h"
+#include "place/cell_window.h"
 #include "work/file_sizes.h"
 #include "work/memory_model.h"
 
@@ -18,6 +19,7 @@ namespace {
 constexpr double texel_seconds = 5e-8;          // per voxel of the finest level and state
 constexpr double scene_seconds = 2.0;           // per frame: cells, light, sky
 constexpr double sample_seconds = 1e-6;         // per sample of the ground's pictures
+constexpr double large_sample_seconds = 5e-6;   // with relief below the model's cells, and horizons
 constexpr double scene_file_seconds = 2e-9;     // per byte that is written
 constexpr double pass_pixel_seconds = 5e-5;     // per pixel: its rays through the grass
 constexpr double cloud_seconds = 10.0;          // per layer
@@ -37,19 +39,23 @@ Estimate texels(const Job& job, const StageTasks& stage, const film::FilmDemand&
           each(texel_bytes(job.scene, demand, film::reads_unlit_texels(job)), stage)};
 }
 
+double ground_seconds(const scene::Scene& scene) {
+  return (place::is_large(scene) ? large_sample_seconds : sample_seconds) * ground_samples(scene);
+}
+
 Estimate scenes(const Job& job, const StageTasks& stage, const film::FilmDemand& demand) {
   double bytes = 0.0;
   for (const exporter::Exporter* one : job.exporters)
     bytes += scene_bytes(job.scene, one->files, demand, stage.indices.size());
-  const double seconds = scene_seconds + sample_seconds * ground_samples(job.scene) +
-                         scene_file_seconds * each(bytes, stage);
+  const double seconds =
+      scene_seconds + ground_seconds(job.scene) + scene_file_seconds * each(bytes, stage);
   return {seconds, scene_memory_bytes(job), each(bytes, stage)};
 }
 
 Estimate passes_of_frame(const Job& job, const film::FilmDemand& demand) {
   const scene::Render& render = job.scene.render;
   const double pixels = static_cast<double>(render.size_px[0]) * render.size_px[1];
-  return {scene_seconds + sample_seconds * ground_samples(job.scene) + pass_pixel_seconds * pixels,
+  return {scene_seconds + ground_seconds(job.scene) + pass_pixel_seconds * pixels,
           passes_memory_bytes(job, demand), pass_bytes(job.scene, job.passes)};
 }
 
