@@ -12,9 +12,10 @@ class FilmSeason;
 namespace wold::advice {
 
 /// What will look wrong in a film's pictures, one sentence for each: what, and which key to change
-/// to what. Worked out in a moment, from the scene alone: the ground is taken for the plane under
-/// eye and target. `film` is phenology::as_film()'s with `season`. Throws InputError or FileError
-/// when the season's table or the elevation model cannot be read.
+/// to what. Worked out in a moment, from the scene, its tables and the elevation model's header:
+/// the ground is taken for the plane under eye and target. `film` is phenology::as_film()'s with
+/// `season`. Throws InputError or FileError when the season's table or the elevation model cannot
+/// be read.
 std::vector<std::string> scene_warnings(const scene::Scene& film,
                                         const phenology::FilmSeason* season);
 

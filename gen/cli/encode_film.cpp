@@ -2,7 +2,6 @@
 
 #include "cli/commands.h"
 #include "console/output.h"
-#include "work/job.h"
 
 namespace wold::cli {
 namespace {

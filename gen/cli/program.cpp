@@ -155,7 +155,8 @@ constexpr std::string_view out_of_memory =
   std::_Exit(static_cast<int>(ExitCode::file));
 }
 
-/// Where memory ends, TBB's threads cannot start further ones, and say so by an exception.
+/// Ends the program with what it says. Where memory ends, TBB's threads cannot start further ones,
+/// and say so by an exception.
 [[noreturn]] void end_of_uncaught() {
   try {
     if (const std::exception_ptr uncaught = std::current_exception())

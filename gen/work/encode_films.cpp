@@ -38,7 +38,8 @@ std::vector<int> frames_to_encode(const EncodingOptions& options,
   std::vector<int> frames = options.frames.numbers;
   if (!options.frames.shots.empty()) frames = frames_of_shots(options.out, options.frames.shots);
   if (frames.back() - frames.front() + 1 != static_cast<int>(frames.size()))
-    throw InputError(fmt::format("found frames {}, expected frames without gaps, such as {}-{}",
+    throw InputError(fmt::format("{}: found {}, expected frames without gaps, such as {}-{}",
+                                 options.frames.shots.empty() ? "--frames" : "--shot",
                                  ranges_text(frames), frames.front(), frames.back()));
   return frames;
 }

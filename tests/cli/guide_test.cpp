@@ -51,10 +51,9 @@ std::string shrunk(std::string command) {
   command = std::regex_replace(command, std::regex(" --size [0-9x]+"), "");
   const bool all_frames = command.find("--frames") == std::string::npos;
   return command +
-         " --set 'render.size=[64,36]' --set render.samples=1 --set terrain.samples=65 --set "
-         "terrain.size=26 "
-         "--set grass.variants=1 "
-         "--set 'grass.levels=[30]' --set 'grass.key_frames=[0,0.5,1]'" +
+         " --set 'render.size=[64,36]' --set render.samples=1 --set terrain.samples=65 "
+         "--set terrain.size=26 --set grass.variants=1 --set 'grass.levels=[30]' --set "
+         "'grass.key_frames=[0,0.5,1]'" +
          (all_frames ? " --set season.frames=3" : "");
 }
 

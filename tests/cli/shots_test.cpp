@@ -197,7 +197,9 @@ TEST_F(FilmOfShots, OneShotIsMadeAndPlayedAlone) {
             "2\n");
   const Result apart = wold("film out --shot flight --shot snow");
   EXPECT_EQ(apart.code, 2);
-  expect_contains(apart.err, "found frames 1-3,6, expected frames without gaps");
+  expect_contains(apart.err, "--shot: found 1-3,6, expected frames without gaps, such as 1-6");
+  expect_contains(wold("film out --frames 1,4").err,
+                  "--frames: found 1,4, expected frames without");
   const Result both = wold("plan shots.toml --shot gusts --frames 1");
   EXPECT_EQ(both.code, 2);
   expect_contains(both.err, "--frames excludes --shot");
