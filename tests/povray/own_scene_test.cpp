@@ -12,6 +12,7 @@
 #include "core/image.h"
 #include "support/cloudy_view.h"
 #include "support/constant_meadow.h"
+#include "support/penumbra.h"
 #include "support/snowy_view.h"
 #include "support/synthetic_landscape.h"
 
@@ -122,6 +123,29 @@ TEST_F(OwnScene, ThingsHideAreHiddenShadeAndAreShaded) {
     expect(shaded, 2.05, open * sky / (sun + sky));      // the slab's shadow, down to the ground
     expect(shaded, 2.75, open);
     expect(unshaded, 2.05, open);
+  }
+}
+
+// A roof 30 m up hides parts of the sun's disc from 0.28 m on either side of its shadow's edge,
+// which is at 2 m: half way a circular segment of 0.1955.
+TEST_F(OwnScene, ShadowsAreAsSoftAsTheSun) {
+  const FromAbove view(folder.path() / "texels");
+  export_all(view.landscape);
+  const Image shaded = run_text(
+      view.landscape,
+      "Wold_Shadows(box { <-40, -8, 30> * Wold_units_per_m, <-28, 12, 30.01> * Wold_units_per_m }) "
+      "Wold_Ground(0) Wold_Grass(Wold_terrain, 0) Wold_Clouds(0) Wold_Camera(0)");
+  const double open = view.seen(view.height_m, view.fog.ground);
+  for (int channel = 0; channel < 3; ++channel) {
+    SCOPED_TRACE(channel);
+    const double sun = std::sqrt(0.5) * view.landscape.daylight.sun_irradiance[channel];
+    const double share = view.landscape.daylight.sky_irradiance[channel] /
+                         (sun + view.landscape.daylight.sky_irradiance[channel]);
+    const auto hidden = [&](double x_m) {
+      return (1.0 - view.shown(shaded, x_m, channel) / open) / (1.0 - share);
+    };
+    for (const double x_m : {1.426, 1.672, 1.819, 1.966, 2.408})  // middles of pixels
+      EXPECT_NEAR(hidden(x_m), test::penumbra(view.fog, view.height_m, x_m - 2.0), 0.1) << x_m;
   }
 }
 

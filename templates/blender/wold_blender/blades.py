@@ -8,7 +8,7 @@ import bpy
 
 from .frame_data import Frame
 from .meshes import give_attribute, quad_mesh
-from .nodes import attribute, glow, map_outputs, new_material
+from .nodes import LIT, attribute, glow, map_outputs, new_material
 
 
 def blades_material(frame: Frame) -> Any:
@@ -16,6 +16,7 @@ def blades_material(frame: Frame) -> Any:
     material, nodes = new_material("blades")
     light = map_outputs(nodes, frame, frame["light"])["Color"]
     glow(nodes, nodes.vector_math("MULTIPLY", attribute(nodes, "radiance", "Vector"), light))
+    material[LIT] = True
     return material
 
 

@@ -17,6 +17,7 @@ from .differences import volume_shift_voxels
 from .frame_data import Frame, check_size
 from .nodes import (
     GAIN,
+    LIT,
     Nodes,
     end_in,
     grid_number,
@@ -192,6 +193,7 @@ def material_form(frame: Frame, is_whole: bool) -> Any:
         shader = mixed(nodes, inside_part(nodes), None, shader)
     end_in(nodes, "Volume", shader)
     material.node_tree.nodes[STANDING].image = None
+    material[LIT] = True
     return material
 
 

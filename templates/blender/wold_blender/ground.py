@@ -6,7 +6,7 @@ from typing import Any
 
 from .frame_data import Frame
 from .meshes import add_object, grid_points, grid_quads, quad_mesh
-from .nodes import glow, map_outputs, new_material
+from .nodes import LIT, glow, map_outputs, new_material
 
 
 def ground_material(frame: Frame) -> Any:
@@ -21,6 +21,7 @@ def ground_material(frame: Frame) -> Any:
         nodes.link(finer["Color"], seen.inputs["Color2"])
         colour = seen.outputs["Color"]
     glow(nodes, colour)
+    material[LIT] = True
     return material
 
 

@@ -14,9 +14,13 @@ from mathutils import Vector
 from .frame_data import Frame
 from .landscape import add_camera, add_landscape, aim_camera
 from .meshes import add_object
+from .nodes import LIT
 from .render_settings import set_light_transport, set_picture
+from .things import things_of
+from .things_light import light_by_things, things_group
 
 MARK = "wold_landscape"
+OF_THINGS = "wold_things"  # marks what has been made of the user's things, and says of which
 SUN = "Wold sun"
 KINDS = (
     "objects",
@@ -85,6 +89,35 @@ def put_in_place(scene: Any, frame: Frame) -> None:
     for thing in everything() - before:
         thing[MARK] = True
     remove(replaced)
+
+
+def ground_of(graph: Any) -> Any:
+    """The terrain as it is evaluated."""
+    is_ground = (thing for thing in marked("objects") if thing.name.startswith("terrain"))
+    return next(is_ground).evaluated_get(graph)
+
+
+def made_of_things() -> list[Any]:
+    return [
+        thing for kind in ("node_groups", "images") for thing in marked(kind) if OF_THINGS in thing
+    ]
+
+
+def show_things(collection: Any, frame: Frame, graph: Any) -> None:
+    """Lets the things of a collection shade grass and ground, and its lamps light them; None: no
+    longer. Nothing is traced anew without need."""
+    things = things_of(collection, graph) if collection else None
+    summary = f"{frame.folder} {things.summary()}" if things else ""
+    made = made_of_things()
+    if summary == (made[0][OF_THINGS] if made else ""):
+        return
+    before = everything()
+    group = things_group(things, frame, ground_of(graph)) if things else None
+    light_by_things([each for each in marked("materials") if each.get(LIT)], group)
+    bpy.data.batch_remove(made)
+    for thing in everything() - before:
+        thing[MARK] = True
+        thing[OF_THINGS] = summary
 
 
 def set_up_view(scene: Any, frame: Frame) -> None:

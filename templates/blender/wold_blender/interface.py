@@ -2,9 +2,10 @@
 timeline.
 
 Grass, ground and sky emit what was computed for the landscape's sun. They hide things and are
-hidden by them. Grass takes sunlight from things. Things cast no shadow on grass, ground and sky.
-The sun lamp is for things of the user's own. It does not reach them in fog. Cells of grass that the
-landscape's own camera does not see have not been written: look from near it.
+hidden by them. Grass takes sunlight from things. Things of one collection, which the user picks,
+shade grass and ground, and lamps in it light them. The sun lamp is for things of the user's own. It
+does not reach them in fog. Cells of grass that the landscape's own camera does not see have not
+been written: look from near it.
 """
 
 # No `from __future__ import annotations` here: annotations would be texts then, and Blender 3.4
@@ -80,8 +81,41 @@ def follow_timeline(scene: Any, *_graph: Any) -> None:
         try_to_show(scene)
 
 
+def light_by_things(scene: Any, graph: Any) -> None:
+    """Brings the shadow and the light of the user's things up to date, if a landscape is shown."""
+    settings = scene.wold
+    if settings.frame:
+        imported.show_things(settings.things, Frame(settings.frame, settings.folder), graph)
+
+
+@persistent  # type: ignore[untyped-decorator]
+def follow_things(scene: Any, graph: Any) -> None:
+    """When all of a frame is where it is."""
+    try:
+        light_by_things(scene, graph)
+    except Exception as error:
+        scene.wold.problem = str(error)
+
+
+def light_anew() -> None:
+    """What edits wait for."""
+    follow_things(bpy.context.scene, bpy.context.evaluated_depsgraph_get())
+
+
+@persistent  # type: ignore[untyped-decorator]
+def on_edit(scene: Any, graph: Any) -> None:
+    """Waits until things have stopped moving for a moment: tracing takes half a second."""
+    moved = (each.is_updated_transform or each.is_updated_geometry for each in graph.updates)
+    if not scene.wold.things or not any(moved):
+        return
+    if bpy.app.timers.is_registered(light_anew):
+        bpy.app.timers.unregister(light_anew)
+    bpy.app.timers.register(light_anew, first_interval=0.3)
+
+
 def on_pick(settings: Any, _context: Any) -> None:
     try_to_show(settings.id_data)
+    light_anew()
 
 
 def on_degree(settings: Any, context: Any) -> None:
@@ -93,6 +127,10 @@ def on_degree(settings: Any, context: Any) -> None:
 
 def on_detail(settings: Any, _context: Any) -> None:
     imported.set_detail(settings.detail)
+
+
+def on_things(_settings: Any, _context: Any) -> None:
+    light_anew()
 
 
 class WoldSettings(bpy.types.PropertyGroup):  # type: ignore[misc]
@@ -147,6 +185,12 @@ class WoldSettings(bpy.types.PropertyGroup):  # type: ignore[misc]
         update=lambda settings, _: imported.set_sun(settings.sun),
         description="Strength of the sun on things of your own; 1 is the landscape's",
     )
+    things: bpy.props.PointerProperty(
+        name="Things",
+        type=bpy.types.Collection,
+        update=on_things,
+        description="What shades grass and ground: all in this collection; its lamps light them",
+    )
 
 
 class ImportWold(bpy.types.Operator, ImportHelper):  # type: ignore[misc]
@@ -171,6 +215,7 @@ class ImportWold(bpy.types.Operator, ImportHelper):  # type: ignore[misc]
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         settings.problem = ""
+        light_anew()
         return {"FINISHED"}
 
 
@@ -204,7 +249,7 @@ class WoldPanel(bpy.types.Panel):  # type: ignore[misc]
         self.layout.prop(settings, "picked_by", expand=True)
         by_timeline = settings.picked_by == "TIMELINE"
         picks = ("start",) if by_timeline else ("degree", "time_s")
-        for name in (*picks, "detail", "grass_in_viewport", "sun"):
+        for name in (*picks, "detail", "grass_in_viewport", "sun", "things"):
             self.layout.prop(settings, name)
         if settings.problem:
             self.layout.label(text=settings.problem, icon="ERROR")
@@ -215,6 +260,11 @@ def menu_entry(menu: Any, _context: Any) -> None:
     menu.layout.operator(ImportWold.bl_idname, text="Wold landscape (folder)")
 
 
+HANDLERS = (
+    (bpy.app.handlers.frame_change_pre, follow_timeline),
+    (bpy.app.handlers.frame_change_post, follow_things),
+    (bpy.app.handlers.depsgraph_update_post, on_edit),
+)
 CLASSES = (WoldSettings, ImportWold, RemoveWold, WoldPanel)
 
 
@@ -223,11 +273,13 @@ def register() -> None:
         bpy.utils.register_class(each)
     bpy.types.Scene.wold = bpy.props.PointerProperty(type=WoldSettings)
     bpy.types.TOPBAR_MT_file_import.append(menu_entry)
-    bpy.app.handlers.frame_change_pre.append(follow_timeline)
+    for calls, call in HANDLERS:
+        calls.append(call)
 
 
 def unregister() -> None:
-    bpy.app.handlers.frame_change_pre.remove(follow_timeline)
+    for calls, call in HANDLERS:
+        calls.remove(call)
     bpy.types.TOPBAR_MT_file_import.remove(menu_entry)
     del bpy.types.Scene.wold
     for each in reversed(CLASSES):

@@ -14,6 +14,9 @@ from .differences import attributes_are_looked_up_at_random, give_nodes, leave_o
 from .frame_data import Frame
 from .pictures import load_picture
 
+GAIN = "gain"  # name of the node that adds radiance in medium() and glow()
+LIT = "wold_lit"  # marks materials whose light the user's things change
+
 
 class Nodes:
     """A node tree that is being filled."""
@@ -113,7 +116,7 @@ def map_outputs(
 
 def glow(nodes: Nodes, colour: Any) -> None:
     """The surface's radiance is `colour`, an output socket."""
-    emission = nodes.add("ShaderNodeEmission")
+    emission = nodes.add("ShaderNodeEmission", name=GAIN)
     nodes.link(colour, emission.inputs["Color"])
     end_in(nodes, "Surface", emission.outputs["Emission"])
 
@@ -121,9 +124,6 @@ def glow(nodes: Nodes, colour: Any) -> None:
 def end_in(nodes: Nodes, kind: str, shader: Any) -> None:
     """`shader` is what the material shows; `kind` is "Surface" or "Volume"."""
     nodes.link(shader, nodes.add("ShaderNodeOutputMaterial").inputs[kind])
-
-
-GAIN = "gain"  # name of the node that adds radiance in medium()
 
 
 def medium(nodes: Nodes, extinction: Any, radiance: Any, strength: float = 1.0) -> Any:
