@@ -5,6 +5,9 @@
 #                                                     sanitizers
 #     tests/analysis.sh asan-units                    those of all libraries that start neither a
 #                                                     renderer nor wold, as .ci/run does
+#     tests/analysis.sh units                         all of all libraries, in few processes, as
+#                                                     .ci/run does
+#     tests/analysis.sh but-units [CTEST OPTION...]   what that leaves: the program, golden pictures
 #     tests/analysis.sh tsan [CTEST OPTION...]        with the thread sanitizer
 #     tests/analysis.sh coverage [CTEST OPTION...]    which lines of gen/ tests run: 90 % at least
 #     tests/analysis.sh layers                        the libraries as shared ones, each linked to
@@ -14,8 +17,8 @@
 #     tests/analysis.sh spelling                      codespell, with pyproject.toml's settings
 #     tests/analysis.sh tidy [FILE PATTERN...]        clang-tidy, with the checks of .clang-tidy
 #
-# All but layers and cppcheck take a folder build-* of their own. All but layers, cppcheck, python,
-# spelling and asan-units take more time than .ci/run has.
+# All but layers, units, but-units and cppcheck take a folder build-* of their own. asan, tsan,
+# coverage and tidy take more time than .ci/run has.
 set -euo pipefail
 source "$(dirname "$0")/../examples/setup.sh"
 
@@ -48,35 +51,50 @@ units_left_out=(
   Samples.OneSteady* SurroundingsTest.AreThose* LandShadowTest.APlane* LandShadowTest.Follows*
   TimeVaryingTexel.SameBytes*)
 
-# Runs whole test programs, each in as many parts as there are processors: a process of its own for
-# each test takes longer to start than most tests take. Says what fails; exit code 123 if any does.
+# Those with a test program each, but for the command line: its tests start the program often.
+libraries=(core scene weather snowpack phenology light terrain grass cloud snow wind landscape place
+  sky meadow ground expectation passes maps film povray blender mitsuba usd preview report compare
+  render work console)
+
+# run_units FOLDER FILTER: runs the libraries' test programs, each in as many parts as there are
+# processors: a process of its own for each test takes longer to start than most tests take. Says
+# what fails; exit code 123 if any does.
 run_units() {
-  local preset=$1 left_out parts library part
-  shift
-  left_out=$(IFS=: && echo "${units_left_out[*]}")
+  local folder=$1 filter=$2 parts library part
   parts=$(nproc)
-  for library in "$@"; do
+  for library in "${libraries[@]}"; do
     for ((part = 0; part < parts; ++part)); do
-      echo "GTEST_SHARD_INDEX=$part build-$preset/test_$library"
+      echo "GTEST_SHARD_INDEX=$part timeout 1200 $folder/test_$library"
     done
-  done | xargs -P "$parts" -L 1 env GTEST_BRIEF=1 "GTEST_FILTER=-$left_out" \
+  done | xargs -P "$parts" -L 1 env GTEST_BRIEF=1 "GTEST_FILTER=$filter" \
     "GTEST_TOTAL_SHARDS=$parts" "UBSAN_OPTIONS=halt_on_error=1 print_stacktrace=1" \
     "LSAN_OPTIONS=suppressions=$here/tests/lsan.suppressions"
 }
 
-# Of the command line only what reads: its tests start the program often, and renderers.
-test_units() {
-  local libraries=(core scene weather snowpack phenology light terrain grass cloud snow wind landscape
-    place sky meadow ground expectation passes maps film povray blender mitsuba usd preview report
-    compare render work console)
+# With what the readers of strangers' files are fuzzed from.
+test_units_with_asan() {
   local corpora=(scene df3 weather_table daily_weather elevation pictures vdb arguments records)
   install "${build_packages[@]}" "${test_packages[@]}"
   say "Building libraries with asan"
   cmake --preset asan >/dev/null
   cmake --build --preset asan --target "${libraries[@]/#/test_}" "${corpora[@]/#/fuzz_}" >&2
   say "Testing libraries with asan"
-  run_units asan "${libraries[@]}"
+  run_units build-asan "-$(IFS=: && echo "${units_left_out[*]}")"
   ctest --preset asan --parallel "$(nproc)" --tests-regex '^Corpus'
+}
+
+# In the build that tests/run.sh makes.
+test_units() {
+  install "${build_packages[@]}" "${render_packages[@]}" "${test_packages[@]}"
+  build -DWOLD_TESTS=ON -DWOLD_WERROR=ON -- all
+  say "Testing libraries"
+  run_units build '*'
+}
+
+test_but_units() {
+  local labels
+  labels=$(IFS='|' && echo "${libraries[*]}")
+  tests/run.sh --label-exclude "^($labels)\$" "$@"
 }
 
 # On one processor TBB has one thread, and nothing would be found.
@@ -145,7 +163,9 @@ cd "$here"
 case ${1:-} in
   asan) test_with "$@" ;;
   tsan) check_threads "${@:2}" ;;
-  asan-units) test_units ;;
+  asan-units) test_units_with_asan ;;
+  units) test_units ;;
+  but-units) test_but_units "${@:2}" ;;
   coverage) coverage "${@:2}" ;;
   layers) check_layers ;;
   cppcheck) check_with_cppcheck ;;

@@ -1,10 +1,12 @@
 """Run by things_test.cpp in Blender: -- TEMPLATES FOLDER OUT. A slab and a lamp of a user's own.
 
 Pictures of the landscape alone, with the slab's shadow, with the slab moved, with a lamp, and of a
-second frame that clouds shade with and without the slab; nothing of the user's is seen.
+second frame that clouds shade with and without the slab; nothing of the user's is seen. Then the
+example with a hut.
 """
 
 import os
+import runpy
 import sys
 
 import bpy
@@ -94,3 +96,10 @@ render("cloudy_open")
 scene.wold.things = shading
 assert bpy.ops.scene.wold_remove() == {"FINISHED"}
 assert made() == 0
+
+# The example for users runs on any landscape.
+sys.argv = ["--", folder, os.path.join(out, "hut.png")]
+scene.render.image_settings.file_format = "PNG"
+example = os.path.join(os.path.dirname(__file__), "../../examples/blender/hut_and_lamp.py")
+runpy.run_path(example, run_name="__main__")
+assert scene.wold.problem == "" and made() == 2

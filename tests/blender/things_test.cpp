@@ -69,6 +69,7 @@ TEST(BlenderAddOn, ThingsShadeAndLampsLightTheMeadow) {
                   WOLD_TESTS_DIR "/../templates/blender", (root / "blender").string(),
                   root.string(), (root / "log").string());
   ASSERT_EQ(std::system(command.c_str()), 0) << read_file(root / "log");
+  EXPECT_TRUE(fs::exists(root / "hut.png"));
   for (int channel = 0; channel < 3; ++channel) {
     SCOPED_TRACE(channel);
     const auto ratio = [&](const char* picture, const char* other, double x_m) {

@@ -64,9 +64,15 @@ class Includes : public OwnScene {
   }
 
   const landscape::Landscape scene = all_there_is(folder.path() / "texels");
-  const std::vector<const char*> all_macros = {
-      "Wold_Terrain(0)", "Wold_Shadows(sphere { 0, 1 })", "Wold_Light(0)", "Wold_Ground(0)",
-      "Wold_Clouds(0)",  "Wold_Grass(Wold_terrain, 0)",   "Wold_Snow(0)",  "Wold_Camera(0)"};
+  const std::vector<const char*> all_macros = {"Wold_Terrain(0)",
+                                               "Wold_Shadows(sphere { 0, 1 })",
+                                               "Wold_Light(0)",
+                                               "Wold_Lamp(z, rgb 1, 1)",
+                                               "Wold_Ground(0)",
+                                               "Wold_Clouds(0)",
+                                               "Wold_Grass(Wold_terrain, 0)",
+                                               "Wold_Snow(0)",
+                                               "Wold_Camera(0)"};
 };
 
 /// That the version is still that of the scene.
@@ -111,8 +117,10 @@ TEST_F(Includes, GiveTheVersionBackEachTime) {
 // What a scene has changed after the first time stays.
 TEST_F(Includes, AreReadOnce) {
   const std::vector<const char*> numbers = {"Wold_units_per_m", "Wold_shadow_samples",
-                                            "Wold_min_samples", "Wold_cloud_intervals"};
-  const auto files = {"wold.inc", "wold_shadows.inc", "wold_grass.inc", "wold_clouds.inc"};
+                                            "Wold_min_samples", "Wold_cloud_intervals",
+                                            "Wold_least_lamplight"};
+  const auto files = {"wold.inc", "wold_shadows.inc", "wold_things.inc", "wold_grass.inc",
+                      "wold_clouds.inc"};
   std::string text = "#version 3.7;\n#include \"wold.inc\"\n";
   for (const char* number : numbers) text += fmt::format("#declare {} = 77;\n", number);
   for (const char* file : files) text += fmt::format("#include \"{}\"\n", file);

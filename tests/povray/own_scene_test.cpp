@@ -149,6 +149,30 @@ TEST_F(OwnScene, ShadowsAreAsSoftAsTheSun) {
   }
 }
 
+// Lamps add what they send to a place, in the slab's shadow too: of a colour at 10 m twice 1/10 at
+// 30 m, as POV-Ray's fade_distance has it, over what sun and sky send to level ground.
+TEST_F(OwnScene, LampsLightGrassAndGround) {
+  const FromAbove view(folder.path() / "texels");
+  export_all(view.landscape);
+  const Image lit =
+      run_text(view.landscape, std::string(one_slab_and_one_block) +
+                                   "Wold_Shadows(Things) "
+                                   "Wold_Lamp(<1.5, 1.5, 30> * Wold_units_per_m, <5, 2, 0>, 1000) "
+                                   "Wold_Lamp(<2, 1.5, 30> * Wold_units_per_m, <0, 2, 3>, 1000) "
+                                   "Wold_Ground(0) Wold_Grass(Wold_terrain, 0) Wold_Camera(0)");
+  const double open = view.seen(view.height_m, view.fog.ground);
+  const glm::dvec3 colours(5.0, 4.0, 3.0);
+  for (int channel = 0; channel < 3; ++channel) {
+    SCOPED_TRACE(channel);
+    const double sun = std::sqrt(0.5) * view.landscape.daylight.sun_irradiance[channel];
+    const double sky = view.landscape.daylight.sky_irradiance[channel];
+    const double level = (sun + sky) * view.landscape.exposure_gain / pi;
+    const double lamps = colours[channel] * 2.0 / (1.0 + std::pow(29.85 / 10.0, 2.0)) / level;
+    EXPECT_NEAR(view.shown(lit, 2.75, channel) / open, 1.0 + lamps, 0.02 * (1.0 + lamps));
+    EXPECT_NEAR(view.shown(lit, 2.05, channel) / open, sky / (sun + sky) + lamps, 0.02 * lamps);
+  }
+}
+
 // Cells are laid on any ground: on a table of a radiance of its own, half a metre up.
 TEST_F(OwnScene, GrassStandsOnAGroundOfOnesOwn) {
   FromAbove view(folder.path() / "texels");
