@@ -4,8 +4,7 @@
     blender -b -P examples/blender/hut_and_lamp.py -- out/hillside/blender hut.png
 
 The add-on "Wold landscape" has to be installed (docs/for_blender_users.md). The hut shades grass
-and ground, and grass hides its foot. The lamp matters at dusk:
-try sun.elevation = -2.
+and ground, and grass hides its foot. The lamp is for dusk: generate with --set sun.elevation=-2.
 """
 
 import os
@@ -63,7 +62,7 @@ def roof(things):
 
 def lamp(things):
     light = bpy.data.lights.new("lamp", "POINT")
-    light.energy = 4  # watts, where the sun at noon has some 3 per square metre
+    light.energy = 60  # by eye: the landscape's light is in units of its own
     light.color = (1.0, 0.65, 0.3)
     light.shadow_soft_size = 0.05
     thing = bpy.data.objects.new("lamp", light)
