@@ -123,11 +123,44 @@ std::vector<LandView::Strip> LandView::strips() const {
   return all;
 }
 
+namespace {
+
+/// The steepest rise over distance of what a picture shows, and of a little around it.
+double steepest_rise(const landscape::Camera& camera, int width_px, int height_px) {
+  constexpr double margin = 1.1;
+  constexpr int places = 16;  // along each border
+  const CameraAxes axes(camera.eye_m, camera.target_m);
+  const double half = margin * half_width(camera.field_of_view_deg);
+  const double half_height = half * height_px / width_px;
+  double steepest = -std::numeric_limits<double>::infinity();
+  for (int i = -places; i <= places; ++i) {
+    const double along = static_cast<double>(i) / places;
+    for (const double side : {-1.0, 1.0})
+      for (const glm::dvec2& border : {glm::dvec2(side, along), glm::dvec2(along, side)})
+        steepest = std::max(steepest, rise_of(axes.forward + axes.right * (half * border.x) +
+                                              axes.up * (half_height * border.y)));
+  }
+  return steepest;
+}
+
+/// Whether all of a picture lies below the skyline of the scene's own ground.
+bool shows_own_ground_alone(const Heightfield& ground, const landscape::Camera& camera,
+                            int width_px, int height_px, const Panorama& around) {
+  const double steepest = steepest_rise(camera, width_px, height_px);
+  for (double aside_rad = -around.half_rad; aside_rad <= around.half_rad;
+       aside_rad += around.step_rad)
+    if (own_skyline(ground, camera.eye_m, around.middle_rad + aside_rad) < steepest) return false;
+  return true;
+}
+
+}  // namespace
+
 bool sees_land_around(const terrain::Surroundings& land, const Heightfield& ground,
                       const landscape::Camera& camera, int width_px, int height_px) {
   constexpr double looks = 48.0, far_m = 1000.0;
   Panorama coarse = panorama(camera, width_px, height_px);
   coarse.step_rad = std::max(2.0 * coarse.half_rad / looks, coarse.step_rad);
+  if (shows_own_ground_alone(ground, camera, width_px, height_px, coarse)) return false;
   const place::View picture(camera, width_px, height_px);
   const auto is_in_picture = [&](const glm::dvec3& direction) {
     return picture.may_see(camera.eye_m + direction * far_m, 0.0);

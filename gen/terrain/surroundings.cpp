@@ -119,18 +119,33 @@ Heightfield with_made_up_land(const KnownLand& known, const MadeUpLand& land) {
 
 Surroundings::Surroundings(const scene::Terrain& terrain, const Heightfield& ground,
                            std::uint64_t seed, double reach_m)
-    : square_(ground.square()) {
+    : square_(ground.square()),
+      plan_(std::make_unique<const Plan>(Plan{terrain, ground, seed, reach_m})) {
+  if (!terrain.elevation.empty()) rings();  // models may be at fault
+}
+
+const Surroundings::Rings& Surroundings::rings() const {
+  std::call_once(made_, [this] {
+    rings_ = make(*plan_);
+    plan_.reset();
+  });
+  return rings_;
+}
+
+Surroundings::Rings Surroundings::make(const Plan& plan) const {
+  const auto& [terrain, ground, seed, reach_m] = plan;
   const MadeUpLand land(ground, seed);
   std::vector<Model> models;
   if (!terrain.elevation.empty()) models.push_back({terrain.elevation});
   if (!terrain.elevation.empty() && !terrain.surroundings.empty())
     models.push_back({terrain.surroundings});
+  Rings rings;
   GroundMap<double> finer_m;
   do {
-    const GroundGrid grid = grid_of_ring(square_, static_cast<int>(rings_.size()), !models.empty());
+    const GroundGrid grid = grid_of_ring(square_, static_cast<int>(rings.size()), !models.empty());
     GroundMap<double> heights_m(grid.samples, grid.square,
                                 std::numeric_limits<double>::quiet_NaN());
-    if (!rings_.empty()) put(finer_m, heights_m);
+    if (!rings.empty()) put(finer_m, heights_m);
     put(ground, heights_m);
     for (Model& model : models) {
       if (model.is_read) continue;
@@ -140,29 +155,32 @@ Surroundings::Surroundings(const scene::Terrain& terrain, const Heightfield& gro
       model.is_read = !reaches_border(model_m);
     }
     finer_m = heights_m;
-    rings_.push_back(with_made_up_land(filled_in(std::move(heights_m)), land));
-  } while (this->reach_m() < reach_m);
+    rings.push_back(with_made_up_land(filled_in(std::move(heights_m)), land));
+  } while (reach_m_of(rings.back()) < reach_m);
+  return rings;
 }
 
 std::size_t Surroundings::ring_of(const glm::dvec2& at_m) const {
+  const Rings& rings = this->rings();
   std::size_t ring = 0;
-  while (ring + 1 < rings_.size() && !rings_[ring].square().contains(at_m)) ++ring;
+  while (ring + 1 < rings.size() && !rings[ring].square().contains(at_m)) ++ring;
   return ring;
 }
 
 double Surroundings::height_m(const glm::dvec2& at_m) const {
   constexpr double border = 0.05;  // of a square, over which it goes into the next one
+  const Rings& rings = this->rings();
   const std::size_t ring = ring_of(at_m);
-  const Heightfield& heights_m = rings_[ring];
+  const Heightfield& heights_m = rings[ring];
   const double height_m{heights_m.sample(at_m.x, at_m.y)};
-  if (ring + 1 == rings_.size()) return height_m;
+  if (ring + 1 == rings.size()) return height_m;
   const Square& square = heights_m.square();
   const glm::dvec2 inside_m =
       glm::min(at_m - square.corner_m, square.corner_m + square.size_m - at_m);
   const double inner =
       glm::smoothstep(0.0, border * square.size_m, std::min(inside_m.x, inside_m.y));
   if (inner >= 1.0) return height_m;
-  return std::lerp(double{rings_[ring + 1].sample(at_m.x, at_m.y)}, height_m, inner);
+  return std::lerp(double{rings[ring + 1].sample(at_m.x, at_m.y)}, height_m, inner);
 }
 
 glm::dvec3 Surroundings::up(const glm::dvec2& at_m) const {

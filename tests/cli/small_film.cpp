@@ -25,7 +25,8 @@ pixels_per_voxel = 0.6
 frames = [0.1, 0.8]
 [camera]
 eye = [3, 0.5]
-target = [3, 4]
+target = [3, 1.6]
+target_height = 0
 [render]
 size = [64, 36]
 samples = 1

@@ -12,7 +12,7 @@ seed = 3
 terrain = { size = 4, samples = 33 }
 grass = { blades = 20, variants = 1, levels = [30], key_frames = [0.0, 1.0] }
 ageing = { frames = [0.1, 0.5, 0.8] }
-camera = { eye = [2, 0.5], target = [2, 3] }
+camera = { eye = [2, 0.5], target = [2, 1.2], target_height = 0 }
 render = { renderer = "povray", size = [32, 18], samples = 1 }
 )");
   const Result result = shell(render_line("undisturbed"));

@@ -82,6 +82,20 @@ TEST(SeesLandAround, WhereNoOwnGroundStandsBeforeIt) {
   EXPECT_FALSE(sees_land_around(open.land, open.ground, camera, 320, 180));
 }
 
+// The border of level ground lies 0.4 below the eye per metre. A picture 2.8 degrees high to each
+// side sees beyond it just when its middle is less than that farther down.
+TEST(SeesLandAround, WhereThePictureReachesAboveTheSkyline) {
+  LevelLand open(20.0, 40000.0);
+  const double skyline = std::atan(-0.4);
+  const double half_height = std::atan(std::tan(5.0 * degree) * 9.0 / 16.0);
+  for (const double above : {-3.0 * degree, 1.0 * degree}) {
+    const double pitch = skyline - half_height + above;
+    const landscape::Camera camera{
+        {50.0, 50.0, 20.0}, {50.0, 60.0, 20.0 + 10.0 * std::tan(pitch)}, 10.0};
+    EXPECT_EQ(sees_land_around(open.land, open.ground, camera, 320, 180), above > 0.0) << above;
+  }
+}
+
 TEST(Panorama, HasAllThatTheCameraSees) {
   const landscape::Camera ahead{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 60.0};
   EXPECT_NEAR(panorama(ahead, 320, 180).middle_rad, 90.0 * degree, 1e-9);

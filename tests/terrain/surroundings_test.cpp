@@ -7,8 +7,10 @@
 #include <fstream>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "core/error.h"
+#include "core/parallel.h"
 #include "support/elevation_raster.h"
 #include "support/temporary_folder.h"
 #include "terrain/ground.h"
@@ -73,6 +75,22 @@ TEST_F(SurroundingsTest, AreThoseOfACoarserModelFartherOut) {
   const Surroundings land = around(square_of(near, far), 15000.0);
   for (const glm::dvec2& at_m : {glm::dvec2(1200.0, 0.0), {-2500.0, 3000.0}, {9000.0, -9000.0}})
     expect_slope(land, at_m, 3.0);
+}
+
+// They are made when many threads ask at once, and are what they are to a single one.
+TEST_F(SurroundingsTest, AreMadeOnceForAllThreads) {
+  scene::Terrain terrain;
+  const Heightfield ground = make_ground(terrain, 3).heights_m;
+  const Surroundings asked_by_many(terrain, ground, 3, 5000.0),
+      asked_by_one(terrain, ground, 3, 5000.0);
+  const auto place_m = [](std::size_t i) {
+    return glm::dvec2(-100.0 * static_cast<double>(i), 60.0);
+  };
+  std::vector<double> heights_m(40);
+  parallel_for(heights_m.size(),
+               [&](std::size_t i) { heights_m[i] = asked_by_many.height_m(place_m(i)); });
+  for (std::size_t i = 0; i < heights_m.size(); ++i)
+    EXPECT_EQ(heights_m[i], asked_by_one.height_m(place_m(i))) << i;
 }
 
 // Nobody knows what is there: it goes on from the border without a step, and neither leaves the
