@@ -40,6 +40,9 @@ start = 60
 duration = 100
 )";
 
+constexpr const char* towards_the_sky =
+    " --set 'camera.target=[3, 4]' --set camera.target_height=0.5";
+
 class CloudFilm : public SmallFilm {
  protected:
   void SetUp() override {
@@ -49,7 +52,8 @@ class CloudFilm : public SmallFilm {
 
   void generate(const std::string& folder, const std::string& frames) const {
     const Result result = wold("generate cloudy.toml --quiet --renderer both --out " + folder +
-                               " --set 'ageing.frames=[0, 0.1, 0.2, 0.3, 0.4]' --frames " + frames);
+                               " --set 'ageing.frames=[0, 0.1, 0.2, 0.3, 0.4]'" + towards_the_sky +
+                               " --frames " + frames);
     ASSERT_EQ(result.code, 0) << result.err;
   }
 
@@ -94,7 +98,8 @@ TEST_F(CloudFilm, WritesTexturesThatCanBeUsedAgain) {
   EXPECT_LT(darkest, 0.75F);
   const Result again = wold(
       "generate cloudy.toml --quiet --renderer blender --out again --frames 1 "
-      "--set 'clouds[1].textures=[\"out/clouds/layer_2.png\"]'");
+      "--set 'clouds[1].textures=[\"out/clouds/layer_2.png\"]'" +
+      std::string(towards_the_sky));
   ASSERT_EQ(again.code, 0) << again.err;
   const auto changed =
       different(frame("again", "blender", "0001"), frame("out", "blender", "0001"));
