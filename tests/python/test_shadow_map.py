@@ -4,8 +4,9 @@ import math
 import unittest
 
 import stand_in  # noqa: F401
-from wold_blender.shadow_map import NO_THING, SUN_RADIUS, largest_blur_m, soft_shadow
+from wold_blender.shadow_map import NO_THING, largest_blur_m, soft_shadow
 
+SUN_RADIUS = math.radians(0.5331 / 2)  # its mean diameter, as seen
 STEP_M = 0.01
 ROWS, COLUMNS = 60, 200
 
