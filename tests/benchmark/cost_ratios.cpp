@@ -25,8 +25,8 @@
 
 /// Whether what counts has become slower: costs as multiples of something plain that is done in the
 /// same run, by turns, so that a slow or busy machine slows both. One thread and its processor
-/// time; medians. Exit status 1 when one is worse than `max_times` the figure on record
-/// (cost_ratios.toml), 77 where the build is not the one that is shipped.
+/// time; the shortest of several. Exit status 1 when one is worse than `max_times` the figure on
+/// record (cost_ratios.toml), 77 where the build is not the one that is shipped.
 ///
 ///     cost_ratios            judges
 ///     cost_ratios --record   prints the table anew
@@ -36,29 +36,24 @@ namespace {
 constexpr double max_times = 1.5;
 constexpr int rounds = 9;
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 double cpu_s(const std::function<void()>& work) {
   const std::clock_t start = std::clock();
   work();
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-/// How many times as long `work` takes as `plain`; each once before it counts.
+/// How many times as long `work` takes as `plain`, of the shortest of each: whatever else a machine
+/// does makes both longer, and seldom alike. Each once before it counts.
 double ratio(const std::function<void()>& work, const std::function<void()>& plain,
              int times = rounds) {
   work();
   plain();
-  std::vector<double> ratios;
-  for (int round = 0; round < times; ++round) {
-    const double before_s = cpu_s(plain), work_s = cpu_s(work), after_s = cpu_s(plain);
-    ratios.push_back(2.0 * work_s / (before_s + after_s));
+  double work_s = cpu_s(work), plain_s = cpu_s(plain);
+  for (int round = 1; round < times; ++round) {
+    work_s = std::min(work_s, cpu_s(work));
+    plain_s = std::min(plain_s, cpu_s(plain));
   }
-  return median(ratios);
+  return work_s / plain_s;
 }
 
 /// Copies so many bytes from one place to another.
