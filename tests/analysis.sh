@@ -53,8 +53,8 @@ units_left_out=(
 
 # Those with a test program each, but for the command line: its tests start the program often.
 libraries=(core scene weather snowpack phenology light terrain grass cloud snow wind landscape place
-  sky meadow ground expectation passes maps film povray blender mitsuba usd preview report compare
-  render work console)
+  sky meadow ground expectation passes shutter maps film povray blender mitsuba usd preview report
+  compare render work console)
 
 # run_units FOLDER FILTER: runs the libraries' test programs, each in as many parts as there are
 # processors: a process of its own for each test takes longer to start than most tests take. Says

@@ -11,6 +11,7 @@
 #include "core/image.h"
 #include "core/interrupt.h"
 #include "render/encode.h"
+#include "work/blurred_pictures.h"
 #include "work/folder_format.h"
 #include "work/frame_pictures.h"
 #include "work/job.h"
@@ -74,6 +75,11 @@ void write_films(const EncodingOptions& options, const FramePictures& pictures,
                  Progress& progress) {
   render::Encoding encoding;
   encoding.pictures = pictures.folder;
+  std::optional<BlurredPictures> blurred;
+  if (options.shutter > 0.0) {
+    blurred.emplace(options.out, pictures, frames, options.shutter, progress);
+    encoding.pictures = blurred->folder();
+  }
   encoding.first = frames.front();
   encoding.count = static_cast<int>(frames.size());
   encoding.size_px = common_size(pictures, frames);

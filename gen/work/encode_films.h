@@ -18,6 +18,7 @@ struct EncodingOptions {
   std::string renderer;        ///< "blender" or "povray"; empty: those that have all frames
   FrameChoice frames;          ///< without gaps
   std::optional<double> frames_per_second;  ///< more than 0; none: what the folder's scene says
+  double shutter = 0.0;  ///< open for this share of the time between frames, see BlurredPictures
 };
 
 /// Is given the path of each film once it is there.
@@ -26,7 +27,7 @@ using FilmMade = std::function<void(const std::filesystem::path& film)>;
 /// Encodes the pictures of an output folder as films, .mp4 and a .webp that loops beside it, for
 /// each renderer that has all frames; under a name of its own for the first of them alone, of which
 /// Blender is asked before POV-Ray. Throws FileError where pictures are missing or differ in size,
-/// and what render::encode() does.
+/// and what BlurredPictures and render::encode() do.
 void encode_films(const EncodingOptions& options, const FilmMade& made, Progress& progress);
 
 }  // namespace wold::work

@@ -57,6 +57,10 @@ std::string display_name(const FramePictures& pictures) {
   return exporter ? std::string(exporter->display_name) : pictures.renderer;
 }
 
+fs::path passes_path(const fs::path& out, int frame) {
+  return out / "passes" / fmt::format("{:04}.exr", frame);
+}
+
 std::vector<int> missing_frames(const FramePictures& pictures, const std::vector<int>& frames) {
   std::vector<int> missing;
   for (const int frame : frames)

@@ -21,6 +21,9 @@ std::vector<FramePictures> frame_pictures(const std::filesystem::path& out);
 /// "Blender" or "POV-Ray", for people.
 std::string display_name(const FramePictures& pictures);
 
+/// DIR/passes/0001.exr, whether it is there or not.
+std::filesystem::path passes_path(const std::filesystem::path& out, int frame);
+
 /// Those of `frames` that there is no picture of.
 std::vector<int> missing_frames(const FramePictures& pictures, const std::vector<int>& frames);
 

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "work/frame_pictures.h"
 #include "work/work.h"
 
 namespace wold::work {
@@ -27,7 +28,7 @@ std::string made_text(const Job& job, const std::vector<StageTasks>& stages) {
     for (const StageTasks& stage : stages)
       if (makes_pictures(stage.stage))
         pictures += picture_path(job, {stage.stage, frame}).string() + "\n";
-    if (!job.passes.empty()) passes += passes_path(job, frame).string() + "\n";
+    if (!job.passes.empty()) passes += passes_path(job.out, frame).string() + "\n";
   }
   return pictures + passes;
 }
@@ -38,7 +39,7 @@ std::string made_json(const Job& job, const std::vector<StageTasks>& stages) {
     frames.push_back(
         {{"frame", frame},
          {"pictures", pictures_of(job, stages, frame)},
-         {"passes", job.passes.empty() ? Json() : Json(passes_path(job, frame).string())}});
+         {"passes", job.passes.empty() ? Json() : Json(passes_path(job.out, frame).string())}});
   const Json json = {{"version", 1}, {"out", job.out.string()}, {"frames", std::move(frames)}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

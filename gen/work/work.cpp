@@ -93,10 +93,6 @@ std::string listed(const std::vector<std::string>& keys) {
 
 }  // namespace
 
-fs::path passes_path(const Job& job, int frame) {
-  return job.out / "passes" / fmt::format("{:04}.exr", frame);
-}
-
 fs::path picture_path(const Job& job, const Task& task) {
   return job.out / "frames" / name_of(task.stage) / fmt::format("{:04}.png", task.index);
 }

@@ -33,9 +33,6 @@ struct RendererLimits {
   double memory_bytes = 0.0;  ///< 0: no limit
 };
 
-/// DIR/passes/0001.exr
-std::filesystem::path passes_path(const Job& job, int frame);
-
 /// DIR/frames/<renderer>/0001.png of a task that makes one.
 std::filesystem::path picture_path(const Job& job, const Task& task);
 

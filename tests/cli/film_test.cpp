@@ -4,6 +4,7 @@
 
 #include "core/files.h"
 #include "core/image.h"
+#include "core/layered_image.h"
 #include "program.h"
 
 namespace wold::test {
@@ -135,6 +136,82 @@ TEST_F(FilmCommand, NothingHalfDoneIsLeft) {
   expect_contains(no_ffmpeg.err, "apt-get install ffmpeg");
   for (const auto& entry : fs::directory_iterator(folder_ / "d"))
     EXPECT_NE(entry.path().filename().string().front(), '.') << entry;
+}
+
+/// A white bar that goes 16 pixels to the right in each frame, before black that stands still.
+class MovingBar : public FilmCommand {
+ protected:
+  static constexpr int width = 96, height = 36, motion_px = 16;
+
+  void SetUp() override {
+    FilmCommand::SetUp();
+    for (const int number : {1, 2}) {
+      draw_bar(number);
+      write_passes(number, width, height);
+    }
+  }
+  static bool is_bar(int number, int x) { return x >= 16 * number && x < 16 * number + 32; }
+  void draw_bar(int number) const {
+    Image image(width, height, 3);
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        std::fill_n(image.pixel(x, y), 3, is_bar(number, x) ? 1.0F : 0.0F);
+    make_folder(frame(number).parent_path());
+    write_image(frame(number), image, PixelFormat::uint8);
+  }
+  void write_passes(int number, int columns, int rows) const {
+    LayeredImage passes{columns, rows, {}, {}};
+    const auto add = [&](const std::string& name, float of_bar, float of_rest) {
+      ImageChannel channel{name, PixelFormat::float32, {}};
+      for (int i = 0; i < columns * rows; ++i)
+        channel.values.push_back(is_bar(number, i % columns) ? of_bar : of_rest);
+      passes.channels.push_back(channel);
+    };
+    add("motion.X", motion_px, 0.0F);
+    add("motion.Y", 0.0F, 0.0F);
+    add("depth.Z", 3.0F, 1e10F);
+    write_layered_image(passes_file(number), passes);
+  }
+  fs::path passes_file(int number) const {
+    const fs::path file = folder_ / "d/passes" / ("000" + std::to_string(number) + ".exr");
+    make_folder(file.parent_path());
+    return file;
+  }
+};
+
+// Light adds up: a pixel that is white half of the time is sRGB's 188, not 128.
+TEST_F(MovingBar, IsBlurredAsLongAsTheShutterIsOpen) {
+  const Result made = wold("film d --shutter 0.5 --quiet");
+  ASSERT_EQ(made.code, 0) << made.err;
+  ASSERT_EQ(shell("ffmpeg -v error -i d/film_povray.mp4 seen%d.png").code, 0);
+  for (const int number : {1, 2}) {
+    const Image seen = read_image(folder_ / ("seen" + std::to_string(number) + ".png"));
+    const int edge = 16 * number;
+    EXPECT_LT(seen.pixel(edge - 7, 18)[1], 0.06F);
+    EXPECT_NEAR(seen.pixel(edge - 2, 18)[1], 0.60F, 0.06F);  // 5 of 16 moments
+    EXPECT_NEAR(seen.pixel(edge + 1, 18)[1], 0.86F, 0.06F);  // 11 of 16
+    EXPECT_GT(seen.pixel(edge + 8, 18)[1], 0.94F);
+  }
+  const std::string blurred = bytes("d/film_povray.mp4");
+  EXPECT_EQ(wold("film d --shutter 0").code, 0);
+  EXPECT_NE(bytes("d/film_povray.mp4"), blurred);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "d/frames/povray"), {}), 2);
+}
+
+TEST_F(MovingBar, PassesThatAreMissingOrOthersAreNamed) {
+  write_passes(2, width / 2, height);
+  const Result other_size = wold("film d --shutter 0.5");
+  EXPECT_EQ(other_size.code, 4);
+  expect_contains(other_size.err, "d/passes/0002.exr has 48 x 36 pixels, expected 96 x 36");
+  fs::remove(passes_file(2));
+  const Result missing = wold("film d --shutter 0.5");
+  EXPECT_EQ(missing.code, 4);
+  expect_contains(missing.err,
+                  "passes are missing in d/passes: 2; `wold passes d/scene.toml --passes "
+                  "depth,motion --out d`");
+  EXPECT_EQ(wold("film d --shutter 1.5").code, 2);
+  EXPECT_FALSE(exists("d/film_povray.mp4"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "d/frames/povray"), {}), 2);
 }
 
 TEST_F(FilmCommand, FoldersMayHaveAnyName) {
