@@ -76,7 +76,7 @@ test_units_with_asan() {
   local corpora=(scene df3 weather_table daily_weather elevation pictures vdb arguments records)
   install "${build_packages[@]}" "${test_packages[@]}"
   say "Building libraries with asan"
-  cmake --preset asan >/dev/null
+  cmake --preset asan -DWOLD_JOIN_TESTS=ON >/dev/null
   cmake --build --preset asan --target "${libraries[@]/#/test_}" "${corpora[@]/#/fuzz_}" >&2
   say "Testing libraries with asan"
   run_units build-asan "-$(IFS=: && echo "${units_left_out[*]}")"
@@ -86,7 +86,7 @@ test_units_with_asan() {
 # In the build that tests/run.sh makes.
 test_units() {
   install "${build_packages[@]}" "${render_packages[@]}" "${test_packages[@]}"
-  build -DWOLD_TESTS=ON -DWOLD_WERROR=ON -- all
+  build -DWOLD_TESTS=ON -DWOLD_WERROR=ON -DWOLD_JOIN_TESTS=ON -- all
   say "Testing libraries"
   run_units build '*'
 }

@@ -9,6 +9,7 @@
 
 #include "ground/lit_ground.h"
 #include "meadow/far_field.h"
+#include "place/air.h"
 #include "place/cell_window.h"
 #include "place/view.h"
 #include "scene/shots.h"
@@ -57,6 +58,23 @@ landscape::Camera next_camera(const scene::Scene& scene, const place::Site& site
   next.eye_m += next.eye_m - before.eye_m;
   next.target_m += next.target_m - before.target_m;
   return next;
+}
+
+/// By how much each cell of waving grass leans over more in the next frame. After the last one
+/// before a cut it goes on as it came.
+std::function<glm::dvec2(const glm::ivec2&)> more_lean(const scene::Scene& scene,
+                                                       const place::Site& site,
+                                                       const meadow::FrameGrass& now) {
+  const scene::Take take = scene::take_of(scene, now.frame);
+  if (!place::grass_waves(scene) || take.count < 2) return {};
+  const bool is_last = now.frame == take.last();
+  const auto other = std::make_shared<const meadow::FrameGrass>(
+      meadow::frame_grass(scene, site, is_last ? now.frame - 1 : now.frame + 1));
+  return [&now, other, is_last, patch_m = scene.grass.patch_m](const glm::ivec2& cell) {
+    const glm::dvec2 middle_m = (glm::dvec2(cell) + 0.5) * patch_m;
+    const glm::dvec2 more = other->wind_lean.lean(middle_m) - now.wind_lean.lean(middle_m);
+    return is_last ? -more : more;
+  };
 }
 
 /// The meadow as it is painted on the ground, and what it is painted by.
@@ -120,6 +138,7 @@ passes::GroundFacts ground_facts(const scene::Scene& scene, const place::Site& s
   for (int patch = 0; patch < scene::patch_count(scene); ++patch)
     facts.mixture_of_patch.push_back(scene::mixture_number(scene, patch));
   facts.next_camera = next_camera(scene, site, now.frame);
+  facts.more_lean = more_lean(scene, site, now);
   return facts;
 }
 

@@ -35,6 +35,11 @@ struct GroundFacts {
   std::vector<int> mixture_of_patch;          ///< by CellOrigin::patch
 
   landscape::Camera next_camera{};  ///< of the next frame
+
+  /// Metres to the east and north per metre of height by which the grass of a cell
+  /// (CellOrigin::cell) leans over more in the next frame; may be called by many threads at once.
+  /// None where grass stands still.
+  std::function<glm::dvec2(const glm::ivec2& cell)> more_lean{};
 };
 
 }  // namespace wold::passes

@@ -14,6 +14,7 @@
 #include "passes/cryptomatte.h"
 #include "passes/leaf_albedo.h"
 #include "passes/sights.h"
+#include "passes/sway.h"
 
 namespace wold::passes {
 namespace {
@@ -65,8 +66,8 @@ class Painter {
   int mixture_of(const landscape::CellOrigin& origin) const;
   /// Of the cell that is seen.
   const landscape::CellOrigin& origin_of(const SeenPlace& seen) const;
-  glm::dvec2 motion_px(const SeenPlace& seen, std::size_t pixel,
-                       const landscape::Perspective& next) const;
+  glm::dvec2 motion_px(const SeenPlace& seen, std::size_t pixel, const landscape::Perspective& next,
+                       const Sway& sway) const;
 
   /// Adds a layer's channel: value(place, pixel) where something is seen, else `nothing`.
   template <class Value>
@@ -198,9 +199,11 @@ bool is_same(const landscape::Camera& a, const landscape::Camera& b) {
 
 /// What is infinitely far moves as the camera turns.
 glm::dvec2 Painter::motion_px(const SeenPlace& seen, std::size_t pixel,
-                              const landscape::Perspective& next) const {
-  if (is_same(landscape_.camera, facts_.next_camera)) return glm::dvec2(0.0);
-  const glm::dvec3 at_m = seen.is_any() ? seen.at_m : next.eye_m() + direction(pixel);
+                              const landscape::Perspective& next, const Sway& sway) const {
+  const glm::dvec3 sway_m = sway.of(seen);
+  if (is_same(landscape_.camera, facts_.next_camera) && sway_m == glm::dvec3(0.0))
+    return glm::dvec2(0.0);
+  const glm::dvec3 at_m = seen.is_any() ? seen.at_m + sway_m : next.eye_m() + direction(pixel);
   return glm::dvec2(next.seen(at_m)) - middle_px(pixel);
 }
 
@@ -230,11 +233,13 @@ void Painter::add(Pass pass) {
       break;
     case Pass::motion: {
       const landscape::Perspective next = perspective_of(landscape_, facts_.next_camera);
+      const Sway sway(landscape_, facts_);
       for (const int axis : {0, 1}) {
         ImageChannel channel{fmt::format("motion.{}", "XY"[axis]), PixelFormat::float32,
                              std::vector<float>(pixels_)};
         parallel_for_blocks(pixels_, [&](std::size_t pixel) {
-          channel.values[pixel] = static_cast<float>(motion_px(seen_[pixel], pixel, next)[axis]);
+          channel.values[pixel] =
+              static_cast<float>(motion_px(seen_[pixel], pixel, next, sway)[axis]);
         });
         image_.channels.push_back(std::move(channel));
       }

@@ -24,7 +24,7 @@ constexpr std::array<PassFacts, 11> table = {{
      "south-western corner, Z up from the scene's zero; 0 where nothing is"},
     {Pass::motion, "motion", "XY", "px/frame",
      "to where the same place is in the next frame's picture: X to the right, Y down; by the "
-     "camera alone, of the sky by its turning"},
+     "camera, of the sky by its turning, and of grass that waves by its lean"},
     {Pass::species, "species", "", "1",
      "Cryptomatte: what covers the pixel, by name; species that are mingled in one patch count by "
      "the area of their blades in it"},

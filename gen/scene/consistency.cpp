@@ -93,15 +93,16 @@ Rule has_all_or_none(const std::string& key, std::size_t items, std::size_t all,
 }
 
 /// Where the camera is in the last frame: east, north, height above the ground.
-Rule ends_inside(const std::string& key, const std::vector<double>& end, double size_m) {
+Rule ends_inside(const std::string& key, const std::vector<double>& end, double size_m,
+                 double lowest_m) {
   const bool judged = end.size() == 3;
-  const bool inside = !judged || (std::max(end[0], end[1]) <= size_m && end[2] > 0.0);
+  const bool inside = !judged || (std::max(end[0], end[1]) <= size_m && end[2] >= lowest_m);
   return {{key, "terrain.size"},
           inside,
           inside ? ""
                  : fmt::format("{}: found [{}, {}, {}] m, expected a place inside the terrain, "
-                               "from 0 to {} m (terrain.size), above the ground",
-                               key, end[0], end[1], end[2], size_m)};
+                               "from 0 to {} m (terrain.size), at least {} m above the ground",
+                               key, end[0], end[1], end[2], size_m, lowest_m)};
 }
 
 /// Of [camera] or of an item of [[shots]], whose keys are the same.
@@ -112,8 +113,8 @@ std::vector<Rule> camera_rules(const std::string& table, const Camera& camera, d
       inside_terrain(table + ".eye", camera.eye_m, size_m),
       inside_terrain(table + ".target", camera.target_m, size_m),
       looks_somewhere(table, camera),
-      ends_inside(table + ".eye_end", camera.eye_end, size_m),
-      ends_inside(table + ".target_end", camera.target_end, size_m),
+      ends_inside(table + ".eye_end", camera.eye_end, size_m, 0.01),
+      ends_inside(table + ".target_end", camera.target_end, size_m, 0.0),
   };
   for (Rule& rule : rules) rule.keys.push_back(table);
   return rules;

@@ -350,6 +350,32 @@ TEST(Passes, NothingMovesBeforeAStillCamera) {
     for (const float px : painted.image().find(channel)->values) ASSERT_EQ(px, 0.0F);
 }
 
+TEST(Passes, GrassThatWavesGoesByItsLeanAndItsHeight) {
+  const test::TemporaryFolder folder("passes_sway");
+  const Landscape landscape = level_fog({.extinction = 20.0F}, folder.path());
+  GroundFacts facts = test::plain_facts(landscape);
+  facts.more_lean = [](const glm::ivec2& cell) {
+    return cell.x < 3 ? glm::dvec2(0.2, -0.1) : glm::dvec2(0.0);
+  };
+  const Painted painted(landscape, facts);
+  const landscape::Perspective eye(landscape.camera, {landscape.width_px, landscape.height_px});
+  int swaying = 0;
+  for (std::size_t pixel = 0; pixel < painted.pixels(); ++pixel) {
+    const float column = painted.value("instance.X", pixel);
+    const bool sways = column >= 0.0F && column < 3.0F;
+    glm::dvec2 want_px(0.0);
+    if (sways) {
+      const glm::dvec3 at_m = painted.vector("position", "XYZ", pixel);
+      want_px = glm::dvec2(eye.seen(at_m + at_m.z * glm::dvec3(0.2, -0.1, 0.0))) -
+                glm::dvec2(eye.seen(at_m));
+      swaying += glm::length(want_px) > 0.5 ? 1 : 0;
+    }
+    ASSERT_NEAR(painted.value("motion.X", pixel), want_px.x, 1e-3) << pixel;
+    ASSERT_NEAR(painted.value("motion.Y", pixel), want_px.y, 1e-3) << pixel;
+  }
+  EXPECT_GT(swaying, 200);
+}
+
 TEST(Passes, MapsAreReadWhereThePixelLooks) {
   const test::TemporaryFolder folder("passes_maps");
   const Landscape landscape = bare(test::synthetic_landscape({}, folder.path()));

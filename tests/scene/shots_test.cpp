@@ -45,6 +45,13 @@ TEST(Shots, HaveTheirFramesOneAfterTheOther) {
   EXPECT_DOUBLE_EQ(way_of_frame(scene, 6), 0.5);
 }
 
+// As camera.target_height does.
+TEST(Shots, MayLookAtTheGroundInTheEnd) {
+  const Scene scene =
+      parse_scene("[camera]\neye_end = [12, 4, 2]\ntarget_end = [12, 9, 0]\n", "a.toml");
+  EXPECT_EQ(scene.camera.target_end, std::vector<double>({12, 9, 0}));
+}
+
 TEST(Shots, AFilmWithoutThemIsOneTake) {
   Scene scene;
   scene.ageing.frames = {0.0, 0.5, 1.0};
@@ -182,6 +189,8 @@ TEST(Shots, SayWhatContradictsThem) {
   expect("shots[1].weathering=[0.5]", "shots[1].weathering: found beside a season, whose days");
   expect("shots[1].eye=[1000,2]", "shots[1].eye: found [1000, 2] m, expected a place inside the");
   expect("shots[1].eye_end=[1,2]", "shots[1].eye_end: found a list of 2, expected three");
+  expect("shots[1].eye_end=[1,2,0]",
+         "shots[1].eye_end: found [1, 2, 0] m, expected a place inside the terrain, from 0 to");
   expect("ageing.frames=[0.5,0.6]",
          "ageing.frames: found 2 degrees beside [[shots]], which have 7 frames of their own");
   expect("season.frames=30", "season.frames: found 30 beside [[shots]], which have 7 frames");
