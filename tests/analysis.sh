@@ -5,9 +5,10 @@
 #                                                     sanitizers
 #     tests/analysis.sh asan-units                    those of all libraries that start neither a
 #                                                     renderer nor wold, as .ci/run does
-#     tests/analysis.sh units                         all of all libraries, in few processes, as
-#                                                     .ci/run does
-#     tests/analysis.sh but-units [CTEST OPTION...]   what that leaves: the program, golden pictures
+#     tests/analysis.sh units                         all of all libraries, and the table of hostile
+#                                                     files, in few processes, as .ci/run does
+#     tests/analysis.sh but-units [REGEX]             what that leaves: the program, golden pictures;
+#                                                     without the tests whose names match
 #     tests/analysis.sh tsan [CTEST OPTION...]        with the thread sanitizer
 #     tests/analysis.sh coverage [CTEST OPTION...]    which lines of gen/ tests run: 90 % at least
 #     tests/analysis.sh layers                        the libraries as shared ones, each linked to
@@ -56,13 +57,16 @@ libraries=(core scene weather snowpack phenology light terrain grass cloud snow 
   sky meadow ground expectation passes shutter maps film povray blender mitsuba usd preview report
   compare render work console)
 
-# run_units FOLDER FILTER: runs the libraries' test programs, each in as many parts as there are
-# processors: a process of its own for each test takes longer to start than most tests take. Says
-# what fails; exit code 123 if any does.
+# The tests of tests/hostile, of the command line.
+hostile=Table/Hostile.
+
+# run_units FOLDER FILTER LIBRARY...: runs the libraries' test programs, each in as many parts as
+# there are processors: a process of its own for each test takes longer to start than most tests
+# take. Says what fails; exit code 123 if any does.
 run_units() {
   local folder=$1 filter=$2 parts library part
   parts=$(nproc)
-  for library in "${libraries[@]}"; do
+  for library in "${@:3}"; do
     for ((part = 0; part < parts; ++part)); do
       echo "GTEST_SHARD_INDEX=$part timeout 1200 $folder/test_$library"
     done
@@ -79,7 +83,7 @@ test_units_with_asan() {
   cmake --preset asan -DWOLD_JOIN_TESTS=ON >/dev/null
   cmake --build --preset asan --target "${libraries[@]/#/test_}" "${corpora[@]/#/fuzz_}" >&2
   say "Testing libraries with asan"
-  run_units build-asan "-$(IFS=: && echo "${units_left_out[*]}")"
+  run_units build-asan "-$(IFS=: && echo "${units_left_out[*]}")" "${libraries[@]}"
   ctest --preset asan --parallel "$(nproc)" --tests-regex '^Corpus'
 }
 
@@ -88,13 +92,14 @@ test_units() {
   install "${build_packages[@]}" "${render_packages[@]}" "${test_packages[@]}"
   build -DWOLD_TESTS=ON -DWOLD_WERROR=ON -DWOLD_JOIN_TESTS=ON -- all
   say "Testing libraries"
-  run_units build '*'
+  run_units build '*' "${libraries[@]}"
+  run_units build "$hostile*" cli
 }
 
 test_but_units() {
   local labels
   labels=$(IFS='|' && echo "${libraries[*]}")
-  tests/run.sh --label-exclude "^($labels)\$" "$@"
+  tests/run.sh --label-exclude "^($labels)\$" --exclude-regex "^$hostile${1:+|$1}"
 }
 
 # On one processor TBB has one thread, and nothing would be found.
@@ -165,7 +170,7 @@ case ${1:-} in
   tsan) check_threads "${@:2}" ;;
   asan-units) test_units_with_asan ;;
   units) test_units ;;
-  but-units) test_but_units "${@:2}" ;;
+  but-units) test_but_units "${2:-}" ;;
   coverage) coverage "${@:2}" ;;
   layers) check_layers ;;
   cppcheck) check_with_cppcheck ;;
