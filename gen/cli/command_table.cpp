@@ -360,8 +360,9 @@ Action declare_film(CLI::App& app) {
       ->type_name("N")
       ->check([](const std::string& text) { return number_fault(text, 0.1, 240.0); });
   app.add_option("--shutter", options->shutter,
-                 "motion blur of a moving camera by the passes depth and motion in DIR/passes: the "
-                 "share of the time between frames in which the shutter is open, such as 0.5")
+                 "motion blur by the passes depth and motion in DIR/passes: the share of the time "
+                 "between frames in which the shutter is open, such as 0.5; as film.shutter says "
+                 "without it")
       ->type_name("SHARE")
       ->check([](const std::string& text) { return number_fault(text, 0.0, 1.0); });
   add_quiet(app, *quiet);

@@ -134,6 +134,17 @@ Rule a_texel_is_one_sample_of_grass(const Scene& scene) {
                  "are scattered"};
 }
 
+Rule points_are_not_blurred(const Scene& scene) {
+  const bool holds = scene.film.shutter == 0.0 || scene.render.grass != GrassForm::points;
+  return {{"film.shutter", "render.grass"},
+          holds,
+          holds
+              ? ""
+              : fmt::format("film.shutter: found {}, expected 0 with render.grass = \"points\", of "
+                            "which there are no passes",
+                            scene.film.shutter)};
+}
+
 Rule patch_fits(const Scene& scene) {
   const double size_m = scene.terrain.size_m;
   const double patch_m = scene.grass.patch_m;
@@ -172,6 +183,7 @@ void report_contradictions(const Scene& scene, const Places& places,
       heights_are_coarse_enough(scene.terrain),
       blades_leave_room(scene),
       a_texel_is_one_sample_of_grass(scene),
+      points_are_not_blurred(scene),
       grows_somewhere(scene.growth),
       has_all_or_none("terrain.centre", scene.terrain.centre.size(), 2, "two"),
       has_all_or_none("sun.date", scene.sun.date.size(), 3, "three"),

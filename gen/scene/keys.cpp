@@ -213,6 +213,12 @@ std::vector<Key> film_keys() {
                    "How fast the film is played: by it [[shots]] have frames, and `wold film` has "
                    "it without --fps."),
             FIELD(film.frames_per_second)),
+      bound(
+          number("film.shutter", "", {0, 1},
+                 "Share of the time between two frames in which the film's shutter is open: `wold "
+                 "film` blurs by it what moves before the camera, 0.5 as film cameras do; frames "
+                 "have the passes depth and motion for it. Pictures stay sharp."),
+          FIELD(film.shutter)),
   };
 }
 

@@ -251,6 +251,7 @@ struct Render {
 struct FilmTiming {
   double frame_seconds = 10.0;
   double frames_per_second = 24.0;  ///< at which it is played
+  double shutter = 0.0;  ///< open for this share of the time between frames; 0 leaves them sharp
 
   bool operator==(const FilmTiming&) const = default;
 };

@@ -75,16 +75,17 @@ void write_films(const EncodingOptions& options, const FramePictures& pictures,
                  Progress& progress) {
   render::Encoding encoding;
   encoding.pictures = pictures.folder;
+  const scene::FilmTiming timing = film_timing(options.out);
+  const double shutter = options.shutter.value_or(timing.shutter);
   std::optional<BlurredPictures> blurred;
-  if (options.shutter > 0.0) {
-    blurred.emplace(options.out, pictures, frames, options.shutter, progress);
+  if (shutter > 0.0) {
+    blurred.emplace(options.out, pictures, frames, shutter, progress);
     encoding.pictures = blurred->folder();
   }
   encoding.first = frames.front();
   encoding.count = static_cast<int>(frames.size());
   encoding.size_px = common_size(pictures, frames);
-  encoding.frames_per_second =
-      options.frames_per_second ? *options.frames_per_second : frames_per_second(options.out);
+  encoding.frames_per_second = options.frames_per_second.value_or(timing.frames_per_second);
   // Far more than any machine needs; it is there for an FFmpeg that hangs.
   encoding.timeout = std::chrono::seconds(60 + 20 * encoding.count);
   for (const char* extension : {".mp4", ".webp"}) {

@@ -18,7 +18,7 @@ struct EncodingOptions {
   std::string renderer;        ///< "blender" or "povray"; empty: those that have all frames
   FrameChoice frames;          ///< without gaps
   std::optional<double> frames_per_second;  ///< more than 0; none: what the folder's scene says
-  double shutter = 0.0;  ///< open for this share of the time between frames, see BlurredPictures
+  std::optional<double> shutter;            ///< in [0, 1], see BlurredPictures; none: likewise
 };
 
 /// Is given the path of each film once it is there.

@@ -83,8 +83,8 @@ std::vector<int> frames_of_shots(const fs::path& out, const std::vector<std::str
   return chosen_frames({.shots = shots}, *scene);
 }
 
-double frames_per_second(const fs::path& out) {
-  return scene_in(out).value_or(scene::Scene()).film.frames_per_second;
+scene::FilmTiming film_timing(const fs::path& out) {
+  return scene_in(out).value_or(scene::Scene()).film;
 }
 
 }  // namespace wold::work

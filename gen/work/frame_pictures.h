@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "scene/scene.h"
+
 namespace wold::work {
 
 /// The pictures of one renderer in an output folder: DIR/frames/<renderer>/0001.png and so on.
@@ -37,7 +39,7 @@ std::vector<int> expected_frames(const std::filesystem::path& out,
 std::vector<int> frames_of_shots(const std::filesystem::path& out,
                                  const std::vector<std::string>& shots);
 
-/// How fast they are played: film.frames_per_second of that scene, or what it usually is.
-double frames_per_second(const std::filesystem::path& out);
+/// What that scene says of the film's time, or what is usual.
+scene::FilmTiming film_timing(const std::filesystem::path& out);
 
 }  // namespace wold::work

@@ -28,6 +28,17 @@ double memory_of(const Job& job) {
   return job.memory_bytes > 0.0 ? job.memory_bytes : machine_memory_bytes();
 }
 
+namespace {
+
+/// Those that are asked for, and those that motion blur is made by where the film has a shutter.
+std::vector<passes::Pass> wanted_passes(const std::string& names, const scene::Scene& scene) {
+  if (scene.film.shutter == 0.0)
+    return names.empty() ? std::vector<passes::Pass>() : passes::passes_of(names);
+  return passes::passes_of(names.empty() ? "depth,motion" : names + ",depth,motion");
+}
+
+}  // namespace
+
 Job plan_job(const RenderOptions& options) {
   Job job;
   scene::LocatedScene read = scene::read_located_scene(options.scene, options.overrides);
@@ -42,7 +53,7 @@ Job plan_job(const RenderOptions& options) {
   require_known_format(job.out);
   require_inputs_kept(job.out, input_files(options.scene, job.scene), job.scene);
   job.exporters = film::wanted_exporters(job.scene);
-  if (!options.passes.empty()) job.passes = passes::passes_of(options.passes);
+  job.passes = wanted_passes(options.passes, job.scene);
   job.programs = options.programs;
   job.threads = options.threads > 0 ? options.threads : job.scene.render.threads;
   job.memory_bytes = static_cast<double>(options.memory_bytes);

@@ -21,11 +21,12 @@ bool is_name_of_shot(const std::string& key) {
 }
 
 /// How fast a film is played says how many frames its shots have, but nothing of any other film.
+/// Its shutter says nothing of any frame.
 bool changes_no_file(const scene::Scene& scene, const std::string& key) {
   if (key == "film.frames_per_second") return scene.shots.empty();
   if (is_name_of_shot(key)) return true;
-  return key == "name" || key == "render.renderer" || key == "render.device" ||
-         key == "render.threads" || key == "render.timeout";
+  return key == "name" || key == "film.shutter" || key == "render.renderer" ||
+         key == "render.device" || key == "render.threads" || key == "render.timeout";
 }
 
 /// Block by block: an elevation model may be larger than memory.

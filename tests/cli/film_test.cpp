@@ -193,7 +193,12 @@ TEST_F(MovingBar, IsBlurredAsLongAsTheShutterIsOpen) {
     EXPECT_GT(seen.pixel(edge + 8, 18)[1], 0.94F);
   }
   const std::string blurred = bytes("d/film_povray.mp4");
-  EXPECT_EQ(wold("film d --shutter 0").code, 0);
+  ASSERT_EQ(wold("film d").code, 0);
+  EXPECT_NE(bytes("d/film_povray.mp4"), blurred);
+  write("d/scene.toml", "[ageing]\nframes = [0, 0.2]\n[film]\nshutter = 0.5\n");
+  ASSERT_EQ(wold("film d").code, 0);
+  EXPECT_EQ(bytes("d/film_povray.mp4"), blurred);
+  ASSERT_EQ(wold("film d --shutter 0").code, 0);
   EXPECT_NE(bytes("d/film_povray.mp4"), blurred);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "d/frames/povray"), {}), 2);
 }

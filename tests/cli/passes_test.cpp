@@ -47,6 +47,21 @@ TEST_F(PassesOfAFilm, AreMadeWithoutAnyRenderer) {
   EXPECT_TRUE(manifest.contains("grass"));
 }
 
+// And with it the blur changes nothing that is made already.
+TEST_F(PassesOfAFilm, OfAFilmWithAShutterAreThoseOfItsBlur) {
+  const std::string generate = "generate small.toml --quiet --renderer povray --out out ";
+  const Result made = wold(generate + "--set film.shutter=0.5");
+  ASSERT_EQ(made.code, 0) << made.err;
+  const LayeredImage image = read_layered_image(folder_ / "out/passes/0001.exr");
+  EXPECT_NE(image.find("depth.Z"), nullptr);
+  EXPECT_NE(image.find("motion.X"), nullptr);
+  EXPECT_EQ(image.find("normal.X"), nullptr);
+  const Result again = wold(generate + "--set film.shutter=0.25 --dry-run --json");
+  ASSERT_EQ(again.code, 0) << again.err;
+  for (const json& stage : json::parse(again.out)["stages"]) EXPECT_EQ(stage["runs"], 0) << stage;
+  EXPECT_EQ(wold(generate + "--set film.shutter=0.5 --grass points --dry-run").code, 2);
+}
+
 TEST_F(PassesOfAFilm, AreTheSameBytesBesidePicturesAndAsTasks) {
   ASSERT_EQ(passes("--out alone --threads 1").code, 0);
   const std::string fake = blender_played_by("cp $good \"$out\"");

@@ -45,6 +45,11 @@ TEST(Shots, HaveTheirFramesOneAfterTheOther) {
   EXPECT_DOUBLE_EQ(way_of_frame(scene, 6), 0.5);
 }
 
+TEST(Shots, OfPointsAreNotBlurred) {
+  expect_problem("[film]\nshutter = 0.5\n[render]\ngrass = \"points\"\n",
+                 "a.toml:2:1: film.shutter: found 0.5, expected 0 with render.grass = \"points\"");
+}
+
 // As camera.target_height does.
 TEST(Shots, MayLookAtTheGroundInTheEnd) {
   const Scene scene =
