@@ -19,13 +19,16 @@ namespace {
 
 void require_passes(const fs::path& out, const std::vector<int>& frames) {
   std::vector<int> missing = frames;
-  std::erase_if(missing, [&](int frame) { return fs::is_regular_file(passes_path(out, frame)); });
+  std::erase_if(missing, [&](int frame) {
+    std::error_code unreachable;
+    return fs::exists(passes_path(out, frame), unreachable);
+  });
   if (missing.empty()) return;
-  throw FileError(
-      fmt::format("passes are missing in {}: {}; `wold passes {} --passes depth,motion --out {}` "
-                  "makes them for --shutter",
-                  (out / "passes").string(), ranges_text(missing), (out / "scene.toml").string(),
-                  out.string()));
+  throw FileError(fmt::format(
+      "found no {}, expected passes for the blur of frames {}; `wold passes {} --passes "
+      "depth,motion --out {}` makes them",
+      passes_path(out, missing.front()).string(), ranges_text(missing),
+      (out / "scene.toml").string(), out.string()));
 }
 
 void require_size_of(const Image& picture, const shutter::MotionField& field,

@@ -212,8 +212,8 @@ TEST_F(MovingBar, PassesThatAreMissingOrOthersAreNamed) {
   const Result missing = wold("film d --shutter 0.5");
   EXPECT_EQ(missing.code, 4);
   expect_contains(missing.err,
-                  "passes are missing in d/passes: 2; `wold passes d/scene.toml --passes "
-                  "depth,motion --out d`");
+                  "found no d/passes/0002.exr, expected passes for the blur of frames 2; `wold "
+                  "passes d/scene.toml --passes depth,motion --out d`");
   EXPECT_EQ(wold("film d --shutter 1.5").code, 2);
   EXPECT_FALSE(exists("d/film_povray.mp4"));
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "d/frames/povray"), {}), 2);
