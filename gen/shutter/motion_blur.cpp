@@ -10,8 +10,8 @@ namespace wold::shutter {
 namespace {
 
 /// What goes less far while the shutter is open stays sharp.
-constexpr float still_px = 0.05F;
-constexpr int most_moments = 128;
+constexpr double still_px = 0.05;
+constexpr double most_moments = 128.0;
 /// Steps of following a motion back; it hardly changes from one to the next.
 constexpr int steps = 4;
 /// How near a place has to come to the pixel at a moment to be what stands there, and to be looked
@@ -43,12 +43,12 @@ class FastestNearby {
   static int side_px(const MotionField& field, double shutter) {
     glm::vec2 fastest(0.0F);
     for (const glm::vec2& motion : field.motion_px) keep_faster(fastest, motion);
-    const double reach_px = 0.5 * shutter * double{glm::length(fastest)};
+    const double reach_px = 0.5 * shutter * glm::length(glm::dvec2(fastest));
     return static_cast<int>(std::clamp(std::ceil(reach_px), 1.0,
                                        static_cast<double>(std::max(field.width, field.height))));
   }
   static void keep_faster(glm::vec2& fastest, const glm::vec2& motion) {
-    if (glm::dot(motion, motion) > glm::dot(fastest, fastest)) fastest = motion;
+    if (glm::length(glm::dvec2(motion)) > glm::length(glm::dvec2(fastest))) fastest = motion;
   }
   std::size_t square(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
@@ -83,25 +83,20 @@ const Candidate& seen(const Candidate& a, const Candidate& b) {
 class Exposure {
  public:
   Exposure(const Image& sharp, const MotionField& field, double shutter)
-      : sharp_(sharp),
-        field_(field),
-        shutter_(static_cast<float>(shutter)),
-        fastest_(field, shutter) {}
+      : sharp_(sharp), field_(field), shutter_(shutter), fastest_(field, shutter) {}
 
   void expose(int x, int y, float* blurred) const {
     const glm::vec2 fastest = fastest_.at(x, y);
-    const float length_px = shutter_ * glm::length(fastest);
+    const double length_px = shutter_ * glm::length(glm::dvec2(fastest));
     if (length_px < still_px) {
       std::copy_n(sharp_.pixel(x, y), sharp_.channels, blurred);
       return;
     }
-    const glm::vec2 pixel(x, y);
-    const int moments =
-        static_cast<int>(std::min(std::ceil(length_px) + 1.0F, static_cast<float>(most_moments)));
+    const int moments = static_cast<int>(std::min(std::ceil(length_px) + 1.0, most_moments));
     for (int i = 0; i < moments; ++i) {
-      const float moment =
-          shutter_ * ((static_cast<float>(i) + 0.5F) / static_cast<float>(moments) - 0.5F);
-      add(place_seen(pixel, moment, fastest), 1.0F / static_cast<float>(moments), blurred);
+      const double moment = shutter_ * ((i + 0.5) / moments - 0.5);
+      const glm::vec2 at_px = place_seen({x, y}, static_cast<float>(moment), fastest);
+      add(at_px, 1.0F / static_cast<float>(moments), blurred);
     }
   }
 
@@ -150,7 +145,7 @@ class Exposure {
 
   const Image& sharp_;
   const MotionField& field_;
-  float shutter_;
+  double shutter_;
   FastestNearby fastest_;
 };
 

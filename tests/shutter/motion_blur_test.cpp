@@ -141,6 +141,21 @@ TEST(MotionBlur, ADollyIsTheMeanOfItsMoments) {
   EXPECT_LT(blurred_off, 0.15 * sharp_off) << blurred_off;
 }
 
+TEST(MotionBlur, HasColoursOfThePictureForAnyMotion) {
+  const Image picture = picture_of([](int x, int) { return x % 2 == 0 ? 0.25F : 0.75F; });
+  for (const float motion_px : {1e6F, 3e38F, -3e38F}) {
+    const MotionField field = field_of(
+        [&](int x, int y) {
+          return y % 3 == 0 ? glm::vec2(motion_px, -motion_px) : glm::vec2(x, y);
+        },
+        depth_of_all);
+    for (const float value : motion_blurred(picture, field, 1.0).values) {
+      ASSERT_GT(value, 0.2499F);
+      ASSERT_LT(value, 0.7501F);
+    }
+  }
+}
+
 TEST(MotionBlur, RefusesMotionsOfAnotherSize) {
   EXPECT_THROW(
       motion_blurred(Image(8, 8, 3),
