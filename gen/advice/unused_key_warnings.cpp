@@ -26,6 +26,17 @@ bool is_given(const scene::Scene& scene, const char* name) {
   return key.get(scene) != key.get(plain);
 }
 
+bool moves(const scene::Camera& camera) {
+  return !camera.eye_end.empty() || !camera.target_end.empty();
+}
+
+/// In a picture that is blurred by what moves.
+bool something_moves(const scene::Scene& scene) {
+  return scene.wind.grass == scene::GrassMotion::waving || moves(scene.camera) ||
+         std::ranges::any_of(scene.shots,
+                             [](const scene::Shot& shot) { return moves(shot.camera); });
+}
+
 void warn_of_other_choices(const scene::Scene& scene, Keys& warnings) {
   const bool paper_flakes = scene.snowfall.motion == scene::Law::paper;
   const bool paper_cover = scene.snow_cover.cover == scene::CoverModel::paper;
@@ -33,6 +44,8 @@ void warn_of_other_choices(const scene::Scene& scene, Keys& warnings) {
   for (const Condition& condition : {
            Condition{"snowfall.box", paper_flakes, "snowfall.motion = \"paper\""},
            Condition{"snow_cover.white_after", paper_cover, "snow_cover.cover = \"paper\""},
+           Condition{"film.shutter", something_moves(scene),
+                     "a camera that moves or wind.grass = \"waving\""},
            Condition{"wind.grass", !scene::has_hair(scene), "grass: hair lies as it is combed"},
            Condition{"terrain.centre", real_place, "terrain.elevation"},
            Condition{"terrain.system", real_place, "terrain.elevation"},

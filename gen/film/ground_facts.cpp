@@ -60,22 +60,28 @@ landscape::Camera next_camera(const scene::Scene& scene, const place::Site& site
   return next;
 }
 
-/// By how much each cell of waving grass leans over more in the next frame. After the last one
-/// before a cut it goes on as it came.
-std::function<glm::dvec2(const glm::ivec2&)> more_lean(const scene::Scene& scene,
-                                                       const place::Site& site,
-                                                       const meadow::FrameGrass& now) {
-  const scene::Take take = scene::take_of(scene, now.frame);
-  if (!place::grass_waves(scene) || take.count < 2) return {};
-  const bool is_last = now.frame == take.last();
-  const auto other = std::make_shared<const meadow::FrameGrass>(
-      meadow::frame_grass(scene, site, is_last ? now.frame - 1 : now.frame + 1));
-  return [&now, other, is_last, patch_m = scene.grass.patch_m](const glm::ivec2& cell) {
-    const glm::dvec2 middle_m = (glm::dvec2(cell) + 0.5) * patch_m;
-    const glm::dvec2 more = other->wind_lean.lean(middle_m) - now.wind_lean.lean(middle_m);
-    return is_last ? -more : more;
-  };
-}
+/// By how much cells of waving grass lean over more in the next frame. After the last one before a
+/// cut it goes on as it came.
+class MoreLean {
+ public:
+  MoreLean(const scene::Scene& scene, const place::Site& site, const meadow::FrameGrass& now)
+      : now_(now),
+        is_last_(now.frame == scene::take_of(scene, now.frame).last()),
+        other_(meadow::frame_grass(scene, site, is_last_ ? now.frame - 1 : now.frame + 1)),
+        patch_m_(scene.grass.patch_m) {}
+
+  glm::dvec2 at(const glm::ivec2& cell) const {
+    const glm::dvec2 middle_m = (glm::dvec2(cell) + 0.5) * patch_m_;
+    const glm::dvec2 more = other_.wind_lean.lean(middle_m) - now_.wind_lean.lean(middle_m);
+    return is_last_ ? -more : more;
+  }
+
+ private:
+  const meadow::FrameGrass& now_;
+  bool is_last_;
+  meadow::FrameGrass other_;
+  double patch_m_;
+};
 
 /// The meadow as it is painted on the ground, and what it is painted by.
 class Painted {
@@ -138,7 +144,9 @@ passes::GroundFacts ground_facts(const scene::Scene& scene, const place::Site& s
   for (int patch = 0; patch < scene::patch_count(scene); ++patch)
     facts.mixture_of_patch.push_back(scene::mixture_number(scene, patch));
   facts.next_camera = next_camera(scene, site, now.frame);
-  facts.more_lean = more_lean(scene, site, now);
+  if (place::grass_waves(scene) && scene::take_of(scene, now.frame).count > 1)
+    facts.more_lean = [more = std::make_shared<const MoreLean>(scene, site, now)](
+                          const glm::ivec2& cell) { return more->at(cell); };
   return facts;
 }
 

@@ -61,6 +61,7 @@ LandView::LandView(const terrain::Surroundings& land, const Heightfield& ground,
     : eye_m_(eye_m),
       panorama_(panorama),
       profiles_(static_cast<std::size_t>(2.0 * panorama.half_rad / panorama.step_rad) + 2) {
+  land.reach_m();  // made now, by all threads, and not by one while the others wait
   parallel_for(profiles_.size(), [&](std::size_t i) {
     profiles_[i] = {own_skyline(ground, eye_m, azimuth_of(i)), seen(land, azimuth_of(i))};
   });

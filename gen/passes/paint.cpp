@@ -197,14 +197,33 @@ bool is_same(const landscape::Camera& a, const landscape::Camera& b) {
   return a.eye_m == b.eye_m && a.target_m == b.target_m;
 }
 
-/// What is infinitely far moves as the camera turns.
+/// A part of the way from one to the next.
+landscape::Camera between(const landscape::Camera& from, const landscape::Camera& to, double part) {
+  return {glm::mix(from.eye_m, to.eye_m, part), glm::mix(from.target_m, to.target_m, part),
+          from.field_of_view_deg};
+}
+
+/// What is infinitely far moves as the camera turns. What the next camera has passed or nearly
+/// touches goes on as it goes at first.
 glm::dvec2 Painter::motion_px(const SeenPlace& seen, std::size_t pixel,
                               const landscape::Perspective& next, const Sway& sway) const {
+  constexpr double nearest = 0.1;  // of the depth that it has
   const glm::dvec3 sway_m = sway.of(seen);
   if (is_same(landscape_.camera, facts_.next_camera) && sway_m == glm::dvec3(0.0))
     return glm::dvec2(0.0);
-  const glm::dvec3 at_m = seen.is_any() ? seen.at_m + sway_m : next.eye_m() + direction(pixel);
-  return glm::dvec2(next.seen(at_m)) - middle_px(pixel);
+  const glm::dvec3 along = seen.is_any() ? seen.at_m - landscape_.camera.eye_m : direction(pixel);
+  const auto later = [&](const landscape::Perspective& eye, double part) {
+    return eye.seen(seen.is_any() ? seen.at_m + part * sway_m : eye.eye_m() + along);
+  };
+  const double least_m = nearest * perspective_.depth_along(along);
+  glm::dvec3 then = later(next, 1.0);
+  double part = 1.0;
+  while (then.z < least_m) {
+    part *= 0.5;
+    const landscape::Camera camera = between(landscape_.camera, facts_.next_camera, part);
+    then = later(perspective_of(landscape_, camera), part);
+  }
+  return (glm::dvec2(then) - middle_px(pixel)) / part;
 }
 
 void Painter::add(Pass pass) {

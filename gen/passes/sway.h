@@ -12,7 +12,7 @@ namespace wold::passes {
 /// How far grass goes from one frame to the next as it leans over in the wind.
 class Sway {
  public:
-  /// Neither outlives it. Nothing sways without `facts.more_lean`.
+  /// Nothing sways without `facts.more_lean`, which is asked here alone.
   Sway(const landscape::Landscape& landscape, const GroundFacts& facts);
 
   /// By how many metres what is seen moves, world space: grass in proportion to its height in its

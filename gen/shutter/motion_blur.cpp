@@ -20,7 +20,8 @@ constexpr float close_px = 0.5F;
 constexpr float near_enough_px = 0.05F;
 
 /// The fastest motion in each square of pixels and the eight around it: squares are so large that
-/// nothing farther away reaches a pixel of theirs.
+/// nothing farther away reaches a pixel of theirs, up to a sixteenth of the picture. What goes on
+/// farther than that hides no more than what is so far from it.
 class FastestNearby {
  public:
   FastestNearby(const MotionField& field, double shutter)
@@ -44,8 +45,8 @@ class FastestNearby {
     glm::vec2 fastest(0.0F);
     for (const glm::vec2& motion : field.motion_px) keep_faster(fastest, motion);
     const double reach_px = 0.5 * shutter * glm::length(glm::dvec2(fastest));
-    return static_cast<int>(std::clamp(std::ceil(reach_px), 1.0,
-                                       static_cast<double>(std::max(field.width, field.height))));
+    const double most_px = std::max(16.0, std::max(field.width, field.height) / 16.0);
+    return static_cast<int>(std::clamp(std::ceil(reach_px), 1.0, most_px));
   }
   static void keep_faster(glm::vec2& fastest, const glm::vec2& motion) {
     if (glm::length(glm::dvec2(motion)) > glm::length(glm::dvec2(fastest))) fastest = motion;

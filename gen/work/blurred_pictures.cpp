@@ -31,13 +31,18 @@ void require_passes(const fs::path& out, const std::vector<int>& frames) {
       (out / "scene.toml").string(), out.string()));
 }
 
-void require_size_of(const Image& picture, const shutter::MotionField& field,
-                     const fs::path& passes) {
-  if (field.width != picture.width || field.height != picture.height)
-    throw FileError(
-        fmt::format("{} has {} x {} pixels, expected {} x {} as in its picture; `wold passes` with "
-                    "the picture's --size makes it anew",
-                    passes.string(), field.width, field.height, picture.width, picture.height));
+void require_sizes(const fs::path& out, const FramePictures& pictures,
+                   const std::vector<int>& frames) {
+  for (const int frame : frames) {
+    const fs::path passes = passes_path(out, frame);
+    const ImageHeader got = read_image_header(passes);
+    const ImageHeader want = read_image_header(pictures.by_frame.at(frame));
+    if (got.width != want.width || got.height != want.height)
+      throw FileError(fmt::format(
+          "{} has {} x {} pixels, expected {} x {} as in its picture; `wold passes` with the "
+          "picture's --size makes it anew",
+          passes.string(), got.width, got.height, want.width, want.height));
+  }
 }
 
 void apply(double (*curve)(double), Image& picture) {
@@ -47,7 +52,6 @@ void apply(double (*curve)(double), Image& picture) {
 /// Light adds up where it is linear; pictures are sRGB.
 Image blurred(Image picture, const fs::path& passes, double shutter) {
   const shutter::MotionField field = shutter::read_motion_field(passes);
-  require_size_of(picture, field, passes);
   apply(srgb_decoded, picture);
   Image blurred = shutter::motion_blurred(picture, field, shutter);
   apply(srgb_encoded, blurred);
@@ -60,6 +64,7 @@ BlurredPictures::BlurredPictures(const fs::path& out, const FramePictures& pictu
                                  const std::vector<int>& frames, double shutter, Progress& progress)
     : folder_(pictures.folder) {
   require_passes(out, frames);
+  require_sizes(out, pictures, frames);
   make_folder(folder());
   progress.begin("motion blur", frames.size());
   for (const int frame : frames) {

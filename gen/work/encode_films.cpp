@@ -75,19 +75,19 @@ void write_films(const EncodingOptions& options, const FramePictures& pictures,
                  Progress& progress) {
   render::Encoding encoding;
   encoding.pictures = pictures.folder;
-  const scene::FilmTiming timing = film_timing(options.out);
-  const double shutter = options.shutter.value_or(timing.shutter);
-  std::optional<BlurredPictures> blurred;
-  if (shutter > 0.0) {
-    blurred.emplace(options.out, pictures, frames, shutter, progress);
-    encoding.pictures = blurred->folder();
-  }
   encoding.first = frames.front();
   encoding.count = static_cast<int>(frames.size());
   encoding.size_px = common_size(pictures, frames);
+  const scene::FilmTiming timing = film_timing(options.out);
   encoding.frames_per_second = options.frames_per_second.value_or(timing.frames_per_second);
   // Far more than any machine needs; it is there for an FFmpeg that hangs.
   encoding.timeout = std::chrono::seconds(60 + 20 * encoding.count);
+  render::find_ffmpeg();  // which is not to be missing after all the work
+  std::optional<BlurredPictures> blurred;
+  if (const double shutter = options.shutter.value_or(timing.shutter); shutter > 0.0) {
+    blurred.emplace(options.out, pictures, frames, shutter, progress);
+    encoding.pictures = blurred->folder();
+  }
   for (const char* extension : {".mp4", ".webp"}) {
     encoding.film = fs::path(film).replace_extension(extension);
     encoding.log =

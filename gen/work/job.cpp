@@ -54,6 +54,7 @@ Job plan_job(const RenderOptions& options) {
   require_inputs_kept(job.out, input_files(options.scene, job.scene), job.scene);
   job.exporters = film::wanted_exporters(job.scene);
   job.passes = wanted_passes(options.passes, job.scene);
+  job.is_blur_alone = options.passes.empty();
   job.programs = options.programs;
   job.threads = options.threads > 0 ? options.threads : job.scene.render.threads;
   job.memory_bytes = static_cast<double>(options.memory_bytes);

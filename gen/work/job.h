@@ -29,7 +29,7 @@ struct RenderOptions {
   std::vector<std::string> overrides;  ///< key=value, applied after the scene file
   FrameChoice frames;
   std::filesystem::path out;  ///< empty: out/<scene name>
-  std::string passes;         ///< "depth,normal"; empty: none
+  std::string passes;         ///< "depth,normal"; empty: those that film.shutter needs
   ChosenPrograms programs;
   int threads = 0;                 ///< 0: the scene's render.threads
   std::uint64_t memory_bytes = 0;  ///< 0: the machine's
@@ -46,6 +46,7 @@ struct Job : film::Request {
   int threads = 0;            ///< 0: all processors
   double memory_bytes = 0.0;  ///< that all may take together; 0: the machine's, and no limit is set
   Keep keep = Keep::all;
+  bool is_blur_alone = false;  ///< passes are for film.shutter: files with all of them do as well
   std::vector<Problem> text_warnings;  ///< of scene::read_located_scene()
 };
 

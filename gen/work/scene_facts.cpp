@@ -21,7 +21,7 @@ bool is_name_of_shot(const std::string& key) {
 }
 
 /// How fast a film is played says how many frames its shots have, but nothing of any other film.
-/// Its shutter says nothing of any frame.
+/// That it has a shutter says which passes there are, which their tasks know.
 bool changes_no_file(const scene::Scene& scene, const std::string& key) {
   if (key == "film.frames_per_second") return scene.shots.empty();
   if (is_name_of_shot(key)) return true;

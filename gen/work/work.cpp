@@ -122,7 +122,7 @@ Verdict Work::verdict(const Task& task) {
       if (!fs::exists(job_.out / name)) return {Need::yes, fmt::format("{} is missing", name)};
     if (makes_pictures(task.stage) && verdict({Stage::scenes, task.index}).need != Need::no)
       return {Need::perhaps, "its scene files will be made anew; runs if they change"};
-    if (record->source != source(task)) return outdated(task, *record);
+    if (!is_made_from_this(task, *record)) return outdated(task, *record);
     for (const auto& [name, state] : record->outputs)
       if (!states_.is_still(name, state))
         return {Need::yes, fmt::format("{} is not what was written", name)};
@@ -158,10 +158,18 @@ Verdict Work::outdated(const Task& task, const TaskRecord& record) {
   return {Need::perhaps, why + "; texels that are right stay"};
 }
 
-std::string Work::source(const Task& task) {
+bool Work::is_made_from_this(const Task& task, const TaskRecord& record) {
+  if (record.source == source(task)) return true;
+  return task.stage == Stage::passes && job_.is_blur_alone &&
+         record.source == source(task, passes::passes_of("all"));
+}
+
+std::string Work::source(const Task& task) { return source(task, job_.passes); }
+
+std::string Work::source(const Task& task, std::span<const passes::Pass> passes) {
   if (makes_pictures(task.stage)) return picture_source(task);
   std::string text = fmt::format("{} {} {} ", text_of(task), facts_hash_, build_);
-  if (task.stage == Stage::passes) text += passes::text_of(job_.passes);
+  if (task.stage == Stage::passes) text += passes::text_of(passes);
   if (task.stage == Stage::texels) {
     text += ranges_text(job_.frames);
     if (film::reads_unlit_texels(job_)) text += " unlit";
@@ -302,7 +310,7 @@ Work::Made Work::make_picture(const Task& task, const RendererLimits& limits, Pr
 /// What was made from the same, but is not what was written: nobody else would notice.
 void Work::remove_damaged(const Task& task) {
   const auto record = records_.read(task);
-  if (!record || record->source != source(task)) return;
+  if (!record || !is_made_from_this(task, *record)) return;
   for (const auto& [name, state] : record->outputs)
     if (const fs::path file = fs::path(name).lexically_normal();
         may_make(task.stage, file) && !states_.is_still(name, state)) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "core/progress.h"
@@ -89,6 +90,8 @@ class Work {
   };
 
   std::string source(const Task& task);
+  std::string source(const Task& task, std::span<const passes::Pass> passes);
+  bool is_made_from_this(const Task& task, const TaskRecord& record);
   std::string picture_source(const Task& task);
   const SceneHashes& scene_hashes(int frame);
   Verdict outdated(const Task& task, const TaskRecord& record);

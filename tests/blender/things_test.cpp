@@ -36,6 +36,8 @@ struct LitMeadow {
       cell.world_from_cell[0].z = 0.0;
       cell.world_from_cell[3].z = 0.0;
     }
+    landscape.blade_cells.clear();  // nothing but what is made of things reads the map of light
+    landscape.blade_meshes.clear();
     landscape.terrain.values().assign(landscape.terrain.values().size(), 0.0F);
     landscape.daylight = {glm::normalize(glm::dvec3(-1, 0, 1)), sun, sky};
     landscape.camera = {{1.5, 1.5, 100.0}, {1.5, 1.501, 0.0}, 1.8};

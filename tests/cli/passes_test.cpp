@@ -60,6 +60,9 @@ TEST_F(PassesOfAFilm, OfAFilmWithAShutterAreThoseOfItsBlur) {
   ASSERT_EQ(again.code, 0) << again.err;
   for (const json& stage : json::parse(again.out)["stages"]) EXPECT_EQ(stage["runs"], 0) << stage;
   EXPECT_EQ(wold(generate + "--set film.shutter=0.5 --grass points --dry-run").code, 2);
+  ASSERT_EQ(passes("--renderer povray --out out --set film.shutter=0.5").code, 0);
+  ASSERT_EQ(wold(generate + "--set film.shutter=0.5").code, 0);  // which takes nothing away
+  EXPECT_NE(read_layered_image(folder_ / "out/passes/0001.exr").find("normal.X"), nullptr);
 }
 
 TEST_F(PassesOfAFilm, AreTheSameBytesBesidePicturesAndAsTasks) {

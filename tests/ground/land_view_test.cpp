@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/error.h"
+#include "core/parallel.h"
 #include "ground/land_appearance.h"
 
 namespace wold::ground {
@@ -84,6 +86,7 @@ TEST(SeesLandAround, WhereNoOwnGroundStandsBeforeIt) {
 
 // The border of level ground lies 0.4 below the eye per metre. A picture 2.8 degrees high to each
 // side sees beyond it just when its middle is less than that farther down.
+// Where it does not, nobody looks at the land: no loop runs that could be stopped.
 TEST(SeesLandAround, WhereThePictureReachesAboveTheSkyline) {
   LevelLand open(20.0, 40000.0);
   const double skyline = std::atan(-0.4);
@@ -92,7 +95,13 @@ TEST(SeesLandAround, WhereThePictureReachesAboveTheSkyline) {
     const double pitch = skyline - half_height + above;
     const landscape::Camera camera{
         {50.0, 50.0, 20.0}, {50.0, 60.0, 20.0 + 10.0 * std::tan(pitch)}, 10.0};
-    EXPECT_EQ(sees_land_around(open.land, open.ground, camera, 320, 180), above > 0.0) << above;
+    const auto look = [&] { return sees_land_around(open.land, open.ground, camera, 320, 180); };
+    EXPECT_EQ(look(), above > 0.0) << above;
+    const StopScope no_loops([] { throw InterruptedError(); });
+    if (above > 0.0)
+      EXPECT_THROW(look(), InterruptedError);
+    else
+      EXPECT_NO_THROW(look());
   }
 }
 

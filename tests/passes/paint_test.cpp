@@ -327,6 +327,28 @@ TEST(Passes, MotionLeadsToTheSamePlaceInTheNextFrame) {
   EXPECT_GT(seen, static_cast<int>(now.pixels()) / 3 / 3);
 }
 
+// A step ahead takes the camera past the ground that it sees at its feet: that goes on as it went.
+TEST(Passes, WhatTheNextCameraHasPassedGoesOnAsItWent) {
+  const test::TemporaryFolder folder("passes_passed");
+  Landscape landscape = bare(test::constant_meadow({}, folder.path()));
+  for (float& height_m : landscape.terrain.values()) height_m = 0.0F;
+  landscape.camera = {{1.5, 0.5, 0.5}, {1.5, 1.0, 0.25}, 60.0};
+  const auto after_step = [&](double step_m) {
+    GroundFacts facts = test::plain_facts(landscape);
+    facts.next_camera.eye_m.y += step_m;
+    facts.next_camera.target_m.y += step_m;
+    return Painted(landscape, facts);
+  };
+  const Painted far = after_step(1.5), near = after_step(1e-3);
+  const std::size_t bottom = far.pixels() - static_cast<std::size_t>(landscape.width_px) / 2;
+  ASSERT_FALSE(far.shows_nothing(bottom));
+  for (std::size_t pixel = 0; pixel < far.pixels(); ++pixel)
+    ASSERT_TRUE(std::isfinite(far.value("motion.Y", pixel))) << pixel;
+  const double at_first_px = 1500.0 * near.value("motion.Y", bottom);
+  EXPECT_GT(far.value("motion.Y", bottom), at_first_px);  // faster and faster, and down
+  EXPECT_LT(far.value("motion.Y", bottom), 12.0 * at_first_px);
+}
+
 TEST(Passes, TheSkyMovesAsTheCameraTurns) {
   const test::TemporaryFolder folder("passes_sky");
   const Landscape landscape = bare(test::constant_meadow({}, folder.path()));

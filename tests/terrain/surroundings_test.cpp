@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -91,6 +92,18 @@ TEST_F(SurroundingsTest, AreMadeOnceForAllThreads) {
                [&](std::size_t i) { heights_m[i] = asked_by_many.height_m(place_m(i)); });
   for (std::size_t i = 0; i < heights_m.size(); ++i)
     EXPECT_EQ(heights_m[i], asked_by_one.height_m(place_m(i))) << i;
+}
+
+// Whoever is stopped while making them leaves it to the next one.
+TEST_F(SurroundingsTest, AreMadeWhenTheyAreAskedFor) {
+  scene::Terrain terrain;
+  const Heightfield ground = make_ground(terrain, 3).heights_m;
+  auto scope = std::make_unique<StopScope>([] { throw InterruptedError(); });
+  const Surroundings land(terrain, ground, 3, 5000.0);
+  EXPECT_THROW(land.height_m({-100.0, 60.0}), InterruptedError);
+  scope.reset();
+  EXPECT_EQ(land.height_m({-100.0, 60.0}),
+            Surroundings(terrain, ground, 3, 5000.0).height_m({-100.0, 60.0}));
 }
 
 // Nobody knows what is there: it goes on from the border without a step, and neither leaves the

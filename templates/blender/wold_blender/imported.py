@@ -11,7 +11,7 @@ from typing import Any
 import bpy
 from mathutils import Vector
 
-from .frame_data import Frame
+from .frame_data import DataError, Frame
 from .landscape import add_camera, add_landscape, aim_camera
 from .meshes import add_object
 from .nodes import LIT
@@ -93,14 +93,22 @@ def put_in_place(scene: Any, frame: Frame) -> None:
 
 def ground_of(graph: Any) -> Any:
     """The terrain as it is evaluated."""
-    is_ground = (thing for thing in marked("objects") if thing.name.startswith("terrain"))
-    return next(is_ground).evaluated_get(graph)
+    for thing in marked("objects"):
+        if thing.name.startswith("terrain"):
+            return thing.evaluated_get(graph)
+    raise DataError("the landscape's terrain is missing: import the landscape anew")
 
 
 def made_of_things() -> list[Any]:
     return [
         thing for kind in ("node_groups", "images") for thing in marked(kind) if OF_THINGS in thing
     ]
+
+
+def is_read(thing: Any) -> bool:
+    """Whether it is a picture of a file of the landscape's: other materials may show it, too."""
+    is_picture = isinstance(thing, bpy.types.Image)
+    return is_picture and thing.source == "FILE" and not thing.packed_file
 
 
 def show_things(collection: Any, frame: Frame, graph: Any) -> None:
@@ -112,12 +120,17 @@ def show_things(collection: Any, frame: Frame, graph: Any) -> None:
     if summary == (made[0][OF_THINGS] if made else ""):
         return
     before = everything()
-    group = things_group(things, frame, ground_of(graph)) if things else None
+    try:
+        group = things_group(things, frame, ground_of(graph)) if things else None
+    except Exception:
+        bpy.data.batch_remove(list(everything() - before))
+        raise
     light_by_things([each for each in marked("materials") if each.get(LIT)], group)
     bpy.data.batch_remove(made)
     for thing in everything() - before:
         thing[MARK] = True
-        thing[OF_THINGS] = summary
+        if not is_read(thing):
+            thing[OF_THINGS] = summary
 
 
 def set_up_view(scene: Any, frame: Frame) -> None:

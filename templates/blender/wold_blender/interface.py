@@ -81,7 +81,7 @@ def follow_timeline(scene: Any, *_graph: Any) -> None:
         try_to_show(scene)
 
 
-def light_by_things(scene: Any, graph: Any) -> None:
+def show_things(scene: Any, graph: Any) -> None:
     """Brings the shadow and the light of the user's things up to date, if a landscape is shown."""
     settings = scene.wold
     if settings.frame:
@@ -92,9 +92,10 @@ def light_by_things(scene: Any, graph: Any) -> None:
 def follow_things(scene: Any, graph: Any) -> None:
     """When all of a frame is where it is."""
     try:
-        light_by_things(scene, graph)
+        show_things(scene, graph)
     except Exception as error:
-        scene.wold.problem = str(error)
+        if scene.wold.problem != str(error):  # what is set is an edit, and asks for another try
+            scene.wold.problem = str(error)
 
 
 def light_anew() -> None:
@@ -102,15 +103,24 @@ def light_anew() -> None:
     follow_things(bpy.context.scene, bpy.context.evaluated_depsgraph_get())
 
 
+def may_change_things(update: Any) -> bool:
+    """Whether an edit may move, add, take away or hide a thing, or change a lamp."""
+    if isinstance(update.id, (bpy.types.Collection, bpy.types.Scene, bpy.types.Light)):
+        return True
+    return bool(update.is_updated_transform or update.is_updated_geometry)
+
+
+def forget_edits() -> None:
+    if bpy.app.timers.is_registered(light_anew):
+        bpy.app.timers.unregister(light_anew)
+
+
 @persistent  # type: ignore[untyped-decorator]
 def on_edit(scene: Any, graph: Any) -> None:
     """Waits until things have stopped moving for a moment: tracing takes half a second."""
-    moved = (each.is_updated_transform or each.is_updated_geometry for each in graph.updates)
-    if not scene.wold.things or not any(moved):
-        return
-    if bpy.app.timers.is_registered(light_anew):
-        bpy.app.timers.unregister(light_anew)
-    bpy.app.timers.register(light_anew, first_interval=0.3)
+    if scene.wold.things and any(map(may_change_things, graph.updates)):
+        forget_edits()
+        bpy.app.timers.register(light_anew, first_interval=0.3)
 
 
 def on_pick(settings: Any, _context: Any) -> None:
@@ -278,6 +288,7 @@ def register() -> None:
 
 
 def unregister() -> None:
+    forget_edits()
     for calls, call in HANDLERS:
         calls.remove(call)
     bpy.types.TOPBAR_MT_file_import.remove(menu_entry)
