@@ -34,25 +34,41 @@ double own_skyline(const Heightfield& ground, const glm::dvec3& eye_m, double az
   return highest;
 }
 
+/// Half the width and height of a picture and of a little around it, at a distance of 1.
+glm::dvec2 half_size(const landscape::Camera& camera, int width_px, int height_px) {
+  constexpr double margin = 1.1;
+  const double half = margin * half_width(camera.field_of_view_deg);
+  return {half, half * height_px / width_px};
+}
+
+/// Directions to the border of what half_size() has.
+std::vector<glm::dvec3> border_of(const landscape::Camera& camera, int width_px, int height_px) {
+  constexpr int places = 16;  // along each side
+  const CameraAxes axes(camera.eye_m, camera.target_m);
+  const glm::dvec2 half = half_size(camera, width_px, height_px);
+  std::vector<glm::dvec3> border;
+  for (int i = -places; i <= places; ++i)
+    for (const double side : {-1.0, 1.0}) {
+      border.push_back(axes.forward + axes.right * (side * half.x) +
+                       axes.up * (half.y * i / places));
+      border.push_back(axes.forward + axes.right * (half.x * i / places) +
+                       axes.up * (side * half.y));
+    }
+  return border;
+}
+
 }  // namespace
 
 Panorama panorama(const landscape::Camera& camera, int width_px, int height_px) {
-  constexpr double margin = 1.1;
-  constexpr int places = 16;  // along each border of the picture
   const CameraAxes axes(camera.eye_m, camera.target_m);
-  const double half = margin * half_width(camera.field_of_view_deg);
-  const double half_height = half * height_px / width_px;
   const double step_rad = 0.5 / pixels_per_radian(camera.field_of_view_deg, width_px);
   const double middle_rad = azimuth_rad(axes.forward);
+  const double half_height = half_size(camera, width_px, height_px).y;
   const double steepest_rad = std::abs(math::asin(axes.forward.z)) + math::atan(half_height);
   if (steepest_rad > 0.48 * pi) return {middle_rad, pi, step_rad};
   double half_rad = 0.0;
-  for (int i = -places; i <= places; ++i)
-    for (const double side : {-1.0, 1.0})
-      half_rad = std::max(
-          half_rad, std::abs(turned_rad(azimuth_rad(axes.forward + axes.right * (side * half) +
-                                                    axes.up * (half_height * i / places)) -
-                                        middle_rad)));
+  for (const glm::dvec3& direction : border_of(camera, width_px, height_px))
+    half_rad = std::max(half_rad, std::abs(turned_rad(azimuth_rad(direction) - middle_rad)));
   return {middle_rad, half_rad, step_rad};
 }
 
@@ -126,28 +142,12 @@ std::vector<LandView::Strip> LandView::strips() const {
 
 namespace {
 
-/// The steepest rise over distance of what a picture shows, and of a little around it.
-double steepest_rise(const landscape::Camera& camera, int width_px, int height_px) {
-  constexpr double margin = 1.1;
-  constexpr int places = 16;  // along each border
-  const CameraAxes axes(camera.eye_m, camera.target_m);
-  const double half = margin * half_width(camera.field_of_view_deg);
-  const double half_height = half * height_px / width_px;
-  double steepest = -std::numeric_limits<double>::infinity();
-  for (int i = -places; i <= places; ++i) {
-    const double along = static_cast<double>(i) / places;
-    for (const double side : {-1.0, 1.0})
-      for (const glm::dvec2& border : {glm::dvec2(side, along), glm::dvec2(along, side)})
-        steepest = std::max(steepest, rise_of(axes.forward + axes.right * (half * border.x) +
-                                              axes.up * (half_height * border.y)));
-  }
-  return steepest;
-}
-
 /// Whether all of a picture lies below the skyline of the scene's own ground.
 bool shows_own_ground_alone(const Heightfield& ground, const landscape::Camera& camera,
                             int width_px, int height_px, const Panorama& around) {
-  const double steepest = steepest_rise(camera, width_px, height_px);
+  double steepest = -std::numeric_limits<double>::infinity();
+  for (const glm::dvec3& direction : border_of(camera, width_px, height_px))
+    steepest = std::max(steepest, rise_of(direction));
   for (double aside_rad = -around.half_rad; aside_rad <= around.half_rad;
        aside_rad += around.step_rad)
     if (own_skyline(ground, camera.eye_m, around.middle_rad + aside_rad) < steepest) return false;
