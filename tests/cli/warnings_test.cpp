@@ -178,6 +178,10 @@ TEST_F(Warnings, KeysOfAnotherChoice) {
       "warning: snow_cover.white_after changes nothing without snow_cover.cover = \"paper\"\n");
   EXPECT_THAT(about("[snow_cover]\nwhite_after = 5\ncover = 'paper'\n"), IsEmpty());
   EXPECT_THAT(about("[terrain]\nsystem = 'EPSG:4326'\n"), HasSubstr("without terrain.elevation"));
+  EXPECT_EQ(about("[film]\nshutter = 0.5\n"),
+            "warning: film.shutter changes nothing without a camera that moves or wind.grass = "
+            "\"waving\"\n");
+  EXPECT_THAT(about("[film]\nshutter = 0.5\n[wind]\ngrass = 'waving'\n"), IsEmpty());
 }
 
 TEST_F(Warnings, PatchesOfASpeciesThatGrowsEverywhere) {
