@@ -19,9 +19,9 @@ constexpr int steps = 4;
 constexpr float close_px = 0.5F;
 constexpr float near_enough_px = 0.05F;
 
-/// The fastest motion in each square of pixels and the eight around it: squares are so large that
-/// nothing farther away reaches a pixel of theirs, up to a sixteenth of the picture. What goes on
-/// farther than that hides no more than what is so far from it.
+/// The fastest motion in each square of pixels and the eight around it ([McGuire2012]): squares are
+/// so large that nothing farther away reaches a pixel of theirs, up to a sixteenth of the picture.
+/// What moves farther hides only what lies within two squares of it.
 class FastestNearby {
  public:
   FastestNearby(const MotionField& field, double shutter)

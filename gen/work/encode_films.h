@@ -18,7 +18,9 @@ struct EncodingOptions {
   std::string renderer;        ///< "blender" or "povray"; empty: those that have all frames
   FrameChoice frames;          ///< without gaps
   std::optional<double> frames_per_second;  ///< more than 0; none: what the folder's scene says
-  std::optional<double> shutter;            ///< in [0, 1], see BlurredPictures; none: likewise
+  /// Share of the time between frames in which the shutter is open, in [0, 1]; 0 leaves pictures
+  /// sharp, none: film.shutter of the folder's scene.
+  std::optional<double> shutter;
 };
 
 /// Is given the path of each film once it is there.

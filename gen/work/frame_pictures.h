@@ -39,7 +39,8 @@ std::vector<int> expected_frames(const std::filesystem::path& out,
 std::vector<int> frames_of_shots(const std::filesystem::path& out,
                                  const std::vector<std::string>& shots);
 
-/// What that scene says of the film's time, or what is usual.
+/// What an output folder's scene, DIR/scene.toml, says of the film's time; the defaults where it
+/// cannot be read.
 scene::FilmTiming film_timing(const std::filesystem::path& out);
 
 }  // namespace wold::work

@@ -46,7 +46,7 @@ struct Job : film::Request {
   int threads = 0;            ///< 0: all processors
   double memory_bytes = 0.0;  ///< that all may take together; 0: the machine's, and no limit is set
   Keep keep = Keep::all;
-  bool is_blur_alone = false;  ///< passes are for film.shutter: files with all of them do as well
+  bool is_blur_alone = false;  ///< whether passes are for film.shutter alone: files of all do, too
   std::vector<Problem> text_warnings;  ///< of scene::read_located_scene()
 };
 
