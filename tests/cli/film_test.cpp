@@ -138,7 +138,7 @@ TEST_F(FilmCommand, NothingHalfDoneIsLeft) {
     EXPECT_NE(entry.path().filename().string().front(), '.') << entry;
 }
 
-/// A white bar that goes 16 pixels to the right in each frame, before black that stands still.
+/// A grey bar that goes 16 pixels to the right in each frame, before black that stands still.
 class MovingBar : public FilmCommand {
  protected:
   static constexpr int width = 96, height = 36, motion_px = 16;
@@ -155,7 +155,7 @@ class MovingBar : public FilmCommand {
     Image image(width, height, 3);
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x)
-        std::fill_n(image.pixel(x, y), 3, is_bar(number, x) ? 1.0F : 0.0F);
+        std::fill_n(image.pixel(x, y), 3, is_bar(number, x) ? 0.5F : 0.0F);
     make_folder(frame(number).parent_path());
     write_image(frame(number), image, PixelFormat::uint8);
   }
@@ -179,7 +179,8 @@ class MovingBar : public FilmCommand {
   }
 };
 
-// Light adds up: a pixel that is white half of the time is sRGB's 188, not 128.
+// Light adds up: 0.5 is a light of 0.214, and a pixel that has it half of the time is 0.36, not
+// 0.25.
 TEST_F(MovingBar, IsBlurredAsLongAsTheShutterIsOpen) {
   const Result made = wold("film d --shutter 0.5 --quiet");
   ASSERT_EQ(made.code, 0) << made.err;
@@ -187,10 +188,10 @@ TEST_F(MovingBar, IsBlurredAsLongAsTheShutterIsOpen) {
   for (const int number : {1, 2}) {
     const Image seen = read_image(folder_ / ("seen" + std::to_string(number) + ".png"));
     const int edge = 16 * number;
-    EXPECT_LT(seen.pixel(edge - 7, 18)[1], 0.06F);
-    EXPECT_NEAR(seen.pixel(edge - 2, 18)[1], 0.60F, 0.06F);  // 5 of 16 moments
-    EXPECT_NEAR(seen.pixel(edge + 1, 18)[1], 0.86F, 0.06F);  // 11 of 16
-    EXPECT_GT(seen.pixel(edge + 8, 18)[1], 0.94F);
+    EXPECT_LT(seen.pixel(edge - 7, 18)[1], 0.04F);
+    EXPECT_NEAR(seen.pixel(edge - 2, 18)[1], 0.287F, 0.04F);  // 5 of 16 moments
+    EXPECT_NEAR(seen.pixel(edge + 1, 18)[1], 0.420F, 0.04F);  // 11 of 16
+    EXPECT_NEAR(seen.pixel(edge + 8, 18)[1], 0.5F, 0.04F);
   }
   const std::string blurred = bytes("d/film_povray.mp4");
   ASSERT_EQ(wold("film d").code, 0);
