@@ -180,4 +180,15 @@ double ScaleFreeNoise::at(const glm::dvec2& at_m) const {
   return sum;
 }
 
+double ScaleFreeNoise::at(const glm::dvec2& at_m, double step_m) const {
+  double sum = 0.0;
+  for (const Octave& octave : octaves_) {
+    const double shown = shown_fraction(octave.feature_m, step_m);
+    if (shown <= 0.0) break;
+    sum += shown * octave.height *
+           noise_of(at_m / octave.feature_m + octave.shift, octave.field, glm::ivec2(0));
+  }
+  return sum;
+}
+
 }  // namespace wold

@@ -70,6 +70,8 @@ class ScaleFreeNoise {
 
   /// Of mean 0 and variance shown().
   double at(const glm::dvec2& at_m) const;
+  /// What a map with steps of `step_m`, coarser than those of the field's own map, shows of it.
+  double at(const glm::dvec2& at_m, double step_m) const;
   /// In [0, 1].
   double shown() const { return shown_; }
 

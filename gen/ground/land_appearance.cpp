@@ -37,6 +37,19 @@ struct Between {
   }
 };
 
+/// The eigenvector of the greatest variance, as long as its deviation: by power iteration. Of the
+/// two that fit, the one that brightens.
+glm::vec3 main_axis(const glm::dmat3& covariance) {
+  glm::dvec3 axis(1.0);
+  for (int i = 0; i < 32; ++i) {
+    const glm::dvec3 next = covariance * axis;
+    const double length = glm::length(next);
+    if (length < 1e-12) return glm::vec3(0.0F);
+    axis = next / length;
+  }
+  return glm::vec3(axis * std::sqrt(glm::dot(axis, covariance * axis)));
+}
+
 /// A normal of that slope and aspect.
 glm::dvec3 up_of(double slope, double aspect_rad) {
   const double sine = math::sin(radians(slope));
@@ -55,13 +68,13 @@ LandAppearance::LandAppearance(std::span<const LandSample> samples)
     const int rest = static_cast<int>(i) / aspects;
     table_[i] = regression(samples, rest / heights, rest % heights, static_cast<int>(i) % aspects);
   });
-  double squares = 0.0;
+  glm::dmat3 covariance(0.0);
   for (const LandSample& sample : samples) {
-    const float mean = luminance(at(sample.up, sample.height_m));
-    const double off = luminance(sample.radiance) / std::max(mean, 1e-6F) - 1.0F;
-    squares += std::min(off * off, 1.0);
+    const glm::vec3 mean = glm::max(at(sample.up, sample.height_m), glm::vec3(1e-6F));
+    const glm::dvec3 off(glm::min(sample.radiance / mean - 1.0F, glm::vec3(1.0F)));
+    covariance += glm::outerProduct(off, off) / static_cast<double>(samples.size());
   }
-  spread_ = static_cast<float>(std::sqrt(squares / static_cast<double>(samples.size())));
+  spread_ = main_axis(covariance);
 }
 
 /// Nadaraya and Watson 1964, with the widths of one step of the table, and least_step_m at least.

@@ -23,8 +23,9 @@ class LandAppearance {
   /// Radiance over irradiance of land with this normal at a height: the mean of what lies alike.
   glm::vec3 at(const glm::dvec3& up, double height_m) const;
 
-  /// Standard deviation of places about that mean, over it.
-  float spread() const { return spread_; }
+  /// How places differ from that mean, over it: the main axis of their deviations, as long as
+  /// their standard deviation along it.
+  const glm::vec3& spread() const { return spread_; }
 
  private:
   static constexpr int slopes = 13, heights = 13, aspects = 8;
@@ -34,7 +35,7 @@ class LandAppearance {
 
   double lowest_m_, highest_m_;
   std::vector<glm::vec3> table_;  ///< aspects first, then heights
-  float spread_ = 0.0F;
+  glm::vec3 spread_{0.0F};
 };
 
 }  // namespace wold::ground

@@ -12,6 +12,26 @@
 namespace wold::ground {
 namespace {
 
+/// What grows alike has all sizes, however small the square is.
+constexpr double largest_patch_m = 1000.0, finest_patch_m = 0.5, patch_hurst = 0.1;
+
+ScaleFreeNoise::Sizes patch_sizes(double square_m) {
+  return {std::max(0.1 * square_m, largest_patch_m), finest_patch_m};
+}
+
+/// How much more all land differs than places of a square: it has patches that are larger, by the
+/// same law.
+double wider_spread(double square_m) {
+  constexpr double places = 64.0;  // along a side
+  const auto variance = [](const ScaleFreeNoise::Sizes& sizes) {
+    double sum = 0.0;
+    for (double patch_m = sizes.largest_m; patch_m >= sizes.smallest_m; patch_m /= 2.0)
+      sum += math::pow(patch_m, 2.0 * patch_hurst);
+    return sum;
+  };
+  return std::sqrt(variance(patch_sizes(square_m)) / variance({square_m, square_m / places}));
+}
+
 /// A square about another one's middle.
 Square around(const Square& square, double size_m) {
   return {square.corner_m - 0.5 * (size_m - square.size_m), size_m};
@@ -27,7 +47,8 @@ LandAround::LandAround(const terrain::Surroundings& land, const light::Daylight&
       haze_(haze),
       appearance_(std::move(appearance)),
       variation_(random_bits({seed, key_of("ground"), 0, key_of("land around")}),
-                 {0.1 * land.square().size_m, 4.0}, /*hurst=*/0.1, /*step_m=*/8.0) {
+                 patch_sizes(land.square().size_m), patch_hurst, finest_patch_m),
+      spread_(appearance_.spread() * static_cast<float>(wider_spread(land.square().size_m))) {
   const double size_m = land.square().size_m;
   for (const double width_m : {3.0 * size_m, size_m + 2.0 * land.reach_m()})
     left_.push_back(left_of_light(around(land.square(), width_m), illuminate));
@@ -68,16 +89,16 @@ glm::vec3 LandAround::irradiance(const glm::dvec3& at_m, const glm::dvec3& up) c
              static_cast<float>(0.5 + 0.5 * up.z);
 }
 
-glm::vec3 LandAround::radiance(const glm::dvec2& place_m) const {
-  return haze_.before(near_radiance(place_m), {place_m, land_.height_m(place_m)});
+glm::vec3 LandAround::radiance(const glm::dvec2& place_m, double step_m) const {
+  return haze_.before(near_radiance(place_m, step_m), {place_m, land_.height_m(place_m)});
 }
 
-glm::vec3 LandAround::near_radiance(const glm::dvec2& place_m) const {
+glm::vec3 LandAround::near_radiance(const glm::dvec2& place_m, double step_m) const {
   const glm::dvec3 at_m(place_m, land_.height_m(place_m));
   const glm::dvec3 up = land_.up(place_m);
-  const double rich = std::clamp(variation_.at(place_m), -2.0, 2.0);
+  const double rich = std::clamp(variation_.at(place_m, step_m), -2.0, 2.0);
   const glm::vec3 look = appearance_.at(up, at_m.z) *
-                         std::max(1.0F + appearance_.spread() * static_cast<float>(rich), 0.2F);
+                         glm::max(1.0F + spread_ * static_cast<float>(rich), glm::vec3(0.2F));
   return look * irradiance(at_m, up);
 }
 
@@ -92,7 +113,7 @@ void paint_land_around(const LandRadiance& land, const LandAround& around, const
   };
   const auto seen = [&](const glm::dvec3& to, const glm::vec3& sky) {
     const auto at_m = view.place(to);
-    if (at_m) return land(*at_m);
+    if (at_m) return land(*at_m, view.covered_m(*at_m));
     return to.z < 0.0 ? around.beyond(to) : sky;
   };
   parallel_for(static_cast<std::size_t>(picture.height), [&](std::size_t row) {

@@ -26,10 +26,10 @@ class LandAround {
   LandAround(const terrain::Surroundings& land, const light::Daylight& day, const Haze& haze,
              LandAppearance appearance, const Illuminate& illuminate, std::uint64_t seed);
 
-  /// Radiance that an eye sees of a place.
-  glm::vec3 radiance(const glm::dvec2& at_m) const;
+  /// Radiance that an eye sees of a place, of which a pixel covers `step_m`.
+  glm::vec3 radiance(const glm::dvec2& at_m, double step_m) const;
   /// The same without the haze before it.
-  glm::vec3 near_radiance(const glm::dvec2& at_m) const;
+  glm::vec3 near_radiance(const glm::dvec2& at_m, double step_m) const;
   /// In a direction below the level one in which no land is seen: farther out there is only haze.
   glm::vec3 beyond(const glm::dvec3& direction) const { return day_.haze_radiance(direction, 1.0); }
 
@@ -49,10 +49,11 @@ class LandAround {
   LandAppearance appearance_;
   std::vector<Left> left_;  ///< on a square three times as wide as the scene's, and on all
   ScaleFreeNoise variation_;
+  glm::vec3 spread_;  ///< of the land's look, over it, by variation_
 };
 
-/// Radiance that an eye sees of a place on the land around.
-using LandRadiance = std::function<glm::vec3(const glm::dvec2& at_m)>;
+/// Radiance that an eye sees of a place on the land around, of which a pixel covers `step_m`.
+using LandRadiance = std::function<glm::vec3(const glm::dvec2& at_m, double step_m)>;
 
 /// Paints it over the sky of a backdrop, as the camera sees it: `land`, and what is `around` beyond
 /// it.

@@ -128,6 +128,11 @@ std::optional<glm::dvec2> LandView::place(const glm::dvec3& direction) const {
   return glm::dvec2(eye_m_) + glm::normalize(glm::dvec2(direction)) * distance_m;
 }
 
+double LandView::covered_m(const glm::dvec2& at_m) const {
+  constexpr double lines_of_sight = 2.0, deeper = 3.0;
+  return lines_of_sight * deeper * panorama_.step_rad * glm::length(at_m - glm::dvec2(eye_m_));
+}
+
 std::vector<LandView::Strip> LandView::strips() const {
   std::vector<Strip> all;
   for (std::size_t i = 0; i < profiles_.size(); ++i) {

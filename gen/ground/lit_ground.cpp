@@ -250,8 +250,9 @@ std::unique_ptr<const LakeSurface> LitGround::lake_surface(
   const auto of_around = [&](double width_m) {
     constexpr int samples = 193;
     const Square wide{square.corner_m - 0.5 * (width_m - square.size_m), width_m};
-    return filled({wide, samples},
-                  [&](const glm::dvec2& at_m) { return around.near_radiance(at_m); });
+    const GroundGrid grid{wide, samples};
+    return filled(
+        grid, [&](const glm::dvec2& at_m) { return around.near_radiance(at_m, grid.step_m()); });
   };
   constexpr int samples_of_square = 513;
   OverLakes over{
@@ -281,10 +282,11 @@ ColourMap LitGround::sun_alone(const terrain::GroundLight& clear) const {
 }
 
 glm::vec3 LitGround::seen_around(const LandAround& around, const LakeSurface* lakes,
-                                 const glm::dvec2& at_m) const {
-  constexpr double step_m = 10.0;  // waves are smaller
-  if (lakes == nullptr || lakes->open_water(at_m, step_m) < 0.5) return around.radiance(at_m);
-  return haze_.before(lakes->at(at_m, step_m).radiance, {at_m, site_.water->level_m(at_m)});
+                                 const glm::dvec2& at_m, double step_m) const {
+  constexpr double water_step_m = 10.0;  // waves are smaller
+  if (lakes == nullptr || lakes->open_water(at_m, water_step_m) < 0.5)
+    return around.radiance(at_m, step_m);
+  return haze_.before(lakes->at(at_m, water_step_m).radiance, {at_m, site_.water->level_m(at_m)});
 }
 
 void LitGround::show_land_around(const LandAround& around, const LakeSurface* lakes,
@@ -292,7 +294,8 @@ void LitGround::show_land_around(const LandAround& around, const LakeSurface* la
   const landscape::Camera& camera = landscape.camera;
   const LandView view(*site_.surroundings, landscape.terrain, camera.eye_m,
                       panorama(camera, landscape.width_px, landscape.height_px));
-  paint_land_around([&](const glm::dvec2& at_m) { return seen_around(around, lakes, at_m); },
+  paint_land_around([&](const glm::dvec2& at_m,
+                        double step_m) { return seen_around(around, lakes, at_m, step_m); },
                     around, view, camera.eye_m, *landscape.backdrop);
 }
 

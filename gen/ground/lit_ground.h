@@ -81,9 +81,9 @@ class LitGround {
   struct LevelLook;
   LandAppearance land_appearance(const LevelLook& look) const;
   LandAround land_around(const LevelLook& look) const;
-  /// Radiance that the eye sees of a place on the land around.
-  glm::vec3 seen_around(const LandAround& around, const LakeSurface* lakes,
-                        const glm::dvec2& at_m) const;
+  /// Radiance that the eye sees of a place on the land around, of which a pixel covers `step_m`.
+  glm::vec3 seen_around(const LandAround& around, const LakeSurface* lakes, const glm::dvec2& at_m,
+                        double step_m) const;
   void show_land_around(const LandAround& around, const LakeSurface* lakes,
                         landscape::Landscape& landscape) const;
   /// On the grass of a large terrain's window of cells.

@@ -12,7 +12,8 @@ namespace wold::terrain {
 namespace {
 
 constexpr double hurst = 0.7;
-constexpr double largest_feature_m = 8000.0, largest_deviation_m = 500.0;
+constexpr double largest_feature_m = 8000.0, smallest_feature_m = 5.0;
+constexpr double largest_deviation_m = 500.0;
 
 double deviation_of(const Heightfield& ground) {
   double sum = 0.0, squares = 0.0;
@@ -24,55 +25,75 @@ double deviation_of(const Heightfield& ground) {
   return std::sqrt(std::max(0.0, squares / count - (sum / count) * (sum / count)));
 }
 
+/// What is left for the features within features of that height.
+double weight_within(double signal) { return std::clamp(1.6 * signal, 0.0, 1.0); }
+
 }  // namespace
 
-MadeUpLand::MadeUpLand(const Heightfield& ground, std::uint64_t seed)
-    : key_(random_bits({seed, key_of("ground"), 0, key_of("made-up land")})),
-      feature_m_(std::max(0.5 * ground.size_m(), largest_feature_m)),
-      deviation_m_(
-          std::min(deviation_of(ground) * math::pow(feature_m_ / (0.5 * ground.size_m()), hurst),
-                   largest_deviation_m)) {
-  constexpr int places = 64;  // along a side
-  constexpr double features = 16.0;
-  double sum = 0.0, squares = 0.0;
-  for (int j = 0; j < places; ++j)
-    for (int i = 0; i < places; ++i) {
-      const glm::dvec2 at_m = glm::dvec2(i, j) * (features * feature_m_ / places);
-      const double value = multifractal(at_m, 0.02 * feature_m_);
-      sum += value;
-      squares += value * value;
-    }
-  mean_ = sum / (places * places);
-  scale_ = 1.0 / std::sqrt(squares / (places * places) - mean_ * mean_);
-}
-
-double MadeUpLand::height_m(const glm::dvec2& at_m, double step_m) const {
-  return deviation_m_ * scale_ * (multifractal(at_m, step_m) - mean_);
-}
-
-double MadeUpLand::multifractal(const glm::dvec2& at_m, double step_m) const {
-  constexpr int most_octaves = 9;
-  const double lower = math::exp2(-hurst);     // each octave than the one before
+MadeUpLand::MadeUpLand(const Heightfield& ground, std::uint64_t seed) {
+  const double half_m = 0.5 * ground.size_m(), largest_m = std::max(half_m, largest_feature_m);
+  deviation_m_ =
+      std::min(deviation_of(ground) * math::pow(largest_m / half_m, hurst), largest_deviation_m);
+  const std::uint64_t key = random_bits({seed, key_of("ground"), 0, key_of("made-up land")});
   const glm::dmat2 turn(0.8, 0.6, -0.6, 0.8);  // no octave's lattice lies along another's
-  double sum = 0.0, weight = 1.0, part = 1.0, feature_m = feature_m_;
-  glm::dvec2 place_m = at_m;
-  for (std::uint64_t octave = 0; octave < most_octaves; ++octave) {
-    const double shown = shown_fraction(feature_m, step_m);
-    if (shown <= 0.0) break;
+  Octave octave{.feature_m = largest_m, .part = 1.0};
+  for (std::uint64_t i = 0; octave.feature_m >= smallest_feature_m; ++i) {
     const auto drawn = [&](std::string_view what) {
-      return RandomKey{key_, key_of("octave"), octave, key_of(what)};
+      return RandomKey{key, key_of("octave"), i, key_of(what)};
     };
-    const glm::dvec2 shift(random_uniform(drawn("east")), random_uniform(drawn("north")));
-    const double noise = gradient_noise(place_m / feature_m + shift, random_bits(drawn("noise")));
-    const double ridge = std::max(0.0, 1.0 - 0.45 * std::abs(noise / gradient_noise_deviation));
-    const double signal = ridge * ridge * weight;
-    sum += shown * part * signal;
-    weight = std::clamp(1.6 * signal, 0.0, 1.0);
-    part *= lower;
-    feature_m *= 0.5;
-    place_m = turn * place_m;
+    octave.shift = {random_uniform(drawn("east")), random_uniform(drawn("north"))};
+    octave.key = random_bits(drawn("noise"));
+    octaves_.push_back(octave);
+    octave.feature_m *= 0.5;
+    octave.part *= math::exp2(-hurst);
+    octave.turn = turn * octave.turn;
   }
-  return sum;
+  measure();
+}
+
+double MadeUpLand::ridge(const Octave& octave, const glm::dvec2& at_m) {
+  const double noise =
+      gradient_noise(octave.turn * at_m / octave.feature_m + octave.shift, octave.key);
+  const double ridge = std::max(0.0, 1.0 - 0.45 * std::abs(noise / gradient_noise_deviation));
+  return ridge * ridge;
+}
+
+/// Means over places, and the deviation of the sum.
+void MadeUpLand::measure() {
+  constexpr int side = 64;
+  constexpr double features = 16.0;
+  const double count = side * side, step_m = features * octaves_.front().feature_m / side;
+  std::vector<double> sums(side * side, 0.0), weights(side * side, 1.0);
+  for (Octave& octave : octaves_) {
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      const double ridge_here = ridge(octave, step_m * glm::dvec2(i % side, i / side));
+      octave.mean_ridge += ridge_here / count;
+      octave.mean_weight += weights[i] / count;
+      sums[i] += octave.part * ridge_here * weights[i];
+      weights[i] = weight_within(ridge_here * weights[i]);
+    }
+  }
+  double mean = 0.0, square = 0.0;
+  for (const double sum : sums) {
+    mean += sum / count;
+    square += sum * sum / count;
+  }
+  scale_ = 1.0 / std::sqrt(square - mean * mean);
+}
+
+double MadeUpLand::height_m(const glm::dvec2& at_m, double step_m, double from_known_m) const {
+  double sum = 0.0, weight = 1.0;
+  for (const Octave& octave : octaves_) {
+    const double shown = shown_fraction(octave.feature_m, step_m);
+    if (shown <= 0.0) break;
+    const double begun = glm::smoothstep(0.0, octave.feature_m, from_known_m);
+    // Where no larger features have begun there is nothing that could hold these down.
+    const double signal = ridge(octave, at_m) * std::lerp(1.0, weight, begun);
+    const double mean = octave.mean_ridge * std::lerp(1.0, octave.mean_weight, begun);
+    sum += begun * shown * octave.part * (signal - mean);
+    weight = weight_within(signal);
+  }
+  return deviation_m_ * scale_ * sum;
 }
 
 }  // namespace wold::terrain

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "core/ground_map.h"
 
@@ -17,23 +18,31 @@ class MadeUpLand {
   /// modelling choices.
   MadeUpLand(const Heightfield& ground, std::uint64_t seed);
 
-  /// Size of the largest features.
-  double feature_m() const { return feature_m_; }
-
-  /// Standard deviation of its heights.
+  /// Standard deviation of its heights, far from all that is known.
   double deviation_m() const { return deviation_m_; }
 
-  /// Metres above or below the mean land, as a map with this step shows it.
-  double height_m(const glm::dvec2& at_m, double step_m) const;
+  /// Metres above or below the mean land, as a map with this step shows it, so far from land that
+  /// is known: features begin there over their size, the small ones at once. Nothing at
+  /// its border.
+  double height_m(const glm::dvec2& at_m, double step_m, double from_known_m) const;
 
  private:
-  double multifractal(const glm::dvec2& at_m, double step_m) const;
+  /// Features of one size.
+  struct Octave {
+    double feature_m;
+    double part;  ///< how high they are
+    glm::dmat2 turn{1.0};
+    glm::dvec2 shift{0.0};
+    std::uint64_t key = 0;
+    double mean_ridge = 0.0, mean_weight = 0.0;  ///< over all places
+  };
 
-  std::uint64_t key_;
-  double feature_m_;
+  static double ridge(const Octave& octave, const glm::dvec2& at_m);
+  void measure();
+
+  std::vector<Octave> octaves_;  ///< from the largest
   double deviation_m_;
-  double mean_ = 0.0;   ///< of multifractal()
-  double scale_ = 1.0;  ///< by which its deviation is 1
+  double scale_ = 1.0;  ///< by which the sum of octaves has deviation 1
 };
 
 }  // namespace wold::terrain

@@ -97,18 +97,14 @@ struct Model {
   bool is_read = false;                 ///< all of it that is needed
 };
 
-/// Land goes on into what is made up over half of its largest features.
 Heightfield with_made_up_land(const KnownLand& known, const MadeUpLand& land) {
-  constexpr double unseen_m = 0.01;
   const GroundMap<double>& heights_m = known.heights_m;
   Heightfield all(heights_m.samples(), heights_m.square());
   each_row(all.samples(), [&](int j) {
     for (int i = 0; i < all.samples(); ++i) {
-      const double strange =
-          glm::smoothstep(0.0, 0.5 * land.feature_m(), known.distance_m.at(i, j));
       double height_m = heights_m.at(i, j);
-      if (strange * land.deviation_m() > unseen_m)
-        height_m += strange * land.height_m(all.place_m(i, j), all.step_m());
+      if (const double from_known_m = known.distance_m.at(i, j); from_known_m > 0.0)
+        height_m += land.height_m(all.place_m(i, j), all.step_m(), from_known_m);
       all.at(i, j) = static_cast<float>(height_m);
     }
   });

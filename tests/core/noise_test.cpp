@@ -68,6 +68,16 @@ TEST(Noise, VariogramFollowsTheHurstExponent) {
   }
 }
 
+TEST(ScaleFreeNoise, ShowsOfFineFeaturesWhatAMapOfThatStepDoes) {
+  const ScaleFreeNoise::Sizes sizes{200.0, 0.5};
+  const ScaleFreeNoise fine(5, sizes, 0.1, 0.01), coarse(5, sizes, 0.1, 8.0);
+  for (int k = 0; k < 50; ++k) {
+    const glm::dvec2 at_m(k * 7.31, k * 3.77);
+    EXPECT_NEAR(fine.at(at_m, 8.0), coarse.at(at_m), 1e-12);
+    EXPECT_EQ(fine.at(at_m, 1e-3), fine.at(at_m));
+  }
+}
+
 // A distance to the nearest of some points changes by no more than the way that one goes, whatever
 // cell the nearest one is in.
 TEST(CellNoise, IsADistanceAcrossCells) {

@@ -60,6 +60,13 @@ TEST(LandView, FindsThePlaceInADirection) {
   EXPECT_FALSE(level.view.place(northward(0.01)));
 }
 
+// Between its width, 0.2 degrees there, and ten times of that.
+TEST(LandView, KnowsWhatAPixelCovers) {
+  const LevelLand level(20.0, 40000.0);
+  const double width_m = 300.0 * 0.2 * degree;
+  EXPECT_NEAR(level.view.covered_m({50.0, 350.0}), 3.0 * width_m, 1e-9);
+}
+
 // The horizon's dip: sqrt(2 h / R), of a radius larger by refraction.
 TEST(LandView, SeesARoundEarth) {
   for (const double eye_m : {20.0, 200.0}) {
@@ -141,8 +148,20 @@ TEST(LandAppearance, KnowsHowMuchPlacesDiffer) {
   std::vector<LandSample> samples;
   for (int i = 0; i < 400; ++i)
     samples.push_back({{0.0, 0.0, 1.0}, 1.0 * i, glm::vec3(i % 2 == 0 ? 0.06F : 0.04F)});
-  EXPECT_NEAR(LandAppearance(samples).spread(), 0.2F, 0.01F);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(LandAppearance(samples).spread()[c], 0.2F, 0.01F);
   EXPECT_NEAR(LandAppearance(samples).at({0.0, 0.0, 1.0}, 200.0).r, 0.05F, 0.001F);
+}
+
+// Straw stands here and there in green grass: it is redder, and no brighter in green.
+TEST(LandAppearance, KnowsInWhatColourPlacesDiffer) {
+  const glm::vec3 grass(0.04F, 0.06F, 0.01F), straw(0.08F, 0.06F, 0.02F);
+  std::vector<LandSample> samples;
+  for (int i = 0; i < 400; ++i)
+    samples.push_back({{0.0, 0.0, 1.0}, 1.0 * i, i % 2 == 0 ? grass : straw});
+  const glm::vec3 spread = LandAppearance(samples).spread();
+  EXPECT_NEAR(spread.r, 0.02 / 0.06, 0.01);
+  EXPECT_NEAR(spread.g, 0.0, 1e-3);
+  EXPECT_NEAR(spread.b, 0.005 / 0.015, 0.01);
 }
 
 }  // namespace

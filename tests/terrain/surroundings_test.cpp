@@ -202,7 +202,7 @@ TEST(MadeUpLand, RisesAsTheGroundDoes) {
   constexpr int places = 90;
   for (int j = 0; j < places; ++j)
     for (int i = 0; i < places; ++i) {
-      const double height_m = land.height_m({i * 3100.0, j * 3100.0}, 50.0);
+      const double height_m = land.height_m({i * 3100.0, j * 3100.0}, 50.0, 1e6);
       sum += height_m;
       squares += height_m * height_m;
     }
@@ -213,9 +213,39 @@ TEST(MadeUpLand, RisesAsTheGroundDoes) {
               0.15 * deviation_m);
 }
 
+/// Standard deviation of land's heights at places all over it, so far from what is known.
+double deviation_m(const MadeUpLand& land, double from_known_m) {
+  constexpr int side = 60;
+  double sum = 0.0, squares = 0.0;
+  for (int j = 0; j < side; ++j)
+    for (int i = 0; i < side; ++i) {
+      const double height_m = land.height_m({i * 3100.0, j * 3100.0}, 1.0, from_known_m);
+      sum += height_m;
+      squares += height_m * height_m;
+    }
+  const double mean = sum / (side * side);
+  return std::sqrt(squares / (side * side) - mean * mean);
+}
+
+// No plain lies around a small square. At each distance the land is as high as its law has it for
+// features of that size, the largest that have begun there: within a factor of two, since small ones
+// are high where large ones are.
+TEST(MadeUpLand, BeginsWithSmallFeaturesAtOnce) {
+  Heightfield ground(65, 60.0);
+  for (int j = 0; j < 65; ++j)
+    for (int i = 0; i < 65; ++i) ground.at(i, j) = (i + j) % 2 == 0 ? 3.0F : -3.0F;
+  const MadeUpLand land(ground, 5);
+  EXPECT_EQ(deviation_m(land, 0.0), 0.0);
+  for (const double from_known_m : {32.0, 125.0, 500.0, 2000.0}) {
+    const double law_m = 3.0 * std::pow(from_known_m / 30.0, 0.7);
+    EXPECT_GT(deviation_m(land, from_known_m), 0.5 * law_m) << from_known_m;
+    EXPECT_LT(deviation_m(land, from_known_m), 2.0 * law_m) << from_known_m;
+  }
+}
+
 TEST(MadeUpLand, IsLevelWhereTheGroundIs) {
   const MadeUpLand land(Heightfield(17, 40.0, 3.0F), 5);
-  EXPECT_NEAR(land.height_m({5000.0, 900.0}, 10.0), 0.0, 1e-3);
+  EXPECT_NEAR(land.height_m({5000.0, 900.0}, 10.0, 1e6), 0.0, 1e-3);
 }
 
 }  // namespace
