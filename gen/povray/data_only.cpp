@@ -22,17 +22,15 @@ constexpr std::array<std::string_view, 3> directives = {"declare", "local", "ver
 
 /// What stands in files of data: nothing that reads, writes, includes or makes a string, and none
 /// of the scene program's own names of files and folders.
-constexpr std::array<std::string_view, 60> words = {
+constexpr std::array<std::string_view, 57> words = {
     "Wold_backdrop_corner_m",
     "Wold_backdrop_right_m",
     "Wold_backdrop_up_m",
-    "Wold_blade_cell",
     "Wold_blade_light_corner_m",
     "Wold_blade_light_max",
     "Wold_blade_light_samples",
     "Wold_blade_light_step_m",
     "Wold_blades",
-    "Wold_cell",
     "Wold_cloud",
     "Wold_colour_max",
     "Wold_emission_max",
@@ -58,7 +56,6 @@ constexpr std::array<std::string_view, 60> words = {
     "Wold_light_step_m",
     "Wold_mesh",
     "Wold_meshes",
-    "Wold_part",
     "Wold_patch_m",
     "Wold_sky_irradiance",
     "Wold_standing_corner_m",
@@ -159,13 +156,14 @@ void require_folder(const fs::path& folder) {
         fmt::format("{}: found a link to a folder, expected a folder", folder.string()));
 }
 
-/// Adds those below a folder, which need not be there.
+/// Adds those below a folder, which need not be there, and what the scene program reads itself.
 void add_include_files(const fs::path& folder, std::vector<fs::path>& files) {
   require_folder(folder);
   if (!fs::exists(folder)) return;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     require_folder(entry.path());
-    if (entry.path().extension() == ".inc") files.push_back(entry.path());
+    if (entry.path().extension() == ".inc" || entry.path().filename() == "cells.txt")
+      files.push_back(entry.path());
   }
 }
 

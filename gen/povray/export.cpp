@@ -153,35 +153,28 @@ void write_volumes_list(std::ostream& out, const landscape::Landscape& scene,
   out << include_end;
 }
 
-/// The columns of world_from_cell, which are where x, y and z of the cell go, and its corner: a
-/// macro's arguments.
+/// The columns of world_from_cell, which are where x, y and z of the cell go, and its corner.
 std::string place_text(const glm::dmat4& world_from_cell) {
   const auto column = [&](int c) { return vector(glm::dvec3(world_from_cell[c])); };
   return fmt::format("{}, {}, {}, {}", column(0), column(1), column(2), column(3));
 }
 
-std::string cell_text(const landscape::Cell& cell, int volume) {
-  const std::string place = place_text(cell.world_from_cell);
-  if (cell.part.is_whole()) return fmt::format("Wold_cell({}, {})\n", volume, place);
-  const auto fractions = [](const glm::dvec2& v) {
-    return fmt::format("<{}, {}>", number(v.x), number(v.y));
-  };
-  return fmt::format("Wold_part({}, {}, {}, {})\n", volume, place, fractions(cell.part.low),
-                     fractions(cell.part.high));
-}
-
+/// What Wold_cells() of the scene program reads: numbers and vectors, each with a comma after it.
 void write_cells(std::ostream& out, const landscape::Landscape& scene,
                  const std::map<int, int>& used) {
-  out << include_begin;
-  for (const landscape::Cell& cell : scene.cells) out << cell_text(cell, used.at(cell.volume));
+  out << fmt::format("{},\n", scene.cells.size());
+  for (const landscape::Cell& cell : scene.cells)
+    out << fmt::format("{}, {}, {}, {},\n", used.at(cell.volume), place_text(cell.world_from_cell),
+                       vector(glm::dvec3(cell.part.low, 0.0)),
+                       vector(glm::dvec3(cell.part.high, 0.0)));
+  out << fmt::format("{},\n", scene.blade_cells.size());
   for (const landscape::BladeCell& cell : scene.blade_cells)
-    out << fmt::format("Wold_blade_cell({}, {})\n", cell.mesh, place_text(cell.world_from_cell));
-  out << include_end;
+    out << fmt::format("{}, {},\n", cell.mesh, place_text(cell.world_from_cell));
 }
 
 /// The frame's own files.
 std::vector<fs::path> frame_files(const landscape::Landscape& scene, const fs::path& frame) {
-  std::vector<std::string> names = {"frame.inc",   "cells.inc",    "volumes.inc",  "clouds.inc",
+  std::vector<std::string> names = {"frame.inc",   "cells.txt",    "volumes.inc",  "clouds.inc",
                                     "sky.exr",     "ground.exr",   "light_r.df3",  "light_g.df3",
                                     "light_b.df3", "standing.df3", "expected.json"};
   if (!scene.blade_meshes.empty())
@@ -233,7 +226,8 @@ std::vector<fs::path> export_frame(const landscape::Landscape& scene, const fs::
   write_map_picture(scene.ground, frame / "ground.exr");
   const std::string details = write_ground_details(scene, frame);
   write_image(frame / "sky.exr", scene.sky, PixelFormat::half);
-  write_file(frame / "cells.inc", [&](std::ostream& out) { write_cells(out, scene, used); });
+  fs::remove(frame / "cells.inc");  // of versions before cells.txt: require_data_only() refuses it
+  write_file(frame / "cells.txt", [&](std::ostream& out) { write_cells(out, scene, used); });
   write_file(frame / "volumes.inc",
              [&](std::ostream& out) { write_volumes_list(out, scene, used); });
   for (const landscape::CloudBox& cloud : scene.clouds) write_cloud(cloud, df3_bits, frame);

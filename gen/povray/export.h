@@ -15,7 +15,7 @@ namespace wold::povray {
 ///     data/frame_0001.ini           the same with frame, input and output
 ///     data/frame_0001/frame.inc     camera, exposure, scales of the maps
 ///     data/frame_0001/volumes.inc   the volumes and meshes this frame uses
-///     data/frame_0001/cells.inc     one macro call per cell, or per part of one
+///     data/frame_0001/cells.txt     where each cell, or part of one, stands: numbers alone
 ///     data/frame_0001/clouds.inc    one macro call per cloud that is a volume
 ///     data/frame_0001/expected.json what the picture should show (core/expected_picture.h)
 ///     data/frame_0001/flakes.inc    the flakes as one mesh; none, no file

@@ -49,11 +49,6 @@ global_settings {
 #include concat(Wold_here, "wold_surroundings.inc")
 #include concat(Wold_here, "wold_air.inc")
 
-// Here grass stands where it grew and nothing else casts shadows; wold.inc has more to say.
-#macro Wold_onto_ground(_middle, _side_m) #end
-#macro Wold_shade_density(_middle) #end
-#macro Wold_shade_pane() #end
-
 Wold_grass_maps()
 
 Wold_frame_camera()
@@ -67,7 +62,7 @@ Wold_sky(concat(Wold_frame_folder, "sky.exr"))
 Wold_draw_ground(concat(Wold_frame_folder, "ground.exr"))
 
 #include concat(Wold_frame_folder, "volumes.inc")
-#include concat(Wold_frame_folder, "cells.inc")
+Wold_cells(concat(Wold_frame_folder, "cells.txt"))
 #include concat(Wold_frame_folder, "clouds.inc")
 
 #ifdef (Wold_flake_radiance)

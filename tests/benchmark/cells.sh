@@ -27,7 +27,7 @@ for cells in "$@"; do
     --set "terrain.hill_height=$(times "$size" 0.2083)" \
     --set "camera.eye=[$(times "$size" 0.5), 0.5]" \
     --set "camera.target=[$(times "$size" 0.51), $(times "$size" 0.333)]"; echo)
-  drawn=$(awk '/^(Cell|Part)[(]/ {n++} END {print n + 0}' "$out/povray/data/frame_0002/cells.inc")
+  drawn=$(head -1 "$out/povray/data/frame_0002/cells.txt" | tr -d ,)
   read -r blender_s blender_mb < <(measured blender -b --python-exit-code 1 \
     -P "$here/templates/blender/wold_render.py" -- "$out/blender" 2 --out "$out/2.png"; echo)
   read -r povray_s povray_mb < <(cd "$out/povray" && measured povray data/frame_0002.ini; echo)

@@ -91,7 +91,7 @@ TEST_F(Damaged, ForPovrayDataAreNumbersAndItsSettingsOursWhateverTheRecordsSay) 
     write_file(record, json.dump());
     fs::remove(folder_ / "out/frames/povray/0001.png");
   };
-  const std::string cells = "povray/data/frame_0001/cells.inc";
+  const std::string cells = "povray/data/frame_0001/cells.txt";
   edit(cells, "\n#fopen File \"../../precious\" write\n#write (File, \"harm\")\n");
   const Result refused = shell(render_line("out"));
   EXPECT_EQ(refused.code, 4);

@@ -69,7 +69,7 @@ TEST_F(DataOnly, WhatRunsReadsOrWritesIsNot) {
            "\x01",
            "\xc3\xa4",
        })
-    EXPECT_THAT(said_of("frame_0002/cells.inc", text), HasSubstr("cells.inc:1: found \"")) << text;
+    EXPECT_THAT(said_of("frame_0002/cells.txt", text), HasSubstr("cells.txt:1: found \"")) << text;
 }
 
 TEST_F(DataOnly, IsToldWithLineAndWhatStandsThere) {
@@ -79,7 +79,7 @@ TEST_F(DataOnly, IsToldWithLineAndWhatStandsThere) {
 
 TEST_F(DataOnly, OnlyFilesThatTheFrameCanIncludeCount) {
   const std::string program = "#fopen F \"x\" write";
-  EXPECT_EQ(said_of("frame_0001/cells.inc", program), "");
+  EXPECT_EQ(said_of("frame_0001/cells.txt", program), "");
   EXPECT_EQ(said_of("frame_0002/notes.txt", program), "");
   EXPECT_NE(said_of("frames.inc", program), "");
   EXPECT_NE(said_of("volumes/v0.inc", program), "");

@@ -192,9 +192,13 @@ TEST_F(Export, CellsStandWhereTheLandscapeHasThem) {
   landscape::Cell cell = scene.cells.front();
   cell.world_from_cell = glm::dmat4({0, 1, 0.25, 0}, {-1, 0, 0.5, 0}, {0, 0, 2, 0}, {3, 4, 5, 1});
   scene.cells = {cell};
+  scene.blade_cells.front().world_from_cell = cell.world_from_cell;
   export_frame(scene, folder / "povray");
-  EXPECT_THAT(read_file(folder / "povray/data/frame_0001/cells.inc"),
-              testing::HasSubstr("Wold_cell(0, <0, 1, 0.25>, <-1, 0, 0.5>, <0, 0, 2>, <3, 4, 5>)"));
+  EXPECT_EQ(read_file(folder / "povray/data/frame_0001/cells.txt"),
+            "1,\n"
+            "0, <0, 1, 0.25>, <-1, 0, 0.5>, <0, 0, 2>, <3, 4, 5>, <0, 0, 0>, <1, 1, 0>,\n"
+            "1,\n"
+            "0, <0, 1, 0.25>, <-1, 0, 0.5>, <0, 0, 2>, <3, 4, 5>,\n");
 }
 
 // Cells stand on squares of ground that are cut from south-west to north-east (terrain/relief.h).
