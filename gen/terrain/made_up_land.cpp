@@ -15,6 +15,14 @@ constexpr double hurst = 0.7;
 constexpr double largest_feature_m = 8000.0, smallest_feature_m = 5.0;
 constexpr double largest_deviation_m = 500.0;
 
+/// Over which soil that creeps rounds crests, and how fast noise of deviation 1 changes on them,
+/// per size of features.
+constexpr double crest_m = 25.0, steepness = 4.0;
+
+/// Of features where no larger ones have begun that could hold them down. So all land is as high as
+/// its law has it.
+constexpr double weight_beside_known = 0.6;
+
 double deviation_of(const Heightfield& ground) {
   double sum = 0.0, squares = 0.0;
   for (const float height_m : ground.values()) {
@@ -41,6 +49,7 @@ MadeUpLand::MadeUpLand(const Heightfield& ground, std::uint64_t seed) {
     const auto drawn = [&](std::string_view what) {
       return RandomKey{key, key_of("octave"), i, key_of(what)};
     };
+    octave.round = steepness * crest_m / octave.feature_m;
     octave.shift = {random_uniform(drawn("east")), random_uniform(drawn("north"))};
     octave.key = random_bits(drawn("noise"));
     octaves_.push_back(octave);
@@ -54,7 +63,8 @@ MadeUpLand::MadeUpLand(const Heightfield& ground, std::uint64_t seed) {
 double MadeUpLand::ridge(const Octave& octave, const glm::dvec2& at_m) {
   const double noise =
       gradient_noise(octave.turn * at_m / octave.feature_m + octave.shift, octave.key);
-  const double ridge = std::max(0.0, 1.0 - 0.45 * std::abs(noise / gradient_noise_deviation));
+  const double away = std::hypot(noise / gradient_noise_deviation, octave.round) - octave.round;
+  const double ridge = std::max(0.0, 1.0 - 0.45 * away);
   return ridge * ridge;
 }
 
@@ -87,9 +97,9 @@ double MadeUpLand::height_m(const glm::dvec2& at_m, double step_m, double from_k
     const double shown = shown_fraction(octave.feature_m, step_m);
     if (shown <= 0.0) break;
     const double begun = glm::smoothstep(0.0, octave.feature_m, from_known_m);
-    // Where no larger features have begun there is nothing that could hold these down.
-    const double signal = ridge(octave, at_m) * std::lerp(1.0, weight, begun);
-    const double mean = octave.mean_ridge * std::lerp(1.0, octave.mean_weight, begun);
+    const double signal = ridge(octave, at_m) * std::lerp(weight_beside_known, weight, begun);
+    const double mean =
+        octave.mean_ridge * std::lerp(weight_beside_known, octave.mean_weight, begun);
     sum += begun * shown * octave.part * (signal - mean);
     weight = weight_within(signal);
   }

@@ -30,7 +30,8 @@ class MadeUpLand {
   /// Features of one size.
   struct Octave {
     double feature_m;
-    double part;  ///< how high they are
+    double part;         ///< how high they are
+    double round = 0.0;  ///< how round their crests are, in deviations of the noise
     glm::dmat2 turn{1.0};
     glm::dvec2 shift{0.0};
     std::uint64_t key = 0;
