@@ -67,6 +67,7 @@ const render::Renderer& renderer() {
       .program = {"POV-Ray", "povray", "WOLD_POVRAY", "--povray"},
       .option_doc = "POV-Ray",
       .expected_program = "POV-Ray",
+      .state_extension = ".pov-state",
       .templates = "templates/povray",
       .recognise = recognise,
       .command = command,

@@ -113,21 +113,23 @@ double render_to(const fs::path& output, const Job& job, Progress& progress,
   return end.max_memory_bytes;
 }
 
-/// Removes what a stopped renderer leaves beside its output, such as POV-Ray's state file.
+/// Removes what a stopped renderer leaves beside its output. By its name: the folder, which has a
+/// film's pictures, may be long.
 class Leftovers {
  public:
-  explicit Leftovers(const fs::path& output) : output_(output) {}
+  Leftovers(fs::path output, const Renderer& renderer)
+      : state_(renderer.state_extension.empty()
+                   ? fs::path()
+                   : output.replace_extension(renderer.state_extension)) {}
   ~Leftovers() {
     std::error_code ignored;
-    for (const fs::directory_entry& entry : fs::directory_iterator(output_.parent_path(), ignored))
-      if (entry.path() != output_ && entry.path().stem() == output_.stem())
-        fs::remove(entry.path(), ignored);
+    if (!state_.empty()) fs::remove(state_, ignored);
   }
   Leftovers(const Leftovers&) = delete;
   Leftovers& operator=(const Leftovers&) = delete;
 
  private:
-  fs::path output_;
+  fs::path state_;
 };
 
 /// Finds out before the long work whether its result can be kept.
@@ -148,7 +150,7 @@ double run(const Job& job, Progress& progress, const std::function<bool()>& inte
   double max_memory_bytes = 0.0;
   write_file_by_path(picture, [&](const fs::path& output) {
     require_writable(output);
-    const Leftovers leftovers(output);
+    const Leftovers leftovers(output, *job.program.kind);
     max_memory_bytes = render_to(output, job, progress, interrupted);
   });
   progress.end();

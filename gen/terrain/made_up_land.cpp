@@ -63,7 +63,8 @@ MadeUpLand::MadeUpLand(const Heightfield& ground, std::uint64_t seed) {
 double MadeUpLand::ridge(const Octave& octave, const glm::dvec2& at_m) {
   const double noise =
       gradient_noise(octave.turn * at_m / octave.feature_m + octave.shift, octave.key);
-  const double away = std::hypot(noise / gradient_noise_deviation, octave.round) - octave.round;
+  const double sharp = noise / gradient_noise_deviation;
+  const double away = std::sqrt(sharp * sharp + octave.round * octave.round) - octave.round;
   const double ridge = std::max(0.0, 1.0 - 0.45 * away);
   return ridge * ridge;
 }

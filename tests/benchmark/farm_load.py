@@ -6,10 +6,10 @@ with the land that is seen:
 For each number of frames a film's folder is filled as a farm would leave it: one frame is made, and
 the others are copies of it by hard links. Then one task of each stage runs, and the system calls
 that it makes below the output folder are counted by strace: files opened, names looked up (stat,
-access, readlink, rename and their like), calls that list folders, bytes read and written. The same
-is counted of a frame with four times as much grass. Exit code 1 when a task of the longest film
-makes more calls than one of the shortest, or a picture of more grass makes notably more than one of
-less, 77 when strace or POV-Ray is missing.
+access, readlink, rename and their like), names that listed folders have, bytes read and written. The
+same is counted of a frame with four times as much grass. Exit code 1 when a task of the longest film
+takes more calls or names than one of the shortest, or a picture of more grass notably more than one
+of less, 77 when strace or POV-Ray is missing.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ CALLS = {"openat": "opened", "open": "opened", "getdents64": "listed", "read": "
          "pread64": "read", "write": "written", "pwrite64": "written",
          "writev": "written"}  # fmt: skip
 COLUMNS = ("opened", "looked up", "listed", "read", "written")
-COUNTS = ("opened", "looked up", "listed")  # calls; the others are bytes
+COUNTS = ("opened", "looked up", "listed")  # calls and names; the others are bytes
 
 Load = dict[str, int]
 SIDE_M, WIDE_SIDE_M = 4, 8  # of the land
@@ -83,8 +83,12 @@ def count(log: Path, below: Path) -> Load:
         if not call or str(below) not in call.group(2):
             continue
         column = CALLS.get(call.group(1), "looked up")
-        result = int(call.group(3))
-        load[column] += max(0, result) if column in ("read", "written") else 1
+        if column in ("read", "written"):
+            load[column] += max(0, int(call.group(3)))
+        elif column == "listed":
+            load[column] += int(re.search(r"/\* (\d+) entries \*/", call.group(2)).group(1))
+        else:
+            load[column] += 1
     return load
 
 

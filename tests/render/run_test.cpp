@@ -114,10 +114,14 @@ TEST_F(FakeRenderer, TimeOutEndsEvenWhatIgnoresIt) {
 
 TEST_F(FakeRenderer, InterruptEndsTheProgramAndItsChildren) {
   play(
-      "echo half > \"$out\"; echo state > \"${out%.png}.pov-state\"; sleep 60 & echo $! > "
+      "echo half > \"$out\"; echo state > \"${out%.png}.state\"; sleep 60 & echo $! > "
       "\"$folder/new\"; "
       "mv \"$folder/new\" \"$folder/pid\"; wait");
-  failure_of<InterruptedError>(job(), [&] { return fs::exists(folder_ / "pid"); });
+  render::Renderer with_state = blender::renderer();
+  with_state.state_extension = ".state";
+  render::Job stopped = job();
+  stopped.program.kind = &with_state;
+  failure_of<InterruptedError>(stopped, [&] { return fs::exists(folder_ / "pid"); });
   EXPECT_TRUE(is_gone(folder_ / "pid"));
 }
 
