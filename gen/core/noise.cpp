@@ -172,13 +172,7 @@ ScaleFreeNoise::ScaleFreeNoise(std::uint64_t key, const Sizes& sizes, double hur
   }
 }
 
-double ScaleFreeNoise::at(const glm::dvec2& at_m) const {
-  double sum = 0.0;
-  for (const Octave& octave : octaves_)
-    sum += octave.height *
-           noise_of(at_m / octave.feature_m + octave.shift, octave.field, glm::ivec2(0));
-  return sum;
-}
+double ScaleFreeNoise::at(const glm::dvec2& at_m) const { return at(at_m, 0.0); }
 
 double ScaleFreeNoise::at(const glm::dvec2& at_m, double step_m) const {
   double sum = 0.0;

@@ -70,7 +70,8 @@ class ScaleFreeNoise {
 
   /// Of mean 0 and variance shown().
   double at(const glm::dvec2& at_m) const;
-  /// What a map with steps of `step_m`, coarser than those of the field's own map, shows of it.
+  /// What a map with steps of `step_m` shows of it; of a field that was made for one with steps of
+  /// 0, or little is left of the finest features.
   double at(const glm::dvec2& at_m, double step_m) const;
   /// In [0, 1].
   double shown() const { return shown_; }

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "core/angle.h"
-#include "core/colour.h"
 #include "core/elementary.h"
 #include "core/parallel.h"
 
@@ -40,13 +39,13 @@ struct Between {
 /// The eigenvector of the greatest variance, as long as its deviation: by power iteration. Of the
 /// two that fit, the one that brightens.
 glm::vec3 main_axis(const glm::dmat3& covariance) {
-  glm::dvec3 axis(1.0);
-  for (int i = 0; i < 32; ++i) {
-    const glm::dvec3 next = covariance * axis;
-    const double length = glm::length(next);
-    if (length < 1e-12) return glm::vec3(0.0F);
-    axis = next / length;
-  }
+  glm::length_t most = 0;
+  for (const glm::length_t c : {1, 2})
+    if (covariance[c][c] > covariance[most][most]) most = c;
+  if (covariance[most][most] < 1e-12) return glm::vec3(0.0F);
+  glm::dvec3 axis = covariance[most];
+  for (int i = 0; i < 32; ++i) axis = glm::normalize(covariance * axis);
+  if (axis.r + axis.g + axis.b < 0.0) axis = -axis;
   return glm::vec3(axis * std::sqrt(glm::dot(axis, covariance * axis)));
 }
 

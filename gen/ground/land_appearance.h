@@ -17,6 +17,9 @@ struct LandSample {
 /// height and by aspect, in which meadows, rock and snow differ.
 class LandAppearance {
  public:
+  /// Places along a side of the square, of which land around has its look.
+  static constexpr int places = 64;
+
   /// At least one sample.
   explicit LandAppearance(std::span<const LandSample> samples);
 

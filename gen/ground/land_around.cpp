@@ -19,17 +19,17 @@ ScaleFreeNoise::Sizes patch_sizes(double square_m) {
   return {std::max(0.1 * square_m, largest_patch_m), finest_patch_m};
 }
 
-/// How much more all land differs than places of a square: it has patches that are larger, by the
-/// same law.
+/// How much more all land differs than places of a square: it may have patches that are larger, by
+/// the same law.
 double wider_spread(double square_m) {
-  constexpr double places = 64.0;  // along a side
   const auto variance = [](const ScaleFreeNoise::Sizes& sizes) {
     double sum = 0.0;
     for (double patch_m = sizes.largest_m; patch_m >= sizes.smallest_m; patch_m /= 2.0)
       sum += math::pow(patch_m, 2.0 * patch_hurst);
     return sum;
   };
-  return std::sqrt(variance(patch_sizes(square_m)) / variance({square_m, square_m / places}));
+  const ScaleFreeNoise::Sizes in_square = {square_m, square_m / LandAppearance::places};
+  return std::max(1.0, std::sqrt(variance(patch_sizes(square_m)) / variance(in_square)));
 }
 
 /// A square about another one's middle.
@@ -47,7 +47,7 @@ LandAround::LandAround(const terrain::Surroundings& land, const light::Daylight&
       haze_(haze),
       appearance_(std::move(appearance)),
       variation_(random_bits({seed, key_of("ground"), 0, key_of("land around")}),
-                 patch_sizes(land.square().size_m), patch_hurst, finest_patch_m),
+                 patch_sizes(land.square().size_m), patch_hurst, /*step_m=*/0.0),
       spread_(appearance_.spread() * static_cast<float>(wider_spread(land.square().size_m))) {
   const double size_m = land.square().size_m;
   for (const double width_m : {3.0 * size_m, size_m + 2.0 * land.reach_m()})

@@ -49,7 +49,7 @@ class LandAround {
   LandAppearance appearance_;
   std::vector<Left> left_;  ///< on a square three times as wide as the scene's, and on all
   ScaleFreeNoise variation_;
-  glm::vec3 spread_;  ///< of the land's look, over it, by variation_
+  glm::vec3 spread_;  ///< standard deviation of the look, over its mean
 };
 
 /// Radiance that an eye sees of a place on the land around, of which a pixel covers `step_m`.

@@ -129,8 +129,8 @@ std::optional<glm::dvec2> LandView::place(const glm::dvec3& direction) const {
 }
 
 double LandView::covered_m(const glm::dvec2& at_m) const {
-  constexpr double lines_of_sight = 2.0, deeper = 3.0;
-  return lines_of_sight * deeper * panorama_.step_rad * glm::length(at_m - glm::dvec2(eye_m_));
+  constexpr double lines_of_sight = 2.0, root_of_ten = 3.16;
+  return lines_of_sight * root_of_ten * panorama_.step_rad * glm::length(at_m - glm::dvec2(eye_m_));
 }
 
 std::vector<LandView::Strip> LandView::strips() const {

@@ -37,8 +37,8 @@ class LandView {
   /// line of sight's width below the skyline of the square.
   std::optional<glm::dvec2> place(const glm::dvec3& direction) const;
 
-  /// Size of what a pixel covers at a place: between its width and its depth on land that is seen
-  /// at a slant of a tenth.
+  /// Size of what a pixel covers at a place, metres: the geometric mean of its width and of its
+  /// depth, which is ten widths where land is seen at a slant of a tenth.
   double covered_m(const glm::dvec2& at_m) const;
 
   /// Where land is seen between the skyline of the square and that of the land: directions to the

@@ -218,7 +218,7 @@ struct LitGround::LevelLook {
 
 /// Water is no land that land around could look like.
 LandAppearance LitGround::land_appearance(const LevelLook& look) const {
-  constexpr int places = 64;  // along a side
+  constexpr int places = LandAppearance::places;
   constexpr double most_water = 0.5;
   const double step_m = site_.terrain.size_m() / places;
   std::vector<glm::dvec2> all_m, land_m;

@@ -156,7 +156,7 @@ void require_folder(const fs::path& folder) {
         fmt::format("{}: found a link to a folder, expected a folder", folder.string()));
 }
 
-/// Adds those below a folder, which need not be there, and what the scene program reads itself.
+/// Adds the include files below a folder, which may be missing, and cells.txt.
 void add_include_files(const fs::path& folder, std::vector<fs::path>& files) {
   require_folder(folder);
   if (!fs::exists(folder)) return;

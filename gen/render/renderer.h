@@ -35,8 +35,8 @@ struct Renderer {
   bool has_devices = false;
   /// Whether builds stand beside each other on the PATH under names such as `blender-4.5`.
   bool has_numbered_names = false;
-  /// Ends the name of what it keeps beside its output, ".pov-state" for one, and leaves there when it
-  /// is stopped; may be empty.
+  /// Ends the name of what it keeps beside its output while it runs, and leaves there when it is
+  /// stopped: ".pov-state" for one. May be empty.
   std::string_view state_extension = {};
   /// Folder of shipped files that pictures depend on beside the exported ones: a
   /// shipped_file() name.

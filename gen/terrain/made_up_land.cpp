@@ -20,7 +20,7 @@ constexpr double largest_deviation_m = 500.0;
 constexpr double crest_m = 25.0, steepness = 4.0;
 
 /// Of features where no larger ones have begun that could hold them down. So all land is as high as
-/// its law has it.
+/// its law has it, within a factor of two.
 constexpr double weight_beside_known = 0.6;
 
 double deviation_of(const Heightfield& ground) {
@@ -93,16 +93,21 @@ void MadeUpLand::measure() {
 }
 
 double MadeUpLand::height_m(const glm::dvec2& at_m, double step_m, double from_known_m) const {
-  double sum = 0.0, weight = 1.0;
+  double sum = 0.0;
+  double weight = 1.0,
+         larger_begun = 1.0;  // where all features have begun; of the next larger ones
   for (const Octave& octave : octaves_) {
     const double shown = shown_fraction(octave.feature_m, step_m);
     if (shown <= 0.0) break;
+    const auto left = [&](double where_all_have_begun) {
+      return std::lerp(weight_beside_known, where_all_have_begun, larger_begun);
+    };
     const double begun = glm::smoothstep(0.0, octave.feature_m, from_known_m);
-    const double signal = ridge(octave, at_m) * std::lerp(weight_beside_known, weight, begun);
-    const double mean =
-        octave.mean_ridge * std::lerp(weight_beside_known, octave.mean_weight, begun);
-    sum += begun * shown * octave.part * (signal - mean);
-    weight = weight_within(signal);
+    const double here = ridge(octave, at_m);
+    sum += begun * shown * octave.part *
+           (here * left(weight) - octave.mean_ridge * left(octave.mean_weight));
+    weight = weight_within(here * weight);
+    larger_begun = begun;
   }
   return deviation_m_ * scale_ * sum;
 }

@@ -18,12 +18,9 @@ class MadeUpLand {
   /// modelling choices.
   MadeUpLand(const Heightfield& ground, std::uint64_t seed);
 
-  /// Standard deviation of its heights, far from all that is known.
-  double deviation_m() const { return deviation_m_; }
-
-  /// Metres above or below the mean land, as a map with this step shows it, so far from land that
-  /// is known: features begin there over their size, the small ones at once. Nothing at
-  /// its border.
+  /// Metres above or below the mean land, as a map with this step shows it, at a distance from
+  /// land that is known. Features begin there over their own size, the small ones at once. 0 at
+  /// distance 0.
   double height_m(const glm::dvec2& at_m, double step_m, double from_known_m) const;
 
  private:
@@ -35,15 +32,16 @@ class MadeUpLand {
     glm::dmat2 turn{1.0};
     glm::dvec2 shift{0.0};
     std::uint64_t key = 0;
-    double mean_ridge = 0.0, mean_weight = 0.0;  ///< over all places
+    double mean_ridge = 0.0;   ///< over all places
+    double mean_weight = 0.0;  ///< of what larger features leave for it, where all have begun
   };
 
   static double ridge(const Octave& octave, const glm::dvec2& at_m);
   void measure();
 
   std::vector<Octave> octaves_;  ///< from the largest
-  double deviation_m_;
-  double scale_ = 1.0;  ///< by which the sum of octaves has deviation 1
+  double deviation_m_;           ///< of heights far from all that is known
+  double scale_ = 1.0;           ///< by which the sum of octaves has deviation 1
 };
 
 }  // namespace wold::terrain

@@ -7,8 +7,8 @@ For each number of frames a film's folder is filled as a farm would leave it: on
 the others are copies of it by hard links. Then one task of each stage runs, and the system calls
 that it makes below the output folder are counted by strace: files opened, names looked up (stat,
 access, readlink, rename and their like), names that listed folders have, bytes read and written. The
-same is counted of a frame with four times as much grass. Exit code 1 when a task of the longest film
-takes more calls or names than one of the shortest, or a picture of more grass notably more than one
+same is counted of a frame with four times as much land. Exit code 1 when a task of the longest film
+takes more calls or names than one of the shortest, or a picture of more land notably more than one
 of less, 77 when strace or POV-Ray is missing.
 """
 
@@ -86,7 +86,8 @@ def count(log: Path, below: Path) -> Load:
         if column in ("read", "written"):
             load[column] += max(0, int(call.group(3)))
         elif column == "listed":
-            load[column] += int(re.search(r"/\* (\d+) entries \*/", call.group(2)).group(1))
+            entries = re.search(r"/\* (\d+) entries \*/", call.group(2))
+            load[column] += int(entries.group(1)) if entries else 0
         else:
             load[column] += 1
     return load
@@ -147,7 +148,7 @@ def main() -> int:
         print_table(f"{frames} frames", loads)
     shortest, longest = films[min(films)], films[max(films)]
     wide = measure(wold, min(films), WIDE_SIDE_M)
-    print_table("four times as much grass", wide)
+    print_table("four times as much land", wide)
     faults = [
         fault for task, load in longest.items() for fault in grown(task, shortest[task], load, 2)
     ]

@@ -64,7 +64,7 @@ TEST(LandView, FindsThePlaceInADirection) {
 TEST(LandView, KnowsWhatAPixelCovers) {
   const LevelLand level(20.0, 40000.0);
   const double width_m = 300.0 * 0.2 * degree;
-  EXPECT_NEAR(level.view.covered_m({50.0, 350.0}), 3.0 * width_m, 1e-9);
+  EXPECT_NEAR(level.view.covered_m({50.0, 350.0}), std::sqrt(10.0) * width_m, 0.01 * width_m);
 }
 
 // The horizon's dip: sqrt(2 h / R), of a radius larger by refraction.
@@ -162,6 +162,19 @@ TEST(LandAppearance, KnowsInWhatColourPlacesDiffer) {
   EXPECT_NEAR(spread.r, 0.02 / 0.06, 0.01);
   EXPECT_NEAR(spread.g, 0.0, 1e-3);
   EXPECT_NEAR(spread.b, 0.005 / 0.015, 0.01);
+}
+
+// Dark places are bluish, bright ones reddish, by as much: no start of an iteration is across that.
+TEST(LandAppearance, KnowsColoursThatDifferOppositely) {
+  std::vector<LandSample> samples;
+  for (int i = 0; i < 400; ++i)
+    samples.push_back(
+        {{0.0, 0.0, 1.0},
+         1.0 * i,
+         i % 2 == 0 ? glm::vec3(0.06F, 0.05F, 0.04F) : glm::vec3(0.04F, 0.05F, 0.06F)});
+  const glm::vec3 spread = LandAppearance(samples).spread();
+  EXPECT_NEAR(std::abs(spread.r), 0.2, 0.01);
+  EXPECT_NEAR(spread.r + spread.b, 0.0, 0.01);
 }
 
 }  // namespace
