@@ -3,13 +3,13 @@ with the land that is seen:
 
     python3 tests/benchmark/farm_load.py WOLD [FRAMES...]         default: 20 400
 
-For each number of frames a film's folder is filled as a farm would leave it: one frame is made, and
-the others are copies of it by hard links. Then one task of each stage runs, and the system calls
-that it makes below the output folder are counted by strace: files opened, names looked up (stat,
-access, readlink, rename and their like), names that listed folders have, bytes read and written. The
-same is counted of a frame with four times as much land. Exit code 1 when a task of the longest film
-takes more calls or names than one of the shortest, or a picture of more land notably more than one
-of less, 77 when strace or POV-Ray is missing.
+For each number of frames a film's folder is filled as a farm would leave it: one frame is made,
+and the others are copies of it by hard links. Then one task of each stage runs, and the system
+calls that it makes below the output folder are counted by strace: files opened, names looked up
+(stat, access, readlink, rename and their like), names that listed folders have, bytes read and
+written. The same is counted of a frame with four times as much land. Exit code 1 when a task of
+the longest film takes more calls or names than one of the shortest, or a picture of more land
+notably more than one of less, 77 when strace or POV-Ray is missing.
 """
 
 from __future__ import annotations

@@ -86,8 +86,7 @@ TEST_F(Includes, DeclareNamesOfTheirOwnAndNothingForTheWholeScene) {
     const std::string code = code_of(file);
     EXPECT_THAT(all_matches(code, R"(#\s*(?:declare|undef|macro|fopen)\s+(\w+))"),
                 testing::Each(testing::StartsWith("Wold_")));
-    EXPECT_THAT(all_matches(code, R"(#\s*local\s+(\w+))"),
-                testing::Each(testing::StartsWith("_")));
+    EXPECT_THAT(all_matches(code, R"(#\s*local\s+(\w+))"), testing::Each(testing::StartsWith("_")));
     for (const std::string& parameters : all_matches(code, R"(#\s*macro\s+\w+\s*\(([^)]*)\))"))
       EXPECT_THAT(all_matches(parameters, R"((\w+))"), testing::Each(testing::StartsWith("_")));
     EXPECT_THAT(all_matches(code, R"((global_settings|#\s*default|#\s*for\b))"),
