@@ -19,8 +19,8 @@ constexpr double largest_deviation_m = 500.0;
 /// per size of features.
 constexpr double crest_m = 25.0, steepness = 4.0;
 
-/// Of features where no larger ones have begun that could hold them down. So all land is as high as
-/// its law has it, within a factor of two.
+/// What is left for features where no larger ones have begun that could hold them down. So land is
+/// as high as its law has it, beside known land too.
 constexpr double weight_beside_known = 0.6;
 
 double deviation_of(const Heightfield& ground) {
@@ -65,8 +65,8 @@ double MadeUpLand::ridge(const Octave& octave, const glm::dvec2& at_m) {
       gradient_noise(octave.turn * at_m / octave.feature_m + octave.shift, octave.key);
   const double sharp = noise / gradient_noise_deviation;
   const double away = std::sqrt(sharp * sharp + octave.round * octave.round) - octave.round;
-  const double ridge = std::max(0.0, 1.0 - 0.45 * away);
-  return ridge * ridge;
+  const double height = std::max(0.0, 1.0 - 0.45 * away);
+  return height * height;
 }
 
 /// Means over places, and the deviation of the sum.
@@ -94,8 +94,8 @@ void MadeUpLand::measure() {
 
 double MadeUpLand::height_m(const glm::dvec2& at_m, double step_m, double from_known_m) const {
   double sum = 0.0;
-  double weight = 1.0,
-         larger_begun = 1.0;  // where all features have begun; of the next larger ones
+  double weight = 1.0;        // where all features have begun
+  double larger_begun = 1.0;  // how far the next larger ones have
   for (const Octave& octave : octaves_) {
     const double shown = shown_fraction(octave.feature_m, step_m);
     if (shown <= 0.0) break;
