@@ -27,6 +27,10 @@ double sum_of(const Octaves& octaves, const glm::dvec2& place, std::uint64_t key
   return sum;
 }
 
+double thermals_at(const Thermals& thermals, const glm::dvec2& place, std::uint64_t key) {
+  return dome_noise(place * glm::dvec2(thermals.period), key, thermals.period, thermals.spread);
+}
+
 glm::dvec2 displaced(const Recipe& recipe, const glm::dvec2& place, std::uint64_t key) {
   if (recipe.warp == 0.0) return place;
   const Octaves octaves = {1.0, recipe.warp_period, 3, 0.5};
@@ -39,6 +43,8 @@ glm::dvec2 displaced(const Recipe& recipe, const glm::dvec2& place, std::uint64_
 double procedural_field_at(const Recipe& recipe, const glm::dvec2& place, std::uint64_t key) {
   const glm::dvec2 at = displaced(recipe, place, key);
   double field = 0.0;
+  if (recipe.thermals.weight != 0.0)
+    field += recipe.thermals.weight * thermals_at(recipe.thermals, at, key ^ key_of("thermals"));
   if (recipe.masses.weight != 0.0)
     field += recipe.masses.weight * sum_of(recipe.masses, at, key ^ key_of("masses"), perlin);
   if (recipe.billows.weight != 0.0)

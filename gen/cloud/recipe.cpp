@@ -36,6 +36,11 @@ class RecipeFile {
             number((table + ".gain").c_str())};
   }
 
+  Thermals thermals() const {
+    if (!root_.contains("thermals")) return {};
+    return {number("thermals.weight"), pair("thermals.period"), number("thermals.spread")};
+  }
+
   Trails trails() const {
     if (!root_.contains("trails")) return {};
     return {number("trails.length"), number("trails.bend"), number("trails.contrast")};
@@ -77,6 +82,7 @@ Recipe recipe_of(scene::CloudKind kind) {
   recipe.opacity = file.number("opacity");
   recipe.extinction_per_km = file.number("extinction_per_km");
   recipe.asymmetry = file.number("asymmetry");
+  recipe.thermals = file.thermals();
   recipe.masses = file.octaves("masses");
   recipe.billows = file.octaves("billows");
   recipe.warp = file.number("warp.by");

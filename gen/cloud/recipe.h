@@ -16,6 +16,14 @@ struct Octaves {
   double gain = 0.5;
 };
 
+/// Where air rises: domes of different sizes, so that clouds have round outlines. Not used when its
+/// weight is 0.
+struct Thermals {
+  double weight = 0.0;
+  glm::ivec2 period = {1, 1};  ///< domes across the texture, east and north
+  double spread = 0.0;         ///< of their sizes, as in dome_noise()
+};
+
 /// Ice that falls from heads and trails behind them in slower wind. Not used when its length is 0.
 struct Trails {
   double length = 0.0;  ///< over which they fade by e, in textures
@@ -45,7 +53,8 @@ struct Recipe {
   double extinction_per_km = 0.0;
   double asymmetry = 0.0;  ///< mean cosine of the scattering angle
   // The texture: a sum of noises, of which the highest share `cover` is cloud.
-  Octaves masses;     ///< gradient noise: where clouds stand
+  Thermals thermals;  ///< where heaps stand
+  Octaves masses;     ///< gradient noise: where other clouds stand
   Octaves billows;    ///< cellular noise, upside down: round heads on heads
   double warp = 0.0;  ///< how far noise displaces all of it, in textures
   glm::ivec2 warp_period = {1, 1};

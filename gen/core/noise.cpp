@@ -82,6 +82,15 @@ glm::dvec2 point_of_cell(const Lattice& cell, std::uint64_t key, const glm::ivec
           static_cast<double>(bits & 0xffffffffU) * 0x1.0p-32};
 }
 
+/// The square of the radius of a cell's dome, in cells.
+double radius2_of_cell(const Lattice& cell, std::uint64_t key, const glm::ivec2& period,
+                       double spread) {
+  const double size =
+      random_uniform({key, key_of("radius"), static_cast<std::uint64_t>(wrapped(cell.x, period.x)),
+                      static_cast<std::uint64_t>(wrapped(cell.y, period.y))});
+  return math::exp(spread * (2.0 * size - 1.0));
+}
+
 }  // namespace
 
 double gradient_noise(const glm::dvec2& at, std::uint64_t key, int period) {
@@ -125,6 +134,24 @@ double cell_noise(const glm::dvec2& at, std::uint64_t key, const glm::ivec2& per
       nearest2 = std::min(nearest2, glm::dot(away, away));
     }
   return std::sqrt(nearest2);
+}
+
+double dome_noise(const glm::dvec2& at, std::uint64_t key, const glm::ivec2& period,
+                  double spread) {
+  const glm::dvec2 low = glm::floor(at);
+  const glm::dvec2 in_cell = at - low;
+  double highest = -8.0;
+  // Nothing farther is the highest: e^0.75 - 2^2 is lower than e^-0.75 - 2, which the point of the
+  // cell itself has.
+  for (int j = -2; j <= 2; ++j)
+    for (int i = -2; i <= 2; ++i) {
+      const glm::dvec2 step(i, j);
+      const Lattice cell(low + step);
+      const glm::dvec2 away = step + point_of_cell(cell, key, period) - in_cell;
+      highest =
+          std::max(highest, radius2_of_cell(cell, key, period, spread) - glm::dot(away, away));
+    }
+  return highest;
 }
 
 Fbm::Fbm(std::uint64_t key, int octaves, double hurst, int period) {

@@ -29,6 +29,12 @@ NoiseSlope gradient_noise_slope(const glm::dvec2& at, std::uint64_t key);
 /// The field repeats exactly after `period` > 0 cells.
 double cell_noise(const glm::dvec2& at, std::uint64_t key, const glm::ivec2& period);
 
+/// Domes of different sizes on the points of cellular noise: the highest of r^2 - d^2 over all
+/// points, d the distance to one, in cells, and r the radius of its dome (the power diagram of
+/// Aurenhammer 1987). ln r^2 is spread evenly over +-spread, which lies in [0, 0.75]. The field
+/// repeats exactly after `period` > 0 cells.
+double dome_noise(const glm::dvec2& at, std::uint64_t key, const glm::ivec2& period, double spread);
+
 /// Standard deviation of gradient_noise over the plane: closed form for unit gradients and the
 /// quintic fade s, 2 sqrt(A B) with A = integral of u^2 (1 - s)^2 and B = integral of s^2 on [0,
 /// 1].

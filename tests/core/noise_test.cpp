@@ -91,5 +91,34 @@ TEST(CellNoise, IsADistanceAcrossCells) {
   }
 }
 
+TEST(DomeNoise, IsTheHighestOfAllDomesAndRepeatsExactly) {
+  const glm::ivec2 period(4, 6);
+  constexpr double spread = 0.75, step = 1.0 / 64.0;
+  double lowest = 9.0, highest = -9.0;
+  for (int i = 0; i < 256; ++i)
+    for (int j = 0; j < 384; ++j) {
+      const glm::dvec2 at(i * step, j * step);
+      const double value = dome_noise(at, 3, period, spread);
+      ASSERT_EQ(value, dome_noise(at + glm::dvec2(-4.0, 12.0), 3, period, spread));
+      // A dome that is left out would be a step: no dome that is seen is steeper than this.
+      ASSERT_NEAR(value, dome_noise(at + glm::dvec2(step, 0.0), 3, period, spread), 4.2 * step);
+      lowest = std::min(lowest, value);
+      highest = std::max(highest, value);
+    }
+  EXPECT_LE(highest, std::exp(spread));
+  EXPECT_GT(highest, 1.3);  // one of the larger domes
+  EXPECT_GE(lowest, std::exp(-spread) - 2.0);
+  EXPECT_LT(lowest, 0.0);
+}
+
+TEST(DomeNoise, WithoutSpreadIsTheDistanceToPoints) {
+  const glm::ivec2 period(3, 5);
+  for (int i = 0; i < 500; ++i) {
+    const glm::dvec2 at(i * 0.0173, i * 0.0311);
+    const double distance = cell_noise(at, 9, period);
+    EXPECT_NEAR(dome_noise(at, 9, period, 0.0), 1.0 - distance * distance, 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace wold
