@@ -22,7 +22,7 @@ user=walker
 home=/home/$user
 base_libraries='/lib(c|m|dl|rt|pthread|resolv|stdc\+\+|gcc_s)\.so' # of glibc and GCC
 # Small, and the renderers' full way all the same.
-size=(--frames 2 --size 240x136 --quiet)
+size=(--frames "2,3" --size 240x136 --quiet)
 # A newer Blender draws other random numbers, and there are four samples per pixel: found RMSE 0.010,
 # FLIP 0.025, and after a blur of 8x8 pixels 0.0006.
 other_blender=(--rmse 0.02 --share 0.2 --hard 0.5 --flip 0.04 --ssim 0.94)
@@ -107,15 +107,27 @@ compare_with_build() {
 
 # make_first_scene SYSTEM WHAT ROOT WOLD: what a newcomer does.
 make_first_scene() {
-  local begin=$SECONDS
+  local begin=$SECONDS film
   as_user "$3" "$4" new a >/dev/null 2>&1
   as_user "$3" "$4" render a.toml "${size[@]}" >/dev/null
   row "$1" "$2" "wold new, wold render" "$((SECONDS - begin)) s"
   compare_with_build "$1" "$2" "$cache/$3$home/out/a"
+  as_user "$3" "$4" film out/a --quiet >/dev/null
+  for film in film_blender.{mp4,webp} film_povray.{mp4,webp}; do
+    [ -s "$cache/$3$home/out/a/$film" ] || fail "found no $film"
+  done
+  row "$1" "$2" "wold film" "4 films"
   row "$1" "$2" "wold --version" "$(as_user "$3" "$4" --version | tr -s ' ' | paste -sd ';')"
 }
 
 # --- .deb
+
+# require_hint_of_examples ROOT: what the manual says before examples are copied.
+require_hint_of_examples() {
+  as_user "$1" wold check examples/hillside.toml 2>&1 |
+    grep -q 'came with wold is .*/usr/share/wold/examples/hillside.toml' ||
+    fail "wold does not say where its examples are"
+}
 
 # deb_for SYSTEM: its file.
 deb_for() {
@@ -162,6 +174,7 @@ check_deb() {
   install_with_recommended "$place" "/srv/${deb##*/}"
   row "$1" .deb "apt install ./${deb##*/}, $(stat -c %s "$deb") bytes" "$((SECONDS - begin)) s"
   require_installed_files "$place"
+  require_hint_of_examples "$place"
   make_first_scene "$1" .deb "$place" wold
   in_bare "$place" dpkg-query -L wold >"$work/files"
   in_bare "$place" apt-get purge -y -q wold >>"$work/$place.log" 2>&1

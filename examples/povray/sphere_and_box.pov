@@ -1,7 +1,7 @@
 // A plain sphere and a box in the meadow of examples/hillside.toml, at the first yellow:
 //
-//     build/wold generate examples/hillside.toml
-//     povray +Lout/hillside/povray examples/povray/sphere_and_box.pov +W960 +H540 +A0.2
+//     wold generate examples/hillside.toml --renderer povray
+//     povray +Lout/hillside/povray examples/povray/sphere_and_box.pov +W480 +H270
 //
 // Each stands in the grass, which hides its foot, and throws its shadow on grass and ground.
 #version 3.7;

@@ -154,6 +154,29 @@ void warn_of_coarse_terrain(const scene::Terrain& terrain, Warnings& warnings) {
                   step_m, cell_m, samples));
 }
 
+/// A square that nobody chose shows a few cells of the elevation model, which are smooth.
+void warn_of_small_square(const scene::Terrain& terrain, Warnings& warnings) {
+  constexpr double few_cells = 10.0;
+  static const scene::Terrain plain;
+  if (terrain.elevation.empty() || terrain.size_m != plain.size_m) return;
+  const double cell_m = terrain::elevation_cell_m(terrain);
+  if (terrain.size_m >= few_cells * cell_m) return;
+  warnings.push_back(
+      fmt::format("the terrain is {:.3g} m wide, {:.2g} cells of terrain.elevation; set "
+                  "terrain.size, and camera.eye and camera.target within it",
+                  terrain.size_m, terrain.size_m / cell_m));
+}
+
+/// Clouds of a layer are seen in dry air alone.
+void warn_of_hidden_clouds(const scene::Scene& scene, Warnings& warnings) {
+  if (scene::is_season(scene) || scene.clouds.empty() || scene.weather.precipitation_mm_h <= 0.0 ||
+      !scene.weather.table.empty())
+    return;
+  warnings.emplace_back(
+      "weather.precipitation hides the sun and [[clouds]]: the sky is overcast as far as it rains "
+      "or snows");
+}
+
 void warn_of_late_table(const scene::Scene& scene, Warnings& warnings) {
   constexpr std::chrono::days enough(60);
   if (!scene::is_season(scene) || scene.season.table.empty()) return;
@@ -182,6 +205,8 @@ Warnings scene_warnings(const scene::Scene& film, const phenology::FilmSeason* s
   warn_of_unseen_tornado(film, warnings);
   warn_of_late_table(film, warnings);
   warn_of_coarse_terrain(film.terrain, warnings);
+  warn_of_small_square(film.terrain, warnings);
+  warn_of_hidden_clouds(film, warnings);
   for (const auto& more : {season_warnings(film), unused_key_warnings(film)})
     warnings.insert(warnings.end(), more.begin(), more.end());
   return warnings;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "advice/scene_warnings.h"
+#include "scene/calendar.h"
 #include "scene/cloud_consistency.h"
 #include "scene/registry.h"
 #include "scene/species.h"
@@ -92,6 +93,16 @@ void warn_of_paper_motion(const scene::Scene& scene, Keys& warnings) {
   }
 }
 
+/// A date has its own sun.
+void warn_of_sun(const scene::Scene& scene, Keys& warnings) {
+  if (scene.sun.date.empty() || scene::is_season(scene)) return;
+  for (const char* key : {"sun.elevation", "sun.azimuth"})
+    if (is_given(scene, key))
+      warnings.push_back(fmt::format(
+          "{} changes nothing: sun.date and sun.time say where the sun stands; remove one of them",
+          key));
+}
+
 /// Patches have a size where a species does not stand everywhere.
 void warn_of_features(const scene::Scene& scene, Keys& warnings) {
   for (std::size_t item = 0; item < scene.species.size(); ++item) {
@@ -111,6 +122,7 @@ std::vector<std::string> unused_key_warnings(const scene::Scene& film) {
   warn_of_other_choices(film, warnings);
   warn_of_paper_motion(film, warnings);
   warn_of_features(film, warnings);
+  warn_of_sun(film, warnings);
   return warnings;
 }
 

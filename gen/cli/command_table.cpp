@@ -456,8 +456,9 @@ Action declare_explain(CLI::App& app) {
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  app.add_option("KEY", options->name, "a key, such as sun.elevation, or a table, such as sun")
-      ->required();
+  app.add_option(
+      "KEY", options->name,
+      "a key, such as sun.elevation, or a table, such as sun; without it, the names of all");
   add_json(app, options->json, "print JSON");
   return [options] { return run_explain(options->name, options->json); };
 }

@@ -109,8 +109,27 @@ void refuse_unknown_command(int argc, char** argv) {
                                scene::in_quotes(argv[1]), suggestion));
 }
 
+/// CLI11 says of a misspelt option only that it was not expected, and in any order.
+void refuse_unknown_option(const CLI::App& app) {
+  const std::vector<std::string> extras = app.remaining(/*recurse=*/true);
+  const auto option = std::ranges::find_if(
+      extras, [](const std::string& extra) { return extra.starts_with("--"); });
+  if (option == extras.end()) return;
+  const auto commands = app.get_subcommands();
+  const CLI::App& command = commands.empty() ? app : *commands.front();
+  std::vector<std::string> names;
+  for (const CLI::Option* known : command.get_options())
+    for (const std::string& name : known->get_lnames()) names.push_back("--" + name);
+  const std::string word = option->substr(0, option->find('='));
+  const std::string called = commands.empty() ? "wold" : "wold " + command.get_name();
+  throw InputError(fmt::format("unknown option {} of {}{}; {} --help lists them",
+                               scene::in_quotes(word), called,
+                               scene::suggestion(scene::nearest(word, names)), called));
+}
+
 /// Help and version are answers, the rest are the user's mistakes.
 Action answer(const CLI::App& app, const CLI::ParseError& result) {
+  if (dynamic_cast<const CLI::ExtrasError*>(&result) != nullptr) refuse_unknown_option(app);
   if (result.get_exit_code() != 0) throw InputError(result.what());
   std::ostringstream text, unused;
   app.exit(result, text, unused);

@@ -53,8 +53,9 @@ std::string content_hash(std::string_view bytes);
 /// its build folder, and in that. Throws FileError that says where it looked.
 std::filesystem::path shipped_file(std::string_view relative);
 
-/// A folder of a library's own files, such as "proj", that ships in packages which bring their
-/// libraries along. Empty in other installations, where libraries find their files by themselves.
+/// A folder that ships in some installations alone: "examples" in all but a build's own folder, and
+/// in packages which bring their libraries along the libraries' files, such as "proj". Empty where
+/// there is none.
 std::filesystem::path bundled_folder(std::string_view relative);
 
 }  // namespace wold

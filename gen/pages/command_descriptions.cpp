@@ -89,8 +89,8 @@ std::string_view command_description(std::string_view command) {
        " all the others have their defaults. It never replaces a file."},
       {"explain",
        "Prints a key, or all keys of a table, with meaning, unit, range and default, as lines that "
-       "a "
-       "scene can take. It knows the names that keys had in earlier versions."},
+       "a scene can take; without KEY, the tables and the names of their keys. It knows the names "
+       "that keys had in earlier versions."},
       {"schema",
        "Prints JSON Schema (draft 2020-12) of scene files, made from the same registry that reads "
        "them: every key with its meaning, range and default. Editors with a TOML language server, "

@@ -16,8 +16,8 @@ namespace wold::place {
 /// The weathering degree of a film's meadow, by place and frame.
 ///
 /// Without a season it is the frame's plus ageing.age_spread times a smooth keyed field, which
-/// fades to nothing for all-fresh and all-dry frames: the same spots wither first. On a large
-/// terrain that field has places of all sizes, and dry ground withers before wet:
+/// fades to nothing for all-fresh and all-dry frames: the same spots wither first. On a terrain
+/// of more than 120 m that field has places of all sizes, and dry ground withers before wet:
 /// spurs before hollows, sunny slopes before shady ones.
 ///
 /// In a season places go through the same days earlier or later. By Hopkins' bioclimatic law (1920,
@@ -44,7 +44,7 @@ class Withering {
 
   scene::Ageing ageing_;
   Fbm field_;
-  std::optional<ScaleFreeNoise> scale_free_;  ///< in its place on a large terrain
+  std::optional<ScaleFreeNoise> scale_free_;  ///< in its place on a wide terrain
   FactorMap dryness_;                         ///< dryness_map() there
   // of a season:
   std::shared_ptr<const phenology::FilmSeason> season_;

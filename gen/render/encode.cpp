@@ -57,8 +57,14 @@ Arguments command_line(const Encoding& encoding, const fs::path& output) {
                          // A damaged picture is an error, not a gap.
                          "-xerror", "-err_detect", "explode", "-framerate",
                          fmt::format("{:.9g}", encoding.frames_per_second), "-start_number",
-                         std::to_string(encoding.first), "-i", "%04d.png", "-frames:v",
-                         std::to_string(encoding.count)};
+                         std::to_string(encoding.first), "-i", "%04d.png"};
+  const std::string count = std::to_string(encoding.count);
+  // FFmpeg counts what it writes to the first output: pictures there, while newer ones count an
+  // animated WebP as one.
+  for (const char* argument : {"-map", "0:v", "-frames:v", count.c_str(), "-f", "null", "-"})
+    arguments.emplace_back(argument);
+  for (const char* argument : {"-map", "0:v", "-frames:v", count.c_str()})
+    arguments.emplace_back(argument);
   const bool is_webp = encoding.film.extension() == ".webp";
   for (std::string& argument : is_webp ? webp_arguments(encoding) : mp4_arguments(encoding))
     arguments.push_back(std::move(argument));

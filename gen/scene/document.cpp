@@ -60,7 +60,9 @@ toml::table parsed(std::string_view text, const std::string& file) {
 
 /// TOML's nesting of values is limited by toml++, so this recursion is, too.
 Node converted(const toml::node& node, const std::string& file) {
-  Node result{position(node.source(), file), Unusable{"a date or time"}, false};
+  Node result{position(node.source(), file),
+              Unusable{"a date or time of TOML (here a day is [2026, 10, 20] and an hour 15.6)"},
+              false};
   if (const auto* integer = node.as_integer()) result.value = integer->get();
   if (const auto* number = node.as_floating_point()) result.value = number->get();
   if (const auto* text = node.as_string()) result.value = text->get();

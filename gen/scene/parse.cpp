@@ -245,13 +245,21 @@ void take_common(Scene& scene) {
   }
 }
 
+/// For who has a package and types what the manual says from where there are no examples.
+std::string place_of_example(const fs::path& path) {
+  const fs::path shipped = bundled_folder("examples") / path.filename();
+  if (path.parent_path() != "examples" || !fs::exists(shipped)) return {};
+  return fmt::format("; the one that came with wold is {}", shipped.string());
+}
+
 /// The text of a file, but no more than a scene can have: it may be endless.
 std::string bounded_text(const fs::path& path) {
   const auto unreadable = [&](const std::string& reason) {
     const SourcePosition where{path.string()};
     return InputError({Problem{where, "cannot read the scene file: " + reason}});
   };
-  if (const std::string why = why_no_regular_file(path); !why.empty()) throw unreadable(why);
+  if (const std::string why = why_no_regular_file(path); !why.empty())
+    throw unreadable(why + place_of_example(path));
   errno = 0;
   std::ifstream in(path, std::ios::binary);
   if (!in) throw unreadable(errno == 0 ? "unknown reason" : std::strerror(errno));

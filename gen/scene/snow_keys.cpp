@@ -14,7 +14,9 @@ std::vector<Key> weather_keys() {
                  "At the terrain's zero; it falls by 6.5 degrees per km of height. Below 1 degree "
                  "precipitation is snow."),
           FIELD(weather.temperature_c)),
-      bound(number("weather.precipitation", "mm/h", {0, 50}, "Of water."),
+      bound(number("weather.precipitation", "mm/h", {0, 50},
+                   "Of water: rain, or snow by the temperature. The sky is overcast as far as it "
+                   "falls."),
             FIELD(weather.precipitation_mm_h)),
       bound(plain(Kind::file, "weather.table", "", {0, 0},
                   "Weather over time as comma-separated values: columns hours, and any of "

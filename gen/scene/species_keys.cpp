@@ -249,7 +249,8 @@ std::vector<Key> variation_keys() {
       bound(number("ageing.age_spread", "", {0, 0.5},
                    "How far the weathering degree differs from place to place."),
             FIELD(ageing.age_spread)),
-      bound(number("ageing.age_spread_feature", "m", {0.1, 1000}, "Size of such places."),
+      bound(number("ageing.age_spread_feature", "m", {0.1, 1000},
+                   "Size of such places; terrains wider than 120 m have them of all sizes."),
             FIELD(ageing.age_spread_feature_m)),
       bound(number("ageing.pigment_spread", "", {0, 0.5},
                    "How far chlorophyll and brown pigment differ from place to place, as a share, "

@@ -290,10 +290,10 @@ std::string starter_scene(const std::string& name, const std::string& kind) {
   std::string text = fmt::format(
       "#:schema ./scene.schema.json\n"
       "# {1}\n# Look at it: wold preview {0}.toml; make it: wold render {0}.toml\n"
-      "# These are the keys one changes first; `wold check {0}.toml` shows all of them, and `wold\n"
-      "# explain KEY` says what one of them means. Editors complete and check keys by the first "
-      "line\n"
-      "# when there is a schema: wold schema >scene.schema.json\n\n",
+      "# These are the keys one changes first; `wold explain` names all of them: clouds, season,\n"
+      "# snow_cover, weather and more. `wold explain KEY` says what one means. Editors complete "
+      "and\n"
+      "# check keys by the first line when there is a schema: wold schema >scene.schema.json\n\n",
       name, starter.title);
   std::string_view table;
   for (const Key& key : registry()) {

@@ -202,10 +202,13 @@ ColourMap GroundLight::together() const {
 
 GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day,
                          const LandShadow* around) {
-  // Grass takes its light from about its own height around: a deviation of 0.28 m.
-  constexpr int passes = 4;
-  return smoothed_light(terrain, day,
-                        {{.size_m = terrain.size_m()}, map_samples(terrain.size_m(), 0.2)}, passes,
+  // Steps finer than half of the terrain's would show nothing more and cost their square.
+  const double step_m = std::max(0.2, 0.5 * terrain.step_m());
+  const GroundGrid grid = {{.size_m = terrain.size_m()}, map_samples(terrain.size_m(), step_m)};
+  // Grass takes its light from about its own height around: a deviation of 0.28 m, 4 passes of
+  // 0.2 m.
+  const double passes = 4.0 * 0.2 * 0.2 / (step_m * step_m);
+  return smoothed_light(terrain, day, grid, std::max(1, static_cast<int>(std::lround(passes))),
                         around);
 }
 

@@ -218,7 +218,11 @@ const film::FilmDemand& Work::demand() {
 }
 
 void Work::prepare(const Stage& stage, Progress& progress) {
-  if (!makes_pictures(stage)) film();
+  if (!makes_pictures(stage) && !film_) {
+    progress.begin("ground", 1);  // takes most of it
+    film();
+    progress.end();
+  }
   if (stage == Stage::texels && !demand_found_) {
     film().find_demand(progress);
     demand_found_ = true;

@@ -11,9 +11,9 @@
 namespace wold::test {
 namespace {
 
-/// The commands of examples/guide.md, in order, without "build/wold ".
+/// The commands of examples/guide.md, in order, without "wold ".
 std::vector<std::string> commands_of_guide() {
-  const std::string start = "    build/wold ";
+  const std::string start = "    wold ";
   std::vector<std::string> commands;
   std::istringstream lines(read_file(fs::path(WOLD_TESTS_DIR) / ".." / "examples" / "guide.md"));
   for (std::string line; std::getline(lines, line);)

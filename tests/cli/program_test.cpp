@@ -116,6 +116,11 @@ TEST_F(Program, SceneErrorsAreListedLineByLine) {
   expect_refusal(result, "error: a.toml:1:1: unknown key \"sed\"; did you mean \"seed\"?\n");
   expect_contains(result.err, "\nerror: a.toml:3:10: grass.blades: found 0, expected");
   expect_contains(result.err, "\nerror: --set sun.elevation=-5: sun.elevation: found -5 deg,");
+  expect_refusal(wold("check a.toml --verbos"), "unknown option \"--verbos\" of wold check; wold");
+  expect_refusal(wold("render a.toml --sise 3x3"),
+                 "unknown option \"--sise\" of wold render; did you mean \"--size\"?");
+  expect_refusal(wold("--versio"),
+                 "unknown option \"--versio\" of wold; did you mean \"--version\"?");
   expect_refusal(wold("check missing.toml"), "missing.toml: cannot read the scene file: No such");
   expect_refusal(wold("check ."), "it is a folder");
 }

@@ -57,6 +57,34 @@ TEST_F(Warnings, FarCellsBelowAPixel) {
   EXPECT_THAT(about("", "--set grass.far_field_below_pixels=0"), IsEmpty()) << "nothing is so far";
 }
 
+TEST_F(Warnings, ASunThatTheDateHasAlready) {
+  const std::string day = "[sun]\ndate = [2026, 6, 21]\nlatitude = 47\ntime = 12\n";
+  EXPECT_THAT(about(day), IsEmpty());
+  EXPECT_THAT(about(day + "elevation = 5\n"),
+              StartsWith("warning: sun.elevation changes nothing: sun.date and sun.time say"));
+  EXPECT_THAT(about(day + "azimuth = 100\n"), StartsWith("warning: sun.azimuth changes nothing"));
+  EXPECT_THAT(about("[sun]\nelevation = 5\nazimuth = 100\n"), IsEmpty());
+}
+
+TEST_F(Warnings, CloudsBehindRain) {
+  const std::string clouds = "[[clouds]]\nkind = \"cumulus\"\n";
+  EXPECT_THAT(about(clouds + "[weather]\nprecipitation = 0.5\ntemperature = 5\n"),
+              HasSubstr("weather.precipitation hides the sun and [[clouds]]"));
+  EXPECT_THAT(about(clouds), IsEmpty());
+  EXPECT_THAT(about("[weather]\nprecipitation = 0.5\ntemperature = 5\n"), IsEmpty());
+}
+
+TEST_F(Warnings, ASquareOfAFewCellsOfTheElevationModel) {
+  std::string model = "ncols 80\nnrows 80\nxllcorner 0\nyllcorner 0\ncellsize 10\n";
+  for (int i = 0; i < 6400; ++i) model += std::to_string(600 + i % 7) + (i % 80 == 79 ? "\n" : " ");
+  write("hill.asc", model);
+  const std::string hill = "[terrain]\nelevation = \"hill.asc\"\n";
+  EXPECT_THAT(about(hill), HasSubstr("the terrain is 42 m wide, 4.2 cells of terrain.elevation; "
+                                     "set terrain.size, and camera.eye"));
+  EXPECT_THAT(about(hill + "size = 60\n"), IsEmpty()) << "somebody chose it";
+  EXPECT_THAT(about(hill + "size = 400\n"), Not(HasSubstr("cells of terrain.elevation")));
+}
+
 TEST_F(Warnings, CloudsThatJump) {
   // 20 m/s over 600 s are 12 km, cirrus has cells of less.
   const std::string film =

@@ -201,5 +201,33 @@ TEST_P(FilmLights, OfTwoFramesAreLights) {
 
 INSTANTIATE_TEST_SUITE_P(InHeavyAndLightSnow, FilmLights, testing::Values(1.0, 0.01));
 
+/// Mean square difference of degrees of places `apart_m` from each other.
+double variogram(const Withering& withering, double apart_m) {
+  constexpr int places = 120;
+  constexpr double step_m = 3.7;
+  double sum = 0.0;
+  for (int j = 0; j < places; ++j)
+    for (int i = 0; i < places; ++i) {
+      const glm::dvec2 at_m = glm::dvec2(i, j) * step_m;
+      const double apart = withering.at(at_m, 1) - withering.at(at_m + glm::dvec2(apart_m, 0.0), 1);
+      sum += apart * apart;
+    }
+  return sum / (places * places);
+}
+
+// Places of one size, as a small meadow has them, would cover a wide one like a camouflage cloth.
+TEST(Withering, HasPlacesOfAllSizesOnAWideTerrain) {
+  scene::Scene scene;
+  scene.ageing.frames = {0.5};
+  const Heightfield level = ground([](const glm::dvec2&) { return 0.0; });
+  const auto growth = [&](double size_m) {
+    scene.terrain.size_m = size_m;
+    const Withering withering = test::withering_of(scene, level);
+    return variogram(withering, 40.0) / variogram(withering, 8.0);
+  };
+  EXPECT_NEAR(growth(42.0), 1.0, 0.15);
+  EXPECT_GT(growth(512.0), 1.3);
+}
+
 }  // namespace
 }  // namespace wold::place

@@ -43,7 +43,19 @@ TEST(Explanation, KnowsOldNamesAndSaysWhatMayHaveBeenMeant) {
   EXPECT_THAT(complaint("sun.elevatoin"), HasSubstr("did you mean sun.elevation?"));
   EXPECT_THAT(complaint("suns"), HasSubstr("did you mean sun"));
   EXPECT_THAT(complaint("\x1b[2J"), Not(HasSubstr("\x1b")));
-  EXPECT_THAT(complaint(""), HasSubstr("expected a key or a table"));
+  EXPECT_THAT(complaint("nonsense"), HasSubstr("expected a key or a table of a scene, such as "
+                                               "sun.elevation or sun; wold explain lists all"));
+}
+
+TEST(Explanation, NamesAllTablesAndWhatMayBeMeant) {
+  const std::string all = explanation("");
+  for (const char* line : {"[sun]: elevation, azimuth, ", "\n[[clouds]]: kind, ", "\n[weather]: "})
+    EXPECT_THAT(all, HasSubstr(line));
+  EXPECT_GT(keys_named("").size(), 200U);
+  for (const char* word : {"snow", "snow.falling"})
+    EXPECT_THAT([&] { explanation(word); }, testing::ThrowsMessage<InputError>(
+                                                HasSubstr("did you mean snowfall or snow_cover?")))
+        << word;
 }
 
 }  // namespace
