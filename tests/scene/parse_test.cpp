@@ -47,7 +47,8 @@ TEST(Parse, NamesPlaceFindingAndExpectation) {
   expect_problem("[grass]\npatch = true\n", "a.toml:2:9: grass.patch: found true, expected a");
   expect_problem("[grass]\npatch = nan\n", "a.toml:2:9: grass.patch: found nan m, expected a");
   expect_problem("[grass]\npatch = inf\n", "a.toml:2:9: grass.patch: found inf m, expected a");
-  expect_problem("[grass]\npatch = 1979-05-27\n", "a.toml:2:9: grass.patch: found a date or time of TOML (here");
+  expect_problem("[grass]\npatch = 1979-05-27\n",
+                 "a.toml:2:9: grass.patch: found a date or time of TOML (here");
   expect_problem("[grass.patch]\nx = 1\n", "a.toml:1:1: grass.patch: found a table, expected a");
   expect_problem("seed = -1\n", "a.toml:1:8: seed: found -1, expected a whole number from 0 to");
   expect_problem("name = '../up'\n", "a.toml:1:8: name: found \"../up\", expected a file name");
