@@ -51,7 +51,7 @@ Json sun_of(const test::CloudSun& sun, const fs::path& folder) {
 }
 
 void write_cloud(const fs::path& folder) {
-  const cloud::CloudVolume volume = test::cloud_volume();
+  const cloud::CloudVolume volume = test::cloud_volume(fs::path(WOLD_TESTS_DIR) / "data/light");
   write_file(folder / "cloud.vol", mitsuba::grid_bytes(volume.box.voxels, volume.extinction_per_m));
   const landscape::Camera camera = test::cloud_camera();
   const glm::dvec3 size_m = glm::dvec3(volume.box.voxels) * volume.box.voxel_m;

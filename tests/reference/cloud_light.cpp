@@ -239,7 +239,7 @@ bool is_within_bounds(const test::CloudSun& sun, double mean_ratio, double flip,
 }
 
 bool compare_all(const fs::path& references, const fs::path& pictures) {
-  const cloud::CloudVolume volume = test::cloud_volume();
+  const cloud::CloudVolume volume = test::cloud_volume(fs::path(WOLD_TESTS_DIR) / "data/light");
   bool good = true;
   fmt::print(
       "sun            mean   FLIP  2x2    rim   base  redder  (reference: rim base redder)\n");

@@ -1,20 +1,22 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <glm/glm.hpp>
 #include <numbers>
 #include <string>
 #include <vector>
 
-#include "cloud/lifting.h"
+#include "cloud/volume.h"
+#include "core/image.h"
 #include "landscape/landscape.h"
 #include "light/daylight.h"
 #include "scene/scene.h"
 
 namespace wold::test {
 
-// The cloud that light in clouds is held against: a heap of examples/cumulus.toml's kind, alone in
-// the sky, 3.5 km to the north of an eye on the ground.
+// The cloud that light in clouds is held against: a heap of cumulus, alone in the sky, 3.5 km to
+// the north of an eye on the ground.
 
 struct CloudSun {
   double elevation_deg;
@@ -42,34 +44,20 @@ inline landscape::Camera cloud_camera() {
 
 inline scene::Scene cloud_scene(const CloudSun& sun) {
   scene::Scene scene;
-  scene.seed = 7;
   scene.sun.azimuth_deg = sun.azimuth_deg;
   scene.sun.elevation_deg = sun.elevation_deg;
-  scene.clouds.resize(1);
-  scene.clouds[0].kind = scene::CloudKind::cumulus;
-  scene.clouds[0].body = scene::CloudBody::volume;
   return scene;
 }
 
-/// The heap in the layer at the film's start, without its neighbours, in voxels as large as those
-/// of frames.
-inline cloud::CloudVolume cloud_volume() {
-  const scene::Scene scene = cloud_scene(cloud_suns().front());
-  const double pixel_m = cloud::Clouds::usual_pixel_m(scene.clouds);
-  const cloud::CloudState state = cloud::Clouds(scene, pixel_m).at(0.0);
+/// A heap as the product made them when the references were traced, without neighbours, in voxels
+/// as large as those of frames: it stays so that light is held against paths through the same grid,
+/// whatever shapes become. DIR/cloud_extinction.exr has its slices below each other, per metre.
+inline cloud::CloudVolume cloud_volume(const std::filesystem::path& folder) {
   constexpr double voxel_m = 7.8125;
   constexpr glm::ivec3 voxels{180, 180, 64};
-  constexpr double radius_m = 0.5 * voxel_m * voxels.x;
-  const glm::dvec2 middle_m(3650.0, 4550.0);
-  cloud::CloudVolume volume = cloud::lifted(state.layers[0], pixel_m, middle_m - radius_m,
-                                            glm::dvec2(2.0 * radius_m), voxels);
-  for (std::size_t i = 0; i < volume.extinction_per_m.size(); ++i) {
-    const glm::dvec2 voxel(i % voxels.x, i / voxels.x % voxels.y);
-    const double away_m = glm::length((voxel + 0.5) * voxel_m - radius_m);
-    const double left = 1.0 - glm::smoothstep(0.85 * radius_m, radius_m, away_m);
-    volume.extinction_per_m[i] *= static_cast<float>(left);
-  }
-  return volume;
+  return {{{2946.875, 3846.875, 1200.0}, glm::dvec3(voxel_m), voxels},
+          read_image(folder / "cloud_extinction.exr").values,
+          0.866};
 }
 
 /// Height of the volume's middle above the sea.
