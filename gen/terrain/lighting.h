@@ -15,7 +15,7 @@ class Surface;
 /// irradiance by Lambert's law with a soft cast shadow, and the sky's radiance above the local
 /// horizon. The daylight's unit makes both together 1 on flat open ground. A sample every 20 cm,
 /// or every half step of the terrain where that is more (4097 a side at most), smoothed over the
-/// height of grass, so that a shadow's edge is about half a metre wide.
+/// height of grass, so that a shadow's edge is about half a metre, or two such steps, wide.
 struct GroundLight {
   ColourMap sun;
   ColourMap sky;

@@ -36,6 +36,16 @@ TEST(LightMap, FlatGroundIsOne) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(value[c], 1.0F, 1e-4F);
 }
 
+// Light of a wide terrain is sampled as finely as its heights say anything: all else costs minutes.
+TEST(LightMap, IsNoFinerThanHalfOfTheTerrainsStep) {
+  const light::Daylight day({38.0, 235.0}, {3.0});
+  const auto samples = [&](double size_m) {
+    return ground_light(ground(size_m, 41, [](double) { return 0.0; }), day).sun.samples();
+  };
+  EXPECT_EQ(samples(8.0), 41);  // 20 cm
+  EXPECT_EQ(samples(80.0), 81);
+}
+
 TEST(LightMap, InclinedPlaneReceivesTheIntegralOverItsHemisphere) {
   const light::Daylight day({38.0, 180.0}, {3.0});
   const double tilt = 20.0 * degree;  // rises northwards, so it faces the sun in the south
