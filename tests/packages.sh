@@ -124,9 +124,10 @@ make_first_scene() {
 
 # require_hint_of_examples ROOT: what the manual says before examples are copied.
 require_hint_of_examples() {
-  as_user "$1" wold check examples/hillside.toml 2>&1 |
-    grep -q 'came with wold is .*/usr/share/wold/examples/hillside.toml' ||
-    fail "wold does not say where its examples are"
+  local said
+  said=$(as_user "$1" wold check examples/hillside.toml 2>&1) && fail "found examples in a home"
+  [[ $said =~ 'came with wold is '.*/usr/share/wold/examples/hillside.toml ]] ||
+    fail "wold does not say where its examples are: $said"
 }
 
 # deb_for SYSTEM: its file.

@@ -18,6 +18,7 @@ scenes=(
   "hillside hillside 2"
   "blades mountain 2 --grass blades"
   "snow first_snow 24"
+  "storm ground_blizzard 2"
   "clouds clouds 2"
   "season autumn_to_winter 90"
   "fur fur 1"

@@ -51,7 +51,9 @@ build -- wold
 make hillside hillside 480x270 beside 1 2 3
 make mountain mountain 480x270 beside 1 2 3
 make snow first_snow 640x360 beside 5 18 48
+make storm ground_blizzard 480x270 beside 1 13
 make clouds cumulus 720x405 beside 2
 make sunset clouds 480x200 above 36 62 84
 make season autumn_to_winter 360x202 above 1 43 62 118
 film windy_meadow windy_meadow 240x135
+film ground_blizzard ground_blizzard 320x180

@@ -8,6 +8,7 @@
 #include "scene/cloud_consistency.h"
 #include "scene/registry.h"
 #include "scene/species.h"
+#include "scene/winter.h"
 
 namespace wold::advice {
 namespace {
@@ -45,6 +46,8 @@ void warn_of_other_choices(const scene::Scene& scene, Keys& warnings) {
   for (const Condition& condition : {
            Condition{"snowfall.box", paper_flakes, "snowfall.motion = \"paper\""},
            Condition{"snow_cover.white_after", paper_cover, "snow_cover.cover = \"paper\""},
+           Condition{"snow_cover.blowing", scene.snow_cover.blowing <= 0.0 || may_blow(scene),
+                     "snow that lies and a wind.speed from 7 m/s on"},
            Condition{"film.shutter", something_moves(scene),
                      "a camera that moves or wind.grass = \"waving\""},
            Condition{"wind.grass", !scene::has_hair(scene), "grass: hair lies as it is combed"},

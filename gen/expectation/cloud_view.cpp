@@ -21,13 +21,34 @@ std::pair<double, double> inside_m(const landscape::CloudBox& cloud, const glm::
   return {std::max({in.x, in.y, in.z, 0.0}), std::min({out.x, out.y, out.z, end_m})};
 }
 
-std::size_t voxel_at(const landscape::CloudBox& cloud, const glm::dvec3& place_m) {
-  const glm::ivec3 voxel = glm::clamp(glm::ivec3((place_m - cloud.corner_m) / cloud.voxel_m),
-                                      glm::ivec3(0), cloud.voxels - 1);
-  return (static_cast<std::size_t>(voxel.z) * static_cast<std::size_t>(cloud.voxels.y) +
-          static_cast<std::size_t>(voxel.y)) *
+/// What a volume is at a place, between its voxels' centres.
+struct Medium {
+  double extinction_per_m = 0.0;
+  glm::dvec3 emission_per_m{0.0};
+};
+
+std::size_t index_of(const landscape::CloudBox& cloud, const glm::ivec3& voxel) {
+  const glm::ivec3 at = glm::clamp(voxel, glm::ivec3(0), cloud.voxels - 1);
+  return (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(cloud.voxels.y) +
+          static_cast<std::size_t>(at.y)) *
              static_cast<std::size_t>(cloud.voxels.x) +
-         static_cast<std::size_t>(voxel.x);
+         static_cast<std::size_t>(at.x);
+}
+
+Medium medium_at(const landscape::CloudBox& cloud, const glm::dvec3& place_m) {
+  const glm::dvec3 at = (place_m - cloud.corner_m) / cloud.voxel_m - 0.5;
+  const glm::dvec3 low = glm::floor(at), part = at - low;
+  Medium medium;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::ivec3 far(corner & 1, corner >> 1 & 1, corner >> 2);
+    const std::size_t voxel = index_of(cloud, glm::ivec3(low) + far);
+    const glm::dvec3 parts = glm::mix(1.0 - part, part, glm::dvec3(far));
+    const double extinction_per_m =
+        parts.x * parts.y * parts.z * double{cloud.extinction_per_m[voxel]};
+    medium.extinction_per_m += extinction_per_m;
+    medium.emission_per_m += extinction_per_m * glm::dvec3(cloud.radiance[voxel]);
+  }
+  return medium;
 }
 
 /// Goes on through one box; `weighed_m` sums distances by how much is seen there.
@@ -39,10 +60,10 @@ void pass_through(const landscape::CloudBox& cloud, const glm::dvec3& eye_m,
   const double step_m = cloud.voxel_m;
   for (double at_m = first_m + 0.5 * step_m; at_m < last_m && look.transmittance > nothing_left;
        at_m += step_m) {
-    const std::size_t voxel = voxel_at(cloud, eye_m + at_m * direction);
-    const double hidden =
-        look.transmittance * -math::expm1(-double{cloud.extinction_per_m[voxel]} * step_m);
-    look.radiance += hidden * glm::dvec3(cloud.radiance[voxel]);
+    const Medium medium = medium_at(cloud, eye_m + at_m * direction);
+    if (medium.extinction_per_m <= 0.0) continue;
+    const double hidden = look.transmittance * -math::expm1(-medium.extinction_per_m * step_m);
+    look.radiance += hidden / medium.extinction_per_m * medium.emission_per_m;
     look.transmittance -= hidden;
     weighed_m += hidden * at_m;
   }
@@ -50,7 +71,7 @@ void pass_through(const landscape::CloudBox& cloud, const glm::dvec3& eye_m,
 
 }  // namespace
 
-SeenBox cloud_view(const std::vector<landscape::CloudBox>& clouds, const glm::dvec3& eye_m,
+SeenBox cloud_view(std::span<const landscape::CloudBox> clouds, const glm::dvec3& eye_m,
                    const glm::dvec3& direction, double end_m) {
   SeenBox seen;
   double weighed_m = 0.0;

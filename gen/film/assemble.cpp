@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/colour.h"
 #include "core/elementary.h"
 #include "ground/lit_ground.h"
 #include "meadow/blade_parts.h"
@@ -17,10 +18,12 @@
 #include "scene/sun_path.h"
 #include "scene/sun_position.h"
 #include "scene/winter.h"
+#include "sky/blowing_snow.h"
 #include "sky/exposure.h"
 #include "sky/frame_sky.h"
 #include "sky/precipitation.h"
 #include "sky/precipitation_medium.h"
+#include "terrain/relief.h"
 
 namespace wold::film {
 namespace {
@@ -160,6 +163,42 @@ landscape::Daylight open_daylight(const light::Daylight& day, double sunlit_frac
           illuminate(by_sky).at(0, 0)};
 }
 
+/// Fraction of the sun's light on open ground that reaches each place: less where hills and clouds
+/// stand before it.
+template <class Illuminate>
+FactorMap sunlit_fraction(const ground::SnowyGround& ground, const landscape::Daylight& day,
+                          const Illuminate& illuminate) {
+  constexpr double flattest_cosine = 0.05;
+  const terrain::GroundLight& clear = ground.light();
+  const int samples = clear.sun.samples();
+  const ColourMap dark(samples, clear.sun.square(), glm::vec3(0.0F));
+  const ColourMap by_sun = illuminate(
+      terrain::GroundLight{clear.sun, dark, FactorMap(samples, clear.sun.square(), 0.0F)});
+  const Heightfield& surface = ground.surface();
+  const double sun = luminance(day.sun_irradiance);
+  FactorMap fraction(samples, clear.sun.square(), 0.0F);
+  if (sun <= 0.0) return fraction;
+  for (int j = 0; j < samples; ++j)
+    for (int i = 0; i < samples; ++i) {
+      const glm::dvec2 at_m = clear.sun.place_m(i, j);
+      const double cosine = glm::dot(terrain::normal(surface, at_m.x, at_m.y), day.to_sun);
+      fraction.at(i, j) = static_cast<float>(
+          std::min(1.0, luminance(by_sun.at(i, j)) / (sun * std::max(cosine, flattest_cosine))));
+    }
+  return fraction;
+}
+
+/// Snow that wind may lift: what lies where no grass stands out of it.
+template <class Illuminate>
+sky::SnowField snow_field(const ground::SnowyGround& ground, const landscape::Daylight& day,
+                          const Illuminate& illuminate) {
+  const auto loose = [&ground, growth = ground.growth()](const glm::dvec2& at_m) {
+    const double open = 1.0 - growth.sample(at_m.x, at_m.y);
+    return ground.white_fraction(at_m) * open * open;  // a few plants shelter much
+  };
+  return {loose, sunlit_fraction(ground, day, illuminate), ground.mean_albedo()};
+}
+
 }  // namespace
 
 AssembledFrame assemble_frame(const scene::Scene& scene, const place::Site& site,
@@ -204,6 +243,9 @@ AssembledFrame assemble_frame(const scene::Scene& scene, const place::Site& site
   ground::LitGround(scene, site, now, landscape, choices, lookup.far, illuminate)
       .show(ground, light, mirrored_sky, landscape);
   if (overcast_per_m > 0.0) sky::add_precipitation(scene, site, air, needs, landscape);
+  if (site.air_over_snow)
+    sky::add_blowing_snow(scene, site, snow_field(ground, landscape.daylight, illuminate),
+                          landscape);
   // Under an overcast sky the air itself shines: there is none without it.
   if (needs.materials)
     landscape.unlit = landscape::Unlit{

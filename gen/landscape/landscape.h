@@ -104,7 +104,8 @@ struct Backdrop {
   glm::dvec3 up_m;      ///< and to the upper left
 };
 
-/// A cloud as a volume that stands in world space, as voxels in memory: x fastest, then y, then z.
+/// A cloud, or snow that blows over the ground, as a volume that stands in world space, as voxels
+/// in memory: x fastest, then y, then z.
 struct CloudBox {
   std::string name;  ///< unique in the frame, safe as a file name
   glm::ivec3 voxels{0};
@@ -112,7 +113,8 @@ struct CloudBox {
   glm::dvec3 corner_m;  ///< lowest, in the south-west
   std::vector<float> extinction_per_m;
   std::vector<glm::vec3> radiance;  ///< source: a ray's gains extinction * radiance * ds
-  double asymmetry = 0.86;  ///< of the droplets' scattering, mean cosine (Henyey and Greenstein)
+  double asymmetry = 0.86;  ///< of what scatters in it, mean cosine (Henyey and Greenstein)
+  bool is_haze = false;  ///< thin in most places: what is small beside the largest number counts
 };
 
 /// A snow crystal or aggregate as flakes show it.

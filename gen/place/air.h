@@ -17,6 +17,10 @@ bool grass_waves(const scene::Scene& scene);
 std::shared_ptr<const wind::AirFlow> air_flow(const scene::Scene& scene,
                                               const Heightfield& terrain);
 
+/// The wind over snow, as smooth as that is, with the gusts of the wind over grass.
+std::shared_ptr<const wind::AirFlow> air_over_snow(const scene::Scene& scene,
+                                                   const Heightfield& terrain);
+
 /// The mean wind so long after the film's first frame.
 wind::Moment mean_wind(const snow::Weather& weather, double time_s);
 

@@ -179,6 +179,8 @@ Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmS
   auto mixtures = std::make_shared<const MixtureField>(scene, terrain);
   std::shared_ptr<const wind::AirFlow> air;
   if (grass_waves(scene)) air = air_flow(scene, terrain);
+  std::shared_ptr<const wind::AirFlow> over_snow;
+  if (scene::may_blow(scene)) over_snow = air_over_snow(scene, terrain);
   Site site{std::move(terrain),
             std::move(finer),
             std::move(water),
@@ -199,6 +201,7 @@ Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmS
             std::move(mixtures),
             std::move(snow),
             std::move(air),
+            std::move(over_snow),
             sketch};
   if (!scene::sun_moves(scene)) light_ground(scene, site);
   return site;

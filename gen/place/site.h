@@ -76,7 +76,8 @@ struct Site {
   std::shared_ptr<const MixtureField> mixtures;
   std::shared_ptr<const Snow> snow;          ///< none where none can fall or lie
   std::shared_ptr<const wind::AirFlow> air;  ///< of grass that waves; none where it stands still
-  std::optional<Sketch> sketch = {};         ///< none: as fine as pictures need
+  std::shared_ptr<const wind::AirFlow> air_over_snow;  ///< none where wind lifts no snow
+  std::optional<Sketch> sketch = {};                   ///< none: as fine as pictures need
 
   /// The ground on a grid; the site has to outlive it.
   terrain::Surface surface(const GroundGrid& grid) const;

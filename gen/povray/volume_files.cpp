@@ -226,6 +226,7 @@ std::vector<fs::path> volume_files(const landscape::Volume& volume, const fs::pa
 }
 
 void write_cloud(const landscape::CloudBox& cloud, int bits, const fs::path& folder) {
+  if (cloud.is_haze) bits = std::max(bits, 16);  // 255 steps to the thickest would be seen
   const GridFiles files = files_of(cloud);
   const float extinction_max =
       write_grid(files.grid(folder, "_d"), cloud.extinction_per_m, cloud.voxels, bits);

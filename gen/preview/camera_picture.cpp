@@ -54,6 +54,7 @@ Image camera_picture(const landscape::Landscape& landscape, int width_px) {
   paint_ground_and_sky(landscape, perspective, canvas);
   paint_grass(landscape, perspective, canvas);
   if (landscape.fog) paint_fog(*landscape.fog, perspective, canvas);
+  paint_haze(landscape.clouds, perspective, canvas);
   paint_flakes(landscape.flakes, perspective, canvas);
   return developed(canvas.radiance, landscape.exposure_gain, finer);
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "core/elementary.h"
+#include "core/parallel.h"
+#include "expectation/cloud_view.h"
 
 namespace wold::preview {
 namespace {
@@ -78,6 +80,25 @@ void paint_fog(const landscape::Fog& fog, const landscape::Perspective& perspect
       float* pixel = canvas.radiance.pixel(x, y);
       for (int c = 0; c < 3; ++c) pixel[c] = std::lerp(fog.radiance[c], pixel[c], left);
     }
+}
+
+void paint_haze(const std::vector<landscape::CloudBox>& clouds,
+                const landscape::Perspective& perspective, Canvas& canvas) {
+  const auto first = std::ranges::find(clouds, true, &landscape::CloudBox::is_haze);
+  if (first == clouds.end()) return;
+  parallel_for(static_cast<std::size_t>(canvas.radiance.height), [&](std::size_t row) {
+    const int y = static_cast<int>(row);
+    for (int x = 0; x < canvas.radiance.width; ++x) {
+      const glm::dvec3 direction = perspective.direction({x + 0.5, y + 0.5});
+      const double end_m = double{canvas.depth_at(x, y)} / perspective.depth_along(direction);
+      const landscape::AggregateAppearance look =
+          expectation::cloud_view({first, clouds.end()}, perspective.eye_m(), direction, end_m)
+              .look;
+      float* pixel = canvas.radiance.pixel(x, y);
+      for (int c = 0; c < 3; ++c)
+        pixel[c] = static_cast<float>(look.radiance[c] + look.transmittance * double{pixel[c]});
+    }
+  });
 }
 
 void paint_flakes(const landscape::Flakes& flakes, const landscape::Perspective& perspective,

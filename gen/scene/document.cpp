@@ -140,8 +140,8 @@ Node override_value(const std::string& text, const SourcePosition& where) {
     table = parsed("value = " + text, where.file);
   } catch (const InputError&) {
     if (is_bare_word(text)) return {where, text, false};
-    throw at(where, fmt::format("{} is not a TOML value; write text with spaces or signs as "
-                                "key='\"text\"'",
+    throw at(where, fmt::format("{} is not a TOML value; write a list as 'key=[1, 2, 3]' and text "
+                                "with spaces or signs as 'key=\"text\"'",
                                 in_quotes(text)));
   }
   Node node = converted(*table.get("value"), where.file);

@@ -82,6 +82,15 @@ const Key* known_key(const Reading& reading, std::string_view name) {
   return found != reading.item_keys.end() ? &found->second : find_key(name);
 }
 
+std::string no_such_item(std::string_view name, const TableArray& array, std::size_t count) {
+  const std::string there_is_no = fmt::format("{}: there is no such {}; ", shown(name), array.item);
+  if (count == 0)
+    return there_is_no +
+           fmt::format("the scene has none, a table [[{}]] in it adds one", array.name);
+  return there_is_no +
+         fmt::format("the scene has {} of them, counted from {}", count, item_name(array.name, 0));
+}
+
 std::string unknown_key_message(const Entry& entry, const Reading& reading) {
   if (const TableArray* array = find_array(entry.name))
     return fmt::format("{0}: found {1}, expected tables [[{0}]], one for each {2}", entry.name,
@@ -90,9 +99,7 @@ std::string unknown_key_message(const Entry& entry, const Reading& reading) {
     return fmt::format("unknown key {}{}", in_quotes(entry.name),
                        suggestion(nearest_of(entry.name, keys)));
   if (const TableArray* array = find_array(array_of(table_of(entry.name))))
-    return fmt::format("{}: there is no such {}; the scene has {} of them, counted from {}",
-                       shown(entry.name), array->item, array->count(reading.scene),
-                       item_name(array->name, 0));
+    return no_such_item(entry.name, *array, array->count(reading.scene));
   if (is_table(entry.name))
     return fmt::format("{}: found {}, expected the table [{}]", entry.name, description(entry.node),
                        entry.name);

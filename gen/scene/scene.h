@@ -338,6 +338,7 @@ struct SnowCover {
   CoverModel cover = CoverModel::depth;
   double initial_mm = 0.0;       ///< of water that lies when the weather begins
   double drifting = 0.5;         ///< k of 1 + k tanh(Sx / 15 degrees)
+  double blowing = 1.0;          ///< factor on the snow that wind lifts into the air
   double melt_mm_per_day = 3.0;  ///< degree-day factor, per kelvin above 0 degrees Celsius
   double feature_m = 0.35;       ///< size of the first patches of white
   double white_after_mm = 8.0;   ///< of water, of [He2007]'s cover: gamma is 1

@@ -82,6 +82,10 @@ std::vector<Key> snow_cover_keys() {
       bound(number("snow_cover.drifting", "", {0, 1},
                    "How much the wind moves snow into the lee: 0 not at all."),
             FIELD(snow_cover.drifting)),
+      bound(number("snow_cover.blowing", "", {0, 10},
+                   "How much of it storms lift into the air over the ground, times what has been "
+                   "measured: 0 none."),
+            FIELD(snow_cover.blowing)),
       bound(number("snow_cover.melt", "mm/day", {0, 20},
                    "Water that melts per day and degree above freezing; in a season sun, air and "
                    "rain melt it instead."),

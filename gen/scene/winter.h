@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "scene/calendar.h"
 
 namespace wold::scene {
@@ -14,6 +16,25 @@ inline bool may_snow(const Scene& scene) {
 inline bool may_lie(const Scene& scene) {
   return scene.snow_cover.cover != CoverModel::none &&
          (may_snow(scene) || scene.snow_cover.initial_mm > 0.0);
+}
+
+/// The least wind that lifts snow, m/s: snow::lifting_wind_m_s()'s lowest.
+inline constexpr double min_lifting_wind_m_s = 6.9;
+
+/// The strongest mean wind that the scene's keys name, m/s.
+inline double strongest_wind_m_s(const Scene& scene) {
+  double strongest_m_s = scene.wind.speed_m_s;
+  for (const SeasonKey& key : scene.season_keys)
+    strongest_m_s = std::max(strongest_m_s, key.wind_speed_m_s.value_or(0.0));
+  return strongest_m_s;
+}
+
+/// Whether wind may lift snow from the ground in it: that of a table, or one that hills make as
+/// strong as it takes, which double it at most.
+inline bool may_blow(const Scene& scene) {
+  const bool has_table = !scene.weather.table.empty() || !scene.season.table.empty();
+  return scene.snow_cover.cover == CoverModel::depth && scene.snow_cover.blowing > 0.0 &&
+         may_lie(scene) && (has_table || 2.0 * strongest_wind_m_s(scene) > min_lifting_wind_m_s);
 }
 
 }  // namespace wold::scene

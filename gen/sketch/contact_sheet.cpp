@@ -53,13 +53,22 @@ glm::vec3 mean_light(const landscape::Landscape& landscape) {
                    static_cast<double>(landscape.light.values().size()));
 }
 
+constexpr int map_beside_sky_px = 336;
+
+/// Of a picture of the camera; one alone is as high as the square map beside it.
+int camera_width_px(const scene::Scene& scene, std::size_t frames) {
+  if (frames > 1) return preview::width_of_each(static_cast<int>(frames));
+  const auto [width_px, height_px] = scene.render.size_px;
+  const double aspect = std::clamp(static_cast<double>(width_px) / height_px, 0.5, 3.0);
+  return static_cast<int>((preview::width_of_each(1) - preview::gap_px) * aspect / (aspect + 1.0));
+}
+
 /// The scene drawn part by part.
 class Preview {
  public:
   Preview(const scene::Scene& scene, std::shared_ptr<const phenology::FilmSeason> season,
           const std::vector<int>& frames, const fs::path& scratch, Progress& progress)
-      : width_px_(frames.size() == 1 ? 760
-                                     : preview::width_of_each(static_cast<int>(frames.size()))),
+      : width_px_(camera_width_px(scene, frames.size())),
         scene_(simplified(scene, width_px_)),
         frames_(frames),
         progress_(begun(progress, frames.size())),
@@ -113,12 +122,13 @@ class Preview {
   /// What is around in a frame: the terrain's map, the sky, flakes.
   std::vector<Tile> surroundings(const landscape::Landscape& landscape) {
     constexpr int flakes_px = 240;
-    const int map_px =
-        frames_.size() == 1 ? preview::width_of_each(1) - preview::gap_px - width_px_ : 336;
     const bool snows = !landscape.flakes.pictures.empty();
-    std::vector<Tile> row = {map(landscape, map_px)};
-    row.push_back(sky(landscape, preview::width_of_each(1) - 336 - preview::gap_px -
-                                     (snows ? flakes_px + preview::gap_px : 0)));
+    const int whole_px = preview::width_of_each(1);
+    const bool is_map_above = frames_.size() == 1;  // beside the camera's picture
+    const int map_px = is_map_above ? whole_px - preview::gap_px - width_px_ : map_beside_sky_px;
+    const int sky_px = whole_px - (is_map_above ? 0 : map_px + preview::gap_px) -
+                       (snows ? flakes_px + preview::gap_px : 0);
+    std::vector<Tile> row = {map(landscape, map_px), sky(landscape, sky_px)};
     if (snows)
       row.push_back(
           {preview::flakes_picture(landscape.flakes, {flakes_px, flakes_px}),

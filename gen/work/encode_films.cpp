@@ -93,7 +93,7 @@ void write_films(const EncodingOptions& options, const FramePictures& pictures,
     encoding.log =
         options.out / "logs" / fmt::format("film_{}_{}.log", pictures.renderer, extension + 1);
     render::encode(encoding, progress, interrupted);
-    made(encoding.film);
+    made({encoding.film, encoding.count, encoding.frames_per_second});
   }
 }
 

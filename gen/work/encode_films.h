@@ -23,8 +23,15 @@ struct EncodingOptions {
   std::optional<double> shutter;
 };
 
-/// Is given the path of each film once it is there.
-using FilmMade = std::function<void(const std::filesystem::path& film)>;
+/// A film that is there.
+struct EncodedFilm {
+  std::filesystem::path file;
+  int frames = 0;  ///< at least 1
+  double frames_per_second = 0.0;
+};
+
+/// Is given each film once it is there.
+using FilmMade = std::function<void(const EncodedFilm& film)>;
 
 /// Encodes the pictures of an output folder as films, .mp4 and a .webp that loops beside it, for
 /// each renderer that has all frames; under a name of its own for the first of them alone, of which

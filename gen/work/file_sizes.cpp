@@ -11,6 +11,7 @@
 #include "place/ground_grids.h"
 #include "scene/key_frames.h"
 #include "scene/species.h"
+#include "sky/blowing_snow.h"
 #include "sky/cloud_boxes.h"
 
 namespace wold::work {
@@ -146,7 +147,8 @@ double cloud_voxels(const scene::Scene& scene) {
   const auto layers = static_cast<double>(
       std::ranges::count(scene.clouds, scene::CloudBody::volume, &scene::CloudLayer::body));
   const glm::dvec3 voxels(sky::cloud_box_voxels);
-  return layers * voxels.x * voxels.y * voxels.z;
+  constexpr double haze_bits = 2.0;  // of its numbers over those of a cloud's
+  return layers * voxels.x * voxels.y * voxels.z + haze_bits * sky::blowing_snow_voxels(scene);
 }
 
 double texel_bytes(const scene::Scene& scene, const film::FilmDemand& demand, bool with_unlit) {

@@ -12,7 +12,7 @@ SceneNeeds needs_of(const scene::Scene& scene) {
   };
   using enum scene::GrassForm;
   return {.grass_volumes = scene.render.grass == texels || scene.render.grass == automatic,
-          .cloud_volumes = std::ranges::any_of(scene.clouds, is_volume),
+          .cloud_volumes = std::ranges::any_of(scene.clouds, is_volume) || scene::may_blow(scene),
           .fog = scene::may_snow(scene)};
 }
 

@@ -77,6 +77,12 @@ TEST_F(FilmCommand, ShowsEveryFrameInItsColoursForItsTimeAndLoops) {
   EXPECT_EQ(webp.substr(anim + 12, 2), std::string(2, '\0'));
 }
 
+TEST_F(FilmCommand, SaysThatAFilmIsOverAtOnce) {
+  for (int i = 1; i <= 3; ++i) draw(frame(i), {0.25F, 0.5F, 0.125F}, 64, 36);
+  expect_contains(wold("film d").err, "warning: d/film_povray.mp4 lasts 0.12 s: 3 frames at 24 a");
+  EXPECT_EQ(wold("film d --fps 24 --quiet").err, "");
+}
+
 TEST_F(FilmCommand, IsTheSameBytesEachTime) {
   for (int i = 1; i <= 3; ++i)
     draw(frame(i), {0.25F * static_cast<float>(i), 0.5F, 0.25F}, 320, 180);

@@ -110,12 +110,14 @@ TEST_P(OneLook, BothRenderersShowTheSame) {
   }
 }
 
-// Weathering degrees 0, 0.30 and 0.917; clouds that have gathered; half-way into the snow.
+// Weathering degrees 0, 0.30 and 0.917; clouds that have gathered; half-way into the snow;
+// snow in a storm.
 INSTANTIATE_TEST_SUITE_P(Landscape, OneLook,
                          testing::Values(ExampleFilm{"hillside", {1, 2, 3}, true},
                                          ExampleFilm{"mountain", {1, 2, 3}, true},
                                          ExampleFilm{"clouds", {45}, false},
-                                         ExampleFilm{"first_snow", {24}, false}),
+                                         ExampleFilm{"first_snow", {24}, false},
+                                         ExampleFilm{"ground_blizzard", {1}, false}),
                          [](const auto& test) { return std::string(test.param.example); });
 
 }  // namespace

@@ -166,6 +166,13 @@ TEST_F(Program, EveryCommandThatReadsASceneTakesItsShorthands) {
   EXPECT_EQ(wold("curves a.toml --out a.csv" + shorthands).code, 0);
 }
 
+TEST_F(Program, CheckNamesFilesThatAreNotThereWithTheirLine) {
+  for (const char* key : {"elevation", "surroundings", "cover", "photo"}) {
+    write("a.toml", fmt::format("[terrain]\n{} = 'gone.tif'\n", key));
+    expect_refusal(wold("check a.toml"), fmt::format("a.toml:2:1: terrain.{}: found", key));
+  }
+}
+
 TEST_F(Program, NewWritesASceneOnceAndNeverReplacesIt) {
   const Result result = wold("new heath");
   EXPECT_EQ(result.code, 0);

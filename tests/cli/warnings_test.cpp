@@ -97,6 +97,15 @@ TEST_F(Warnings, CloudsThatJump) {
   EXPECT_THAT(about(film + "600\n", "--set 'ageing.frames=[0, 0.3]'"), IsEmpty()) << "no film";
 }
 
+TEST_F(Warnings, BlowingSnowWithoutStormOrSnow) {
+  const std::string blowing = "[snow_cover]\nblowing = 3\n";
+  EXPECT_THAT(about(blowing), StartsWith("warning: snow_cover.blowing changes nothing without"));
+  EXPECT_THAT(about(blowing + "initial = 50\n[wind]\nspeed = 3\n[weather]\ntemperature = -5\n"),
+              HasSubstr("snow_cover.blowing changes nothing without"));
+  EXPECT_THAT(about(blowing + "initial = 50\n[wind]\nspeed = 12\n[weather]\ntemperature = -5\n"),
+              Not(HasSubstr("snow_cover.blowing")));
+}
+
 TEST_F(Warnings, SnowThatCannotBeSeen) {
   EXPECT_THAT(about("[snow_cover]\ninitial = 30\ncover = 'none'\n"),
               HasSubstr("set snow_cover.cover = \"depth\""));

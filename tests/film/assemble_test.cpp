@@ -171,6 +171,39 @@ TEST(Assemble, DoesNotBurnOutTheSkyOfAnEvening) {
   EXPECT_NEAR(landscape.exposure_gain * luminance, 0.9, 1e-4);
 }
 
+landscape::Landscape in_a_storm(double snow_mm, double hill_m = 1.0) {
+  scene::Scene scene = small_meadow();
+  scene.snow_cover.initial_mm = snow_mm;
+  scene.weather.temperature_c = -8.0;
+  scene.wind.speed_m_s = 16.0;
+  scene.terrain.hill_height_m = hill_m;
+  scene.sun.elevation_deg = 6.0;
+  scene.sun.azimuth_deg = 0.0;  // behind the hill
+  const place::Site site = test::site_of(scene);
+  return assemble(scene, site, test::grass_of(scene, 2), {}, test::no_grass(), needs_of({}));
+}
+
+/// Sum of extinctions, and of what they send.
+glm::dvec2 blown(const landscape::Landscape& landscape) {
+  glm::dvec2 sum(0.0);
+  for (const landscape::CloudBox& box : landscape.clouds)
+    for (std::size_t i = 0; i < box.radiance.size(); ++i)
+      sum += double{box.extinction_per_m[i]} * glm::dvec2(1.0, box.radiance[i].g);
+  return sum;
+}
+
+// Plants hold the snow that they stand out of (Liston and Sturm 1998).
+TEST(Assemble, StormsLiftSnowWhereNoGrassStandsOutOfIt) {
+  const double deep = blown(in_a_storm(200.0)).x;
+  EXPECT_GT(deep, 0.0);
+  EXPECT_LT(blown(in_a_storm(4.0)).x, 0.1 * deep);
+}
+
+TEST(Assemble, SnowThatBlowsInTheShadeOfAHillIsDark) {
+  const glm::dvec2 shaded = blown(in_a_storm(200.0, 4.0)), lit = blown(in_a_storm(200.0, 0.0));
+  EXPECT_LT(shaded.y / shaded.x, 0.8 * lit.y / lit.x);
+}
+
 // Every cell is drawn once, as a volume or as blades; meshes are shared by turns and levels.
 TEST(Assemble, CellsOfBladesReferToTheirMeshes) {
   scene::Scene scene = small_meadow();

@@ -138,6 +138,34 @@ TEST(Fog, HidesByBeersLaw) {
   EXPECT_EQ(canvas.radiance.pixel(32, 0)[1], 1.0F);  // the sky is behind all of it
 }
 
+/// A volume of one extinction about the eye, which sends light of 1.
+landscape::CloudBox volume_about(const glm::dvec3& eye_m, bool is_haze) {
+  landscape::CloudBox box;
+  box.voxels = glm::ivec3(128);
+  box.voxel_m = 0.1;
+  box.corner_m = eye_m - 6.4;
+  box.extinction_per_m.assign(128 * 128 * 128, 0.1F);
+  box.radiance.assign(128 * 128 * 128, glm::vec3(1.0F));
+  box.is_haze = is_haze;
+  return box;
+}
+
+TEST(Haze, HidesByBeersLawAsFarAsTheGround) {
+  const landscape::Landscape field = level_field();
+  const Perspective perspective = perspective_of(field);
+  const auto painted = [&](bool is_haze) {
+    Canvas canvas(side_px, side_px);
+    paint_ground_and_sky(field, perspective, canvas);
+    paint_haze({volume_about(field.camera.eye_m, is_haze)}, perspective, canvas);
+    return canvas.radiance.pixel(32, 50)[1];
+  };
+  const double distance_m = -2.0 / perspective.direction({32.5, 50.5}).z;
+  ASSERT_LT(distance_m, 6.0);
+  const double left = std::exp(-0.1 * distance_m);
+  EXPECT_NEAR(painted(true), 0.5 * left + (1.0 - left), 0.01);
+  EXPECT_NEAR(painted(false), 0.5, 1e-3);  // clouds are in the sky's picture
+}
+
 /// What a flake that fills its square adds to a black canvas: its brightness times its area in px.
 double painted(double distance_m, double half_m, float opacity, float behind_m) {
   const landscape::Landscape field = level_field();

@@ -79,7 +79,9 @@ TEST(CloudScene, OverridesReachEveryItem) {
                  "--set clouds[2].cover=1: clouds[2].cover: there is no such layer of clouds; the "
                  "scene has 1 of them, counted from clouds[1]",
                  {"clouds[2].cover=1"});
-  expect_problem("", "--set clouds.cover=1: clouds.cover: there is no such layer of clouds; the",
+  expect_problem("",
+                 "--set clouds.cover=1: clouds.cover: there is no such layer of clouds; the scene "
+                 "has none, a table [[clouds]] in it adds one",
                  {"clouds.cover=1"});
 }
 

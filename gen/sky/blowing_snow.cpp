@@ -1,0 +1,264 @@
+#include "sky/blowing_snow.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "cloud/scattering.h"
+#include "core/elementary.h"
+#include "core/parallel.h"
+#include "place/air.h"
+#include "scene/winter.h"
+#include "snow/blowing_snow.h"
+
+namespace wold::sky {
+namespace {
+
+using std::numbers::pi;
+
+/// Along a side, of the square that each volume stands on.
+constexpr int side_voxels = 192, side_voxels_of_sketch = 96;
+constexpr double near_side_m = 48.0, far_side_m = 240.0;
+/// As high as a volume may be: where the ground is steeper, voxels are larger.
+constexpr int max_height_voxels = 128;
+/// Thicker than that is but a skin on the ground, which hides it as far as it is seen.
+constexpr double thickest_per_m = 2.0;
+
+/// A square that stands on multiples of its voxels, so that nothing swims when the camera moves.
+struct Window {
+  Square square;
+  int voxels = side_voxels;  ///< along a side
+  bool is_whole = false;     ///< all of the terrain
+
+  double voxel_m() const { return square.size_m / voxels; }
+
+  /// 1 inside, 0 outside, falling smoothly along the border.
+  double fraction(const glm::dvec2& at_m) const {
+    if (is_whole) return 1.0;
+    constexpr double strip = 0.12;
+    const glm::dvec2 at = (at_m - square.corner_m) / square.size_m;
+    const glm::dvec2 inside = glm::min(at, 1.0 - at);
+    return glm::smoothstep(0.0, strip, std::min(inside.x, inside.y));
+  }
+};
+
+Window window_before(const landscape::Camera& camera, const Heightfield& terrain, double side_m,
+                     int voxels) {
+  if (terrain.size_m() <= side_m) return {terrain.square(), voxels, true};
+  constexpr double ahead = 0.36;  // of the side: the eye stands well inside
+  const glm::dvec2 level(camera.target_m - camera.eye_m);
+  const double across = glm::length(level);
+  const glm::dvec2 forward = across > 0.0 ? level / across : glm::dvec2(0.0);
+  const glm::dvec2 corner_m = glm::dvec2(camera.eye_m) + (ahead * forward - 0.5) * side_m;
+  const double step_m = side_m / voxels;
+  return {{glm::round(corner_m / step_m) * step_m, side_m}, voxels};
+}
+
+/// Lowest and highest ground on a square.
+glm::dvec2 heights_on(const Heightfield& terrain, const Square& square) {
+  constexpr int samples = 128;
+  glm::dvec2 range(std::numeric_limits<double>::infinity(),
+                   -std::numeric_limits<double>::infinity());
+  for (int j = 0; j <= samples; ++j)
+    for (int i = 0; i <= samples; ++i) {
+      const glm::dvec2 at_m = square.corner_m + glm::dvec2(i, j) * (square.size_m / samples);
+      const double height_m = terrain.sample(at_m.x, at_m.y);
+      range = {std::min(range.x, height_m), std::max(range.y, height_m)};
+    }
+  return range;
+}
+
+/// An empty volume over a window's ground, up to where snow is blown.
+landscape::CloudBox box_over(const Heightfield& terrain, const Window& window) {
+  landscape::CloudBox box;
+  const glm::dvec2 heights_m = heights_on(terrain, window.square);
+  const double depth_m = heights_m.y - heights_m.x + snow::blown_depth_m;
+  const double usual_m = window.voxel_m();
+  box.voxel_m = usual_m * std::max(1.0, std::ceil(depth_m / (max_height_voxels * usual_m)));
+  const int side = static_cast<int>(std::lround(window.square.size_m / box.voxel_m));
+  box.voxels = {side, side, static_cast<int>(std::ceil(depth_m / box.voxel_m)) + 2};
+  box.corner_m = {window.square.corner_m, heights_m.x - box.voxel_m};
+  box.asymmetry = snow::grain_asymmetry;
+  box.is_haze = true;
+  const auto count = static_cast<std::size_t>(side) * static_cast<std::size_t>(side) *
+                     static_cast<std::size_t>(box.voxels.z);
+  box.extinction_per_m.assign(count, 0.0F);
+  box.radiance.assign(count, glm::vec3(0.0F));
+  return box;
+}
+
+/// The light that grains over a place send to an eye: the sun's once scattered, and that of sky and
+/// ground, which comes from all sides.
+class GrainLight {
+ public:
+  GrainLight(const landscape::Daylight& day, const SnowField& field, const glm::dvec3& eye_m)
+      : day_(day), field_(field), eye_m_(eye_m) {}
+
+  /// `depth`: optical depth of the snow above the place.
+  glm::vec3 radiance(const glm::dvec3& at_m, double depth) const {
+    constexpr double g = snow::grain_asymmetry, flattest_sine = 0.05;
+    const double sine = std::max(day_.to_sun.z, flattest_sine);
+    // What leaves the forward peak is soon diffuse (Joseph, Wiscombe and Weinman 1976).
+    const double straight = math::exp(-(1.0 - g * g) * depth / sine);
+    const double cosine = glm::dot(day_.to_sun, glm::normalize(at_m - eye_m_));
+    const double lit = field_.sunlit.sample(at_m.x, at_m.y);
+    const glm::vec3 sun = day_.sun_irradiance * static_cast<float>(lit);
+    const glm::vec3 level = sun * static_cast<float>(sine) + day_.sky_irradiance;
+    const glm::vec3 around = day_.sky_irradiance + level * static_cast<float>(field_.albedo) +
+                             sun * static_cast<float>(sine * (1.0 - straight));
+    return sun * static_cast<float>(straight * cloud::henyey_greenstein(g, cosine)) +
+           around * static_cast<float>(0.5 / pi);
+  }
+
+ private:
+  const landscape::Daylight& day_;
+  const SnowField& field_;
+  glm::dvec3 eye_m_;
+};
+
+/// What is lifted in a window and upwind of it.
+class Lifted {
+ public:
+  Lifted(const snow::BlowingSnow& snow, const Square& square, double step_m)
+      : snow_(snow),
+        gusts_(map_over<glm::vec2>(snow, square, std::max(step_m, gust_step_m))),
+        streamers_(map_over<float>(snow, square, step_m)) {
+    fill_in(gusts_, [&](const glm::dvec2& at_m) {
+      const auto lift = snow.lift(at_m);
+      return glm::vec2(lift.factor, lift.leaping_m);
+    });
+    fill_in(streamers_, [&](const glm::dvec2& at_m) {
+      return static_cast<float>(snow.streamer(at_m, step_m));
+    });
+  }
+
+  /// Mean of a layer so thick about a height above the ground.
+  double extinction_per_m(const glm::dvec2& at_m, double height_m, double layer_m) const {
+    constexpr double fine_m = 0.25;
+    const int samples = std::max(1, static_cast<int>(std::lround(layer_m / fine_m)));
+    double sum = 0.0;
+    for (int i = 0; i < samples; ++i)
+      sum += extinction_per_m(at_m, height_m + layer_m * ((i + 0.5) / samples - 0.5));
+    return sum / samples;
+  }
+
+ private:
+  double extinction_per_m(const glm::dvec2& at_m, double height_m) const {
+    const glm::dvec2 foot_m = snow_.foot_m(at_m, height_m);
+    const glm::vec2 gust = gusts_.sample(foot_m.x, foot_m.y);
+    return snow_.extinction_per_m({gust.x, gust.y}, streamers_.sample(foot_m.x, foot_m.y),
+                                  height_m);
+  }
+
+  static constexpr double gust_step_m = 1.0;  // shorter gusts count as streamers
+
+  template <class T>
+  static GroundMap<T> map_over(const snow::BlowingSnow& snow, const Square& square, double step_m) {
+    const glm::dvec2 way_m = snow.foot_m(square.corner_m, snow::blown_depth_m) - square.corner_m;
+    const double longer_m = square.size_m + std::max(std::abs(way_m.x), std::abs(way_m.y));
+    const int steps = static_cast<int>(std::ceil(longer_m / step_m));
+    const glm::dvec2 corner_m = square.corner_m + glm::min(way_m, 0.0);
+    return {steps + 1, Square{corner_m, steps * step_m}};
+  }
+
+  template <class T, class Value>
+  static void fill_in(GroundMap<T>& map, const Value& value_at) {
+    parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
+      const int j = static_cast<int>(row);
+      for (int i = 0; i < map.samples(); ++i) map.at(i, j) = value_at(map.place_m(i, j));
+    });
+  }
+
+  const snow::BlowingSnow& snow_;
+  GroundMap<glm::vec2> gusts_;  ///< snow::BlowingSnow::Lift's numbers
+  FactorMap streamers_;
+};
+
+/// Fills a volume in: `fraction` of the snow at a place is its part.
+template <class Fraction>
+void fill(const Lifted& lifted, const Heightfield& terrain, const SnowField& field,
+          const GrainLight& light, double amount, const Fraction& fraction,
+          landscape::CloudBox& box) {
+  const auto side = static_cast<std::size_t>(box.voxels.x);
+  const auto fill_column = [&](std::size_t x, std::size_t y) {
+    const glm::dvec2 at_m = glm::dvec2(box.corner_m) + (glm::dvec2(x, y) + 0.5) * box.voxel_m;
+    const double part = amount * fraction(at_m) * field.loose(at_m);
+    if (part <= 0.0) return;
+    const double ground_m = terrain.sample(at_m.x, at_m.y);
+    double depth = 0.0;
+    for (int z = box.voxels.z - 1; z >= 0; --z) {
+      const double centre_m = box.corner_m.z + (z + 0.5) * box.voxel_m;
+      if (centre_m < ground_m - 2.0 * box.voxel_m) return;
+      // Below the ground as just above it: renderers read between voxels.
+      const double height_m = std::max(centre_m - ground_m, 0.5 * box.voxel_m);
+      const double extinction_per_m =
+          std::min(part * lifted.extinction_per_m(at_m, height_m, box.voxel_m), thickest_per_m);
+      if (extinction_per_m <= 0.0) continue;
+      depth += extinction_per_m * box.voxel_m;
+      const std::size_t voxel = (static_cast<std::size_t>(z) * side + y) * side + x;
+      box.extinction_per_m[voxel] = static_cast<float>(extinction_per_m);
+      box.radiance[voxel] = light.radiance({at_m, centre_m}, depth);
+    }
+  };
+  parallel_for(side, [&](std::size_t y) {
+    for (std::size_t x = 0; x < side; ++x) fill_column(x, y);
+  });
+}
+
+bool is_empty(const landscape::CloudBox& box) {
+  return std::ranges::all_of(box.extinction_per_m, [](float value) { return value <= 0.0F; });
+}
+
+/// By the temperature at a height, metres.
+snow::BlowingSnow blowing_at(const scene::Scene& scene, const place::Site& site, double time_s,
+                             double height_m) {
+  const double temperature_c =
+      site.weather->at(time_s).temperature_c - snow::lapse_k_per_m * height_m;
+  return {*site.air_over_snow, place::mean_wind(*site.weather, time_s), temperature_c, scene.seed};
+}
+
+}  // namespace
+
+void add_blowing_snow(const scene::Scene& scene, const place::Site& site, const SnowField& field,
+                      landscape::Landscape& landscape) {
+  if (!site.air_over_snow) return;
+  const snow::BlowingSnow snow =
+      blowing_at(scene, site, landscape.time_s, landscape.camera.eye_m.z);
+  if (!snow.blows()) return;
+  const Heightfield& terrain = landscape.terrain;
+  const int voxels = site.sketch ? side_voxels_of_sketch : side_voxels;
+  const GrainLight light(landscape.daylight, field, landscape.camera.eye_m);
+  const Window near = window_before(landscape.camera, terrain, near_side_m, voxels);
+  const auto add = [&](const char* name, const Window& window, const auto& fraction) {
+    landscape::CloudBox box = box_over(terrain, window);
+    box.name = name;
+    fill(Lifted(snow, window.square, box.voxel_m), terrain, field, light, scene.snow_cover.blowing,
+         fraction, box);
+    if (!is_empty(box)) landscape.clouds.push_back(std::move(box));
+  };
+  if (!near.is_whole) {
+    const Window far = window_before(landscape.camera, terrain, far_side_m, voxels);
+    add("blowing_snow_far", far,
+        [&](const glm::dvec2& at_m) { return far.fraction(at_m) * (1.0 - near.fraction(at_m)); });
+  }
+  add("blowing_snow", near, [&](const glm::dvec2& at_m) { return near.fraction(at_m); });
+}
+
+double blowing_snow_voxels(const scene::Scene& scene) {
+  // Of a table nobody knows whether it has storms.
+  if (!scene::may_blow(scene) || scene::strongest_wind_m_s(scene) < scene::min_lifting_wind_m_s)
+    return 0.0;
+  constexpr double level_side = 1.0 * side_voxels * side_voxels;
+  const auto voxels = [](double side_m) {
+    return level_side * (snow::blown_depth_m * side_voxels / side_m + 2.0);
+  };
+  const double size_m = scene.terrain.size_m;
+  if (size_m <= near_side_m) return voxels(size_m);
+  return voxels(near_side_m) + voxels(std::min(size_m, far_side_m));
+}
+
+}  // namespace wold::sky
