@@ -113,7 +113,7 @@ struct CloudBox {
   glm::dvec3 corner_m;  ///< lowest, in the south-west
   std::vector<float> extinction_per_m;
   std::vector<glm::vec3> radiance;  ///< source: a ray's gains extinction * radiance * ds
-  double asymmetry = 0.86;  ///< of what scatters in it, mean cosine (Henyey and Greenstein)
+  double asymmetry = 0.86;          ///< of what scatters in it, mean cosine (Henyey and Greenstein)
   bool is_haze = false;  ///< thin in most places: what is small beside the largest number counts
 };
 
