@@ -46,8 +46,10 @@ void warn_of_other_choices(const scene::Scene& scene, Keys& warnings) {
   for (const Condition& condition : {
            Condition{"snowfall.box", paper_flakes, "snowfall.motion = \"paper\""},
            Condition{"snow_cover.white_after", paper_cover, "snow_cover.cover = \"paper\""},
-           Condition{"snow_cover.blowing", scene.snow_cover.blowing <= 0.0 || may_blow(scene),
-                     "snow that lies and a wind.speed from 7 m/s on"},
+           Condition{"snow_cover.blowing",
+                     scene.snow_cover.blowing <= 0.0 || scene::is_stormy(scene) ||
+                         !scene.weather.table.empty() || !scene.season.table.empty(),
+                     "snow that lies and a wind.speed of some 7 m/s"},
            Condition{"film.shutter", something_moves(scene),
                      "a camera that moves or wind.grass = \"waving\""},
            Condition{"wind.grass", !scene::has_hair(scene), "grass: hair lies as it is combed"},

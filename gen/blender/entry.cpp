@@ -48,6 +48,7 @@ const exporter::Exporter& entry() {
                 .frame_ground_sample = 2.7,
                 .frame_part = 100.0,
                 .frame_cloud_voxel = 1.1,
+                .frame_haze_voxel = 3.5,
                 .shared_blade = 1000.0,
                 .shared_volume = 20e3,  // names, tree and what else does not grow with its voxels
                 .shared_filled_voxel = 5.0},
@@ -57,6 +58,7 @@ const exporter::Exporter& entry() {
       .memory = {.start = 660e6,
                  .ground_sample = 30.0,
                  .cloud_voxel = 22.0,
+                 .haze_voxel = 22.0,
                  .terrain_sample = 600.0,
                  .part = 9000.0,
                  .blade = 5000.0,

@@ -15,7 +15,7 @@
 ///     folder/data/frame_0001/frame.json    what the frame is made of; written last
 ///     folder/data/frame_0001/*.f32, *.i32  raw little-endian arrays (frame_data.h)
 ///     folder/data/frame_0001/*.exr         light, ground, sky, backdrop (frame_data.h)
-///     folder/data/frame_0001/cloud_*.vdb   clouds that are volumes
+///     folder/data/frame_0001/*.vdb         clouds and blown snow that are volumes
 ///     folder/data/frame_0001/expected.json what the picture should show (expected_picture.h)
 namespace wold::blender {
 

@@ -138,6 +138,7 @@ Json write_clouds(const Landscape& landscape, const fs::path& folder) {
     list.push_back({{"file", name},
                     {"bytes", fs::file_size(folder / name)},
                     {"voxel_m", cloud.voxel_m},
+                    {"is_haze", cloud.is_haze},
                     {"corner_m", json_of(cloud.corner_m)}});
   }
   return list;

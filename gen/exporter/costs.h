@@ -9,6 +9,7 @@ struct FileCosts {
   double frame_ground_sample = 0.0;    ///< per frame and sample of the ground's pictures
   double frame_part = 0.0;             ///< per frame and part of a cell
   double frame_cloud_voxel = 0.0;      ///< per frame and voxel of a cloud
+  double frame_haze_voxel = 0.0;       ///< per frame and voxel of snow that blows
   double shared_terrain_sample = 0.0;  ///< per sample of the terrain
   double shared_blade = 0.0;           ///< per blade of a patch that is shown as blades
   double shared_volume = 0.0;          ///< per volume
@@ -23,6 +24,7 @@ struct MemoryCosts {
   double start = 0.0;           ///< of the program, before it reads anything
   double ground_sample = 0.0;   ///< per sample of the ground's pictures
   double cloud_voxel = 0.0;     ///< per voxel of a cloud
+  double haze_voxel = 0.0;      ///< per voxel of snow that blows
   double terrain_sample = 0.0;  ///< per sample of the terrain
   double part = 0.0;            ///< per part of a cell
   double blade = 0.0;           ///< per blade of a patch that is shown as blades

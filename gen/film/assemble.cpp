@@ -10,6 +10,7 @@
 
 #include "core/colour.h"
 #include "core/elementary.h"
+#include "core/parallel.h"
 #include "ground/lit_ground.h"
 #include "meadow/blade_parts.h"
 #include "place/view.h"
@@ -168,7 +169,7 @@ landscape::Daylight open_daylight(const light::Daylight& day, double sunlit_frac
 template <class Illuminate>
 FactorMap sunlit_fraction(const ground::SnowyGround& ground, const landscape::Daylight& day,
                           const Illuminate& illuminate) {
-  constexpr double flattest_cosine = 0.05;
+  constexpr double flattest_cosine = 1e-3;
   const terrain::GroundLight& clear = ground.light();
   const int samples = clear.sun.samples();
   const ColourMap dark(samples, clear.sun.square(), glm::vec3(0.0F));
@@ -178,13 +179,15 @@ FactorMap sunlit_fraction(const ground::SnowyGround& ground, const landscape::Da
   const double sun = luminance(day.sun_irradiance);
   FactorMap fraction(samples, clear.sun.square(), 0.0F);
   if (sun <= 0.0) return fraction;
-  for (int j = 0; j < samples; ++j)
+  parallel_for(static_cast<std::size_t>(samples), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
     for (int i = 0; i < samples; ++i) {
       const glm::dvec2 at_m = clear.sun.place_m(i, j);
       const double cosine = glm::dot(terrain::normal(surface, at_m.x, at_m.y), day.to_sun);
       fraction.at(i, j) = static_cast<float>(
           std::min(1.0, luminance(by_sun.at(i, j)) / (sun * std::max(cosine, flattest_cosine))));
     }
+  });
   return fraction;
 }
 
@@ -243,9 +246,9 @@ AssembledFrame assemble_frame(const scene::Scene& scene, const place::Site& site
   ground::LitGround(scene, site, now, landscape, choices, lookup.far, illuminate)
       .show(ground, light, mirrored_sky, landscape);
   if (overcast_per_m > 0.0) sky::add_precipitation(scene, site, air, needs, landscape);
-  if (site.air_over_snow)
-    sky::add_blowing_snow(scene, site, snow_field(ground, landscape.daylight, illuminate),
-                          landscape);
+  if (ground.white_fraction() > 0.0)
+    sky::add_blowing_snow(
+        scene, site, [&] { return snow_field(ground, landscape.daylight, illuminate); }, landscape);
   // Under an overcast sky the air itself shines: there is none without it.
   if (needs.materials)
     landscape.unlit = landscape::Unlit{

@@ -52,6 +52,7 @@ const exporter::Exporter& entry() {
                 .frame_ground_sample = 2.7,
                 .frame_part = 200.0,
                 .frame_cloud_voxel = 4.3,
+                .frame_haze_voxel = 8.4,
                 .shared_terrain_sample = 62.6,  // the shape of the ground
                 .shared_blade = 2500.0,
                 .shared_density_grids = grids_of_a_volume,
@@ -61,6 +62,7 @@ const exporter::Exporter& entry() {
       .memory = {.start = 115e6,
                  .ground_sample = 10.0,
                  .cloud_voxel = 4.3,
+                 .haze_voxel = 8.4,
                  .terrain_sample = 480.0,
                  .part = 8900.0,
                  .blade = 5000.0,

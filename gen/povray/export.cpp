@@ -103,10 +103,15 @@ std::string air_text(const landscape::Landscape& scene) {
   return text;
 }
 
+/// Samples of a cloud along a ray. There is haze between grass and between flakes, where a ray has
+/// many parts, each with as many samples.
+constexpr int cloud_intervals = 250, haze_intervals = 64;
+
 std::string clouds_text(const std::vector<landscape::CloudBox>& clouds) {
   std::string text;
   for (const landscape::CloudBox& cloud : clouds)
-    text += fmt::format("Wold_cloud({}, {})\n", literal(cloud.name), vector(cloud.corner_m));
+    text += fmt::format("Wold_cloud({}, {}, {})\n", literal(cloud.name), vector(cloud.corner_m),
+                        cloud.is_haze ? haze_intervals : cloud_intervals);
   return include_file(text);
 }
 

@@ -232,7 +232,7 @@ void write_cloud(const landscape::CloudBox& cloud, int bits, const fs::path& fol
       write_grid(files.grid(folder, "_d"), cloud.extinction_per_m, cloud.voxels, bits);
   const glm::vec3 emission_max =
       write_colours(files, emission_of(cloud), cloud.voxels, bits, folder);
-  files.describe("// A cloud.\n",
+  files.describe("// A cloud, or snow that blows.\n",
                  grid_text(cloud.voxels, cloud.voxel_m) + extinction_text(extinction_max) +
                      fmt::format("#declare Wold_emission_max = {};  // radiance/m, in _r, _g, _b\n",
                                  vector(emission_max)),

@@ -29,12 +29,23 @@ inline double strongest_wind_m_s(const Scene& scene) {
   return strongest_m_s;
 }
 
-/// Whether wind may lift snow from the ground in it: that of a table, or one that hills make as
-/// strong as it takes, which double it at most.
+/// As strong as the wind of a place and a moment is at most, over the mean wind: on a crest, in a
+/// gust.
+inline constexpr double strongest_over_mean = 4.0;
+
+/// Whether wind may lift snow from the ground in it: that of a table, or one that hills and gusts
+/// make as strong as it takes.
 inline bool may_blow(const Scene& scene) {
   const bool has_table = !scene.weather.table.empty() || !scene.season.table.empty();
   return scene.snow_cover.cover == CoverModel::depth && scene.snow_cover.blowing > 0.0 &&
-         may_lie(scene) && (has_table || 2.0 * strongest_wind_m_s(scene) > min_lifting_wind_m_s);
+         may_lie(scene) &&
+         (has_table || strongest_over_mean * strongest_wind_m_s(scene) > min_lifting_wind_m_s);
+}
+
+/// Whether the scene's keys name a wind that lifts snow on level ground, in usual gusts.
+inline bool is_stormy(const Scene& scene) {
+  return may_blow(scene) &&
+         (1.0 + 2.0 * scene.wind.turbulence) * strongest_wind_m_s(scene) > min_lifting_wind_m_s;
 }
 
 }  // namespace wold::scene

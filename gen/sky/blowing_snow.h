@@ -20,12 +20,12 @@ struct SnowField {
 
 /// Adds snow that blows over the ground before the landscape's camera to its volumes: fine ones
 /// near the eye, and on wide terrains coarser ones beyond them, up to 150 m away. Its frame,
-/// camera, terrain and daylight have to be set. Adds nothing where the wind is weak.
-void add_blowing_snow(const scene::Scene& scene, const place::Site& site, const SnowField& field,
-                      landscape::Landscape& landscape);
+/// camera, terrain and daylight have to be set. `field` is asked for where the wind is strong
+/// enough; else nothing is added.
+void add_blowing_snow(const scene::Scene& scene, const place::Site& site,
+                      const std::function<SnowField()>& field, landscape::Landscape& landscape);
 
-/// Voxels of all those volumes, over what is level; for plans. 0 where
-/// the keys of the scene name no wind that lifts snow.
+/// Voxels of all those volumes of a frame, about; for plans. 0 where scene::is_stormy() not.
 double blowing_snow_voxels(const scene::Scene& scene);
 
 }  // namespace wold::sky

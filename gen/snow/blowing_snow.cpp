@@ -32,13 +32,12 @@ constexpr double leaping_kg_m3 = 0.8, rate = 1.55, power = -0.544, reference = 4
 
 double leaping_height_m(double friction_m_s) { return 0.08436 * math::pow(friction_m_s, 1.27); }
 
-/// What of that law does not depend on the height. As many grains leap as the wind beyond the
-/// lifting one has stress for ([Pomeroy1990]).
+/// What of that law does not depend on the height. Snow is not lifted at once everywhere.
 double suspension_factor_kg_m3(double friction_m_s, double lifting_m_s) {
-  if (friction_m_s <= lifting_m_s) return 0.0;
-  const double ratio = lifting_m_s / friction_m_s;
-  return leaping_kg_m3 * (1.0 - ratio * ratio) *
-         math::exp(-rate * reference * math::pow(friction_m_s, power));
+  constexpr double lifts_all = 1.1;  // over the friction velocity that begins to
+  const double lifted = glm::smoothstep(1.0, lifts_all, friction_m_s / lifting_m_s);
+  if (lifted <= 0.0) return 0.0;
+  return leaping_kg_m3 * lifted * math::exp(-rate * reference * math::pow(friction_m_s, power));
 }
 
 constexpr int height_steps = 512;
@@ -56,8 +55,10 @@ double friction_over_blowing_snow_m_s(double wind_m_s) {
 }
 
 double suspended_kg_m3(double height_m, double friction_m_s, double lifting_m_s) {
+  const double factor = suspension_factor_kg_m3(friction_m_s, lifting_m_s);
+  if (factor <= 0.0) return 0.0;
   const double z = std::max(height_m, leaping_height_m(friction_m_s));
-  return suspension_factor_kg_m3(friction_m_s, lifting_m_s) * math::exp(rate * math::pow(z, power));
+  return factor * math::exp(rate * math::pow(z, power));
 }
 
 double grain_extinction_m2_per_kg(double height_m) {
@@ -70,16 +71,16 @@ double grain_extinction_m2_per_kg(double height_m) {
 }
 
 BlowingSnow::BlowingSnow(const wind::AirFlow& air, const wind::Moment& now, double temperature_c,
-                         std::uint64_t seed)
+                         std::uint64_t seed, double step_m)
     : air_(air),
       now_(now),
-      lifting_m_s_(lifting_wind_m_s(temperature_c)),
+      lifting_friction_m_s_(friction_over_blowing_snow_m_s(lifting_wind_m_s(temperature_c))),
       axes_(now.heading_deg),
       gusts_(air.gusts().waves(gust_height_m, now)),
       slow_(random_bits({seed, key_of("streamers"), 0}), {widest_m, narrowest_m}, streamer_hurst,
-            0.0),
+            step_m),
       fast_(random_bits({seed, key_of("streamers"), 1}), {widest_m, narrowest_m}, streamer_hurst,
-            0.0),
+            step_m),
       heights_(heights()) {}
 
 std::vector<BlowingSnow::Height> BlowingSnow::heights() {
@@ -103,17 +104,12 @@ BlowingSnow::Height BlowingSnow::at(double height_m) const {
           std::lerp(below.deviation, above.deviation, step - low)};
 }
 
-bool BlowingSnow::blows() const {
-  constexpr double strongest_hill = 2.0;
-  return strongest_hill * now_.speed_m_s > lifting_m_s_;
-}
-
 /// Two fields that different winds carry: they change as they go.
-double BlowingSnow::streamer(const glm::dvec2& place_m, double step_m) const {
+double BlowingSnow::streamer(const glm::dvec2& place_m) const {
   const double along_m = glm::dot(place_m, axes_.along), right_m = glm::dot(place_m, axes_.right);
   const auto carried = [&](const ScaleFreeNoise& noise, double height_m) {
     const double way_m = now_.run_m * air_.profile().at(height_m);
-    return noise.at({(along_m - way_m) / length_over_width, right_m}, step_m);
+    return noise.at({(along_m - way_m) / length_over_width, right_m});
   };
   return (carried(slow_, slow_height_m) + carried(fast_, fast_height_m)) * std::sqrt(0.5);
 }
@@ -123,7 +119,7 @@ BlowingSnow::Lift BlowingSnow::lift(const glm::dvec2& place_m) const {
       now_.speed_m_s * glm::length(air_.speed_up().mean(place_m, axes_.along, gust_height_m));
   const double gusty_m_s = mean_m_s * std::max(0.0, 1.0 + gust_at(gusts_, place_m).x);
   const double friction_m_s = friction_over_blowing_snow_m_s(gusty_m_s);
-  return {suspension_factor_kg_m3(friction_m_s, friction_over_blowing_snow_m_s(lifting_m_s_)),
+  return {suspension_factor_kg_m3(friction_m_s, lifting_friction_m_s_),
           leaping_height_m(friction_m_s)};
 }
 
@@ -136,8 +132,9 @@ glm::dvec2 BlowingSnow::foot_m(const glm::dvec2& place_m, double height_m) const
 double BlowingSnow::extinction_per_m(const Lift& foot, double streamer, double height_m) const {
   if (foot.factor <= 0.0 || height_m >= blown_depth_m) return 0.0;
   const Height height = at(std::max(height_m, foot.leaping_m));
-  // Streamers are 1 on average, whatever their deviation.
-  const double ln_streamer = height.deviation * (streamer - 0.5 * height.deviation);
+  // Of mean 1 over all streamers.
+  const double variance = height.deviation * height.deviation * slow_.shown();
+  const double ln_streamer = height.deviation * streamer - 0.5 * variance;
   const double left = 1.0 - glm::smoothstep(0.4 * blown_depth_m, blown_depth_m, height_m);
   return foot.factor * left * math::exp(height.ln_m2_per_kg + ln_streamer);
 }

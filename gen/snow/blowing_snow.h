@@ -20,9 +20,9 @@ double lifting_wind_m_s(double temperature_c);
 double friction_over_blowing_snow_m_s(double wind_m_s);
 
 /// Mass of suspended snow in a volume of air, kg/m^3, in steady wind over a wide field
-/// ([Pomeroy1992]). `friction_m_s` > 0 is the wind's friction velocity, `lifting_m_s` the one that
-/// begins to lift snow; below that nothing is suspended. Below the height of the leaping grains,
-/// 0.084 u*^1.27 m, it is what it is there.
+/// ([Pomeroy1992]). `friction_m_s` is the wind's friction velocity, `lifting_m_s` the one that
+/// begins to lift snow; below that nothing is suspended, and all that the law has from a tenth more
+/// on. Below the height of the leaping grains, 0.084 u*^1.27 m, it is what it is there.
 double suspended_kg_m3(double height_m, double friction_m_s, double lifting_m_s);
 
 /// Extinction of a kilogram of snow grains per m^3 at a height above the ground, m^2/kg
@@ -42,12 +42,10 @@ inline constexpr double blown_depth_m = 5.0;
 /// and drawn along by the wind, which become a haze above. A closed form of place and time.
 class BlowingSnow {
  public:
-  /// `air`: the wind over the snow; has to outlive it.
+  /// `air`: the wind over the snow; has to outlive it. `step_m`: distance between the places that
+  /// are asked for; streamers that are too small for it count with their mean.
   BlowingSnow(const wind::AirFlow& air, const wind::Moment& now, double temperature_c,
-              std::uint64_t seed);
-
-  /// Whether the mean wind lifts snow anywhere. Hills double it at most.
-  bool blows() const;
+              std::uint64_t seed, double step_m);
 
   /// What the wind lifts at one place on the ground, by gusts and hills.
   struct Lift {
@@ -56,9 +54,8 @@ class BlowingSnow {
   };
   Lift lift(const glm::dvec2& place_m) const;
 
-  /// How much thicker than on average a streamer is on the ground: deviations of ln extinction, of
-  /// what is larger than `step_m`, the distance between places that are asked for.
-  double streamer(const glm::dvec2& place_m, double step_m) const;
+  /// How much thicker than on average a streamer is on the ground: deviations of ln extinction.
+  double streamer(const glm::dvec2& place_m) const;
 
   /// Where what is at a place and a height above it has been lifted: streamers lean forward, as
   /// eddies in the wind do.
@@ -79,7 +76,7 @@ class BlowingSnow {
 
   const wind::AirFlow& air_;
   wind::Moment now_;
-  double lifting_m_s_;  ///< wind at reference_m
+  double lifting_friction_m_s_;
   wind::Axes axes_;
   std::vector<wind::GustWave> gusts_;
   ScaleFreeNoise slow_, fast_;

@@ -31,6 +31,7 @@ const exporter::Exporter& entry() {
                 .frame_ground_sample = 8.5,
                 .frame_part = 1650.0,
                 .frame_cloud_voxel = 4.0,
+                .frame_haze_voxel = 4.0,
                 .shared_terrain_sample = 103.0,
                 .shared_blade = 1800.0,
                 .shared_volume = 20e3,

@@ -15,7 +15,7 @@
 ///     (blade_files.h) folder/data/volumes/NAME.vdb       texels, shared by all frames
 ///     (volume_file.h) folder/data/flakes/NAME.png        opacity of flakes, shared by all frames
 ///     folder/data/frame_0001/*.exr       sky, ground and what is before the sky
-///     folder/data/frame_0001/cloud_*.vdb clouds that are volumes
+///     folder/data/frame_0001/*.vdb clouds and blown snow as volumes
 ///
 /// Left out: fog; what tints texels by place; parts of cells of texels, which lie whole on the mean
 /// of how their parts lie. Blades are lighter

@@ -73,7 +73,8 @@ double frame_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
   return costs.frame + costs.frame_terrain_sample * squared(scene.terrain.samples) +
          costs.frame_ground_sample * ground_samples(scene) +
          costs.frame_part * static_cast<double>(demand.parts) +
-         costs.frame_cloud_voxel * cloud_voxels(scene);
+         costs.frame_cloud_voxel * cloud_voxels(scene) +
+         costs.frame_haze_voxel * sky::blowing_snow_voxels(scene);
 }
 
 }  // namespace
@@ -147,8 +148,7 @@ double cloud_voxels(const scene::Scene& scene) {
   const auto layers = static_cast<double>(
       std::ranges::count(scene.clouds, scene::CloudBody::volume, &scene::CloudLayer::body));
   const glm::dvec3 voxels(sky::cloud_box_voxels);
-  constexpr double haze_bits = 2.0;  // of its numbers over those of a cloud's
-  return layers * voxels.x * voxels.y * voxels.z + haze_bits * sky::blowing_snow_voxels(scene);
+  return layers * voxels.x * voxels.y * voxels.z;
 }
 
 double texel_bytes(const scene::Scene& scene, const film::FilmDemand& demand, bool with_unlit) {

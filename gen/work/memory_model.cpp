@@ -9,6 +9,7 @@
 #include "place/cell_window.h"
 #include "place/ground_grids.h"
 #include "scene/winter.h"
+#include "sky/blowing_snow.h"
 #include "work/file_sizes.h"
 
 namespace wold::work {
@@ -48,6 +49,7 @@ double read_bytes(const scene::Scene& scene, const exporter::MemoryCosts& costs,
                   const film::FrameDemand& shown) {
   double bytes = costs.ground_sample * ground_samples(scene) +
                  costs.cloud_voxel * cloud_voxels(scene) +
+                 costs.haze_voxel * sky::blowing_snow_voxels(scene) +
                  costs.terrain_sample * scene.terrain.samples * scene.terrain.samples +
                  costs.part * static_cast<double>(shown.parts) +
                  costs.blade * scene.grass.blades * static_cast<double>(shown.patches.size());
@@ -65,9 +67,10 @@ double read_bytes(const scene::Scene& scene, const exporter::MemoryCosts& costs,
 
 /// A frame's landscape, before anybody reads a volume of it.
 double landscape_bytes(const Job& job) {
-  constexpr double cloud_voxel_bytes = 24.0;
+  constexpr double cloud_voxel_bytes = 24.0, haze_voxel_bytes = 24.0;
   return idle_bytes(job) + painting_bytes(job.scene) + cells_bytes(job.scene) +
-         cloud_voxel_bytes * cloud_voxels(job.scene) + backdrop_bytes(job.scene);
+         cloud_voxel_bytes * cloud_voxels(job.scene) +
+         haze_voxel_bytes * sky::blowing_snow_voxels(job.scene) + backdrop_bytes(job.scene);
 }
 
 double scene_memory_bytes(const Job& job, int threads) {

@@ -1,30 +1,36 @@
 #include "work/renderer_fault.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <vector>
 
 namespace wold::work {
 namespace {
 
-/// What of the scene is missing in pictures without volumes.
-std::string volumes_of(const SceneNeeds& needs) {
-  if (needs.grass_volumes && needs.cloud_volumes) return "grass and clouds";
-  return needs.grass_volumes ? "grass" : "clouds";
-}
-
-/// How the scene goes without volumes.
-std::string without_volumes(const SceneNeeds& needs) {
-  std::string way = needs.grass_volumes ? "draw the grass as blades by --grass blades" : "";
-  if (needs.cloud_volumes)
-    way += fmt::format("{}paint the clouds by body = \"sheet\" in [[clouds]]",
-                       way.empty() ? "" : " and ");
-  return way;
-}
+/// A thing that is missing in pictures without volumes, and how the scene goes without it.
+struct Volumes {
+  bool needed;
+  const char* what;
+  const char* without;
+};
 
 std::string no_volumes(const render::RendererProgram& program, const SceneNeeds& needs) {
+  std::vector<const char*> things, ways;
+  for (const Volumes& volumes :
+       {Volumes{needs.grass_volumes, "grass", "draw the grass as blades by --grass blades"},
+        Volumes{needs.cloud_volumes, "clouds",
+                "paint the clouds by body = \"sheet\" in [[clouds]]"},
+        Volumes{needs.blown_snow, "blown snow", "leave it out by --set snow_cover.blowing=0"}}) {
+    if (!volumes.needed) continue;
+    things.push_back(volumes.what);
+    ways.push_back(volumes.without);
+  }
   return fmt::format(
       "{} shows no volumes, which this scene's {} would be drawn as; take {}, or {}; nothing was "
       "rendered",
-      described(program), volumes_of(needs), other_build(*program.kind), without_volumes(needs));
+      described(program), fmt::join(things, " and "), other_build(*program.kind),
+      fmt::join(ways, " and "));
 }
 
 std::string no_fog(const render::RendererProgram& program) {

@@ -12,7 +12,8 @@ SceneNeeds needs_of(const scene::Scene& scene) {
   };
   using enum scene::GrassForm;
   return {.grass_volumes = scene.render.grass == texels || scene.render.grass == automatic,
-          .cloud_volumes = std::ranges::any_of(scene.clouds, is_volume) || scene::may_blow(scene),
+          .cloud_volumes = std::ranges::any_of(scene.clouds, is_volume),
+          .blown_snow = scene::is_stormy(scene),
           .fog = scene::may_snow(scene)};
 }
 

@@ -9,13 +9,14 @@ namespace wold::work {
 struct SceneNeeds {
   bool grass_volumes = false;  ///< grass as texels
   bool cloud_volumes = false;
-  bool fog = false;  ///< far flakes, as a homogeneous medium
+  bool blown_snow = false;  ///< as volumes, in a storm that the scene's keys name
+  bool fog = false;         ///< far flakes, as a homogeneous medium
 };
 
 SceneNeeds needs_of(const scene::Scene& scene);
 
 inline bool needs_volumes(const SceneNeeds& needs) {
-  return needs.grass_volumes || needs.cloud_volumes;
+  return needs.grass_volumes || needs.cloud_volumes || needs.blown_snow;
 }
 
 }  // namespace wold::work

@@ -27,15 +27,17 @@ scene::Scene stormy(double size_m) {
 
 /// Its first frame's volumes, over snow that is loose everywhere, in the light of a low sun in the
 /// north, before the camera.
-landscape::Landscape blown(const scene::Scene& scene, double loose = 1.0) {
+landscape::Landscape blown(const scene::Scene& scene, double loose = 1.0, float sunlit = 1.0F) {
   const place::Site site = place::make_site(scene, nullptr, {}, place::Sketch{33, 33, 33, 33});
   landscape::Landscape landscape;
   landscape.terrain = site.terrain;
   landscape.camera = place::resolved_camera(scene.camera, site.terrain, 0.0);
   landscape.daylight = {glm::normalize(glm::dvec3(0.0, 1.0, 0.2)), glm::vec3(3.0F),
                         glm::vec3(0.3F)};
-  const SnowField field{[&](const glm::dvec2&) { return loose; },
-                        FactorMap(2, scene.terrain.size_m, 1.0F), 0.8};
+  const auto field = [&] {
+    return SnowField{[loose](const glm::dvec2&) { return loose; },
+                     FactorMap(2, scene.terrain.size_m, sunlit), 0.8};
+  };
   add_blowing_snow(scene, site, field, landscape);
   return landscape;
 }
@@ -141,6 +143,8 @@ TEST(BlowingSnowVolumes, ShineBeforeTheSun) {
     return sum / count;
   };
   EXPECT_GT(mean(towards, 26.0, 40.0), 3.0 * mean(away, 10.0, 24.0));
+  std::swap(scene.camera.eye_m, scene.camera.target_m);
+  EXPECT_LT(3.0 * mean(blown(scene, 1.0, 0.0F), 26.0, 40.0), mean(towards, 26.0, 40.0));
 }
 
 }  // namespace

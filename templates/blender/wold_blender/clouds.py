@@ -26,6 +26,8 @@ def cloud_material() -> Any:
 def add_clouds(home: Any, frame: Frame) -> None:
     for number, entry in enumerate(frame["clouds"]):
         volume = load_volume(frame, entry, f"cloud {number}", {"density", *EMISSION})
+        if entry["is_haze"]:
+            volume.render.clipping = 0.0  # what is thinner is left out, and haze is thin
         volume.materials.append(cloud_material())
         shift_m = volume_shift_voxels() * entry["voxel_m"]
         place = Vector(entry["corner_m"]) + Vector((shift_m, shift_m, shift_m))
