@@ -27,7 +27,6 @@ const exporter::Exporter& entry() {
                 .frame_ground_sample = 6.1,
                 .frame_part = 500.0,
                 .frame_cloud_voxel = 4.0,
-                .frame_haze_voxel = 16.0,
                 .shared_terrain_sample = 48.0,
                 .shared_blade = 3000.0}};
   return mitsuba;

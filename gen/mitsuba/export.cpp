@@ -56,7 +56,8 @@ Image picture_of(const ColourMap& map) {
 /// Removes the grids of clouds that the frame had and has no more.
 void remove_other_clouds(const Landscape& landscape, const fs::path& frame_folder) {
   std::set<fs::path> wanted;
-  for (const landscape::CloudBox& cloud : landscape.clouds) wanted.insert(cloud_file(cloud));
+  for (const landscape::CloudBox* cloud : shown_clouds(landscape))
+    wanted.insert(cloud_file(*cloud));
   std::vector<fs::path> others;
   for (const auto& entry : fs::directory_iterator(frame_folder))
     if (entry.path().extension() == ".vol" && !wanted.contains(entry.path().filename()))
@@ -101,9 +102,9 @@ std::vector<fs::path> write_all_leaves(const Landscape& landscape, const fs::pat
 
 std::vector<fs::path> write_clouds(const Landscape& landscape, const fs::path& frame_folder) {
   std::vector<fs::path> files;
-  for (const landscape::CloudBox& cloud : landscape.clouds) {
-    files.push_back(frame_folder / cloud_file(cloud));
-    write_file(files.back(), grid_bytes(cloud.voxels, cloud.extinction_per_m));
+  for (const landscape::CloudBox* cloud : shown_clouds(landscape)) {
+    files.push_back(frame_folder / cloud_file(*cloud));
+    write_file(files.back(), grid_bytes(cloud->voxels, cloud->extinction_per_m));
   }
   remove_other_clouds(landscape, frame_folder);
   return files;

@@ -12,7 +12,7 @@
 ///     folder/data/frame_0001/scene.xml       the scene; paths in it start from its own folder
 ///     folder/data/frame_0001/sky.exr         radiance of the sky without a sun
 ///     folder/data/frame_0001/ground.exr      albedo of the ground
-///     folder/data/frame_0001/*.vol           extinction of clouds and blown snow (grid_file.h)
+///     folder/data/frame_0001/cloud_*.vol     extinction of clouds that are volumes (grid_file.h)
 ///     folder/data/terrain_HASH.ply           the ground, shared by frames with the same ground
 ///     folder/data/leaves/NAME.ply, NAME_*.exr  blades and what they do with light (leaf_files.h)
 ///     folder/data/texels/NAME_*.vol          extinction and albedo of texels, in 1/m and 1

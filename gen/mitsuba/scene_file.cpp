@@ -82,7 +82,7 @@ std::string medium_box(const glm::dmat4& world_from_box, const std::string& insi
 }
 
 bool has_media(const Landscape& landscape) {
-  return !landscape.cells.empty() || !landscape.clouds.empty();
+  return !landscape.cells.empty() || !shown_clouds(landscape).empty();
 }
 
 std::string settings(const Landscape& landscape) {
@@ -198,6 +198,13 @@ std::string cloud_text(const Landscape& landscape, const landscape::CloudBox& cl
 
 }  // namespace
 
+std::vector<const landscape::CloudBox*> shown_clouds(const Landscape& landscape) {
+  std::vector<const landscape::CloudBox*> shown;
+  for (const landscape::CloudBox& cloud : landscape.clouds)
+    if (!cloud.is_haze) shown.push_back(&cloud);
+  return shown;
+}
+
 std::string cloud_file(const landscape::CloudBox& cloud) { return cloud.name + ".vol"; }
 
 std::string scene_text(const Landscape& landscape, const std::string& terrain) {
@@ -209,7 +216,8 @@ std::string scene_text(const Landscape& landscape, const std::string& terrain) {
   text += settings(landscape) + camera(landscape) + lights(landscape) + ground(landscape, terrain) +
           leaves(landscape);
   for (const landscape::Cell& cell : landscape.cells) text += cell_text(landscape, cell);
-  for (const landscape::CloudBox& cloud : landscape.clouds) text += cloud_text(landscape, cloud);
+  for (const landscape::CloudBox* cloud : shown_clouds(landscape))
+    text += cloud_text(landscape, *cloud);
   return text + "</scene>\n";
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "landscape/landscape.h"
 
@@ -17,6 +18,10 @@ namespace wold::mitsuba {
 /// the ground, where their grids are nothing. Throws FileError where a number is not
 /// finite.
 std::string scene_text(const landscape::Landscape& landscape, const std::string& terrain);
+
+/// Clouds that the scene has: without hazes, in which other things stand. Mitsuba has one medium at
+/// a place, which ends where the grass in it ends.
+std::vector<const landscape::CloudBox*> shown_clouds(const landscape::Landscape& landscape);
 
 /// Name of a cloud's file in the frame's folder.
 std::string cloud_file(const landscape::CloudBox& cloud);

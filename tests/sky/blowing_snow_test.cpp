@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "place/site.h"
 #include "place/view.h"
@@ -32,6 +32,8 @@ landscape::Landscape blown(const scene::Scene& scene, double loose = 1.0, float 
   landscape::Landscape landscape;
   landscape.terrain = site.terrain;
   landscape.camera = place::resolved_camera(scene.camera, site.terrain, 0.0);
+  landscape.sky = Image(8, 4, 3);
+  std::ranges::fill(landscape.sky.values, 0.1F);
   landscape.daylight = {glm::normalize(glm::dvec3(0.0, 1.0, 0.2)), glm::vec3(3.0F),
                         glm::vec3(0.3F)};
   const auto field = [&] {
