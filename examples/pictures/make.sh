@@ -56,4 +56,3 @@ make clouds cumulus 720x405 beside 2
 make sunset clouds 480x200 above 36 62 84
 make season autumn_to_winter 360x202 above 1 43 62 118
 film windy_meadow windy_meadow 240x135
-film ground_blizzard ground_blizzard 240x135

@@ -20,7 +20,7 @@ struct SnowField {
 
 /// Adds snow that blows over the ground before the landscape's camera to its volumes: fine ones
 /// near the eye, and on wide terrains coarser ones beyond them, up to 150 m away. Its frame,
-/// camera, terrain and daylight have to be set. `field` is asked for where the wind is strong
+/// camera, terrain, daylight and sky have to be set. `field` is asked for where the wind is strong
 /// enough; else nothing is added.
 void add_blowing_snow(const scene::Scene& scene, const place::Site& site,
                       const std::function<SnowField()>& field, landscape::Landscape& landscape);
