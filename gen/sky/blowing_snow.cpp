@@ -2,25 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "cloud/scattering.h"
-#include "core/elementary.h"
-#include "core/interpolation.h"
 #include "core/parallel.h"
-#include "light/daylight.h"
 #include "place/air.h"
 #include "scene/winter.h"
+#include "sky/grain_light.h"
 #include "snow/blowing_snow.h"
 #include "terrain/relief.h"
 
 namespace wold::sky {
 namespace {
-
-using std::numbers::pi;
 
 /// Along a side, of the square that each volume stands on.
 constexpr int side_voxels = 192, side_voxels_of_sketch = 96;
@@ -88,151 +82,6 @@ landscape::CloudBox box_over(const Heightfield& ground, const Window& window) {
   return box;
 }
 
-/// What grains make of light that comes from all around, by the direction from the eye: bright
-/// where the sky behind them is. The sky about the sun is bright, too, and what hides the sun hides
-/// it.
-class Surroundings {
- public:
-  /// Sky by direction as Landscape::sky has it, and below the horizon ground of that albedo.
-  Surroundings(const Image& sky, const landscape::Daylight& day, double albedo) {
-    std::vector<Patch> patches = sky_patches(sky, day.to_sun);
-    add_ground(day, albedo, patches);
-    scattered_.resize(static_cast<std::size_t>(columns) * rows);
-    parallel_for(scattered_.size(), [&](std::size_t i) {
-      const auto column = static_cast<int>(i % columns), row = static_cast<int>(i / columns);
-      const glm::dvec3 direction = direction_at({column + 0.5, row + 0.5}, {columns, rows});
-      Light sum;
-      for (const Patch& patch : patches) {
-        const auto phase = static_cast<float>(
-            cloud::henyey_greenstein(snow::grain_asymmetry, glm::dot(direction, patch.direction)));
-        sum.of_sun += phase * patch.light.of_sun;
-        sum.of_sky += phase * patch.light.of_sky;
-      }
-      scattered_[i] = sum;
-    });
-  }
-
-  /// `lit`: fraction of the sun's light that is left.
-  glm::vec3 seen_along(const glm::dvec3& direction, double lit) const {
-    const double turn = math::atan2(direction.x, direction.y) / (2.0 * pi);
-    const double x = (turn - std::floor(turn)) * columns - 0.5;
-    const double y = (0.5 - math::asin(std::clamp(direction.z, -1.0, 1.0)) / pi) * rows - 0.5;
-    const int row = std::clamp(static_cast<int>(std::floor(y)), 0, rows - 2);
-    const int column = static_cast<int>(std::floor(x));
-    const auto at = [&](int i, int j) {
-      const Light& here =
-          scattered_[static_cast<std::size_t>(j * columns + (i + columns) % columns)];
-      return here.of_sky + static_cast<float>(lit) * here.of_sun;
-    };
-    return bilinear(at(column, row), at(column + 1, row), at(column, row + 1),
-                    at(column + 1, row + 1), static_cast<float>(x - column),
-                    static_cast<float>(std::clamp(y - row, 0.0, 1.0)));
-  }
-
- private:
-  static constexpr int columns = 72, rows = 36;
-
-  /// What is hidden where the sun is hidden, and what is not.
-  struct Light {
-    glm::vec3 of_sun{0.0F}, of_sky{0.0F};
-  };
-  struct Patch {
-    glm::dvec3 direction;
-    Light light;  ///< radiance times solid angle
-  };
-
-  /// Of a picture of all directions, as Landscape::sky is one.
-  static glm::dvec3 direction_at(const glm::dvec2& place, const glm::ivec2& size) {
-    return light::direction_of(2.0 * pi * place.x / size.x, pi * (0.5 - place.y / size.y));
-  }
-
-  /// Mean of one of `size` equal parts of a picture.
-  static glm::vec3 mean_of(const Image& picture, const glm::ivec2& part, const glm::ivec2& size) {
-    const glm::ivec2 all(picture.width, picture.height), first = part * all / size;
-    const glm::ivec2 last = glm::max((part + 1) * all / size, first + 1);
-    glm::vec3 sum(0.0F);
-    for (int r = first.y; r < last.y; ++r)
-      for (int c = first.x; c < last.x; ++c) {
-        const float* pixel = picture.pixel(c, r);
-        sum += glm::vec3(pixel[0], pixel[1], pixel[2]);
-      }
-    return sum / static_cast<float>((last.x - first.x) * (last.y - first.y));
-  }
-
-  static constexpr glm::ivec2 patches_of_all{96, 48};
-
-  static double solid_angle_sr(const glm::dvec3& direction) {
-    const double cosine = std::sqrt(std::max(0.0, 1.0 - direction.z * direction.z));
-    return 2.0 * pi * pi / (patches_of_all.x * patches_of_all.y) * cosine;
-  }
-
-  static std::vector<Patch> sky_patches(const Image& sky, const glm::dvec3& to_sun) {
-    std::vector<Patch> patches;
-    for (int r = 0; r < patches_of_all.y / 2; ++r)
-      for (int c = 0; c < patches_of_all.x; ++c) {
-        const glm::dvec3 direction = direction_at({c + 0.5, r + 0.5}, patches_of_all);
-        const glm::vec3 light =
-            static_cast<float>(solid_angle_sr(direction)) * mean_of(sky, {c, r}, patches_of_all);
-        const auto of_sun =
-            static_cast<float>(glm::smoothstep(0.5, 0.94, glm::dot(direction, to_sun)));
-        patches.push_back({direction, {of_sun * light, (1.0F - of_sun) * light}});
-      }
-    return patches;
-  }
-
-  /// Ground that has the light of these patches of sky, and the sun's.
-  static void add_ground(const landscape::Daylight& day, double albedo,
-                         std::vector<Patch>& patches) {
-    Light level{day.sun_irradiance * static_cast<float>(std::max(day.to_sun.z, 0.0)), {}};
-    for (const Patch& patch : patches) {
-      level.of_sun += static_cast<float>(patch.direction.z) * patch.light.of_sun;
-      level.of_sky += static_cast<float>(patch.direction.z) * patch.light.of_sky;
-    }
-    for (int r = patches_of_all.y / 2; r < patches_of_all.y; ++r)
-      for (int c = 0; c < patches_of_all.x; ++c) {
-        const glm::dvec3 direction = direction_at({c + 0.5, r + 0.5}, patches_of_all);
-        const auto ground = static_cast<float>(solid_angle_sr(direction) * albedo / pi);
-        patches.push_back({direction, {ground * level.of_sun, ground * level.of_sky}});
-      }
-  }
-
-  std::vector<Light> scattered_;
-};
-
-/// The light that grains over a place send to an eye: the sun's, scattered any number of times near
-/// its way, and that of sky and ground.
-class GrainLight {
- public:
-  GrainLight(const landscape::Landscape& landscape, const SnowField& field)
-      : day_(landscape.daylight),
-        field_(field),
-        eye_m_(landscape.camera.eye_m),
-        forward_(cloud::forward_source, snow::grain_asymmetry),
-        surroundings_(landscape.sky, landscape.daylight, field.albedo) {}
-
-  /// `depth`: optical depth of the snow above the place.
-  glm::vec3 radiance(const glm::dvec3& at_m, double depth) const {
-    constexpr double flattest_sine = 0.1;  // layers end: the way through them is not endless
-    const double to_sun = depth / std::max(day_.to_sun.z, flattest_sine);
-    const glm::dvec3 direction = glm::normalize(at_m - eye_m_);
-    const double lit = field_.sunlit.sample(at_m.x, at_m.y);
-    // Half of the light that has lost its way leaves the layer at once.
-    const double even = 0.5 * (1.0 - math::exp(-to_sun)) / (4.0 * pi);
-    const double forward = forward_.at(to_sun, glm::dot(day_.to_sun, direction));
-    // Of the sky's light about the sun goes on what has not turned aside.
-    const double onward = math::exp(-(1.0 - snow::grain_asymmetry) * to_sun);
-    return day_.sun_irradiance * static_cast<float>(lit * (forward + even)) +
-           surroundings_.seen_along(direction, lit * onward);
-  }
-
- private:
-  const landscape::Daylight& day_;
-  const SnowField& field_;
-  glm::dvec3 eye_m_;
-  cloud::ForwardTable forward_;
-  Surroundings surroundings_;
-};
-
 /// What is lifted in a window and upwind of it.
 class Lifted {
  public:
@@ -299,13 +148,14 @@ class Lifted {
 /// Fills a volume in: `part` of the snow at a place belongs to it.
 template <class Part>
 void fill(const Lifted& lifted, const Heightfield& ground, const GrainLight& light,
-          const Part& part, landscape::CloudBox& box) {
+          const FactorMap& sunlit, const Part& part, landscape::CloudBox& box) {
   const auto side = static_cast<std::size_t>(box.voxels.x);
   const auto fill_column = [&](std::size_t x, std::size_t y) {
     const glm::dvec2 at_m = glm::dvec2(box.corner_m) + (glm::dvec2(x, y) + 0.5) * box.voxel_m;
     const double amount = part(at_m);
     if (amount <= 0.0) return;
     const double ground_m = ground.sample(at_m.x, at_m.y);
+    const double lit = sunlit.sample(at_m.x, at_m.y);
     double depth = 0.0;
     for (int z = box.voxels.z - 1; z >= 0; --z) {
       const double centre_m = box.corner_m.z + (z + 0.5) * box.voxel_m;
@@ -318,7 +168,7 @@ void fill(const Lifted& lifted, const Heightfield& ground, const GrainLight& lig
       depth += extinction_per_m * box.voxel_m;
       const std::size_t voxel = (static_cast<std::size_t>(z) * side + y) * side + x;
       box.extinction_per_m[voxel] = static_cast<float>(extinction_per_m);
-      box.radiance[voxel] = light.radiance({at_m, centre_m}, depth);
+      box.radiance[voxel] = light.radiance({at_m, centre_m}, depth, lit);
     }
   };
   parallel_for(side, [&](std::size_t y) {
@@ -366,7 +216,8 @@ void add_blowing_snow(const scene::Scene& scene, const place::Site& site,
       if (!terrain.square().contains(at_m)) return 0.0;
       return scene.snow_cover.blowing * fraction(at_m) * field->loose(at_m);
     };
-    fill(lifted, ground, GrainLight(landscape, *field), part, box);
+    const GrainLight light(landscape.daylight, landscape.sky, field->albedo, camera.eye_m);
+    fill(lifted, ground, light, field->sunlit, part, box);
     box.name = name;
     if (!is_empty(box)) landscape.clouds.push_back(std::move(box));
   };
