@@ -26,7 +26,7 @@ def cloud_material() -> Any:
 def add_clouds(home: Any, frame: Frame) -> None:
     for number, entry in enumerate(frame["clouds"]):
         volume = load_volume(frame, entry, f"cloud {number}", {"density", *EMISSION})
-        if entry["is_haze"]:
+        if entry.get("is_haze", False):
             volume.render.clipping = 0.0  # what is thinner is left out, and haze is thin
         volume.materials.append(cloud_material())
         shift_m = volume_shift_voxels() * entry["voxel_m"]
