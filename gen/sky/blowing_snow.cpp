@@ -9,6 +9,7 @@
 #include "core/parallel.h"
 #include "place/air.h"
 #include "scene/winter.h"
+#include "sky/cloud_boxes.h"
 #include "sky/grain_light.h"
 #include "snow/blowing_snow.h"
 #include "terrain/relief.h"
@@ -36,11 +37,7 @@ struct Window {
 
   /// 1 inside, 0 outside, falling smoothly along the border.
   double fraction(const glm::dvec2& at_m) const {
-    if (is_whole) return 1.0;
-    constexpr double strip = 0.12;
-    const glm::dvec2 at = (at_m - square.corner_m) / square.size_m;
-    const glm::dvec2 inside = glm::min(at, 1.0 - at);
-    return glm::smoothstep(0.0, strip, std::min(inside.x, inside.y));
+    return is_whole ? 1.0 : CloudWindow{square.corner_m, square.size_m}.fraction(at_m);
   }
 };
 

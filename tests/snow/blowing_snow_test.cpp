@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/ground_map.h"
+#include "scene/winter.h"
 
 namespace wold::snow {
 namespace {
@@ -25,7 +26,7 @@ TEST(LiftingWind, IsThatOfThePrairies) {
   double sum_m_s = 0.0;
   for (int t = -25; t < 0; ++t) {
     sum_m_s += lifting_wind_m_s(t);
-    EXPECT_GT(lifting_wind_m_s(t), 6.9);
+    EXPECT_GT(lifting_wind_m_s(t), scene::min_lifting_wind_m_s);
   }
   EXPECT_NEAR(sum_m_s / 25.0, 7.7, 0.4);
   EXPECT_EQ(lifting_wind_m_s(1.0), 9.9);
@@ -52,8 +53,8 @@ TEST(SuspendedSnow, BeginsWithTheLiftingWindAndThinsUpwards) {
 }
 
 // Pomeroy and Gray 1995: fully developed, leaping and suspended snow up to 5 m pass a line across
-// the wind at U^4.04 / 458800 kg/(m s), U 10 m up. The leaping is that of
-// [Pomeroy1990].
+// the wind at U^4.04 / 458800 kg/(m s), U 10 m up. The leaping
+// is that of [Pomeroy1990].
 TEST(SuspendedSnow, GoesAsMuchAsOverThePrairies) {
   constexpr double temperature_c = -10.0, air_kg_m3 = 1.2, gravity_m_s2 = 9.81;
   for (const double wind_m_s : {10.0, 12.0, 15.0, 20.0}) {
