@@ -163,8 +163,24 @@ void warn_of_small_square(const scene::Terrain& terrain, Warnings& warnings) {
   if (terrain.size_m >= few_cells * cell_m) return;
   warnings.push_back(
       fmt::format("the terrain is {:.3g} m wide, {:.2g} cells of terrain.elevation; set "
-                  "terrain.size, and camera.eye and camera.target within it",
+                  "terrain.size, and camera.eye and camera.target within it, or let wold new "
+                  "--terrain choose them",
                   terrain.size_m, terrain.size_m / cell_m));
+}
+
+/// A camera that nobody placed stands in the corner of a large square.
+void warn_of_camera_in_the_corner(const scene::Scene& scene, Warnings& warnings) {
+  constexpr double much_larger = 10.0;
+  static const scene::Scene plain;
+  const scene::Camera& camera = scene.camera;
+  if (scene.terrain.size_m < much_larger * plain.terrain.size_m || !scene.shots.empty() ||
+      camera.eye_m != plain.camera.eye_m || camera.target_m != plain.camera.target_m)
+    return;
+  warnings.push_back(fmt::format(
+      "nobody has placed the camera, and it stands in the corner of {:.3g} m of terrain; set "
+      "camera.eye and camera.target{}",
+      scene.terrain.size_m,
+      scene.terrain.elevation.empty() ? "" : ", or let wold new --terrain choose them"));
 }
 
 /// Clouds of a layer are seen in dry air alone.
@@ -206,6 +222,7 @@ Warnings scene_warnings(const scene::Scene& film, const phenology::FilmSeason* s
   warn_of_late_table(film, warnings);
   warn_of_coarse_terrain(film.terrain, warnings);
   warn_of_small_square(film.terrain, warnings);
+  warn_of_camera_in_the_corner(film, warnings);
   warn_of_hidden_clouds(film, warnings);
   for (const auto& more : {season_warnings(film), unused_key_warnings(film)})
     warnings.insert(warnings.end(), more.begin(), more.end());

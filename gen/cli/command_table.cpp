@@ -440,6 +440,7 @@ Action declare_new(CLI::App& app) {
   struct Options {
     std::string name;
     std::string kind = scene::starter_kinds().front();
+    std::string terrain;
   };
   auto options = std::make_shared<Options>();
   app.add_option("NAME", options->name, "names the scene and its file")->required();
@@ -447,7 +448,10 @@ Action declare_new(CLI::App& app) {
       ->check(CLI::IsMember(scene::starter_kinds()))
       ->type_name(fmt::format("{}", fmt::join(scene::starter_kinds(), "|")))
       ->capture_default_str();
-  return [options] { return run_new(options->name, options->kind); };
+  app.add_option("--terrain", options->terrain,
+                 "elevation model of a real place, which the scene shows from where it looks well")
+      ->type_name("FILE");
+  return [options] { return run_new(options->name, options->kind, options->terrain); };
 }
 
 Action declare_explain(CLI::App& app) {

@@ -115,9 +115,9 @@ ExitCode run_film(const work::EncodingOptions& options, Progress& progress);
 ExitCode run_report(const std::filesystem::path& out, const std::filesystem::path& page,
                     Progress& progress);
 
-/// Writes NAME.toml, one of scene::starter_kinds(), into the working folder; refuses to replace a
-/// file.
-ExitCode run_new(const std::string& name, const std::string& kind);
+/// Writes NAME.toml, one of scene::starter_kinds(), into the working folder; of an elevation model,
+/// where `terrain` names one. Refuses to replace a file.
+ExitCode run_new(const std::string& name, const std::string& kind, const std::string& terrain);
 
 /// Prints which renderers there are, what each can show and what to do, after probing them anew.
 /// ExitCode::renderer when none shows all that a scene can have.

@@ -3,15 +3,18 @@
 #include "cli/commands.h"
 #include "console/output.h"
 #include "core/files.h"
+#include "place/starter_place.h"
 #include "scene/starter.h"
 
 namespace wold::cli {
 
-ExitCode run_new(const std::string& name, const std::string& kind) {
+ExitCode run_new(const std::string& name, const std::string& kind, const std::string& terrain) {
   constexpr std::string_view extension = ".toml";
   const std::string stem =
       name.ends_with(extension) ? name.substr(0, name.size() - extension.size()) : name;
-  const std::string text = scene::starter_scene(stem, kind);
+  std::optional<scene::StarterPlace> place;
+  if (!terrain.empty()) place = place::starter_place(terrain, kind);
+  const std::string text = scene::starter_scene(stem, kind, place);
   const std::filesystem::path file = stem + std::string(extension);
   if (std::filesystem::exists(file))
     throw InputError(fmt::format("{} exists already; choose another name", file.string()));

@@ -10,6 +10,7 @@
 #include "grass/optics/light_under_grass.h"
 #include "grass/texel/fibres.h"
 #include "meadow/film_lights.h"
+#include "meadow/sward.h"
 #include "meadow/tint.h"
 #include "place/cell_window.h"
 #include "place/each_in_view.h"
@@ -124,17 +125,23 @@ LitGround::LitGround(const scene::Scene& scene, const place::Site& site,
                             meadow::frame_lighting(scene, site, now.frame));
 }
 
-ColourMap LitGround::on_grass(const ColourMap& light, const GroundGrid& grid) const {
+ColourMap LitGround::on_grass(const ColourMap& light, const terrain::GroundLight& clear,
+                              const GroundGrid& grid) const {
   const ColourMap leaning =
       place::is_large(scene_) || site_.sketch
           ? meadow::lean_light_map(lean_light_, now_.wind_lean, site_.terrain, view_,
                                    lean_light_grid(grid, site_.sketch))
           : meadow::lean_light_map(lean_light_, now_.wind_lean, site_.terrain, view_);
-  const ColourMap on_leaning = product(light, leaning);
-  if (!pigment_spread_) return on_leaning;
-  return product(on_leaning, meadow::pigment_spread_map(*pigment_spread_, *site_.withering,
-                                                        now_.frame, site_.terrain, view_,
-                                                        {light.square(), light.samples()}));
+  ColourMap on_grass = product(light, leaning);
+  if (place::is_wide(scene_) && scene_.grass.height_spread > 0.0) {
+    const meadow::Sward sward(scene_, GroundGrid{clear.sun.square(), clear.sun.samples()}.step_m());
+    on_grass = product(on_grass, meadow::sward_light_map(sward, clear, site_.day.sun_direction(),
+                                                         site_.terrain, view_));
+  }
+  if (!pigment_spread_) return on_grass;
+  return product(on_grass, meadow::pigment_spread_map(*pigment_spread_, *site_.withering,
+                                                      now_.frame, site_.terrain, view_,
+                                                      {light.square(), light.samples()}));
 }
 
 void LitGround::add_hot_spot(const ColourMap& bare, const terrain::GroundLight& clear,
@@ -169,14 +176,15 @@ landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const Groun
   const ColourMap light = illuminate_(part.light);
   ColourMap radiance = product(part.reflectance, light);
   add_hot_spot(bare, part.light, part.growth, radiance);
-  return {painted(std::move(radiance), part.growth, light, on_grass(light, grid), lakes)
+  return {painted(std::move(radiance), part.growth, light, on_grass(light, part.light, grid), lakes)
               .at_corner(glm::dvec2(0.0)),
           grid.square.corner_m};
 }
 
 ColourMap LitGround::light_in_window() const {
   const GroundGrid window = place::window_grid(scene_);
-  return on_grass(illuminate_(place::light_on(site_, window)), window);
+  const terrain::GroundLight clear = place::light_on(site_, window);
+  return on_grass(illuminate_(clear), clear, window);
 }
 
 struct LitGround::LevelLook {
@@ -301,7 +309,7 @@ void LitGround::show_land_around(const LandAround& around, const LakeSurface* la
 
 void LitGround::show(const SnowyGround& ground, const ColourMap& light, const SkyRadiance& sky,
                      landscape::Landscape& landscape) const {
-  ColourMap grass_light = on_grass(light, place::whole_grid(scene_));
+  ColourMap grass_light = on_grass(light, ground.light(), place::whole_grid(scene_));
   const bool sees_around =
       landscape.backdrop && sees_land_around(site_, landscape.camera, scene_.render);
   std::optional<LandAround> around;

@@ -50,6 +50,11 @@ int cells_per_side(const scene::Scene& scene) {
 
 bool is_large(const scene::Scene& scene) { return cells_per_side(scene) > max_patches; }
 
+bool is_wide(const scene::Scene& scene) {
+  constexpr double narrow_m = 120.0;
+  return is_large(scene) || scene.terrain.size_m > narrow_m;
+}
+
 CellWindow::CellWindow(const scene::Scene& scene)
     : per_side(cells_per_side(scene)),
       square{.size_m = scene.terrain.size_m},

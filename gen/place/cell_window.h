@@ -14,6 +14,10 @@ int cells_per_side(const scene::Scene& scene);
 /// camera.
 bool is_large(const scene::Scene& scene);
 
+/// Whether the terrain is so wide, over 120 m, that features of one size would look like camouflage
+/// on it: its meadow differs from place to place in all sizes.
+bool is_wide(const scene::Scene& scene);
+
 /// Where cells are laid, the same in all frames: on the whole terrain where at most 2000 patches
 /// lie along a side; on a larger one within a square about the middle of the camera's way, as far
 /// as grass can stand or as many.

@@ -21,8 +21,6 @@ constexpr double days_per_m = 4.0 / 121.92;
 /// Nights are half of the day.
 constexpr double days_per_night_k = 0.5 * days_per_m / snow::lapse_k_per_m;
 constexpr double days_of_twice_the_sun = 10.0;
-/// Over more ground places of one size look like camouflage.
-constexpr double narrow_m = 120.0;
 /// The field is cut at so many standard deviations.
 constexpr double max_deviations = 2.5;
 
@@ -59,7 +57,7 @@ double amplitude(const scene::Ageing& ageing, double degree) {
 Withering::Withering(const scene::Scene& scene, const Heightfield& terrain,
                      std::shared_ptr<const phenology::FilmSeason> season)
     : ageing_(scene.ageing), field_(key_of_field(scene.seed), /*octaves=*/2, /*hurst=*/1.0) {
-  if (is_large(scene) || scene.terrain.size_m > narrow_m) {
+  if (is_wide(scene)) {
     constexpr double of_terrain = 0.1, of_feature = 0.25, hurst = 0.2;
     const double feature_m = ageing_.age_spread_feature_m;
     scale_free_.emplace(key_of_field(scene.seed),

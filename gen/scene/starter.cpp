@@ -26,9 +26,8 @@ struct Starter {
 };
 
 const Names& keys_of_every_kind() {
-  static const Names names = {"name",         "seed",           "terrain.hill_height",
-                              "grass.height", "camera.eye",     "camera.target",
-                              "render.size",  "render.samples", "render.renderer"};
+  static const Names names = {"name",          "seed",        "grass.height",   "camera.eye",
+                              "camera.target", "render.size", "render.samples", "render.renderer"};
   return names;
 }
 
@@ -36,8 +35,8 @@ Starter hillside() {
   return {"hillside",
           "A withering meadow.",
           {},
-          {"grass.blades", "ageing.water", "ageing.frames", "sun.elevation", "sun.azimuth",
-           "wind.grass", "wind.speed", "wind.heading", "film.frame_seconds"}};
+          {"terrain.hill_height", "grass.blades", "ageing.water", "ageing.frames", "sun.elevation",
+           "sun.azimuth", "wind.grass", "wind.speed", "wind.heading", "film.frame_seconds"}};
 }
 
 /// Numbers from `first` to `last`, evenly spread, with four decimals.
@@ -70,11 +69,11 @@ void raise_mountain(Scene& scene) {
 }
 
 const Names& keys_of_mountains() {
-  static const Names names = {"terrain.shape",        "terrain.size",           "terrain.samples",
-                              "terrain.relief",       "terrain.relief_feature", "terrain.streams",
-                              "terrain.talus",        "terrain.rock_slope",     "growth.cover",
-                              "growth.steepest",      "grass.levels",           "camera.eye_height",
-                              "camera.target_height", "camera.field_of_view"};
+  static const Names names = {
+      "terrain.hill_height", "terrain.shape",          "terrain.size",        "terrain.samples",
+      "terrain.relief",      "terrain.relief_feature", "terrain.streams",     "terrain.talus",
+      "terrain.rock_slope",  "growth.cover",           "growth.steepest",     "grass.levels",
+      "camera.eye_height",   "camera.target_height",   "camera.field_of_view"};
   return names;
 }
 
@@ -125,13 +124,14 @@ Starter clouds() {
   scene.clouds[0].gathered = 0.4;
   scene.cloud_events = {
       {.kind = CloudEventKind::gather, .layer = 1, .start_s = 12.0, .duration_s = 60.0}};
-  return {"clouds",
-          "Clouds that drift and gather over a meadow that hardly withers meanwhile.",
-          scene,
-          {"grass.key_frames", "ageing.frames", "sun.elevation", "sun.azimuth", "sky.visual_range",
-           "film.frame_seconds", "camera.target_height", "camera.field_of_view", "clouds.kind",
-           "clouds.cover", "clouds.gathered", "clouds.speed", "clouds.heading", "cloud_events.kind",
-           "cloud_events.layer", "cloud_events.start", "cloud_events.duration"}};
+  return {
+      "clouds",
+      "Clouds that drift and gather over a meadow that hardly withers meanwhile.",
+      scene,
+      {"terrain.hill_height", "grass.key_frames", "ageing.frames", "sun.elevation", "sun.azimuth",
+       "sky.visual_range", "film.frame_seconds", "camera.target_height", "camera.field_of_view",
+       "clouds.kind", "clouds.cover", "clouds.gathered", "clouds.speed", "clouds.heading",
+       "cloud_events.kind", "cloud_events.layer", "cloud_events.start", "cloud_events.duration"}};
 }
 
 Starter snow() {
@@ -150,13 +150,14 @@ Starter snow() {
                   .target_m = {21.0, 11.0},
                   .target_height_m = 0.1,
                   .field_of_view_deg = 52.0};
-  return {"snow",
-          "Snow that falls for four hours, until ten centimetres lie.",
-          scene,
-          {"grass.key_frames", "ageing.frames", "ageing.age_spread", "sun.elevation", "sun.azimuth",
-           "wind.speed", "wind.heading", "film.frame_seconds", "weather.temperature",
-           "weather.precipitation", "snowfall.crystal", "snow_cover.drifting", "camera.eye_height",
-           "camera.target_height", "camera.field_of_view"}};
+  return {
+      "snow",
+      "Snow that falls for four hours, until ten centimetres lie.",
+      scene,
+      {"terrain.hill_height", "grass.key_frames", "ageing.frames", "ageing.age_spread",
+       "sun.elevation", "sun.azimuth", "wind.speed", "wind.heading", "film.frame_seconds",
+       "weather.temperature", "weather.precipitation", "snowfall.crystal", "snow_cover.drifting",
+       "camera.eye_height", "camera.target_height", "camera.field_of_view"}};
 }
 
 /// Green, yellow, the first snow, a thaw, and the snow that stays.
@@ -249,6 +250,50 @@ void check_name(const Scene& scene) {
     throw InputError(fmt::format("name: found {}, expected {}", fault->found, expected(key)));
 }
 
+/// What shapes a hill of the scene's own.
+const Names& keys_of_own_ground() {
+  static const Names names = {"terrain.hill_height",    "terrain.shape",   "terrain.relief",
+                              "terrain.relief_feature", "terrain.streams", "terrain.talus"};
+  return names;
+}
+
+/// To a place where it is as late in the day.
+void move_sun(Sun& sun, const std::array<double, 2>& longitude_latitude_deg) {
+  constexpr double deg_per_h = 15.0, day_h = 24.0;
+  const auto& [longitude_deg, latitude_deg] = longitude_latitude_deg;
+  const double later_h = (sun.longitude_deg - longitude_deg) / deg_per_h;
+  const double time_h = std::round(10.0 * (sun.time_h + later_h)) / 10.0;
+  sun.time_h = time_h - day_h * std::floor(time_h / day_h);
+  sun.longitude_deg = longitude_deg;
+  sun.latitude_deg = latitude_deg;
+}
+
+/// The starter at a real place.
+Starter at_place(Starter starter, const StarterPlace& place) {
+  Scene& scene = starter.scene;
+  static const Terrain plain;
+  scene.terrain = plain;
+  scene.terrain.elevation = place.elevation;
+  scene.terrain.system = place.system;
+  scene.terrain.size_m = place.size_m;
+  scene.terrain.samples = place.samples;
+  scene.sky.visual_range_m = place.visual_range_m;
+  scene.camera.eye_m = place.eye_m;
+  scene.camera.eye_height_m = place.eye_height_m;
+  scene.camera.target_m = place.target_m;
+  scene.camera.target_height_m = place.target_height_m;
+  if (place.longitude_latitude_deg) move_sun(scene.sun, *place.longitude_latitude_deg);
+  std::erase_if(starter.keys, [](std::string_view key) {
+    return std::ranges::count(keys_of_own_ground(), key) > 0;
+  });
+  starter.keys =
+      starter.keys + Names{"terrain.elevation",    "terrain.centre",    "terrain.size",
+                           "terrain.samples",      "camera.eye_height", "camera.target_height",
+                           "camera.field_of_view", "sky.visual_range"};
+  if (!place.system.empty()) starter.keys.emplace_back("terrain.system");
+  return starter;
+}
+
 bool has(const Starter& starter, std::string_view key) {
   return std::ranges::count(keys_of_every_kind(), key) + std::ranges::count(starter.keys, key) > 0;
 }
@@ -282,8 +327,11 @@ const std::vector<std::string>& starter_kinds() {
   return kinds;
 }
 
-std::string starter_scene(const std::string& name, const std::string& kind) {
-  const Starter& starter = starter_of(kind);
+const Scene& starter_of_kind(const std::string& kind) { return starter_of(kind).scene; }
+
+std::string starter_scene(const std::string& name, const std::string& kind,
+                          const std::optional<StarterPlace>& place) {
+  const Starter starter = place ? at_place(starter_of(kind), *place) : starter_of(kind);
   Scene scene = starter.scene;
   scene.name = name;
   check_name(scene);

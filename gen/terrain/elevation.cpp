@@ -109,27 +109,6 @@ std::size_t count_voids(const std::vector<double>& values) {
       std::count_if(values.begin(), values.end(), [](double value) { return std::isnan(value); }));
 }
 
-/// Side of the largest square about the local system's centre that a raster covers, at most
-/// `size_m`; 0 where it does not even cover the centre.
-double covered_m(const Raster& raster, const LocalSystem& local, double size_m) {
-  const Transformer transformer(raster, local);
-  const glm::dvec2 all(raster.dataset().GetRasterXSize(), raster.dataset().GetRasterYSize());
-  const auto is_covered = [&](double side_m) {
-    for (int j = -1; j <= 1; ++j)
-      for (int i = -1; i <= 1; ++i) {
-        const auto cell = transformer.cell_at(local.centre + 0.5 * side_m * glm::dvec2(i, j));
-        if (!cell || glm::any(glm::lessThan(*cell, glm::dvec2(0.0))) ||
-            glm::any(glm::greaterThan(*cell, all)))
-          return false;
-      }
-    return true;
-  };
-  double covered = 0.0;
-  for (double step_m = 0.5 * size_m; step_m > 1e-3 * size_m; step_m *= 0.5)
-    if (is_covered(covered + step_m)) covered += step_m;
-  return covered;
-}
-
 /// Of what was filled in: inverse distances alone leave steps where their nearest neighbours
 /// change.
 constexpr int smoothing_passes = 50;

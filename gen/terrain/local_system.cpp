@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gdal_alg.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -10,8 +11,8 @@
 
 namespace wold::terrain {
 
-LocalSystem local_system(const Raster& raster, const glm::dvec2& centre) {
-  if (raster.system() == nullptr) return {"", centre};
+std::optional<glm::dvec2> longitude_latitude_deg(const Raster& raster, const glm::dvec2& place) {
+  if (raster.system() == nullptr) return std::nullopt;
   OGRSpatialReference from = *raster.system();
   OGRSpatialReference to;
   to.SetWellKnownGeogCS("WGS84");
@@ -19,12 +20,18 @@ LocalSystem local_system(const Raster& raster, const glm::dvec2& centre) {
   to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   const std::unique_ptr<OGRCoordinateTransformation> to_degrees(
       OGRCreateCoordinateTransformation(&from, &to));
-  glm::dvec2 degrees = centre;
+  glm::dvec2 degrees = place;
   if (!to_degrees || to_degrees->Transform(1, &degrees.x, &degrees.y) == 0)
     raster.fail(fmt::format("[{}, {}] (terrain.centre) is no place of its coordinate system",
-                            centre.x, centre.y));
-  return {fmt::format("+proj=aeqd +lat_0={:.12f} +lon_0={:.12f} +datum=WGS84 +units=m", degrees.y,
-                      degrees.x),
+                            place.x, place.y));
+  return degrees;
+}
+
+LocalSystem local_system(const Raster& raster, const glm::dvec2& centre) {
+  const std::optional<glm::dvec2> degrees = longitude_latitude_deg(raster, centre);
+  if (!degrees) return {"", centre};
+  return {fmt::format("+proj=aeqd +lat_0={:.12f} +lon_0={:.12f} +datum=WGS84 +units=m", degrees->y,
+                      degrees->x),
           glm::dvec2(0.0)};
 }
 
@@ -64,6 +71,26 @@ double cell_m(const Raster& raster, const LocalSystem& local) {
                               transform.data(), &columns, &rows) != CE_None)
     raster.fail(CPLGetLastErrorMsg());
   return std::round(transform[1] * 0x1p20) * 0x1p-20;  // the same on every system
+}
+
+double covered_m(const Raster& raster, const LocalSystem& local, double size_m) {
+  const Transformer transformer(raster, local);
+  const glm::dvec2 all(raster.dataset().GetRasterXSize(), raster.dataset().GetRasterYSize());
+  const auto is_covered = [&](double side_m) {
+    for (int j = -1; j <= 1; ++j)
+      for (int i = -1; i <= 1; ++i) {
+        const auto cell = transformer.cell_at(local.centre + 0.5 * side_m * glm::dvec2(i, j));
+        if (!cell || glm::any(glm::lessThan(*cell, glm::dvec2(0.0))) ||
+            glm::any(glm::greaterThan(*cell, all)))
+          return false;
+      }
+    return true;
+  };
+  double covered = 0.0;
+  for (double step_m = 0.5 * size_m; step_m > 1e-3 * std::max(covered, 1e-3 * size_m);
+       step_m *= 0.5)
+    if (is_covered(covered + step_m)) covered += step_m;
+  return covered;
 }
 
 }  // namespace wold::terrain

@@ -15,6 +15,10 @@ struct LocalSystem {
   glm::dvec2 centre{0.0};
 };
 
+/// Longitude and latitude (WGS 84) of a place in the raster's own coordinates, degrees; nothing
+/// where the raster has no system. Throws InputError where that has no such place.
+std::optional<glm::dvec2> longitude_latitude_deg(const Raster& raster, const glm::dvec2& place);
+
 /// About `centre`, in the raster's own coordinates: azimuthal equidistant where the raster has a
 /// system. Throws InputError where that has no such place.
 LocalSystem local_system(const Raster& raster, const glm::dvec2& centre);
@@ -40,5 +44,9 @@ class Transformer {
 
 /// Side of the raster's cells in the local system. Throws InputError.
 double cell_m(const Raster& raster, const LocalSystem& local);
+
+/// Side of the largest square about the local system's centre that a raster covers, at most
+/// `size_m`; 0 where it does not even cover the centre. Throws InputError.
+double covered_m(const Raster& raster, const LocalSystem& local, double size_m);
 
 }  // namespace wold::terrain

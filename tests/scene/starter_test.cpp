@@ -45,5 +45,39 @@ TEST(StarterScene, OfEachKindShowsWhatItSays) {
   EXPECT_EQ(season.season_keys.back().date, season.season.last);
 }
 
+/// A hill of the scene's own has no keys there, whatever the kind; all else stays.
+TEST(StarterScene, OfARealPlaceShowsIt) {
+  StarterPlace place{.elevation = "alps.tif",
+                     .system = "EPSG:4326",
+                     .size_m = 9000.0,
+                     .samples = 301,
+                     .visual_range_m = 30e3,
+                     .eye_m = {4000.0, 3000.0},
+                     .target_m = {4100.0, 3900.0},
+                     .eye_height_m = 1.7,
+                     .target_height_m = 20.0};
+  for (const std::string& kind : starter_kinds()) {
+    const std::string text = starter_scene("a", kind, place);
+    for (const char* key : {"hill_height", "shape", "relief", "streams", "talus"})
+      EXPECT_EQ(text.find(std::string("\n") + key), std::string::npos) << kind;
+    Scene wanted = starter_of_kind(kind);
+    wanted.name = "a";
+    wanted.terrain = {};
+    wanted.terrain.elevation = place.elevation;
+    wanted.terrain.system = place.system;
+    wanted.terrain.size_m = place.size_m;
+    wanted.terrain.samples = place.samples;
+    wanted.sky.visual_range_m = place.visual_range_m;
+    wanted.camera.eye_m = place.eye_m;
+    wanted.camera.eye_height_m = place.eye_height_m;
+    wanted.camera.target_m = place.target_m;
+    wanted.camera.target_height_m = place.target_height_m;
+    Scene read = parse_scene(text, "a.toml");
+    EXPECT_THAT(read.terrain.elevation, testing::EndsWith(place.elevation));
+    read.terrain.elevation = place.elevation;
+    EXPECT_EQ(resolved_toml(read), resolved_toml(wanted)) << kind;
+  }
+}
+
 }  // namespace
 }  // namespace wold::scene
