@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/elementary.h"
+#include "core/mesh_height.h"
 
 namespace wold::expectation {
 namespace {
@@ -89,7 +90,7 @@ std::pair<double, double> GroundMarch::inside_m(const glm::dvec3& eye_m,
 }
 
 double GroundMarch::gap_m(const glm::dvec3& at_m) const {
-  return at_m.z - terrain_.sample(at_m.x, at_m.y);
+  return at_m.z - mesh_height_m(terrain_, glm::dvec2(at_m));
 }
 
 }  // namespace wold::expectation

@@ -17,7 +17,7 @@ constexpr double largest_m = 6.0;
 constexpr std::size_t octave_count = 5;
 
 /// Standard deviation of the logarithm of how rough places are.
-constexpr double rough_spread = 0.5;
+constexpr double rough_spread = 0.4;
 constexpr ScaleFreeNoise::Sizes rough_places{.largest_m = 200.0, .smallest_m = 20.0};
 
 }  // namespace
@@ -55,7 +55,7 @@ Sward::Top Sward::at(const glm::dvec2& at_m) const {
 
 double Sward::light(const glm::dvec2& at_m, const glm::dvec3& up, const glm::dvec3& to_sun,
                     double by_sun) const {
-  constexpr double opaque = 0.5, shade = 0.6, least = 0.35, most = 1.7, grazing = 0.15;
+  constexpr double opaque = 0.5, shade = 0.5, least = 0.35, most = 1.7, grazing = 0.15;
   const Top top = at(at_m);
   const double ground = glm::dot(up, to_sun);
   const double flank = ground - opaque * glm::dot(top.ascent, glm::dvec2(to_sun));

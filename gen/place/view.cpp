@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/mesh_height.h"
 #include "core/pinhole.h"
 #include "scene/species.h"
 
@@ -9,11 +10,16 @@ namespace wold::place {
 
 namespace {
 
+/// A place over the ground as renderers have it: a camera must not stand below that.
+glm::dvec3 above_mesh(const Heightfield& terrain, const glm::dvec2& at_m, double height_m) {
+  return {at_m, mesh_height_m(terrain, at_m) + height_m};
+}
+
 /// A place on the straight way from `from_m` to `end` (east, north, height above the ground).
 glm::dvec3 on_the_way(const Heightfield& terrain, const glm::dvec3& from_m,
                       const std::vector<double>& end, double time) {
   if (end.empty()) return from_m;
-  return glm::mix(from_m, above_ground(terrain, {end[0], end[1]}, end[2]), time);
+  return glm::mix(from_m, above_mesh(terrain, {end[0], end[1]}, end[2]), time);
 }
 
 }  // namespace
@@ -26,7 +32,7 @@ landscape::Camera resolved_camera(const scene::Camera& camera, const Heightfield
                                   double time) {
   const auto placed = [&](const std::array<double, 2>& at_m, double height_m,
                           const std::vector<double>& end) {
-    return on_the_way(terrain, above_ground(terrain, {at_m[0], at_m[1]}, height_m), end, time);
+    return on_the_way(terrain, above_mesh(terrain, {at_m[0], at_m[1]}, height_m), end, time);
   };
   return {placed(camera.eye_m, camera.eye_height_m, camera.eye_end),
           placed(camera.target_m, camera.target_height_m, camera.target_end),

@@ -13,8 +13,8 @@ namespace wold::place {
 /// A place over the terrain's ground, in world space.
 glm::dvec3 above_ground(const Heightfield& terrain, const glm::dvec2& at_m, double height_m);
 
-/// A camera with its heights above the ground resolved to world space. One that moves is `time` of
-/// its way from the first frame to the last, in [0, 1].
+/// A camera with its heights above the ground, as renderers have it, resolved to world space. One
+/// that moves is `time` of its way from the first frame to the last, in [0, 1].
 landscape::Camera resolved_camera(const scene::Camera& camera, const Heightfield& terrain,
                                   double time);
 

@@ -5,11 +5,10 @@
 
 #include "core/angle.h"
 #include "core/elementary.h"
+#include "core/mesh_height.h"
 #include "core/parallel.h"
 
 namespace wold::terrain {
-namespace {}  // namespace
-
 glm::dvec2 gradient(const Heightfield& terrain, double x_m, double y_m) {
   const auto inside = [&](double at_m) { return std::clamp(at_m, 0.0, terrain.size_m()); };
   const double west = inside(inside(x_m) - terrain.step_m());
@@ -24,31 +23,12 @@ glm::dvec3 normal(const Heightfield& terrain, double x_m, double y_m) {
   return glm::normalize(glm::dvec3(-gradient(terrain, x_m, y_m), 1.0));
 }
 
-namespace {
-
-float mesh_height(const Heightfield& terrain, const glm::dvec2& at_m) {
-  const glm::dvec2 place =
-      glm::clamp((at_m - terrain.corner_m()) / terrain.step_m(), 0.0, terrain.samples() - 1.0);
-  const glm::ivec2 first = glm::min(glm::ivec2(place), terrain.samples() - 2);
-  const glm::vec2 inside(place - glm::dvec2(first));
-  const float south_west = terrain.at(first.x, first.y);
-  const float north_east = terrain.at(first.x + 1, first.y + 1);
-  if (inside.x >= inside.y) {
-    const float south_east = terrain.at(first.x + 1, first.y);
-    return south_west + inside.x * (south_east - south_west) + inside.y * (north_east - south_east);
-  }
-  const float north_west = terrain.at(first.x, first.y + 1);
-  return south_west + inside.y * (north_west - south_west) + inside.x * (north_east - north_west);
-}
-
-}  // namespace
-
 Heightfield mesh_heights(const Heightfield& terrain, const GroundGrid& grid) {
   Heightfield heights_m(grid.samples, grid.square);
   parallel_for(static_cast<std::size_t>(grid.samples), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < grid.samples; ++i)
-      heights_m.at(i, j) = mesh_height(terrain, heights_m.place_m(i, j));
+      heights_m.at(i, j) = mesh_height_m(terrain, heights_m.place_m(i, j));
   });
   return heights_m;
 }

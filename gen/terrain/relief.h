@@ -13,9 +13,7 @@ glm::dvec2 gradient(const Heightfield& terrain, double x_m, double y_m);
 /// Upward unit normal at a point.
 glm::dvec3 normal(const Heightfield& terrain, double x_m, double y_m);
 
-/// The heights of the mesh that renderers make of a terrain, on another grid: each square of
-/// samples is two triangles, cut from south-west to north-east. Where samples lie far apart they
-/// differ from the bilinear heights by more than grass is high.
+/// The heights of the mesh that renderers make of a terrain (mesh_height_m()), on another grid.
 Heightfield mesh_heights(const Heightfield& terrain, const GroundGrid& grid);
 
 /// Angle between the ground and the horizontal, degrees in [0, 90).

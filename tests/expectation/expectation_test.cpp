@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
+#include "expectation/ground_march.h"
 #include "landscape/perspective.h"
 #include "support/cloudy_view.h"
 #include "support/constant_meadow.h"
@@ -225,6 +226,16 @@ TEST(Expectation, BladesHideTheGroundByTheirWidth) {
     const double seen = 0.1 * -std::expm1(-depth) + double{fog.ground} * std::exp(-depth);
     EXPECT_NEAR(double{tile.with.g}, 4.0 * seen, 0.01) << tile.tile;
   }
+}
+
+// Where two opposite heights of a square of samples are 8 m higher, the mesh of renderers lies 4 m
+// off the bilinear ground in its middle.
+TEST(GroundMarch, MeetsTheMesh) {
+  constexpr double step_m = 30.0;
+  Heightfield terrain(2, step_m);
+  terrain.at(1, 0) = terrain.at(0, 1) = 8.0F;
+  const glm::dvec3 eye_m(0.5 * step_m, 0.5 * step_m, 100.0);
+  EXPECT_NEAR(GroundMarch(terrain).distance_m(eye_m, {0.0, 0.0, -1.0}), 100.0, 0.05);
 }
 
 }  // namespace

@@ -28,5 +28,23 @@ TEST(View, MeasuresLengthsInPixels) {
   EXPECT_NEAR(view.pixels(1.0, {0, 6, 8}), 10.0, 1e-9);
 }
 
+// Between four heights of which two opposite ones are 8 m higher, bilinear ground is 4 m high. The
+// mesh of renderers is cut from south-west to north-east: through the low ones or the high ones.
+TEST(Camera, StandsOverTheMesh) {
+  constexpr double step_m = 30.0;
+  scene::Camera camera;
+  camera.eye_m = {0.5 * step_m, 0.5 * step_m};
+  camera.eye_height_m = 1.7;
+  camera.target_m = {0.5 * step_m, 0.25 * step_m};
+  camera.target_height_m = 0.0;
+  Heightfield terrain(2, step_m);
+  terrain.at(1, 0) = terrain.at(0, 1) = 8.0F;
+  EXPECT_NEAR(resolved_camera(camera, terrain, 0.0).eye_m.z, 1.7, 1e-6);
+  EXPECT_NEAR(resolved_camera(camera, terrain, 0.0).target_m.z, 2.0, 1e-6);
+  terrain.at(0, 0) = terrain.at(1, 1) = 16.0F;
+  EXPECT_NEAR(resolved_camera(camera, terrain, 0.0).eye_m.z, 17.7, 1e-6);
+  EXPECT_NEAR(resolved_camera(camera, terrain, 0.0).target_m.z, 14.0, 1e-6);
+}
+
 }  // namespace
 }  // namespace wold::place
