@@ -81,6 +81,19 @@ ColourMap filled(const GroundGrid& grid, const Radiance& radiance) {
   return map;
 }
 
+/// The map, of whose rows `parts` count, with a coarser one's values beside them.
+ColourMap filled_up(ColourMap map, const RowParts& parts, const ColourMap& coarser) {
+  parallel_for(parts.size(), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < map.samples(); ++i) {
+      if (i >= parts[row].begin && i < parts[row].end) continue;
+      const glm::dvec2 at_m = map.place_m(i, j);
+      map.at(i, j) = coarser.sample(at_m.x, at_m.y);
+    }
+  });
+  return map;
+}
+
 meadow::PatchAppearances far_appearances(const scene::Scene& scene, const place::Site& site,
                                          const meadow::FrameGrass& now, const FarLook& far) {
   meadow::PatchAppearances looks;
@@ -169,21 +182,25 @@ ColourMap LitGround::painted(ColourMap ground, const FactorMap& growth, const Co
 }
 
 landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const GroundGrid& grid,
-                                          const LakeSurface* lakes) const {
-  place::GroundPart part = place::ground_part(scene_, site_, grid);
+                                          const LakeSurface* lakes,
+                                          const ColourMap& coarser) const {
+  const RowParts seen = place::rows_in_view(grid, site_.terrain, view_);
+  place::GroundPart part = place::ground_part(scene_, site_, grid, seen);
   const ColourMap bare = ground.bare(part);
   part = ground.covered(std::move(part), under_grass_);
   const ColourMap light = illuminate_(part.light);
   ColourMap radiance = product(part.reflectance, light);
   add_hot_spot(bare, part.light, part.growth, radiance);
-  return {painted(std::move(radiance), part.growth, light, on_grass(light, part.light, grid), lakes)
-              .at_corner(glm::dvec2(0.0)),
+  radiance =
+      painted(std::move(radiance), part.growth, light, on_grass(light, part.light, grid), lakes);
+  return {filled_up(std::move(radiance), seen, coarser).at_corner(glm::dvec2(0.0)),
           grid.square.corner_m};
 }
 
 ColourMap LitGround::light_in_window() const {
   const GroundGrid window = place::window_grid(scene_);
-  const terrain::GroundLight clear = place::light_on(site_, window);
+  const terrain::GroundLight clear =
+      place::light_on(site_, window, place::rows_in_view(window, site_.terrain, view_));
   return on_grass(illuminate_(clear), clear, window);
 }
 
@@ -322,7 +339,7 @@ void LitGround::show(const SnowyGround& ground, const ColourMap& light, const Sk
   add_hot_spot(ground.bare(), ground.light(), ground.growth(), radiance);
   landscape.ground = painted(std::move(radiance), ground.growth(), light, grass_light, lakes.get());
   for (const GroundGrid& grid : place::detail_grids(scene_, landscape.camera))
-    landscape.ground_details.push_back(detail(ground, grid, lakes.get()));
+    landscape.ground_details.push_back(detail(ground, grid, lakes.get(), landscape.ground));
 
   if (sees_around) show_land_around(*around, lakes.get(), landscape);
   if (place::is_large(scene_)) grass_light = light_in_window();

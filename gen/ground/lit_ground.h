@@ -77,8 +77,9 @@ class LitGround {
   /// Water, far grass and haze over the ground's own radiance. `light`: on it.
   ColourMap painted(ColourMap ground, const FactorMap& growth, const ColourMap& light,
                     const ColourMap& grass_light, const LakeSurface* lakes) const;
+  /// Where the camera does not see it, it is as the `coarser` picture has it.
   landscape::GroundDetail detail(const SnowyGround& ground, const GroundGrid& grid,
-                                 const LakeSurface* lakes) const;
+                                 const LakeSurface* lakes, const ColourMap& coarser) const;
   /// How the ground looks along a level line of sight of the camera: radiance over irradiance.
   struct LevelLook;
   LandAppearance land_appearance(const LevelLook& look) const;

@@ -4,6 +4,7 @@
 
 #include "core/ground_map.h"
 #include "core/parallel.h"
+#include "core/row_parts.h"
 #include "place/view.h"
 
 namespace wold::place {
@@ -22,6 +23,24 @@ void each_in_view(const Map& map, const Heightfield& terrain, const View& view,
       if (view.may_see(at_m, margin_m)) visit(i, j, at_m);
     }
   });
+}
+
+/// Of each row of a grid on the terrain, all places that each_in_view() visits, and two steps
+/// around them.
+inline RowParts rows_in_view(const GroundGrid& grid, const Heightfield& terrain, const View& view) {
+  const double margin_m = std::max(2.0, 1.5 * grid.step_m()) + 2.0 * grid.step_m();
+  RowParts parts(static_cast<std::size_t>(grid.samples));
+  parallel_for(parts.size(), [&](std::size_t row) {
+    RowPart& part = parts[row];
+    for (int i = 0; i < grid.samples; ++i) {
+      const glm::dvec2 at_m =
+          grid.square.corner_m + glm::dvec2(i, static_cast<double>(row)) * grid.step_m();
+      if (!view.may_see(above_ground(terrain, at_m, 0.0), margin_m)) continue;
+      if (part.end == 0) part.begin = i;
+      part.end = i + 1;
+    }
+  });
+  return parts;
 }
 
 }  // namespace wold::place

@@ -18,6 +18,7 @@ namespace wold::place {
 FactorMap growth_map(const scene::Scene& scene, const Heightfield& terrain,
                      const terrain::KnownGround& known = {});
 /// The same on a surface's grid; where patches are smaller than its step it shows the probability.
+/// None at places that do not count.
 FactorMap growth_map(const scene::Scene& scene, const terrain::Surface& surface);
 
 }  // namespace wold::place

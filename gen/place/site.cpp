@@ -133,17 +133,22 @@ GroundGrid light_grid(const Heightfield& terrain, const GroundGrid& grid,
   return {grid.square, static_cast<int>(std::max(samples, min_samples))};
 }
 
-GroundPart ground_part(const scene::Scene& scene, const Site& site, const GroundGrid& grid) {
-  const terrain::Surface surface = site.surface(grid);
+GroundPart ground_part(const scene::Scene& scene, const Site& site, const GroundGrid& grid,
+                       RowParts parts) {
+  const terrain::Surface surface = site.surface(grid, std::move(parts));
   return lit_part(scene, site, surface, growth_map(scene, surface));
 }
 
-terrain::Surface Site::surface(const GroundGrid& grid) const {
-  return {terrain, finer.get(), grid, {water.get(), cover.get(), scree.get(), photo.get()}};
+terrain::Surface Site::surface(const GroundGrid& grid, RowParts parts) const {
+  return {terrain,
+          finer.get(),
+          grid,
+          {water.get(), cover.get(), scree.get(), photo.get()},
+          std::move(parts)};
 }
 
-terrain::GroundLight light_on(const Site& site, const GroundGrid& grid) {
-  return lit(site, site.surface(grid));
+terrain::GroundLight light_on(const Site& site, const GroundGrid& grid, RowParts parts) {
+  return lit(site, site.surface(grid, std::move(parts)));
 }
 
 const FactorMap& growth_of_cells(const Site& site) {

@@ -79,8 +79,8 @@ struct Site {
   std::shared_ptr<const wind::AirFlow> air_over_snow;  ///< none where wind lifts no snow
   std::optional<Sketch> sketch = {};                   ///< none: as fine as pictures need
 
-  /// The ground on a grid; the site has to outlive it.
-  terrain::Surface surface(const GroundGrid& grid) const;
+  /// The ground on a grid, or the parts of its rows that count; the site has to outlive it.
+  terrain::Surface surface(const GroundGrid& grid, RowParts parts = {}) const;
 };
 
 /// Maps of a large terrain have as many samples as its pictures need; its snow is kept in tiled
@@ -102,12 +102,13 @@ Site site_of_frame(const scene::Scene& scene, const Site& site, int frame);
 /// Growth where cells are laid.
 const FactorMap& growth_of_cells(const Site& site);
 
-/// A part of a site's ground; its light is on the light_grid(), or as fine as the relief below the
-/// terrain's steps.
-GroundPart ground_part(const scene::Scene& scene, const Site& site, const GroundGrid& grid);
+/// A part of a site's ground, of whose rows `parts` count: elsewhere nothing grows, and it is dark.
+/// Its light is on the light_grid(), or as fine as the relief below the terrain's steps.
+GroundPart ground_part(const scene::Scene& scene, const Site& site, const GroundGrid& grid,
+                       RowParts parts);
 
-/// The light of a clear sky on a part of a site's ground.
-terrain::GroundLight light_on(const Site& site, const GroundGrid& grid);
+/// The light of a clear sky on such a part of a site's ground.
+terrain::GroundLight light_on(const Site& site, const GroundGrid& grid, RowParts parts);
 
 /// The grid of the light on a part of the ground: as fine as `grid` or, where that is finer, as the
 /// terrain; of a sketch no finer than it says.

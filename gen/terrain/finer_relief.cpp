@@ -138,7 +138,7 @@ FinerRelief::State FinerRelief::States::at(const glm::dvec2& at_m) const {
 
 template <class Visit>
 void FinerRelief::visit_states(const GroundGrid& grid, const Weights& weights, std::size_t count,
-                               const Visit& visit) const {
+                               const RowParts& parts, const Visit& visit) const {
   constexpr int apart = 4;
   constexpr double min_feature_steps = 4.0 * apart;
   std::size_t large = 0;
@@ -151,7 +151,7 @@ void FinerRelief::visit_states(const GroundGrid& grid, const Weights& weights, s
   }
   parallel_for(static_cast<std::size_t>(grid.samples), [&](std::size_t row) {
     const int j = static_cast<int>(row);
-    for (int i = 0; i < grid.samples; ++i) {
+    for (int i = parts[row].begin; i < parts[row].end; ++i) {
       const glm::dvec2 at_m = grid.square.corner_m + glm::dvec2(i, j) * grid.step_m();
       State state = coarse ? coarse->at(at_m) : first_state(at_m);
       for (std::size_t k = large; k < count; ++k) add_octave(state, at_m, k, weights[k]);
@@ -164,18 +164,20 @@ FinerRelief::States FinerRelief::states(const GroundGrid& grid, const Weights& w
                                         std::size_t count) const {
   States states{GroundMap<glm::vec4>(grid.samples, grid.square),
                 GroundMap<glm::vec4>(grid.samples, grid.square)};
-  visit_states(grid, weights, count, [&](int i, int j, const State& state) {
-    states.slopes.at(i, j) = glm::vec4(glm::vec2(state.shown.gradient), glm::vec2(state.ascent));
-    states.heights.at(i, j) = glm::vec4(
-        glm::dvec4(state.shown.height_m, state.shown.deviation_m, state.deviation_m, state.excess));
-  });
+  visit_states(
+      grid, weights, count, whole_rows(grid.samples), [&](int i, int j, const State& state) {
+        states.slopes.at(i, j) =
+            glm::vec4(glm::vec2(state.shown.gradient), glm::vec2(state.ascent));
+        states.heights.at(i, j) = glm::vec4(glm::dvec4(
+            state.shown.height_m, state.shown.deviation_m, state.deviation_m, state.excess));
+      });
   return states;
 }
 
-GroundMap<FinerRelief::Bump> FinerRelief::on_grid(const GroundGrid& grid,
-                                                  const Weights& weights) const {
+GroundMap<FinerRelief::Bump> FinerRelief::on_grid(const GroundGrid& grid, const Weights& weights,
+                                                  const RowParts& parts) const {
   GroundMap<Bump> bumps(grid.samples, grid.square);
-  visit_states(grid, weights, shown_octaves(weights), [&](int i, int j, const State& state) {
+  visit_states(grid, weights, shown_octaves(weights), parts, [&](int i, int j, const State& state) {
     bumps.at(i, j) = state.shown;
     bumps.at(i, j).deviation_m = std::sqrt(state.shown.deviation_m);
   });

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/ground_map.h"
+#include "core/row_parts.h"
 #include "terrain/roughness.h"
 
 namespace wold::terrain {
@@ -39,9 +40,10 @@ class FinerRelief {
   };
   Bump at(const glm::dvec2& at_m, const Weights& weights) const;
 
-  /// The same at the places of a grid: large octaves are evaluated at fewer places and interpolated
-  /// between them, true to some 7 % of the least of them.
-  GroundMap<Bump> on_grid(const GroundGrid& grid, const Weights& weights) const;
+  /// The same at the places of a grid that count, others have none: large octaves are evaluated at
+  /// fewer places and interpolated between them, true to some 7 % of the least of them.
+  GroundMap<Bump> on_grid(const GroundGrid& grid, const Weights& weights,
+                          const RowParts& parts) const;
 
  private:
   /// Of a place, after some octaves.
@@ -62,10 +64,10 @@ class FinerRelief {
   void add_octave(State& state, const glm::dvec2& at_m, std::size_t k, double weight) const;
   /// After the first `count` octaves.
   States states(const GroundGrid& grid, const Weights& weights, std::size_t count) const;
-  /// visit(i, j, state after `count` octaves), in parallel.
+  /// visit(i, j, state after `count` octaves), in parallel, of the places that count.
   template <class Visit>
   void visit_states(const GroundGrid& grid, const Weights& weights, std::size_t count,
-                    const Visit& visit) const;
+                    const RowParts& parts, const Visit& visit) const;
 
   struct Octave {
     double feature_m;

@@ -225,7 +225,7 @@ ColourMap ground_reflectance(const Surface& surface, const glm::dvec3& sun_direc
   const GroundColour colour(look, seed, grid.step_m());
   parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
-    for (int i = 0; i < map.samples(); ++i) {
+    for (int i = surface.part(j).begin; i < surface.part(j).end; ++i) {
       const glm::dvec2 at_m = map.place_m(i, j);
       const float grown = growth.sample(at_m.x, at_m.y);
       const glm::dvec3 place_m(at_m, surface.height_m(i, j));

@@ -42,7 +42,7 @@ inline constexpr glm::vec3 water_albedo(0.010F, 0.026F, 0.032F);
 /// whose relief the sun shows. Scree is stones of that rock. Where grass grows, `growth` in [0, 1],
 /// the ground is soil. Where land cover or a photo has a colour, the ground has it beside the
 /// grass, with the detail of its soil or rock. Water has what comes back out of it, without what
-/// its surface mirrors.
+/// its surface mirrors. Places that do not count are black.
 ColourMap ground_reflectance(const Surface& surface, const glm::dvec3& sun_direction,
                              const scene::Terrain& look, std::uint64_t seed,
                              const FactorMap& growth);

@@ -27,12 +27,15 @@ double more_sky(const glm::dvec3& face, const glm::dvec3& ground) {
 }  // namespace
 
 Surface::Surface(const Heightfield& heights_m, const FinerRelief* finer, const GroundGrid& grid,
-                 const KnownGround& known)
-    : heights_m_(heights_m), grid_(grid), known_(known) {
+                 const KnownGround& known, RowParts parts)
+    : heights_m_(heights_m),
+      grid_(grid),
+      known_(known),
+      parts_(parts.empty() ? whole_rows(grid.samples) : std::move(parts)) {
   if (known.scree != nullptr) scree_.emplace(*known.scree, grid.step_m());
   if (finer == nullptr || grid.step_m() >= heights_m.step_m()) return;
   const FinerRelief::Weights weights = finer->shown_below(heights_m.step_m(), grid.step_m());
-  const GroundMap<FinerRelief::Bump> bumps = finer->on_grid(grid, weights);
+  const GroundMap<FinerRelief::Bump> bumps = finer->on_grid(grid, weights, parts_);
   bumps_.emplace(grid.samples, grid.square);
   for (std::size_t k = 0; k < bumps.values().size(); ++k) {
     const FinerRelief::Bump& bump = bumps.values()[k];
@@ -46,7 +49,7 @@ Surface::Surface(const Heightfield& heights_m, const FinerRelief* finer, const G
 void Surface::level_water() {
   parallel_for(static_cast<std::size_t>(grid_.samples), [&](std::size_t row) {
     const int j = static_cast<int>(row);
-    for (int i = 0; i < grid_.samples; ++i) {
+    for (int i = part(j).begin; i < part(j).end; ++i) {
       const auto land = static_cast<float>(1.0 - water(i, j));
       bumps_->at(i, j) = {bumps_->at(i, j).gradient * land, bumps_->at(i, j).exposure * land};
     }
@@ -102,7 +105,7 @@ GroundLight Surface::lit(GroundLight on_heights, const glm::dvec3& to_sun) const
   GroundLight light{dark, dark, FactorMap(grid_.samples, grid_.square)};
   parallel_for(static_cast<std::size_t>(grid_.samples), [&](std::size_t row) {
     const int j = static_cast<int>(row);
-    for (int i = 0; i < grid_.samples; ++i) {
+    for (int i = part(j).begin; i < part(j).end; ++i) {
       const glm::dvec2 at_m = place_m(i, j);
       const glm::dvec3 ground = normal(heights_m_, at_m.x, at_m.y), face = up(i, j);
       const auto sky = static_cast<float>(more_sky(face, ground));

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/ground_map.h"
+#include "core/row_parts.h"
 #include "light/daylight.h"
 #include "terrain/finer_relief.h"
 #include "terrain/land_cover.h"
@@ -26,11 +27,14 @@ struct KnownGround {
 /// their samples where there is some.
 class Surface {
  public:
-  /// The heights and what is known have to outlive it.
+  /// The heights and what is known have to outlive it. `parts`: of the grid's rows, what counts;
+  /// empty: all. Of other places nothing may be asked.
   Surface(const Heightfield& heights_m, const FinerRelief* finer, const GroundGrid& grid,
-          const KnownGround& known = {});
+          const KnownGround& known = {}, RowParts parts = {});
 
   const GroundGrid& grid() const { return grid_; }
+  /// What counts of row `j`.
+  const RowPart& part(int j) const { return parts_[static_cast<std::size_t>(j)]; }
   /// The heights, without what is finer than their samples.
   const Heightfield& heights_m() const { return heights_m_; }
   /// Of value (i, j) of a map on the grid.
@@ -55,7 +59,8 @@ class Surface {
   double scree(int i, int j) const;
 
   /// A light on the heights, as it falls on this surface: the sun by Lambert's law, the sky by how
-  /// much of it the surface faces. The light itself where there is no relief below the heights.
+  /// much of it the surface faces. The light itself where there is no relief below the heights;
+  /// none at places that do not count.
   GroundLight lit(GroundLight on_heights, const glm::dvec3& to_sun) const;
 
  private:
@@ -69,6 +74,7 @@ class Surface {
   const Heightfield& heights_m_;
   GroundGrid grid_;
   KnownGround known_;
+  RowParts parts_;
   std::optional<GroundMap<Bump>> bumps_;
   std::optional<Scree::Patches> scree_;
 };

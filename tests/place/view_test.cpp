@@ -2,6 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "place/each_in_view.h"
+#include "place/growth.h"
+#include "terrain/lighting.h"
+#include "terrain/surface.h"
+
 namespace wold::place {
 namespace {
 
@@ -44,6 +53,60 @@ TEST(Camera, StandsOverTheMesh) {
   terrain.at(0, 0) = terrain.at(1, 1) = 16.0F;
   EXPECT_NEAR(resolved_camera(camera, terrain, 0.0).eye_m.z, 17.7, 1e-6);
   EXPECT_NEAR(resolved_camera(camera, terrain, 0.0).target_m.z, 14.0, 1e-6);
+}
+
+/// Waves of land, 2 km wide.
+Heightfield waves() {
+  Heightfield terrain(65, 2000.0);
+  for (int j = 0; j < terrain.samples(); ++j)
+    for (int i = 0; i < terrain.samples(); ++i)
+      terrain.at(i, j) = static_cast<float>(40.0 * std::sin(i / 5.0) * std::cos(j / 7.0));
+  return terrain;
+}
+
+// What is made of a map's rows is all that is looked at, and much less than all there is.
+TEST(RowsInView, HaveAllThatIsVisitedAndTwoStepsMore) {
+  const Heightfield terrain = waves();
+  const View view({{900.0, 300.0, 60.0}, {1300.0, 1200.0, 30.0}, 55.0}, 160, 90);
+  const GroundGrid grid{{{600.0, 200.0}, 1000.0}, 501};
+  const RowParts parts = rows_in_view(grid, terrain, view);
+  const FactorMap map(grid.samples, grid.square);
+  std::vector<std::vector<int>> visited(parts.size());
+  each_in_view(map, terrain, view, [&](int i, int j, const glm::dvec3&) {
+    visited[static_cast<std::size_t>(j)].push_back(i);
+  });
+  std::size_t counted = 0;
+  for (std::size_t j = 0; j < parts.size(); ++j) {
+    counted += static_cast<std::size_t>(parts[j].end - parts[j].begin);
+    if (visited[j].empty()) continue;
+    EXPECT_LE(parts[j].begin, std::max(0, visited[j].front() - 2));
+    EXPECT_GE(parts[j].end, std::min(grid.samples, visited[j].back() + 3));
+  }
+  EXPECT_GT(counted, 0U);
+  EXPECT_LT(counted, parts.size() * parts.size() / 2);
+}
+
+TEST(RowsInView, AreMadeAsAllOfThemAre) {
+  scene::Scene scene;
+  scene.terrain.size_m = 2000.0;
+  scene.growth.cover = 0.6;
+  const Heightfield terrain = waves();
+  const GroundGrid grid{{{600.0, 200.0}, 100.0}, 101};
+  RowParts parts(101);
+  for (int j = 20; j < 90; ++j) parts[static_cast<std::size_t>(j)] = {j / 2, j};
+  const terrain::Surface all(terrain, nullptr, grid);
+  const terrain::Surface some(terrain, nullptr, grid, {}, parts);
+  const FactorMap growth = growth_map(scene, all), growth_of_some = growth_map(scene, some);
+  const auto ground = [&](const terrain::Surface& surface) {
+    return terrain::ground_reflectance(surface, {0.0, 0.6, 0.8}, scene.terrain, 9, growth);
+  };
+  const ColourMap whole = ground(all), part = ground(some);
+  for (int j = 0; j < grid.samples; ++j)
+    for (int i = 0; i < grid.samples; ++i) {
+      const bool counts = i >= some.part(j).begin && i < some.part(j).end;
+      EXPECT_EQ(growth_of_some.at(i, j), counts ? growth.at(i, j) : 0.0F);
+      EXPECT_EQ(part.at(i, j), counts ? whole.at(i, j) : glm::vec3(0.0F));
+    }
 }
 
 }  // namespace

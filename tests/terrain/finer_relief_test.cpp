@@ -55,7 +55,7 @@ class FinerReliefTest : public testing::Test {
 TEST_F(FinerReliefTest, IsTheSameOnAGrid) {
   const GroundGrid grid{{{900.0, 1100.0}, 64.0}, 257};
   const FinerRelief::Weights weights = relief_.shown_at(grid.step_m());
-  const GroundMap<FinerRelief::Bump> map = relief_.on_grid(grid, weights);
+  const GroundMap<FinerRelief::Bump> map = relief_.on_grid(grid, weights, whole_rows(grid.samples));
   double apart2 = 0.0, height2 = 0.0, steeper2 = 0.0, steep2 = 0.0;
   for (int j = 0; j < grid.samples; j += 7)
     for (int i = 0; i < grid.samples; i += 7) {
