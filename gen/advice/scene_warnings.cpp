@@ -177,8 +177,8 @@ void warn_of_camera_in_the_corner(const scene::Scene& scene, Warnings& warnings)
       camera.eye_m != plain.camera.eye_m || camera.target_m != plain.camera.target_m)
     return;
   warnings.push_back(fmt::format(
-      "nobody has placed the camera, and it stands in the corner of {:.3g} m of terrain; set "
-      "camera.eye and camera.target{}",
+      "the camera has its default place, in the corner of {:.3g} m of terrain; set camera.eye and "
+      "camera.target{}",
       scene.terrain.size_m,
       scene.terrain.elevation.empty() ? "" : ", or let wold new --terrain choose them"));
 }

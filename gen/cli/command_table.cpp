@@ -440,7 +440,7 @@ Action declare_new(CLI::App& app) {
   struct Options {
     std::string name;
     std::string kind = scene::starter_kinds().front();
-    std::string terrain;
+    std::optional<std::string> terrain;
   };
   auto options = std::make_shared<Options>();
   app.add_option("NAME", options->name, "names the scene and its file")->required();

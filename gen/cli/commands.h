@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -117,7 +118,8 @@ ExitCode run_report(const std::filesystem::path& out, const std::filesystem::pat
 
 /// Writes NAME.toml, one of scene::starter_kinds(), into the working folder; of an elevation model,
 /// where `terrain` names one. Refuses to replace a file.
-ExitCode run_new(const std::string& name, const std::string& kind, const std::string& terrain);
+ExitCode run_new(const std::string& name, const std::string& kind,
+                 const std::optional<std::string>& terrain);
 
 /// Prints which renderers there are, what each can show and what to do, after probing them anew.
 /// ExitCode::renderer when none shows all that a scene can have.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace wold {
@@ -10,7 +11,7 @@ struct RowPart {
   int end = 0;
 };
 
-/// Of each row of a map, from the south.
+/// One part for each row of a map, from the south.
 using RowParts = std::vector<RowPart>;
 
 /// All of a map with so many samples along a side.

@@ -146,7 +146,7 @@ ColourMap LitGround::on_grass(const ColourMap& light, const terrain::GroundLight
                                    lean_light_grid(grid, site_.sketch))
           : meadow::lean_light_map(lean_light_, now_.wind_lean, site_.terrain, view_);
   ColourMap on_grass = product(light, leaning);
-  if (place::is_wide(scene_) && scene_.grass.height_spread > 0.0) {
+  if (place::is_wide(scene_) && scene_.grass.unevenness > 0.0) {
     const meadow::Sward sward(scene_, GroundGrid{clear.sun.square(), clear.sun.samples()}.step_m());
     on_grass = product(on_grass, meadow::sward_light_map(sward, clear, site_.day.sun_direction(),
                                                          site_.terrain, view_));
@@ -184,7 +184,8 @@ ColourMap LitGround::painted(ColourMap ground, const FactorMap& growth, const Co
 landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const GroundGrid& grid,
                                           const LakeSurface* lakes,
                                           const ColourMap& coarser) const {
-  const RowParts seen = place::rows_in_view(grid, site_.terrain, view_);
+  const RowParts seen = place::rows_in_view(
+      grid, site_.terrain, view_, place::margin_in_view_m(grid.step_m()) + 2.0 * grid.step_m());
   place::GroundPart part = place::ground_part(scene_, site_, grid, seen);
   const ColourMap bare = ground.bare(part);
   part = ground.covered(std::move(part), under_grass_);
@@ -199,8 +200,10 @@ landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const Groun
 
 ColourMap LitGround::light_in_window() const {
   const GroundGrid window = place::window_grid(scene_);
-  const terrain::GroundLight clear =
-      place::light_on(site_, window, place::rows_in_view(window, site_.terrain, view_));
+  // Under all of a cell that reaches into the picture.
+  const RowParts lit =
+      place::rows_in_view(window, site_.terrain, view_, 2.0 * meadow::cell_reach_m(scene_));
+  const terrain::GroundLight clear = place::light_on(site_, window, lit);
   return on_grass(illuminate_(clear), clear, window);
 }
 

@@ -144,6 +144,14 @@ double above_middle_m(const scene::Scene& scene) {
   return max_m;
 }
 
+}  // namespace
+
+double cell_reach_m(const scene::Scene& scene) {
+  return 1.75 * scene.grass.patch_m + above_middle_m(scene);
+}
+
+namespace {
+
 /// What the camera sees of the cells.
 class Sight {
  public:
@@ -153,7 +161,7 @@ class Sight {
         terrain_(terrain),
         eye_m_(camera.eye_m),
         view_(camera, scene.render.size_px[0], scene.render.size_px[1]),
-        margin_m_(1.75 * scene.grass.patch_m + above_middle_m(scene)) {}  // half a cell, one more
+        margin_m_(cell_reach_m(scene)) {}
 
   bool may_see(const glm::dvec3& middle_m) const {
     return view_.may_see(middle_m, margin_m_) &&

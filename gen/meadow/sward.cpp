@@ -27,7 +27,7 @@ Sward::Sward(const scene::Scene& scene, double step_m)
       rough_places_(random_bits({scene.seed, key_of("growth"), 0, key_of("rough places")}),
                     rough_places, /*hurst=*/0.3, step_m) {
   // The mean square of exp(rough_spread x), x normal, is exp(2 rough_spread^2).
-  const double deviation = scene.grass.height_spread * math::exp(-rough_spread * rough_spread) /
+  const double deviation = scene.grass.unevenness * math::exp(-rough_spread * rough_spread) /
                            std::sqrt(static_cast<double>(octave_count));
   double feature_m = largest_m;
   for (std::size_t octave = 0; octave < octave_count; ++octave, feature_m *= 0.5) {
@@ -59,8 +59,9 @@ double Sward::light(const glm::dvec2& at_m, const glm::dvec3& up, const glm::dve
   const Top top = at(at_m);
   const double ground = glm::dot(up, to_sun);
   const double flank = ground - opaque * glm::dot(top.ascent, glm::dvec2(to_sun));
-  const double more_sun = std::max(0.0, flank) / std::max(grazing, ground);
-  return std::clamp((1.0 + by_sun * (more_sun - 1.0)) * (1.0 + shade * top.height), least, most);
+  const double more_sun =
+      (std::max(0.0, flank) - std::max(0.0, ground)) / std::max(grazing, ground);
+  return std::clamp((1.0 + by_sun * more_sun) * (1.0 + shade * top.height), least, most);
 }
 
 FactorMap sward_light_map(const Sward& sward, const terrain::GroundLight& light,

@@ -12,10 +12,10 @@
 
 namespace wold::meadow {
 
-/// The uneven top of a wide meadow: tussocks and hollows from 6 m down to 40 cm, each size with the
-/// same variance, so that most of it is finer than 2 m, as on grazed swards [Hutchings1991]. Some
+/// The uneven top of a wide meadow: tussocks and hollows from 6 m down to 40 cm. Each size has the
+/// same variance. So most of it is finer than 2 m, as on grazed swards [Hutchings1991]. Some
 /// places are rough and others smooth, as herds graze patches. Heights are about the grass's, with
-/// grass.height_spread as their standard deviation over it on the mean of all places.
+/// grass.unevenness as their standard deviation over it on the mean of all places.
 ///
 /// Flanks that face the sun are bright and others dark, and hollows lie in the shade of what stands
 /// around them. Light that passes through the grass evens out half of what opaque flanks would
@@ -28,7 +28,7 @@ class Sward {
   /// Of the top at a place.
   struct Top {
     double height = 0.0;     ///< over the mean, as a fraction of it
-    glm::dvec2 ascent{0.0};  ///< steepest, in metres per metre, as if all places were as rough
+    glm::dvec2 ascent{0.0};  ///< steepest, in metres per metre, of a top that is as rough around it
   };
   Top at(const glm::dvec2& at_m) const;
 

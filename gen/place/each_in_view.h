@@ -9,13 +9,16 @@
 
 namespace wold::place {
 
+/// How far outside the picture samples count: what stands there may lean into it, and values count
+/// up to the next one.
+inline double margin_in_view_m(double step_m) { return std::max(2.0, 1.5 * step_m); }
+
 /// Every sample of a map of the terrain that may be in the picture, in parallel: visit(i, j, place
 /// on the ground in metres).
 template <class Map, class Visit>
 void each_in_view(const Map& map, const Heightfield& terrain, const View& view,
                   const Visit& visit) {
-  // What stands there may lean into the picture, and values count up to the next one.
-  const double margin_m = std::max(2.0, 1.5 * map.step_m());
+  const double margin_m = margin_in_view_m(map.step_m());
   parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < map.samples(); ++i) {
@@ -25,10 +28,10 @@ void each_in_view(const Map& map, const Heightfield& terrain, const View& view,
   });
 }
 
-/// Of each row of a grid on the terrain, all places that each_in_view() visits, and two steps
-/// around them.
-inline RowParts rows_in_view(const GroundGrid& grid, const Heightfield& terrain, const View& view) {
-  const double margin_m = std::max(2.0, 1.5 * grid.step_m()) + 2.0 * grid.step_m();
+/// One part for each row of a grid on the terrain: all of its places that the picture shows or that
+/// lie less than `margin_m` outside it.
+inline RowParts rows_in_view(const GroundGrid& grid, const Heightfield& terrain, const View& view,
+                             double margin_m) {
   RowParts parts(static_cast<std::size_t>(grid.samples));
   parallel_for(parts.size(), [&](std::size_t row) {
     RowPart& part = parts[row];

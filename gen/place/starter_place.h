@@ -10,8 +10,9 @@ namespace wold::place {
 /// at most, a height each of its cells, and a camera at find_viewpoint()'s place.
 ///
 /// `elevation` is what the scene will call the file, from the current folder. Throws FileError when
-/// it cannot be read, InputError when it is no raster that lies somewhere, when half of the square
-/// or more has no heights, or when `kind` is none of scene::starter_kinds().
+/// it cannot be read, InputError when it is no raster that lies somewhere, when it covers less than
+/// 10 m, when half of the square or more has no heights, or when `kind` is none of
+/// scene::starter_kinds().
 scene::StarterPlace starter_place(const std::string& elevation, const std::string& kind);
 
 }  // namespace wold::place

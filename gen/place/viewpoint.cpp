@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "core/elementary.h"
+#include "core/mesh_height.h"
 #include "core/parallel.h"
 #include "core/pinhole.h"
 #include "light/daylight.h"
-#include "place/view.h"
 #include "terrain/relief.h"
 
 namespace wold::place {
@@ -54,15 +54,16 @@ void add_span(std::vector<Span>& spans, const Span& span) {
 }
 
 Profile profile(const Heightfield& terrain, const glm::dvec3& eye_m, double azimuth_rad) {
-  constexpr double nearest_m = 1.0, growth = 0.04;
+  constexpr double nearest = 0.002, nearest_m = 1.0, growth = 0.04;
   const glm::dvec2 towards(light::direction_of(azimuth_rad, 0.0));
   Profile seen;
   seen.skyline = -std::numeric_limits<double>::infinity();
-  for (double distance_m = nearest_m;; distance_m *= 1.0 + growth) {
+  for (double distance_m = std::min(nearest_m, nearest * terrain.size_m());;
+       distance_m *= 1.0 + growth) {
     const glm::dvec2 at_m = glm::dvec2(eye_m) + distance_m * towards;
     if (!terrain.square().contains(at_m)) return seen;
     seen.reach_m = distance_m;
-    const double rise = (double{terrain.sample(at_m.x, at_m.y)} - eye_m.z) / distance_m;
+    const double rise = (double{mesh_height_m(terrain, at_m)} - eye_m.z) / distance_m;
     if (rise <= seen.skyline) continue;
     if (std::isfinite(seen.skyline))
       add_span(seen.spans, {seen.skyline, rise, band_of(distance_m, terrain.size_m())});
@@ -181,11 +182,11 @@ Viewpoint looking(const Heightfield& terrain, const Candidate& from) {
   for (double next_m = distance_m; next_m < ahead * size_m; next_m *= 1.0 + growth) {
     const glm::dvec2 at_m = eye_m + next_m * towards;
     distance_m = next_m;
-    if (double{terrain.sample(at_m.x, at_m.y)} >= from.eye_m.z + from.aim * next_m) break;
+    if (double{mesh_height_m(terrain, at_m)} >= from.eye_m.z + from.aim * next_m) break;
   }
   const glm::dvec2 target_m = eye_m + distance_m * towards;
   const double over_m =
-      from.eye_m.z + from.aim * distance_m - double{terrain.sample(target_m.x, target_m.y)};
+      from.eye_m.z + from.aim * distance_m - double{mesh_height_m(terrain, target_m)};
   return {eye_m, target_m, std::max(0.0, over_m)};
 }
 
@@ -200,7 +201,8 @@ Viewpoint find_viewpoint(const Heightfield& terrain, const ViewSearch& search) {
     const glm::dvec2 at_m =
         terrain.square().corner_m +
         terrain.size_m() * (margin + (1.0 - 2.0 * margin) / eyes_per_side * place);
-    Candidate best = best_from(terrain, above_ground(terrain, at_m, search.eye_height_m), search);
+    Candidate best = best_from(
+        terrain, glm::dvec3(at_m, mesh_height_m(terrain, at_m) + search.eye_height_m), search);
     best.merit *= footing(terrain, at_m);
     candidates[k] = best;
   });

@@ -24,8 +24,8 @@ struct Viewpoint {
 /// A place on a wide terrain, and a direction, from which it makes a picture: the ground at the
 /// feet, near, middle and far land and the sky take much the same part of it (the entropy of these
 /// parts is the largest), mountains rise and fall along the skyline, the terrain goes on for long,
-/// and the sun stands to the side. Of a regular lattice of places in the inner part of the terrain;
-/// on ground too steep to stand on only where all is. A terrain without relief has such a place,
+/// and the sun stands to the side. It is one of a regular lattice of places in the inner part of
+/// the terrain, on gentle ground where there is some. A terrain without relief has such a place,
 /// too.
 Viewpoint find_viewpoint(const Heightfield& terrain, const ViewSearch& search);
 

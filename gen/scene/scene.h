@@ -120,8 +120,8 @@ struct Grass : Plant {
   std::string from_texel = "";    ///< .vdb that points are sampled from; "": blades are scattered
   double pixels_per_voxel = 1.3;  ///< a level is fine enough when its voxel covers at most this
   double far_field_below_pixels =
-      1.2;                      ///< grass that looks lower than this is painted on the ground
-  double height_spread = 0.35;  ///< of its top on a wide terrain, standard deviation over its mean
+      1.2;                   ///< grass that looks lower than this is painted on the ground
+  double unevenness = 0.35;  ///< of its top on a wide terrain: standard deviation over its mean
 
   bool operator==(const Grass&) const = default;
 };

@@ -241,11 +241,11 @@ std::vector<Key> texel_keys() {
       bound(number("grass.far_field_below_pixels", "px", {0, 100},
                    "Grass that looks lower than this is painted on the ground, in its own colour."),
             FIELD(grass.far_field_below_pixels)),
-      bound(number("grass.height_spread", "", {0, 1},
+      bound(number("grass.unevenness", "", {0, 1},
                    "How far the height of the grass differs from place to place on terrains wider "
                    "than 120 m, as a share of it: tussocks and hollows up to 6 m wide, which light "
                    "shows."),
-            FIELD(grass.height_spread)),
+            FIELD(grass.unevenness)),
   };
 }
 

@@ -4,11 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <string_view>
 
 #include "core/error.h"
 #include "scene/registry.h"
+#include "scene/sun_position.h"
 #include "scene/write.h"
 
 namespace wold::scene {
@@ -257,22 +259,35 @@ const Names& keys_of_own_ground() {
   return names;
 }
 
-/// To a place where it is as late in the day.
-void move_sun(Sun& sun, const std::array<double, 2>& longitude_latitude_deg) {
+/// Half a year later.
+void move_date(std::vector<std::int64_t>& date) {
+  constexpr std::chrono::days half_a_year(182);
+  if (date.empty()) return;
+  const std::chrono::year_month_day later(std::chrono::sys_days(date_of(date)) + half_a_year);
+  date = {static_cast<int>(later.year()), static_cast<unsigned>(later.month()),
+          static_cast<unsigned>(later.day())};
+}
+
+/// To a place where it is as late in the day and in the year.
+void move(Scene& scene, const std::array<double, 2>& longitude_latitude_deg) {
   constexpr double deg_per_h = 15.0, day_h = 24.0;
   const auto& [longitude_deg, latitude_deg] = longitude_latitude_deg;
-  const double later_h = (sun.longitude_deg - longitude_deg) / deg_per_h;
-  const double time_h = std::round(10.0 * (sun.time_h + later_h)) / 10.0;
-  sun.time_h = time_h - day_h * std::floor(time_h / day_h);
-  sun.longitude_deg = longitude_deg;
-  sun.latitude_deg = latitude_deg;
+  const double later_h = (scene.sun.longitude_deg - longitude_deg) / deg_per_h;
+  const double time_h = std::round(10.0 * (scene.sun.time_h + later_h)) / 10.0;
+  scene.sun.time_h = time_h - day_h * std::floor(time_h / day_h);
+  scene.sun.longitude_deg = longitude_deg;
+  scene.sun.latitude_deg = latitude_deg;
+  if (latitude_deg >= 0.0) return;
+  move_date(scene.season.first);
+  move_date(scene.season.last);
+  for (SeasonKey& key : scene.season_keys) move_date(key.date);
 }
 
 /// The starter at a real place.
 Starter at_place(Starter starter, const StarterPlace& place) {
   Scene& scene = starter.scene;
-  static const Terrain plain;
-  scene.terrain = plain;
+  if (place.longitude_latitude_deg) move(scene, *place.longitude_latitude_deg);
+  scene.terrain = {};
   scene.terrain.elevation = place.elevation;
   scene.terrain.system = place.system;
   scene.terrain.size_m = place.size_m;
@@ -282,7 +297,6 @@ Starter at_place(Starter starter, const StarterPlace& place) {
   scene.camera.eye_height_m = place.eye_height_m;
   scene.camera.target_m = place.target_m;
   scene.camera.target_height_m = place.target_height_m;
-  if (place.longitude_latitude_deg) move_sun(scene.sun, *place.longitude_latitude_deg);
   std::erase_if(starter.keys, [](std::string_view key) {
     return std::ranges::count(keys_of_own_ground(), key) > 0;
   });
@@ -327,7 +341,12 @@ const std::vector<std::string>& starter_kinds() {
   return kinds;
 }
 
-const Scene& starter_of_kind(const std::string& kind) { return starter_of(kind).scene; }
+Scene scene_of_kind(const std::string& kind,
+                    const std::optional<std::array<double, 2>>& longitude_latitude_deg) {
+  Scene scene = starter_of(kind).scene;
+  if (longitude_latitude_deg) move(scene, *longitude_latitude_deg);
+  return scene;
+}
 
 std::string starter_scene(const std::string& name, const std::string& kind,
                           const std::optional<StarterPlace>& place) {

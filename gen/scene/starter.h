@@ -25,8 +25,11 @@ struct StarterPlace {
   std::optional<std::array<double, 2>> longitude_latitude_deg = {};
 };
 
-/// The scene of a kind, without a name. Throws InputError when `kind` is none of starter_kinds().
-const Scene& starter_of_kind(const std::string& kind);
+/// The scene of a kind, without a name. At another place on earth its sun stands there as late in
+/// the day, and south of the equator a season is half a year later. Throws InputError when `kind`
+/// is none of starter_kinds().
+Scene scene_of_kind(const std::string& kind,
+                    const std::optional<std::array<double, 2>>& longitude_latitude_deg = {});
 
 /// A short commented scene with the keys one changes first. Throws InputError when `name` does
 /// not serve as a scene's name or `kind` is none of starter_kinds().

@@ -13,8 +13,9 @@ namespace {
 /// Down to three digits.
 double round_down(double value) {
   if (value <= 0.0) return 0.0;
-  const double digit = math::pow(10.0, std::floor(math::log10(value)) - 2.0);
-  return std::floor(value / digit) * digit;
+  const double power = std::floor(math::log10(value)) - 2.0;
+  const double digit = std::round(math::pow(10.0, std::abs(power)));
+  return power >= 0.0 ? std::floor(value / digit) * digit : std::floor(value * digit) / digit;
 }
 
 }  // namespace

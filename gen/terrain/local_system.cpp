@@ -24,6 +24,7 @@ std::optional<glm::dvec2> longitude_latitude_deg(const Raster& raster, const glm
   if (!to_degrees || to_degrees->Transform(1, &degrees.x, &degrees.y) == 0)
     raster.fail(fmt::format("[{}, {}] (terrain.centre) is no place of its coordinate system",
                             place.x, place.y));
+  degrees.x = std::remainder(degrees.x, 360.0);
   return degrees;
 }
 

@@ -15,8 +15,8 @@ struct LocalSystem {
   glm::dvec2 centre{0.0};
 };
 
-/// Longitude and latitude (WGS 84) of a place in the raster's own coordinates, degrees; nothing
-/// where the raster has no system. Throws InputError where that has no such place.
+/// Longitude, from -180 to 180, and latitude (WGS 84) of a place in the raster's own coordinates,
+/// degrees; nothing where the raster has no system. Throws InputError where that has no such place.
 std::optional<glm::dvec2> longitude_latitude_deg(const Raster& raster, const glm::dvec2& place);
 
 /// About `centre`, in the raster's own coordinates: azimuthal equidistant where the raster has a

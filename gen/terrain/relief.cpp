@@ -9,6 +9,7 @@
 #include "core/parallel.h"
 
 namespace wold::terrain {
+
 glm::dvec2 gradient(const Heightfield& terrain, double x_m, double y_m) {
   const auto inside = [&](double at_m) { return std::clamp(at_m, 0.0, terrain.size_m()); };
   const double west = inside(inside(x_m) - terrain.step_m());

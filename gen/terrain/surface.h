@@ -28,7 +28,7 @@ struct KnownGround {
 class Surface {
  public:
   /// The heights and what is known have to outlive it. `parts`: of the grid's rows, what counts;
-  /// empty: all. Of other places nothing may be asked.
+  /// empty: all. Nothing is known of other places.
   Surface(const Heightfield& heights_m, const FinerRelief* finer, const GroundGrid& grid,
           const KnownGround& known = {}, RowParts parts = {});
 

@@ -193,6 +193,37 @@ TEST_F(Program, NewHasAStarterSceneOfEachKind) {
   expect_refusal(wold("new x --kind hill"), "--kind: hill not in {hillside,mountain,");
 }
 
+TEST_F(Program, WritesSceneOfARealPlaceThatCanBeChecked) {
+  std::string model = "ncols 60\nnrows 60\nxllcorner 254.5\nyllcorner 40\ncellsize 0.001\n";
+  for (int i = 0; i < 3600; ++i)
+    model += fmt::format("{} ", 1500 + (i % 60) * 5 + (i / 60 % 20) * 8);
+  write("my \"alps\".asc", model);
+  for (const char* kind : {"hillside", "season"}) {
+    const Result made =
+        wold(fmt::format("new of_{0} --kind {0} --terrain 'my \"alps\".asc'", kind));
+    EXPECT_EQ(made.code, 0) << made.err;
+    const Result checked = wold(fmt::format("check of_{}.toml", kind));
+    EXPECT_EQ(checked.code, 0) << checked.err;
+    EXPECT_EQ(checked.err, "");
+    expect_contains(checked.out, "system = \"EPSG:4326\"");
+  }
+  expect_contains(wold("check of_season.toml").out, "longitude = -105.47");
+}
+
+TEST_F(Program, WritesNoSceneOfAPlaceThatIsNone) {
+  write("small.asc", "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 0.6\n1 2\n3 4\n");
+  write("no.asc", "no model\n");
+  std::string polar = "ncols 20\nnrows 20\nxllcorner 20\nyllcorner 69.6\ncellsize 0.01\n";
+  for (int i = 0; i < 400; ++i) polar += fmt::format("{} ", i % 7);
+  write("polar.asc", polar);
+  expect_refusal(wold("new a --terrain small.asc"), "expected 10 m or more");
+  expect_refusal(wold("new a --terrain no.asc"), "terrain.elevation: ");
+  expect_refusal(wold("new a --kind season --terrain polar.asc"), "sun.time");
+  EXPECT_EQ(wold("new a --terrain none.asc").code, 4);
+  EXPECT_NE(wold("new a --terrain ''").code, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "a.toml"));
+}
+
 /// A df3 file by its published layout: three big-endian 16-bit sizes, then one
 /// byte per voxel.
 std::string df3(char voxel) { return std::string("\0\2\0\1\0\1", 6) + '\x10' + voxel; }

@@ -82,7 +82,7 @@ TEST_F(Warnings, ASquareOfAFewCellsOfTheElevationModel) {
   EXPECT_THAT(about(hill), HasSubstr("the terrain is 42 m wide, 4.2 cells of terrain.elevation; "
                                      "set terrain.size, and camera.eye"));
   EXPECT_THAT(about(hill + "size = 600\n"),
-              HasSubstr("nobody has placed the camera, and it stands in the corner of 600 m"));
+              HasSubstr("the camera has its default place, in the corner of 600 m"));
   EXPECT_THAT(about(hill + "size = 60\n"), IsEmpty()) << "somebody chose it";
   EXPECT_THAT(about(hill + "size = 400\n"), Not(HasSubstr("cells of terrain.elevation")));
 }

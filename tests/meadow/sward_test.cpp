@@ -34,7 +34,7 @@ double mean_square(const Sward& sward) {
 TEST(Sward, DiffersAsMuchAsItIsAskedTo) {
   scene::Scene scene = wide();
   EXPECT_NEAR(std::sqrt(mean_square(Sward(scene, 0.01))), 0.35, 0.03);
-  scene.grass.height_spread = 0.1;
+  scene.grass.unevenness = 0.1;
   EXPECT_NEAR(std::sqrt(mean_square(Sward(scene, 0.01))), 0.1, 0.01);
 }
 
@@ -107,6 +107,39 @@ TEST(Sward, TakesNoLightOnTheMean) {
   double sum = 0.0;
   for (const glm::dvec2& at_m : places()) sum += sward.light(at_m, up, to_sun, 0.8);
   EXPECT_NEAR(sum / static_cast<double>(places().size()), 1.0, 0.02);
+}
+
+// A low sun lights no flank evenly, but a level top as if there were none.
+TEST(Sward, IsALevelTopWithoutUnevennessUnderAnySun) {
+  scene::Scene scene = wide();
+  scene.grass.unevenness = 0.0;
+  const Sward sward(scene, 0.01);
+  const glm::dvec3 up(0.0, 0.0, 1.0);
+  for (const double height : {-0.05, 0.02, 0.08, 0.5})
+    EXPECT_EQ(sward.light({7.0, 9.0}, up, glm::normalize(glm::dvec3(0.9, 0.4, height)), 0.8), 1.0);
+}
+
+/// Cast shadow has no bright flanks.
+TEST(Sward, MapHasTheSunsContrastWhereTheSunShines) {
+  const Sward sward(wide(), 0.1);
+  const Square square{{1000.0, 1000.0}, 40.0};
+  terrain::GroundLight light{ColourMap(201, square, glm::vec3(0.8F)),
+                             ColourMap(201, square, glm::vec3(0.2F)), FactorMap(201, square, 1.0F)};
+  for (int j = 0; j < 201; ++j)
+    for (int i = 0; i < 100; ++i) light.sun.at(i, j) = glm::vec3(0.0F);
+  const Heightfield level(2, 4000.0);
+  const place::View from_above({{1020.0, 1020.0, 100.0}, {1020.0, 1020.1, 0.0}, 60.0}, 100, 100);
+  const FactorMap map =
+      sward_light_map(sward, light, glm::normalize(glm::dvec3(0.9, 0.0, 0.4)), level, from_above);
+  double of_shade = 0.0, of_sun = 0.0;
+  for (int j = 0; j < 201; ++j)
+    for (int i = 0; i < 100; ++i) {
+      const double shade = map.at(i, j) - 1.0F, sun = map.at(200 - i, j) - 1.0F;
+      of_shade += shade * shade;
+      of_sun += sun * sun;
+    }
+  EXPECT_GT(of_shade, 0.0);
+  EXPECT_GT(of_sun, 1.5 * of_shade);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "place/each_in_view.h"
 #include "place/growth.h"
+#include "terrain/ground.h"
 #include "terrain/lighting.h"
 #include "terrain/surface.h"
 
@@ -65,11 +66,12 @@ Heightfield waves() {
 }
 
 // What is made of a map's rows is all that is looked at, and much less than all there is.
-TEST(RowsInView, HaveAllThatIsVisitedAndTwoStepsMore) {
+TEST(RowsInView, HaveAllThatIsVisitedAndWhatTheMarginAsksFor) {
   const Heightfield terrain = waves();
   const View view({{900.0, 300.0, 60.0}, {1300.0, 1200.0, 30.0}, 55.0}, 160, 90);
   const GroundGrid grid{{{600.0, 200.0}, 1000.0}, 501};
-  const RowParts parts = rows_in_view(grid, terrain, view);
+  const RowParts parts =
+      rows_in_view(grid, terrain, view, margin_in_view_m(grid.step_m()) + 2.0 * grid.step_m());
   const FactorMap map(grid.samples, grid.square);
   std::vector<std::vector<int>> visited(parts.size());
   each_in_view(map, terrain, view, [&](int i, int j, const glm::dvec3&) {
@@ -89,23 +91,32 @@ TEST(RowsInView, HaveAllThatIsVisitedAndTwoStepsMore) {
 TEST(RowsInView, AreMadeAsAllOfThemAre) {
   scene::Scene scene;
   scene.terrain.size_m = 2000.0;
+  scene.terrain.samples = 65;
+  scene.terrain.shape = scene::TerrainShape::mountain;
   scene.growth.cover = 0.6;
-  const Heightfield terrain = waves();
+  const terrain::Ground land = terrain::make_ground(scene.terrain, scene.seed);
+  ASSERT_TRUE(land.finer);
   const GroundGrid grid{{{600.0, 200.0}, 100.0}, 101};
   RowParts parts(101);
   for (int j = 20; j < 90; ++j) parts[static_cast<std::size_t>(j)] = {j / 2, j};
-  const terrain::Surface all(terrain, nullptr, grid);
-  const terrain::Surface some(terrain, nullptr, grid, {}, parts);
+  const terrain::Surface all(land.heights_m, land.finer.get(), grid);
+  const terrain::Surface some(land.heights_m, land.finer.get(), grid, {}, parts);
   const FactorMap growth = growth_map(scene, all), growth_of_some = growth_map(scene, some);
   const auto ground = [&](const terrain::Surface& surface) {
     return terrain::ground_reflectance(surface, {0.0, 0.6, 0.8}, scene.terrain, 9, growth);
   };
   const ColourMap whole = ground(all), part = ground(some);
+  const terrain::GroundLight even{ColourMap(2, grid.square, glm::vec3(1.0F)),
+                                  ColourMap(2, grid.square, glm::vec3(1.0F)),
+                                  FactorMap(2, grid.square, 1.0F)};
+  const ColourMap light = all.lit(even, {0.0, 0.6, 0.8}).sun;
+  const ColourMap light_of_some = some.lit(even, {0.0, 0.6, 0.8}).sun;
   for (int j = 0; j < grid.samples; ++j)
     for (int i = 0; i < grid.samples; ++i) {
       const bool counts = i >= some.part(j).begin && i < some.part(j).end;
       EXPECT_EQ(growth_of_some.at(i, j), counts ? growth.at(i, j) : 0.0F);
       EXPECT_EQ(part.at(i, j), counts ? whole.at(i, j) : glm::vec3(0.0F));
+      EXPECT_EQ(light_of_some.at(i, j), counts ? light.at(i, j) : glm::vec3(0.0F));
     }
 }
 

@@ -60,7 +60,7 @@ TEST(StarterScene, OfARealPlaceShowsIt) {
     const std::string text = starter_scene("a", kind, place);
     for (const char* key : {"hill_height", "shape", "relief", "streams", "talus"})
       EXPECT_EQ(text.find(std::string("\n") + key), std::string::npos) << kind;
-    Scene wanted = starter_of_kind(kind);
+    Scene wanted = scene_of_kind(kind);
     wanted.name = "a";
     wanted.terrain = {};
     wanted.terrain.elevation = place.elevation;
@@ -77,6 +77,21 @@ TEST(StarterScene, OfARealPlaceShowsIt) {
     read.terrain.elevation = place.elevation;
     EXPECT_EQ(resolved_toml(read), resolved_toml(wanted)) << kind;
   }
+}
+
+/// It is as late in the day as in the Alps, 8 degrees east, and as late in the year.
+TEST(StarterScene, OfAPlaceFarAwayHasItsSunAndItsSeason) {
+  const auto season_at = [](double longitude_deg, double latitude_deg) {
+    return scene_of_kind("season", std::array{longitude_deg, latitude_deg});
+  };
+  EXPECT_NEAR(season_at(8.0, 60.0).sun.time_h, 13.0, 1e-9);
+  EXPECT_EQ(season_at(8.0, 60.0).season.first, scene_of_kind("season").season.first);
+  EXPECT_NEAR(season_at(-172.0, 60.0).sun.time_h, 1.0, 1e-9) << "12 h later, of the day after";
+  EXPECT_NEAR(season_at(173.0, 60.0).sun.time_h, 2.0, 1e-9);
+  const Scene south = season_at(170.0, -44.0);
+  EXPECT_EQ(south.season.first, (std::vector<std::int64_t>{2027, 2, 23}));
+  EXPECT_EQ(south.season_keys.front().date, south.season.first);
+  EXPECT_EQ(south.season_keys.back().date, south.season.last);
 }
 
 }  // namespace

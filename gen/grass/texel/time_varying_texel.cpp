@@ -112,7 +112,7 @@ std::string described(const scene::MeadowPart& meadow, const Lighting& lighting)
   relevant.grass.key_frames = scene::key_frames(meadow);
   relevant.grass.pixels_per_voxel = plain.grass.pixels_per_voxel;
   relevant.grass.far_field_below_pixels = plain.grass.far_field_below_pixels;
-  relevant.grass.height_spread = plain.grass.height_spread;
+  relevant.grass.unevenness = plain.grass.unevenness;
   relevant.ageing = meadow.ageing;
   relevant.species = meadow.species;
   for (scene::Species& species : relevant.species) species.habitat = {};
