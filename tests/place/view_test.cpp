@@ -45,7 +45,7 @@ TEST(Camera, StandsOverTheMesh) {
   scene::Camera camera;
   camera.eye_m = {0.5 * step_m, 0.5 * step_m};
   camera.eye_height_m = 1.7;
-  camera.target_m = {0.5 * step_m, 0.25 * step_m};
+  camera.target_m = {0.25 * step_m, 0.5 * step_m};
   camera.target_height_m = 0.0;
   Heightfield terrain(2, step_m);
   terrain.at(1, 0) = terrain.at(0, 1) = 8.0F;
