@@ -28,8 +28,8 @@ grass::Lighting half_the_sky() {
           .eye_direction = {1.0, 0.0, 0.0}};
 }
 
-struct Sward {
-  explicit Sward(const scene::Scene& scene)
+struct Pasture {
+  explicit Pasture(const scene::Scene& scene)
       : model(scene),
         patch(scene, model, /*variant=*/0),
         pigment_spread(scene, patch, /*snow=*/0.0, half_the_sky()) {}
@@ -40,15 +40,15 @@ struct Sward {
 };
 
 TEST(PigmentSpread, HasTheDeviationThatWasAskedForAndNoneThatAMapCannotShow) {
-  const Sward sward(even_meadow());
+  const Pasture pasture(even_meadow());
   double sum = 0.0, squares = 0.0;
   int places = 0;
   for (double x = 0.5; x < 512.0; x += 3.7)
     for (double y = 0.5; y < 512.0; y += 3.7, ++places) {
-      const double richness = sward.pigment_spread.richness({x, y}, 0.01);
+      const double richness = pasture.pigment_spread.richness({x, y}, 0.01);
       sum += richness;
       squares += richness * richness;
-      EXPECT_EQ(sward.pigment_spread.richness({x, y}, 10.0), 0.0);
+      EXPECT_EQ(pasture.pigment_spread.richness({x, y}, 10.0), 0.0);
     }
   EXPECT_NEAR(sum / places, 0.0, 0.05);
   EXPECT_NEAR(std::sqrt(squares / places), 1.0, 0.05);
@@ -69,22 +69,22 @@ TEST(PigmentSpread, IsThatOfTheLeavesPigments) {
   scene::Ageing rich = scene.ageing;
   rich.chlorophyll_ug_cm2 *= std::exp(2.5 * rich.pigment_spread);
   rich.brown_pigment *= std::exp(-2.5 * rich.pigment_spread);
-  const Sward sward(scene);
+  const Pasture pasture(scene);
   for (const double weathering : {0.0, 1.0}) {
     const glm::vec3 wanted = canopy(rich, weathering) / canopy(scene.ageing, weathering);
-    const glm::vec3 got = sward.pigment_spread.factor(2.5, weathering);
+    const glm::vec3 got = pasture.pigment_spread.factor(2.5, weathering);
     for (int channel = 0; channel < 3; ++channel)
       EXPECT_NEAR(got[channel], wanted[channel], 0.02) << weathering;
-    EXPECT_EQ(sward.pigment_spread.factor(0.0, weathering), glm::vec3(1.0F));
+    EXPECT_EQ(pasture.pigment_spread.factor(0.0, weathering), glm::vec3(1.0F));
   }
-  EXPECT_LT(sward.pigment_spread.factor(2.0, 0.0).r, 0.9);
-  EXPECT_GT(sward.pigment_spread.factor(2.0, 1.0).b, 1.1);
+  EXPECT_LT(pasture.pigment_spread.factor(2.0, 0.0).r, 0.9);
+  EXPECT_GT(pasture.pigment_spread.factor(2.0, 1.0).b, 1.1);
 }
 
 TEST(PigmentSpread, HairHasNone) {
   scene::Scene scene = even_meadow();
   scene.ageing.colour = scene::ColourModel::melanin;
-  EXPECT_EQ(Sward(scene).pigment_spread.factor(2.5, 0.5), glm::vec3(1.0F));
+  EXPECT_EQ(Pasture(scene).pigment_spread.factor(2.5, 0.5), glm::vec3(1.0F));
 }
 
 }  // namespace
