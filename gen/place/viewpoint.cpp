@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <vector>
 
 #include "core/elementary.h"
@@ -130,7 +129,7 @@ double weighed(double merit, double quality, double weight) {
 double merit(const Composition& picture, double half, double sun_aside, double depth) {
   constexpr double lively = 0.25, deep = 0.7;
   double merit = evenness(picture.parts) * completeness(picture.parts) *
-                 glm::smoothstep(1.5, 0.5, std::abs(picture.aim) / half);
+                 (1.0 - glm::smoothstep(0.5, 1.5, std::abs(picture.aim) / half));
   merit = weighed(merit, std::min(1.0, picture.skyline_deviation / (lively * half)), 0.3);
   merit = weighed(merit, sun_aside, 0.15);
   return weighed(merit, std::min(1.0, depth / deep), 0.3);
@@ -168,8 +167,8 @@ Candidate best_from(const Heightfield& terrain, const glm::dvec3& eye_m, const V
 /// How well one stands there: 1 on gentle ground, little on steep ground.
 double footing(const Heightfield& terrain, const glm::dvec2& at_m) {
   constexpr double gentle_deg = 12.0, steep_deg = 28.0, least = 0.05;
-  return std::max(
-      least, glm::smoothstep(steep_deg, gentle_deg, terrain::slope_deg(terrain, at_m.x, at_m.y)));
+  const double slope_deg = terrain::slope_deg(terrain, at_m.x, at_m.y);
+  return std::max(least, 1.0 - glm::smoothstep(gentle_deg, steep_deg, slope_deg));
 }
 
 /// A point on the line of sight through the picture's middle, on the ground or over it.
