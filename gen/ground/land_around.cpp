@@ -73,7 +73,7 @@ double LandAround::sun_seen(const glm::dvec3& at_m) const {
   for (double distance_m = 1.5 * step_m; distance_m < farthest_m;
        distance_m += std::max(step_m, spacing * distance_m))
     highest = std::max(
-        highest, (land_.height_m(glm::dvec2(at_m) + towards * distance_m) - at_m.z) / distance_m);
+        highest, (land_.coarse_height_m(glm::dvec2(at_m) + towards * distance_m) - at_m.z) / distance_m);
   return glm::smoothstep(-half_width, half_width, math::asin(sun.z) - math::atan(highest));
 }
 

@@ -62,7 +62,7 @@ LandShadow::Rays LandShadow::highest(const Surroundings& land, const glm::dvec2&
   for (double beyond_m = step_m; beyond_m < reach_m;) {
     const double along_m = border_m + beyond_m;
     const glm::dvec2 at_m = begin_m + towards * along_m;
-    const double height_m = land.height_m(at_m);
+    const double height_m = land.coarse_height_m(at_m);
     highest.of_upper_edge = std::max(highest.of_upper_edge, height_m - along_m * upper_edge_rise_);
     highest.of_lower_edge = std::max(highest.of_lower_edge, height_m - along_m * lower_edge_rise_);
     step_m = land.step_m(at_m);

@@ -5,16 +5,16 @@
 #include <vector>
 
 #include "core/ground_map.h"
+#include "terrain/worn_land.h"
 
 namespace wold::terrain {
 
-/// Land that nobody knows, as it may be: ridges and smooth valleys of all sizes below the largest,
-/// by a hybrid multifractal (Musgrave 1993, Methods for realistic landscape imaging), whose small
-/// features are high where the large ones are.
+/// Land that nobody knows, as it may be: mountains and valleys of all sizes below the largest, as
+/// streams wear them (WornLand), with smaller ones on their slopes rather than in their valleys.
 class MadeUpLand {
  public:
   /// Land that goes on from `ground`: its deviation grows from that of the ground's heights, over
-  /// half of their square, by a Hurst exponent of 0.7 up to features of 8 km, and is 500 m at most:
+  /// half of their square, by a Hurst exponent of 0.7 up to features of 8 km, and is 300 m at most:
   /// modelling choices.
   MadeUpLand(const Heightfield& ground, std::uint64_t seed);
 
@@ -23,25 +23,26 @@ class MadeUpLand {
   /// distance 0.
   double height_m(const glm::dvec2& at_m, double step_m, double from_known_m) const;
 
+  /// Which steps a map has, and which another one that shows finer features.
+  struct Steps {
+    double coarse_m, fine_m;
+  };
+  /// What the finer map shows beyond the coarser one.
+  double finer_m(const glm::dvec2& at_m, const Steps& steps, double from_known_m) const;
+
  private:
-  /// Features of one size.
-  struct Octave {
-    double feature_m;
-    double part;         ///< how high they are
-    double round = 0.0;  ///< how round their crests are, in deviations of the noise
+  /// The worn land, once more in another size.
+  struct Copy {
+    double feature_m;  ///< size of its largest features
+    double height_m;   ///< its deviation
     glm::dmat2 turn{1.0};
     glm::dvec2 shift{0.0};
-    std::uint64_t key = 0;
-    double mean_ridge = 0.0;   ///< over all places
-    double mean_weight = 0.0;  ///< of what larger features leave for it, where all have begun
+
+    glm::dvec2 place(const glm::dvec2& at_m) const { return turn * at_m / feature_m + shift; }
   };
 
-  static double ridge(const Octave& octave, const glm::dvec2& at_m);
-  void measure();
-
-  std::vector<Octave> octaves_;  ///< from the largest
-  double deviation_m_;           ///< of heights far from all that is known
-  double scale_ = 1.0;           ///< by which the sum of octaves has deviation 1
+  WornLand worn_;
+  std::vector<Copy> copies_;  ///< from the largest
 };
 
 }  // namespace wold::terrain

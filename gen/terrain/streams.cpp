@@ -15,35 +15,49 @@
 namespace wold::terrain {
 namespace {
 
-/// Samples by their place in GroundMap::values().
+/// Samples by their place in GroundMap::values(). Beyond the border is the opposite side; no water
+/// gets there where the border is base level.
 class Grid {
  public:
-  explicit Grid(int samples) : samples_(samples) {}
+  Grid(int samples, const BaseLevel& base_level) : samples_(samples), base_level_(base_level) {
+    if (base_level.size() != static_cast<std::size_t>(count()))
+      throw std::invalid_argument("base level and heights must have as many samples");
+  }
 
   int count() const { return samples_ * samples_; }
   int side() const { return samples_; }
-  bool border(int k) const {
-    const int i = k % samples_;
-    return i == 0 || i == samples_ - 1 || k < samples_ || k >= count() - samples_;
-  }
-  /// Right for inner samples only.
+  /// Whether water leaves there.
+  bool base(int k) const { return base_level_[static_cast<std::size_t>(k)]; }
   std::array<int, 8> neighbours(int k) const {
-    const int n = samples_;
-    return {k - n - 1, k - n, k - n + 1, k - 1, k + 1, k + n - 1, k + n, k + n + 1};
+    const int n = samples_, i = k % n, row = k - i;
+    const int west = i > 0 ? i - 1 : n - 1, east = i < n - 1 ? i + 1 : 0;
+    const int south = row > 0 ? row - n : count() - n, north = row < count() - n ? row + n : 0;
+    return {south + west, south + i,    south + east, row + west,
+            row + east,   north + west, north + i,    north + east};
   }
   /// In grid steps, between neighbours.
   double distance(int k, int to) const {
-    const int apart = std::abs(k - to);
-    return apart == 1 || apart == samples_ ? 1.0 : std::numbers::sqrt2;
+    const bool straight = k % samples_ == to % samples_ || k / samples_ == to / samples_;
+    return straight ? 1.0 : std::numbers::sqrt2;
   }
 
  private:
   int samples_;
+  const BaseLevel& base_level_;
 };
 
-/// The flood that rises from the map's border and enters each pit over its lowest outlet.
+/// That of a map whose border is its base level.
+BaseLevel border_of(int samples) {
+  BaseLevel border;
+  for (int j = 0; j < samples; ++j)
+    for (int i = 0; i < samples; ++i)
+      border.push_back(i == 0 || j == 0 || i == samples - 1 || j == samples - 1);
+  return border;
+}
+
+/// The flood that rises from the base level and enters each pit over its lowest outlet.
 struct Flood {
-  std::vector<int> order;  ///< inner samples as the water reaches them, their levels ascending
+  std::vector<int> order;  ///< other samples as the water reaches them, their levels ascending
   std::vector<int> from;   ///< the sample that the water came from
 };
 
@@ -55,7 +69,7 @@ class Flooding {
     flood_.from.resize(levels_m.size());
     flood_.order.reserve(levels_m.size());
     for (int k = 0; k < grid_.count(); ++k)
-      if (grid_.border(k)) reach(k, k);
+      if (grid_.base(k)) reach(k, k);
   }
 
   Flood run() {
@@ -63,10 +77,9 @@ class Flooding {
     while (!pit_.empty() || !shore_.empty()) {
       if (flood_.order.size() % some == 0) stop_if_asked();
       const int k = next();
-      if (!grid_.border(k)) flood_.order.push_back(k);
-      // From a border sample steps wrap to the other side's border, which is reached already.
+      if (!grid_.base(k)) flood_.order.push_back(k);
       for (const int to : grid_.neighbours(k))
-        if (to >= 0 && to < grid_.count() && !reached_[index(to)]) reach(to, k);
+        if (!reached_[index(to)]) reach(to, k);
     }
     return std::move(flood_);
   }
@@ -140,7 +153,7 @@ std::vector<double> drained(const Flood& flow) {
   return samples;
 }
 
-/// One implicit step of reach `reach` along the flow, from the border upstream.
+/// One implicit step of reach `reach` along the flow, from the base level upstream.
 void cut(GroundMap<double>& heights_m, const Grid& grid, const Flood& flow, double reach,
          double source_fraction) {
   // Leaves no level ground: enough for doubles, too little to be seen.
@@ -164,7 +177,7 @@ void cut(GroundMap<double>& heights_m, const Grid& grid, const Flood& flow, doub
 void lift(GroundMap<double>& heights_m, const Grid& grid, const GroundMap<double>& uplift_m,
           int steps) {
   for (int k = 0; k < grid.count(); ++k)
-    if (!grid.border(k))
+    if (!grid.base(k))
       heights_m.values()[static_cast<std::size_t>(k)] +=
           uplift_m.values()[static_cast<std::size_t>(k)] / steps;
 }
@@ -177,9 +190,14 @@ void carve(GroundMap<double>& heights_m, const Incision& incision) {
 
 void carve(GroundMap<double>& heights_m, const GroundMap<double>& uplift_m,
            const Incision& incision) {
+  carve(heights_m, uplift_m, border_of(heights_m.samples()), incision);
+}
+
+void carve(GroundMap<double>& heights_m, const GroundMap<double>& uplift_m,
+           const BaseLevel& base_level, const Incision& incision) {
   if (uplift_m.samples() != heights_m.samples())
     throw std::invalid_argument("uplift and heights must have as many samples");
-  const Grid grid(heights_m.samples());
+  const Grid grid(heights_m.samples(), base_level);
   for (int step = 0; step < incision.steps; ++step) {
     lift(heights_m, grid, uplift_m, incision.steps);
     Flood flow = Flooding(heights_m.values(), grid).run();
@@ -189,7 +207,8 @@ void carve(GroundMap<double>& heights_m, const GroundMap<double>& uplift_m,
 }
 
 GroundMap<double> drained_samples(const GroundMap<double>& heights_m) {
-  const Grid grid(heights_m.samples());
+  const BaseLevel border = border_of(heights_m.samples());
+  const Grid grid(heights_m.samples(), border);
   GroundMap<double> map = heights_m;
   Flood flow = Flooding(map.values(), grid).run();
   drain(map.values(), grid, flow);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "core/ground_map.h"
 
 namespace wold::terrain {
@@ -32,6 +34,16 @@ void carve(GroundMap<double>& heights_m, const Incision& incision);
 /// at the border does not matter).
 void carve(GroundMap<double>& heights_m, const GroundMap<double>& uplift_m,
            const Incision& incision);
+
+/// By the place in GroundMap::values(): whether a sample keeps its height and takes all the water
+/// that comes to it.
+using BaseLevel = std::vector<bool>;
+
+/// The same down to a base level of its own, of as many samples as the map, instead of the border.
+/// Where samples of the border are none of it, water flows on over the opposite side: the map is a
+/// tile whose sides join, each a step from the other. Everything is a pit where none is.
+void carve(GroundMap<double>& heights_m, const GroundMap<double>& uplift_m,
+           const BaseLevel& base_level, const Incision& incision);
 
 /// How many samples drain through each, itself included: down the steepest of the eight neighbours,
 /// out of pits over their lowest outlets. The map's border is where water leaves.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -20,7 +21,13 @@ namespace {
 constexpr double wider = 3.0;  // each square than the one before
 
 /// Heights along a side: of the square next to the scene's, where a model knows it, and of others.
-constexpr int nearest_known_samples = 801, samples = 321;
+/// Some of them lie on the border of the square within.
+constexpr int nearest_known_samples = 802, samples = 322;
+static_assert((nearest_known_samples - 1) % 3 == 0 && (samples - 1) % 3 == 0 && wider == 3.0);
+
+/// How much finer features are shown than the steps of heights that are kept, and how much higher
+/// they are on steep land than on land of the mean slope, at most.
+constexpr double refinement = 8.0, max_roughness = 1.0;
 
 GroundGrid grid_of_ring(const Square& middle, int ring, bool is_known) {
   double size_m = middle.size_m;
@@ -111,37 +118,83 @@ Heightfield with_made_up_land(const KnownLand& known, const MadeUpLand& land) {
   return all;
 }
 
+/// A height between those of a map that are kept, smooth across their cells: cubic convolution
+/// (Keys 1981, a = -1/2). It has their values at their places.
+double smooth_height_m(const Heightfield& map, const glm::dvec2& at_m) {
+  const glm::dvec2 place = (at_m - map.corner_m()) / map.step_m();
+  const glm::dvec2 corner = glm::floor(place);
+  const auto weights = [](double t) {
+    return std::array{t * (-0.5 + t * (1.0 - 0.5 * t)), 1.0 + t * t * (-2.5 + 1.5 * t),
+                      t * (0.5 + t * (2.0 - 1.5 * t)), t * t * (-0.5 + 0.5 * t)};
+  };
+  const auto of_column = weights(place.x - corner.x), of_row = weights(place.y - corner.y);
+  const auto inside = [&](double k) {
+    return static_cast<int>(std::clamp(k, 0.0, map.samples() - 1.0));
+  };
+  double sum_m = 0.0;
+  for (std::size_t j = 0; j < 4; ++j)
+    for (std::size_t i = 0; i < 4; ++i)
+      sum_m += of_row[j] * of_column[i] *
+               double{map.at(inside(corner.x + static_cast<double>(i) - 1.0),
+                             inside(corner.y + static_cast<double>(j) - 1.0))};
+  return sum_m;
+}
+
+/// How far a place lies outside of a square; negative inside.
+double outside_m(const Square& square, const glm::dvec2& at_m) {
+  const glm::dvec2 out_m = glm::max(square.corner_m - at_m, at_m - square.corner_m - square.size_m);
+  return std::max(out_m.x, out_m.y);
+}
+
+/// Rise per distance, by differences over two steps.
+double slope_at(const Heightfield& map, const glm::dvec2& at_m) {
+  const double step_m = map.step_m();
+  const auto rise = [&](const glm::dvec2& along) {
+    const glm::dvec2 to_m = at_m + along * step_m, from_m = at_m - along * step_m;
+    return double{map.sample(to_m.x, to_m.y) - map.sample(from_m.x, from_m.y)} / (2.0 * step_m);
+  };
+  const double east = rise({1.0, 0.0}), north = rise({0.0, 1.0});
+  return std::sqrt(east * east + north * north);
+}
+
+double mean_slope(const Heightfield& map) {
+  double sum = 0.0;
+  for (int j = 0; j < map.samples(); ++j)
+    for (int i = 0; i < map.samples(); ++i) sum += slope_at(map, map.place_m(i, j));
+  return sum / static_cast<double>(map.values().size());
+}
+
 }  // namespace
 
 Surroundings::Surroundings(const scene::Terrain& terrain, const Heightfield& ground,
                            std::uint64_t seed, double reach_m)
     : square_(ground.square()),
       plan_(std::make_unique<const Plan>(Plan{terrain, ground, seed, reach_m})) {
-  if (!terrain.elevation.empty()) rings();  // models may be at fault
+  if (!terrain.elevation.empty()) land();  // models may be at fault
 }
 
-const Surroundings::Rings& Surroundings::rings() const {
+const Surroundings::Land& Surroundings::land() const {
   std::call_once(made_, [this] {
-    rings_ = make(*plan_);
+    land_ = std::make_unique<const Land>(make(*plan_));
     plan_.reset();
   });
-  return rings_;
+  return *land_;
 }
 
-Surroundings::Rings Surroundings::make(const Plan& plan) const {
+Surroundings::Land Surroundings::make(const Plan& plan) const {
   const auto& [terrain, ground, seed, reach_m] = plan;
-  const MadeUpLand land(ground, seed);
+  Land land{MadeUpLand(ground, seed), {}};
   std::vector<Model> models;
   if (!terrain.elevation.empty()) models.push_back({terrain.elevation});
   if (!terrain.elevation.empty() && !terrain.surroundings.empty())
     models.push_back({terrain.surroundings});
-  Rings rings;
   GroundMap<double> finer_m;
   do {
-    const GroundGrid grid = grid_of_ring(square_, static_cast<int>(rings.size()), !models.empty());
+    const GroundGrid grid =
+        grid_of_ring(square_, static_cast<int>(land.rings.size()), !models.empty());
     GroundMap<double> heights_m(grid.samples, grid.square,
                                 std::numeric_limits<double>::quiet_NaN());
-    if (!rings.empty()) put(finer_m, heights_m);
+    if (!land.rings.empty()) put(finer_m, heights_m);
     put(ground, heights_m);
     for (Model& model : models) {
       if (model.is_read) continue;
@@ -151,36 +204,54 @@ Surroundings::Rings Surroundings::make(const Plan& plan) const {
       model.is_read = !reaches_border(model_m);
     }
     finer_m = heights_m;
-    rings.push_back(with_made_up_land(filled_in(std::move(heights_m)), land));
-  } while (reach_m_of(rings.back()) < reach_m);
-  return rings;
+    Heightfield map = with_made_up_land(filled_in(std::move(heights_m)), land.made_up);
+    const double slope = mean_slope(map);
+    land.rings.push_back({std::move(map), slope});
+  } while (reach_m_of(land.rings.back().map.size_m()) < reach_m);
+  return land;
 }
 
 std::size_t Surroundings::ring_of(const glm::dvec2& at_m) const {
-  const Rings& rings = this->rings();
+  const std::vector<Ring>& rings = land().rings;
   std::size_t ring = 0;
-  while (ring + 1 < rings.size() && !rings[ring].square().contains(at_m)) ++ring;
+  while (ring + 1 < rings.size() && !rings[ring].map.square().contains(at_m)) ++ring;
   return ring;
 }
 
-double Surroundings::height_m(const glm::dvec2& at_m) const {
+/// A height at a place, which goes over from a square to the next one near its border.
+template <class HeightInRing>
+double Surroundings::between_rings(const glm::dvec2& at_m, const HeightInRing& height_in) const {
   constexpr double border = 0.05;  // of a square, over which it goes into the next one
-  const Rings& rings = this->rings();
+  const std::vector<Ring>& rings = land().rings;
   const std::size_t ring = ring_of(at_m);
-  const Heightfield& heights_m = rings[ring];
-  const double height_m{heights_m.sample(at_m.x, at_m.y)};
+  const double height_m = height_in(rings[ring]);
   if (ring + 1 == rings.size()) return height_m;
-  const Square& square = heights_m.square();
-  const glm::dvec2 inside_m =
-      glm::min(at_m - square.corner_m, square.corner_m + square.size_m - at_m);
-  const double inner =
-      glm::smoothstep(0.0, border * square.size_m, std::min(inside_m.x, inside_m.y));
-  if (inner >= 1.0) return height_m;
-  return std::lerp(double{rings[ring + 1].sample(at_m.x, at_m.y)}, height_m, inner);
+  const Square square = rings[ring].map.square();
+  const double inner = glm::smoothstep(0.0, border * square.size_m, -outside_m(square, at_m));
+  return inner >= 1.0 ? height_m : std::lerp(height_in(rings[ring + 1]), height_m, inner);
+}
+
+double Surroundings::finer_m(const Ring& ring, const glm::dvec2& at_m) const {
+  if (ring.slope <= 0.0) return 0.0;
+  const double rough = std::min(slope_at(ring.map, at_m) / ring.slope, max_roughness);
+  const double step_m = ring.map.step_m();
+  return rough * land().made_up.finer_m(at_m, {step_m, step_m / refinement},
+                                        std::max(0.0, outside_m(square_, at_m)));
+}
+
+double Surroundings::coarse_height_m(const glm::dvec2& at_m) const {
+  return between_rings(at_m,
+                       [&](const Ring& ring) { return double{ring.map.sample(at_m.x, at_m.y)}; });
+}
+
+double Surroundings::height_m(const glm::dvec2& at_m) const {
+  return between_rings(at_m, [&](const Ring& ring) {
+    return smooth_height_m(ring.map, at_m) + finer_m(ring, at_m);
+  });
 }
 
 glm::dvec3 Surroundings::up(const glm::dvec2& at_m) const {
-  const double step = step_m(at_m);
+  const double step = step_m(at_m) / refinement;
   const auto rise = [&](const glm::dvec2& along) {
     return (height_m(at_m + along * step) - height_m(at_m - along * step)) / (2.0 * step);
   };

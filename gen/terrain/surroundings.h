@@ -9,6 +9,7 @@
 
 #include "core/ground_map.h"
 #include "scene/scene.h"
+#include "terrain/made_up_land.h"
 
 namespace wold::terrain {
 
@@ -33,17 +34,28 @@ class Surroundings {
   /// The scene's square.
   const Square& square() const { return square_; }
   /// How far the land reaches beyond the scene's square.
-  double reach_m() const { return reach_m_of(rings().back()); }
-  /// Steps between known heights at a place.
-  double step_m(const glm::dvec2& at_m) const { return rings()[ring_of(at_m)].step_m(); }
+  double reach_m() const { return reach_m_of(land().rings.back().map.size_m()); }
+  /// Steps between the heights that are kept at a place.
+  double step_m(const glm::dvec2& at_m) const { return land().rings[ring_of(at_m)].map.step_m(); }
 
+  /// Of what is as large as the steps.
+  double coarse_height_m(const glm::dvec2& at_m) const;
+  /// With features down to an eighth of the steps, more of them where the land is steep: nobody
+  /// knows them.
   double height_m(const glm::dvec2& at_m) const;
-  /// Upward unit normal, by differences over two steps.
+  /// Upward unit normal of the land with those.
   glm::dvec3 up(const glm::dvec2& at_m) const;
 
  private:
-  /// Fine to coarse; the scene's square is in the middle of each.
-  using Rings = std::vector<Heightfield>;
+  /// The land in one square.
+  struct Ring {
+    Heightfield map;
+    double slope;  ///< its mean, rise per distance
+  };
+  struct Land {
+    MadeUpLand made_up;
+    std::vector<Ring> rings;  ///< fine to coarse; the scene's square is in the middle of each
+  };
 
   /// What rings are made of.
   struct Plan {
@@ -53,17 +65,18 @@ class Surroundings {
     double reach_m;
   };
 
-  Rings make(const Plan& plan) const;
-  const Rings& rings() const;
-  double reach_m_of(const Heightfield& ring) const {
-    return 0.5 * (ring.size_m() - square_.size_m);
-  }
+  Land make(const Plan& plan) const;
+  const Land& land() const;
+  double reach_m_of(double ring_m) const { return 0.5 * (ring_m - square_.size_m); }
   std::size_t ring_of(const glm::dvec2& at_m) const;
+  double finer_m(const Ring& ring, const glm::dvec2& at_m) const;
+  template <class HeightInRing>
+  double between_rings(const glm::dvec2& at_m, const HeightInRing& height_in) const;
 
   Square square_;
   mutable std::once_flag made_;
   mutable std::unique_ptr<const Plan> plan_;  ///< until rings are made
-  mutable Rings rings_;
+  mutable std::unique_ptr<const Land> land_;
 };
 
 }  // namespace wold::terrain

@@ -150,5 +150,55 @@ TEST(Streams, AreTheSameOnAnyNumberOfThreads) {
   EXPECT_EQ(carved(1), carved(2));
 }
 
+/// Fractal ground without borders, and where it stays: its lowest parts.
+struct Tile {
+  GroundMap<double> heights_m;
+  BaseLevel lowlands;
+};
+
+/// Moved by that many samples.
+Tile tile(int east, int north) {
+  constexpr int side = 48;
+  const Fbm relief(5, 4, 0.7, /*period=*/3);
+  Tile tile{{side, 100.0}, {}};
+  for (int j = 0; j < side; ++j)
+    for (int i = 0; i < side; ++i) {
+      const glm::ivec2 at((i + east) % side, (j + north) % side);
+      const double height = relief.at(3.0 / side * glm::dvec2(at));
+      tile.heights_m.at(i, j) = 10.0 * height;
+      tile.lowlands.push_back(height < -1.0);
+    }
+  return tile;
+}
+
+// A tile has no border: what streams make of it does not depend on where it begins.
+TEST(Streams, FlowOverTheSidesOfATile) {
+  const Incision incision{.reach = 1.0, .source_fraction = 1e-3, .steps = 4};
+  Tile here = tile(0, 0), moved = tile(17, 31);
+  const GroundMap<double> uplift_m(48, 100.0, 2.0);
+  const GroundMap<double> before_m = here.heights_m;
+  carve(here.heights_m, uplift_m, here.lowlands, incision);
+  carve(moved.heights_m, uplift_m, moved.lowlands, incision);
+  double changed_m = 0.0;
+  for (int j = 0; j < 48; ++j)
+    for (int i = 0; i < 48; ++i) {
+      const int from_i = (i + 17) % 48, from_j = (j + 31) % 48;
+      EXPECT_NEAR(moved.heights_m.at(i, j), here.heights_m.at(from_i, from_j), 1e-9)
+          << i << " " << j;
+      changed_m = std::max(changed_m, std::abs(here.heights_m.at(i, j) - before_m.at(i, j)));
+    }
+  EXPECT_GT(changed_m, 2.0);
+}
+
+TEST(Streams, LeaveTheBaseLevel) {
+  Tile land = tile(0, 0);
+  const GroundMap<double> before_m = land.heights_m;
+  carve(land.heights_m, GroundMap<double>(48, 100.0, 2.0), land.lowlands, {});
+  for (std::size_t k = 0; k < land.lowlands.size(); ++k) {
+    if (!land.lowlands[k]) continue;
+    EXPECT_EQ(land.heights_m.values()[k], before_m.values()[k]) << k;
+  }
+}
+
 }  // namespace
 }  // namespace wold::terrain

@@ -140,6 +140,35 @@ TEST_F(SurroundingsTest, GoOnWhereNoModelReaches) {
   EXPECT_LT(highest - lowest, 3500.0);
 }
 
+// Land that is seen from near has no facets as large as the steps of the heights that are kept, nor
+// features of that size alone; at the square's border it is the square's.
+TEST_F(SurroundingsTest, HaveFeaturesBelowTheirSteps) {
+  scene::Terrain terrain;
+  terrain.size_m = 2000.0;
+  terrain.samples = 201;
+  terrain.hill_height_m = 200.0;
+  const Heightfield ground = make_ground(terrain, 3).heights_m;
+  const Surroundings land(terrain, ground, 3, 20000.0);
+  double finer_m = 0.0, bend = 0.0;
+  for (int i = 0; i < 400; ++i) {
+    const glm::dvec2 at_m(-3000.0 - 7.3 * i, 2900.0 + 5.1 * i);
+    const double step_m = land.step_m(at_m) / 16.0;
+    finer_m += std::abs(land.height_m(at_m) - land.coarse_height_m(at_m)) / 400.0;
+    bend += std::abs(land.height_m(at_m + glm::dvec2(step_m, 0.0)) +
+                     land.height_m(at_m - glm::dvec2(step_m, 0.0)) - 2.0 * land.height_m(at_m));
+  }
+  EXPECT_GT(finer_m, 0.2);
+  EXPECT_LT(finer_m, 20.0);
+  EXPECT_GT(bend / 400.0, 1e-3);
+  double wall_m = 0.0;
+  for (int i = 0; i < 220; ++i) {
+    const glm::dvec2 border_m(-1e-6, 3.0 + 9.0 * i);
+    const double ground_m{ground.sample(border_m.x, border_m.y)};
+    wall_m += std::abs(land.height_m(border_m) - ground_m) / 220.0;
+  }
+  EXPECT_LT(wall_m, 0.3);  // the ground has features of its own below those steps
+}
+
 TEST_F(SurroundingsTest, NeedOneCoordinateSystem) {
   const std::string with = model("with.tif", 3000.0, 30.0);
   const std::filesystem::path without = folder_.path() / "without.asc";
@@ -221,10 +250,11 @@ struct Heights {
 };
 Heights heights_of(const MadeUpLand& land, double from_known_m) {
   constexpr int side = 60;
+  constexpr double apart_m = 3113.7;  // far from any multiple of where the land repeats
   double sum = 0.0, squares = 0.0;
   for (int j = 0; j < side; ++j)
     for (int i = 0; i < side; ++i) {
-      const double height_m = land.height_m({i * 3100.0, j * 3100.0}, 1.0, from_known_m);
+      const double height_m = land.height_m({i * apart_m, j * apart_m}, 1.0, from_known_m);
       sum += height_m;
       squares += height_m * height_m;
     }
@@ -248,6 +278,22 @@ TEST(MadeUpLand, BeginsWithSmallFeaturesAtOnce) {
     EXPECT_LT(heights.deviation, 2.0 * law_m) << from_known_m;
     EXPECT_LT(std::abs(heights.mean), 0.2 * law_m) << from_known_m;
   }
+}
+
+// What a map shows and what a finer one adds to it are what the finer one shows.
+TEST(MadeUpLand, IsShownPieceByPiece) {
+  Heightfield ground(65, 4000.0);
+  for (int j = 0; j < 65; ++j)
+    for (int i = 0; i < 65; ++i) ground.at(i, j) = (i + j) % 2 == 0 ? 30.0F : -30.0F;
+  const MadeUpLand land(ground, 5);
+  double added_m = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    const glm::dvec2 at_m(1237.0 * i, 911.0 * i);
+    const double finer_m = land.finer_m(at_m, {80.0, 10.0}, 500.0);
+    EXPECT_NEAR(land.height_m(at_m, 80.0, 500.0) + finer_m, land.height_m(at_m, 10.0, 500.0), 1e-9);
+    added_m += std::abs(finer_m) / 200.0;
+  }
+  EXPECT_GT(added_m, 0.1);
 }
 
 TEST(MadeUpLand, IsLevelWhereTheGroundIs) {
