@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string_view>
+#include <utility>
 
 #include "core/elementary.h"
 #include "core/image.h"
@@ -91,7 +93,25 @@ double GrowthLimits::on_slope(double slope_deg) const {
   return below(slope_deg, growth_.steepest_deg, slope_strip_deg_);
 }
 
-double Tufts::at(const glm::dvec2& at_m) const { return equalised(field_.at(at_m / feature_m_)); }
+namespace {
+
+constexpr int octaves_of_groups = 6;
+constexpr double largest_group = 128.0;  // over the size of tufts
+constexpr double by_group = 0.6;         // variance, a modelling choice
+
+}  // namespace
+
+double Tufts::at(const glm::dvec2& at_m) const {
+  const double tuft = field_.at(at_m / feature_m_);
+  if (!groups_) return equalised(tuft);
+  const double group = groups_->at(at_m / (largest_group * feature_m_));
+  return equalised(std::sqrt(1.0 - by_group) * tuft + std::sqrt(by_group) * group);
+}
+
+Tufts Tufts::in_groups(std::uint64_t key) && {
+  groups_.emplace(key, octaves_of_groups, /*hurst=*/0.1);
+  return std::move(*this);
+}
 
 Habitats::Habitats(const scene::Scene& scene, const Heightfield& terrain)
     : terrain_(terrain), some_everywhere_(false) {
@@ -102,10 +122,13 @@ Habitats::Habitats(const scene::Scene& scene, const Heightfield& terrain)
       some_everywhere_ = true;
       continue;
     }
-    const std::uint64_t key = random_bits({scene.seed, key_of("species"), i, key_of("tufts")});
+    const auto key = [&](std::string_view what) {
+      return random_bits({scene.seed, key_of("species"), i, key_of(what)});
+    };
     // Smooth: cells are of one mixture, and one of another amid them shows its square.
-    const Fbm field{key, /*octaves=*/2, /*hurst=*/0.9};
-    species_.push_back({habitat, GrowthLimits(scene, habitat), Tufts(field, habitat.feature_m)});
+    Tufts tufts(Fbm(key("tufts"), /*octaves=*/2, /*hurst=*/0.9), habitat.feature_m);
+    if (is_large(scene)) tufts = std::move(tufts).in_groups(key("groups"));
+    species_.push_back({habitat, GrowthLimits(scene, habitat), std::move(tufts)});
     if (asks_for_topography(habitat) && !topography_)
       topography_ = std::make_shared<const Topography>(terrain, scene.sun.latitude_deg);
   }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/ground_map.h"
@@ -44,9 +45,13 @@ class Tufts {
 
   double at(const glm::dvec2& at_m) const;
 
+  /// The same tufts in groups of all sizes up to 128 of theirs: many here, few there.
+  Tufts in_groups(std::uint64_t key) &&;
+
  private:
   Fbm field_;
   double feature_m_;
+  std::optional<Fbm> groups_;
 };
 
 /// Where those of a meadow's species grow that have a habitat, in their order; the terrain has to

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <set>
 #include <string_view>
 
 #include "core/error.h"
 #include "scene/registry.h"
+#include "scene/species.h"
 #include "scene/sun_position.h"
 #include "scene/write.h"
 
@@ -283,6 +285,53 @@ void move(Scene& scene, const std::array<double, 2>& longitude_latitude_deg) {
   for (SeasonKey& key : scene.season_keys) move_date(key.date);
 }
 
+/// Low evergreen bushes amid the grass, as on hills that are grazed: without anything as large the
+/// eye does not see how far away a slope is.
+Species bushes(const Scene& scene) {
+  Species bushes = species_of(scene).front();
+  bushes.name = "bushes";
+  bushes.share = 3.0;
+  bushes.habitat.cover = 0.12;
+  bushes.habitat.steepest_deg = 45.0;
+  Plant& plant = bushes.plant;
+  plant.crown_m = 0.6;
+  plant.height_m = 0.1;
+  plant.height_spread = 0.35;
+  plant.width_m = 0.012;
+  plant.lean_deg = 28.0;
+  plant.lean_spread_deg = 15.0;
+  plant.bend = 0.4;
+  plant.mingle = {{"evergreen", {}}};
+  Physiology& physiology = bushes.physiology;
+  physiology.droop = 0.4;
+  physiology.litter = 0.1;
+  physiology.fresh_spread = 0.08;
+  physiology.chlorophyll_ug_cm2 = 58.0;
+  physiology.carotenoid_ug_cm2 = 11.0;
+  return bushes;
+}
+
+const Names& keys_of_bushes() {
+  static const Names names = {"species.name",
+                              "species.share",
+                              "species.cover",
+                              "species.steepest",
+                              "species.crown",
+                              "species.height",
+                              "species.height_spread",
+                              "species.width",
+                              "species.lean",
+                              "species.lean_spread",
+                              "species.bend",
+                              "species.mingle",
+                              "species.droop",
+                              "species.litter",
+                              "species.fresh_spread",
+                              "species.chlorophyll_content",
+                              "species.carotenoid_content"};
+  return names;
+}
+
 /// The starter at a real place.
 Starter at_place(Starter starter, const StarterPlace& place) {
   Scene& scene = starter.scene;
@@ -305,6 +354,8 @@ Starter at_place(Starter starter, const StarterPlace& place) {
                            "terrain.samples",      "camera.eye_height", "camera.target_height",
                            "camera.field_of_view", "sky.visual_range"};
   if (!place.system.empty()) starter.keys.emplace_back("terrain.system");
+  scene.species = {species_of(scene).front(), bushes(scene)};
+  starter.keys = starter.keys + keys_of_bushes();
   return starter;
 }
 
@@ -317,14 +368,30 @@ bool says_nothing(const Key& key, const Scene& scene) {
          !std::get<std::optional<double>>(key.get(scene)).has_value();
 }
 
-/// The items of a table that may stand many times; the first explains its keys.
+/// Whether the item says with that key what single tables say for all items. Items have names.
+bool says_common(const TableArray& array, const Scene& scene, std::size_t item, std::size_t key) {
+  if (!array.take_common || array.keys(item)[key].kind == Kind::name) return false;
+  Scene with_one_more = scene;
+  array.append(with_one_more);
+  const std::size_t added = array.count(scene);
+  array.take_common(with_one_more, added);
+  return array.keys(added)[key].get(with_one_more) == array.keys(item)[key].get(scene);
+}
+
+/// The items of a table that may stand many times; the first that has a key explains it.
 std::string items_text(const TableArray& array, const Starter& starter, const Scene& scene) {
   std::string text;
+  std::set<std::string> explained;
   for (std::size_t item = 0; item < array.count(scene); ++item) {
     text += fmt::format("\n[[{}]]\n", array.name);
-    for (const Key& key : array.keys(item)) {
-      if (!has(starter, key.name) || (item > 0 && says_nothing(key, scene))) continue;
-      text += item == 0 ? explained_assignment(key, scene) : assignment(key, scene);
+    const std::vector<Key> keys = array.keys(item);
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+      const Key& key = keys[k];
+      if (!has(starter, key.name) || (item > 0 && says_nothing(key, scene)) ||
+          says_common(array, scene, item, k))
+        continue;
+      const bool is_first = explained.insert(key.name).second;
+      text += is_first ? explained_assignment(key, scene) : assignment(key, scene);
     }
   }
   return text;

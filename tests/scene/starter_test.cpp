@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "scene/parse.h"
+#include "scene/species.h"
 #include "scene/write.h"
 
 namespace wold::scene {
@@ -73,6 +74,12 @@ TEST(StarterScene, OfARealPlaceShowsIt) {
     wanted.camera.target_m = place.target_m;
     wanted.camera.target_height_m = place.target_height_m;
     Scene read = parse_scene(text, "a.toml");
+    // Grass as the scene has it, and bushes that stay green among it.
+    ASSERT_EQ(read.species.size(), 2U) << kind;
+    wanted.species = {species_of(wanted).front()};
+    EXPECT_GT(read.species.back().plant.crown_m, 0.3);
+    EXPECT_LT(read.species.back().habitat.cover, 0.3);
+    wanted.species.push_back(read.species.back());
     EXPECT_THAT(read.terrain.elevation, testing::EndsWith(place.elevation));
     read.terrain.elevation = place.elevation;
     EXPECT_EQ(resolved_toml(read), resolved_toml(wanted)) << kind;
