@@ -290,14 +290,15 @@ void move(Scene& scene, const std::array<double, 2>& longitude_latitude_deg) {
 Species bushes(const Scene& scene) {
   Species bushes = species_of(scene).front();
   bushes.name = "bushes";
-  bushes.share = 3.0;
+  bushes.share = 2.0;
   bushes.habitat.cover = 0.12;
+  bushes.habitat.feature_m = 2.0;
   bushes.habitat.steepest_deg = 45.0;
   Plant& plant = bushes.plant;
   plant.crown_m = 0.6;
-  plant.height_m = 0.1;
+  plant.height_m = 0.08;
   plant.height_spread = 0.35;
-  plant.width_m = 0.012;
+  plant.width_m = 0.016;
   plant.lean_deg = 28.0;
   plant.lean_spread_deg = 15.0;
   plant.bend = 0.4;

@@ -11,7 +11,10 @@
 namespace wold::grass {
 namespace {
 
-constexpr double crown_m = 0.7, patch_m = 1.2;
+constexpr double crown_m = 0.7, patch_m = 1.2, leaf_m = 0.1;
+constexpr Crown::Size usual{crown_m, patch_m, leaf_m};
+/// Of one cushion as wide as the patch without the leaves' margin.
+constexpr Crown::Size narrow{crown_m, 0.5 * crown_m, leaf_m};
 constexpr int picks = 12;  // along each of four axes
 
 std::vector<Crown::Twig> twigs_of(const Crown& crown) {
@@ -24,13 +27,14 @@ std::vector<Crown::Twig> twigs_of(const Crown& crown) {
   return twigs;
 }
 
+// A leaf of that length at any twig is over the patch.
 TEST(Crown, HasItsTwigsOverThePatchUpToItsHeight) {
-  const std::vector<Crown::Twig> twigs = twigs_of(Crown(crown_m, patch_m, 3, 1));
+  const std::vector<Crown::Twig> twigs = twigs_of(Crown(usual, 3, 1));
   float highest_m = 0.0F;
   for (const Crown::Twig& twig : twigs) {
     for (const float along_m : {twig.place_m.x, twig.place_m.y}) {
-      EXPECT_GE(along_m, 0.0F);
-      EXPECT_LE(along_m, patch_m);
+      EXPECT_GE(along_m, leaf_m - 1e-6);
+      EXPECT_LE(along_m, patch_m - leaf_m + 1e-6);
     }
     EXPECT_GE(twig.height_m, 0.0F);
     EXPECT_NEAR(glm::length(twig.outwards), 1.0F, 1e-5F);
@@ -41,16 +45,18 @@ TEST(Crown, HasItsTwigsOverThePatchUpToItsHeight) {
   EXPECT_GT(highest_m, 0.9 * crown_m);
 }
 
+// Of what is left within the leaves' margin.
 TEST(Crown, ShadesMostOfThePatchAndIsHigherInSomePlaces) {
+  constexpr double inner = (patch_m - 2.0 * leaf_m) / patch_m;
   constexpr int side = 12;
   std::vector<float> tops_m(side * side, 0.0F);
-  for (const Crown::Twig& twig : twigs_of(Crown(crown_m, patch_m, 3, 1))) {
+  for (const Crown::Twig& twig : twigs_of(Crown(usual, 3, 1))) {
     const glm::ivec2 at(twig.place_m * static_cast<float>(side / patch_m));
     float& top_m = tops_m[static_cast<std::size_t>(at.y * side + at.x)];
     top_m = std::max(top_m, twig.height_m);
   }
   const auto covered = std::ranges::count_if(tops_m, [](float top_m) { return top_m > 0.0F; });
-  EXPECT_GT(covered, 0.6 * side * side);
+  EXPECT_GT(covered, 0.6 * inner * inner * side * side);
   const auto high =
       std::ranges::count_if(tops_m, [](float top_m) { return top_m > 0.8 * crown_m; });
   EXPECT_GT(high, 0.02 * side * side);
@@ -59,7 +65,7 @@ TEST(Crown, ShadesMostOfThePatchAndIsHigherInSomePlaces) {
 
 TEST(Crown, HasNoTwigsInTheMiddleOfACushion) {
   // The first cushion, the highest.
-  const Crown crown(crown_m, 0.5 * crown_m, 3, 1);
+  const Crown crown(narrow, 3, 1);
   for (const double height : {0.3, 0.9}) {
     const Crown::Twig deep = crown.twig({0.0, height, 0.0, 0.0});
     const Crown::Twig shallow = crown.twig({0.0, height, 0.0, 1.0});
@@ -69,7 +75,7 @@ TEST(Crown, HasNoTwigsInTheMiddleOfACushion) {
 }
 
 TEST(Crown, TurnsItsTwigsAwayFromTheMiddle) {
-  const Crown crown(crown_m, 0.5 * crown_m, 3, 1);
+  const Crown crown(narrow, 3, 1);
   const float middle_m = static_cast<float>(0.25 * crown_m);
   for (const double turn : {0.05, 0.3, 0.55, 0.8})
     for (const double height : {0.1, 0.6}) {
@@ -82,7 +88,7 @@ TEST(Crown, TurnsItsTwigsAwayFromTheMiddle) {
 TEST(Crown, BelongsToASeedAndAVariant) {
   const auto places = [](std::uint64_t seed, int variant) {
     std::vector<float> all;
-    for (const Crown::Twig& twig : twigs_of(Crown(crown_m, patch_m, seed, variant)))
+    for (const Crown::Twig& twig : twigs_of(Crown(usual, seed, variant)))
       all.push_back(twig.place_m.x);
     return all;
   };

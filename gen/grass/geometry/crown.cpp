@@ -12,17 +12,20 @@ namespace {
 
 constexpr double radius_over_crown = 0.55;  ///< of the highest cushion
 constexpr double coverage = 2.5;            ///< cushions over ground
+constexpr double max_margin = 0.3;          ///< of the patch, for leaves
 constexpr double lowest = 0.55;             ///< cushion over the highest
 constexpr double max_cushions = 1000.0;
 constexpr double hollow = 1.0 / 3.0;  ///< of a radius, without twigs
 
 }  // namespace
 
-Crown::Crown(double crown_m, double patch_m, std::uint64_t seed, int variant) {
-  const double max_radius_m = std::min(radius_over_crown * crown_m, 0.5 * patch_m);
+Crown::Crown(const Size& size, std::uint64_t seed, int variant) {
+  const double margin_m = std::min(size.leaf_m, max_margin * size.patch_m);
+  const double inner_m = size.patch_m - 2.0 * margin_m;
+  const double max_radius_m = std::min(radius_over_crown * size.crown_m, 0.5 * inner_m);
   const double one_m2 = std::numbers::pi * max_radius_m * max_radius_m;
   const auto count =
-      std::lround(std::clamp(coverage * patch_m * patch_m / one_m2, 1.0, max_cushions));
+      std::lround(std::clamp(coverage * inner_m * inner_m / one_m2, 1.0, max_cushions));
   for (long number = 0; number < count; ++number) {
     const auto drawn = [&](const char* what) {
       const auto index =
@@ -33,7 +36,8 @@ Crown::Crown(double crown_m, double patch_m, std::uint64_t seed, int variant) {
     const double part = number == 0 ? 1.0 : std::lerp(lowest, 1.0, drawn("height"));
     const double radius_m = part * max_radius_m;
     const glm::dvec2 place(drawn("x"), drawn("y"));
-    cushions_.push_back({radius_m + (patch_m - 2.0 * radius_m) * place, radius_m, part * crown_m});
+    cushions_.push_back(
+        {margin_m + radius_m + (inner_m - 2.0 * radius_m) * place, radius_m, part * size.crown_m});
   }
 }
 

@@ -7,8 +7,9 @@
 namespace wold::grass {
 
 /// Where the twigs of a shrub end on a patch: on cushions, round and of different heights, as
-/// junipers, heath and thorn scrub are seen from outside. They lie within the patch, so that shrubs
-/// end where their neighbours are of grass. Leaves live where light is: most twigs end next to a
+/// junipers, heath and thorn scrub are seen from outside. They lie within the patch, with their
+/// leaves: a patch beside it may be of grass, and what stood out over the border would be cut off
+/// there. Leaves live where light is: most twigs end next to a
 /// cushion's surface, none in its inner third (modelling choices).
 class Crown {
  public:
@@ -19,9 +20,17 @@ class Crown {
     glm::vec3 outwards;  ///< unit; never downwards
   };
 
-  /// Cushions up to `crown_m` high, as many as cover two and a half patches; keyed by
-  /// (seed, variant). Both lengths are positive.
-  Crown(double crown_m, double patch_m, std::uint64_t seed, int variant);
+  /// Lengths in metres, all positive.
+  struct Size {
+    double crown_m;  ///< height of the highest cushion
+    double patch_m;  ///< side of the patch
+    double leaf_m;   ///< how far leaves stand out over twigs; more than three tenths of a patch
+                    ///< count as these
+  };
+
+  /// Cushions that cover the part of the patch where they may lie two and a half times; keyed by
+  /// (seed, variant).
+  Crown(const Size& size, std::uint64_t seed, int variant);
 
   /// The twig that four numbers from 0 to 1 pick, uniform ones as even as the cushions' surface.
   Twig twig(const glm::dvec4& picks) const;
