@@ -10,12 +10,6 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// Of the cells -1, 0, 1 and 2 for a place `t` between 0 and 1.
-std::array<double, 4> keys_weights(double t) {
-  return {0.5 * t * ((2.0 - t) * t - 1.0), 0.5 * (t * t * (3.0 * t - 5.0) + 2.0),
-          0.5 * t * ((4.0 - 3.0 * t) * t + 1.0), 0.5 * t * t * (t - 1.0)};
-}
-
 std::array<double, 4> linear_weights(double t) { return {0.0, 1.0 - t, t, 0.0}; }
 
 /// Those that are no void count.
@@ -61,6 +55,11 @@ double mean_of_cubic(const CellBlock& block, const glm::ivec2& cell) {
 
 }  // namespace
 
+std::array<double, 4> cubic_weights(double t) {
+  return {0.5 * t * ((2.0 - t) * t - 1.0), 0.5 * (t * t * (3.0 * t - 5.0) + 2.0),
+          0.5 * t * ((4.0 - 3.0 * t) * t + 1.0), 0.5 * t * t * (t - 1.0)};
+}
+
 double CellBlock::at(const glm::ivec2& cell) const {
   const glm::ivec2 in = cell - first;
   if (in.x < 0 || in.y < 0 || in.x >= size.x || in.y >= size.y) return nothing;
@@ -89,7 +88,7 @@ double cubic_value(const CellBlock& block, const glm::dvec2& place) {
   const glm::dvec2 whole = glm::floor(from_middle);
   const glm::dvec2 t = from_middle - whole;
   const glm::ivec2 cell(whole);
-  const Sum cubic = sum_around(block, cell, keys_weights(t.x), keys_weights(t.y));
+  const Sum cubic = sum_around(block, cell, cubic_weights(t.x), cubic_weights(t.y));
   if (!cubic.has_void) return cubic.values;
   const Sum linear = sum_around(block, cell, linear_weights(t.x), linear_weights(t.y));
   return linear.values / linear.weights;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -24,9 +25,12 @@ inline constexpr int mean_passes = 4;
 /// Values next to voids, and those at the block's border, stay as they are.
 CellBlock with_means_kept(const CellBlock& means);
 
-/// A raster's value at a place, in cells from its upper left corner, by cubic convolution: Keys,
-/// "Cubic convolution interpolation for digital image processing" (1981). Beside voids, bilinear
-/// between the cells that are there; NaN in a void.
+/// Cubic convolution [Keys1981] with a = -1/2: the weights of the values at -1, 0, 1 and 2 for a
+/// place `t` between 0 and 1. They sum to 1.
+std::array<double, 4> cubic_weights(double t);
+
+/// A raster's value at a place, in cells from its upper left corner, by cubic convolution. Beside
+/// voids, bilinear between the cells that are there; NaN in a void.
 double cubic_value(const CellBlock& block, const glm::dvec2& place);
 
 /// Mean of what lies between two corners, upper left and lower right, by the fraction of each cell;

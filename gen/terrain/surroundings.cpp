@@ -14,6 +14,7 @@
 #include "terrain/elevation.h"
 #include "terrain/known_land.h"
 #include "terrain/made_up_land.h"
+#include "terrain/resampling.h"
 
 namespace wold::terrain {
 namespace {
@@ -42,13 +43,22 @@ void each_row(int rows, const Visit& visit) {
                [&](std::size_t row) { visit(static_cast<int>(row)); });
 }
 
-/// Puts a finer map's heights into a map, where the finer one has some.
+/// How far a place lies outside of a square; negative inside.
+double outside_m(const Square& square, const glm::dvec2& at_m) {
+  const glm::dvec2 out_m = glm::max(square.corner_m - at_m, at_m - square.corner_m - square.size_m);
+  return std::max(out_m.x, out_m.y);
+}
+
+/// Puts a finer map's heights into a map, where the finer one has some: on its border, too,
+/// whatever rounding makes of it.
 template <class Finer>
 void put(const Finer& finer, GroundMap<double>& heights_m) {
+  const double rounding_m = 1e-6 * heights_m.step_m();
   each_row(heights_m.samples(), [&](int j) {
     for (int i = 0; i < heights_m.samples(); ++i) {
       const glm::dvec2 at_m = heights_m.place_m(i, j);
-      if (finer.square().contains(at_m)) heights_m.at(i, j) = finer.sample(at_m.x, at_m.y);
+      if (outside_m(finer.square(), at_m) <= rounding_m)
+        heights_m.at(i, j) = finer.sample(at_m.x, at_m.y);
     }
   });
 }
@@ -118,16 +128,13 @@ Heightfield with_made_up_land(const KnownLand& known, const MadeUpLand& land) {
   return all;
 }
 
-/// A height between those of a map that are kept, smooth across their cells: cubic convolution
-/// (Keys 1981, a = -1/2). It has their values at their places.
+/// A height between those of a map that are kept, smooth across their cells, by cubic convolution.
+/// It is theirs at their places.
 double smooth_height_m(const Heightfield& map, const glm::dvec2& at_m) {
   const glm::dvec2 place = (at_m - map.corner_m()) / map.step_m();
   const glm::dvec2 corner = glm::floor(place);
-  const auto weights = [](double t) {
-    return std::array{t * (-0.5 + t * (1.0 - 0.5 * t)), 1.0 + t * t * (-2.5 + 1.5 * t),
-                      t * (0.5 + t * (2.0 - 1.5 * t)), t * t * (-0.5 + 0.5 * t)};
-  };
-  const auto of_column = weights(place.x - corner.x), of_row = weights(place.y - corner.y);
+  const auto of_column = cubic_weights(place.x - corner.x);
+  const auto of_row = cubic_weights(place.y - corner.y);
   const auto inside = [&](double k) {
     return static_cast<int>(std::clamp(k, 0.0, map.samples() - 1.0));
   };
@@ -138,12 +145,6 @@ double smooth_height_m(const Heightfield& map, const glm::dvec2& at_m) {
                double{map.at(inside(corner.x + static_cast<double>(i) - 1.0),
                              inside(corner.y + static_cast<double>(j) - 1.0))};
   return sum_m;
-}
-
-/// How far a place lies outside of a square; negative inside.
-double outside_m(const Square& square, const glm::dvec2& at_m) {
-  const glm::dvec2 out_m = glm::max(square.corner_m - at_m, at_m - square.corner_m - square.size_m);
-  return std::max(out_m.x, out_m.y);
 }
 
 /// Rise per distance, by differences over two steps.
