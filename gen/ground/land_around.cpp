@@ -73,7 +73,8 @@ double LandAround::sun_seen(const glm::dvec3& at_m) const {
   for (double distance_m = 1.5 * step_m; distance_m < farthest_m;
        distance_m += std::max(step_m, spacing * distance_m))
     highest = std::max(
-        highest, (land_.coarse_height_m(glm::dvec2(at_m) + towards * distance_m) - at_m.z) / distance_m);
+        highest,
+        (land_.coarse_height_m(glm::dvec2(at_m) + towards * distance_m) - at_m.z) / distance_m);
   return glm::smoothstep(-half_width, half_width, math::asin(sun.z) - math::atan(highest));
 }
 
@@ -94,12 +95,13 @@ glm::vec3 LandAround::radiance(const glm::dvec2& place_m, double step_m) const {
 }
 
 glm::vec3 LandAround::near_radiance(const glm::dvec2& place_m, double step_m) const {
-  const glm::dvec3 at_m(place_m, land_.height_m(place_m));
-  const glm::dvec3 up = land_.up(place_m);
+  const glm::dvec3 at_m(place_m, land_.height_m(place_m, step_m));
   const double rich = std::clamp(variation_.at(place_m, step_m), -2.0, 2.0);
-  const glm::vec3 look = appearance_.at(up, at_m.z) *
+  // What grows knows the slope as that of places in the square is known.
+  const glm::dvec3 up_of_slope = land_.up(place_m, land_.step_m(place_m));
+  const glm::vec3 look = appearance_.at(up_of_slope, at_m.z) *
                          glm::max(1.0F + spread_ * static_cast<float>(rich), glm::vec3(0.2F));
-  return look * irradiance(at_m, up);
+  return look * irradiance(at_m, land_.up(place_m, step_m));
 }
 
 void paint_land_around(const LandRadiance& land, const LandAround& around, const LandView& view,

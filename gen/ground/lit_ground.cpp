@@ -259,7 +259,8 @@ LandAppearance LitGround::land_appearance(const LevelLook& look) const {
   std::vector<LandSample> samples(looked_at_m.size());
   parallel_for(samples.size(), [&](std::size_t i) {
     const glm::dvec2& at_m = looked_at_m[i];
-    samples[i] = {site_.surroundings->up(at_m), double{site_.terrain.sample(at_m.x, at_m.y)},
+    const terrain::Surroundings& land = *site_.surroundings;
+    samples[i] = {land.up(at_m, land.step_m(at_m)), double{site_.terrain.sample(at_m.x, at_m.y)},
                   look.at(at_m)};
   });
   return LandAppearance(samples);

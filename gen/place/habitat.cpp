@@ -95,21 +95,27 @@ double GrowthLimits::on_slope(double slope_deg) const {
 
 namespace {
 
-constexpr int octaves_of_groups = 6;
-constexpr double largest_group = 128.0;  // over the size of tufts
-constexpr double by_group = 0.6;         // variance, a modelling choice
+constexpr int max_octaves_of_groups = 6;
+constexpr double smallest_group = 4.0;  // over the size of tufts
+constexpr double by_group = 0.6;        // variance, a modelling choice
 
 }  // namespace
 
 double Tufts::at(const glm::dvec2& at_m) const {
   const double tuft = field_.at(at_m / feature_m_);
   if (!groups_) return equalised(tuft);
-  const double group = groups_->at(at_m / (largest_group * feature_m_));
+  const double group = groups_->at(at_m / largest_group_m_);
   return equalised(std::sqrt(1.0 - by_group) * tuft + std::sqrt(by_group) * group);
 }
 
-Tufts Tufts::in_groups(std::uint64_t key) && {
-  groups_.emplace(key, octaves_of_groups, /*hurst=*/0.1);
+Tufts Tufts::in_groups(std::uint64_t key, double largest_m) && {
+  int octaves = 0;
+  for (double group_m = smallest_group * feature_m_;
+       group_m <= largest_m && octaves < max_octaves_of_groups; group_m *= 2.0) {
+    largest_group_m_ = group_m;
+    ++octaves;
+  }
+  if (octaves > 0) groups_.emplace(key, octaves, /*hurst=*/0.1);
   return std::move(*this);
 }
 
@@ -127,7 +133,11 @@ Habitats::Habitats(const scene::Scene& scene, const Heightfield& terrain)
     };
     // Smooth: cells are of one mixture, and one of another amid them shows its square.
     Tufts tufts(Fbm(key("tufts"), /*octaves=*/2, /*hurst=*/0.9), habitat.feature_m);
-    if (is_large(scene)) tufts = std::move(tufts).in_groups(key("groups"));
+    // So large that a terrain has many: all over it species stand on the share that their cover
+    // says.
+    constexpr double largest_group = 0.03;
+    if (is_large(scene))
+      tufts = std::move(tufts).in_groups(key("groups"), largest_group * scene.terrain.size_m);
     species_.push_back({habitat, GrowthLimits(scene, habitat), std::move(tufts)});
     if (asks_for_topography(habitat) && !topography_)
       topography_ = std::make_shared<const Topography>(terrain, scene.sun.latitude_deg);

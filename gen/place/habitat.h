@@ -45,12 +45,14 @@ class Tufts {
 
   double at(const glm::dvec2& at_m) const;
 
-  /// The same tufts in groups of all sizes up to 128 of theirs: many here, few there.
-  Tufts in_groups(std::uint64_t key) &&;
+  /// The same tufts in groups: many here, few there. Groups have all sizes from 4 to 128 of theirs
+  /// that are at most `largest_m`; there are none where that is less than 4.
+  Tufts in_groups(std::uint64_t key, double largest_m) &&;
 
  private:
   Fbm field_;
   double feature_m_;
+  double largest_group_m_ = 0.0;
   std::optional<Fbm> groups_;
 };
 

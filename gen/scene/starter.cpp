@@ -164,7 +164,7 @@ Starter snow() {
        "camera.eye_height", "camera.target_height", "camera.field_of_view"}};
 }
 
-/// Green, yellow, the first snow, a thaw, and the snow that stays.
+/// Green, yellow, the first snow, a thaw, and the snow that stays, at last in the sun.
 std::vector<SeasonKey> from_summer_to_winter() {
   return {{.date = {2026, 8, 25},
            .weathering = 0.0,
@@ -188,8 +188,12 @@ std::vector<SeasonKey> from_summer_to_winter() {
            .cloud_cover = 0.3},
           {.date = {2026, 11, 22},
            .temperature_c = -3.0,
-           .precipitation_mm_day = 12.0,
+           .precipitation_mm_day = 16.0,
            .cloud_cover = 1.0},
+          {.date = {2026, 11, 26},
+           .temperature_c = -5.0,
+           .precipitation_mm_day = 0.0,
+           .cloud_cover = 0.3},
           {.date = {2026, 12, 8},
            .weathering = 1.0,
            .temperature_c = -6.0,
@@ -295,7 +299,7 @@ Species bushes(const Scene& scene) {
   bushes.habitat.feature_m = 2.0;
   bushes.habitat.steepest_deg = 45.0;
   Plant& plant = bushes.plant;
-  plant.crown_m = 0.6;
+  plant.crown_m = 0.45;
   plant.height_m = 0.08;
   plant.height_spread = 0.35;
   plant.width_m = 0.016;
@@ -316,6 +320,7 @@ const Names& keys_of_bushes() {
   static const Names names = {"species.name",
                               "species.share",
                               "species.cover",
+                              "species.feature",
                               "species.steepest",
                               "species.crown",
                               "species.height",

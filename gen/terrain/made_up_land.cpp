@@ -12,7 +12,7 @@ namespace wold::terrain {
 namespace {
 
 constexpr double hurst = 0.7;
-constexpr double largest_feature_m = 8000.0, smallest_feature_m = 5.0;
+constexpr double largest_feature_m = 8000.0, smallest_copy_m = 5.0;
 constexpr double largest_deviation_m = 300.0;
 
 double deviation_of(const Heightfield& ground) {
@@ -40,15 +40,17 @@ double weight_on(double steepness) {
 
 }  // namespace
 
-MadeUpLand::MadeUpLand(const Heightfield& ground, std::uint64_t seed)
-    : worn_(random_bits({seed, key_of("ground"), 0, key_of("made-up land")})) {
+MadeUpLand::MadeUpLand(const Heightfield& ground, std::uint64_t seed) {
   const double half_m = 0.5 * ground.size_m(), largest_m = std::max(half_m, largest_feature_m);
   const std::uint64_t key = random_bits({seed, key_of("ground"), 0, key_of("made-up land")});
   const glm::dmat2 turn(0.8, 0.6, -0.6, 0.8);  // no copy lies along another
+  const double deviation_m = deviation_of(ground);
+  if (deviation_m <= 0.0) return;
+  worn_.emplace(key);
   Copy copy{.feature_m = largest_m,
-            .height_m = std::min(deviation_of(ground) * math::pow(largest_m / half_m, hurst),
-                                 largest_deviation_m)};
-  for (std::uint64_t i = 0; copy.feature_m >= smallest_feature_m; ++i) {
+            .height_m =
+                std::min(deviation_m * math::pow(largest_m / half_m, hurst), largest_deviation_m)};
+  for (std::uint64_t i = 0; copy.feature_m >= smallest_copy_m; ++i) {
     const auto drawn = [&](std::string_view what) {
       return WornLand::period * random_uniform({key, key_of("copy"), i, key_of(what)});
     };
@@ -67,6 +69,7 @@ double MadeUpLand::height_m(const glm::dvec2& at_m, double step_m, double from_k
 
 double MadeUpLand::finer_m(const glm::dvec2& at_m, const Steps& steps, double from_known_m) const {
   double sum_m = 0.0, weight = 1.0;
+  if (steps.fine_m >= steps.coarse_m) return sum_m;
   for (const Copy& copy : copies_) {
     const glm::dvec2 place = copy.place(at_m);
     double feature_m = copy.feature_m, begun = 0.0;
@@ -76,9 +79,9 @@ double MadeUpLand::finer_m(const glm::dvec2& at_m, const Steps& steps, double fr
       begun = glm::smoothstep(0.0, feature_m, from_known_m);
       const double part = begun * (fine - shown_fraction(feature_m, steps.coarse_m));
       if (part > 0.0)
-        sum_m += weight * part * copy.height_m * soft(feature_m) * worn_.height(octave, place);
+        sum_m += weight * part * copy.height_m * soft(feature_m) * worn_->height(octave, place);
     }
-    weight *= std::lerp(1.0, weight_on(worn_.steepness(place)), begun);
+    weight *= std::lerp(1.0, weight_on(worn_->steepness(place)), begun);
   }
   return sum_m;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 #include "core/ground_map.h"
@@ -14,8 +15,8 @@ namespace wold::terrain {
 class MadeUpLand {
  public:
   /// Land that goes on from `ground`: its deviation grows from that of the ground's heights, over
-  /// half of their square, by a Hurst exponent of 0.7 up to features of 8 km, and is 300 m at most:
-  /// modelling choices.
+  /// half of their square, by a Hurst exponent of 0.7 up to features of 8 km, or as large as half
+  /// of a wider square. It is 300 m at most. These are modelling choices.
   MadeUpLand(const Heightfield& ground, std::uint64_t seed);
 
   /// Metres above or below the mean land, as a map with this step shows it, at a distance from
@@ -41,8 +42,8 @@ class MadeUpLand {
     glm::dvec2 place(const glm::dvec2& at_m) const { return turn * at_m / feature_m + shift; }
   };
 
-  WornLand worn_;
-  std::vector<Copy> copies_;  ///< from the largest
+  std::optional<WornLand> worn_;  ///< none where the ground is level
+  std::vector<Copy> copies_;      ///< from the largest
 };
 
 }  // namespace wold::terrain

@@ -22,6 +22,8 @@ class Grid {
   Grid(int samples, const BaseLevel& base_level) : samples_(samples), base_level_(base_level) {
     if (base_level.size() != static_cast<std::size_t>(count()))
       throw std::invalid_argument("base level and heights must have as many samples");
+    if (std::ranges::find(base_level, true) == base_level.end())
+      throw std::invalid_argument("some samples must be base level");
   }
 
   int count() const { return samples_ * samples_; }

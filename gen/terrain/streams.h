@@ -41,7 +41,8 @@ using BaseLevel = std::vector<bool>;
 
 /// The same down to a base level of its own, of as many samples as the map, instead of the border.
 /// Where samples of the border are none of it, water flows on over the opposite side: the map is a
-/// tile whose sides join, each a step from the other. Everything is a pit where none is.
+/// tile whose sides join, each a step from the other. Throws std::invalid_argument where no sample
+/// is base level.
 void carve(GroundMap<double>& heights_m, const GroundMap<double>& uplift_m,
            const BaseLevel& base_level, const Incision& incision);
 

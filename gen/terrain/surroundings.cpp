@@ -147,15 +147,20 @@ double smooth_height_m(const Heightfield& map, const glm::dvec2& at_m) {
   return sum_m;
 }
 
-/// Rise per distance, by differences over two steps.
-double slope_at(const Heightfield& map, const glm::dvec2& at_m) {
-  const double step_m = map.step_m();
+/// Rise per distance to the east and to the north, by differences over two steps.
+template <class Height>
+glm::dvec2 gradient(const Height& height_m, const glm::dvec2& at_m, double step_m) {
   const auto rise = [&](const glm::dvec2& along) {
-    const glm::dvec2 to_m = at_m + along * step_m, from_m = at_m - along * step_m;
-    return double{map.sample(to_m.x, to_m.y) - map.sample(from_m.x, from_m.y)} / (2.0 * step_m);
+    return (height_m(at_m + along * step_m) - height_m(at_m - along * step_m)) / (2.0 * step_m);
   };
-  const double east = rise({1.0, 0.0}), north = rise({0.0, 1.0});
-  return std::sqrt(east * east + north * north);
+  return {rise({1.0, 0.0}), rise({0.0, 1.0})};
+}
+
+double slope_at(const Heightfield& map, const glm::dvec2& at_m) {
+  const auto height_m = [&](const glm::dvec2& place_m) {
+    return double{map.sample(place_m.x, place_m.y)};
+  };
+  return glm::length(gradient(height_m, at_m, map.step_m()));
 }
 
 double mean_slope(const Heightfield& map) {
@@ -232,12 +237,12 @@ double Surroundings::between_rings(const glm::dvec2& at_m, const HeightInRing& h
   return inner >= 1.0 ? height_m : std::lerp(height_in(rings[ring + 1]), height_m, inner);
 }
 
-double Surroundings::finer_m(const Ring& ring, const glm::dvec2& at_m) const {
-  if (ring.slope <= 0.0) return 0.0;
-  const double rough = std::min(slope_at(ring.map, at_m) / ring.slope, max_roughness);
+double Surroundings::finer_m(const Ring& ring, const glm::dvec2& at_m, double shown_m) const {
   const double step_m = ring.map.step_m();
-  return rough * land().made_up.finer_m(at_m, {step_m, step_m / refinement},
-                                        std::max(0.0, outside_m(square_, at_m)));
+  const MadeUpLand::Steps steps{step_m, std::max(step_m / refinement, shown_m)};
+  if (steps.fine_m >= steps.coarse_m || ring.slope <= 0.0) return 0.0;
+  const double rough = std::min(slope_at(ring.map, at_m) / ring.slope, max_roughness);
+  return rough * land().made_up.finer_m(at_m, steps, std::max(0.0, outside_m(square_, at_m)));
 }
 
 double Surroundings::coarse_height_m(const glm::dvec2& at_m) const {
@@ -245,18 +250,16 @@ double Surroundings::coarse_height_m(const glm::dvec2& at_m) const {
                        [&](const Ring& ring) { return double{ring.map.sample(at_m.x, at_m.y)}; });
 }
 
-double Surroundings::height_m(const glm::dvec2& at_m) const {
+double Surroundings::height_m(const glm::dvec2& at_m, double shown_m) const {
   return between_rings(at_m, [&](const Ring& ring) {
-    return smooth_height_m(ring.map, at_m) + finer_m(ring, at_m);
+    return smooth_height_m(ring.map, at_m) + finer_m(ring, at_m, shown_m);
   });
 }
 
-glm::dvec3 Surroundings::up(const glm::dvec2& at_m) const {
-  const double step = step_m(at_m) / refinement;
-  const auto rise = [&](const glm::dvec2& along) {
-    return (height_m(at_m + along * step) - height_m(at_m - along * step)) / (2.0 * step);
-  };
-  return glm::normalize(glm::dvec3(-rise({1.0, 0.0}), -rise({0.0, 1.0}), 1.0));
+glm::dvec3 Surroundings::up(const glm::dvec2& at_m, double shown_m) const {
+  const double shown = std::max(step_m(at_m) / refinement, shown_m);
+  const auto height = [&](const glm::dvec2& place_m) { return height_m(place_m, shown); };
+  return glm::normalize(glm::dvec3(-gradient(height, at_m, shown), 1.0));
 }
 
 }  // namespace wold::terrain

@@ -19,10 +19,11 @@ namespace wold::terrain {
 ///
 /// They are those of the scene's ground where that is, then of terrain.elevation as far as it
 /// reaches, then of terrain.surroundings. Where nobody knows them the land goes on as high as its
-/// border, and rises and falls as the scene's ground does (MadeUpLand). The earth is flat here.
+/// border, and rises and falls as the scene's ground does (MadeUpLand). So does what is finer than
+/// the steps between known heights. The earth is flat here.
 ///
-/// Land that nobody knows is made when it is first asked for: most of a second of work, and many
-/// frames never see it. Any thread may ask.
+/// Without models all of it is made when it is first asked for: a second of work, and many frames
+/// never see it. With them it is made at once. Any thread may ask.
 class Surroundings {
  public:
   /// `ground`: the scene's. The land reaches `reach_m` beyond it at least. Throws InputError as
@@ -38,13 +39,13 @@ class Surroundings {
   /// Steps between the heights that are kept at a place.
   double step_m(const glm::dvec2& at_m) const { return land().rings[ring_of(at_m)].map.step_m(); }
 
-  /// Of what is as large as the steps.
+  /// Height between those that are kept, without anything finer.
   double coarse_height_m(const glm::dvec2& at_m) const;
-  /// With features down to an eighth of the steps, more of them where the land is steep: nobody
-  /// knows them.
-  double height_m(const glm::dvec2& at_m) const;
-  /// Upward unit normal of the land with those.
-  glm::dvec3 up(const glm::dvec2& at_m) const;
+  /// Height with the finer features that a map with steps of `shown_m` shows, down to an eighth of
+  /// the steps between kept heights; higher ones where the land is steep.
+  double height_m(const glm::dvec2& at_m, double shown_m = 0.0) const;
+  /// Upward unit normal of that land, by differences over two of those steps.
+  glm::dvec3 up(const glm::dvec2& at_m, double shown_m) const;
 
  private:
   /// The land in one square.
@@ -69,7 +70,7 @@ class Surroundings {
   const Land& land() const;
   double reach_m_of(double ring_m) const { return 0.5 * (ring_m - square_.size_m); }
   std::size_t ring_of(const glm::dvec2& at_m) const;
-  double finer_m(const Ring& ring, const glm::dvec2& at_m) const;
+  double finer_m(const Ring& ring, const glm::dvec2& at_m, double shown_m) const;
   template <class HeightInRing>
   double between_rings(const glm::dvec2& at_m, const HeightInRing& height_in) const;
 

@@ -40,7 +40,7 @@ TEST(StarterScene, OfEachKindShowsWhatItSays) {
   EXPECT_NEAR(hours * snow.weather.precipitation_mm_h, 10.0, 1.0);
   EXPECT_LT(snow.weather.temperature_c, 0.0);
   const Scene season = read("season");
-  ASSERT_EQ(season.season_keys.size(), 7U);
+  ASSERT_EQ(season.season_keys.size(), 8U);
   EXPECT_EQ(season.season_keys[3].precipitation_mm_day, 6.0);
   EXPECT_FALSE(season.season_keys[3].weathering.has_value());
   EXPECT_EQ(season.season_keys.back().date, season.season.last);
@@ -77,9 +77,26 @@ TEST(StarterScene, OfARealPlaceShowsIt) {
     // Grass as the scene has it, and bushes that stay green among it.
     ASSERT_EQ(read.species.size(), 2U) << kind;
     wanted.species = {species_of(wanted).front()};
-    EXPECT_GT(read.species.back().plant.crown_m, 0.3);
-    EXPECT_LT(read.species.back().habitat.cover, 0.3);
-    wanted.species.push_back(read.species.back());
+    Species bushes = species_of(wanted).front();
+    bushes.name = "bushes";
+    bushes.share = 2.0;
+    bushes.habitat.cover = 0.12;
+    bushes.habitat.feature_m = 2.0;
+    bushes.habitat.steepest_deg = 45.0;
+    bushes.plant.crown_m = 0.45;
+    bushes.plant.height_m = 0.08;
+    bushes.plant.height_spread = 0.35;
+    bushes.plant.width_m = 0.016;
+    bushes.plant.lean_deg = 28.0;
+    bushes.plant.lean_spread_deg = 15.0;
+    bushes.plant.bend = 0.4;
+    bushes.plant.mingle = {{"evergreen", {}}};
+    bushes.physiology.droop = 0.4;
+    bushes.physiology.litter = 0.1;
+    bushes.physiology.fresh_spread = 0.08;
+    bushes.physiology.chlorophyll_ug_cm2 = 58.0;
+    bushes.physiology.carotenoid_ug_cm2 = 11.0;
+    wanted.species.push_back(bushes);
     EXPECT_THAT(read.terrain.elevation, testing::EndsWith(place.elevation));
     read.terrain.elevation = place.elevation;
     EXPECT_EQ(resolved_toml(read), resolved_toml(wanted)) << kind;

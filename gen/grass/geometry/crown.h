@@ -7,10 +7,10 @@
 namespace wold::grass {
 
 /// Where the twigs of a shrub end on a patch: on cushions, round and of different heights, as
-/// junipers, heath and thorn scrub are seen from outside. They lie within the patch, with their
-/// leaves: a patch beside it may be of grass, and what stood out over the border would be cut off
-/// there. Leaves live where light is: most twigs end next to a
-/// cushion's surface, none in its inner third (modelling choices).
+/// junipers, heath and thorn scrub are seen from outside. They lie within the patch, with
+/// most of their leaves: a patch beside it may be of grass, and what stands out over the border is
+/// cut off there. Leaves live where light is: most twigs end next to a cushion's surface, none in
+/// its inner third (modelling choices).
 class Crown {
  public:
   /// The end of a twig.
@@ -24,12 +24,11 @@ class Crown {
   struct Size {
     double crown_m;  ///< height of the highest cushion
     double patch_m;  ///< side of the patch
-    double leaf_m;   ///< how far leaves stand out over twigs; more than three tenths of a patch
-                    ///< count as these
+    double leaf_m;   ///< how far leaves stand out over twigs; 0.3 patches at most are left for it
   };
 
-  /// Cushions that cover the part of the patch where they may lie two and a half times; keyed by
-  /// (seed, variant).
+  /// As many cushions as would cover two and a half times the part of the patch that leaves leave
+  /// them; keyed by (seed, variant).
   Crown(const Size& size, std::uint64_t seed, int variant);
 
   /// The twig that four numbers from 0 to 1 pick, uniform ones as even as the cushions' surface.
