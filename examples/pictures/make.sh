@@ -14,13 +14,15 @@ tiled() {
 }
 
 # make NAME SCENE SIZE beside|above FRAME...: frames below each other, Blender beside POV-Ray, or
-# beside each other, Blender above POV-Ray.
+# beside each other, Blender above POV-Ray. Of an example, or of the file SCENE.
 make() {
   local name=$1 arrangement=$4 out=$here/build/pictures/$1 frames=() blender=() povray=() pairs=() frame
+  local scene=$2
   [ ${#wanted[@]} -eq 0 ] || [[ " ${wanted[*]} " == *" $name "* ]] || return 0
   say "$name"
   frames=("${@:5}")
-  "$here/build/wold" render "$here/examples/$2.toml" --quiet --out "$out" --renderer both --size "$3" \
+  [ -e "$scene" ] || scene=$here/examples/$scene.toml
+  "$here/build/wold" render "$scene" --quiet --out "$out" --renderer both --size "$3" \
     --frames "$(IFS=, && echo "${frames[*]}")" >/dev/null
   for frame in "${frames[@]}"; do
     blender+=("$(printf '%s/frames/blender/%04d.png' "$out" "$frame")")
@@ -45,10 +47,20 @@ film() {
     -quality 75 -compression_level 6 "$here/examples/pictures/$name.webp"
 }
 
+# scene_of NAME MODEL: the file of a new scene of a real place.
+scene_of() {
+  local folder=$here/build/pictures
+  mkdir -p "$folder"
+  rm -f "$folder/$1.toml"
+  (cd "$folder" && "$here/build/wold" new "$1" --terrain "$2" >/dev/null)
+  echo "$folder/$1.toml"
+}
+
 wanted=("$@")
 install "${build_packages[@]}" "${render_packages[@]}"
 build -- wold
 make hillside hillside 480x270 beside 1 2 3
+make valley "$(scene_of valley "$here/tests/data/terrain/bigtujunga_srtm30.tif")" 480x270 above 1 2 3
 make mountain mountain 480x270 beside 1 2 3
 make snow first_snow 640x360 beside 5 18 48
 make storm ground_blizzard 480x270 beside 1 13
