@@ -44,6 +44,13 @@ TEST(StarterScene, OfEachKindShowsWhatItSays) {
   EXPECT_EQ(season.season_keys[3].precipitation_mm_day, 6.0);
   EXPECT_FALSE(season.season_keys[3].weathering.has_value());
   EXPECT_EQ(season.season_keys.back().date, season.season.last);
+  // A frame's sky is the mean of itself and of two to either side: it has not snowed in any of them
+  // at the end, whose frames are three days apart.
+  const SeasonKey& snow_ends = season.season_keys[6];
+  EXPECT_EQ(snow_ends.precipitation_mm_day, 0.0);
+  EXPECT_EQ(season.season_keys[7].precipitation_mm_day, 0.0);
+  EXPECT_EQ(snow_ends.date[1], 11);
+  EXPECT_LE(snow_ends.date[2], 30 + season.season.last[2] - 3 * 2);
 }
 
 /// A hill of the scene's own has no keys there, whatever the kind; all else stays.

@@ -1,0 +1,121 @@
+#include "scene/starter_at_place.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <string_view>
+
+#include "scene/species.h"
+#include "scene/sun_position.h"
+
+namespace wold::scene {
+namespace {
+
+/// What shapes a hill of the scene's own.
+const KeyNames& keys_of_own_ground() {
+  static const KeyNames names = {"terrain.hill_height",    "terrain.shape",   "terrain.relief",
+                                 "terrain.relief_feature", "terrain.streams", "terrain.talus"};
+  return names;
+}
+
+/// Half a year later.
+void move_date(std::vector<std::int64_t>& date) {
+  constexpr std::chrono::days half_a_year(182);
+  if (date.empty()) return;
+  const std::chrono::year_month_day later(std::chrono::sys_days(date_of(date)) + half_a_year);
+  date = {static_cast<int>(later.year()), static_cast<unsigned>(later.month()),
+          static_cast<unsigned>(later.day())};
+}
+
+/// Low evergreen bushes amid the grass, as on hills that are grazed: without anything as large the
+/// eye does not see how far away a slope is.
+Species bushes(const Scene& scene) {
+  Species bushes = species_of(scene).front();
+  bushes.name = "bushes";
+  bushes.share = 2.0;
+  bushes.habitat.cover = 0.12;
+  bushes.habitat.feature_m = 2.0;
+  bushes.habitat.steepest_deg = 45.0;
+  Plant& plant = bushes.plant;
+  plant.crown_m = 0.45;
+  plant.height_m = 0.08;
+  plant.height_spread = 0.35;
+  plant.width_m = 0.016;
+  plant.lean_deg = 28.0;
+  plant.lean_spread_deg = 15.0;
+  plant.bend = 0.4;
+  plant.mingle = {{"evergreen", {}}};
+  Physiology& physiology = bushes.physiology;
+  physiology.droop = 0.4;
+  physiology.litter = 0.1;
+  physiology.fresh_spread = 0.08;
+  physiology.chlorophyll_ug_cm2 = 58.0;
+  physiology.carotenoid_ug_cm2 = 11.0;
+  return bushes;
+}
+
+const KeyNames& keys_of_bushes() {
+  static const KeyNames names = {"species.name",
+                                 "species.share",
+                                 "species.cover",
+                                 "species.feature",
+                                 "species.steepest",
+                                 "species.crown",
+                                 "species.height",
+                                 "species.height_spread",
+                                 "species.width",
+                                 "species.lean",
+                                 "species.lean_spread",
+                                 "species.bend",
+                                 "species.mingle",
+                                 "species.droop",
+                                 "species.litter",
+                                 "species.fresh_spread",
+                                 "species.chlorophyll_content",
+                                 "species.carotenoid_content"};
+  return names;
+}
+
+}  // namespace
+
+void move_to(Scene& scene, const std::array<double, 2>& longitude_latitude_deg) {
+  constexpr double deg_per_h = 15.0, day_h = 24.0;
+  const auto& [longitude_deg, latitude_deg] = longitude_latitude_deg;
+  const double later_h = (scene.sun.longitude_deg - longitude_deg) / deg_per_h;
+  const double time_h = std::round(10.0 * (scene.sun.time_h + later_h)) / 10.0;
+  scene.sun.time_h = time_h - day_h * std::floor(time_h / day_h);
+  scene.sun.longitude_deg = longitude_deg;
+  scene.sun.latitude_deg = latitude_deg;
+  if (latitude_deg >= 0.0) return;
+  move_date(scene.season.first);
+  move_date(scene.season.last);
+  for (SeasonKey& key : scene.season_keys) move_date(key.date);
+}
+
+Starter at_place(Starter starter, const StarterPlace& place) {
+  Scene& scene = starter.scene;
+  if (place.longitude_latitude_deg) move_to(scene, *place.longitude_latitude_deg);
+  scene.terrain = {};
+  scene.terrain.elevation = place.elevation;
+  scene.terrain.system = place.system;
+  scene.terrain.size_m = place.size_m;
+  scene.terrain.samples = place.samples;
+  scene.sky.visual_range_m = place.visual_range_m;
+  scene.camera.eye_m = place.eye_m;
+  scene.camera.eye_height_m = place.eye_height_m;
+  scene.camera.target_m = place.target_m;
+  scene.camera.target_height_m = place.target_height_m;
+  std::erase_if(starter.keys, [](std::string_view key) {
+    return std::ranges::count(keys_of_own_ground(), key) > 0;
+  });
+  starter.keys =
+      joined(starter.keys, {"terrain.elevation", "terrain.centre", "terrain.size",
+                            "terrain.samples", "camera.eye_height", "camera.target_height",
+                            "camera.field_of_view", "sky.visual_range"});
+  if (!place.system.empty()) starter.keys.emplace_back("terrain.system");
+  scene.species = {species_of(scene).front(), bushes(scene)};
+  starter.keys = joined(starter.keys, keys_of_bushes());
+  return starter;
+}
+
+}  // namespace wold::scene
