@@ -34,7 +34,7 @@ Species bushes(const Scene& scene) {
   bushes.name = "bushes";
   bushes.share = 2.0;
   bushes.habitat.cover = 0.12;
-  bushes.habitat.feature_m = 2.0;
+  bushes.habitat.feature_m = 1.0;
   bushes.habitat.steepest_deg = 45.0;
   Plant& plant = bushes.plant;
   plant.crown_m = 0.45;

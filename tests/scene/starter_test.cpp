@@ -88,7 +88,7 @@ TEST(StarterScene, OfARealPlaceShowsIt) {
     bushes.name = "bushes";
     bushes.share = 2.0;
     bushes.habitat.cover = 0.12;
-    bushes.habitat.feature_m = 2.0;
+    bushes.habitat.feature_m = 1.0;
     bushes.habitat.steepest_deg = 45.0;
     bushes.plant.crown_m = 0.45;
     bushes.plant.height_m = 0.08;
