@@ -3,14 +3,17 @@
 #include "cli/commands.h"
 #include "cli/warnings.h"
 #include "console/output.h"
+#include "core/files.h"
 #include "core/parallel.h"
 #include "core/temporary_name.h"
 #include "film/machine_check.h"
 #include "film/scratch_folder.h"
 #include "phenology/film_season.h"
 #include "scene/parse.h"
+#include "work/build_hash.h"
 #include "work/job.h"
 #include "work/kept_inputs.h"
+#include "work/scene_facts.h"
 
 namespace wold::cli {
 namespace fs = std::filesystem;
@@ -38,8 +41,11 @@ ExitCode run_maps(const MapsOptions& options, Progress& progress) {
   print_warnings(scene, season.get());
   const ThreadLimit limit(scene.render.threads);
   const film::ScratchFolder scratch(temporary_name(folder / "snow"));
-  console::print_data(listed(
-      maps::write_maps(scene, season, frames, folder, scratch.path(), progress), options.json));
+  const std::string source =
+      content_hash(work::hash_of(work::facts_of(scene)) + work::hash_of_build());
+  console::print_data(
+      listed(maps::write_maps(scene, season, frames, folder, scratch.path(), source, progress),
+             options.json));
   return ExitCode::done;
 }
 

@@ -18,6 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The metadata item of what a map was made from.
+constexpr const char* source_item = "WOLD_SOURCE";
+
 [[noreturn]] void fail(const fs::path& file, const std::string& reason) {
   throw FileError(fmt::format("{}: {}", file.string(), reason));
 }
@@ -69,12 +72,13 @@ Georeference georeference(const std::string& elevation, const std::string& syste
 }
 
 void write_geotiff(const fs::path& file, const FactorMap& map, const Georeference& place,
-                   const Quantity& quantity) {
+                   const Quantity& quantity, const std::string& source) {
   const QuietGdal quiet;
   const fs::path part = temporary_name(file);
   {
     const GDALDatasetUniquePtr raster = created(part, map.samples());
     put_in_place(*raster, map, place);
+    raster->SetMetadataItem(source_item, source.c_str());
     GDALRasterBand& band = *raster->GetRasterBand(1);
     band.SetDescription(quantity.name);
     if (*quantity.unit != '\0') band.SetUnitType(quantity.unit);
@@ -91,6 +95,17 @@ void write_geotiff(const fs::path& file, const FactorMap& map, const Georeferenc
   std::error_code error;
   fs::rename(part, file, error);
   if (error) fail(file, error.message());
+}
+
+std::string source_of_geotiff(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) return {};
+  const QuietGdal quiet;
+  constexpr std::array<const char*, 2> drivers = {"GTiff", nullptr};
+  const GDALDatasetUniquePtr raster(
+      GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data()));
+  const char* source = raster ? raster->GetMetadataItem(source_item) : nullptr;
+  return source == nullptr ? "" : source;
 }
 
 }  // namespace wold::maps

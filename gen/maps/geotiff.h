@@ -27,8 +27,12 @@ struct Quantity {
 
 /// Writes a map as a GeoTIFF of 32-bit floats, whole or not at all, with its northern row first. A
 /// pixel's middle is where the map has its value, so that the picture is a step wider than the
-/// ground. Throws FileError.
+/// ground. `source` is written into it. Throws FileError.
 void write_geotiff(const std::filesystem::path& file, const FactorMap& map,
-                   const Georeference& place, const Quantity& quantity);
+                   const Georeference& place, const Quantity& quantity, const std::string& source);
+
+/// What write_geotiff() has written into a file as its source; empty when the file is not there or
+/// is none of those.
+std::string source_of_geotiff(const std::filesystem::path& file);
 
 }  // namespace wold::maps

@@ -29,23 +29,28 @@ std::string file_name(const Quantity& quantity, int frame) {
                    : fmt::format("{}.tif", quantity.name);
 }
 
-/// Writes maps of one ground and remembers them.
+/// Writes maps of one ground, but for those that are there from the same source, and remembers
+/// them.
 class Folder {
  public:
-  Folder(fs::path folder, const Heightfield& terrain, Georeference place)
-      : folder_(std::move(folder)), terrain_(terrain), place_(std::move(place)) {}
+  Folder(fs::path folder, const Heightfield& terrain, Georeference place, std::string source)
+      : folder_(std::move(folder)),
+        terrain_(terrain),
+        place_(std::move(place)),
+        source_(std::move(source)) {}
 
   template <class ValueAt>
   void write(const Quantity& quantity, int frame, const ValueAt& value_at) {
+    const fs::path file = folder_ / file_name(quantity, frame);
+    files_.push_back({file, quantity.name, quantity.unit, frame});
+    if (source_of_geotiff(file) == source_) return;
     FactorMap map(terrain_.samples(), terrain_.square());
     parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
       const int j = static_cast<int>(row);
       for (int i = 0; i < map.samples(); ++i)
         map.at(i, j) = static_cast<float>(value_at(map.place_m(i, j)));
     });
-    const fs::path file = folder_ / file_name(quantity, frame);
-    write_geotiff(file, map, place_, quantity);
-    files_.push_back({file, quantity.name, quantity.unit, frame});
+    write_geotiff(file, map, place_, quantity, source_);
   }
 
   std::vector<MapFile> files() && { return std::move(files_); }
@@ -54,6 +59,7 @@ class Folder {
   fs::path folder_;
   const Heightfield& terrain_;
   Georeference place_;
+  std::string source_;
   std::vector<MapFile> files_;
 };
 
@@ -106,13 +112,15 @@ std::vector<fs::path> map_files(const fs::path& folder, const std::vector<int>& 
 std::vector<MapFile> write_maps(const scene::Scene& scene,
                                 std::shared_ptr<const phenology::FilmSeason> season,
                                 const std::vector<int>& frames, const fs::path& folder,
-                                const fs::path& scratch, Progress& progress) {
+                                const fs::path& scratch, const std::string& source,
+                                Progress& progress) {
   progress.begin("maps", frames.size() + 1);
   make_folder(folder);
   const place::Site site = place::make_site(scene, std::move(season), scratch);
   const scene::Terrain& terrain = scene.terrain;
   Folder maps(folder, site.terrain,
-              georeference(terrain.elevation, terrain.system, terrain.centre, terrain.size_m));
+              georeference(terrain.elevation, terrain.system, terrain.centre, terrain.size_m),
+              source);
   write_ground(scene, site, maps);
   progress.advance(1, "ground");
   for (const int frame : frames) {

@@ -11,7 +11,7 @@
 
 namespace wold::maps {
 
-/// A map that has been written.
+/// A map that has been written, or was there.
 struct MapFile {
   std::filesystem::path file;
   std::string name;
@@ -28,12 +28,14 @@ std::vector<std::filesystem::path> map_files(const std::filesystem::path& folder
 /// (share on which grass grows), water.tif (share that is a lake), and of each of the frames (from
 /// 1) weathering_0001.tif (degree of the grass), snow_depth_0001.tif (m), and on terrains that are
 /// not large snow_water_0001.tif (mm of water in that snow). `season`: phenology::film_season() of
-/// the scene; `scratch`: a folder for this call alone. Throws what place::make_site() throws,
-/// FileError and InterruptedError.
+/// the scene; `scratch`: a folder for this call alone. `source`: a hash of all that they are made
+/// from, which maps carry; those that are there and have it stay as they are. Throws what
+/// place::make_site() throws, FileError and InterruptedError.
 std::vector<MapFile> write_maps(const scene::Scene& scene,
                                 std::shared_ptr<const phenology::FilmSeason> season,
                                 const std::vector<int>& frames, const std::filesystem::path& folder,
-                                const std::filesystem::path& scratch, Progress& progress);
+                                const std::filesystem::path& scratch, const std::string& source,
+                                Progress& progress);
 
 /// As a JSON array of objects with the keys version, file, map, unit and frame, a line break at the
 /// end.

@@ -15,6 +15,7 @@
 #include "film/exporters.h"
 #include "render/run.h"
 #include "scene/write.h"
+#include "work/build_hash.h"
 #include "work/folder_format.h"
 #include "work/manifest.h"
 #include "work/own_folder.h"
@@ -22,12 +23,6 @@
 namespace wold::work {
 namespace fs = std::filesystem;
 namespace {
-
-std::string hash_of_build() {
-  return content_hash(content_hash(read_file("/proc/self/exe")) +
-                      hash_of_programs_below(shipped_file("models")) +
-                      hash_of_programs_below(shipped_file("templates")));
-}
 
 /// Of the shipped files that pictures depend on, by exporter.
 std::map<std::string_view, std::string> hashes_of_programs(exporter::Exporters exporters) {

@@ -26,6 +26,20 @@ TEST_F(Program, MapsLeaveTheElevationModelAsItIs) {
   EXPECT_EQ(wold("maps a.toml --quiet --out maps --frames 1").code, 0);
 }
 
+TEST_F(Program, MapsThatAreThereStayUntilTheSceneChanges) {
+  write("height.tif", model);
+  write("a.toml", scene);
+  const fs::path map = folder_ / "maps" / "weathering_0001.tif";
+  EXPECT_EQ(wold("maps a.toml --quiet --out maps --frames 1").code, 0);
+  const fs::file_time_type long_ago{};
+  fs::last_write_time(map, long_ago);
+  EXPECT_EQ(wold("maps a.toml --quiet --out maps --frames 1-2 --threads 1").code, 0);
+  EXPECT_EQ(fs::last_write_time(map), long_ago);
+  EXPECT_TRUE(fs::exists(folder_ / "maps" / "weathering_0002.tif"));
+  EXPECT_EQ(wold("maps a.toml --quiet --out maps --frames 1 --set ageing.age_spread=0.1").code, 0);
+  EXPECT_NE(fs::last_write_time(map), long_ago);
+}
+
 TEST_F(Program, MapsAreOfFramesThatTheSceneHas) {
   write("height.tif", model);
   write("a.toml", scene);

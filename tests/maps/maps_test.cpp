@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <glm/glm.hpp>
 #include <memory>
 #include <string>
@@ -66,10 +67,11 @@ class ReadMap {
 
 class Maps : public testing::Test {
  protected:
-  std::vector<MapFile> written(const scene::Scene& scene, const std::vector<int>& frames) {
+  std::vector<MapFile> written(const scene::Scene& scene, const std::vector<int>& frames,
+                               const std::string& source = "one") {
     SilentProgress progress;
     return write_maps(scene, nullptr, frames, folder_.path() / "maps", folder_.path() / "snow",
-                      progress);
+                      source, progress);
   }
   ReadMap map(const char* name) const { return ReadMap(folder_.path() / "maps" / name); }
 
@@ -154,9 +156,30 @@ TEST_F(Maps, HaveTheNorthAbove) {
   EXPECT_EQ(height.raster().GetSpatialRef(), nullptr);
 }
 
+// A run that goes on writes what is missing, and what another source or another program made.
+TEST_F(Maps, ThatAreThereFromTheSameSourceStay) {
+  const scene::Scene scene;
+  const fs::path maps = folder_.path() / "maps";
+  const auto time_of = [&](const char* name) { return fs::last_write_time(maps / name); };
+  const fs::file_time_type long_ago{};
+  const std::vector<MapFile> files = written(scene, {1, 2});
+  for (const MapFile& map : files) fs::last_write_time(map.file, long_ago);
+  fs::remove(maps / "weathering_0002.tif");
+  std::ofstream(maps / "slope.tif") << "somebody's notes";
+  const std::vector<MapFile> again = written(scene, {1, 2});
+  EXPECT_EQ(again.size(), files.size());
+  EXPECT_EQ(time_of("height.tif"), long_ago);
+  EXPECT_EQ(time_of("weathering_0001.tif"), long_ago);
+  EXPECT_EQ(map("slope.tif").unit(), "deg");
+  EXPECT_TRUE(fs::exists(maps / "weathering_0002.tif"));
+  written(scene, {1}, "another");
+  EXPECT_NE(time_of("height.tif"), long_ago);
+  EXPECT_NE(time_of("weathering_0001.tif"), long_ago);
+}
+
 TEST_F(Maps, AreNotWrittenIntoAFolderThatIsAFile) {
   const fs::path file = folder_.path() / "no_folder.tif";
-  EXPECT_THROW(write_geotiff(file / "height.tif", FactorMap(5, 10.0), {}, {"height", "m"}),
+  EXPECT_THROW(write_geotiff(file / "height.tif", FactorMap(5, 10.0), {}, {"height", "m"}, ""),
                FileError);
 }
 
