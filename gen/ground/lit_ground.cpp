@@ -81,17 +81,15 @@ ColourMap filled(const GroundGrid& grid, const Radiance& radiance) {
   return map;
 }
 
-/// The map, of whose rows `parts` count, with a coarser one's values beside them.
-ColourMap filled_up(ColourMap map, const RowParts& parts, const ColourMap& coarser) {
+/// The map where `parts` of its rows count, a coarser one's values elsewhere.
+ColourMap filled_up(const ColourMap& map, const RowParts& parts, const ColourMap& coarser) {
+  ColourMap all = filled({map.square(), map.samples()},
+                         [&](const glm::dvec2& at_m) { return coarser.sample(at_m.x, at_m.y); });
   parallel_for(parts.size(), [&](std::size_t row) {
     const int j = static_cast<int>(row);
-    for (int i = 0; i < map.samples(); ++i) {
-      if (i >= parts[row].begin && i < parts[row].end) continue;
-      const glm::dvec2 at_m = map.place_m(i, j);
-      map.at(i, j) = coarser.sample(at_m.x, at_m.y);
-    }
+    visit_row(parts[row], [&](int i) { all.at(i, j) = map.at(i, j); });
   });
-  return map;
+  return all;
 }
 
 meadow::PatchAppearances far_appearances(const scene::Scene& scene, const place::Site& site,
@@ -139,61 +137,63 @@ LitGround::LitGround(const scene::Scene& scene, const place::Site& site,
 }
 
 ColourMap LitGround::on_grass(const ColourMap& light, const terrain::GroundLight& clear,
-                              const GroundGrid& grid) const {
+                              const GroundGrid& grid, const place::View& view) const {
   const ColourMap leaning =
       place::is_large(scene_) || site_.sketch
-          ? meadow::lean_light_map(lean_light_, now_.wind_lean, site_.terrain, view_,
+          ? meadow::lean_light_map(lean_light_, now_.wind_lean, site_.terrain, view,
                                    lean_light_grid(grid, site_.sketch))
-          : meadow::lean_light_map(lean_light_, now_.wind_lean, site_.terrain, view_);
+          : meadow::lean_light_map(lean_light_, now_.wind_lean, site_.terrain, view);
   ColourMap on_grass = product(light, leaning);
   if (place::is_wide(scene_) && scene_.grass.unevenness > 0.0) {
     const meadow::Sward sward(scene_, GroundGrid{clear.sun.square(), clear.sun.samples()}.step_m());
     on_grass = product(on_grass, meadow::sward_light_map(sward, clear, site_.day.sun_direction(),
-                                                         site_.terrain, view_));
+                                                         site_.terrain, view));
   }
   if (!pigment_spread_) return on_grass;
-  return product(on_grass, meadow::pigment_spread_map(*pigment_spread_, *site_.withering,
-                                                      now_.frame, site_.terrain, view_,
-                                                      {light.square(), light.samples()}));
+  return product(
+      on_grass, meadow::pigment_spread_map(*pigment_spread_, *site_.withering, now_.frame,
+                                           site_.terrain, view, {light.square(), light.samples()}));
 }
 
 void LitGround::add_hot_spot(const ColourMap& bare, const terrain::GroundLight& clear,
-                             const FactorMap& growth, ColourMap& radiance) const {
+                             const FactorMap& growth, const place::View& view,
+                             ColourMap& radiance) const {
   const Square square = clear.sun.square();
   const int samples = clear.sun.samples();
   terrain::GroundLight more{ColourMap(samples, square), ColourMap(samples, square),
                             FactorMap(samples, square)};
   const glm::dvec3& sun = site_.day.sun_direction();
-  place::each_in_view(more.sun, site_.terrain, view_, [&](int i, int j, const glm::dvec3& at_m) {
+  place::each_in_view(more.sun, site_.terrain, view, [&](int i, int j, const glm::dvec3& at_m) {
     const double grown{growth.sample(at_m.x, at_m.y)};
     more.sun.at(i, j) = clear.sun.at(i, j) * static_cast<float>(shared_gaps_.more_sunlit(
-                                                 sun, -view_.line_of_sight(at_m), grown));
+                                                 sun, -view.line_of_sight(at_m), grown));
   });
   add_reflected(bare, illuminate_(more), radiance);
 }
 
 ColourMap LitGround::painted(ColourMap ground, const FactorMap& growth, const ColourMap& light,
-                             const ColourMap& grass_light, const LakeSurface* lakes) const {
-  if (lakes != nullptr) lakes->add_to(ground, light, view_);
+                             const ColourMap& grass_light, const LakeSurface* lakes,
+                             const place::View& view) const {
+  if (lakes != nullptr) lakes->add_to(ground, light, view);
   if (!meadow_) return ground;
-  meadow::paint_far_grass(ground, scene_, site_.terrain, growth, grass_light, view_, *meadow_);
-  veil_ground(ground, site_.terrain, view_, haze_);
+  meadow::paint_far_grass(ground, scene_, site_.terrain, growth, grass_light, view, *meadow_);
+  veil_ground(ground, site_.terrain, view, haze_);
   return ground;
 }
 
 landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const GroundGrid& grid,
-                                          const LakeSurface* lakes,
+                                          const place::View& view, const LakeSurface* lakes,
                                           const ColourMap& coarser) const {
   const RowParts seen = place::rows_in_view(
-      grid, site_.terrain, view_, place::margin_in_view_m(grid.step_m()) + 2.0 * grid.step_m());
+      grid, site_.terrain, view, place::margin_in_view_m(grid.step_m()) + 2.0 * grid.step_m());
   place::GroundPart part = place::ground_part(scene_, site_, grid, seen);
   const ColourMap bare = ground.bare(part);
   part = ground.covered(std::move(part), under_grass_);
   const ColourMap light = illuminate_(part.light);
   ColourMap radiance = product(part.reflectance, light);
-  add_hot_spot(bare, part.light, part.growth, radiance);
-  radiance =
-      painted(std::move(radiance), part.growth, light, on_grass(light, part.light, grid), lakes);
+  add_hot_spot(bare, part.light, part.growth, view, radiance);
+  radiance = painted(std::move(radiance), part.growth, light,
+                     on_grass(light, part.light, grid, view), lakes, view);
   return {filled_up(std::move(radiance), seen, coarser).at_corner(glm::dvec2(0.0)),
           grid.square.corner_m};
 }
@@ -204,7 +204,7 @@ ColourMap LitGround::light_in_window() const {
   const RowParts lit =
       place::rows_in_view(window, site_.terrain, view_, 2.0 * meadow::cell_reach_m(scene_));
   const terrain::GroundLight clear = place::light_on(site_, window, lit);
-  return on_grass(illuminate_(clear), clear, window);
+  return on_grass(illuminate_(clear), clear, window, view_);
 }
 
 struct LitGround::LevelLook {
@@ -330,7 +330,7 @@ void LitGround::show_land_around(const LandAround& around, const LakeSurface* la
 
 void LitGround::show(const SnowyGround& ground, const ColourMap& light, const SkyRadiance& sky,
                      landscape::Landscape& landscape) const {
-  ColourMap grass_light = on_grass(light, ground.light(), place::whole_grid(scene_));
+  ColourMap grass_light = on_grass(light, ground.light(), place::whole_grid(scene_), view_);
   const bool sees_around =
       landscape.backdrop && sees_land_around(site_, landscape.camera, scene_.render);
   std::optional<LandAround> around;
@@ -340,10 +340,14 @@ void LitGround::show(const SnowyGround& ground, const ColourMap& light, const Sk
       site_.water ? lake_surface(ground, light, grass_light, *around, sky, landscape) : nullptr;
   // Maps are large: each goes before the next one is made.
   ColourMap radiance = product(ground.reflectance(under_grass_), light);
-  add_hot_spot(ground.bare(), ground.light(), ground.growth(), radiance);
-  landscape.ground = painted(std::move(radiance), ground.growth(), light, grass_light, lakes.get());
-  for (const GroundGrid& grid : place::detail_grids(scene_, landscape.camera))
-    landscape.ground_details.push_back(detail(ground, grid, lakes.get(), landscape.ground));
+  add_hot_spot(ground.bare(), ground.light(), ground.growth(), view_, radiance);
+  landscape.ground =
+      painted(std::move(radiance), ground.growth(), light, grass_light, lakes.get(), view_);
+  if (place::is_large(scene_)) {
+    const place::View view = view_.over(site_.terrain);
+    for (const GroundGrid& grid : place::detail_grids(scene_, landscape.camera))
+      landscape.ground_details.push_back(detail(ground, grid, view, lakes.get(), landscape.ground));
+  }
 
   if (sees_around) show_land_around(*around, lakes.get(), landscape);
   if (place::is_large(scene_)) grass_light = light_in_window();

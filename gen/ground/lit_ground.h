@@ -63,11 +63,11 @@ class LitGround {
  private:
   /// `light`: the frame's; `clear`: under a clear sky, on the same square.
   ColourMap on_grass(const ColourMap& light, const terrain::GroundLight& clear,
-                     const GroundGrid& grid) const;
+                     const GroundGrid& grid, const place::View& view) const;
   /// Adds to the ground's radiance what is more sunlit of it between blades where it is seen than
   /// elsewhere. `bare`: reflectance of what is no snow; `clear`: the light under a clear sky.
   void add_hot_spot(const ColourMap& bare, const terrain::GroundLight& clear,
-                    const FactorMap& growth, ColourMap& radiance) const;
+                    const FactorMap& growth, const place::View& view, ColourMap& radiance) const;
   /// `around`: the land around, which water mirrors, too.
   std::unique_ptr<const LakeSurface> lake_surface(const SnowyGround& ground, const ColourMap& light,
                                                   const ColourMap& grass_light,
@@ -76,10 +76,13 @@ class LitGround {
   ColourMap sun_alone(const terrain::GroundLight& clear) const;
   /// Water, far grass and haze over the ground's own radiance. `light`: on it.
   ColourMap painted(ColourMap ground, const FactorMap& growth, const ColourMap& light,
-                    const ColourMap& grass_light, const LakeSurface* lakes) const;
-  /// Where the camera does not see it, it is as the `coarser` picture has it.
+                    const ColourMap& grass_light, const LakeSurface* lakes,
+                    const place::View& view) const;
+  /// Where the camera does not see it, it is as the `coarser` picture has it. `view`: over the
+  /// terrain.
   landscape::GroundDetail detail(const SnowyGround& ground, const GroundGrid& grid,
-                                 const LakeSurface* lakes, const ColourMap& coarser) const;
+                                 const place::View& view, const LakeSurface* lakes,
+                                 const ColourMap& coarser) const;
   /// How the ground looks along a level line of sight of the camera: radiance over irradiance.
   struct LevelLook;
   LandAppearance land_appearance(const LevelLook& look) const;

@@ -23,13 +23,13 @@ void each_in_view(const Map& map, const Heightfield& terrain, const View& view,
     const int j = static_cast<int>(row);
     for (int i = 0; i < map.samples(); ++i) {
       const glm::dvec3 at_m = above_ground(terrain, map.place_m(i, j), 0.0);
-      if (view.may_see(at_m, margin_m)) visit(i, j, at_m);
+      if (view.may_see_ground(at_m, margin_m)) visit(i, j, at_m);
     }
   });
 }
 
 /// One part for each row of a grid on the terrain: all of its places that the picture shows or that
-/// lie less than `margin_m` outside it.
+/// lie less than `margin_m` from those.
 inline RowParts rows_in_view(const GroundGrid& grid, const Heightfield& terrain, const View& view,
                              double margin_m) {
   RowParts parts(static_cast<std::size_t>(grid.samples));
@@ -38,9 +38,9 @@ inline RowParts rows_in_view(const GroundGrid& grid, const Heightfield& terrain,
     for (int i = 0; i < grid.samples; ++i) {
       const glm::dvec2 at_m =
           grid.square.corner_m + glm::dvec2(i, static_cast<double>(row)) * grid.step_m();
-      if (!view.may_see(above_ground(terrain, at_m, 0.0), margin_m)) continue;
-      if (part.end == 0) part.begin = i;
-      part.end = i + 1;
+      if (!view.may_see_ground(above_ground(terrain, at_m, 0.0), margin_m)) continue;
+      if (part.empty() || part.back().end < i) part.push_back({i, i});
+      part.back().end = i + 1;
     }
   });
   return parts;

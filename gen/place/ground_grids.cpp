@@ -10,19 +10,22 @@ namespace wold::place {
 namespace {
 
 constexpr double finest_step_m = 0.01;
-constexpr double side_ratio = 0.25;
 constexpr double ahead = 0.3;  ///< of a square's side, from the eye to its middle
 constexpr int max_samples = 2049;
 
-/// Along a side, so that a step covers two and a half pixels at most where it is a fifth of the
-/// side away.
-double needed_samples(const scene::Scene& scene) {
-  constexpr double samples_per_pixel = 2.0;
-  return std::ceil(samples_per_pixel * pixels_per_radian(scene)) + 1.0;
+/// Side of the square inside one of that side. Near the eye grass covers most of the ground.
+double finer_side_m(double side_m) {
+  constexpr double covered_m = 150.0;
+  return side_m > covered_m ? 0.5 * side_m : 0.25 * side_m;
 }
 
-int picture_samples(const scene::Scene& scene) {
-  return static_cast<int>(std::clamp<double>(needed_samples(scene), 65, max_samples));
+/// Along a side, that many for each pixel that a radian has.
+double needed_samples(const scene::Scene& scene, double per_pixel) {
+  return std::ceil(per_pixel * pixels_per_radian(scene)) + 1.0;
+}
+
+int clamped(double samples) {
+  return static_cast<int>(std::clamp<double>(samples, 65, max_samples));
 }
 
 /// Level direction of view; none when the camera looks straight down.
@@ -35,14 +38,16 @@ glm::dvec2 ahead_of(const landscape::Camera& camera) {
 }  // namespace
 
 GroundGrid whole_grid(const scene::Scene& scene) {
-  return {{.size_m = scene.terrain.size_m}, picture_samples(scene)};
+  constexpr double per_pixel = 1.5;
+  return {{.size_m = scene.terrain.size_m}, clamped(needed_samples(scene, per_pixel))};
 }
 
 GroundGrid picture_grid(const scene::Scene& scene) {
-  constexpr double usual_step_m = 0.03, min_step_m = 0.005;
+  constexpr double usual_step_m = 0.03, min_step_m = 0.005, per_pixel = 2.0;
   const double size_m = scene.terrain.size_m;
-  const double samples = std::clamp<double>(
-      needed_samples(scene), map_samples(size_m, usual_step_m), map_samples(size_m, min_step_m));
+  const double samples =
+      std::clamp<double>(needed_samples(scene, per_pixel), map_samples(size_m, usual_step_m),
+                         map_samples(size_m, min_step_m));
   return {{.size_m = size_m}, static_cast<int>(samples)};
 }
 
@@ -51,7 +56,7 @@ std::vector<GroundGrid> detail_grids(const scene::Scene& scene, const landscape:
   if (!is_large(scene)) return grids;
   GroundGrid grid = whole_grid(scene);
   while (grid.step_m() > finest_step_m) {
-    grid.square.size_m *= side_ratio;
+    grid.square.size_m = finer_side_m(grid.square.size_m);
     const glm::dvec2 middle_m =
         glm::dvec2(camera.eye_m) + ahead * grid.square.size_m * ahead_of(camera);
     const glm::dvec2 corner = (middle_m - 0.5 * grid.square.size_m) / grid.step_m();
@@ -69,7 +74,8 @@ GroundGrid window_grid(const scene::Scene& scene) {
 
 int cover_samples(const scene::Scene& scene) {
   constexpr int unit = 16;
-  return std::max(64, picture_samples(scene) / 2 / unit * unit);
+  constexpr double per_pixel = 2.0;
+  return std::max(64, clamped(needed_samples(scene, per_pixel)) / 2 / unit * unit);
 }
 
 }  // namespace wold::place

@@ -15,10 +15,11 @@ GroundGrid picture_grid(const scene::Scene& scene);
 
 /// The grids of the pictures of a large terrain's ground.
 ///
-/// The whole terrain, and about the camera squares of a quarter of the side of the one before, down
-/// to steps of 1 cm. All have the same number of samples. The eye stands at a fifth of a square's
-/// side from its rear, so that what lies beyond a square is at least a fifth of the next coarser
-/// one's side away: with two samples per pixel and radian a step there covers 2.5 pixels at most.
+/// The whole terrain, and about the camera squares of half of the side of the one before; below 150
+/// m, where grass covers most of the ground, of a quarter; down to steps of 1 cm. All have the same
+/// number of samples: one and a half per pixel and radian, at most 2049. The eye stands at a fifth
+/// of a square's side from its rear. So what lies before it beyond a square is at least two fifths
+/// of the next coarser one's side away, where a step covers 1.7 pixels at most, below 150 m 3.3.
 GroundGrid whole_grid(const scene::Scene& scene);
 
 /// Coarse to fine; they lie on their own steps, whole numbers of them apart when the camera moves.
@@ -28,7 +29,7 @@ std::vector<GroundGrid> detail_grids(const scene::Scene& scene, const landscape:
 /// Of the maps that multiply the grass in the CellWindow.
 GroundGrid window_grid(const scene::Scene& scene);
 
-/// Along a side of the squares of snow about the camera: twice as coarse as the pictures' are.
+/// Along a side of the squares of snow about the camera: one per pixel and radian, at most 1024.
 int cover_samples(const scene::Scene& scene);
 
 }  // namespace wold::place

@@ -109,12 +109,12 @@ FactorMap filled(const scene::Scene& scene, const terrain::Surface& surface,
   FactorMap map(surface.grid().samples, surface.grid().square);
   parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
-    for (int i = surface.part(j).begin; i < surface.part(j).end; ++i) {
+    visit_row(surface.part(j), [&](int i) {
       const double probability = limited(limits, surface, i, j) *
                                  habitats.any(surface.place_m(i, j)) * surface.cover(i, j).grass *
                                  (1.0 - surface.scree(i, j)) * sunny.grown(surface.up(i, j));
       map.at(i, j) = static_cast<float>(grown_at(i, j, probability) * (1.0 - surface.water(i, j)));
-    }
+    });
   });
   return map;
 }

@@ -83,6 +83,16 @@ bool View::may_see(const glm::dvec3& centre_m, double radius_m) const {
   });
 }
 
+View View::over(const Heightfield& terrain) const {
+  View view = *this;
+  view.ground_ = std::make_shared<const GroundInSight>(terrain, eye_m_);
+  return view;
+}
+
+bool View::may_see_ground(const glm::dvec3& at_m, double margin_m) const {
+  return may_see(at_m, margin_m) && (!ground_ || ground_->may_see(glm::dvec2(at_m), margin_m));
+}
+
 double View::pixels(double length_m, const glm::dvec3& at_m) const {
   return pixels_per_radian_ * length_m / std::max(glm::length(at_m - eye_m_), 1e-6);
 }

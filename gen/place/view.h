@@ -2,9 +2,11 @@
 
 #include <array>
 #include <glm/glm.hpp>
+#include <memory>
 
 #include "core/ground_map.h"
 #include "landscape/landscape.h"
+#include "place/ground_in_sight.h"
 #include "scene/scene.h"
 #include "scene/shots.h"
 
@@ -43,6 +45,14 @@ class View {
   /// Whether any of a sphere can be inside the picture. May say yes for a sphere just outside.
   bool may_see(const glm::dvec3& centre_m, double radius_m) const;
 
+  /// The same of a camera over a terrain, which knows what ground is behind nearer ground. The
+  /// terrain has to outlive it.
+  View over(const Heightfield& terrain) const;
+
+  /// Whether any of the ground within `margin_m` of a place on it can be seen; also behind nearer
+  /// ground where the view is not over() a terrain.
+  bool may_see_ground(const glm::dvec3& at_m, double margin_m) const;
+
   /// Pixels that a length covers at a point, seen square on.
   double pixels(double length_m, const glm::dvec3& at_m) const;
 
@@ -53,6 +63,7 @@ class View {
   glm::dvec3 eye_m_;
   std::array<glm::dvec3, 5> inwards_;  ///< unit normals of the sides and of the plane at the eye
   double pixels_per_radian_ = 0.0;
+  std::shared_ptr<const GroundInSight> ground_;  ///< null where nothing is known of it
 };
 
 }  // namespace wold::place

@@ -151,12 +151,12 @@ void FinerRelief::visit_states(const GroundGrid& grid, const Weights& weights, s
   }
   parallel_for(static_cast<std::size_t>(grid.samples), [&](std::size_t row) {
     const int j = static_cast<int>(row);
-    for (int i = parts[row].begin; i < parts[row].end; ++i) {
+    visit_row(parts[row], [&](int i) {
       const glm::dvec2 at_m = grid.square.corner_m + glm::dvec2(i, j) * grid.step_m();
       State state = coarse ? coarse->at(at_m) : first_state(at_m);
       for (std::size_t k = large; k < count; ++k) add_octave(state, at_m, k, weights[k]);
       visit(i, j, state);
-    }
+    });
   });
 }
 

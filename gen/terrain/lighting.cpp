@@ -225,7 +225,7 @@ ColourMap ground_reflectance(const Surface& surface, const glm::dvec3& sun_direc
   const GroundColour colour(look, seed, grid.step_m());
   parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
-    for (int i = surface.part(j).begin; i < surface.part(j).end; ++i) {
+    visit_row(surface.part(j), [&](int i) {
       const glm::dvec2 at_m = map.place_m(i, j);
       const float grown = growth.sample(at_m.x, at_m.y);
       const glm::dvec3 place_m(at_m, surface.height_m(i, j));
@@ -239,7 +239,7 @@ ColourMap ground_reflectance(const Surface& surface, const glm::dvec3& sun_direc
             static_cast<float>(scree));
       map.at(i, j) = glm::mix(land, water_albedo, static_cast<float>(surface.water(i, j))) *
                      static_cast<float>(1.0 / pi);
-    }
+    });
   });
   return map;
 }

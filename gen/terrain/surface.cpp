@@ -49,10 +49,10 @@ Surface::Surface(const Heightfield& heights_m, const FinerRelief* finer, const G
 void Surface::level_water() {
   parallel_for(static_cast<std::size_t>(grid_.samples), [&](std::size_t row) {
     const int j = static_cast<int>(row);
-    for (int i = part(j).begin; i < part(j).end; ++i) {
+    visit_row(part(j), [&](int i) {
       const auto land = static_cast<float>(1.0 - water(i, j));
       bumps_->at(i, j) = {bumps_->at(i, j).gradient * land, bumps_->at(i, j).exposure * land};
-    }
+    });
   });
 }
 
@@ -105,7 +105,7 @@ GroundLight Surface::lit(GroundLight on_heights, const glm::dvec3& to_sun) const
   GroundLight light{dark, dark, FactorMap(grid_.samples, grid_.square)};
   parallel_for(static_cast<std::size_t>(grid_.samples), [&](std::size_t row) {
     const int j = static_cast<int>(row);
-    for (int i = part(j).begin; i < part(j).end; ++i) {
+    visit_row(part(j), [&](int i) {
       const glm::dvec2 at_m = place_m(i, j);
       const glm::dvec3 ground = normal(heights_m_, at_m.x, at_m.y), face = up(i, j);
       const auto sky = static_cast<float>(more_sky(face, ground));
@@ -113,7 +113,7 @@ GroundLight Surface::lit(GroundLight on_heights, const glm::dvec3& to_sun) const
                            static_cast<float>(more_sun(face, ground, to_sun));
       light.sky.at(i, j) = on_heights.sky.sample(at_m.x, at_m.y) * sky;
       light.overcast.at(i, j) = on_heights.overcast.sample(at_m.x, at_m.y) * sky;
-    }
+    });
   });
   return light;
 }
