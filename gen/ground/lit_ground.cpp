@@ -56,8 +56,9 @@ meadow::LeanLight lean_light(const scene::Scene& scene, const place::Site& site,
 /// The grid of what lean does to light, on a part of the ground of a large terrain or a sketch: it
 /// costs much.
 GroundGrid lean_light_grid(const GroundGrid& grid, const std::optional<place::Sketch>& sketch) {
-  constexpr int usual = 513;
-  return {grid.square, std::min(grid.samples, sketch ? sketch->lean_light_samples : usual)};
+  constexpr int apart = 4;
+  const int usual = (grid.samples - 1) / apart + 1;
+  return {grid.square, sketch ? std::min(grid.samples, sketch->lean_light_samples) : usual};
 }
 
 /// Adds what ground with that reflectance makes of a light.
