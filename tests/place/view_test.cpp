@@ -71,8 +71,8 @@ TEST(RowsInView, HaveAllThatIsVisitedAndWhatTheMarginAsksFor) {
   const View view =
       View({{900.0, 300.0, 60.0}, {1300.0, 1200.0, 30.0}, 55.0}, 160, 90).over(terrain);
   const GroundGrid grid{{{600.0, 200.0}, 1000.0}, 501};
-  const RowParts parts =
-      rows_in_view(grid, terrain, view, margin_in_view_m(grid.step_m()) + 2.0 * grid.step_m());
+  const double margin_m = margin_in_view_m(grid.step_m()) + 2.0 * grid.step_m();
+  const RowParts parts = rows_in_view(grid, terrain, view, margin_m);
   const FactorMap map(grid.samples, grid.square);
   std::vector<std::vector<int>> visited(parts.size());
   each_in_view(map, terrain, view, [&](int i, int j, const glm::dvec3&) {
@@ -83,6 +83,11 @@ TEST(RowsInView, HaveAllThatIsVisitedAndWhatTheMarginAsksFor) {
     std::vector<bool> counts(static_cast<std::size_t>(grid.samples));
     visit_row(parts[j], [&](int i) { counts[static_cast<std::size_t>(i)] = true; });
     counted += static_cast<std::size_t>(std::ranges::count(counts, true));
+    for (int i = 0; i < grid.samples; ++i) {
+      const glm::dvec3 at_m =
+          above_ground(terrain, map.place_m(i, static_cast<int>(j)), /*height_m=*/0.0);
+      EXPECT_EQ(counts[static_cast<std::size_t>(i)], view.may_see_ground(at_m, margin_m));
+    }
     for (const int i : visited[j])
       for (int near = std::max(0, i - 2); near <= std::min(grid.samples - 1, i + 2); ++near)
         EXPECT_TRUE(counts[static_cast<std::size_t>(near)]) << near << ' ' << j;
