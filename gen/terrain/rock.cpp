@@ -49,7 +49,7 @@ Rock::Rock(const glm::vec3& albedo, std::uint64_t seed, double step_m)
       key_(random_bits({seed, key_of("ground"), 0, key_of("rock")})),
       bend_(random_bits({key_, key_of("bend"), 0, 0}), {bend_feature_m, 0.2}, /*hurst=*/1.0,
             step_m),
-      beds_(random_bits({key_, key_of("beds"), 0, 0}), {200.0, 0.1}, /*hurst=*/0.15, step_m),
+      beds_(random_bits({key_, key_of("beds"), 0, 0}), {200.0, 0.1}, /*hurst=*/0.3, step_m),
       stain_{random_bits({key_, key_of("stain"), 0, 0}), 5, 0.5},
       stain_shown_(shown_fraction(1.2, step_m)),
       to_beds_(beds(key_)),
@@ -69,7 +69,7 @@ glm::vec3 Rock::bed_at(const glm::dvec3& bedded_m) const {
   constexpr double length = 30.0;  // over thickness
   const auto bed = static_cast<float>(
       std::clamp(beds_.at({bedded_m.z, (bedded_m.x + 0.7 * bedded_m.y) / length}), -2.5, 2.5));
-  return 1.0F + bed * glm::vec3(0.19F, 0.17F, 0.14F);
+  return 1.0F + bed * glm::vec3(0.34F, 0.31F, 0.27F);
 }
 
 glm::vec3 Rock::at(const glm::dvec3& place_m, const glm::dvec3& up,
