@@ -277,11 +277,12 @@ FactorMap SnowyGround::white(const GroundGrid& grid) const {
     }
   });
   if (!lying_) return fractions;
-  // Snow lies in patches of all sizes, ledges and gullies as well as hollows between tufts: the
-  // first ones that the grid shows.
-  constexpr double patch_steps = 6.0;
+  // Snow lies in patches of all sizes, ledges and gullies as well as hollows between tufts: some
+  // octaves of those that the grid shows.
+  constexpr double patch_steps = 32.0, hurst = 0.2;
   const double feature_m = std::max(scene_.snow_cover.feature_m, patch_steps * grid.step_m());
-  return snow::WhitePatches(site_.terrain, grid, feature_m, scene_.seed).white_map(fractions);
+  return snow::WhitePatches(site_.terrain, grid, feature_m, hurst, scene_.seed)
+      .white_map(fractions);
 }
 
 ColourMap SnowyGround::reflectance(const glm::vec3& under_grass) const {

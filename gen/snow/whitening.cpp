@@ -13,11 +13,11 @@ namespace wold::snow {
 namespace {
 
 /// Octaves of the noise, from patches to two steps of the map.
-Fbm patch_noise(double step_m, double feature_m, std::uint64_t seed) {
+Fbm patch_noise(double step_m, double feature_m, double hurst, std::uint64_t seed) {
   constexpr double max_octaves = 6.0;
   const double octaves = std::floor(math::log2(std::max(feature_m / (2.0 * step_m), 1.0))) + 1.0;
   return Fbm(random_bits({seed, key_of("snow cover"), 0, key_of("patches")}),
-             static_cast<int>(std::min(octaves, max_octaves)), /*hurst=*/0.7);
+             static_cast<int>(std::min(octaves, max_octaves)), hurst);
 }
 
 /// How much the ground bends up along one axis, m: the mean height on both sides of a place less
@@ -96,14 +96,15 @@ double threshold(double fraction, double ramp) {
 
 WhitePatches::WhitePatches(const Heightfield& terrain, int samples, double feature_m,
                            std::uint64_t seed)
-    : WhitePatches(terrain, {{.size_m = terrain.size_m()}, samples}, feature_m, seed) {}
+    : WhitePatches(terrain, {{.size_m = terrain.size_m()}, samples}, feature_m, /*hurst=*/0.7,
+                   seed) {}
 
 WhitePatches::WhitePatches(const Heightfield& terrain, const GroundGrid& grid, double feature_m,
-                           std::uint64_t seed)
+                           double hurst, std::uint64_t seed)
     : ranks_(grid.samples, grid.square) {
   constexpr double drawn_to_hollows = 0.35;
   const FactorMap hollow = hollows(terrain, feature_m);
-  const Fbm noise = patch_noise(ranks_.step_m(), feature_m, seed);
+  const Fbm noise = patch_noise(ranks_.step_m(), feature_m, hurst, seed);
   const auto late = [&](const glm::dvec2& at_m) {  // about mean 0, deviation 1
     return static_cast<float>(noise.at(at_m / feature_m) -
                               drawn_to_hollows * hollow.sample(at_m.x, at_m.y));
