@@ -185,9 +185,10 @@ ColourMap LitGround::painted(ColourMap ground, const FactorMap& growth, const Co
 landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const GroundGrid& grid,
                                           const place::View& view, const LakeSurface* lakes,
                                           const ColourMap& coarser) const {
-  const RowParts seen = place::rows_in_view(
-      grid, site_.terrain, view, place::margin_in_view_m(grid.step_m()) + 2.0 * grid.step_m());
-  place::GroundPart part = place::ground_part(scene_, site_, grid, seen);
+  const double margin_m = place::margin_in_view_m(grid.step_m());
+  const RowParts made =
+      place::rows_in_view(grid, site_.terrain, view, margin_m + 2.0 * grid.step_m());
+  place::GroundPart part = place::ground_part(scene_, site_, grid, made);
   const ColourMap bare = ground.bare(part);
   part = ground.covered(std::move(part), under_grass_);
   const ColourMap light = illuminate_(part.light);
@@ -195,7 +196,9 @@ landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const Groun
   add_hot_spot(bare, part.light, part.growth, view, radiance);
   radiance = painted(std::move(radiance), part.growth, light,
                      on_grass(light, part.light, grid, view), lakes, view);
-  return {filled_up(std::move(radiance), seen, coarser).at_corner(glm::dvec2(0.0)),
+  // What lies around that has no haze and no far grass on it.
+  const RowParts painted_on = place::rows_in_view(grid, site_.terrain, view, margin_m);
+  return {filled_up(radiance, painted_on, coarser).at_corner(glm::dvec2(0.0)),
           grid.square.corner_m};
 }
 
@@ -345,7 +348,7 @@ void LitGround::show(const SnowyGround& ground, const ColourMap& light, const Sk
   landscape.ground =
       painted(std::move(radiance), ground.growth(), light, grass_light, lakes.get(), view_);
   if (place::is_large(scene_)) {
-    const place::View view = view_.over(site_.terrain);
+    const place::View view = view_.over(landscape.terrain);
     for (const GroundGrid& grid : place::detail_grids(scene_, landscape.camera))
       landscape.ground_details.push_back(detail(ground, grid, view, lakes.get(), landscape.ground));
   }

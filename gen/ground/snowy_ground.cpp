@@ -173,6 +173,7 @@ void SnowyGround::lay_about_the_camera(int frame) {
   LyingSnow lying(site_.snow->large->view(scene::time_s(scene_, frame), glm::dvec2(camera.eye_m)));
   if (lying.is_none()) return;
   lying_ = std::move(lying);
+  snow_line_.emplace(site_.terrain, scene_.snow_cover.feature_m, scene_.seed);
   albedo_ = lying_->albedo();
   white_ = white(place::whole_grid(scene_));
   parallel_for(static_cast<std::size_t>(surface_.samples()), [&](std::size_t row) {
@@ -277,12 +278,7 @@ FactorMap SnowyGround::white(const GroundGrid& grid) const {
     }
   });
   if (!lying_) return fractions;
-  // Snow lies in patches of all sizes, ledges and gullies as well as hollows between tufts: some
-  // octaves of those that the grid shows.
-  constexpr double patch_steps = 32.0, hurst = 0.2;
-  const double feature_m = std::max(scene_.snow_cover.feature_m, patch_steps * grid.step_m());
-  return snow::WhitePatches(site_.terrain, grid, feature_m, hurst, scene_.seed)
-      .white_map(fractions);
+  return snow_line_->white_map(fractions);
 }
 
 ColourMap SnowyGround::reflectance(const glm::vec3& under_grass) const {

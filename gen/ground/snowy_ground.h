@@ -7,6 +7,7 @@
 #include "ground/lying_snow.h"
 #include "place/site.h"
 #include "scene/scene.h"
+#include "snow/snow_line.h"
 
 namespace wold::ground {
 
@@ -92,6 +93,7 @@ class SnowyGround {
   std::optional<FactorMap> white_;             ///< fraction of the ground that is white
   FactorMap depth_m_;                          ///< where `lying_` is none
   std::optional<LyingSnow> lying_;             ///< on a large terrain
+  std::optional<snow::SnowLine> snow_line_;    ///< with it
   float albedo_ = 0.9F;
   std::vector<double> ice_m_;  ///< of lakes, from the lowest height of the terrain to the highest
   double lowest_m_ = 0.0, highest_m_ = 0.0;  ///< these heights

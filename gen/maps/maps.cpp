@@ -39,18 +39,28 @@ class Folder {
         place_(std::move(place)),
         source_(std::move(source)) {}
 
-  template <class ValueAt>
-  void write(const Quantity& quantity, int frame, const ValueAt& value_at) {
+  /// Whether the map is there from this source; it is remembered, to be written where it is not.
+  bool keeps(const Quantity& quantity, int frame) {
     const fs::path file = folder_ / file_name(quantity, frame);
     files_.push_back({file, quantity.name, quantity.unit, frame});
-    if (source_of_geotiff(file) == source_) return;
+    return source_of_geotiff(file) == source_;
+  }
+
+  template <class ValueAt>
+  void write(const Quantity& quantity, int frame, const ValueAt& value_at) {
+    if (!keeps(quantity, frame)) fill(quantity, value_at);
+  }
+
+  /// Writes the map that keeps() has remembered last.
+  template <class ValueAt>
+  void fill(const Quantity& quantity, const ValueAt& value_at) {
     FactorMap map(terrain_.samples(), terrain_.square());
     parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
       const int j = static_cast<int>(row);
       for (int i = 0; i < map.samples(); ++i)
         map.at(i, j) = static_cast<float>(value_at(map.place_m(i, j)));
     });
-    write_geotiff(file, map, place_, quantity, source_);
+    write_geotiff(files_.back().file, map, place_, quantity, source_);
   }
 
   std::vector<MapFile> files() && { return std::move(files_); }
@@ -87,14 +97,29 @@ void write_frame(const scene::Scene& scene, const place::Site& site, int frame, 
   folder.write(weathering, frame,
                [&](const glm::dvec2& at_m) { return site.withering->at(at_m, frame); });
   if (!site.snow) return;
-  const ground::SnowyGround ground(scene, site, frame);
-  folder.write(snow_depth, frame, [&](const glm::dvec2& at_m) { return ground.depth_m(at_m); });
-  if (site.snow->large) return;
+  if (!folder.keeps(snow_depth, frame)) {
+    const ground::SnowyGround ground(scene, site, frame);
+    folder.fill(snow_depth, [&](const glm::dvec2& at_m) { return ground.depth_m(at_m); });
+  }
+  if (site.snow->large || folder.keeps(snow_water, frame)) return;
   const snow::SnowGround::State state = site.snow->ground.at(scene::time_s(scene, frame));
-  folder.write(snow_water, frame, [&](const glm::dvec2& at_m) {
+  folder.fill(snow_water, [&](const glm::dvec2& at_m) {
     const double land = site.water ? 1.0 - site.water->share(at_m, site.terrain.step_m()) : 1.0;
     return land * double{state.water_mm.sample(at_m.x, at_m.y)};
   });
+}
+
+/// Of a source, and of a ground and its place as they have been read: files beside an elevation
+/// model may say where it lies and what its values are.
+std::string source_with_ground(const std::string& source, const place::Site& site,
+                               const Georeference& place) {
+  const auto hash = [](const std::vector<float>& values) {
+    return content_hash(
+        {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)});
+  };
+  return content_hash(fmt::format("{} {} {} {} {} {}", source, place.system, place.south_west_m.x,
+                                  place.south_west_m.y, hash(site.terrain.values()),
+                                  hash(site.growth.values())));
 }
 
 }  // namespace
@@ -118,9 +143,9 @@ std::vector<MapFile> write_maps(const scene::Scene& scene,
   make_folder(folder);
   const place::Site site = place::make_site(scene, std::move(season), scratch);
   const scene::Terrain& terrain = scene.terrain;
-  Folder maps(folder, site.terrain,
-              georeference(terrain.elevation, terrain.system, terrain.centre, terrain.size_m),
-              source);
+  const Georeference place =
+      georeference(terrain.elevation, terrain.system, terrain.centre, terrain.size_m);
+  Folder maps(folder, site.terrain, place, source_with_ground(source, site, place));
   write_ground(scene, site, maps);
   progress.advance(1, "ground");
   for (const int frame : frames) {

@@ -28,8 +28,9 @@ std::vector<std::filesystem::path> map_files(const std::filesystem::path& folder
 /// (share on which grass grows), water.tif (share that is a lake), and of each of the frames (from
 /// 1) weathering_0001.tif (degree of the grass), snow_depth_0001.tif (m), and on terrains that are
 /// not large snow_water_0001.tif (mm of water in that snow). `season`: phenology::film_season() of
-/// the scene; `scratch`: a folder for this call alone. `source`: a hash of all that they are made
-/// from, which maps carry; those that are there and have it stay as they are. Throws what
+/// the scene; `scratch`: a folder for this call alone. `source`: a hash of what they are made from
+/// beside the ground that is read here. Maps that are there from the same source and ground stay as
+/// they are. Throws what
 /// place::make_site() throws, FileError and InterruptedError.
 std::vector<MapFile> write_maps(const scene::Scene& scene,
                                 std::shared_ptr<const phenology::FilmSeason> season,

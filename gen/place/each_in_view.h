@@ -11,7 +11,7 @@ namespace wold::place {
 
 /// How far outside the picture samples count: what stands there may lean into it, and values count
 /// up to the next one.
-inline double margin_in_view_m(double step_m) { return std::max(2.0, 1.5 * step_m); }
+inline double margin_in_view_m(double step_m) { return std::max(2.0, 2.0 * step_m); }
 
 /// Every sample of a map of the terrain that may be in the picture, in parallel: visit(i, j, place
 /// on the ground in metres).

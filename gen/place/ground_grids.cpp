@@ -38,7 +38,7 @@ glm::dvec2 ahead_of(const landscape::Camera& camera) {
 }  // namespace
 
 GroundGrid whole_grid(const scene::Scene& scene) {
-  constexpr double per_pixel = 1.5;
+  constexpr double per_pixel = 2.0;
   return {{.size_m = scene.terrain.size_m}, clamped(needed_samples(scene, per_pixel))};
 }
 
@@ -54,7 +54,8 @@ GroundGrid picture_grid(const scene::Scene& scene) {
 std::vector<GroundGrid> detail_grids(const scene::Scene& scene, const landscape::Camera& camera) {
   std::vector<GroundGrid> grids;
   if (!is_large(scene)) return grids;
-  GroundGrid grid = whole_grid(scene);
+  constexpr double per_pixel = 1.5;
+  GroundGrid grid{whole_grid(scene).square, clamped(needed_samples(scene, per_pixel))};
   while (grid.step_m() > finest_step_m) {
     grid.square.size_m = finer_side_m(grid.square.size_m);
     const glm::dvec2 middle_m =

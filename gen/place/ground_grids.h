@@ -16,14 +16,17 @@ GroundGrid picture_grid(const scene::Scene& scene);
 /// The grids of the pictures of a large terrain's ground.
 ///
 /// The whole terrain, and about the camera squares of half of the side of the one before; below 150
-/// m, where grass covers most of the ground, of a quarter; down to steps of 1 cm. All have the same
-/// number of samples: one and a half per pixel and radian, at most 2049. The eye stands at a fifth
-/// of a square's side from its rear. So what lies before it beyond a square is at least two fifths
-/// of the next coarser one's side away, where a step covers 1.7 pixels at most, below 150 m 3.3.
+/// m, where grass covers most of the ground, of a quarter; down to steps of 1 cm. These squares
+/// have one and a half samples per pixel and radian along a side, the whole terrain has two, at
+/// most 2049. The eye stands at a fifth of a square's side from its rear. So what lies before it
+/// beyond a square is at least two fifths of the next coarser one's side away, where a step
+/// covers 1.7 pixels at most, below 150 m 3.4; at 1920 pixels and 55 degrees, where 2049 are too
+/// few, 2.3 and 4.5.
 GroundGrid whole_grid(const scene::Scene& scene);
 
-/// Coarse to fine; they lie on their own steps, whole numbers of them apart when the camera moves.
-/// They may reach beyond the terrain. None for terrains that are not large.
+/// Coarse to fine, all with as many samples; they lie on their own steps, whole numbers of them
+/// apart when the camera moves. They may reach beyond the terrain. None for terrains that are not
+/// large.
 std::vector<GroundGrid> detail_grids(const scene::Scene& scene, const landscape::Camera& camera);
 
 /// Of the maps that multiply the grass in the CellWindow.

@@ -90,7 +90,9 @@ std::vector<Key> snow_cover_keys() {
                    "Water that melts per day and degree above freezing; in a season sun, air and "
                    "rain melt it instead."),
             FIELD(snow_cover.melt_mm_per_day)),
-      bound(number("snow_cover.feature", "m", {0.02, 100}, "Size of the first patches of white."),
+      bound(number("snow_cover.feature", "m", {0.02, 100},
+                   "Size of the first patches of white; on large terrains of the smallest: they "
+                   "have all sizes there."),
             FIELD(snow_cover.feature_m)),
       bound(number("snow_cover.white_after", "mm", {0.001, 1000},
                    "Paper: snowfall, as water, after which the noise has its full strength."),

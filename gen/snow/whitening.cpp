@@ -8,46 +8,17 @@
 #include "core/elementary.h"
 #include "core/noise.h"
 #include "core/random.h"
+#include "snow/hollows.h"
 
 namespace wold::snow {
 namespace {
 
 /// Octaves of the noise, from patches to two steps of the map.
-Fbm patch_noise(double step_m, double feature_m, double hurst, std::uint64_t seed) {
+Fbm patch_noise(double step_m, double feature_m, std::uint64_t seed) {
   constexpr double max_octaves = 6.0;
   const double octaves = std::floor(math::log2(std::max(feature_m / (2.0 * step_m), 1.0))) + 1.0;
   return Fbm(random_bits({seed, key_of("snow cover"), 0, key_of("patches")}),
-             static_cast<int>(std::min(octaves, max_octaves)), hurst);
-}
-
-/// How much the ground bends up along one axis, m: the mean height on both sides of a place less
-/// its own; 0 where one side is outside the map.
-float bend_m(const Heightfield& terrain, const glm::dvec2& at_m, const glm::dvec2& away_m) {
-  const glm::dvec2 before = at_m - away_m, after = at_m + away_m;
-  if (std::min(before.x, before.y) < 0.0 || std::max(after.x, after.y) > terrain.size_m())
-    return 0.0F;
-  return 0.5F * (terrain.sample(before.x, before.y) + terrain.sample(after.x, after.y)) -
-         terrain.sample(at_m.x, at_m.y);
-}
-
-/// How hollow the ground is, over the deviation of that on the map; 0 where it is level.
-FactorMap hollows(const Heightfield& terrain, double feature_m) {
-  const double away_m = std::max(feature_m, terrain.step_m());
-  FactorMap result(terrain.samples(), terrain.size_m());
-  parallel_for(static_cast<std::size_t>(terrain.samples()), [&](std::size_t row) {
-    const int j = static_cast<int>(row);
-    for (int i = 0; i < terrain.samples(); ++i) {
-      const glm::dvec2 at_m = glm::dvec2(i, j) * terrain.step_m();
-      result.at(i, j) = bend_m(terrain, at_m, {away_m, 0.0}) + bend_m(terrain, at_m, {0.0, away_m});
-    }
-  });
-  std::vector<float>& values = result.values();
-  const double squares = std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
-  const double deviation_m = std::sqrt(squares / static_cast<double>(values.size()));
-  constexpr double flat_m = 1e-4;  // below it they are rounding
-  for (float& value : values)
-    value = deviation_m > flat_m ? static_cast<float>(value / deviation_m) : 0.0F;
-  return result;
+             static_cast<int>(std::min(octaves, max_octaves)), /*hurst=*/0.7);
 }
 
 /// The fraction of all values that are lower, by counts in small intervals.
@@ -96,15 +67,14 @@ double threshold(double fraction, double ramp) {
 
 WhitePatches::WhitePatches(const Heightfield& terrain, int samples, double feature_m,
                            std::uint64_t seed)
-    : WhitePatches(terrain, {{.size_m = terrain.size_m()}, samples}, feature_m, /*hurst=*/0.7,
-                   seed) {}
+    : WhitePatches(terrain, {{.size_m = terrain.size_m()}, samples}, feature_m, seed) {}
 
 WhitePatches::WhitePatches(const Heightfield& terrain, const GroundGrid& grid, double feature_m,
-                           double hurst, std::uint64_t seed)
+                           std::uint64_t seed)
     : ranks_(grid.samples, grid.square) {
   constexpr double drawn_to_hollows = 0.35;
   const FactorMap hollow = hollows(terrain, feature_m);
-  const Fbm noise = patch_noise(ranks_.step_m(), feature_m, hurst, seed);
+  const Fbm noise = patch_noise(ranks_.step_m(), feature_m, seed);
   const auto late = [&](const glm::dvec2& at_m) {  // about mean 0, deviation 1
     return static_cast<float>(noise.at(at_m / feature_m) -
                               drawn_to_hollows * hollow.sample(at_m.x, at_m.y));

@@ -24,9 +24,8 @@ class WhitePatches {
  public:
   /// `samples` >= 2 along a side of the map over the terrain's square.
   WhitePatches(const Heightfield& terrain, int samples, double feature_m, std::uint64_t seed);
-  /// On a part of the square; ranks are even there. `hurst`: how much more large patches count
-  /// than finer ones, Fbm's; 0.7 above.
-  WhitePatches(const Heightfield& terrain, const GroundGrid& grid, double feature_m, double hurst,
+  /// On a part of the square; ranks are even there.
+  WhitePatches(const Heightfield& terrain, const GroundGrid& grid, double feature_m,
                std::uint64_t seed);
 
   /// Where the ground is white, [0, 1], with soft edges about a step wide. Its mean is that of

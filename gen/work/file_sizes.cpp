@@ -140,8 +140,9 @@ double density_bytes(const scene::Scene& scene, double grids) {
 
 double ground_samples(const scene::Scene& scene) {
   if (!place::is_large(scene)) return squared(place::picture_grid(scene).samples);
-  const std::size_t pictures = 1 + place::detail_grids(scene, {}).size();
-  return static_cast<double>(pictures) * squared(place::whole_grid(scene).samples);
+  double samples = squared(place::whole_grid(scene).samples);
+  for (const GroundGrid& grid : place::detail_grids(scene, {})) samples += squared(grid.samples);
+  return samples;
 }
 
 double cloud_voxels(const scene::Scene& scene) {

@@ -35,5 +35,22 @@ TEST(PictureGrid, HasBoundsForAnyView) {
   EXPECT_EQ(picture_grid(scene).samples, 4097);
 }
 
+// A slope straight ahead is drawn in steps of hardly more than a pixel, however far away it is; so
+// is no more made than that takes.
+TEST(DetailGrids, AreAsFineAsTheScenesPicture) {
+  scene::Scene scene = seen_in(960);
+  scene.terrain.size_m = 20e3;
+  const landscape::Camera camera{{9e3, 8e3, 2.0}, {9e3, 9e3, 2.0}, 55.0};
+  GroundGrid coarse = whole_grid(scene);
+  for (const GroundGrid& fine : detail_grids(scene, camera)) {
+    const double north_m = fine.square.corner_m.y + fine.square.size_m;
+    const double pixels = coarse.step_m() / (north_m - camera.eye_m.y) * pixels_per_radian(scene);
+    EXPECT_LE(pixels, coarse.square.size_m > 150.0 ? 1.71 : 3.4) << coarse.square.size_m;
+    EXPECT_GE(pixels, 1.2) << coarse.square.size_m;
+    coarse = fine;
+  }
+  EXPECT_LE(coarse.step_m(), 0.01);
+}
+
 }  // namespace
 }  // namespace wold::place

@@ -79,22 +79,6 @@ TEST(WhitePatches, ArePatchesWithNarrowEdgesWhereTheMapIsFineAndGreyWhereItIsCoa
   EXPECT_GT(grey_fraction(101, 1000.0), 0.999);
 }
 
-// Fbm of a smaller exponent has more of its small patches: rougher edges, of the same share.
-TEST(WhitePatches, HaveRaggedEdgesWhereSmallOnesCount) {
-  const auto borders = [](double hurst) {
-    const GroundGrid grid{{{0.0, 0.0}, 100.0}, 401};
-    const WhitePatches patches(Heightfield(2, 100.0), grid, /*feature_m=*/8.0, hurst, 11);
-    const FactorMap map = patches.white_map(even(0.4, 100.0));
-    EXPECT_NEAR(mean(map), 0.4, 0.01);
-    int count = 0;
-    for (int j = 0; j < grid.samples; ++j)
-      for (int i = 1; i < grid.samples; ++i)
-        count += (map.at(i, j) > 0.5F) != (map.at(i - 1, j) > 0.5F) ? 1 : 0;
-    return count;
-  };
-  EXPECT_GT(borders(0.2), 1.4 * borders(0.7));
-}
-
 TEST(WhitePatches, LieFirstInHollows) {
   const Heightfield terrain = hummocks();
   const FactorMap map = WhitePatches(terrain, 257, 0.35, 11).white_map(even(0.3));
