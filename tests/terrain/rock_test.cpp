@@ -93,6 +93,22 @@ TEST(Rock, IsLitFromAboveWhenTheSunHasSet) {
             0.05);
 }
 
+// Beds lie nearly level: means along a wall differ from height to height, by what blocks do not.
+TEST(Rock, BedsShowOnWallsFromAfar) {
+  const Rock rock(glm::vec3(0.2F), 5, /*step_m=*/5.0);
+  const glm::dvec3 up = glm::normalize(glm::dvec3(0.0, -1.0, 0.3));
+  constexpr int heights = 150, places = 40;
+  double sum = 0.0, squares = 0.0;
+  for (int height = 0; height < heights; ++height) {
+    double at_height = 0.0;
+    for (int place = 0; place < places; ++place)
+      at_height += double{rock.at({3.0 * place, 0.0, 4.0 * height}, up, to_sun).g} / places;
+    sum += at_height / heights;
+    squares += at_height * at_height / heights;
+  }
+  EXPECT_GT(std::sqrt(squares - sum * sum), 0.2 * sum);
+}
+
 // A map's plan would be drawn out on a wall: nothing would change upwards.
 TEST(Rock, HasBlocksOnAWall) {
   const Rock rock(glm::vec3(1.0F), 5, 0.02);
