@@ -12,7 +12,7 @@
 namespace wold::snow {
 namespace {
 
-constexpr double largest_m = 100.0, hurst = 0.2;
+constexpr double largest_m = 100.0, hurst = 0.0;
 constexpr double drawn_to_hollows = 0.35;
 
 }  // namespace

@@ -6,9 +6,9 @@
 
 namespace wold::snow {
 
-/// Where thin snow lies first on large terrains: in patches of all sizes from 100 m down, drawn
-/// towards the hollows of the ground, so that snow lines are ragged near and far. A keyed function
-/// of the place, the same for maps of all steps.
+/// Where thin snow lies first on large terrains: in patches of all sizes from 100 m down, each size
+/// of the same variance, drawn towards the hollows of the ground, so that snow lines are ragged
+/// near and far. A keyed function of the place, the same for maps of all steps.
 class SnowLine {
  public:
   /// `smallest_m`: the smallest patches.
