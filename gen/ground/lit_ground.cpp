@@ -188,9 +188,8 @@ landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const Groun
   const double margin_m = place::margin_in_view_m(grid.step_m());
   const RowParts made =
       place::rows_in_view(grid, site_.terrain, view, margin_m + 2.0 * grid.step_m());
-  place::GroundPart part = place::ground_part(scene_, site_, grid, made);
-  const ColourMap bare = ground.bare(part);
-  part = ground.covered(std::move(part), under_grass_);
+  const auto [part, bare] =
+      ground.covered(place::ground_part(scene_, site_, grid, made), under_grass_);
   const ColourMap light = illuminate_(part.light);
   ColourMap radiance = product(part.reflectance, light);
   add_hot_spot(bare, part.light, part.growth, view, radiance);

@@ -277,8 +277,7 @@ FactorMap SnowyGround::white(const GroundGrid& grid) const {
       fractions.at(i, j) = white_fraction(at_m);
     }
   });
-  if (!lying_) return fractions;
-  return snow_line_->white_map(fractions);
+  return snow_line_ ? snow_line_->white_map(fractions) : fractions;
 }
 
 ColourMap SnowyGround::reflectance(const glm::vec3& under_grass) const {
@@ -292,13 +291,6 @@ ColourMap SnowyGround::bare() const {
   return is_bare() ? bare : uncovered(std::move(bare), *white_);
 }
 
-ColourMap SnowyGround::bare(const place::GroundPart& part) const {
-  ColourMap bare = wetted(part.reflectance);
-  if (is_bare()) return bare;
-  const GroundGrid grid{bare.square(), bare.samples()};
-  return uncovered(std::move(bare), white(grid));
-}
-
 ColourMap SnowyGround::albedo() const {
   ColourMap albedo = reflectance(glm::vec3(1.0F));
   for (glm::vec3& value : albedo.values())
@@ -306,16 +298,17 @@ ColourMap SnowyGround::albedo() const {
   return albedo;
 }
 
-place::GroundPart SnowyGround::covered(place::GroundPart part, const glm::vec3& under_grass) const {
-  part.reflectance = wetted(std::move(part.reflectance));
+SnowyGround::CoveredPart SnowyGround::covered(place::GroundPart part,
+                                              const glm::vec3& under_grass) const {
+  ColourMap bare = wetted(std::move(part.reflectance));
   if (is_bare()) {
-    part.reflectance = shaded(std::move(part.reflectance), part.growth, under_grass);
-    return part;
+    part.reflectance = shaded(bare, part.growth, under_grass);
+    return {std::move(part), std::move(bare)};
   }
-  const FactorMap of_part = white({part.reflectance.square(), part.reflectance.samples()});
-  part.reflectance = reflectance(std::move(part.reflectance), part.growth, of_part, under_grass);
+  const FactorMap of_part = white({bare.square(), bare.samples()});
+  part.reflectance = reflectance(bare, part.growth, of_part, under_grass);
   part.growth = above_snow(std::move(part.growth));
-  return part;
+  return {std::move(part), uncovered(std::move(bare), of_part)};
 }
 
 ColourMap SnowyGround::wetted(ColourMap bare) const {

@@ -33,8 +33,6 @@ class SnowyGround {
 
   /// Of reflectance() in the shade of no grass, what is bare ground's: nothing where it is white.
   ColourMap bare() const;
-  /// The same of a part of the ground, without its snow.
-  ColourMap bare(const place::GroundPart& part) const;
 
   /// Its albedo, in the shade of no grass.
   ColourMap albedo() const;
@@ -46,10 +44,14 @@ class SnowyGround {
   /// while [He2007]'s, which has none, takes its place where it is white.
   FactorMap extinction_factor(FactorMap extinction_factor) const;
 
-  /// A part of a large terrain's ground as ground_part() has it, under the snow: less growth, and
-  /// the reflectance() under that. Its light stays: snow changes no slope as long as the terrain's
-  /// steps.
-  place::GroundPart covered(place::GroundPart part, const glm::vec3& under_grass) const;
+  /// A part of a large terrain's ground under the snow.
+  struct CoveredPart {
+    place::GroundPart part;  ///< less growth, and the reflectance() under that
+    ColourMap bare;          ///< as bare() of all of the ground
+  };
+  /// Of one that is as ground_part() has it. Its light stays: snow changes no slope as long as the
+  /// terrain's steps.
+  CoveredPart covered(place::GroundPart part, const glm::vec3& under_grass) const;
 
   /// Depth of the snow at a place, metres.
   float depth_m(const glm::dvec2& at_m) const;

@@ -30,8 +30,7 @@ std::vector<std::filesystem::path> map_files(const std::filesystem::path& folder
 /// not large snow_water_0001.tif (mm of water in that snow). `season`: phenology::film_season() of
 /// the scene; `scratch`: a folder for this call alone. `source`: a hash of what they are made from
 /// beside the ground that is read here. Maps that are there from the same source and ground stay as
-/// they are. Throws what
-/// place::make_site() throws, FileError and InterruptedError.
+/// they are. Throws what place::make_site() throws, FileError and InterruptedError.
 std::vector<MapFile> write_maps(const scene::Scene& scene,
                                 std::shared_ptr<const phenology::FilmSeason> season,
                                 const std::vector<int>& frames, const std::filesystem::path& folder,

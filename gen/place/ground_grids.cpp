@@ -19,7 +19,9 @@ double finer_side_m(double side_m) {
   return side_m > covered_m ? 0.5 * side_m : 0.25 * side_m;
 }
 
-/// Along a side, that many for each pixel that a radian has.
+/// Samples along a side for each pixel that a radian has: of all of the terrain, of a square of it.
+constexpr double of_whole = 2.0, of_details = 1.5;
+
 double needed_samples(const scene::Scene& scene, double per_pixel) {
   return std::ceil(per_pixel * pixels_per_radian(scene)) + 1.0;
 }
@@ -38,15 +40,14 @@ glm::dvec2 ahead_of(const landscape::Camera& camera) {
 }  // namespace
 
 GroundGrid whole_grid(const scene::Scene& scene) {
-  constexpr double per_pixel = 2.0;
-  return {{.size_m = scene.terrain.size_m}, clamped(needed_samples(scene, per_pixel))};
+  return {{.size_m = scene.terrain.size_m}, clamped(needed_samples(scene, of_whole))};
 }
 
 GroundGrid picture_grid(const scene::Scene& scene) {
-  constexpr double usual_step_m = 0.03, min_step_m = 0.005, per_pixel = 2.0;
+  constexpr double usual_step_m = 0.03, min_step_m = 0.005;
   const double size_m = scene.terrain.size_m;
   const double samples =
-      std::clamp<double>(needed_samples(scene, per_pixel), map_samples(size_m, usual_step_m),
+      std::clamp<double>(needed_samples(scene, of_whole), map_samples(size_m, usual_step_m),
                          map_samples(size_m, min_step_m));
   return {{.size_m = size_m}, static_cast<int>(samples)};
 }
@@ -54,8 +55,7 @@ GroundGrid picture_grid(const scene::Scene& scene) {
 std::vector<GroundGrid> detail_grids(const scene::Scene& scene, const landscape::Camera& camera) {
   std::vector<GroundGrid> grids;
   if (!is_large(scene)) return grids;
-  constexpr double per_pixel = 1.5;
-  GroundGrid grid{whole_grid(scene).square, clamped(needed_samples(scene, per_pixel))};
+  GroundGrid grid{whole_grid(scene).square, clamped(needed_samples(scene, of_details))};
   while (grid.step_m() > finest_step_m) {
     grid.square.size_m = finer_side_m(grid.square.size_m);
     const glm::dvec2 middle_m =
@@ -75,8 +75,7 @@ GroundGrid window_grid(const scene::Scene& scene) {
 
 int cover_samples(const scene::Scene& scene) {
   constexpr int unit = 16;
-  constexpr double per_pixel = 2.0;
-  return std::max(64, clamped(needed_samples(scene, per_pixel)) / 2 / unit * unit);
+  return std::max(64, whole_grid(scene).samples / 2 / unit * unit);
 }
 
 }  // namespace wold::place

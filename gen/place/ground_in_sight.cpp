@@ -14,9 +14,8 @@ namespace {
 constexpr std::size_t ways_in_quarter = 1024;
 constexpr std::size_t ways = 4 * ways_in_quarter;
 
-/// Rings lie evenly between distances of powers of two, from the nearest on.
+/// Rings lie evenly between distances of powers of two, from a metre on.
 constexpr std::size_t rings_in_octave = 64;
-constexpr int nearest_octave = 0;
 
 /// From the quarter of north-east on, against the clock: [0, 4).
 double bearing(const glm::dvec2& way) {
@@ -44,14 +43,14 @@ glm::dvec2 direction(std::size_t way) {
 double ring_distance_m(std::size_t ring) {
   const double in_octave =
       static_cast<double>(ring % rings_in_octave) / static_cast<double>(rings_in_octave);
-  return std::ldexp(1.0 + in_octave, nearest_octave + static_cast<int>(ring / rings_in_octave));
+  return std::ldexp(1.0 + in_octave, static_cast<int>(ring / rings_in_octave));
 }
 
 /// The last ring that is not farther; below 0 there is none.
 long ring_within(double distance_m) {
   int octave = 0;
   const double in_octave = 2.0 * std::frexp(distance_m, &octave) - 1.0;
-  return (octave - 1 - nearest_octave) * static_cast<long>(rings_in_octave) +
+  return (octave - 1) * static_cast<long>(rings_in_octave) +
          static_cast<long>(in_octave * static_cast<double>(rings_in_octave));
 }
 

@@ -12,11 +12,13 @@ namespace wold::place {
 /// ground. Along 4096 ways from the eye it knows how high the ground before each distance looks.
 class GroundInSight {
  public:
-  /// The terrain has to outlive it.
+  /// The terrain has to outlive it. The eye may stand outside of it.
   GroundInSight(const Heightfield& terrain, const glm::dvec3& eye_m);
 
-  /// Whether ground at a place of the terrain, or anything that is at most `margin_m` from it, can
-  /// be seen. May say yes where it cannot: crests are looked at in steps of 1.6 % of the distance.
+  /// Whether ground at a place of the terrain, or anything that is at most `margin_m` >= 0 from it,
+  /// can be seen. May say yes where it cannot, since crests are looked at in steps of 1.6 % of the
+  /// distance; and no where it can through a notch in a crest that is narrower than two ways, some
+  /// 3 mrad.
   bool may_see(const glm::dvec2& at_m, double margin_m) const;
 
  private:

@@ -13,6 +13,7 @@ namespace wold::snow {
 namespace {
 
 constexpr double largest_m = 100.0, hurst = 0.0;
+/// Of hollows, over the noise's deviation.
 constexpr double drawn_to_hollows = 0.35;
 
 }  // namespace
@@ -22,6 +23,8 @@ SnowLine::SnowLine(const Heightfield& terrain, double smallest_m, std::uint64_t 
       key_(random_bits({seed, key_of("snow cover"), 0, key_of("snow line")})),
       hollows_(hollows(terrain, terrain.step_m())) {}
 
+/// Snow lies where a normal variable is below the fraction's quantile. A map's steps show a part of
+/// it; the rest is normal, too, and its distribution tells how much of the place is white.
 FactorMap SnowLine::white_map(const FactorMap& fractions) const {
   constexpr double none = 1e-4, sharpest = 0.05;
   const ScaleFreeNoise noise(key_, {largest_m, smallest_m_}, hurst, fractions.step_m());

@@ -11,7 +11,8 @@ namespace wold::snow {
 /// near and far. A keyed function of the place, the same for maps of all steps.
 class SnowLine {
  public:
-  /// `smallest_m`: the smallest patches.
+  /// `smallest_m`: size of the smallest patches, > 0; more than 100 m are 100 m. Hollows are those
+  /// that the terrain's steps show.
   SnowLine(const Heightfield& terrain, double smallest_m, std::uint64_t seed);
 
   /// Where the ground is white, [0, 1], on a map of the fractions of it that are, both over the
@@ -22,7 +23,7 @@ class SnowLine {
  private:
   double smallest_m_;
   std::uint64_t key_;
-  FactorMap hollows_;  ///< over their deviation
+  FactorMap hollows_;  ///< snow::hollows()
 };
 
 }  // namespace wold::snow

@@ -12,6 +12,7 @@
 #include "support/film_parts.h"
 #include "support/no_grass.h"
 #include "support/sanitized.h"
+#include "support/sees_ground.h"
 #include "support/temporary_folder.h"
 
 /// Terrains with more cells than can be laid: a window of cells, finer pictures of the ground about
@@ -119,6 +120,44 @@ glm::dvec3 mean_over(const ColourMap& map, const Square& square) {
       sum += glm::dvec3(map.sample(at_m.x, at_m.y)) / (1.0 * places * places);
     }
   return sum;
+}
+
+// All that the camera sees is as fine as its picture can show it; much of what hills hide is left
+// to the coarsest one.
+TEST(GroundDetails, AreMadeWhereTheCameraSeesThem) {
+  const test::TemporaryFolder folder("seen_details");
+  scene::Scene scene = plain(6000.0);
+  scene.terrain.shape = scene::TerrainShape::mountain;
+  scene.terrain.samples = 129;
+  scene.terrain.hill_height_m = 900.0;
+  scene.camera.eye_m = {3000.0, 1500.0};
+  scene.camera.target_m = {3100.0, 3000.0};
+  const landscape::Landscape landscape =
+      assemble(scene, test::site_of(scene, folder.path()), test::grass_of(scene, 1), {},
+               test::no_grass(), needs_of({}));
+  const place::View view(landscape.camera, scene.render.size_px[0], scene.render.size_px[1]);
+  int seen = 0, hidden = 0, left = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const landscape::GroundDetail& detail = landscape.ground_details[k];
+    for (int j = 0; j < detail.map.samples(); ++j)
+      for (int i = 0; i < detail.map.samples(); ++i) {
+        const glm::dvec2 at_m = detail.corner_m + detail.map.place_m(i, j);
+        if (!landscape.terrain.square().contains(at_m) ||
+            !view.may_see(place::above_ground(landscape.terrain, at_m, 0.0), 0.0))
+          continue;
+        const bool coarse = detail.map.at(i, j) == landscape.ground.sample(at_m.x, at_m.y);
+        if (test::sees_ground(landscape.terrain, landscape.camera.eye_m, at_m, /*step_m=*/2.0)) {
+          ++seen;
+          EXPECT_FALSE(coarse) << at_m.x << ' ' << at_m.y;
+        } else {
+          ++hidden;
+          left += coarse ? 1 : 0;
+        }
+      }
+  }
+  EXPECT_GT(seen, 1000);
+  EXPECT_GT(hidden, 1000);
+  EXPECT_GT(left, hidden / 3);
 }
 
 /// The plain with so much snow, mm of water.

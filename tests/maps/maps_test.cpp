@@ -172,6 +172,12 @@ TEST_F(Maps, ThatAreThereFromTheSameSourceStay) {
   EXPECT_EQ(time_of("weathering_0001.tif"), long_ago);
   EXPECT_EQ(map("slope.tif").unit(), "deg");
   EXPECT_TRUE(fs::exists(maps / "weathering_0002.tif"));
+  for (const MapFile& map : files) fs::last_write_time(map.file, long_ago);
+  scene::Scene higher = scene;
+  higher.terrain.relief_m *= 2.0;  // as if its model had been changed
+  written(higher, {1});
+  EXPECT_NE(time_of("height.tif"), long_ago);
+  for (const MapFile& map : files) fs::last_write_time(map.file, long_ago);
   written(scene, {1}, "another");
   EXPECT_NE(time_of("height.tif"), long_ago);
   EXPECT_NE(time_of("weathering_0001.tif"), long_ago);

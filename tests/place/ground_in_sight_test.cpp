@@ -2,10 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "core/mesh_height.h"
 #include "place/view.h"
+#include "support/sees_ground.h"
 #include "terrain/ground.h"
 
 namespace wold::place {
@@ -24,18 +23,6 @@ glm::dvec3 eye_over(const Heightfield& terrain, const glm::dvec2& at_m) {
   return {at_m, double{mesh_height_m(terrain, at_m)} + 1.7};
 }
 
-/// Whether a straight line from the eye to a place just over the ground is free, by the mesh.
-bool is_free(const Heightfield& terrain, const glm::dvec3& eye_m, const glm::dvec2& at_m) {
-  constexpr double over_m = 0.01, step_m = 1.5;
-  const glm::dvec3 to_m(at_m, double{mesh_height_m(terrain, at_m)} + over_m);
-  const double steps = std::ceil(glm::length(to_m - eye_m) / step_m);
-  for (double step = 1.0; step < steps; ++step) {
-    const glm::dvec3 on_m = glm::mix(eye_m, to_m, step / steps);
-    if (double{mesh_height_m(terrain, glm::dvec2(on_m))} > on_m.z) return false;
-  }
-  return true;
-}
-
 // All that lines of sight reach is seen, and most of what they do not reach is known to be hidden,
 // whichever way one looks.
 TEST(GroundInSight, IsWhatLinesOfSightReach) {
@@ -48,7 +35,7 @@ TEST(GroundInSight, IsWhatLinesOfSightReach) {
       for (double x = 5.0; x < 3000.0; x += 23.0) {
         constexpr double margin_m = 1.0;
         const bool may_be_seen = sight.may_see({x, y}, margin_m);
-        if (is_free(terrain, eye_m, {x, y})) {
+        if (test::sees_ground(terrain, eye_m, {x, y}, /*step_m=*/1.5)) {
           ++seen;
           EXPECT_TRUE(may_be_seen) << x << ' ' << y;
         } else {
