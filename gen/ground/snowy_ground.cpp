@@ -149,6 +149,11 @@ ColourMap uncovered(ColourMap bare, const FactorMap& white) {
   return bare;
 }
 
+/// Of maps on the same grid.
+void multiply(FactorMap& map, const FactorMap& factors) {
+  for (std::size_t k = 0; k < map.values().size(); ++k) map.values()[k] *= factors.values()[k];
+}
+
 bool is_paper(const scene::Scene& scene) {
   return scene.snow_cover.cover == scene::CoverModel::paper;
 }
@@ -175,7 +180,7 @@ void SnowyGround::lay_about_the_camera(int frame) {
   lying_ = std::move(lying);
   snow_line_.emplace(site_.terrain, scene_.snow_cover.feature_m, scene_.seed);
   albedo_ = lying_->albedo();
-  white_ = white(place::whole_grid(scene_));
+  white_ = white(place::whole_grid(scene_), site_.ledges);
   parallel_for(static_cast<std::size_t>(surface_.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < surface_.samples(); ++i)
@@ -267,8 +272,9 @@ float SnowyGround::white_fraction(const glm::dvec2& at_m) const {
   return is_bare() ? 0.0F : white_->sample(at_m.x, at_m.y);
 }
 
-/// The fraction of a part of a large terrain that is white, patch by patch where its grid is fine.
-FactorMap SnowyGround::white(const GroundGrid& grid) const {
+/// The fraction of a part of a large terrain that is white, patch by patch where its grid is fine:
+/// what snow whitens of level ground, on the ledges of steep ground.
+FactorMap SnowyGround::white(const GroundGrid& grid, const std::optional<FactorMap>& ledges) const {
   FactorMap fractions(grid.samples, grid.square);
   parallel_for(static_cast<std::size_t>(grid.samples), [&](std::size_t row) {
     const int j = static_cast<int>(row);
@@ -277,7 +283,9 @@ FactorMap SnowyGround::white(const GroundGrid& grid) const {
       fractions.at(i, j) = white_fraction(at_m);
     }
   });
-  return snow_line_ ? snow_line_->white_map(fractions) : fractions;
+  FactorMap white = snow_line_ ? snow_line_->white_map(fractions) : std::move(fractions);
+  if (ledges) multiply(white, *ledges);
+  return white;
 }
 
 ColourMap SnowyGround::reflectance(const glm::vec3& under_grass) const {
@@ -305,7 +313,7 @@ SnowyGround::CoveredPart SnowyGround::covered(place::GroundPart part,
     part.reflectance = shaded(bare, part.growth, under_grass);
     return {std::move(part), std::move(bare)};
   }
-  const FactorMap of_part = white({bare.square(), bare.samples()});
+  const FactorMap of_part = white({bare.square(), bare.samples()}, part.ledges);
   part.reflectance = reflectance(bare, part.growth, of_part, under_grass);
   part.growth = above_snow(std::move(part.growth));
   return {std::move(part), uncovered(std::move(bare), of_part)};

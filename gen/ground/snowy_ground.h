@@ -80,7 +80,7 @@ class SnowyGround {
   ColourMap iced(ColourMap bare) const;
   float grass_above(const glm::dvec2& at_m) const;
   FactorMap above_snow(FactorMap growth) const;
-  FactorMap white(const GroundGrid& grid) const;
+  FactorMap white(const GroundGrid& grid, const std::optional<FactorMap>& ledges) const;
   /// Bare ground with its growth, under that snow and in the shade of that grass.
   ColourMap reflectance(ColourMap bare, const FactorMap& growth, const FactorMap& white,
                         const glm::vec3& under_grass) const;

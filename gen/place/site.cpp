@@ -18,6 +18,7 @@
 #include "scene/species.h"
 #include "scene/sun_path.h"
 #include "scene/winter.h"
+#include "terrain/ledges.h"
 #include "terrain/lighting.h"
 
 namespace wold::place {
@@ -63,6 +64,13 @@ GroundPart lit_part(const scene::Scene& scene, const Site& site, const terrain::
   ColourMap reflectance = terrain::ground_reflectance(surface, site.day.sun_direction(),
                                                       scene.terrain, scene.seed, growth);
   return {std::move(growth), std::move(light), std::move(reflectance)};
+}
+
+/// Those of a large terrain that snow may lie on.
+std::optional<FactorMap> ledges(const scene::Scene& scene, const Snow* snow,
+                                const terrain::Surface& surface) {
+  if (snow == nullptr || !snow->large) return std::nullopt;
+  return terrain::ledges(surface, scene.terrain, scene.seed);
 }
 
 /// Where maps of the whole ground have their values: as the pictures of a large terrain need them,
@@ -136,7 +144,9 @@ GroundGrid light_grid(const Heightfield& terrain, const GroundGrid& grid,
 GroundPart ground_part(const scene::Scene& scene, const Site& site, const GroundGrid& grid,
                        RowParts parts) {
   const terrain::Surface surface = site.surface(grid, std::move(parts));
-  return lit_part(scene, site, surface, growth_map(scene, surface));
+  GroundPart part = lit_part(scene, site, surface, growth_map(scene, surface));
+  part.ledges = ledges(scene, site.snow.get(), surface);
+  return part;
 }
 
 terrain::Surface Site::surface(const GroundGrid& grid, RowParts parts) const {
@@ -199,6 +209,7 @@ Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmS
             {},
             {},
             {},
+            {},
             std::move(clouds),
             std::move(season),
             std::move(weather),
@@ -208,6 +219,7 @@ Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmS
             std::move(air),
             std::move(over_snow),
             sketch};
+  if (large) site.ledges = ledges(scene, site.snow.get(), site.surface(*grid));
   if (!scene::sun_moves(scene)) light_ground(scene, site);
   return site;
 }

@@ -37,9 +37,10 @@ struct Snow {
 
 /// What a part of the ground is like, without snow.
 struct GroundPart {
-  FactorMap growth;            ///< growth_map()'s
-  terrain::GroundLight light;  ///< under a clear sky
-  ColourMap reflectance;       ///< of the bare ground, radiance over irradiance
+  FactorMap growth;                      ///< growth_map()'s
+  terrain::GroundLight light;            ///< under a clear sky
+  ColourMap reflectance;                 ///< of the bare ground, radiance over irradiance
+  std::optional<FactorMap> ledges = {};  ///< terrain::ledges(), where snow may lie on it
 };
 
 /// How fine maps of a site are at most that need not be as fine as renderers' pictures: values
@@ -67,8 +68,9 @@ struct Site {
   light::Daylight day;
   /// What land around hides of that day's sun; none where nobody knows that land.
   std::shared_ptr<const terrain::LandShadow> land_shadow;
-  terrain::GroundLight light;    ///< under a clear sky
-  ColourMap ground_reflectance;  ///< of the bare ground, radiance over irradiance
+  terrain::GroundLight light;       ///< under a clear sky
+  ColourMap ground_reflectance;     ///< of the bare ground, radiance over irradiance
+  std::optional<FactorMap> ledges;  ///< terrain::ledges() of a large terrain that snow may lie on
   std::optional<cloud::Clouds> clouds;
   std::shared_ptr<const phenology::FilmSeason> season;  ///< if it is one
   std::shared_ptr<const snow::Weather> weather;

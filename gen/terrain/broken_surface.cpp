@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/ground_map.h"
 #include "core/random.h"
@@ -126,26 +127,44 @@ template <int dims>
 BrokenSurface<dims>::BrokenSurface(std::span<const BlockSize> sizes, std::uint64_t key,
                                    double step_m)
     : sizes_(sizes.first(std::min(sizes.size(), most_sizes))), key_(key) {
-  for (std::size_t i = 0; i < sizes_.size(); ++i)
+  double hidden2 = 0.0;
+  for (std::size_t i = 0; i < sizes_.size(); ++i) {
     shown_[i] = shown_fraction(sizes_[i].block_m, step_m);
+    hidden2 += (1.0 - shown_[i] * shown_[i]) * sizes_[i].tilt * sizes_[i].tilt / 3.0;
+  }
+  hidden_tilt_ = std::sqrt(hidden2);
 }
 
 template <int dims>
-double BrokenSurface<dims>::shade(const glm::vec<dims, double>& place_m, const glm::dvec3& up,
-                                  const glm::dvec3& to_sun) const {
-  glm::dvec3 faced = up;  // of no unit length, so that faces have the light of `up` on the mean
-  double open = 1.0;
+typename BrokenSurface<dims>::Broken BrokenSurface<dims>::broken(
+    const glm::vec<dims, double>& place_m, const glm::dvec3& up) const {
+  Broken broken{up, 1.0};
   for (std::size_t i = 0; i < sizes_.size(); ++i) {
     const BlockSize& size = sizes_[i];
     if (shown_[i] <= 0.0) continue;
     const Block<dims> block = block_at<dims>(place_m / size.block_m, key_ + i);
-    faced += shown_[i] * size.tilt * (2.0 * three_of(mixed(block.bits)) - 1.0);
-    faced -= shown_[i] * size.dome * level(block.middle_away);
-    open *= 1.0 + shown_[i] * size.dark * (mean_joint<dims> - joint_at(block.joint));
-    open *= 1.0 + shown_[i] * size.own_shade * (2.0 * three_of(mixed(block.bits + 1)).x - 1.0);
+    broken.face += shown_[i] * size.tilt * (2.0 * three_of(mixed(block.bits)) - 1.0);
+    broken.face -= shown_[i] * size.dome * level(block.middle_away);
+    broken.open *= 1.0 + shown_[i] * size.dark * (mean_joint<dims> - joint_at(block.joint));
+    broken.open *=
+        1.0 + shown_[i] * size.own_shade * (2.0 * three_of(mixed(block.bits + 1)).x - 1.0);
   }
+  return broken;
+}
+
+template <int dims>
+glm::dvec3 BrokenSurface<dims>::face(const glm::vec<dims, double>& place_m,
+                                     const glm::dvec3& up) const {
+  return broken(place_m, up).face;
+}
+
+/// A face is of no unit length, so that faces have the light of `up` on the mean.
+template <int dims>
+double BrokenSurface<dims>::shade(const glm::vec<dims, double>& place_m, const glm::dvec3& up,
+                                  const glm::dvec3& to_sun) const {
   constexpr double least = 0.3, most = 1.8;
-  return open * std::clamp(light_on(faced, to_sun) / light_on(up, to_sun), least, most);
+  const auto [face, open] = broken(place_m, up);
+  return open * std::clamp(light_on(face, to_sun) / light_on(up, to_sun), least, most);
 }
 
 template Block<2> block_at<2>(const glm::dvec2&, std::uint64_t);

@@ -47,6 +47,12 @@ class BrokenSurface {
   /// Whether a map shows any of it.
   bool is_shown() const { return shown_.front() > 0.0; }
 
+  /// The way that the face at a place turns, of no unit length: its mean is `up`, the unbroken
+  /// surface's unit normal. Place in metres.
+  glm::dvec3 face(const glm::vec<dims, double>& place_m, const glm::dvec3& up) const;
+  /// Standard deviation of a component of face() that the map does not show.
+  double hidden_tilt() const { return hidden_tilt_; }
+
   /// How much brighter than the unbroken surface a place is, > 0; 1 on the mean but for what is cut
   /// off at 0.3 and 1.8 times the light. `up` is the unbroken surface's unit normal, `to_sun` a
   /// unit vector; place in metres.
@@ -56,8 +62,15 @@ class BrokenSurface {
  private:
   static constexpr std::size_t most_sizes = 8;
 
+  struct Broken {
+    glm::dvec3 face;  ///< face()
+    double open;      ///< what joints and the block's own shade leave, over the mean
+  };
+  Broken broken(const glm::vec<dims, double>& place_m, const glm::dvec3& up) const;
+
   std::span<const BlockSize> sizes_;
   std::array<double, most_sizes> shown_{};
+  double hidden_tilt_ = 0.0;
   std::uint64_t key_;
 };
 

@@ -8,6 +8,7 @@
 #include "core/angle.h"
 #include "core/elementary.h"
 #include "core/ground_map.h"
+#include "core/normal_distribution.h"
 #include "core/random.h"
 
 namespace wold::terrain {
@@ -64,21 +65,32 @@ glm::dvec3 Rock::bedded(const glm::dvec3& place_m) const {
   return to_beds_ * (place_m + bend * bent) * glm::dvec3(1.0, 1.0, flatness);
 }
 
-/// Colour of the beds, over the mean: thick and thin ones, each long.
-glm::vec3 Rock::bed_at(const glm::dvec3& bedded_m) const {
+/// The bed of a place, of variance 1: thick and thin ones, each long.
+double Rock::bed_at(const glm::dvec3& bedded_m) const {
   constexpr double length = 30.0;  // over thickness
-  const auto bed = static_cast<float>(
-      std::clamp(beds_.at({bedded_m.z, (bedded_m.x + 0.7 * bedded_m.y) / length}), -2.5, 2.5));
-  return 1.0F + bed * glm::vec3(0.34F, 0.31F, 0.27F);
+  return std::clamp(beds_.at({bedded_m.z, (bedded_m.x + 0.7 * bedded_m.y) / length}), -2.5, 2.5);
 }
 
 glm::vec3 Rock::at(const glm::dvec3& place_m, const glm::dvec3& up,
                    const glm::dvec3& to_sun) const {
+  constexpr glm::vec3 colour(0.34F, 0.31F, 0.27F);
   if (!blocks_.is_shown()) return albedo_;
   const glm::dvec3 place = bedded(place_m);
-  return albedo_ * glm::clamp(static_cast<float>(blocks_.shade(place, up, to_sun)) * bed_at(place) *
-                                  stain_at(place_m),
-                              darkest, brightest);
+  const glm::vec3 bed = 1.0F + static_cast<float>(bed_at(place)) * colour;
+  return albedo_ *
+         glm::clamp(static_cast<float>(blocks_.shade(place, up, to_sun)) * bed * stain_at(place_m),
+                    darkest, brightest);
+}
+
+/// Faces turn less than light shows them: what is smaller than the snow is deep is under it.
+double Rock::ledges(const glm::dvec3& place_m, const glm::dvec3& up, double steepest_deg) const {
+  constexpr double turn = 0.45, bed_deg = 7.0, edge_deg = 2.0;
+  const glm::dvec3 place = bedded(place_m);
+  const glm::dvec3 face = glm::normalize(glm::mix(up, blocks_.face(place, up), turn));
+  const double slope_deg = math::acos(face.z) / radians_per_degree + bed_deg * bed_at(place);
+  const double hidden_deg = turn * blocks_.hidden_tilt() / radians_per_degree;
+  return normal_cdf((steepest_deg - slope_deg) /
+                    std::sqrt(edge_deg * edge_deg + hidden_deg * hidden_deg));
 }
 
 glm::vec3 Rock::debris_at(const glm::dvec3& place_m, const glm::dvec3& up,

@@ -29,9 +29,13 @@ class Rock {
   glm::vec3 debris_at(const glm::dvec3& place_m, const glm::dvec3& up,
                       const glm::dvec3& to_sun) const;
 
+  /// Share of the rock at a place on which snow can lie, in [0, 1]: its ledges, where faces are no
+  /// steeper than `steepest_deg`. Hard beds stand steeper than soft ones.
+  double ledges(const glm::dvec3& place_m, const glm::dvec3& up, double steepest_deg) const;
+
  private:
   glm::dvec3 bedded(const glm::dvec3& place_m) const;
-  glm::vec3 bed_at(const glm::dvec3& bedded_m) const;
+  double bed_at(const glm::dvec3& bedded_m) const;
   glm::vec3 stain_at(const glm::dvec3& place_m) const;
 
   glm::vec3 albedo_;

@@ -8,6 +8,7 @@
 #include "film/exporters.h"
 #include "film/film_demand.h"
 #include "place/cell_window.h"
+#include "scene/winter.h"
 #include "work/file_sizes.h"
 #include "work/memory_model.h"
 
@@ -17,9 +18,11 @@ namespace {
 // For one thread, from runs of examples/ on 2 processors: right within a factor of two for scenes
 // like those.
 constexpr double texel_seconds = 5e-8;          // per voxel of the finest level and state
+constexpr double patch_seconds = 0.08;          // per patch and state: its blades
 constexpr double scene_seconds = 2.0;           // per frame: cells, light, sky
+constexpr double lying_snow_seconds = 6.0;      // more where snow may lie
 constexpr double sample_seconds = 1e-6;         // per sample of the ground's pictures
-constexpr double large_sample_seconds = 5e-6;   // with relief below the model's cells, and horizons
+constexpr double large_sample_seconds = 7e-6;   // with relief below the model's cells, and horizons
 constexpr double scene_file_seconds = 2e-9;     // per byte that is written
 constexpr double pass_pixel_seconds = 5e-5;     // per pixel: its rays through the grass
 constexpr double cloud_seconds = 10.0;          // per layer
@@ -34,8 +37,9 @@ Estimate texels(const Job& job, const StageTasks& stage, const film::FilmDemand&
   std::set<film::BladePatchState> unlit;
   for (const film::ShownVolume& volume : demand.volumes())
     unlit.insert({volume.variant, volume.state.unlit()});
-  const double voxels = voxels_of(job.scene) * static_cast<double>(unlit.size());
-  return {each(voxels * texel_seconds, stage), texel_memory_bytes(job),
+  const double seconds =
+      (patch_seconds + texel_seconds * voxels_of(job.scene)) * static_cast<double>(unlit.size());
+  return {each(seconds, stage), texel_memory_bytes(job),
           each(texel_bytes(job.scene, demand, film::reads_unlit_texels(job)), stage)};
 }
 
@@ -47,8 +51,9 @@ Estimate scenes(const Job& job, const StageTasks& stage, const film::FilmDemand&
   double bytes = 0.0;
   for (const exporter::Exporter* one : job.exporters)
     bytes += scene_bytes(job.scene, one->files, demand, stage.indices.size());
-  const double seconds =
-      scene_seconds + ground_seconds(job.scene) + scene_file_seconds * each(bytes, stage);
+  const double snow_seconds = scene::may_lie(job.scene) ? lying_snow_seconds : 0.0;
+  const double seconds = scene_seconds + snow_seconds + ground_seconds(job.scene) +
+                         scene_file_seconds * each(bytes, stage);
   return {seconds, scene_memory_bytes(job), each(bytes, stage)};
 }
 

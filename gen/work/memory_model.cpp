@@ -6,8 +6,10 @@
 #include <tuple>
 
 #include "core/elementary.h"
+#include "core/ground_map.h"
 #include "place/cell_window.h"
 #include "place/ground_grids.h"
+#include "scene/species.h"
 #include "scene/winter.h"
 #include "sky/blowing_snow.h"
 #include "work/file_sizes.h"
@@ -30,10 +32,19 @@ double cells_bytes(const scene::Scene& scene) {
 
 /// Painting the ground and what else a frame needs; more where the ground's picture is large.
 double painting_bytes(const scene::Scene& scene) {
-  constexpr double usual = 100.0 * megabyte, min = 30.0 * megabyte, sample_bytes = 62.0;
+  constexpr double usual = 120.0 * megabyte, min = 30.0 * megabyte, sample_bytes = 62.0;
   if (place::is_large(scene)) return usual;
   const double along_a_side = place::picture_grid(scene).samples;
   return std::max(usual, min + sample_bytes * along_a_side * along_a_side);
+}
+
+/// What is white on the ground and how it is lit; on large terrains as fine as the ground's
+/// pictures.
+double lying_snow_bytes(const scene::Scene& scene) {
+  constexpr double step_m = 0.02, sample_bytes = 8.0;
+  if (!scene::may_lie(scene) || place::is_large(scene)) return 0.0;
+  const double along_a_side = map_samples(scene.terrain.size_m, step_m);
+  return sample_bytes * along_a_side * along_a_side;
 }
 
 /// The sky as the camera sees it, where there are clouds or snow in it: a little larger than the
@@ -70,11 +81,29 @@ double landscape_bytes(const Job& job) {
   constexpr double cloud_voxel_bytes = 24.0, haze_voxel_bytes = 24.0;
   return idle_bytes(job) + painting_bytes(job.scene) + cells_bytes(job.scene) +
          cloud_voxel_bytes * cloud_voxels(job.scene) +
-         haze_voxel_bytes * sky::blowing_snow_voxels(job.scene) + backdrop_bytes(job.scene);
+         haze_voxel_bytes * sky::blowing_snow_voxels(job.scene) + backdrop_bytes(job.scene) +
+         lying_snow_bytes(job.scene);
 }
 
+/// The largest of a scene's volumes.
+VolumeSize largest_volume(const scene::Scene& scene) {
+  const VolumeSizes sizes(scene);
+  const std::size_t mixtures = scene::mixtures_of(scene).size();
+  VolumeSize largest;
+  for (std::size_t mixture = 0; mixture < mixtures; ++mixture) {
+    const VolumeSize fresh = sizes.of(static_cast<int>(mixture) * scene.grass.variants, 0, 0);
+    largest.voxels = std::max(largest.voxels, fresh.voxels);
+    largest.filled = std::max(largest.filled, fresh.filled);
+  }
+  return largest;
+}
+
+/// Each thread has a volume in the making: its box once, and by the thread what is filled.
 double scene_memory_bytes(const Job& job, int threads) {
-  return landscape_bytes(job) + (20.0 + 16.0 * threads) * voxels_of(job.scene);
+  constexpr double voxel_bytes = 20.0, filled_bytes = 150.0;
+  const VolumeSize largest = largest_volume(job.scene);
+  return landscape_bytes(job) + voxel_bytes * largest.voxels +
+         filled_bytes * threads * largest.filled;
 }
 
 }  // namespace

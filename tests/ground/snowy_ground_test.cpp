@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "support/film_parts.h"
+#include "support/temporary_folder.h"
 
 namespace wold::ground {
 namespace {
@@ -149,6 +150,39 @@ TEST(SnowyGround, ThePapersWhiteningLeavesTheShapeAndHidesTheGrass) {
   EXPECT_NEAR(mean(ground.growth()), std::exp(-3.0), 0.02);
   EXPECT_NEAR(mean(ground.extinction_factor(site.growth)), std::exp(-3.0), 0.02);
   EXPECT_NEAR((ground.mean_albedo() - 0.2) / (0.95 - 0.2), 1.0 - std::exp(-3.0), 0.02);
+}
+
+/// Brightness of ledges over that of walls.
+double ledges_over_walls(const ColourMap& reflectance, const FactorMap& ledges) {
+  double walls = 0.0, held = 0.0;
+  int of_walls = 0, of_held = 0;
+  for (std::size_t k = 0; k < ledges.values().size(); ++k) {
+    const double bright{reflectance.values()[k].g};
+    if (ledges.values()[k] < 0.1F) walls += bright, ++of_walls;
+    if (ledges.values()[k] > 0.9F) held += bright, ++of_held;
+  }
+  EXPECT_GT(of_walls, 20);
+  EXPECT_GT(of_held, 20);
+  return held / of_held * of_walls / walls;
+}
+
+// However much snow lies on a large terrain, rock shows through where it is too steep: on the map
+// of the whole and on those of its parts.
+TEST(SnowyGround, LeavesWallsBare) {
+  const test::TemporaryFolder folder("walls");
+  scene::Scene scene = snowed_in(200.0);
+  scene.terrain.shape = scene::TerrainShape::mountain;
+  scene.terrain.size_m = 2000.0;
+  scene.terrain.samples = 129;
+  scene.terrain.hill_height_m = 1500.0;
+  scene.terrain.talus_deg = 80.0;
+  const place::Site site = test::site_of(scene, folder.path());
+  const SnowyGround ground(scene, site, 1);
+  EXPECT_GT(ledges_over_walls(ground.reflectance(in_the_open), *site.ledges), 3.0);
+  const GroundGrid grid{{{600.0, 600.0}, 800.0}, 401};
+  const place::GroundPart part = place::ground_part(scene, site, grid, {});
+  EXPECT_GT(ledges_over_walls(ground.covered(part, in_the_open).part.reflectance, *part.ledges),
+            3.0);
 }
 
 }  // namespace

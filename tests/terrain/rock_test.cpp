@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "core/random.h"
+#include "core/statistics.h"
 
 namespace wold::terrain {
 namespace {
@@ -123,6 +125,61 @@ TEST(Rock, HasBlocksOnAWall) {
   EXPECT_GT(upwards, aside);  // beds are flat
   EXPECT_LT(upwards, 3.0 * aside);
   EXPECT_LT(aside, 0.5 * change({5.0, 0.0, 0.0}));
+}
+
+// Ledges hold snow: nearly all of gentle rock, half of what is as steep as snow holds, little of a
+// wall; as much on coarse maps as on fine ones.
+TEST(Rock, HoldsSnowOnItsLedgesHoweverFine) {
+  constexpr double steepest_deg = 56.0;
+  for (const double step_m : {0.05, 1.0, 10.0, 100.0}) {
+    SCOPED_TRACE(step_m);
+    const Rock rock(glm::vec3(1.0F), 5, step_m);
+    const auto share = [&](double slope_deg) {
+      const double slope = slope_deg * 0.0174533;
+      return mean(3000, [&](const glm::dvec3& place_m) {
+        return rock.ledges(place_m, {0.0, -std::sin(slope), std::cos(slope)}, steepest_deg);
+      });
+    };
+    EXPECT_GT(share(30.0), 0.93);
+    EXPECT_NEAR(share(steepest_deg), 0.5, 0.06);
+    EXPECT_LT(share(80.0), 0.1);
+  }
+}
+
+// Each ledge is white or bare where a map is fine enough to show it.
+TEST(Rock, LedgesHaveEdgesOnFineMaps) {
+  const glm::dvec3 up = glm::normalize(glm::dvec3(0.0, -1.5, 1.0));
+  const auto between = [&](double step_m) {
+    const Rock rock(glm::vec3(1.0F), 5, step_m);
+    return mean(2000, [&](const glm::dvec3& place_m) {
+      const double share = rock.ledges(place_m, up, 56.0);
+      return share > 0.1 && share < 0.9 ? 1.0 : 0.0;
+    });
+  };
+  EXPECT_LT(between(0.05), 0.25);
+  EXPECT_GT(between(100.0), 0.8);
+}
+
+// Snow on walls marks their beds: pale ones stand steeper than dark ones.
+TEST(Rock, LedgesFollowBeds) {
+  const Rock rock(glm::vec3(0.2F), 5, /*step_m=*/5.0);
+  const glm::dvec3 up = glm::normalize(glm::dvec3(0.0, -1.5, 1.0));
+  constexpr int heights = 400, places = 40;
+  std::vector<float> pale(heights), held(heights);
+  for (std::size_t height = 0; height < heights; ++height)
+    for (int place = 0; place < places; ++place) {
+      const glm::dvec3 place_m(3.0 * place, 0.0, 10.0 * static_cast<double>(height));
+      pale[height] += rock.at(place_m, up, to_sun).g / places;
+      held[height] += static_cast<float>(rock.ledges(place_m, up, 56.0) / places);
+    }
+  const double mean_pale = wold::mean(pale), mean_held = wold::mean(held);
+  double both = 0.0, of_pale = 0.0, of_held = 0.0;
+  for (std::size_t height = 0; height < heights; ++height) {
+    both += (pale[height] - mean_pale) * (held[height] - mean_held);
+    of_pale += (pale[height] - mean_pale) * (pale[height] - mean_pale);
+    of_held += (held[height] - mean_held) * (held[height] - mean_held);
+  }
+  EXPECT_LT(both / std::sqrt(of_pale * of_held), -0.3);
 }
 
 }  // namespace

@@ -1,0 +1,43 @@
+#include "terrain/ledges.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/statistics.h"
+
+namespace wold::terrain {
+namespace {
+
+/// Of a slope that rises that much to the north, on a grid of 20 m.
+FactorMap ledges_of(double rise, double rock_slope_deg) {
+  Heightfield slope(65, 6400.0);
+  for (int j = 0; j < slope.samples(); ++j)
+    for (int i = 0; i < slope.samples(); ++i)
+      slope.at(i, j) = static_cast<float>(rise * j * slope.step_m());
+  scene::Terrain look;
+  look.rock_slope_deg = rock_slope_deg;
+  return ledges(Surface(slope, nullptr, {{{1000.0, 1000.0}, 4000.0}, 201}), look, 3);
+}
+
+TEST(Ledges, AreAllOfWhatIsNoRock) {
+  for (const auto& [rise, rock_slope_deg] : {std::pair(0.7, 42.0), std::pair(1.7, 75.0)}) {
+    const FactorMap all = ledges_of(rise, rock_slope_deg);
+    EXPECT_EQ(std::ranges::count(all.values(), 1.0F), 201 * 201) << rise;
+  }
+}
+
+TEST(Ledges, AreFewerTheSteeperRockIs) {
+  const double gentle = mean(ledges_of(1.0, 42.0).values());  // 45 degrees
+  const double steep = mean(ledges_of(1.73, 42.0).values());  // 60
+  const double wall = mean(ledges_of(4.0, 42.0).values());    // 76
+  EXPECT_GT(gentle, 0.7);
+  EXPECT_LT(gentle, 0.98);
+  EXPECT_LT(steep, 0.55);
+  EXPECT_GT(steep, 0.15);
+  EXPECT_LT(wall, 0.15);
+}
+
+}  // namespace
+}  // namespace wold::terrain
