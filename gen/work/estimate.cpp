@@ -19,7 +19,7 @@ namespace {
 // like those.
 constexpr double texel_seconds = 5e-8;          // per voxel of the finest level and state
 constexpr double patch_seconds = 0.08;          // per patch and state: its blades
-constexpr double scene_seconds = 2.0;           // per frame: cells, light, sky
+constexpr double scene_seconds = 10.0;          // per frame: cells, light, sky
 constexpr double lying_snow_seconds = 6.0;      // more where snow may lie
 constexpr double sample_seconds = 1e-6;         // per sample of the ground's pictures
 constexpr double large_sample_seconds = 7e-6;   // with relief below the model's cells, and horizons
