@@ -142,7 +142,6 @@ void warn_of_unseen_tornado(const scene::Scene& scene, Warnings& warnings) {
 void warn_of_coarse_terrain(const scene::Terrain& terrain, Warnings& warnings) {
   constexpr double much = 1.5;
   constexpr int most_samples = 4097;
-  if (terrain.elevation.empty()) return;
   const double step_m = terrain.size_m / (terrain.samples - 1.0);
   const double cell_m = terrain::elevation_cell_m(terrain);
   if (step_m < much * cell_m) return;
@@ -158,7 +157,7 @@ void warn_of_coarse_terrain(const scene::Terrain& terrain, Warnings& warnings) {
 void warn_of_small_square(const scene::Terrain& terrain, Warnings& warnings) {
   constexpr double few_cells = 10.0;
   static const scene::Terrain plain;
-  if (terrain.elevation.empty() || terrain.size_m != plain.size_m) return;
+  if (terrain.size_m != plain.size_m) return;
   const double cell_m = terrain::elevation_cell_m(terrain);
   if (terrain.size_m >= few_cells * cell_m) return;
   warnings.push_back(
@@ -166,6 +165,19 @@ void warn_of_small_square(const scene::Terrain& terrain, Warnings& warnings) {
                   "terrain.size, and camera.eye and camera.target within it, or let wold new "
                   "--terrain choose them",
                   terrain.size_m, terrain.size_m / cell_m));
+}
+
+/// A model in degrees that are taken for metres is nowhere as large as it says.
+void warn_of_elevation(const scene::Terrain& terrain, Warnings& warnings) {
+  if (terrain.elevation.empty()) return;
+  if (terrain::elevation_looks_like_degrees(terrain)) {
+    warnings.emplace_back(
+        "terrain.elevation does not say its coordinate system and is taken for metres, but looks "
+        "like degrees; set terrain.system = \"EPSG:4326\"");
+    return;
+  }
+  warn_of_coarse_terrain(terrain, warnings);
+  warn_of_small_square(terrain, warnings);
 }
 
 /// A camera that nobody placed stands in the corner of a large square.
@@ -220,8 +232,7 @@ Warnings scene_warnings(const scene::Scene& film, const phenology::FilmSeason* s
   warn_of_streaks(film, warnings);
   warn_of_unseen_tornado(film, warnings);
   warn_of_late_table(film, warnings);
-  warn_of_coarse_terrain(film.terrain, warnings);
-  warn_of_small_square(film.terrain, warnings);
+  warn_of_elevation(film.terrain, warnings);
   warn_of_camera_in_the_corner(film, warnings);
   warn_of_hidden_clouds(film, warnings);
   for (const auto& more : {season_warnings(film), unused_key_warnings(film)})

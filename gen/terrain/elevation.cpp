@@ -191,6 +191,11 @@ double elevation_cell_m(const scene::Terrain& terrain) {
   return cell_m(raster, local_system(raster, middle_of(terrain, raster)));
 }
 
+bool elevation_looks_like_degrees(const scene::Terrain& terrain) {
+  const QuietGdal quiet;
+  return Raster(terrain.elevation, terrain.system).looks_like_degrees();
+}
+
 GroundMap<double> heights_around(const scene::Terrain& terrain, const std::string& file,
                                  const GroundGrid& grid) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();

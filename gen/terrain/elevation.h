@@ -39,6 +39,11 @@ Elevation read_elevation(const scene::Terrain& terrain);
 /// terrain.system.
 double elevation_cell_m(const scene::Terrain& terrain);
 
+/// Whether terrain.elevation does not say its coordinate system, nor does terrain.system, and its
+/// coordinates look like degrees: they are taken for metres. Throws InputError when the file is no
+/// raster that lies somewhere.
+bool elevation_looks_like_degrees(const scene::Terrain& terrain);
+
 /// Heights on a grid about the same place, metres above the file's own zero: of terrain.elevation,
 /// or of another model, `file`, whose place its own coordinate system tells. NaN where the model
 /// has none, or where the grid covers so much of it (2^27 cells) that reading it would take long.

@@ -8,8 +8,16 @@
 
 namespace wold::terrain {
 
+namespace {
+
+/// Slabs of snow break off on slopes of up to 50 degrees, and on those beyond 60 little lies: where
+/// between them is a choice.
+constexpr double steepest_deg = 56.0;
+
+}  // namespace
+
 FactorMap ledges(const Surface& surface, const scene::Terrain& look, std::uint64_t seed) {
-  constexpr double strip_deg = 5.0, steepest_deg = 56.0, deg_per_exposure = 4.0;
+  constexpr double strip_deg = 5.0, deg_per_exposure = 4.0;
   const GroundGrid& grid = surface.grid();
   const Rock rock(glm::vec3(1.0F), seed, grid.step_m());
   FactorMap map(grid.samples, grid.square, 1.0F);

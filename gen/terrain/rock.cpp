@@ -87,7 +87,8 @@ double Rock::ledges(const glm::dvec3& place_m, const glm::dvec3& up, double stee
   constexpr double turn = 0.45, bed_deg = 7.0, edge_deg = 2.0;
   const glm::dvec3 place = bedded(place_m);
   const glm::dvec3 face = glm::normalize(glm::mix(up, blocks_.face(place, up), turn));
-  const double slope_deg = math::acos(face.z) / radians_per_degree + bed_deg * bed_at(place);
+  const double slope_deg =
+      math::acos(std::min(face.z, 1.0)) / radians_per_degree + bed_deg * bed_at(place);
   const double hidden_deg = turn * blocks_.hidden_tilt() / radians_per_degree;
   return normal_cdf((steepest_deg - slope_deg) /
                     std::sqrt(edge_deg * edge_deg + hidden_deg * hidden_deg));

@@ -188,6 +188,17 @@ TEST_F(Warnings, ATerrainCoarserThanItsElevationModel) {
   EXPECT_THAT(about(scene, "--set terrain.samples=31"), Not(HasSubstr("terrain.samples")));
 }
 
+// As people get them: a grid of degrees that does not say so.
+TEST_F(Warnings, AnElevationModelInDegreesThatIsTakenForMetres) {
+  std::string model = "ncols 41\nnrows 41\nxllcorner 7\nyllcorner 46\ncellsize 0.0008333\n";
+  for (int cell = 0; cell < 41 * 41; ++cell) model += fmt::format("{} ", 100 + cell % 7);
+  write("dem.asc", model);
+  const std::string scene = "[terrain]\nelevation = \"dem.asc\"\n";
+  EXPECT_THAT(about(scene), AllOf(HasSubstr("set terrain.system = \"EPSG:4326\""),
+                                  Not(HasSubstr("terrain.samples"))));
+  EXPECT_THAT(about(scene + "system = \"EPSG:4326\"\nsize = 1200\n"), Not(HasSubstr("EPSG:4326")));
+}
+
 TEST_F(Warnings, ATornadoThatNobodySees) {
   const std::string tornado = "[wind]\nfield = 'tornado'\n";
   EXPECT_THAT(about(tornado), AllOf(StartsWith("warning: the tornado of wind.field"),

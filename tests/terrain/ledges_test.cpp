@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+#include <vector>
 
 #include "core/statistics.h"
+#include "terrain/ground.h"
 
 namespace wold::terrain {
 namespace {
@@ -37,6 +40,36 @@ TEST(Ledges, AreFewerTheSteeperRockIs) {
   EXPECT_LT(steep, 0.55);
   EXPECT_GT(steep, 0.15);
   EXPECT_LT(wall, 0.15);
+}
+
+// Wind takes the snow of spurs, and gullies gather it.
+TEST(Ledges, AreMoreInGulliesThanOnSpurs) {
+  scene::Terrain look;
+  look.shape = scene::TerrainShape::mountain;
+  look.size_m = 2000.0;
+  look.samples = 65;
+  look.hill_height_m = 1200.0;
+  look.talus_deg = 80.0;
+  const Ground land = make_ground(look, 3);
+  ASSERT_TRUE(land.finer);
+  const Surface surface(land.heights_m, land.finer.get(), {{{0.0, 0.0}, 2000.0}, 801});
+  const FactorMap map = ledges(surface, look, 3);
+  std::vector<float> spurs, gullies;
+  for (int j = 0; j < map.samples(); ++j)
+    for (int i = 0; i < map.samples(); ++i) {
+      if (std::abs(surface.slope_deg(i, j) - 55.0) > 3.0) continue;
+      if (surface.exposure(i, j) > 0.7) spurs.push_back(map.at(i, j));
+      if (surface.exposure(i, j) < -0.7) gullies.push_back(map.at(i, j));
+    }
+  ASSERT_GT(spurs.size(), 500U);
+  ASSERT_GT(gullies.size(), 500U);
+  EXPECT_GT(mean(gullies), mean(spurs) + 0.15);
+}
+
+// Rock may begin on level ground.
+TEST(Ledges, OfLevelRockAreAllOfIt) {
+  const FactorMap level = ledges_of(0.0, 0.0);
+  EXPECT_GT(*std::ranges::min_element(level.values()), 0.9F);
 }
 
 }  // namespace
