@@ -46,8 +46,7 @@ std::vector<int> of_shots(const std::vector<std::string>& names, const scene::Sc
     for (int frame = take.first; frame <= take.last(); ++frame) frames.push_back(frame);
   }
   std::ranges::sort(frames);
-  const auto twice = std::ranges::unique(frames);
-  frames.erase(twice.begin(), twice.end());
+  frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
   return frames;
 }
 
