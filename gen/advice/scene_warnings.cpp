@@ -167,7 +167,7 @@ void warn_of_small_square(const scene::Terrain& terrain, Warnings& warnings) {
                   terrain.size_m, terrain.size_m / cell_m));
 }
 
-/// A model in degrees that are taken for metres is nowhere as large as it says.
+/// Of a model whose degrees are taken for metres no other warning about its size is right.
 void warn_of_elevation(const scene::Terrain& terrain, Warnings& warnings) {
   if (terrain.elevation.empty()) return;
   if (terrain::elevation_looks_like_degrees(terrain)) {

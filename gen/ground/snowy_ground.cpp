@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 
 #include "core/elementary.h"
@@ -149,8 +150,10 @@ ColourMap uncovered(ColourMap bare, const FactorMap& white) {
   return bare;
 }
 
-/// Of maps on the same grid.
+/// Of maps on the same grid; throws std::invalid_argument when they are not.
 void multiply(FactorMap& map, const FactorMap& factors) {
+  if (map.samples() != factors.samples())
+    throw std::invalid_argument("maps of the ground have different grids");
   for (std::size_t k = 0; k < map.values().size(); ++k) map.values()[k] *= factors.values()[k];
 }
 
@@ -268,8 +271,12 @@ float SnowyGround::depth_m(const glm::dvec2& at_m) const {
 }
 
 float SnowyGround::white_fraction(const glm::dvec2& at_m) const {
-  if (lying_) return lying_->fraction(at_m) * holds_snow(at_m, finest_step_m);
+  if (lying_) return white_without_walls(at_m) * site_.ledges->sample(at_m.x, at_m.y);
   return is_bare() ? 0.0F : white_->sample(at_m.x, at_m.y);
+}
+
+float SnowyGround::white_without_walls(const glm::dvec2& at_m) const {
+  return lying_->fraction(at_m) * holds_snow(at_m, finest_step_m);
 }
 
 /// The fraction of a part of a large terrain that is white, patch by patch where its grid is fine:
@@ -280,11 +287,12 @@ FactorMap SnowyGround::white(const GroundGrid& grid, const std::optional<FactorM
     const int j = static_cast<int>(row);
     for (int i = 0; i < grid.samples; ++i) {
       const glm::dvec2 at_m = fractions.place_m(i, j);
-      fractions.at(i, j) = white_fraction(at_m);
+      fractions.at(i, j) = lying_ ? white_without_walls(at_m) : white_fraction(at_m);
     }
   });
-  FactorMap white = snow_line_ ? snow_line_->white_map(fractions) : std::move(fractions);
-  if (ledges) multiply(white, *ledges);
+  if (!lying_) return fractions;
+  FactorMap white = snow_line_->white_map(fractions);
+  multiply(white, *ledges);
   return white;
 }
 

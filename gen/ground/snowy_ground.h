@@ -81,6 +81,8 @@ class SnowyGround {
   float grass_above(const glm::dvec2& at_m) const;
   FactorMap above_snow(FactorMap growth) const;
   FactorMap white(const GroundGrid& grid, const std::optional<FactorMap>& ledges) const;
+  /// white_fraction() of a large terrain, if its walls held snow as level ground does.
+  float white_without_walls(const glm::dvec2& at_m) const;
   /// Bare ground with its growth, under that snow and in the shade of that grass.
   ColourMap reflectance(ColourMap bare, const FactorMap& growth, const FactorMap& white,
                         const glm::vec3& under_grass) const;

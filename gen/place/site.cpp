@@ -68,9 +68,9 @@ GroundPart lit_part(const scene::Scene& scene, const Site& site, const terrain::
 
 /// Those of a large terrain that snow may lie on.
 std::optional<FactorMap> ledges(const scene::Scene& scene, const Snow* snow,
-                                const terrain::Surface& surface) {
+                                const terrain::Surface& surface, const FactorMap& growth) {
   if (snow == nullptr || !snow->large) return std::nullopt;
-  return terrain::ledges(surface, scene.terrain, scene.seed);
+  return terrain::ledges(surface, growth, scene.terrain, scene.seed);
 }
 
 /// Where maps of the whole ground have their values: as the pictures of a large terrain need them,
@@ -145,7 +145,7 @@ GroundPart ground_part(const scene::Scene& scene, const Site& site, const Ground
                        RowParts parts) {
   const terrain::Surface surface = site.surface(grid, std::move(parts));
   GroundPart part = lit_part(scene, site, surface, growth_map(scene, surface));
-  part.ledges = ledges(scene, site.snow.get(), surface);
+  part.ledges = ledges(scene, site.snow.get(), surface, part.growth);
   return part;
 }
 
@@ -219,7 +219,7 @@ Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmS
             std::move(air),
             std::move(over_snow),
             sketch};
-  if (large) site.ledges = ledges(scene, site.snow.get(), site.surface(*grid));
+  if (large) site.ledges = ledges(scene, site.snow.get(), site.surface(*grid), site.growth);
   if (!scene::sun_moves(scene)) light_ground(scene, site);
   return site;
 }

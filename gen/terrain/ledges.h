@@ -8,9 +8,10 @@
 
 namespace wold::terrain {
 
-/// Share of the ground on which snow can lie, in [0, 1], on the surface's grid: of ground beyond
-/// terrain.rock_slope the ledges of its rock, sooner in gullies than on spurs; all of what is less
-/// steep. 1 at places that do not count.
-FactorMap ledges(const Surface& surface, const scene::Terrain& look, std::uint64_t seed);
+/// Share of the ground on which snow can lie, in [0, 1], on the surface's grid: of rock, which
+/// shows beyond terrain.rock_slope where no grass grows, its ledges, sooner in gullies than on
+/// spurs; all of other ground. `growth` in [0, 1]. 1 at places that do not count.
+FactorMap ledges(const Surface& surface, const FactorMap& growth, const scene::Terrain& look,
+                 std::uint64_t seed);
 
 }  // namespace wold::terrain

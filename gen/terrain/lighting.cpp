@@ -145,10 +145,9 @@ struct GroundColour {
   /// out, and where no grass holds soil on it.
   Albedo albedo(const glm::dvec3& place_m, const glm::dvec3& up, const glm::dvec3& to_sun,
                 double exposure, float growth) const {
-    constexpr double deg_per_exposure = 4.0;
     const glm::dvec2 at_m(place_m);
-    const double beyond = math::acos(up.z) / radians_per_degree - rock_slope_deg +
-                          deg_per_exposure * std::clamp(exposure, -2.0, 2.0);
+    const double beyond =
+        beyond_rock_deg(math::acos(up.z) / radians_per_degree, exposure, rock_slope_deg);
     const Albedo earth{soil.at(at_m, up, to_sun), soil.mean_albedo()};
     if (beyond < -8.0) return earth;
     const double ragged = beyond + 2.5 * border_shown * border.at(at_m / border_m);

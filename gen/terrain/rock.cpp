@@ -65,7 +65,7 @@ glm::dvec3 Rock::bedded(const glm::dvec3& place_m) const {
   return to_beds_ * (place_m + bend * bent) * glm::dvec3(1.0, 1.0, flatness);
 }
 
-/// The bed of a place, of variance 1: thick and thin ones, each long.
+/// The bed of a place, of variance 1 where a map shows all of it: thick and thin ones, each long.
 double Rock::bed_at(const glm::dvec3& bedded_m) const {
   constexpr double length = 30.0;  // over thickness
   return std::clamp(beds_.at({bedded_m.z, (bedded_m.x + 0.7 * bedded_m.y) / length}), -2.5, 2.5);
@@ -82,16 +82,17 @@ glm::vec3 Rock::at(const glm::dvec3& place_m, const glm::dvec3& up,
                     darkest, brightest);
 }
 
-/// Faces turn less than light shows them: what is smaller than the snow is deep is under it.
 double Rock::ledges(const glm::dvec3& place_m, const glm::dvec3& up, double steepest_deg) const {
   constexpr double turn = 0.45, bed_deg = 7.0, edge_deg = 2.0;
   const glm::dvec3 place = bedded(place_m);
   const glm::dvec3 face = glm::normalize(glm::mix(up, blocks_.face(place, up), turn));
   const double slope_deg =
       math::acos(std::min(face.z, 1.0)) / radians_per_degree + bed_deg * bed_at(place);
-  const double hidden_deg = turn * blocks_.hidden_tilt() / radians_per_degree;
-  return normal_cdf((steepest_deg - slope_deg) /
-                    std::sqrt(edge_deg * edge_deg + hidden_deg * hidden_deg));
+  const double tilt_deg = turn * blocks_.hidden_tilt() / radians_per_degree;
+  const double hidden_beds = std::max(1.0 - beds_.shown(), 0.0);
+  const double deviation_deg =
+      std::sqrt(edge_deg * edge_deg + tilt_deg * tilt_deg + bed_deg * bed_deg * hidden_beds);
+  return normal_cdf((steepest_deg - slope_deg) / deviation_deg);
 }
 
 glm::vec3 Rock::debris_at(const glm::dvec3& place_m, const glm::dvec3& up,
@@ -107,6 +108,11 @@ glm::vec3 Rock::stain_at(const glm::dvec3& place_m) const {
   const glm::dvec3 at = place_m / feature_m;
   const double stain = stain_shown_ * math::tanh(stain_.at({at.x + 0.7 * at.z, at.y - 0.7 * at.z}));
   return 1.0F + static_cast<float>(stain) * glm::vec3(0.16F, 0.13F, 0.06F);
+}
+
+double beyond_rock_deg(double slope_deg, double exposure, double rock_slope_deg) {
+  constexpr double deg_per_exposure = 4.0;
+  return slope_deg - rock_slope_deg + deg_per_exposure * std::clamp(exposure, -2.0, 2.0);
 }
 
 }  // namespace wold::terrain

@@ -29,8 +29,9 @@ class Rock {
   glm::vec3 debris_at(const glm::dvec3& place_m, const glm::dvec3& up,
                       const glm::dvec3& to_sun) const;
 
-  /// Share of the rock at a place on which snow can lie, in [0, 1]: its ledges, where faces are no
-  /// steeper than `steepest_deg`. Hard beds stand steeper than soft ones.
+  /// Share of the rock at a place on which snow can lie, in [0, 1]: its ledges, where faces are
+  /// less steep than `steepest_deg`, give or take two degrees. Faces turn about half as far as
+  /// light shows them, and hard beds stand steeper than soft ones: both are choices.
   double ledges(const glm::dvec3& place_m, const glm::dvec3& up, double steepest_deg) const;
 
  private:
@@ -46,5 +47,9 @@ class Rock {
   glm::dmat3 to_beds_;
   BrokenSurface<3> blocks_, stones_;
 };
+
+/// How much steeper ground is than where rock begins to show, degrees: that is terrain.rock_slope,
+/// and less where the ground stands out (`exposure`: Surface::exposure()).
+double beyond_rock_deg(double slope_deg, double exposure, double rock_slope_deg);
 
 }  // namespace wold::terrain

@@ -47,20 +47,24 @@ double ground_seconds(const scene::Scene& scene) {
   return (place::is_large(scene) ? large_sample_seconds : sample_seconds) * ground_samples(scene);
 }
 
+/// A frame's landscape, before anything is written.
+double landscape_seconds(const scene::Scene& scene) {
+  const double snow_seconds = scene::may_lie(scene) ? lying_snow_seconds : 0.0;
+  return scene_seconds + snow_seconds + ground_seconds(scene);
+}
+
 Estimate scenes(const Job& job, const StageTasks& stage, const film::FilmDemand& demand) {
   double bytes = 0.0;
   for (const exporter::Exporter* one : job.exporters)
     bytes += scene_bytes(job.scene, one->files, demand, stage.indices.size());
-  const double snow_seconds = scene::may_lie(job.scene) ? lying_snow_seconds : 0.0;
-  const double seconds = scene_seconds + snow_seconds + ground_seconds(job.scene) +
-                         scene_file_seconds * each(bytes, stage);
+  const double seconds = landscape_seconds(job.scene) + scene_file_seconds * each(bytes, stage);
   return {seconds, scene_memory_bytes(job), each(bytes, stage)};
 }
 
 Estimate passes_of_frame(const Job& job, const film::FilmDemand& demand) {
   const scene::Render& render = job.scene.render;
   const double pixels = static_cast<double>(render.size_px[0]) * render.size_px[1];
-  return {scene_seconds + ground_seconds(job.scene) + pass_pixel_seconds * pixels,
+  return {landscape_seconds(job.scene) + pass_pixel_seconds * pixels,
           passes_memory_bytes(job, demand), pass_bytes(job.scene, job.passes)};
 }
 

@@ -38,8 +38,7 @@ double painting_bytes(const scene::Scene& scene) {
   return std::max(usual, min + sample_bytes * along_a_side * along_a_side);
 }
 
-/// What is white on the ground and how it is lit; on large terrains as fine as the ground's
-/// pictures.
+/// Maps of what is white on the ground; of a large terrain painting_bytes() has them.
 double lying_snow_bytes(const scene::Scene& scene) {
   constexpr double step_m = 0.02, sample_bytes = 8.0;
   if (!scene::may_lie(scene) || place::is_large(scene)) return 0.0;

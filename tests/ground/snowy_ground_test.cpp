@@ -177,12 +177,22 @@ TEST(SnowyGround, LeavesWallsBare) {
   scene.terrain.hill_height_m = 1500.0;
   scene.terrain.talus_deg = 80.0;
   const place::Site site = test::site_of(scene, folder.path());
+  ASSERT_TRUE(site.ledges);
   const SnowyGround ground(scene, site, 1);
   EXPECT_GT(ledges_over_walls(ground.reflectance(in_the_open), *site.ledges), 3.0);
   const GroundGrid grid{{{600.0, 600.0}, 800.0}, 401};
   const place::GroundPart part = place::ground_part(scene, site, grid, {});
+  ASSERT_TRUE(part.ledges);
   EXPECT_GT(ledges_over_walls(ground.covered(part, in_the_open).part.reflectance, *part.ledges),
             3.0);
+  // Place by place as on the mean: deep snow has no patches.
+  double white = 0.0;
+  for (int j = 0; j < site.ledges->samples(); ++j)
+    for (int i = 0; i < site.ledges->samples(); ++i)
+      white += double{ground.white_fraction(site.ledges->place_m(i, j))};
+  EXPECT_NEAR(white / static_cast<double>(site.ledges->values().size()), ground.white_fraction(),
+              0.01);
+  EXPECT_LT(ground.white_fraction(), 0.97);
 }
 
 }  // namespace

@@ -14,14 +14,15 @@ namespace wold::terrain {
 namespace {
 
 /// Of a slope that rises that much to the north, on a grid of 20 m.
-FactorMap ledges_of(double rise, double rock_slope_deg) {
+FactorMap ledges_of(double rise, double rock_slope_deg, float growth = 0.0F) {
   Heightfield slope(65, 6400.0);
   for (int j = 0; j < slope.samples(); ++j)
     for (int i = 0; i < slope.samples(); ++i)
       slope.at(i, j) = static_cast<float>(rise * j * slope.step_m());
   scene::Terrain look;
   look.rock_slope_deg = rock_slope_deg;
-  return ledges(Surface(slope, nullptr, {{{1000.0, 1000.0}, 4000.0}, 201}), look, 3);
+  return ledges(Surface(slope, nullptr, {{{1000.0, 1000.0}, 4000.0}, 201}),
+                FactorMap(2, 6400.0, growth), look, 3);
 }
 
 TEST(Ledges, AreAllOfWhatIsNoRock) {
@@ -42,6 +43,12 @@ TEST(Ledges, AreFewerTheSteeperRockIs) {
   EXPECT_LT(wall, 0.15);
 }
 
+// Grass holds soil, and soil holds snow.
+TEST(Ledges, AreAllOfWhatGrassGrowsOn) {
+  const FactorMap grown = ledges_of(1.73, 42.0, 1.0F);
+  EXPECT_EQ(std::ranges::count(grown.values(), 1.0F), 201 * 201);
+}
+
 // Wind takes the snow of spurs, and gullies gather it.
 TEST(Ledges, AreMoreInGulliesThanOnSpurs) {
   scene::Terrain look;
@@ -53,7 +60,7 @@ TEST(Ledges, AreMoreInGulliesThanOnSpurs) {
   const Ground land = make_ground(look, 3);
   ASSERT_TRUE(land.finer);
   const Surface surface(land.heights_m, land.finer.get(), {{{0.0, 0.0}, 2000.0}, 801});
-  const FactorMap map = ledges(surface, look, 3);
+  const FactorMap map = ledges(surface, FactorMap(2, 2000.0), look, 3);
   std::vector<float> spurs, gullies;
   for (int j = 0; j < map.samples(); ++j)
     for (int i = 0; i < map.samples(); ++i) {

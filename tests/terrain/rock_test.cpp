@@ -141,6 +141,7 @@ TEST(Rock, HoldsSnowOnItsLedgesHoweverFine) {
       });
     };
     EXPECT_GT(share(30.0), 0.93);
+    EXPECT_NEAR(share(45.0), 0.79, 0.03);
     EXPECT_NEAR(share(steepest_deg), 0.5, 0.06);
     EXPECT_LT(share(80.0), 0.1);
   }
