@@ -97,7 +97,8 @@ VolumeSize largest_volume(const scene::Scene& scene) {
   return largest;
 }
 
-/// Each thread has a volume in the making: its box once, and by the thread what is filled.
+/// Beside the landscape, the box of a volume, and by the thread what is filled of one in the
+/// making.
 double scene_memory_bytes(const Job& job, int threads) {
   constexpr double voxel_bytes = 20.0, filled_bytes = 150.0;
   const VolumeSize largest = largest_volume(job.scene);
