@@ -68,14 +68,18 @@ double LandAround::sun_seen(const glm::dvec3& at_m) const {
   const double level = glm::length(glm::dvec2(sun));
   if (level < 1e-6) return 1.0;
   const glm::dvec2 towards = glm::dvec2(sun) / level;
-  const double step_m = land_.step_m(glm::dvec2(at_m));
-  double highest = -1.0;
+  const double step_m = land_.step_m(glm::dvec2(at_m)), elevation = math::asin(sun.z);
+  // Land below all of the disc hides nothing of it, however high it is.
+  double highest = std::max(-1.0, math::tan(elevation - 1.01 * half_width));
   for (double distance_m = 1.5 * step_m; distance_m < farthest_m;
-       distance_m += std::max(step_m, spacing * distance_m))
-    highest = std::max(
-        highest,
-        (land_.coarse_height_m(glm::dvec2(at_m) + towards * distance_m) - at_m.z) / distance_m);
-  return glm::smoothstep(-half_width, half_width, math::asin(sun.z) - math::atan(highest));
+       distance_m += std::max(step_m, spacing * distance_m)) {
+    const glm::dvec2 there_m = glm::dvec2(at_m) + towards * distance_m;
+    const auto rise_to = [&](double height_m) { return (height_m - at_m.z) / distance_m; };
+    if (rise_to(land_.highest_m()) <= highest) break;
+    if (rise_to(land_.highest_m(there_m)) > highest)
+      highest = std::max(highest, rise_to(land_.coarse_height_m(there_m)));
+  }
+  return glm::smoothstep(-half_width, half_width, elevation - math::atan(highest));
 }
 
 /// Sun by Lambert's law where no land hides it; of the sky what an even slope faces.

@@ -94,16 +94,22 @@ std::vector<LandView::Seen> LandView::seen(const terrain::Surroundings& land,
   const glm::dvec2 towards(light::direction_of(azimuth, 0.0));
   const double begin_m = to_border_m(land.square(), glm::dvec2(eye_m_), towards);
   const double end_m = begin_m + land.reach_m();
+  const auto place_m = [&](double distance_m) { return glm::dvec2(eye_m_) + towards * distance_m; };
+  const auto rise_to = [&](double height_m, double distance_m) {
+    return (height_m - (drop_m(distance_m) - drop_m(begin_m)) - eye_m_.z) / distance_m;
+  };
+  const auto rise_at = [&](double distance_m) {
+    return rise_to(land.height_m(place_m(distance_m)), distance_m);
+  };
   std::vector<Seen> all;
-  for (double distance_m = std::max(begin_m, 1e-3), before_m = distance_m, rise_before = 0.0;
-       distance_m < end_m;) {
-    const glm::dvec2 at_m = glm::dvec2(eye_m_) + towards * distance_m;
-    const double height_m = land.height_m(at_m) - (drop_m(distance_m) - drop_m(begin_m));
-    const double rise = (height_m - eye_m_.z) / distance_m;
-    if (all.empty() || rise > all.back().rise)
-      all.push_back({distance_m, rise, before_m, rise_before});
+  const auto rises_above_all = [&](double rise) { return all.empty() || rise > all.back().rise; };
+  for (double distance_m = std::max(begin_m, 1e-3), before_m = distance_m; distance_m < end_m;) {
+    const glm::dvec2 at_m = place_m(distance_m);
+    // Most land is hidden, and the bound is found in a fraction of the time.
+    if (rises_above_all(rise_to(land.highest_m(at_m), distance_m)))
+      if (const double rise = rise_at(distance_m); rises_above_all(rise))
+        all.push_back({distance_m, rise, before_m, all.empty() ? 0.0 : rise_at(before_m)});
     before_m = distance_m;
-    rise_before = rise;
     distance_m += std::max(0.7 * land.step_m(at_m), spacing * distance_m);
   }
   return all;

@@ -86,4 +86,17 @@ double MadeUpLand::finer_m(const glm::dvec2& at_m, const Steps& steps, double fr
   return sum_m;
 }
 
+double MadeUpLand::most_finer_m(const Steps& steps) const {
+  double sum_m = 0.0;
+  for (const Copy& copy : copies_) {
+    double feature_m = copy.feature_m;
+    for (int octave = 0; octave < WornLand::octaves; ++octave, feature_m *= 0.5) {
+      const double part =
+          shown_fraction(feature_m, steps.fine_m) - shown_fraction(feature_m, steps.coarse_m);
+      sum_m += std::max(part, 0.0) * copy.height_m * soft(feature_m) * worn_->highest(octave);
+    }
+  }
+  return sum_m;
+}
+
 }  // namespace wold::terrain

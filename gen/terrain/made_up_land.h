@@ -31,6 +31,9 @@ class MadeUpLand {
   /// What the finer map shows beyond the coarser one.
   double finer_m(const glm::dvec2& at_m, const Steps& steps, double from_known_m) const;
 
+  /// The most that finer_m() is anywhere.
+  double most_finer_m(const Steps& steps) const;
+
  private:
   /// The worn land, once more in another size.
   struct Copy {

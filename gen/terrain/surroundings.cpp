@@ -156,6 +156,11 @@ glm::dvec2 gradient(const Height& height_m, const glm::dvec2& at_m, double step_
   return {rise({1.0, 0.0}), rise({0.0, 1.0})};
 }
 
+/// Of a map and of what is shown of it.
+MadeUpLand::Steps steps_in(const Heightfield& map, double shown_m) {
+  return {map.step_m(), std::max(map.step_m() / refinement, shown_m)};
+}
+
 double slope_at(const Heightfield& map, const glm::dvec2& at_m) {
   const auto height_m = [&](const glm::dvec2& place_m) {
     return double{map.sample(place_m.x, place_m.y)};
@@ -189,7 +194,7 @@ const Surroundings::Land& Surroundings::land() const {
 
 Surroundings::Land Surroundings::make(const Plan& plan) const {
   const auto& [terrain, ground, seed, reach_m] = plan;
-  Land land{MadeUpLand(ground, seed), {}};
+  Land land{MadeUpLand(ground, seed), {}, std::numeric_limits<double>::lowest()};
   std::vector<Model> models;
   if (!terrain.elevation.empty()) models.push_back({terrain.elevation});
   if (!terrain.elevation.empty() && !terrain.surroundings.empty())
@@ -212,7 +217,10 @@ Surroundings::Land Surroundings::make(const Plan& plan) const {
     finer_m = heights_m;
     Heightfield map = with_made_up_land(filled_in(std::move(heights_m)), land.made_up);
     const double slope = mean_slope(map);
-    land.rings.push_back({std::move(map), slope});
+    HighestAround highest(map);
+    const double most_finer_m = max_roughness * land.made_up.most_finer_m(steps_in(map, 0.0));
+    land.highest_m = std::max(land.highest_m, highest.highest_m() + most_finer_m);
+    land.rings.push_back({std::move(map), slope, std::move(highest), most_finer_m});
   } while (reach_m_of(land.rings.back().map.size_m()) < reach_m);
   return land;
 }
@@ -224,22 +232,26 @@ std::size_t Surroundings::ring_of(const glm::dvec2& at_m) const {
   return ring;
 }
 
-/// A height at a place, which goes over from a square to the next one near its border.
+/// How much a square counts at a place in it: less near its border, where it goes over into the
+/// next one.
+double Surroundings::part_within(std::size_t ring, const glm::dvec2& at_m) const {
+  constexpr double border = 0.05;  // of a square
+  if (ring + 1 == land().rings.size()) return 1.0;
+  const Square square = land().rings[ring].map.square();
+  return glm::smoothstep(0.0, border * square.size_m, -outside_m(square, at_m));
+}
+
+/// A height at a place, from the squares that count there.
 template <class HeightInRing>
 double Surroundings::between_rings(const glm::dvec2& at_m, const HeightInRing& height_in) const {
-  constexpr double border = 0.05;  // of a square, over which it goes into the next one
   const std::vector<Ring>& rings = land().rings;
   const std::size_t ring = ring_of(at_m);
-  const double height_m = height_in(rings[ring]);
-  if (ring + 1 == rings.size()) return height_m;
-  const Square square = rings[ring].map.square();
-  const double inner = glm::smoothstep(0.0, border * square.size_m, -outside_m(square, at_m));
-  return inner >= 1.0 ? height_m : std::lerp(height_in(rings[ring + 1]), height_m, inner);
+  const double height_m = height_in(rings[ring]), within = part_within(ring, at_m);
+  return within >= 1.0 ? height_m : std::lerp(height_in(rings[ring + 1]), height_m, within);
 }
 
 double Surroundings::finer_m(const Ring& ring, const glm::dvec2& at_m, double shown_m) const {
-  const double step_m = ring.map.step_m();
-  const MadeUpLand::Steps steps{step_m, std::max(step_m / refinement, shown_m)};
+  const MadeUpLand::Steps steps = steps_in(ring.map, shown_m);
   if (steps.fine_m >= steps.coarse_m || ring.slope <= 0.0) return 0.0;
   const double rough = std::min(slope_at(ring.map, at_m) / ring.slope, max_roughness);
   return rough * land().made_up.finer_m(at_m, steps, std::max(0.0, outside_m(square_, at_m)));
@@ -254,6 +266,17 @@ double Surroundings::height_m(const glm::dvec2& at_m, double shown_m) const {
   return between_rings(at_m, [&](const Ring& ring) {
     return smooth_height_m(ring.map, at_m) + finer_m(ring, at_m, shown_m);
   });
+}
+
+double Surroundings::highest_m(const glm::dvec2& at_m) const {
+  const std::vector<Ring>& rings = land().rings;
+  const auto highest_in = [&](const Ring& ring) {
+    return ring.highest.highest_m(at_m) + ring.most_finer_m;
+  };
+  const std::size_t ring = ring_of(at_m);
+  const double highest_m = highest_in(rings[ring]);
+  return part_within(ring, at_m) >= 1.0 ? highest_m
+                                        : std::max(highest_m, highest_in(rings[ring + 1]));
 }
 
 glm::dvec3 Surroundings::up(const glm::dvec2& at_m, double shown_m) const {

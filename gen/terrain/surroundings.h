@@ -9,6 +9,7 @@
 
 #include "core/ground_map.h"
 #include "scene/scene.h"
+#include "terrain/highest_around.h"
 #include "terrain/made_up_land.h"
 
 namespace wold::terrain {
@@ -44,6 +45,10 @@ class Surroundings {
   /// Height with the finer features that a map with steps of `shown_m` shows, down to an eighth of
   /// the steps between kept heights; higher ones where the land is steep.
   double height_m(const glm::dvec2& at_m, double shown_m = 0.0) const;
+  /// No height at a place is above this one: neither of the two, whatever is shown. Quick to find.
+  double highest_m(const glm::dvec2& at_m) const;
+  /// The same of all places.
+  double highest_m() const { return land().highest_m; }
   /// Upward unit normal of that land, by differences over two of those steps.
   glm::dvec3 up(const glm::dvec2& at_m, double shown_m) const;
 
@@ -51,11 +56,14 @@ class Surroundings {
   /// The land in one square.
   struct Ring {
     Heightfield map;
-    double slope;  ///< its mean, rise per distance
+    double slope;           ///< its mean, rise per distance
+    HighestAround highest;  ///< of the map alone
+    double most_finer_m;    ///< finer features are nowhere higher
   };
   struct Land {
     MadeUpLand made_up;
     std::vector<Ring> rings;  ///< fine to coarse; the scene's square is in the middle of each
+    double highest_m;         ///< no height is above it
   };
 
   /// What rings are made of.
@@ -70,6 +78,7 @@ class Surroundings {
   const Land& land() const;
   double reach_m_of(double ring_m) const { return 0.5 * (ring_m - square_.size_m); }
   std::size_t ring_of(const glm::dvec2& at_m) const;
+  double part_within(std::size_t ring, const glm::dvec2& at_m) const;
   double finer_m(const Ring& ring, const glm::dvec2& at_m, double shown_m) const;
   template <class HeightInRing>
   double between_rings(const glm::dvec2& at_m, const HeightInRing& height_in) const;

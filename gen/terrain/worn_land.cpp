@@ -177,6 +177,8 @@ WornLand::WornLand(std::uint64_t key) {
   }
   octaves_.push_back(tile_of(left));
   std::ranges::reverse(octaves_);
+  // Splines stay between their samples.
+  for (const Tile& tile : octaves_) highest_.push_back(double{*std::ranges::max_element(tile)});
 }
 
 /// By quadratic B-splines, smooth across the samples.

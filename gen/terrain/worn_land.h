@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
@@ -24,6 +25,9 @@ class WornLand {
   /// deviation 1.
   double height(int octave, const glm::dvec2& at) const;
 
+  /// The highest that height() of an octave is anywhere.
+  double highest(int octave) const { return highest_.at(static_cast<std::size_t>(octave)); }
+
   /// How steep the land is about a place, over its mean.
   double steepness(const glm::dvec2& at) const;
 
@@ -32,6 +36,7 @@ class WornLand {
   static double between(const Tile& tile, const glm::dvec2& at);
 
   std::vector<Tile> octaves_;
+  std::vector<double> highest_;  ///< of octaves
   Tile steepness_;
 };
 

@@ -13,11 +13,14 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "core/random.h"
 #include "support/elevation_raster.h"
 #include "support/temporary_folder.h"
 #include "terrain/ground.h"
+#include "terrain/highest_around.h"
 #include "terrain/known_land.h"
 #include "terrain/made_up_land.h"
+#include "terrain/resampling.h"
 
 namespace wold::terrain {
 namespace {
@@ -168,6 +171,57 @@ TEST_F(SurroundingsTest, HaveFeaturesBelowTheirSteps) {
     wall_m += std::abs(land.height_m(border_m) - ground_m) / 220.0;
   }
   EXPECT_LT(wall_m, 0.3);  // the ground has features of its own below those steps
+}
+
+// Far and near, where squares go over into each other, and at tops: nothing is above the bound,
+// which does not lie far above all.
+TEST_F(SurroundingsTest, AreNowhereAboveTheirHighest) {
+  const Surroundings land = around(square_of(""), 30000.0);
+  const glm::dvec2 middle_m(500.0);
+  double highest_m = std::numeric_limits<double>::lowest(), above_m = 0.0;
+  int count = 0;
+  for (double distance_m = 1.0; distance_m < 40000.0; distance_m *= 1.003, ++count) {
+    const glm::dvec2 at_m = middle_m + distance_m * glm::dvec2(std::cos(count), std::sin(count));
+    const double height_m = land.height_m(at_m), bound_m = land.highest_m(at_m);
+    ASSERT_LE(height_m, bound_m) << distance_m;
+    ASSERT_LE(land.coarse_height_m(at_m), bound_m) << distance_m;
+    ASSERT_LE(bound_m, land.highest_m()) << distance_m;
+    highest_m = std::max(highest_m, height_m);
+    above_m += bound_m - height_m;
+  }
+  EXPECT_LT(land.highest_m(), 2.0 * highest_m);
+  EXPECT_LT(above_m / count, 0.2 * highest_m);
+}
+
+/// A place's height by cubic convolution.
+double convolved_m(const Heightfield& map, const glm::dvec2& at_m) {
+  const glm::dvec2 corner = glm::floor(at_m);
+  const auto of_column = cubic_weights(at_m.x - corner.x),
+             of_row = cubic_weights(at_m.y - corner.y);
+  double sum_m = 0.0;
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i)
+      sum_m +=
+          of_column[static_cast<std::size_t>(i)] * of_row[static_cast<std::size_t>(j)] *
+          double{map.at(static_cast<int>(corner.x) + i - 1, static_cast<int>(corner.y) + j - 1)};
+  return sum_m;
+}
+
+// Spikes and holes, of which convolution makes heights above the highest sample: not a block may
+// forget what lies next to it. Where land is level the bound is the land.
+TEST(HighestAround, IsAboveWhateverIsBetweenSamples) {
+  Heightfield map(34, 33.0), level(34, 33.0);
+  for (std::size_t i = 0; i < map.values().size(); ++i) {
+    map.values()[i] = random_uniform({i, 1, 2, 3}) < 0.5 ? 10.0F : -10.0F;
+    level.values()[i] = 10.0F;
+  }
+  const HighestAround highest(map), highest_of_level(level);
+  for (double y = 1.25; y < 31.0; y += 0.25)
+    for (double x = 1.25; x < 31.0; x += 0.25) {
+      ASSERT_GE(highest.highest_m({x, y}), convolved_m(map, {x, y})) << x << ' ' << y;
+      ASSERT_NEAR(highest_of_level.highest_m({x, y}), 10.0, 0.01);
+    }
+  EXPECT_NEAR(highest.highest_m({-9.0, 50.0}), highest.highest_m({0.0, 33.0}), 0.0);
 }
 
 TEST_F(SurroundingsTest, NeedOneCoordinateSystem) {
