@@ -36,8 +36,8 @@ SMALL = [
     "--set", "grass.variants=1", "--set", "grass.levels=[30]",
     "--set", "grass.key_frames=[0,0.5,1]",
 ]  # fmt: skip
-# Of the scenes that `wold new` writes: what is before the camera.
-SMALL_GROUND = ["--set", "terrain.size=22"]
+# Of the scenes that `wold new` writes: what is before the camera, and two pictures.
+SMALL_NEW = ["--set", "terrain.size=22", "--set", "ageing.frames=[0,0.6]"]
 DAYS = [31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31]
 MAKES = {"render", "generate", "passes", "preview", "task"}
 LONG_OPTIONS = re.compile(r" --(size|frames) [\w,-]+")
@@ -86,10 +86,10 @@ def shrunk(command: str, wold: str) -> str:
         world = " --worlds 1 --frames 2" if "data_set" in words[0] else ""
         few = " --set ageing.frames=[0.3]" if not world else ""
         return f"{command} --wold {shlex.quote(wold)}{world}{few} {shlex.join(SMALL)}"
-    if verb in MAKES and "--out /shared" not in command:
+    if verb in MAKES or "--out /" in command:
         command = re.sub(r" --size \w+", "", command)
-        ground = SMALL_GROUND if "moor.toml" in words else []
-        return f"{command} {shlex.join(SMALL + ground)}"
+        new = SMALL_NEW if "moor.toml" in words else []
+        return f"{command} {shlex.join(SMALL + new)}"
     return command
 
 
@@ -104,8 +104,6 @@ def wrong_commands(page: str, wold: str) -> list[str]:
                 place = (place / shown.removeprefix("cd ")).resolve()
                 continue
             command = shrunk(shown, wold).replace("/shared/", f"{shared}/")
-            if wold in command and "--out /" in shown:
-                command += " " + shlex.join(SMALL)
             if re.match(r"\S+ new ", command):
                 (folder / (command.split()[2].removesuffix(".toml") + ".toml")).unlink(
                     missing_ok=True
