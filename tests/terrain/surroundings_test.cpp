@@ -207,21 +207,21 @@ double convolved_m(const Heightfield& map, const glm::dvec2& at_m) {
   return sum_m;
 }
 
-// Spikes and holes, of which convolution makes heights above the highest sample: not a block may
-// forget what lies next to it. Where land is level the bound is the land.
+// Spikes and holes, and a wall next to a block, which convolution makes heights above the highest
+// sample of: no block may forget what lies next to it. Where land is level the bound is the land.
 TEST(HighestAround, IsAboveWhateverIsBetweenSamples) {
-  Heightfield map(34, 33.0), level(34, 33.0);
-  for (std::size_t i = 0; i < map.values().size(); ++i) {
-    map.values()[i] = random_uniform({i, 1, 2, 3}) < 0.5 ? 10.0F : -10.0F;
-    level.values()[i] = 10.0F;
+  Heightfield spikes(36, 35.0), wall(36, 35.0, 10.0F);
+  for (std::size_t i = 0; i < spikes.values().size(); ++i)
+    spikes.values()[i] = random_uniform({i, 1, 2, 3}) < 0.5 ? 10.0F : -10.0F;
+  for (int row = 0; row < 36; ++row) wall.at(17, row) = -10.0F;
+  for (const Heightfield& map : {spikes, wall}) {
+    const HighestAround highest(map);
+    for (double y = 1.25; y < 34.0; y += 0.25)
+      for (double x = 1.25; x < 34.0; x += 0.25)
+        ASSERT_GE(highest.highest_m({x, y}), convolved_m(map, {x, y})) << x << ' ' << y;
+    EXPECT_EQ(highest.highest_m({-9.0, 50.0}), highest.highest_m({0.0, 35.0}));
   }
-  const HighestAround highest(map), highest_of_level(level);
-  for (double y = 1.25; y < 31.0; y += 0.25)
-    for (double x = 1.25; x < 31.0; x += 0.25) {
-      ASSERT_GE(highest.highest_m({x, y}), convolved_m(map, {x, y})) << x << ' ' << y;
-      ASSERT_NEAR(highest_of_level.highest_m({x, y}), 10.0, 0.01);
-    }
-  EXPECT_NEAR(highest.highest_m({-9.0, 50.0}), highest.highest_m({0.0, 33.0}), 0.0);
+  EXPECT_NEAR(HighestAround(wall).highest_m({30.0, 20.0}), 10.0, 0.01);
 }
 
 TEST_F(SurroundingsTest, NeedOneCoordinateSystem) {
@@ -277,12 +277,17 @@ TEST(KnownLand, KnowsDistancesWithinEightPercent) {
   }
 }
 
+/// A square of that deviation.
+Heightfield uneven(double size_m, float deviation_m) {
+  Heightfield ground(65, size_m);
+  for (int j = 0; j < 65; ++j)
+    for (int i = 0; i < 65; ++i) ground.at(i, j) = (i + j) % 2 == 0 ? deviation_m : -deviation_m;
+  return ground;
+}
+
 // Its deviation is as its law has it: that of the ground, over half of its square, by distance^0.7.
 TEST(MadeUpLand, RisesAsTheGroundDoes) {
-  Heightfield ground(65, 4000.0);
-  for (int j = 0; j < 65; ++j)
-    for (int i = 0; i < 65; ++i) ground.at(i, j) = (i + j) % 2 == 0 ? 30.0F : -30.0F;
-  const MadeUpLand land(ground, 5);
+  const MadeUpLand land(uneven(4000.0, 30.0F), 5);
   double sum = 0.0, squares = 0.0;
   constexpr int places = 90;
   for (int j = 0; j < places; ++j)
@@ -321,10 +326,7 @@ Heights heights_of(const MadeUpLand& land, double from_known_m) {
 // has it for features of that size, the largest that have begun there: within a factor of two,
 // since small ones are high where large ones are.
 TEST(MadeUpLand, BeginsWithSmallFeaturesAtOnce) {
-  Heightfield ground(65, 60.0);
-  for (int j = 0; j < 65; ++j)
-    for (int i = 0; i < 65; ++i) ground.at(i, j) = (i + j) % 2 == 0 ? 3.0F : -3.0F;
-  const MadeUpLand land(ground, 5);
+  const MadeUpLand land(uneven(60.0, 3.0F), 5);
   EXPECT_EQ(heights_of(land, 0.0).deviation, 0.0);
   for (const double from_known_m : {32.0, 125.0, 500.0, 2000.0}) {
     const double law_m = 3.0 * std::pow(from_known_m / 30.0, 0.7);
@@ -337,10 +339,7 @@ TEST(MadeUpLand, BeginsWithSmallFeaturesAtOnce) {
 
 // What a map shows and what a finer one adds to it are what the finer one shows.
 TEST(MadeUpLand, IsShownPieceByPiece) {
-  Heightfield ground(65, 4000.0);
-  for (int j = 0; j < 65; ++j)
-    for (int i = 0; i < 65; ++i) ground.at(i, j) = (i + j) % 2 == 0 ? 30.0F : -30.0F;
-  const MadeUpLand land(ground, 5);
+  const MadeUpLand land(uneven(4000.0, 30.0F), 5);
   double added_m = 0.0;
   for (int i = 0; i < 200; ++i) {
     const glm::dvec2 at_m(1237.0 * i, 911.0 * i);
@@ -349,6 +348,19 @@ TEST(MadeUpLand, IsShownPieceByPiece) {
     added_m += std::abs(finer_m) / 200.0;
   }
   EXPECT_GT(added_m, 0.1);
+}
+
+// The most that there may be is not much more than there is somewhere.
+TEST(MadeUpLand, IsNowhereFinerThanItsMost) {
+  const MadeUpLand land(uneven(4000.0, 30.0F), 3);
+  const MadeUpLand::Steps steps{40.0, 5.0};
+  const double most_m = land.most_finer_m(steps);
+  double highest_m = 0.0;
+  for (double y_m = 0.0; y_m < 8000.0; y_m += 41.0)
+    for (double x_m = 0.0; x_m < 8000.0; x_m += 37.0)
+      highest_m = std::max(highest_m, land.finer_m({x_m, y_m}, steps, 1e6));
+  EXPECT_LE(highest_m, most_m);
+  EXPECT_GT(highest_m, 0.2 * most_m);
 }
 
 TEST(MadeUpLand, IsLevelWhereTheGroundIs) {
