@@ -208,12 +208,13 @@ double convolved_m(const Heightfield& map, const glm::dvec2& at_m) {
 }
 
 // Spikes and holes, and a wall next to a block, which convolution makes heights above the highest
-// sample of: no block may forget what lies next to it. Where land is level the bound is the land.
+// sample of: no block may forget what lies next to it. Nor may the last, small blocks be forgotten. Where land is level the bound is the land.
 TEST(HighestAround, IsAboveWhateverIsBetweenSamples) {
   Heightfield spikes(36, 35.0), wall(36, 35.0, 10.0F);
   for (std::size_t i = 0; i < spikes.values().size(); ++i)
     spikes.values()[i] = random_uniform({i, 1, 2, 3}) < 0.5 ? 10.0F : -10.0F;
   for (int row = 0; row < 36; ++row) wall.at(17, row) = -10.0F;
+  wall.at(34, 34) = 30.0F;
   for (const Heightfield& map : {spikes, wall}) {
     const HighestAround highest(map);
     for (double y = 1.25; y < 34.0; y += 0.25)
