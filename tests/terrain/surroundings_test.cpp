@@ -208,7 +208,8 @@ double convolved_m(const Heightfield& map, const glm::dvec2& at_m) {
 }
 
 // Spikes and holes, and a wall next to a block, which convolution makes heights above the highest
-// sample of: no block may forget what lies next to it. Nor may the last, small blocks be forgotten. Where land is level the bound is the land.
+// sample of: no block may forget what lies next to it, and no block may be forgotten, small ones at
+// the end neither. Where land is level the bound is the land.
 TEST(HighestAround, IsAboveWhateverIsBetweenSamples) {
   Heightfield spikes(36, 35.0), wall(36, 35.0, 10.0F);
   for (std::size_t i = 0; i < spikes.values().size(); ++i)
