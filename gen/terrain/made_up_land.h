@@ -31,7 +31,7 @@ class MadeUpLand {
   /// What the finer map shows beyond the coarser one.
   double finer_m(const glm::dvec2& at_m, const Steps& steps, double from_known_m) const;
 
-  /// The most that finer_m() is anywhere.
+  /// A bound, metres: finer_m() is nowhere higher, at any distance from known land.
   double most_finer_m(const Steps& steps) const;
 
  private:

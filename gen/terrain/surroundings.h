@@ -45,9 +45,10 @@ class Surroundings {
   /// Height with the finer features that a map with steps of `shown_m` shows, down to an eighth of
   /// the steps between kept heights; higher ones where the land is steep.
   double height_m(const glm::dvec2& at_m, double shown_m = 0.0) const;
-  /// No height at a place is above this one: neither of the two, whatever is shown. Quick to find.
+  /// A bound, metres: neither of the two heights at a place is above it, whatever is shown. It is
+  /// found in a fraction of their time.
   double highest_m(const glm::dvec2& at_m) const;
-  /// The same of all places.
+  /// The same bound for all places.
   double highest_m() const { return land().highest_m; }
   /// Upward unit normal of that land, by differences over two of those steps.
   glm::dvec3 up(const glm::dvec2& at_m, double shown_m) const;

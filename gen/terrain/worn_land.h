@@ -25,7 +25,7 @@ class WornLand {
   /// deviation 1.
   double height(int octave, const glm::dvec2& at) const;
 
-  /// The highest that height() of an octave is anywhere.
+  /// A bound: height() of an octave is nowhere higher.
   double highest(int octave) const { return highest_.at(static_cast<std::size_t>(octave)); }
 
   /// How steep the land is about a place, over its mean.
