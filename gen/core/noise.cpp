@@ -212,4 +212,14 @@ double ScaleFreeNoise::at(const glm::dvec2& at_m, double step_m) const {
   return sum;
 }
 
+double ScaleFreeNoise::shown(double step_m) const {
+  double variance = 0.0;
+  for (const Octave& octave : octaves_) {
+    const double deviation =
+        shown_fraction(octave.feature_m, step_m) * octave.height * gradient_noise_deviation;
+    variance += deviation * deviation;
+  }
+  return variance;
+}
+
 }  // namespace wold

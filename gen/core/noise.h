@@ -81,6 +81,8 @@ class ScaleFreeNoise {
   double at(const glm::dvec2& at_m, double step_m) const;
   /// In [0, 1].
   double shown() const { return shown_; }
+  /// The variance of at(at_m, step_m), in [0, 1].
+  double shown(double step_m) const;
 
  private:
   struct Octave {

@@ -123,31 +123,45 @@ double light_on(const glm::dvec3& up, const glm::dvec3& to_sun) {
   return sunlight * std::max(0.0, glm::dot(up, to_sun)) + (1.0 - sunlight) * (0.5 + 0.5 * up.z);
 }
 
+double step_on(const glm::dvec3& up, double step_m) {
+  constexpr double least = 0.2;
+  return step_m / std::max(up.z, least);
+}
+
 template <int dims>
 BrokenSurface<dims>::BrokenSurface(std::span<const BlockSize> sizes, std::uint64_t key,
                                    double step_m)
-    : sizes_(sizes.first(std::min(sizes.size(), most_sizes))), key_(key) {
+    : sizes_(sizes), key_(key), step_m_(step_m) {}
+
+template <int dims>
+bool BrokenSurface<dims>::is_shown() const {
+  return shown_fraction(sizes_.front().block_m, step_m_) > 0.0;
+}
+
+template <int dims>
+double BrokenSurface<dims>::hidden_tilt(const glm::dvec3& up) const {
   double hidden2 = 0.0;
-  for (std::size_t i = 0; i < sizes_.size(); ++i) {
-    shown_[i] = shown_fraction(sizes_[i].block_m, step_m);
-    hidden2 += (1.0 - shown_[i] * shown_[i]) * sizes_[i].tilt * sizes_[i].tilt / 3.0;
+  for (const BlockSize& size : sizes_) {
+    const double shown = shown_fraction(size.block_m, step_on(up, step_m_));
+    hidden2 += (1.0 - shown * shown) * size.tilt * size.tilt / 3.0;
   }
-  hidden_tilt_ = std::sqrt(hidden2);
+  return std::sqrt(hidden2);
 }
 
 template <int dims>
 typename BrokenSurface<dims>::Broken BrokenSurface<dims>::broken(
     const glm::vec<dims, double>& place_m, const glm::dvec3& up) const {
   Broken broken{up, 1.0};
+  const double step_m = step_on(up, step_m_);
   for (std::size_t i = 0; i < sizes_.size(); ++i) {
     const BlockSize& size = sizes_[i];
-    if (shown_[i] <= 0.0) continue;
+    const double shown = shown_fraction(size.block_m, step_m);
+    if (shown <= 0.0) break;
     const Block<dims> block = block_at<dims>(place_m / size.block_m, key_ + i);
-    broken.face += shown_[i] * size.tilt * (2.0 * three_of(mixed(block.bits)) - 1.0);
-    broken.face -= shown_[i] * size.dome * level(block.middle_away);
-    broken.open *= 1.0 + shown_[i] * size.dark * (mean_joint<dims> - joint_at(block.joint));
-    broken.open *=
-        1.0 + shown_[i] * size.own_shade * (2.0 * three_of(mixed(block.bits + 1)).x - 1.0);
+    broken.face += shown * size.tilt * (2.0 * three_of(mixed(block.bits)) - 1.0);
+    broken.face -= shown * size.dome * level(block.middle_away);
+    broken.open *= 1.0 + shown * size.dark * (mean_joint<dims> - joint_at(block.joint));
+    broken.open *= 1.0 + shown * size.own_shade * (2.0 * three_of(mixed(block.bits + 1)).x - 1.0);
   }
   return broken;
 }

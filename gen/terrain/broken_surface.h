@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
@@ -26,6 +24,11 @@ Block<dims> block_at(const glm::vec<dims, double>& at, std::uint64_t key);
 /// less, of one that has set nothing. World space; `to_sun` is a unit vector.
 double light_on(const glm::dvec3& up, const glm::dvec3& to_sun);
 
+/// How far apart along the fall line the places of a map with that step are on ground that faces
+/// `up`, a unit vector not below the horizon: five steps at most. What is finer would be drawn out
+/// there, as steep rock looks like fur.
+double step_on(const glm::dvec3& up, double step_m);
+
 /// One size of the blocks that a surface is broken into.
 struct BlockSize {
   double block_m;          ///< width, metres
@@ -40,18 +43,18 @@ struct BlockSize {
 template <int dims>
 class BrokenSurface {
  public:
-  /// As a map with that step, > 0, shows it: blocks finer than the step are evened out. The sizes,
-  /// eight at most and from the largest to the smallest, have to outlive it.
+  /// As a map with that step, > 0, shows it: blocks finer than step_on() are evened out. The sizes,
+  /// from the largest to the smallest, have to outlive it.
   BrokenSurface(std::span<const BlockSize> sizes, std::uint64_t key, double step_m);
 
   /// Whether a map shows any of it.
-  bool is_shown() const { return shown_.front() > 0.0; }
+  bool is_shown() const;
 
   /// The way that the face at a place turns, of no unit length: its mean is `up`, the unbroken
   /// surface's unit normal. Place in metres.
   glm::dvec3 face(const glm::vec<dims, double>& place_m, const glm::dvec3& up) const;
   /// Standard deviation of a component of face() that the map does not show.
-  double hidden_tilt() const { return hidden_tilt_; }
+  double hidden_tilt(const glm::dvec3& up) const;
 
   /// How much brighter than the unbroken surface a place is, > 0; 1 on the mean but for what is cut
   /// off at 0.3 and 1.8 times the light. `up` is the unbroken surface's unit normal, `to_sun` a
@@ -60,8 +63,6 @@ class BrokenSurface {
                const glm::dvec3& to_sun) const;
 
  private:
-  static constexpr std::size_t most_sizes = 8;
-
   struct Broken {
     glm::dvec3 face;  ///< face()
     double open;      ///< what joints and the block's own shade leave, over the mean
@@ -69,9 +70,8 @@ class BrokenSurface {
   Broken broken(const glm::vec<dims, double>& place_m, const glm::dvec3& up) const;
 
   std::span<const BlockSize> sizes_;
-  std::array<double, most_sizes> shown_{};
-  double hidden_tilt_ = 0.0;
   std::uint64_t key_;
+  double step_m_;
 };
 
 }  // namespace wold::terrain

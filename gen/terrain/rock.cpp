@@ -20,10 +20,10 @@ constexpr double bend_feature_m = 500.0;
 /// Of what a block sends back, over the mean.
 constexpr float darkest = 0.08F, brightest = 2.69F;
 
-constexpr std::array<BlockSize, 8> block_sizes{{{300.0, 0.16, 0.1},
-                                                {75.0, 0.2, 0.16},
-                                                {19.0, 0.24, 0.24},
-                                                {4.8, 0.3, 0.36},
+constexpr std::array<BlockSize, 8> block_sizes{{{300.0, 0.32, 0.1},
+                                                {75.0, 0.4, 0.16},
+                                                {19.0, 0.48, 0.24},
+                                                {4.8, 0.5, 0.36},
                                                 {1.2, 0.42, 0.6},
                                                 {0.4, 0.26, 0.4},
                                                 {0.12, 0.16, 0.2},
@@ -48,9 +48,10 @@ glm::dmat3 beds(std::uint64_t key) {
 Rock::Rock(const glm::vec3& albedo, std::uint64_t seed, double step_m)
     : albedo_(albedo),
       key_(random_bits({seed, key_of("ground"), 0, key_of("rock")})),
+      step_m_(step_m),
       bend_(random_bits({key_, key_of("bend"), 0, 0}), {bend_feature_m, 0.2}, /*hurst=*/1.0,
             step_m),
-      beds_(random_bits({key_, key_of("beds"), 0, 0}), {200.0, 0.1}, /*hurst=*/0.3, step_m),
+      beds_(random_bits({key_, key_of("beds"), 0, 0}), {200.0, 0.1}, /*hurst=*/0.3, /*step_m=*/0.0),
       stain_{random_bits({key_, key_of("stain"), 0, 0}), 5, 0.5},
       stain_shown_(shown_fraction(1.2, step_m)),
       to_beds_(beds(key_)),
@@ -66,9 +67,10 @@ glm::dvec3 Rock::bedded(const glm::dvec3& place_m) const {
 }
 
 /// The bed of a place, of variance 1 where a map shows all of it: thick and thin ones, each long.
-double Rock::bed_at(const glm::dvec3& bedded_m) const {
+double Rock::bed_at(const glm::dvec3& bedded_m, double step_m) const {
   constexpr double length = 30.0;  // over thickness
-  return std::clamp(beds_.at({bedded_m.z, (bedded_m.x + 0.7 * bedded_m.y) / length}), -2.5, 2.5);
+  return std::clamp(beds_.at({bedded_m.z, (bedded_m.x + 0.7 * bedded_m.y) / length}, step_m), -2.5,
+                    2.5);
 }
 
 glm::vec3 Rock::at(const glm::dvec3& place_m, const glm::dvec3& up,
@@ -76,20 +78,21 @@ glm::vec3 Rock::at(const glm::dvec3& place_m, const glm::dvec3& up,
   constexpr glm::vec3 colour(0.34F, 0.31F, 0.27F);
   if (!blocks_.is_shown()) return albedo_;
   const glm::dvec3 place = bedded(place_m);
-  const glm::vec3 bed = 1.0F + static_cast<float>(bed_at(place)) * colour;
+  const glm::vec3 bed = 1.0F + static_cast<float>(bed_at(place, step_on(up, step_m_))) * colour;
   return albedo_ *
          glm::clamp(static_cast<float>(blocks_.shade(place, up, to_sun)) * bed * stain_at(place_m),
                     darkest, brightest);
 }
 
 double Rock::ledges(const glm::dvec3& place_m, const glm::dvec3& up, double steepest_deg) const {
-  constexpr double turn = 0.45, bed_deg = 7.0, edge_deg = 2.0;
+  constexpr double turn = 0.31, bed_deg = 7.0, edge_deg = 2.0;
+  const double step_m = step_on(up, step_m_);
   const glm::dvec3 place = bedded(place_m);
   const glm::dvec3 face = glm::normalize(glm::mix(up, blocks_.face(place, up), turn));
   const double slope_deg =
-      math::acos(std::min(face.z, 1.0)) / radians_per_degree + bed_deg * bed_at(place);
-  const double tilt_deg = turn * blocks_.hidden_tilt() / radians_per_degree;
-  const double hidden_beds = std::max(1.0 - beds_.shown(), 0.0);
+      math::acos(std::min(face.z, 1.0)) / radians_per_degree + bed_deg * bed_at(place, step_m);
+  const double tilt_deg = turn * blocks_.hidden_tilt(up) / radians_per_degree;
+  const double hidden_beds = std::max(1.0 - beds_.shown(step_m), 0.0);
   const double deviation_deg =
       std::sqrt(edge_deg * edge_deg + tilt_deg * tilt_deg + bed_deg * bed_deg * hidden_beds);
   return normal_cdf((steepest_deg - slope_deg) / deviation_deg);

@@ -15,8 +15,8 @@ namespace wold::terrain {
 /// blocks and not their plan drawn out.
 class Rock {
  public:
-  /// As a map with that step, > 0, shows it: blocks finer than the step are evened out. `albedo` is
-  /// linear red, green and blue in [0, 1].
+  /// As a map with that step, > 0, shows it: what is finer than step_on() is evened out. `albedo`
+  /// is linear red, green and blue in [0, 1].
   Rock(const glm::vec3& albedo, std::uint64_t seed, double step_m);
 
   /// Radiance over that of a smooth white surface which faces `up` and is lit by the sun and the
@@ -30,17 +30,18 @@ class Rock {
                       const glm::dvec3& to_sun) const;
 
   /// Share of the rock at a place on which snow can lie, in [0, 1]: its ledges, where faces are
-  /// less steep than `steepest_deg`, give or take two degrees. Faces turn about half as far as
+  /// less steep than `steepest_deg`, give or take two degrees. Faces turn about a third as far as
   /// light shows them, and hard beds stand steeper than soft ones: both are choices.
   double ledges(const glm::dvec3& place_m, const glm::dvec3& up, double steepest_deg) const;
 
  private:
   glm::dvec3 bedded(const glm::dvec3& place_m) const;
-  double bed_at(const glm::dvec3& bedded_m) const;
+  double bed_at(const glm::dvec3& bedded_m, double step_m) const;
   glm::vec3 stain_at(const glm::dvec3& place_m) const;
 
   glm::vec3 albedo_;
   std::uint64_t key_;
+  double step_m_;
   ScaleFreeNoise bend_, beds_;
   Fbm stain_;
   double stain_shown_;

@@ -9,6 +9,7 @@
 #include "core/image.h"
 #include "support/blender.h"
 #include "support/blurred_difference.h"
+#include "support/places.h"
 #include "support/synthetic_landscape.h"
 #include "support/temporary_folder.h"
 
@@ -52,15 +53,16 @@ TEST(BlenderAddOn, IsInstalledFollowsTheTimelineAndLeavesCleanly) {
   export_film(test::synthetic_landscape({.width_px = 64, .height_px = 36}, root / "texels"),
               root / "blender");
   const fs::path log = root / "log";
-  expect_done(fmt::format("{} extension --out {}", WOLD_PROGRAM, root.string()), log);
+  expect_done(fmt::format("{} extension --out {}", test::wold_program().string(), root.string()),
+              log);
   expect_done(fmt::format("{} --out {}/alone.png", test::blender_render(root / "blender", 2),
                           root.string()),
               log);
-  expect_done(
-      fmt::format("{0} {1} -- {2}/wold_blender-*.zip {2}/blender {2}/addon.png",
-                  clean_profile(root),
-                  test::blender_script(WOLD_TESTS_DIR "/blender/addon_check.py"), root.string()),
-      log);
+  expect_done(fmt::format("{0} {1} -- {2}/wold_blender-*.zip {2}/blender {2}/addon.png",
+                          clean_profile(root),
+                          test::blender_script(test::tests_folder() / "blender/addon_check.py"),
+                          root.string()),
+              log);
   ASSERT_TRUE(fs::exists(root / "addon.png")) << read_file(root / "log");
   const double difference =
       test::blurred_difference(read_image(root / "addon.png"), read_image(root / "alone.png"));

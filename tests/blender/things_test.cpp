@@ -12,6 +12,7 @@
 #include "support/blender.h"
 #include "support/constant_meadow.h"
 #include "support/penumbra.h"
+#include "support/places.h"
 #include "support/temporary_folder.h"
 
 namespace wold::blender {
@@ -67,8 +68,8 @@ TEST(BlenderAddOn, ThingsShadeAndLampsLightTheMeadow) {
   meadow.export_frames(root);
   const std::string command =
       fmt::format("{} -- '{}' '{}' '{}' > '{}' 2>&1",
-                  test::blender_script(WOLD_TESTS_DIR "/blender/things_check.py"),
-                  WOLD_TESTS_DIR "/../templates/blender", (root / "blender").string(),
+                  test::blender_script(test::tests_folder() / "blender/things_check.py"),
+                  (test::templates_folder() / "blender").string(), (root / "blender").string(),
                   root.string(), (root / "log").string());
   ASSERT_EQ(std::system(command.c_str()), 0) << read_file(root / "log");
   EXPECT_TRUE(fs::exists(root / "hut.png"));

@@ -10,12 +10,13 @@
 #include "core/files.h"
 #include "core/image.h"
 #include "golden.h"
+#include "support/places.h"
 
 /// Every scene of examples/, made small: what ships works, and looks as it did.
 namespace wold::test {
 namespace {
 
-const fs::path examples = fs::path(WOLD_TESTS_DIR) / ".." / "examples";
+const fs::path examples = tests_folder() / ".." / "examples";
 
 /// All scene files, by their paths from the folder.
 std::set<std::string> scenes() {
@@ -96,7 +97,7 @@ TEST(GoldenPictures, BelongToAnExample) {
   for (const std::string& scene : scenes())
     for (const char* renderer : {"blender", "povray"})
       names.insert(fmt::format("{}_{}.png", fs::path(scene).stem().string(), renderer));
-  for (const auto& entry : fs::directory_iterator(fs::path(WOLD_TESTS_DIR) / "golden" / "examples"))
+  for (const auto& entry : fs::directory_iterator(tests_folder() / "golden" / "examples"))
     EXPECT_TRUE(names.contains(entry.path().filename())) << entry.path() << " is of no example";
 }
 
@@ -106,8 +107,8 @@ TEST(GoldenPictures, OfScenesThatDifferDiffer) {
     std::map<std::string, std::string> scene_of;
     for (const std::string& scene : scenes()) {
       const std::string name = fs::path(scene).stem().string();
-      const fs::path picture = fs::path(WOLD_TESTS_DIR) / "golden" / "examples" /
-                               fmt::format("{}_{}.png", name, renderer);
+      const fs::path picture =
+          tests_folder() / "golden" / "examples" / fmt::format("{}_{}.png", name, renderer);
       const auto [known, is_new] = scene_of.emplace(read_file(picture), name);
       EXPECT_TRUE(is_new) << name << " and " << known->second << " have the same picture by "
                           << renderer;
@@ -118,7 +119,7 @@ TEST(GoldenPictures, OfScenesThatDifferDiffer) {
 /// Judges the pictures that ship, so that none made anew is wrong in one renderer alone: mean
 /// difference after 8 x 8 means, half of what one look allows.
 TEST_F(Program, GoldenPicturesShowTheSameFromBothRenderers) {
-  const fs::path golden = fs::path(WOLD_TESTS_DIR) / "golden" / "examples";
+  const fs::path golden = tests_folder() / "golden" / "examples";
   for (const std::string& scene : scenes()) {
     const std::string name = fs::path(scene).stem().string();
     const auto picture = [&](const char* renderer) {
@@ -132,7 +133,7 @@ TEST_F(Program, GoldenPicturesShowTheSameFromBothRenderers) {
 // A piece of the San Gabriel Mountains. The model's cells around 29 m from its middle to the
 // south-west and north-east say 1142 m and 1172 m; a cell is half as wide as the square.
 TEST_F(Program, PutsTheMeadowOnARealMountain) {
-  const fs::path model = fs::path(WOLD_TESTS_DIR) / "data" / "terrain" / "bigtujunga_srtm30.tif";
+  const fs::path model = tests_folder() / "data" / "terrain" / "bigtujunga_srtm30.tif";
   const std::string scene = " '" + (examples / "real_slope.toml").string() + "' ";
   const std::string options =
       "--quiet --out out --renderer blender --size 64x36 --set 'grass.levels=[30]' "

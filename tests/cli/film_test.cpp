@@ -6,6 +6,7 @@
 #include "core/image.h"
 #include "core/layered_image.h"
 #include "program.h"
+#include "support/places.h"
 
 namespace wold::test {
 namespace {
@@ -89,7 +90,8 @@ TEST_F(FilmCommand, IsTheSameBytesEachTime) {
   ASSERT_EQ(wold("film d").code, 0);
   const std::string mp4 = bytes("d/film_povray.mp4");
   const std::string webp = bytes("d/film_povray.webp");
-  ASSERT_EQ(shell("taskset -c 0 env '" WOLD_PROGRAM "' film d --out e/other.mp4").code, 0);
+  ASSERT_EQ(
+      shell("taskset -c 0 env '" + wold_program().string() + "' film d --out e/other.mp4").code, 0);
   EXPECT_EQ(bytes("e/other.mp4"), mp4);
   EXPECT_EQ(bytes("e/other.webp"), webp);
 }

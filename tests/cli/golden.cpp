@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "support/places.h"
+
 namespace wold::test {
 
 void GoldenPictures::expect_golden(const fs::path& picture, const std::string& name) const {
-  const fs::path want = fs::path(WOLD_TESTS_DIR) / "golden" / (name + ".png");
-  const fs::path evidence = fs::path(WOLD_BUILD_DIR) / "golden";
+  const fs::path want = tests_folder() / "golden" / (name + ".png");
+  const fs::path evidence = build_folder() / "golden";
   const fs::path kept = evidence / "got" / (name + ".png");
   const fs::path report = evidence / name;
   fs::remove_all(report);

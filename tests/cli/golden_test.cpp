@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "support/places.h"
+
 /// The pictures of examples/hillside.toml with the levels and variants that ship.
 namespace wold::test {
 namespace {
@@ -12,9 +14,10 @@ TEST_F(GoldenHillside, LooksAsItDid) {
   for (const char* renderer : {"blender", "povray"})
     if (!can_render(renderer))
       GTEST_SKIP() << "no complete " << renderer << " on this machine: no picture is compared";
-  const Result made = wold("render '" WOLD_TESTS_DIR
-                           "/../examples/hillside.toml' --quiet --out out --renderer both"
-                           " --size 480x270 --samples 1");
+  const Result made =
+      wold(fmt::format("render '{}' --quiet --out out --renderer both"
+                       " --size 480x270 --samples 1",
+                       (tests_folder() / "../examples/hillside.toml").string()));
   ASSERT_EQ(made.code, 0) << made.err;
   for (const char* renderer : {"blender", "povray"})
     for (int frame = 1; frame <= 3; ++frame)

@@ -7,6 +7,7 @@
 
 #include "core/files.h"
 #include "program.h"
+#include "support/places.h"
 
 namespace wold::test {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 std::vector<std::string> commands_of_guide() {
   const std::string start = "    wold ";
   std::vector<std::string> commands;
-  std::istringstream lines(read_file(fs::path(WOLD_TESTS_DIR) / ".." / "examples" / "guide.md"));
+  std::istringstream lines(read_file(tests_folder() / ".." / "examples" / "guide.md"));
   for (std::string line; std::getline(lines, line);)
     if (line.rfind(start, 0) == 0) commands.push_back(line.substr(start.size()));
   return commands;

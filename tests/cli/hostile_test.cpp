@@ -9,6 +9,7 @@
 #include "core/file_list.h"
 #include "core/files.h"
 #include "program.h"
+#include "support/places.h"
 #include "support/sanitized.h"
 
 /// What strangers' files and users' slips may and may not do: the rows of tests/hostile/*.toml.
@@ -109,9 +110,8 @@ void append_inputs(const fs::path& file, std::vector<Input>& inputs) {
 
 std::vector<Input> all_inputs() {
   std::vector<Input> inputs;
-  for (const fs::path& file : files_below(fs::path(WOLD_TESTS_DIR) / "hostile"))
-    if (file.extension() == ".toml")
-      append_inputs(fs::path(WOLD_TESTS_DIR) / "hostile" / file, inputs);
+  for (const fs::path& file : files_below(tests_folder() / "hostile"))
+    if (file.extension() == ".toml") append_inputs(tests_folder() / "hostile" / file, inputs);
   return inputs;
 }
 
@@ -125,11 +125,11 @@ class Hostile : public Program, public testing::WithParamInterface<Input> {
 
 TEST_P(Hostile, IsTakenAsTheTableSays) {
   const Input& input = GetParam();
-  write("scene.toml", read_file(fs::path(WOLD_TESTS_DIR) / "hostile/scene.toml.txt"));
+  write("scene.toml", read_file(tests_folder() / "hostile/scene.toml.txt"));
   fs::create_directory(folder_ / "outside");
   write("outside/precious", "mine");
   const std::string make =
-      "make() { python3 " + quoted(WOLD_TESTS_DIR "/hostile/make.py") + " \"$@\"; }; ";
+      "make() { python3 " + quoted((tests_folder() / "hostile/make.py").string()) + " \"$@\"; }; ";
   const std::string ours = "ours() { mkdir -p out/tasks && : >out/tasks/lock; }; ";
   const Result setup = shell(make + ours + input.setup);
   ASSERT_EQ(setup.code, 0) << setup.err;

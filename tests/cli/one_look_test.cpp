@@ -10,6 +10,7 @@
 #include "core/image.h"
 #include "program.h"
 #include "support/blurred_difference.h"
+#include "support/places.h"
 
 /// The promise of one look: both renderers show the same landscape.
 namespace wold::test {
@@ -78,7 +79,7 @@ class OneLook : public Program, public testing::WithParamInterface<ExampleFilm> 
   /// folder.
   void keep(int frame, const Image& apart, double blur, double skyline_px) const {
     const fs::path evidence =
-        fs::path(WOLD_BUILD_DIR) / "one_look" / fmt::format("{}_{:04}", GetParam().example, frame);
+        build_folder() / "one_look" / fmt::format("{}_{:04}", GetParam().example, frame);
     fs::create_directories(evidence);
     for (const char* renderer : {"blender", "povray"})
       fs::copy_file(picture(renderer, frame), evidence / (std::string(renderer) + ".png"),
@@ -93,11 +94,10 @@ class OneLook : public Program, public testing::WithParamInterface<ExampleFilm> 
 };
 
 TEST_P(OneLook, BothRenderersShowTheSame) {
-  const Result made =
-      wold(fmt::format("render '" WOLD_TESTS_DIR
-                       "/../examples/{}.toml' --quiet --out out --renderer both --frames {} "
-                       "--size 240x136 --samples 9 --set 'grass.levels=[126, 62, 30]'",
-                       GetParam().example, fmt::join(GetParam().frames, ",")));
+  const Result made = wold(
+      fmt::format("render '{}/../examples/{}.toml' --quiet --out out --renderer both --frames {} "
+                  "--size 240x136 --samples 9 --set 'grass.levels=[126, 62, 30]'",
+                  tests_folder().string(), GetParam().example, fmt::join(GetParam().frames, ",")));
   ASSERT_EQ(made.code, 0) << made.err;
   for (const int frame : GetParam().frames) {
     const Image blender = read_image(picture("blender", frame));

@@ -3,6 +3,7 @@
 #include "core/files.h"
 #include "core/image.h"
 #include "program.h"
+#include "support/places.h"
 
 namespace wold::test {
 namespace {
@@ -39,7 +40,7 @@ Image frame_of(const Image& sheet, int frame) {
 }
 
 TEST_F(Preview, ShowsWhatBlenderWillShow) {
-  const fs::path root = fs::path(WOLD_TESTS_DIR) / "..";
+  const fs::path root = tests_folder() / "..";
   const Image sheet = drawn(quoted((root / "examples/hillside.toml").string()));
   EXPECT_EQ(sheet.width, 1440);
   for (int frame = 1; frame <= 3; ++frame) {

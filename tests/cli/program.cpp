@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
+#include "support/places.h"
 
 namespace wold::test {
 
@@ -53,13 +54,13 @@ void Program::SetUp() {
   std::string pattern = (fs::path(testing::TempDir()) / "wold cli XXXXXX").string();
   folder_ = ::mkdtemp(pattern.data());
   // What renderers can do is asked once for all tests, and not kept among the user's own files.
-  ::setenv("XDG_CACHE_HOME", WOLD_BUILD_DIR "/test_cache", 1);
+  ::setenv("XDG_CACHE_HOME", (build_folder() / "test_cache").c_str(), 1);
 }
 
 void Program::TearDown() { fs::remove_all(folder_); }
 
 std::string Program::command(const std::string& arguments, const std::string& environment) {
-  return "exec env " + environment + " '" WOLD_PROGRAM "' " + arguments;
+  return "exec env " + environment + " '" + wold_program().string() + "' " + arguments;
 }
 
 Result Program::shell(const std::string& command) const {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
+#include "support/places.h"
 
 namespace wold::test {
 namespace {
@@ -38,14 +39,13 @@ TEST_F(Program, VersionIsTheProjects) {
   const Result result = wold("--version");
   expect_answer(result, "wold ");
   const std::string number = result.out.substr(5, result.out.find('\n') - 5);
-  expect_contains(read_file(fs::path(WOLD_TESTS_DIR) / "../CMakeLists.txt"),
-                  "VERSION " + number + " ");
+  expect_contains(read_file(tests_folder() / "../CMakeLists.txt"), "VERSION " + number + " ");
 }
 
 TEST_F(Program, VersionNamesBuildLibrariesAndRenderers) {
   const Result none =
       wold("--version", "PATH=/nonexistent WOLD_BLENDER= WOLD_POVRAY= WOLD_FFMPEG=");
-  const std::string revision = read_file(fs::path(WOLD_BUILD_DIR) / "share/wold/revision");
+  const std::string revision = read_file(build_folder() / "share/wold/revision");
   EXPECT_EQ(revision.find("unknown"), std::string::npos) << "built outside git";
   expect_answer(none, "\nrevision   " + revision);
   for (const std::string part :
@@ -65,13 +65,13 @@ TEST_F(Program, VersionNamesBuildLibrariesAndRenderers) {
 TEST_F(Program, FindsItsFilesFromWhereItIs) {
   fs::create_directories(folder_ / "there/bin");
   fs::create_directories(folder_ / "there/share/wold");
-  fs::copy_file(WOLD_PROGRAM, folder_ / "there/bin/wold");
+  fs::copy_file(wold_program(), folder_ / "there/bin/wold");
   write("a.toml", "");
   const std::string curves = "there/bin/wold curves a.toml --out a.csv";
   const Result missing = shell(curves);
   EXPECT_EQ(missing.code, 4);
   expect_contains(missing.err, "there/share/wold/models");
-  const fs::path sources = fs::path(WOLD_TESTS_DIR).parent_path();
+  const fs::path sources = tests_folder().parent_path();
   EXPECT_EQ(missing.err.find((sources / "models").string()), std::string::npos) << missing.err;
   for (const std::string folder : {"models", "templates"})
     fs::create_directory_symlink(sources / folder, folder_ / "there/share/wold" / folder);

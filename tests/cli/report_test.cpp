@@ -6,6 +6,7 @@
 #include "core/files.h"
 #include "core/image.h"
 #include "program.h"
+#include "support/places.h"
 
 namespace wold::test {
 namespace {
@@ -38,7 +39,8 @@ class Report : public Program {
 
   /// What a reader sees and does, by tests/cli/report_browser.py.
   nlohmann::json used() const {
-    const Result result = shell("python3 '" WOLD_TESTS_DIR "/cli/report_browser.py' d/report.html");
+    const Result result = shell("python3 '" + (tests_folder() / "cli/report_browser.py").string() +
+                                "' d/report.html");
     EXPECT_EQ(result.code, 0) << result.err;
     return nlohmann::json::parse(result.out);
   }

@@ -3,6 +3,7 @@
 
 #include "core/files.h"
 #include "program.h"
+#include "support/places.h"
 
 /// Completion and manual, judged by the shells and the formatter they are for.
 namespace wold::test {
@@ -119,7 +120,7 @@ TEST_F(Program, EveryCommandHasItsPage) {
     expect_contains(manual.out, "\\fBwold\\fR \\fB" + command);
     const Result page = wold(command + " --man");
     EXPECT_EQ(page.code, 0) << page.err;
-    EXPECT_EQ(page.out, read_file(fs::path(WOLD_PAGES_DIR) / ("wold-" + command + ".1")));
+    EXPECT_EQ(page.out, read_file(pages_folder() / ("wold-" + command + ".1")));
     if (!is_installed("man")) continue;
     write("page.1", page.out);
     const Result shown =

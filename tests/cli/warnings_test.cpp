@@ -3,6 +3,7 @@
 
 #include "core/files.h"
 #include "program.h"
+#include "support/places.h"
 
 /// What `wold` says of a scene that will look wrong, and of which it says nothing.
 namespace wold::test {
@@ -265,7 +266,7 @@ TEST_F(Warnings, StandOnStderrOfWhatUsesTheScene) {
 
 TEST_F(Warnings, AreNotOfTheExamples) {
   int scenes = 0;
-  for (const auto& entry : fs::directory_iterator(fs::path(WOLD_TESTS_DIR) / "../examples")) {
+  for (const auto& entry : fs::directory_iterator(tests_folder() / "../examples")) {
     if (entry.path().extension() != ".toml") continue;
     ++scenes;
     const Result result = wold("check " + quoted(entry.path().string()));

@@ -4,6 +4,7 @@
 
 #include "grass/ageing/model_table.h"
 #include "small_meadow.h"
+#include "support/places.h"
 
 namespace wold::grass {
 namespace {
@@ -22,7 +23,7 @@ double root_curvature(const Elastica& nodes) {
 constexpr double loads[] = {0.0, 0.1, 1.0, 3.0, 7.0, 7.8, 7.9, 9.0, 15.0, 40.0, 150.0, 999.0};
 
 TEST(Elastica, AgreesWithAnIndependentIntegration) {
-  const ModelTable vectors(WOLD_TESTS_DIR "/grass/elastica_vectors.toml");
+  const ModelTable vectors(wold::test::tests_folder() / "grass/elastica_vectors.toml");
   const std::size_t count = vectors.column("load").size();
   ASSERT_EQ(count, 45U);
   const auto of = [&](const char* name, std::size_t i) { return vectors.column(name, count)[i]; };

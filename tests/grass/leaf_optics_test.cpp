@@ -7,6 +7,7 @@
 
 #include "grass/ageing/model_table.h"
 #include "grass/optics/pigments.h"
+#include "support/places.h"
 
 namespace wold::grass {
 namespace {
@@ -31,7 +32,7 @@ class Prospect : public testing::Test {
     return {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
   }
 
-  const ModelTable vectors_{WOLD_TESTS_DIR "/grass/prospect_vectors.toml"};
+  const ModelTable vectors_{wold::test::tests_folder() / "grass/prospect_vectors.toml"};
   const LeafOptics optics_{load_leaf_spectra()};
 };
 

@@ -7,6 +7,7 @@
 
 #include "grass/ageing/model_table.h"
 #include "grass/optics/leaf_optics.h"
+#include "support/places.h"
 
 namespace wold::test {
 namespace {
@@ -36,7 +37,7 @@ class KnownCanopy : public testing::Test {
   }
 
  private:
-  const ModelTable table_{WOLD_TESTS_DIR "/grass/sail_vectors.toml"};
+  const ModelTable table_{tests_folder() / "grass/sail_vectors.toml"};
   const grass::LeafSpectrum leaf_ = leaf();
 };
 

@@ -7,6 +7,7 @@
 #include "grass/mechanics/elastica.h"
 #include "grass/mechanics/vein_step.h"
 #include "small_meadow.h"
+#include "support/places.h"
 
 namespace wold::grass {
 namespace {
@@ -45,7 +46,7 @@ double drawn_length_m(const VeinPoints& points) {
 
 // Real stems: the heavy elastica by an independent integration (elastica_vectors.toml).
 TEST(Vein, SettlesInTheHeavyElastica) {
-  const ModelTable vectors(WOLD_TESTS_DIR "/grass/elastica_vectors.toml");
+  const ModelTable vectors(wold::test::tests_folder() / "grass/elastica_vectors.toml");
   const std::size_t count = vectors.column("load").size();
   const auto of = [&](const char* name, std::size_t i) { return vectors.column(name, count)[i]; };
   int compared = 0;

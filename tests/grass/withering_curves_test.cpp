@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "grass/ageing/model_table.h"
+#include "support/places.h"
 
 namespace wold::grass {
 namespace {
@@ -135,7 +136,7 @@ TEST(WitheringCurves, TheTipSinksFromTheFreshBladesAngleToTheGround) {
 }
 
 TEST(WitheringCurves, SpectraAreThoseOfAnIndependentProspect) {
-  const ModelTable vectors(WOLD_TESTS_DIR "/grass/prospect_vectors.toml");
+  const ModelTable vectors(wold::test::tests_folder() / "grass/prospect_vectors.toml");
   const std::vector<double>& wavelength_nm = vectors.column("wavelength_nm");
   const std::vector<double>& reflectance = vectors.column("reflectance");
   const WitheringCurves curves = withering_curves(published_leaf());

@@ -14,6 +14,7 @@
 #include "scene/parse.h"
 #include "support/film_parts.h"
 #include "support/grown.h"
+#include "support/places.h"
 #include "terrain/ground.h"
 
 namespace wold::landscape {
@@ -138,7 +139,7 @@ struct Example {
 };
 
 Example example(const char* name) {
-  const auto file = std::filesystem::path(WOLD_TESTS_DIR) / "../examples" / name;
+  const auto file = wold::test::tests_folder() / "../examples" / name;
   scene::Scene scene = scene::read_scene(file);
   scene.render.size_px = {960, 540};
   const Heightfield terrain = terrain::make_ground(scene.terrain, scene.seed).heights_m;

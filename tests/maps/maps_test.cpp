@@ -15,6 +15,7 @@
 
 #include "core/error.h"
 #include "maps/geotiff.h"
+#include "support/places.h"
 #include "support/temporary_folder.h"
 
 namespace wold::maps {
@@ -81,7 +82,7 @@ class Maps : public testing::Test {
 scene::Scene front_range() {
   scene::Scene scene;
   scene.terrain.elevation =
-      (fs::path(WOLD_TESTS_DIR) / "data" / "terrain" / "front_range_srtm_gl3.asc").string();
+      (wold::test::tests_folder() / "data" / "terrain" / "front_range_srtm_gl3.asc").string();
   scene.terrain.system = "EPSG:4326";
   scene.terrain.centre = {-105.522, 40.118};
   scene.terrain.size_m = 3000.0;

@@ -6,13 +6,14 @@
 
 #include "core/error.h"
 #include "scene/parse.h"
+#include "support/places.h"
 
 /// Elevation models as people have them, in tests/data/terrain.
 namespace wold::place {
 namespace {
 
 std::string model(const char* name) {
-  return (std::filesystem::path(WOLD_TESTS_DIR) / "data" / "terrain" / name).string();
+  return (wold::test::tests_folder() / "data" / "terrain" / name).string();
 }
 
 void expect_camera_inside(const scene::StarterPlace& place) {
@@ -62,7 +63,8 @@ TEST(StarterPlace, OfLocalMetresIsSmall) {
 
 TEST(StarterPlace, IsRefusedWhereThereIsNone) {
   EXPECT_THROW(starter_place(model("none.tif"), "hillside"), FileError);
-  EXPECT_THROW(starter_place(WOLD_TESTS_DIR "/CMakeLists.txt", "hillside"), InputError);
+  EXPECT_THROW(starter_place((wold::test::tests_folder() / "CMakeLists.txt").string(), "hillside"),
+               InputError);
   EXPECT_THROW(starter_place(model("bijou_grassland_5m.asc"), "hill"), InputError);
 }
 

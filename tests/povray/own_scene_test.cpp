@@ -13,6 +13,7 @@
 #include "support/cloudy_view.h"
 #include "support/constant_meadow.h"
 #include "support/penumbra.h"
+#include "support/places.h"
 #include "support/snowy_view.h"
 #include "support/synthetic_landscape.h"
 
@@ -194,7 +195,7 @@ TEST_F(OwnScene, ExampleShowsItsBall) {
   view.landscape.camera = {{20.0, 4.0, 0.6}, {20.0, 8.2, 0.4}, 30.0};
   export_all(view.landscape);
   const Image picture =
-      run(view.landscape, fs::path(WOLD_TESTS_DIR) / ".." / "examples/povray/sphere_and_box.pov");
+      run(view.landscape, wold::test::tests_folder() / ".." / "examples/povray/sphere_and_box.pov");
   EXPECT_GT(picture.pixel(32, 18)[0], 1.5F * picture.pixel(32, 18)[1]);
   EXPECT_LT(picture.pixel(60, 2)[0], 1.1F * picture.pixel(60, 2)[1]);  // the sky
 }

@@ -19,6 +19,7 @@
 #include "core/files.h"
 #include "core/image.h"
 #include "mitsuba/grid_file.h"
+#include "support/places.h"
 
 namespace wold {
 namespace {
@@ -51,7 +52,7 @@ Json sun_of(const test::CloudSun& sun, const fs::path& folder) {
 }
 
 void write_cloud(const fs::path& folder) {
-  const cloud::CloudVolume volume = test::cloud_volume(fs::path(WOLD_TESTS_DIR) / "data/light");
+  const cloud::CloudVolume volume = test::cloud_volume(test::tests_folder() / "data/light");
   write_file(folder / "cloud.vol", mitsuba::grid_bytes(volume.box.voxels, volume.extinction_per_m));
   const landscape::Camera camera = test::cloud_camera();
   const glm::dvec3 size_m = glm::dvec3(volume.box.voxels) * volume.box.voxel_m;

@@ -22,6 +22,7 @@
 #include "core/parallel.h"
 #include "landscape/perspective.h"
 #include "sky/exposure.h"
+#include "support/places.h"
 
 namespace wold {
 namespace {
@@ -239,7 +240,7 @@ bool is_within_bounds(const test::CloudSun& sun, double mean_ratio, double flip,
 }
 
 bool compare_all(const fs::path& references, const fs::path& pictures) {
-  const cloud::CloudVolume volume = test::cloud_volume(fs::path(WOLD_TESTS_DIR) / "data/light");
+  const cloud::CloudVolume volume = test::cloud_volume(test::tests_folder() / "data/light");
   bool good = true;
   fmt::print(
       "sun            mean   FLIP  2x2    rim   base  redder  (reference: rim base redder)\n");
@@ -274,7 +275,7 @@ bool compare_all(const fs::path& references, const fs::path& pictures) {
 }  // namespace wold
 
 int main(int count, char** arguments) {
-  const std::filesystem::path own = std::filesystem::path(WOLD_TESTS_DIR) / "data/light";
+  const std::filesystem::path own = wold::test::tests_folder() / "data/light";
   const bool good =
       wold::compare_all(count > 1 ? arguments[1] : own, count > 2 ? arguments[2] : "");
   return good ? 0 : 1;

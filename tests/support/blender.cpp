@@ -4,10 +4,12 @@
 
 #include <cstdlib>
 
+#include "support/places.h"
+
 namespace wold::test {
 namespace {
 
-constexpr const char* launcher = WOLD_TEMPLATES_DIR "/blender/wold_render.py";
+std::filesystem::path launcher() { return templates_folder() / "blender/wold_render.py"; }
 
 std::string program() {
   const char* chosen = std::getenv("WOLD_BLENDER");
@@ -26,7 +28,7 @@ bool has_blender() { return succeeds(fmt::format("'{}' --version", program())); 
 
 bool shows_volumes() {
   static const bool lacks_them =
-      succeeds(blender_script(launcher) +
+      succeeds(blender_script(launcher()) +
                R"( -- --probe | grep -q '"version": "[5-9][.].*"volumes": false')");
   return has_blender() && !lacks_them;
 }
@@ -37,7 +39,7 @@ std::string blender_script(const std::filesystem::path& script) {
 }
 
 std::string blender_render(const std::filesystem::path& folder, int frame) {
-  return fmt::format("{} -- '{}' {}", blender_script(launcher), folder.string(), frame);
+  return fmt::format("{} -- '{}' {}", blender_script(launcher()), folder.string(), frame);
 }
 
 }  // namespace wold::test

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "snowpack/snow_on_ground.h"
+#include "support/places.h"
 #include "weather/daily_weather.h"
 #include "weather/number_table.h"
 
@@ -21,7 +22,7 @@ struct MeasuredDays {
 };
 
 inline std::filesystem::path measured_file(const std::string& place) {
-  return std::filesystem::path(WOLD_TESTS_DIR) / "data" / "weather" / (place + ".csv");
+  return tests_folder() / "data" / "weather" / (place + ".csv");
 }
 
 inline MeasuredDays measured_days(const std::string& place, const std::string& column,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "support/places.h"
 #include "terrain/elevation.h"
 
 /// Elevation models as people have them, in tests/data/terrain.
@@ -43,7 +44,7 @@ struct AsciiGrid {
 };
 
 std::filesystem::path model(const char* name) {
-  return std::filesystem::path(WOLD_TESTS_DIR) / "data" / "terrain" / name;
+  return wold::test::tests_folder() / "data" / "terrain" / name;
 }
 
 double rise_m(const Elevation& place) {

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "support/places.h"
 #include "support/temporary_folder.h"
 #include "terrain/ground.h"
 #include "terrain/streams.h"
@@ -40,7 +41,7 @@ struct Grid {
 Grid read_model(const char* name, double cell_m) {
   constexpr int most = 420;
   GDALAllRegister();
-  const auto file = std::filesystem::path(WOLD_TESTS_DIR) / "data" / "terrain" / name;
+  const auto file = wold::test::tests_folder() / "data" / "terrain" / name;
   const GDALDatasetUniquePtr data(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER));
   if (!data) throw std::runtime_error(file.string());
   Grid grid{std::min(data->GetRasterXSize(), most) / thinned * thinned,

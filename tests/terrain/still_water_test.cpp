@@ -9,6 +9,7 @@
 #include <limits>
 #include <string>
 
+#include "support/places.h"
 #include "terrain/ground.h"
 #include "terrain/model_lakes.h"
 
@@ -94,7 +95,7 @@ TEST(StillWater, IsNotWhereNothingIsKnown) {
 }
 
 std::string model(const char* name) {
-  return (std::filesystem::path(WOLD_TESTS_DIR) / "data" / "terrain" / name).string();
+  return (wold::test::tests_folder() / "data" / "terrain" / name).string();
 }
 
 scene::Terrain place(const char* name, double size_m) {
