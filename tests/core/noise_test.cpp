@@ -76,6 +76,9 @@ TEST(ScaleFreeNoise, ShowsOfFineFeaturesWhatAMapOfThatStepDoes) {
     EXPECT_NEAR(fine.at(at_m, 8.0), coarse.at(at_m), 1e-12);
     EXPECT_EQ(fine.at(at_m, 1e-3), fine.at(at_m));
   }
+  EXPECT_NEAR(fine.shown(8.0), coarse.shown(), 1e-12);
+  EXPECT_GT(fine.shown(8.0), 0.2);
+  EXPECT_LT(fine.shown(8.0), 0.8);
 }
 
 // A distance to the nearest of some points changes by no more than the way that one goes, whatever

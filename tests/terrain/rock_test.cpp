@@ -127,6 +127,21 @@ TEST(Rock, HasBlocksOnAWall) {
   EXPECT_LT(aside, 0.5 * change({5.0, 0.0, 0.0}));
 }
 
+// Places of a map are farther apart up a wall than on level ground. What they are too far apart for
+// would be a streak at each of them, drawn out up the wall.
+TEST(Rock, EvensOutOnWallsWhatIsFinerThanTheWayUpThem) {
+  constexpr double step_m = 150.0;
+  const Rock rock(glm::vec3(0.2F), 5, step_m);
+  const auto deviation = [&](const glm::dvec3& up) {
+    return mean(500, [&](const glm::dvec3& place_m) {
+      return std::abs(double{rock.at(place_m, up, to_sun).g} - 0.2);
+    });
+  };
+  const double slope = 78.0 * 0.0174533;
+  EXPECT_LT(deviation({0.0, -std::sin(slope), std::cos(slope)}), 1e-6);
+  EXPECT_GT(deviation({0.0, 0.0, 1.0}), 0.02);
+}
+
 // Ledges hold snow: nearly all of gentle rock, half of what is as steep as snow holds, little of a
 // wall; as much on coarse maps as on fine ones.
 TEST(Rock, HoldsSnowOnItsLedgesHoweverFine) {
