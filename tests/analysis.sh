@@ -4,8 +4,9 @@
 #     tests/analysis.sh asan [CTEST OPTION...]        tests with address and undefined-behaviour
 #                                                     sanitizers
 #     tests/analysis.sh asan-units [PART PARTS]       those of all libraries that start neither a
-#                                                     renderer nor wold; of every PARTS tests one,
-#                                                     from that of number PART on, as .ci/run does
+#                                                     renderer nor wold; of every PARTS libraries
+#                                                     one, from that of number PART on, as .ci/run
+#                                                     does
 #     tests/analysis.sh units                         all of all libraries, and the table of hostile
 #                                                     files, in few processes, as .ci/run does
 #     tests/analysis.sh but-units [REGEX]             what that leaves: the program, golden pictures;
@@ -61,30 +62,34 @@ libraries=(core scene weather snowpack phenology light terrain grass cloud snow 
 # The tests of tests/hostile, of the command line.
 hostile=Table/Hostile.
 
-# run_units FOLDER PART PARTS FILTER LIBRARY...: runs the libraries' test programs, of every PARTS tests
-# one, each program as often as there are processors: a process of its own for each test takes longer
-# to start than most tests take. Says what fails; exit code 123 if any does.
+# run_units FOLDER FILTER LIBRARY...: runs the libraries' test programs, each as often as there are
+# processors, with a part of its tests: a process of its own for each test takes longer to start than
+# most tests take. Says what fails; exit code 123 if any does.
 run_units() {
-  local folder=$1 part=$2 parts=$3 filter=$4 at_once library process
+  local folder=$1 filter=$2 at_once library process
   at_once=$(nproc)
-  for library in "${@:5}"; do
+  for library in "${@:3}"; do
     for ((process = 0; process < at_once; ++process)); do
-      echo "GTEST_SHARD_INDEX=$((part + parts * process)) timeout 1200 $folder/test_$library"
+      echo "GTEST_SHARD_INDEX=$process timeout 1200 $folder/test_$library"
     done
   done | xargs -P "$at_once" -L 1 env GTEST_BRIEF=1 "GTEST_FILTER=$filter" \
-    "GTEST_TOTAL_SHARDS=$((parts * at_once))" "UBSAN_OPTIONS=halt_on_error=1 print_stacktrace=1" \
+    "GTEST_TOTAL_SHARDS=$at_once" "UBSAN_OPTIONS=halt_on_error=1 print_stacktrace=1" \
     "LSAN_OPTIONS=suppressions=$here/tests/lsan.suppressions"
 }
 
 # test_units_with_asan PART PARTS: with what the readers of strangers' files are fuzzed from.
 test_units_with_asan() {
   local corpora=(scene df3 weather_table daily_weather elevation pictures vdb arguments records)
+  local chosen=() number
+  for ((number = $1; number < ${#libraries[@]}; number += $2)); do
+    chosen+=("${libraries[number]}")
+  done
   install "${build_packages[@]}" "${test_packages[@]}"
   say "Building libraries with asan"
   cmake --preset asan -DWOLD_JOIN_TESTS=ON >/dev/null
-  cmake --build --preset asan --target "${libraries[@]/#/test_}" "${corpora[@]/#/fuzz_}" >&2
+  cmake --build --preset asan --target "${chosen[@]/#/test_}" "${corpora[@]/#/fuzz_}" >&2
   say "Testing libraries with asan"
-  run_units build-asan "$1" "$2" "-$(IFS=: && echo "${units_left_out[*]}")" "${libraries[@]}"
+  run_units build-asan "-$(IFS=: && echo "${units_left_out[*]}")" "${chosen[@]}"
   ctest --preset asan --parallel "$(nproc)" --tests-regex '^Corpus'
 }
 
@@ -93,8 +98,8 @@ test_units() {
   install "${build_packages[@]}" "${render_packages[@]}" "${test_packages[@]}"
   build -DWOLD_TESTS=ON -DWOLD_WERROR=ON -DWOLD_JOIN_TESTS=ON -- all
   say "Testing libraries"
-  run_units build 0 1 '*' "${libraries[@]}"
-  run_units build 0 1 "$hostile*" cli
+  run_units build '*' "${libraries[@]}"
+  run_units build "$hostile*" cli
 }
 
 test_but_units() {
