@@ -1,9 +1,9 @@
 #include "snow/seen_flakes.h"
 
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <bit>
+
+#include "core/parallel_sort.h"
 
 namespace wold::snow {
 
@@ -53,7 +53,7 @@ std::vector<SeenFlake> FlakeCollector::farthest_first(const glm::dvec3& eye_m) c
     const std::uint32_t nearness = ~std::bit_cast<std::uint32_t>(glm::dot(away, away));
     order[i] = static_cast<std::uint64_t>(nearness) << 32 | i;
   }
-  tbb::parallel_sort(order.begin(), order.end());
+  parallel_sort(order);
   std::vector<SeenFlake> sorted(flakes.size());
   parallel_for_blocks(sorted.size(), [&](std::size_t i) {
     sorted[i] = *flakes[static_cast<std::uint32_t>(order[i])];

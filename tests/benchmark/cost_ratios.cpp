@@ -20,6 +20,7 @@
 #include "grass/texel/time_varying_texel.h"
 #include "light/daylight.h"
 #include "snow/falling_snow.h"
+#include "support/places.h"
 #include "support/sanitized.h"
 #include "support/temporary_folder.h"
 
@@ -275,5 +276,6 @@ int main(int count, char** arguments) {
     wold::print_table();
     return 0;
   }
-  return wold::judge(toml::parse_file(WOLD_COSTS_ON_RECORD)) ? 0 : 1;
+  const auto on_record = wold::test::tests_folder() / "benchmark/cost_ratios.toml";
+  return wold::judge(toml::parse_file(on_record.string())) ? 0 : 1;
 }
