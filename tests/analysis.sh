@@ -5,8 +5,8 @@
 #                                                     sanitizers
 #     tests/analysis.sh asan-units [PART PARTS]       those of all libraries that start neither a
 #                                                     renderer nor wold; of every PARTS libraries
-#                                                     one, from that of number PART on, as .ci/run
-#                                                     does
+#                                                     one, from that of number PART (0 is the
+#                                                     first) on, as .ci/run does
 #     tests/analysis.sh units                         all of all libraries, and the table of hostile
 #                                                     files, in few processes, as .ci/run does
 #     tests/analysis.sh but-units [REGEX]             what that leaves: the program, golden pictures;
@@ -81,6 +81,10 @@ run_units() {
 test_units_with_asan() {
   local corpora=(scene df3 weather_table daily_weather elevation pictures vdb arguments records)
   local chosen=() number
+  if (($1 < 0 || $1 >= $2 || $1 >= ${#libraries[@]})); then
+    echo "error: PART is $1: from 0 to PARTS - 1 is expected, and less than ${#libraries[@]}" >&2
+    exit 2
+  fi
   for ((number = $1; number < ${#libraries[@]}; number += $2)); do
     chosen+=("${libraries[number]}")
   done

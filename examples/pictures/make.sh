@@ -62,7 +62,7 @@ build -- wold
 make hillside hillside 480x270 beside 1 2 3
 make valley "$(scene_of valley "$here/tests/data/terrain/bigtujunga_srtm30.tif")" 480x270 above 1 2 3
 make mountain mountain 480x270 beside 1 2 3
-make alp alp 720x405 above 1 3
+make alpine_meadow alpine_meadow 720x405 above 1 3
 make range snowy_range 720x405 above 1
 make snow first_snow 640x360 beside 5 18 48
 make storm ground_blizzard 480x270 beside 1 13

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
+#include "core/elementary.h"
 #include "core/ground_map.h"
+#include "core/normal_distribution.h"
 #include "core/random.h"
 
 namespace wold::terrain {
@@ -88,6 +91,34 @@ double joint_at(double joint) { return 1.0 - glm::smoothstep(0.0, 0.08, joint); 
 template <int dims>
 constexpr double mean_joint = dims == 3 ? 0.207 : 0.149;
 
+/// The mean of max(0, x) of normally distributed x.
+double mean_above_zero(double mean, double deviation) {
+  if (std::abs(mean) >= 4.0 * deviation) return std::max(0.0, mean);
+  const double at = mean / deviation;
+  return mean * normal_cdf(at) +
+         deviation * math::exp(-0.5 * at * at) / std::sqrt(2.0 * std::numbers::pi);
+}
+
+/// What meets a face: `sun` times its cosine to the sun, where that is positive, and `sky`.
+struct Light {
+  double sun, cosine, sky;
+};
+
+Light light_of(const glm::dvec3& up, const glm::dvec3& to_sun) {
+  constexpr double low_sine = 0.1;
+  const double sunlight = 0.8 * std::clamp(to_sun.z / low_sine, 0.0, 1.0);
+  return {sunlight, glm::dot(up, to_sun), (1.0 - sunlight) * (0.5 + 0.5 * up.z)};
+}
+
+/// The mean of max(0, light - least), `least` not being negative, over faces whose cosines to the
+/// sun are normally distributed about that of `light` with the deviation `tilt`.
+double mean_over(double least, const Light& light, double tilt) {
+  if (least <= light.sky)
+    return light.sun * mean_above_zero(light.cosine, tilt) + light.sky - least;
+  if (light.sun <= 0.0) return 0.0;
+  return light.sun * mean_above_zero(light.cosine - (least - light.sky) / light.sun, tilt);
+}
+
 glm::dvec3 level(const glm::dvec2& way) { return {way, 0.0}; }
 glm::dvec3 level(const glm::dvec3& way) { return way; }
 
@@ -118,9 +149,7 @@ Block<dims> block_at(const glm::vec<dims, double>& at, std::uint64_t key) {
 }
 
 double light_on(const glm::dvec3& up, const glm::dvec3& to_sun) {
-  constexpr double low_sine = 0.1;
-  const double sunlight = 0.8 * std::clamp(to_sun.z / low_sine, 0.0, 1.0);
-  return sunlight * std::max(0.0, glm::dot(up, to_sun)) + (1.0 - sunlight) * (0.5 + 0.5 * up.z);
+  return mean_over(0.0, light_of(up, to_sun), /*tilt=*/0.0);
 }
 
 double step_on(const glm::dvec3& up, double step_m) {
@@ -151,7 +180,8 @@ double BrokenSurface<dims>::hidden_tilt(const glm::dvec3& up) const {
 template <int dims>
 typename BrokenSurface<dims>::Broken BrokenSurface<dims>::broken(
     const glm::vec<dims, double>& place_m, const glm::dvec3& up) const {
-  Broken broken{up, 1.0};
+  Broken broken{up, 1.0, 0.0};
+  double variance = 0.0;
   const double step_m = step_on(up, step_m_);
   for (std::size_t i = 0; i < sizes_.size(); ++i) {
     const BlockSize& size = sizes_[i];
@@ -159,10 +189,12 @@ typename BrokenSurface<dims>::Broken BrokenSurface<dims>::broken(
     if (shown <= 0.0) break;
     const Block<dims> block = block_at<dims>(place_m / size.block_m, key_ + i);
     broken.face += shown * size.tilt * (2.0 * three_of(mixed(block.bits)) - 1.0);
+    variance += shown * shown * size.tilt * size.tilt / 3.0;
     broken.face -= shown * size.dome * level(block.middle_away);
     broken.open *= 1.0 + shown * size.dark * (mean_joint<dims> - joint_at(block.joint));
     broken.open *= 1.0 + shown * size.own_shade * (2.0 * three_of(mixed(block.bits + 1)).x - 1.0);
   }
+  broken.tilt = std::sqrt(variance);
   return broken;
 }
 
@@ -172,13 +204,15 @@ glm::dvec3 BrokenSurface<dims>::face(const glm::vec<dims, double>& place_m,
   return broken(place_m, up).face;
 }
 
-/// A face is of no unit length, so that faces have the light of `up` on the mean.
 template <int dims>
 double BrokenSurface<dims>::shade(const glm::vec<dims, double>& place_m, const glm::dvec3& up,
                                   const glm::dvec3& to_sun) const {
-  constexpr double least = 0.3, most = 1.8;
-  const auto [face, open] = broken(place_m, up);
-  return open * std::clamp(light_on(face, to_sun) / light_on(up, to_sun), least, most);
+  const auto [face, open, tilt] = broken(place_m, up);
+  const Light light = light_of(up, to_sun);
+  const double mean = mean_over(0.0, light, tilt);
+  const double least = 0.3 * mean, most = 1.8 * mean;
+  const double mean_cut = least + mean_over(least, light, tilt) - mean_over(most, light, tilt);
+  return open * std::clamp(light_on(face, to_sun), least, most) / mean_cut;
 }
 
 template Block<2> block_at<2>(const glm::dvec2&, std::uint64_t);

@@ -24,9 +24,9 @@ Block<dims> block_at(const glm::vec<dims, double>& at, std::uint64_t key);
 /// less, of one that has set nothing. World space; `to_sun` is a unit vector.
 double light_on(const glm::dvec3& up, const glm::dvec3& to_sun);
 
-/// How far apart along the fall line the places of a map with that step are on ground that faces
-/// `up`, a unit vector not below the horizon: five steps at most. What is finer would be drawn out
-/// there, as steep rock looks like fur.
+/// Distance in metres, along the fall line, between neighbouring places of a map with steps of
+/// `step_m` metres, on ground that faces `up`. `up` is a unit vector, not below the horizon. Ground
+/// steeper than 78 degrees counts as five steps. Finer detail would show as streaks up the slope.
 double step_on(const glm::dvec3& up, double step_m);
 
 /// One size of the blocks that a surface is broken into.
@@ -47,18 +47,19 @@ class BrokenSurface {
   /// from the largest to the smallest, have to outlive it.
   BrokenSurface(std::span<const BlockSize> sizes, std::uint64_t key, double step_m);
 
-  /// Whether a map shows any of it.
+  /// Whether a map shows any of it, on level ground.
   bool is_shown() const;
 
   /// The way that the face at a place turns, of no unit length: its mean is `up`, the unbroken
   /// surface's unit normal. Place in metres.
   glm::dvec3 face(const glm::vec<dims, double>& place_m, const glm::dvec3& up) const;
-  /// Standard deviation of a component of face() that the map does not show.
+  /// Standard deviation of a component of face() that the map does not show on ground that faces
+  /// `up`, a unit vector; a tangent.
   double hidden_tilt(const glm::dvec3& up) const;
 
-  /// How much brighter than the unbroken surface a place is, > 0; 1 on the mean but for what is cut
-  /// off at 0.3 and 1.8 times the light. `up` is the unbroken surface's unit normal, `to_sun` a
-  /// unit vector; place in metres.
+  /// How much brighter than the mean of all faces a place is, > 0; 1 on the mean but for domes.
+  /// What is below 0.3 and above 1.8 times the mean light is cut off. `up` is the unbroken
+  /// surface's unit normal, `to_sun` a unit vector; place in metres.
   double shade(const glm::vec<dims, double>& place_m, const glm::dvec3& up,
                const glm::dvec3& to_sun) const;
 
@@ -66,6 +67,7 @@ class BrokenSurface {
   struct Broken {
     glm::dvec3 face;  ///< face()
     double open;      ///< what joints and the block's own shade leave, over the mean
+    double tilt;      ///< standard deviation of a component of the face
   };
   Broken broken(const glm::vec<dims, double>& place_m, const glm::dvec3& up) const;
 

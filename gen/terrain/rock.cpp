@@ -53,7 +53,6 @@ Rock::Rock(const glm::vec3& albedo, std::uint64_t seed, double step_m)
             step_m),
       beds_(random_bits({key_, key_of("beds"), 0, 0}), {200.0, 0.1}, /*hurst=*/0.3, /*step_m=*/0.0),
       stain_{random_bits({key_, key_of("stain"), 0, 0}), 5, 0.5},
-      stain_shown_(shown_fraction(1.2, step_m)),
       to_beds_(beds(key_)),
       blocks_(block_sizes, key_, step_m),
       stones_(stone_sizes, random_bits({key_, key_of("stones"), 0, 0}), step_m) {}
@@ -77,11 +76,12 @@ glm::vec3 Rock::at(const glm::dvec3& place_m, const glm::dvec3& up,
                    const glm::dvec3& to_sun) const {
   constexpr glm::vec3 colour(0.34F, 0.31F, 0.27F);
   if (!blocks_.is_shown()) return albedo_;
+  const double step_m = step_on(up, step_m_);
   const glm::dvec3 place = bedded(place_m);
-  const glm::vec3 bed = 1.0F + static_cast<float>(bed_at(place, step_on(up, step_m_))) * colour;
-  return albedo_ *
-         glm::clamp(static_cast<float>(blocks_.shade(place, up, to_sun)) * bed * stain_at(place_m),
-                    darkest, brightest);
+  const glm::vec3 bed = 1.0F + static_cast<float>(bed_at(place, step_m)) * colour;
+  return albedo_ * glm::clamp(static_cast<float>(blocks_.shade(place, up, to_sun)) * bed *
+                                  stain_at(place_m, step_m),
+                              darkest, brightest);
 }
 
 double Rock::ledges(const glm::dvec3& place_m, const glm::dvec3& up, double steepest_deg) const {
@@ -106,10 +106,11 @@ glm::vec3 Rock::debris_at(const glm::dvec3& place_m, const glm::dvec3& up,
 }
 
 /// Damp and lichens.
-glm::vec3 Rock::stain_at(const glm::dvec3& place_m) const {
+glm::vec3 Rock::stain_at(const glm::dvec3& place_m, double step_m) const {
   constexpr double feature_m = 1.2;
   const glm::dvec3 at = place_m / feature_m;
-  const double stain = stain_shown_ * math::tanh(stain_.at({at.x + 0.7 * at.z, at.y - 0.7 * at.z}));
+  const double stain = shown_fraction(feature_m, step_m) *
+                       math::tanh(stain_.at({at.x + 0.7 * at.z, at.y - 0.7 * at.z}));
   return 1.0F + static_cast<float>(stain) * glm::vec3(0.16F, 0.13F, 0.06F);
 }
 

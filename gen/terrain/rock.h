@@ -37,14 +37,13 @@ class Rock {
  private:
   glm::dvec3 bedded(const glm::dvec3& place_m) const;
   double bed_at(const glm::dvec3& bedded_m, double step_m) const;
-  glm::vec3 stain_at(const glm::dvec3& place_m) const;
+  glm::vec3 stain_at(const glm::dvec3& place_m, double step_m) const;
 
   glm::vec3 albedo_;
   std::uint64_t key_;
   double step_m_;
   ScaleFreeNoise bend_, beds_;
   Fbm stain_;
-  double stain_shown_;
   glm::dmat3 to_beds_;
   BrokenSurface<3> blocks_, stones_;
 };

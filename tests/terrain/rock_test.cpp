@@ -27,15 +27,18 @@ double mean(int count, const Value& value) {
 }
 
 TEST(Rock, HasItsAlbedoOnTheMeanHoweverFine) {
-  for (const double slope_deg : {0.0, 50.0, 70.0})
-    for (const double step_m : {0.02, 0.3, 1.0, 10.0}) {
-      const double slope = slope_deg * 0.0174533;
-      const glm::dvec3 up(0.0, -std::sin(slope), std::cos(slope));
-      const Rock rock(glm::vec3(0.2F), 5, step_m);
-      const double albedo = mean(
-          4000, [&](const glm::dvec3& place_m) { return double{rock.at(place_m, up, to_sun).g}; });
-      EXPECT_NEAR(albedo, 0.2, 0.012) << slope_deg << " degrees, " << step_m << " m";
-    }
+  for (const double slope_deg : {-50.0, -30.0, 0.0, 50.0, 70.0})
+    for (const double step_m : {0.02, 0.3, 1.0, 10.0})
+      for (const double sun_deg : {10.0, 37.0}) {
+        const double slope = slope_deg * 0.0174533, sun = sun_deg * 0.0174533;
+        const glm::dvec3 up(0.0, -std::sin(slope), std::cos(slope));
+        const glm::dvec3 to(-0.6 * std::cos(sun), -0.8 * std::cos(sun), std::sin(sun));
+        const Rock rock(glm::vec3(0.2F), 5, step_m);
+        const double albedo = mean(
+            4000, [&](const glm::dvec3& place_m) { return double{rock.at(place_m, up, to).g}; });
+        EXPECT_NEAR(albedo, 0.2, 0.012)
+            << slope_deg << " degrees, " << step_m << " m, sun " << sun_deg << " degrees";
+      }
 }
 
 TEST(Rock, DebrisHasTheRocksAlbedoOnTheMeanHoweverFine) {
@@ -127,19 +130,28 @@ TEST(Rock, HasBlocksOnAWall) {
   EXPECT_LT(aside, 0.5 * change({5.0, 0.0, 0.0}));
 }
 
-// Places of a map are farther apart up a wall than on level ground. What they are too far apart for
-// would be a streak at each of them, drawn out up the wall.
+// On a wall, places of a map are farther apart than on level ground. Detail finer than that would
+// be a streak up the wall.
 TEST(Rock, EvensOutOnWallsWhatIsFinerThanTheWayUpThem) {
-  constexpr double step_m = 150.0;
-  const Rock rock(glm::vec3(0.2F), 5, step_m);
-  const auto deviation = [&](const glm::dvec3& up) {
+  const glm::dvec3 wall(0.0, -std::sin(1.3614), std::cos(1.3614)), level(0.0, 0.0, 1.0);
+  const auto deviation = [](double step_m, const glm::dvec3& up) {
+    const Rock rock(glm::vec3(0.2F), 5, step_m);
     return mean(500, [&](const glm::dvec3& place_m) {
       return std::abs(double{rock.at(place_m, up, to_sun).g} - 0.2);
     });
   };
-  const double slope = 78.0 * 0.0174533;
-  EXPECT_LT(deviation({0.0, -std::sin(slope), std::cos(slope)}), 1e-6);
-  EXPECT_GT(deviation({0.0, 0.0, 1.0}), 0.02);
+  EXPECT_LT(deviation(150.0, wall), 1e-6);
+  EXPECT_GT(deviation(150.0, level), 0.02);
+}
+
+TEST(BrokenSurface, APlaceOnSteepGroundIsFarFromTheNext) {
+  const auto step_on_slope = [](double slope_deg) {
+    const double slope = slope_deg * 0.0174532925;
+    return step_on({0.0, -std::sin(slope), std::cos(slope)}, 3.0);
+  };
+  EXPECT_EQ(step_on_slope(0.0), 3.0);
+  EXPECT_NEAR(step_on_slope(60.0), 6.0, 1e-6);
+  EXPECT_NEAR(step_on_slope(90.0), 15.0, 1e-6);
 }
 
 // Ledges hold snow: nearly all of gentle rock, half of what is as steep as snow holds, little of a
