@@ -152,7 +152,7 @@ double light_on(const glm::dvec3& up, const glm::dvec3& to_sun) {
   return mean_over(0.0, light_of(up, to_sun), /*tilt=*/0.0);
 }
 
-double step_on(const glm::dvec3& up, double step_m) {
+double slope_step_m(const glm::dvec3& up, double step_m) {
   constexpr double least = 0.2;
   return step_m / std::max(up.z, least);
 }
@@ -169,9 +169,10 @@ bool BrokenSurface<dims>::is_shown() const {
 
 template <int dims>
 double BrokenSurface<dims>::hidden_tilt(const glm::dvec3& up) const {
+  const double step_m = slope_step_m(up, step_m_);
   double hidden2 = 0.0;
   for (const BlockSize& size : sizes_) {
-    const double shown = shown_fraction(size.block_m, step_on(up, step_m_));
+    const double shown = shown_fraction(size.block_m, step_m);
     hidden2 += (1.0 - shown * shown) * size.tilt * size.tilt / 3.0;
   }
   return std::sqrt(hidden2);
@@ -182,7 +183,7 @@ typename BrokenSurface<dims>::Broken BrokenSurface<dims>::broken(
     const glm::vec<dims, double>& place_m, const glm::dvec3& up) const {
   Broken broken{up, 1.0, 0.0};
   double variance = 0.0;
-  const double step_m = step_on(up, step_m_);
+  const double step_m = slope_step_m(up, step_m_);
   for (std::size_t i = 0; i < sizes_.size(); ++i) {
     const BlockSize& size = sizes_[i];
     const double shown = shown_fraction(size.block_m, step_m);

@@ -27,7 +27,7 @@ double light_on(const glm::dvec3& up, const glm::dvec3& to_sun);
 /// Distance in metres, along the fall line, between neighbouring places of a map with steps of
 /// `step_m` metres, on ground that faces `up`. `up` is a unit vector, not below the horizon. Ground
 /// steeper than 78 degrees counts as five steps. Finer detail would show as streaks up the slope.
-double step_on(const glm::dvec3& up, double step_m);
+double slope_step_m(const glm::dvec3& up, double step_m);
 
 /// One size of the blocks that a surface is broken into.
 struct BlockSize {
@@ -43,8 +43,8 @@ struct BlockSize {
 template <int dims>
 class BrokenSurface {
  public:
-  /// As a map with that step, > 0, shows it: blocks finer than step_on() are evened out. The sizes,
-  /// from the largest to the smallest, have to outlive it.
+  /// As a map with that step, > 0, shows it: blocks finer than slope_step_m() are evened out. The
+  /// sizes, from the largest to the smallest, have to outlive it.
   BrokenSurface(std::span<const BlockSize> sizes, std::uint64_t key, double step_m);
 
   /// Whether a map shows any of it, on level ground.

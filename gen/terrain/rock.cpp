@@ -76,7 +76,7 @@ glm::vec3 Rock::at(const glm::dvec3& place_m, const glm::dvec3& up,
                    const glm::dvec3& to_sun) const {
   constexpr glm::vec3 colour(0.34F, 0.31F, 0.27F);
   if (!blocks_.is_shown()) return albedo_;
-  const double step_m = step_on(up, step_m_);
+  const double step_m = slope_step_m(up, step_m_);
   const glm::dvec3 place = bedded(place_m);
   const glm::vec3 bed = 1.0F + static_cast<float>(bed_at(place, step_m)) * colour;
   return albedo_ * glm::clamp(static_cast<float>(blocks_.shade(place, up, to_sun)) * bed *
@@ -86,7 +86,7 @@ glm::vec3 Rock::at(const glm::dvec3& place_m, const glm::dvec3& up,
 
 double Rock::ledges(const glm::dvec3& place_m, const glm::dvec3& up, double steepest_deg) const {
   constexpr double turn = 0.31, bed_deg = 7.0, edge_deg = 2.0;
-  const double step_m = step_on(up, step_m_);
+  const double step_m = slope_step_m(up, step_m_);
   const glm::dvec3 place = bedded(place_m);
   const glm::dvec3 face = glm::normalize(glm::mix(up, blocks_.face(place, up), turn));
   const double slope_deg =

@@ -15,8 +15,8 @@ namespace wold::terrain {
 /// blocks and not their plan drawn out.
 class Rock {
  public:
-  /// As a map with that step, > 0, shows it: what is finer than step_on() is evened out. `albedo`
-  /// is linear red, green and blue in [0, 1].
+  /// As a map with that step, > 0, shows it: what is finer than slope_step_m() is evened out.
+  /// `albedo` is linear red, green and blue in [0, 1].
   Rock(const glm::vec3& albedo, std::uint64_t seed, double step_m);
 
   /// Radiance over that of a smooth white surface which faces `up` and is lit by the sun and the

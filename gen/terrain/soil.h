@@ -14,8 +14,8 @@ namespace wold::terrain {
 /// Keyed, the same at any step.
 class Soil {
  public:
-  /// As a map with that step, > 0, shows it: what is finer shows its mean, clods what is finer than
-  /// step_on().
+  /// As a map with that step, > 0, shows it: what is finer shows its mean. Clods do so where they
+  /// are finer than slope_step_m().
   Soil(const scene::Terrain& terrain, std::uint64_t seed, double step_m);
 
   /// Radiance over that of a smooth white surface which faces `up` and is lit by the sun and the

@@ -147,7 +147,7 @@ TEST(Rock, EvensOutOnWallsWhatIsFinerThanTheWayUpThem) {
 TEST(BrokenSurface, APlaceOnSteepGroundIsFarFromTheNext) {
   const auto step_on_slope = [](double slope_deg) {
     const double slope = slope_deg * 0.0174532925;
-    return step_on({0.0, -std::sin(slope), std::cos(slope)}, 3.0);
+    return slope_step_m({0.0, -std::sin(slope), std::cos(slope)}, 3.0);
   };
   EXPECT_EQ(step_on_slope(0.0), 3.0);
   EXPECT_NEAR(step_on_slope(60.0), 6.0, 1e-6);
