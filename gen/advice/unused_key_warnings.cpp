@@ -120,6 +120,44 @@ void warn_of_features(const scene::Scene& scene, Keys& warnings) {
   }
 }
 
+/// What a species says of leaves that stalks are not: `usual` has what it would else have.
+Keys unused_by_stalks(const scene::Species& species, const scene::Scene& usual) {
+  const scene::Plant& plant = species.plant;
+  const scene::Physiology& ageing = species.physiology;
+  Keys unused;
+  const auto add = [&](bool given, const char* key) {
+    if (given) unused.emplace_back(key);
+  };
+  add(plant.bend != usual.grass.bend, "bend");
+  add(plant.keel_depth_m != usual.grass.keel_depth_m, "keel_depth");
+  add(ageing.droop != usual.ageing.droop, "droop");
+  add(ageing.droop_spread != usual.ageing.droop_spread, "droop_spread");
+  add(ageing.droop_rule != usual.ageing.droop_rule, "droop_rule");
+  add(ageing.litter != usual.ageing.litter, "litter");
+  add(ageing.fresh_spread != usual.ageing.fresh_spread, "fresh_spread");
+  return unused;
+}
+
+/// Stalks are stiff and of this year; without petals there is no flower.
+void warn_of_flowers(const scene::Scene& scene, Keys& warnings) {
+  for (std::size_t item = 0; item < scene.species.size(); ++item) {
+    const scene::Species& species = scene.species[item];
+    if (!scene::flowers(species)) {
+      if (species.flower != scene::Flower())
+        warnings.push_back(
+            fmt::format("species[{0}]: what it says of petals and disc changes nothing; set "
+                        "species[{0}].petals",
+                        item + 1));
+      continue;
+    }
+    const Keys unused = unused_by_stalks(species, scene);
+    if (unused.empty()) continue;
+    warnings.push_back(fmt::format("species[{}]: {} change{} nothing of stiff stalks with flowers",
+                                   item + 1, fmt::join(unused, ", "),
+                                   unused.size() == 1 ? "s" : ""));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> unused_key_warnings(const scene::Scene& film) {
@@ -127,6 +165,7 @@ std::vector<std::string> unused_key_warnings(const scene::Scene& film) {
   warn_of_other_choices(film, warnings);
   warn_of_paper_motion(film, warnings);
   warn_of_features(film, warnings);
+  warn_of_flowers(film, warnings);
   warn_of_sun(film, warnings);
   return warnings;
 }

@@ -35,6 +35,12 @@ constexpr auto words_of(WaterSource) { return std::array{"auto", "none"}; }
 enum class ColourModel { prospect, paper, melanin };
 constexpr auto words_of(ColourModel) { return std::array{"prospect", "paper", "melanin"}; }
 
+/// species.petal_colour: what pigments petals have (models/flower/petals.toml, in this order).
+enum class PetalColour { white, yellow, pink, violet, blue, red };
+constexpr auto words_of(PetalColour) {
+  return std::array{"white", "yellow", "pink", "violet", "blue", "red"};
+}
+
 /// ageing.droop_rule: how a blade bows. `paper` turns it about its root, `elastica` bends it under
 /// its own weight.
 enum class DroopRule { paper, elastica };

@@ -174,6 +174,19 @@ struct Ageing : Physiology {
   bool operator==(const Ageing&) const = default;
 };
 
+/// The flower on the tip of each blade of a species, which is its stalk.
+struct Flower {
+  int petals = 0;             ///< 0: it does not flower
+  double length_m = 0.012;    ///< of a petal
+  double width_m = 0.005;     ///< of a petal at its outer end
+  double opening_deg = 80.0;  ///< of petals from the stalk: 0 closed, 90 flat
+  PetalColour colour = PetalColour::white;
+  double disc_m = 0.006;  ///< across the yellow middle; 0: none
+  double fades = 0.3;     ///< own weathering degree at which the petals begin to wither
+
+  bool operator==(const Flower&) const = default;
+};
+
 /// One kind of plant of a meadow.
 struct Species {
   std::string name = "grass";
@@ -181,6 +194,7 @@ struct Species {
   Plant plant;
   Physiology physiology;
   Habitat habitat = {};
+  Flower flower = {};
 
   bool operator==(const Species&) const = default;
 };

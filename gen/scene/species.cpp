@@ -22,6 +22,13 @@ Mixture all_species(const MeadowPart& meadow) {
   return all;
 }
 
+/// Of a blade of a species, with the petals on it.
+double blade_area_m2(const Species& species) {
+  const Flower& flower = species.flower;
+  return 0.5 * (species.plant.height_m * species.plant.width_m +
+                flower.petals * flower.length_m * flower.width_m);
+}
+
 /// Of the mixture's plants of which `counts` holds.
 template <class Counts>
 double blade_area_m2(const MeadowPart& meadow, const Mixture& mixture, const Counts& counts) {
@@ -29,8 +36,8 @@ double blade_area_m2(const MeadowPart& meadow, const Mixture& mixture, const Cou
   const std::vector<int> blades = blades_of(meadow, mixture);
   double area_m2 = 0.0;
   for (std::size_t k = 0; k < mixture.size(); ++k) {
-    const Plant& plant = species[static_cast<std::size_t>(mixture[k])].plant;
-    if (counts(plant)) area_m2 += blades[k] * (0.5 * plant.height_m * plant.width_m);
+    const Species& one = species[static_cast<std::size_t>(mixture[k])];
+    if (counts(one.plant)) area_m2 += blades[k] * blade_area_m2(one);
   }
   return area_m2;
 }
@@ -102,6 +109,24 @@ std::vector<int> blades_of(const MeadowPart& meadow, const Mixture& mixture) {
     before = until;
   }
   return counts;
+}
+
+bool flowers(const Species& species) { return species.flower.petals > 0; }
+
+int max_drawn(const MeadowPart& meadow) {
+  const std::vector<Species> species = species_of(meadow);
+  int most = 0;
+  for (const Mixture& mixture : mixtures_of(meadow)) {
+    const std::vector<int> blades = blades_of(meadow, mixture);
+    int drawn = 0;
+    for (std::size_t k = 0; k < mixture.size(); ++k) {
+      const Species& one = species[static_cast<std::size_t>(mixture[k])];
+      const int each = flowers(one) ? 1 + one.flower.petals + (one.flower.disc_m > 0.0 ? 1 : 0) : 1;
+      drawn += blades[k] * each;
+    }
+    most = std::max(most, drawn);
+  }
+  return most;
 }
 
 bool is_hair(const Physiology& physiology) { return physiology.fur.clumps > 0; }

@@ -40,6 +40,12 @@ std::vector<int> blades_of(const MeadowPart& meadow);
 /// The same of a patch that is of a mixture, in the order of that.
 std::vector<int> blades_of(const MeadowPart& meadow, const Mixture& mixture);
 
+/// Whether the blades of a species are stalks of flowers.
+bool flowers(const Species& species);
+
+/// What is drawn of a patch that has most: blades, petals and the discs amid them.
+int max_drawn(const MeadowPart& meadow);
+
 /// Whether a species is hair, whose clumps are combed one way, not blades of grass (scene::Fur).
 bool is_hair(const Physiology& physiology);
 /// Whether any species of the meadow is hair.
@@ -60,8 +66,8 @@ double max_standing_m(const Plant& plant);
 /// combs it, not on the twigs of shrubs.
 double rooted_fraction(const MeadowPart& meadow, const Mixture& mixture);
 
-/// Square metres of blades, one side of each, on a patch that is of all species, and on the patch
-/// of that mixture which has most.
+/// Square metres of blades and petals, one side of each, on a patch that is of all species, and on
+/// the patch of that mixture which has most.
 double blade_area_m2(const MeadowPart& meadow);
 double max_blade_area_m2(const MeadowPart& meadow);
 

@@ -110,6 +110,28 @@ Rule has_a_blade(const Judged& judged) {
                       judged.in.plant, judged.species.share)};
 }
 
+Rule flowers_stand_on_grass(const Judged& judged) {
+  const Physiology& ageing = judged.species.physiology;
+  const std::string& table = judged.in.plant;
+  return {{table + ".petals", judged.in.fur + ".clumps"},
+          judged.species.flower.petals == 0 || !is_hair(ageing),
+          fmt::format("{0}.petals: found {1}, expected 0 for fur ({2}.clumps is {3}): hairs do not "
+                      "flower",
+                      table, judged.species.flower.petals, judged.in.fur, ageing.fur.clumps)};
+}
+
+Rule stalks_do_not_move(const Judged& judged) {
+  const Physiology& ageing = judged.species.physiology;
+  const std::string& table = judged.in.plant;
+  return {{table + ".petals", judged.in.physiology + ".motion"},
+          judged.species.flower.petals == 0 || ageing.motion == AgeingMotion::closed_form,
+          fmt::format("{0}.motion: found \"{1}\", expected \"closed_form\" for a species that "
+                      "flowers ({2}.petals is {3}): its stalks stand still, Algorithm 1 lets "
+                      "blades fall",
+                      judged.in.physiology, word_of(ageing.motion), table,
+                      judged.species.flower.petals)};
+}
+
 /// Of two limits of a habitat.
 Rule leaves_room(const std::string& table, const char* low_key, double low, const char* high_key,
                  double high) {
@@ -166,8 +188,11 @@ std::vector<Rule> species_rules(const Scene& scene) {
       rules.push_back(std::move(rule));
   if (scene.species.empty()) return rules;
   rules.push_back(few_have_a_habitat(scene));
-  for (const Judged& judged : judged_species(scene))
+  for (const Judged& judged : judged_species(scene)) {
     for (Rule& rule : grows_somewhere(judged)) rules.push_back(std::move(rule));
+    rules.push_back(flowers_stand_on_grass(judged));
+    rules.push_back(stalks_do_not_move(judged));
+  }
   return rules;
 }
 

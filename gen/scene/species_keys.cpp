@@ -197,6 +197,32 @@ std::vector<Key> habitat_keys(const std::string& table, Part of) {
   };
 }
 
+/// Of the Flower that `of` finds in a scene, as keys of `table`.
+template <class Part>
+std::vector<Key> flower_keys(const std::string& table, Part of) {
+  return {
+      bound(integer(table + ".petals", "", {0, 60},
+                    "Petals of the flower on the tip of each blade, which is its stiff stalk then; "
+                    "0: it does not flower."),
+            PART(petals)),
+      bound(number(table + ".petal_length", "m", {0.001, 0.1}, "Length of a petal."),
+            PART(length_m)),
+      bound(
+          number(table + ".petal_width", "m", {0.0002, 0.1}, "Width of a petal at its outer end."),
+          PART(width_m)),
+      bound(number(table + ".petal_opening", "deg", {0, 90},
+                   "Angle between petals and stalk: 0 is a closed flower, 90 a flat one."),
+            PART(opening_deg)),
+      bound(word(table + ".petal_colour", "What pigments the petals have."), PART(colour)),
+      bound(number(table + ".disc", "m", {0, 0.1},
+                   "Width of the yellow middle, as daisies have it; 0: none."),
+            PART(disc_m)),
+      bound(number(table + ".petals_fade", "", {0, 1},
+                   "Weathering degree of a flower at which its petals begin to wither."),
+            PART(fades)),
+  };
+}
+
 std::vector<Key> patch_keys() {
   return {
       bound(number("grass.patch", "m", {0.05, 20}, "Side of the patch that repeats."),
@@ -297,6 +323,7 @@ std::vector<Key> species_keys(std::size_t item) {
       plant_keys("species", PART(plant)),
       physiology_keys("species", PART(physiology)),
       hair_keys("species", PART(physiology.fur)),
+      flower_keys("species", PART(flower)),
   });
 }
 

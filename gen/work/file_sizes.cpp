@@ -178,7 +178,7 @@ double scene_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
   double shared = costs.shared_terrain_sample * squared(scene.terrain.samples) +
                   volumes_bytes(scene, costs, demand);
   shared +=
-      static_cast<double>(demand.patches().size()) * (costs.shared_blade * scene.grass.blades);
+      static_cast<double>(demand.patches().size()) * (costs.shared_blade * scene::max_drawn(scene));
   double looked_at = 0.0;
   for (const auto& [frame, shown] : demand.frames()) looked_at += frame_bytes(scene, costs, shown);
   return shared +

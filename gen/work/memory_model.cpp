@@ -62,7 +62,7 @@ double read_bytes(const scene::Scene& scene, const exporter::MemoryCosts& costs,
                  costs.haze_voxel * sky::blowing_snow_voxels(scene) +
                  costs.terrain_sample * scene.terrain.samples * scene.terrain.samples +
                  costs.part * static_cast<double>(shown.parts) +
-                 costs.blade * scene.grass.blades * static_cast<double>(shown.patches.size());
+                 costs.blade * scene::max_drawn(scene) * static_cast<double>(shown.patches.size());
   const double voxel_bytes = costs.voxel + density_bytes(scene, costs.density_grids);
   const VolumeSizes sizes(scene);
   for (const film::ShownVolume& volume : shown.volumes) {
@@ -141,7 +141,8 @@ double passes_memory_bytes(const Job& job, const film::FilmDemand& demand) {
       max_voxels = std::max(max_voxels, size.voxels);
     }
     shown_voxels = std::max(shown_voxels, voxels);
-    blades = std::max(blades, job.scene.grass.blades * static_cast<double>(shown.patches.size()));
+    blades =
+        std::max(blades, scene::max_drawn(job.scene) * static_cast<double>(shown.patches.size()));
   }
   const scene::Render& render = job.scene.render;
   return landscape_bytes(job) + voxel_bytes * shown_voxels + albedo_bytes * max_voxels +

@@ -241,6 +241,16 @@ TEST_F(Warnings, PatchesOfASpeciesThatGrowsEverywhere) {
   EXPECT_THAT(about(species + "cover = 0.4\n"), IsEmpty());
 }
 
+TEST_F(Warnings, KeysOfLeavesAndOfPetalsWhereThereAreNone) {
+  const std::string flower = "[[species]]\npetals = 5\npetal_colour = 'blue'\n";
+  EXPECT_THAT(about(flower), IsEmpty());
+  EXPECT_THAT(about(flower + "bend = 0.2\nlitter = 0.1\n"),
+              StartsWith("warning: species[1]: bend, litter change nothing of stiff stalks"));
+  EXPECT_THAT(about("[grass]\nbend = 0.2\n" + flower), IsEmpty());
+  EXPECT_THAT(about("[[species]]\npetal_colour = 'blue'\n"),
+              HasSubstr("changes nothing; set species[1].petals"));
+}
+
 TEST_F(Warnings, KeysThatWereRenamed) {
   write("a.toml", "[growth]\nshare = 0.9\n");
   const std::string renamed = "warning: a.toml:2:1: growth.share is the old name of growth.cover";

@@ -61,7 +61,8 @@ TEST(BladeTubes, ABladeAloneIsInFullLight) {
   for (const SkyDirection& part : sky_directions(lighting))
     sky.add(glm::vec3(part.direction), part.irradiance());
   const LeafShade shade = model().shade(patch.blades[0], patch.ages[0], 0.0);
-  const Fibre root{tangent, shade.albedo, shade.transmittance, model().specular(patch.ages[0])};
+  const Fibre root{tangent, shade.albedo, shade.transmittance,
+                   model().specular(patch.blades[0], patch.ages[0])};
   const glm::vec3 wanted = source_radiance(root, TurnedLight(lighting, 0), 1.0F, sky, 24.0F);
   EXPECT_LT(glm::distance(tubes.radiance.front(), wanted), 0.02F * glm::length(wanted));
 }

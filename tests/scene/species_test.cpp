@@ -107,6 +107,18 @@ TEST(Species, AreBlamedByTheirOwnKeys) {
               testing::HasSubstr("did you mean \"species[1].height\""));
 }
 
+TEST(Species, ThatFlowerAreGrassWithStiffStalks) {
+  EXPECT_THAT(problems_of("[[species]]\n[[species]]\npetals = 5\nclumps = 3\n"),
+              testing::HasSubstr("a.toml:3:1: species[2].petals: found 5, expected 0 for fur "
+                                 "(species[2].clumps is 3)"));
+  EXPECT_THAT(problems_of("[[species]]\npetals = 5\nmotion = 'points'\n"),
+              testing::HasSubstr("species[1].motion: found \"points\", expected \"closed_form\" "
+                                 "for a species that flowers (species[1].petals is 5)"));
+  EXPECT_THAT(problems_of("[[species]]\npetal_colour = 'green'\n"),
+              testing::HasSubstr("expected \"white\", \"yellow\", \"pink\""));
+  EXPECT_EQ(problems_of("[[species]]\npetals = 0\nmotion = 'points'\n"), "");
+}
+
 const char* const four = R"([[species]]
 share = 1
 [[species]]

@@ -11,6 +11,10 @@
 
 namespace wold::grass {
 
+/// What a blade is of its plant: a leaf, the stalk of a flower, or a petal or the disc of the
+/// flower on the tip of the last stalk before it.
+enum class Organ : std::uint8_t { leaf, stalk, petal, disc };
+
 /// A blade of grass as it grows: a cone that stands on the patch and leans, and what sets it apart
 /// from its neighbours when it withers. Metres, radians.
 struct Blade {
@@ -32,7 +36,13 @@ struct Blade {
       {};                   ///< of its own while fresh: that of the texel it is from
   std::uint64_t tufts = 0;  ///< key of where snow gathers, of all the blades of a variant
   int species = 0;          ///< its place in scene::species_of()
+  Organ organ = Organ::leaf;
 };
+
+/// Whether it is of a flower, which sits on a stalk.
+inline bool sits_on_stalk(const Blade& blade) {
+  return blade.organ == Organ::petal || blade.organ == Organ::disc;
+}
 
 /// Which blades to scatter: so many on a patch, keyed by a seed, the patch's variant and the
 /// sample, all from 0.

@@ -101,10 +101,13 @@ Tubes bent(const Tubes& straight, const BladePlaces& places, const BladeBend& be
   const auto corners = static_cast<std::size_t>(straight.corners);
   const auto per_blade = static_cast<std::size_t>(BladePlaces::per_blade);
   for (std::size_t first = 0; first < places.places.size(); first += per_blade) {
-    const Axis was_m = axis_of(places, places.places[first].blade);
+    const std::uint32_t blade = places.places[first].blade;
+    const std::uint32_t bends = places.carried_by[blade];
+    const Axis was_m = axis_of(places, bends);
     const Axis is_m = bent_axis(was_m, bend);
     for (std::size_t ring = first; ring < first + per_blade; ++ring) {
-      const double along{places.places[ring].along};
+      // What a blade carries goes with its tip.
+      const double along = bends == blade ? double{places.places[ring].along} : 1.0;
       const glm::dvec2 turn_rad = angle_rad(bend, along);
       const glm::dvec3 from_m = at_along(was_m, along), to_m = at_along(is_m, along);
       for (std::size_t k = ring * corners; k < (ring + 1) * corners; ++k)

@@ -42,7 +42,8 @@ glm::dvec2 tip_lean(const BladeBend& bend);
 BladeBend nearest_bend(const glm::dvec2& lean, int multiple);
 
 /// The tubes of a patch, straight ones with `places` as blade_tubes() makes them, bent: each blade
-/// by itself, as long as before, its snow with it. What would sink below the ground lies on it.
+/// by itself, as long as before, its snow with it, and the flower on its tip. What would sink below
+/// the ground lies on it.
 Tubes bent(const Tubes& straight, const BladePlaces& places, const BladeBend& bend);
 
 }  // namespace wold::grass

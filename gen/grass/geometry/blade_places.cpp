@@ -18,7 +18,7 @@ void append_places(const BladePatch& patch, const MeadowModel& meadow, std::size
   const BladePose& pose = patch.poses[i];
   const AgeingModel& model = meadow.of(blade);
   const float length_m = blade.length_m * pose.length_scale;
-  const float specular = model.specular(patch.ages[i]);
+  const float specular = model.specular(blade, patch.ages[i]);
   const BladeAxis axis(blade, pose);
   for (int step = 0; step <= segments; ++step) {
     const float along = static_cast<float>(step) / segments;
@@ -81,8 +81,12 @@ void append_snow(const BladePatch& patch, std::size_t i, std::vector<BladePlace>
 
 BladePlaces blade_places(const BladePatch& patch, const MeadowModel& model) {
   BladePlaces result;
-  for (std::size_t i = 0; i < patch.blades.size(); ++i)
+  std::uint32_t stalk = 0;
+  for (std::uint32_t i = 0; i < patch.blades.size(); ++i) {
     append_places(patch, model, i, result.places);
+    if (!sits_on_stalk(patch.blades[i])) stalk = i;
+    result.carried_by.push_back(stalk);
+  }
   result.of_blades = result.places.size();
   for (std::size_t i = 0; i < patch.blades.size(); ++i)
     append_snow(patch, i, result.places, result.snow_half_height_m);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "grass/mechanics/meadow_model.h"
@@ -17,6 +18,8 @@ struct BladePlaces {
   std::vector<BladePlace> places;         ///< those of all blades, then those of the snow
   std::size_t of_blades = 0;              ///< how many are of blades
   std::vector<float> snow_half_height_m;  ///< of the snow's; its half width is BladePlace::radius_m
+  /// By blade: the one on whose tip it sits, a flower's stalk, or itself.
+  std::vector<std::uint32_t> carried_by;
 };
 
 BladePlaces blade_places(const BladePatch& patch, const MeadowModel& model);

@@ -46,12 +46,15 @@ struct PointDynamics::Between {
   float above;
 };
 
-AgeingModel::AgeingModel(const scene::Physiology& ageing, double fresh_specular)
+AgeingModel::AgeingModel(const scene::Physiology& ageing, double fresh_specular,
+                         const scene::Flower& flower)
     : ageing_(ageing),
       fresh_specular_(fresh_specular),
       water_(load_curve(CurveKind::water, ageing.water)),
       heaviest_load_(heaviest_load(ageing, water_)),
-      colour_(ageing) {}
+      colour_(ageing) {
+  if (flower.petals > 0) flower_.emplace(flower);
+}
 
 double AgeingModel::blade_age(const Blade& blade, double weathering) {
   const double onset = std::clamp(double{blade.onset}, -largest_onset, largest_onset);
@@ -75,7 +78,11 @@ WaterLoss AgeingModel::water_loss(double age) const {
 
 BladePose AgeingModel::pose(const Blade& blade, double age, double snow) const {
   if (moves_points()) return pose(blade, motion(blade).at(age), age, snow);
-  return blade_pose(blade, ageing_, water_loss(age), heaviest_load_(age), snow);
+  BladePose pose = blade_pose(blade, ageing_, water_loss(age), heaviest_load_(age), snow);
+  if (blade.organ != Organ::petal) return pose;
+  pose.vein_width *= flower_->petal_width(age);
+  pose.mesophyll_width *= flower_->petal_width(age);
+  return pose;
 }
 
 BladePose AgeingModel::pose(const Blade& blade, const VeinState& state, double age,
@@ -88,23 +95,29 @@ BladePose AgeingModel::pose(const Blade& blade, const VeinState& state, double a
   return pose;
 }
 
+LeafShade AgeingModel::usual_shade(const Blade& blade, double age, double along) const {
+  return sits_on_stalk(blade) ? flower_->shade(blade.organ, age) : colour_(local_age(age, along));
+}
+
 glm::vec3 AgeingModel::albedo(const Blade& blade, double age, double along) const {
-  const double local = local_age(age, along);
-  const glm::vec3 albedo = glm::min(colour_(local).albedo * blade.brightness, 0.99F);
+  const glm::vec3 albedo =
+      glm::min(usual_shade(blade, age, along).albedo * blade.brightness, 0.99F);
   if (!blade.own_albedo) return albedo;
+  const double local = local_age(age, along);
   const glm::vec3 own = *blade.own_albedo - glm::min(colour_(0.0).albedo, 0.99F);
   return glm::clamp(albedo + static_cast<float>(1.0 - local) * own, 0.0F, 0.99F);
 }
 
 LeafShade AgeingModel::shade(const Blade& blade, double age, double along) const {
   const glm::vec3 all = albedo(blade, age, along);
-  const LeafShade leaf = colour_(local_age(age, along));
+  const LeafShade leaf = usual_shade(blade, age, along);
   const glm::vec3 sum = glm::max(leaf.reflectance + leaf.transmittance, glm::vec3(1e-6F));
   const glm::vec3 through = all * leaf.transmittance / sum;
   return {all - through, through, all};
 }
 
-float AgeingModel::specular(double age) const {
+float AgeingModel::specular(const Blade& blade, double age) const {
+  if (sits_on_stalk(blade)) return 0.0F;
   return static_cast<float>(fresh_specular_ * (0.5 + 0.5 * water_(age)));
 }
 
@@ -161,7 +174,7 @@ PointDynamics::WitheredBlade PointDynamics::apply_forces(std::size_t number, dou
     now.albedo[place] = shade.albedo;
     now.transmittance[place] = shade.transmittance;
   }
-  now.specular = model_.specular(age);
+  now.specular = model_.specular(blade, age);
   return now;
 }
 

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "core/curve.h"
 #include "grass/geometry/axis.h"
 #include "grass/geometry/blade.h"
 #include "grass/mechanics/blade_motion.h"
+#include "grass/mechanics/flower_model.h"
 #include "grass/mechanics/frames.h"
 #include "grass/mechanics/mechanics.h"
 #include "grass/optics/leaf_colour.h"
@@ -19,8 +21,10 @@ namespace wold::grass {
 /// scene.
 class AgeingModel {
  public:
-  /// Loads the curves and pigments the scene names. Throws FileError or InputError.
-  AgeingModel(const scene::Physiology& ageing, double fresh_specular);
+  /// Loads the curves and pigments the scene names. Throws FileError or InputError. `flower` is
+  /// what its blades bear, if they are stalks of flowers.
+  AgeingModel(const scene::Physiology& ageing, double fresh_specular,
+              const scene::Flower& flower = {});
 
   /// The blade's own weathering degree when the meadow's is `weathering`: from its head start to 1,
   /// monotone, ahead or behind by its onset in between.
@@ -43,15 +47,20 @@ class AgeingModel {
   /// That albedo as light sent back and let through, in the proportion that the leaf's own spectrum
   /// has there.
   LeafShade shade(const Blade& blade, double age, double along) const;
-  /// Specular coefficient. Wax and water make leaves shine; half of it goes with the water.
-  float specular(double age) const;
+  /// Specular coefficient. Wax and water make leaves shine; half of it goes with the water. Petals
+  /// are dull.
+  float specular(const Blade& blade, double age) const;
 
  private:
+  /// Of a place that is not brighter or darker than its like.
+  LeafShade usual_shade(const Blade& blade, double age, double along) const;
+
   scene::Physiology ageing_;
   double fresh_specular_;
   Curve water_;
   Curve heaviest_load_;  ///< over the blade's age
   LeafColour colour_;
+  std::optional<FlowerModel> flower_;
 };
 
 /// Algorithm 1, point dynamics: moves the points of a patch through the weathering degrees.

@@ -9,7 +9,7 @@ MeadowModel::MeadowModel(const scene::MeadowPart& meadow)
 
 MeadowModel::MeadowModel(std::span<const scene::Species> species) {
   for (const scene::Species& one : species)
-    models_.emplace_back(one.physiology, one.plant.specular);
+    models_.emplace_back(one.physiology, one.plant.specular, one.flower);
 }
 
 }  // namespace wold::grass

@@ -56,6 +56,15 @@ double relative_stiffness(const scene::Physiology& ageing, double water_lost) {
   return modulus * relative_section(ageing, water_lost);
 }
 
+/// Of a straight blade that stays as long as it is.
+BladePose stiff_pose(const TissueState& tissue, double snow) {
+  BladePose pose;
+  pose.snow = static_cast<float>(snow);
+  pose.vein_width = static_cast<float>(linear_scale(tissue.strain_vein));
+  pose.mesophyll_width = static_cast<float>(linear_scale(tissue.strain_mesophyll));
+  return pose;
+}
+
 }  // namespace
 
 double relieved_loss(double water_lost, double stiffening) {
@@ -141,6 +150,7 @@ BladePose blade_pose(const Blade& blade, const scene::Physiology& ageing, const 
                      double heaviest, double snow) {
   const double water_lost = lost.now;
   const TissueState tissue = tissue_state(ageing, water_lost);
+  if (blade.organ != Organ::leaf) return stiff_pose(tissue, snow);
   const double vein = vein_fraction * tissue.modulus_vein_pa;
   const double mesophyll = (1.0 - vein_fraction) * tissue.modulus_mesophyll_pa;
   const double axial =

@@ -90,7 +90,8 @@ struct WaterLoss {
 /// to them, by their stiffness; widths follow each tissue's own strain; [TVT]'s droop grows as
 /// support is lost, and of it only what turgor held comes back with water (recovered_loss()); the
 /// elastica's load is `heaviest` times the fresh one. The fraction `snow` of the
-/// snow that it can carry (0 to 1) bends it further for as long as it lies.
+/// snow that it can carry (0 to 1) bends it further for as long as it lies. Flowers neither bow nor
+/// grow shorter, nor do their stalks: they are stiff, and the one sits on the other.
 BladePose blade_pose(const Blade& blade, const scene::Physiology& ageing, const WaterLoss& lost,
                      double heaviest, double snow = 0.0);
 

@@ -55,6 +55,13 @@ Layer pile(const Layer& one, double plates) {
   return {a * (square(power) - 1.0) / denominator, power * (a * a - 1.0) / denominator};
 }
 
+/// Absorption of a petal's pigment: a band, Gaussian over the wavelength
+/// (models/flower/petals.toml).
+double petal_pigment(const LeafContent& leaf, double wavelength_nm) {
+  constexpr double band_nm = 42.0;  // its standard deviation
+  return leaf.pigment * math::exp(-0.5 * square((wavelength_nm - leaf.pigment_nm) / band_nm));
+}
+
 /// `top` over `rest`, which light reaches from above; `inner` is what diffuse light from below
 /// meets.
 Layer stacked(const Layer& top, const Layer& inner, const Layer& rest) {
@@ -104,7 +111,8 @@ LeafOptics::LeafOptics(LeafSpectra spectra) : spectra_(std::move(spectra)) {
 }
 
 double LeafOptics::absorption(const LeafContent& leaf, std::size_t wavelength) const {
-  return leaf.chlorophyll_ug_cm2 * spectra_.chlorophyll_cm2_ug[wavelength] +
+  return petal_pigment(leaf, spectra_.wavelength_nm[wavelength]) +
+         leaf.chlorophyll_ug_cm2 * spectra_.chlorophyll_cm2_ug[wavelength] +
          leaf.carotenoid_ug_cm2 * spectra_.carotenoid_cm2_ug[wavelength] +
          leaf.brown * spectra_.brown[wavelength] + leaf.water_cm * spectra_.water_cm[wavelength] +
          leaf.dry_g_cm2 * spectra_.dry_cm2_g[wavelength];

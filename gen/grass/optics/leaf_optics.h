@@ -11,9 +11,11 @@ struct LeafContent {
   double structure = 1.5;  ///< N: number of plates, 1 to 3; more air spaces, more plates
   double chlorophyll_ug_cm2 = 0.0;
   double carotenoid_ug_cm2 = 0.0;
-  double brown = 0.0;      ///< arbitrary units: 0 living, 1 to 2 brown
-  double water_cm = 0.0;   ///< thickness of the water alone
-  double dry_g_cm2 = 0.0;  ///< dry mass per area; more than 0
+  double brown = 0.0;         ///< arbitrary units: 0 living, 1 to 2 brown
+  double water_cm = 0.0;      ///< thickness of the water alone
+  double dry_g_cm2 = 0.0;     ///< dry mass per area; more than 0
+  double pigment = 0.0;       ///< of a petal: absorption at the middle of its band
+  double pigment_nm = 550.0;  ///< where that is
 };
 
 /// What a leaf does with light, one value per wavelength, as fractions of the incident light.

@@ -47,7 +47,7 @@ SeenPlace seen_place(const BladePatch& patch, const MeadowModel& meadow, std::si
   const AgeingModel& model = meadow.of(blade);
   const BladePose& pose = patch.poses[i];
   const LeafShade shade = model.shade(blade, patch.ages[i], along);
-  const SeenPlace leaf{shade.albedo, shade.transmittance, model.specular(patch.ages[i])};
+  const SeenPlace leaf{shade.albedo, shade.transmittance, model.specular(blade, patch.ages[i])};
   const SnowRidge ridge = snow_ridge(blade, pose, static_cast<float>(along), at);
   if (ridge.half_height_m <= 0.0F) return leaf;
   const float radius_m = blade.radius_m * pose.mesophyll_width * (1.0F - static_cast<float>(along));

@@ -2,6 +2,7 @@
 
 #include "core/random.h"
 #include "grass/ageing/ageing_curves.h"
+#include "grass/geometry/flower.h"
 #include "grass/geometry/meadow_samples.h"
 #include "grass/texel/foreign_texel.h"
 #include "grass/texel/mingle.h"
@@ -38,9 +39,9 @@ std::vector<Blade> sample_blades(const scene::MeadowPart& meadow, int variant, i
   if (!meadow.grass.from_texel.empty()) return from_texel(meadow, variant, sample).blades;
   const MeadowSample of = samples_of(meadow, variant).at(static_cast<std::size_t>(sample));
   const scene::Species species = scene::species_of(meadow).at(static_cast<std::size_t>(of.species));
-  std::vector<Blade> blades =
-      scatter_blades(species.plant, species.physiology,
-                     {meadow.grass.patch_m, of.blades, meadow.seed, variant, sample});
+  const Scattering scattering{meadow.grass.patch_m, of.blades, meadow.seed, variant, sample};
+  std::vector<Blade> blades = scatter_blades(species.plant, species.physiology, scattering);
+  if (scene::flowers(species)) blades = with_flowers(std::move(blades), species.flower, scattering);
   for (Blade& blade : blades) blade.species = of.species;
   return blades;
 }
