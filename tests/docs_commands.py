@@ -1,6 +1,7 @@
 """Runs the commands that the docs show, page by page, as a reader would in an empty folder:
 
     python3 tests/docs_commands.py WOLD [PAGE...]       default: the pages for those who begin
+    python3 tests/docs_commands.py --pages              lists these
 
 Pictures are made small and grass coarse, so that a page takes seconds. What a page expects to be
 there (moor.toml, dem.tif, days.csv, the examples) is laid there first. Lines that name no program
@@ -119,6 +120,9 @@ def wrong_commands(page: str, wold: str) -> list[str]:
 
 
 def main() -> int:
+    if sys.argv[1] == "--pages":
+        print("\n".join(PAGES))
+        return 0
     wold = str(Path(sys.argv[1]).resolve())
     if not (shutil.which("povray") and shutil.which("blender") and shutil.which("ffmpeg")):
         print("skipped: a renderer or FFmpeg is not installed")
