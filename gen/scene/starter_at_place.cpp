@@ -54,7 +54,26 @@ Species bushes(const Scene& scene) {
   return bushes;
 }
 
-const KeyNames& keys_of_bushes() {
+/// Yellow flowers amid the grass, three to a patch.
+Species hawkbits(const Scene& scene) {
+  Species hawkbits = species_of(scene).front();
+  hawkbits.name = "hawkbit";
+  hawkbits.share = 0.008;
+  Plant& plant = hawkbits.plant;
+  plant.height_m = 0.27;
+  plant.height_spread = 0.15;
+  plant.width_m = 0.0018;
+  plant.lean_deg = 10.0;
+  Flower& flower = hawkbits.flower;
+  flower.petals = 18;
+  flower.length_m = 0.014;
+  flower.width_m = 0.004;
+  flower.opening_deg = 72.0;
+  flower.colour = PetalColour::yellow;
+  return hawkbits;
+}
+
+const KeyNames& keys_of_plants() {
   static const KeyNames names = {"species.name",
                                  "species.share",
                                  "species.cover",
@@ -72,7 +91,12 @@ const KeyNames& keys_of_bushes() {
                                  "species.litter",
                                  "species.fresh_spread",
                                  "species.chlorophyll_content",
-                                 "species.carotenoid_content"};
+                                 "species.carotenoid_content",
+                                 "species.petals",
+                                 "species.petal_length",
+                                 "species.petal_width",
+                                 "species.petal_opening",
+                                 "species.petal_colour"};
   return names;
 }
 
@@ -113,8 +137,8 @@ Starter at_place(Starter starter, const StarterPlace& place) {
                             "terrain.samples", "camera.eye_height", "camera.target_height",
                             "camera.field_of_view", "sky.visual_range"});
   if (!place.system.empty()) starter.keys.emplace_back("terrain.system");
-  scene.species = {species_of(scene).front(), bushes(scene)};
-  starter.keys = joined(starter.keys, keys_of_bushes());
+  scene.species = {species_of(scene).front(), bushes(scene), hawkbits(scene)};
+  starter.keys = joined(starter.keys, keys_of_plants());
   return starter;
 }
 

@@ -81,8 +81,8 @@ TEST(StarterScene, OfARealPlaceShowsIt) {
     wanted.camera.target_m = place.target_m;
     wanted.camera.target_height_m = place.target_height_m;
     Scene read = parse_scene(text, "a.toml");
-    // Grass as the scene has it, and bushes that stay green among it.
-    ASSERT_EQ(read.species.size(), 2U) << kind;
+    // Grass as the scene has it, bushes that stay green among it, and flowers.
+    ASSERT_EQ(read.species.size(), 3U) << kind;
     wanted.species = {species_of(wanted).front()};
     Species bushes = species_of(wanted).front();
     bushes.name = "bushes";
@@ -104,6 +104,19 @@ TEST(StarterScene, OfARealPlaceShowsIt) {
     bushes.physiology.chlorophyll_ug_cm2 = 58.0;
     bushes.physiology.carotenoid_ug_cm2 = 11.0;
     wanted.species.push_back(bushes);
+    Species hawkbits = species_of(scene_of_kind(kind)).front();
+    hawkbits.name = "hawkbit";
+    hawkbits.share = 0.008;
+    hawkbits.plant.height_m = 0.27;
+    hawkbits.plant.height_spread = 0.15;
+    hawkbits.plant.width_m = 0.0018;
+    hawkbits.plant.lean_deg = 10.0;
+    hawkbits.flower.petals = 18;
+    hawkbits.flower.length_m = 0.014;
+    hawkbits.flower.width_m = 0.004;
+    hawkbits.flower.opening_deg = 72.0;
+    hawkbits.flower.colour = PetalColour::yellow;
+    wanted.species.push_back(hawkbits);
     EXPECT_THAT(read.terrain.elevation, testing::EndsWith(place.elevation));
     read.terrain.elevation = place.elevation;
     EXPECT_EQ(resolved_toml(read), resolved_toml(wanted)) << kind;
