@@ -18,7 +18,7 @@
 namespace wold::film {
 namespace {
 
-/// Of the species of a mixture, each by the area of its blades.
+/// Of the species of a mixture, each by the area of its blades and petals.
 std::vector<double> fractions_of(const scene::Scene& scene,
                                  const std::vector<scene::Species>& species,
                                  const scene::Mixture& mixture) {
@@ -26,7 +26,7 @@ std::vector<double> fractions_of(const scene::Scene& scene,
   std::vector<double> areas(species.size(), 0.0);
   for (std::size_t i = 0; i < mixture.size(); ++i) {
     const auto one = static_cast<std::size_t>(mixture[i]);
-    areas[one] = blades[i] * species[one].plant.height_m * species[one].plant.width_m;
+    areas[one] = blades[i] * scene::blade_area_m2(species[one]);
   }
   const double all = std::accumulate(areas.begin(), areas.end(), 0.0);
   for (double& area : areas) area = all > 0.0 ? area / all : 0.0;

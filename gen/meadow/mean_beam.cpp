@@ -1,5 +1,7 @@
 #include "meadow/mean_beam.h"
 
+#include <vector>
+
 #include "grass/ageing/ageing_curves.h"
 #include "grass/geometry/blade.h"
 #include "grass/mechanics/mechanics.h"
@@ -19,12 +21,20 @@ wind::Beam beam_of(const scene::Species& species, double weathering, double snow
       grass::fresh_stiffness_n_m2(blade) * weight / grass::relative_load(species.physiology, lost)};
 }
 
+/// Stalks of flowers are few amid the grass, and stiff: leaves count, where there are any.
+std::vector<scene::Species> waving_species(const scene::Scene& scene) {
+  const std::vector<scene::Species> all = scene::species_of(scene);
+  std::vector<scene::Species> leaves = all;
+  std::erase_if(leaves, scene::flowers);
+  return leaves.empty() ? all : leaves;
+}
+
 }  // namespace
 
 wind::Beam mean_beam(const scene::Scene& scene, double weathering, double snow) {
   wind::Beam mean;
   double shares = 0.0;
-  for (const scene::Species& species : scene::species_of(scene)) {
+  for (const scene::Species& species : waving_species(scene)) {
     const wind::Beam beam = beam_of(species, weathering, snow);
     mean.length_m += species.share * beam.length_m;
     mean.width_m += species.share * beam.width_m;

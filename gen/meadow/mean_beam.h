@@ -5,7 +5,7 @@
 
 namespace wold::meadow {
 
-/// The scene's blades in the mean of their species, by their shares, as a beam: at a weathering
+/// The scene's leaves in the mean of their species, by their shares, as a beam: at a weathering
 /// degree, with the water and stiffness that they have there, and under the fraction `snow` of the
 /// snow that they can carry.
 wind::Beam mean_beam(const scene::Scene& scene, double weathering, double snow);

@@ -22,13 +22,6 @@ Mixture all_species(const MeadowPart& meadow) {
   return all;
 }
 
-/// Of a blade of a species, with the petals on it.
-double blade_area_m2(const Species& species) {
-  const Flower& flower = species.flower;
-  return 0.5 * (species.plant.height_m * species.plant.width_m +
-                flower.petals * flower.length_m * flower.width_m);
-}
-
 /// Of the mixture's plants of which `counts` holds.
 template <class Counts>
 double blade_area_m2(const MeadowPart& meadow, const Mixture& mixture, const Counts& counts) {
@@ -108,6 +101,12 @@ std::vector<int> blades_of(const MeadowPart& meadow, const Mixture& mixture) {
     counts.push_back(until - before);
     before = until;
   }
+  for (int& count : counts) {
+    int& most = *std::ranges::max_element(counts);
+    if (count > 0 || most < 2) continue;
+    ++count;
+    --most;
+  }
   return counts;
 }
 
@@ -159,6 +158,12 @@ double rooted_fraction(const MeadowPart& meadow, const Mixture& mixture) {
   const double rooted_m2 =
       blade_area_m2(meadow, mixture, [](const Plant& plant) { return plant.crown_m <= 0.0; });
   return rooted_m2 / blade_area_m2(meadow, mixture);
+}
+
+double blade_area_m2(const Species& species) {
+  const Flower& flower = species.flower;
+  return 0.5 * (species.plant.height_m * species.plant.width_m +
+                flower.petals * flower.length_m * flower.width_m);
 }
 
 double blade_area_m2(const MeadowPart& meadow) {

@@ -35,7 +35,7 @@ int patch_number(const MeadowPart& meadow, int mixture, int variant);
 Mixture mixture_of(const MeadowPart& meadow, int patch);
 
 /// Blades of a patch by species, in the order of species_of(): grass.blades in proportion to the
-/// shares, each rounded so that the sum is exact.
+/// shares, each rounded so that the sum is exact, and one at least where there are enough.
 std::vector<int> blades_of(const MeadowPart& meadow);
 /// The same of a patch that is of a mixture, in the order of that.
 std::vector<int> blades_of(const MeadowPart& meadow, const Mixture& mixture);
@@ -65,6 +65,9 @@ double max_standing_m(const Plant& plant);
 /// Which part of the blades' area of a patch of a mixture stands in the ground, where the wind
 /// combs it, not on the twigs of shrubs.
 double rooted_fraction(const MeadowPart& meadow, const Mixture& mixture);
+
+/// Square metres of a mean blade with the petals on it, one side of each.
+double blade_area_m2(const Species& species);
 
 /// Square metres of blades and petals, one side of each, on a patch that is of all species, and on
 /// the patch of that mixture which has most.

@@ -132,6 +132,18 @@ Rule stalks_do_not_move(const Judged& judged) {
                       judged.species.flower.petals)};
 }
 
+Rule flowers_fit_the_patch(const Judged& judged) {
+  const Flower& flower = judged.species.flower;
+  const std::string& table = judged.in.plant;
+  const double widest_m = std::max({flower.length_m, flower.width_m, flower.disc_m});
+  return {{table + ".petals", table + ".petal_length", table + ".petal_width", table + ".disc",
+           "grass.patch"},
+          flower.petals == 0 || widest_m < 0.5 * judged.patch_m,
+          fmt::format("{0}.petals: found petals and a disc of up to {1} m ({0}.petal_length, "
+                      "{0}.petal_width, {0}.disc), expected less than half of grass.patch ({2} m)",
+                      table, widest_m, judged.patch_m)};
+}
+
 /// Of two limits of a habitat.
 Rule leaves_room(const std::string& table, const char* low_key, double low, const char* high_key,
                  double high) {
@@ -158,6 +170,20 @@ Rule few_have_a_habitat(const Scene& scene) {
           fmt::format("[[species]]: found {} that do not grow everywhere, expected at most {}: "
                       "each mixture of them has patches of its own",
                       count, max_with_habitat)};
+}
+
+/// Each of them is lit by itself.
+Rule few_are_drawn(const Scene& scene) {
+  constexpr int most = 40000;
+  const auto petals = [](const Species& one) { return one.flower.petals; };
+  const auto fullest = std::ranges::max_element(scene.species, {}, petals);
+  const std::string item =
+      item_name("species", static_cast<std::size_t>(fullest - scene.species.begin()));
+  return {{item + ".petals", "grass.blades"},
+          petals(*fullest) == 0 || max_drawn(scene) <= most,
+          fmt::format("{}.petals: found {}, with which a patch has {} blades and petals "
+                      "(grass.blades is {}), expected at most {}: fewer petals or a smaller share",
+                      item, petals(*fullest), max_drawn(scene), scene.grass.blades, most)};
 }
 
 std::vector<Judged> judged_species(const Scene& scene) {
@@ -188,9 +214,11 @@ std::vector<Rule> species_rules(const Scene& scene) {
       rules.push_back(std::move(rule));
   if (scene.species.empty()) return rules;
   rules.push_back(few_have_a_habitat(scene));
+  rules.push_back(few_are_drawn(scene));
   for (const Judged& judged : judged_species(scene)) {
     for (Rule& rule : grows_somewhere(judged)) rules.push_back(std::move(rule));
     rules.push_back(flowers_stand_on_grass(judged));
+    rules.push_back(flowers_fit_the_patch(judged));
     rules.push_back(stalks_do_not_move(judged));
   }
   return rules;

@@ -77,20 +77,30 @@ double frame_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
          costs.frame_haze_voxel * sky::blowing_snow_voxels(scene);
 }
 
+/// The top of a patch's blades over their feet: leaves bow, stalks of flowers differ in length.
+double standing_m(const SpeciesPatch& patch, double weathering, double snow) {
+  const double length_m = patch.grass.height_m;
+  if (patch.flower.petals > 0)
+    return length_m * (1.0 + patch.grass.height_spread) + patch.flower.length_m;
+  return length_m * std::max(1.15 - 0.62 * weathering, 0.73) * (1.0 - 0.5 * snow);
+}
+
 }  // namespace
 
-VolumeSize volume_size(const scene::Grass& grass, int lod, double weathering, double snow) {
+VolumeSize volume_size(const SpeciesPatch& patch, int lod, double weathering, double snow) {
+  const auto& [grass, flower] = patch;
   const double side = grass.lods[static_cast<std::size_t>(lod)];
   const double voxel_m = grass.patch_m / side;
-  const double bent_m =
-      grass.height_m * std::max(1.15 - 0.62 * weathering, 0.73) * (1.0 - 0.5 * snow);
-  const double voxels = side * side * ((grass.crown_m + bent_m) / voxel_m + 2.0);
+  const double voxels =
+      side * side * ((grass.crown_m + standing_m(patch, weathering, snow)) / voxel_m + 2.0);
   // A blade fills voxels along its length, as many beside each other as it is wide and, at its
-  // borders, some more.
+  // borders, some more; a flower is a disc.
   constexpr double border = 2.5;
   const double length_m = grass.height_m * (1.17 - 0.3 * weathering);
+  const double of_flower =
+      flower.petals > 0 ? border * squared(2.0 * flower.length_m / voxel_m + border) : 0.0;
   const double of_blades =
-      grass.blades * length_m / voxel_m * squared(grass.width_m / voxel_m + border);
+      grass.blades * (length_m / voxel_m * squared(grass.width_m / voxel_m + border) + of_flower);
   // Blades stand in clumps and share voxels more often than by chance: the share that is empty is
   // that of a negative binomial distribution, not of Poisson's.
   constexpr double clumping = 0.3;
@@ -103,20 +113,21 @@ VolumeSizes::VolumeSizes(const scene::Scene& scene)
   const std::vector<scene::Species> species = scene::species_of(scene);
   for (const scene::Mixture& mixture : scene::mixtures_of(scene)) {
     const std::vector<int> blades = scene::blades_of(scene, mixture);
-    std::vector<scene::Grass>& alone = species_.emplace_back();
+    std::vector<SpeciesPatch>& alone = species_.emplace_back();
     for (std::size_t i = 0; i < mixture.size(); ++i) {
-      scene::Grass& grass = alone.emplace_back(scene.grass);
-      static_cast<scene::Plant&>(grass) = species[static_cast<std::size_t>(mixture[i])].plant;
-      grass.blades = blades[i];
+      const scene::Species& one = species[static_cast<std::size_t>(mixture[i])];
+      SpeciesPatch& patch = alone.emplace_back(SpeciesPatch{scene.grass, one.flower});
+      static_cast<scene::Plant&>(patch.grass) = one.plant;
+      patch.grass.blades = blades[i];
     }
   }
 }
 
 VolumeSize VolumeSizes::of(int variant, const grass::PatchState& state, int lod) const {
   VolumeSize size;
-  for (const scene::Grass& grass : species_.at(static_cast<std::size_t>(variant / variants_))) {
+  for (const SpeciesPatch& patch : species_.at(static_cast<std::size_t>(variant / variants_))) {
     const VolumeSize alone =
-        volume_size(grass, lod, key_frames_.at(static_cast<std::size_t>(state.key_frame)),
+        volume_size(patch, lod, key_frames_.at(static_cast<std::size_t>(state.key_frame)),
                     state.snow_fraction());
     size.voxels = std::max(size.voxels, alone.voxels);
     size.filled += alone.filled;

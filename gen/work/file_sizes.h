@@ -19,9 +19,15 @@ struct VolumeSize {
   double filled = 0.0;  ///< of them, those with grass
 };
 
+/// A patch with the blades of one species alone.
+struct SpeciesPatch {
+  scene::Grass grass;
+  scene::Flower flower = {};
+};
+
 /// Of a patch at a level, withered to a degree in [0, 1], under a share in [0, 1] of the snow that
-/// it can carry: it gets lower and thinner.
-VolumeSize volume_size(const scene::Grass& grass, int lod, double weathering, double snow);
+/// it can carry: it gets lower and thinner, but flowers stay where they are.
+VolumeSize volume_size(const SpeciesPatch& patch, int lod, double weathering, double snow);
 
 /// Sizes of a scene's volumes, whose weathering degrees are the scene's key frames. That of a
 /// variant is as high as the highest species of its mixture and filled by all of them.
@@ -32,8 +38,8 @@ class VolumeSizes {
 
  private:
   int variants_;
-  /// By mixture, the patch as each of its species has it: that species' blades alone.
-  std::vector<std::vector<scene::Grass>> species_;
+  /// By mixture, the patch as each of its species has it.
+  std::vector<std::vector<SpeciesPatch>> species_;
   std::vector<double> key_frames_;
 };
 

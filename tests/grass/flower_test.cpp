@@ -10,9 +10,11 @@
 #include "grass/geometry/blade_bend.h"
 #include "grass/geometry/blade_places.h"
 #include "grass/geometry/blade_tubes.h"
+#include "grass/geometry/snow_ridge.h"
 #include "grass/texel/blade_patch.h"
 #include "grass/texel/fibres.h"
 #include "grass/texel/samples.h"
+#include "grass/texel/time_varying_texel.h"
 #include "scene/species.h"
 #include "small_meadow.h"
 
@@ -209,6 +211,26 @@ TEST(FlowerModel, LetsPetalsShrivelAndStalksStand) {
   EXPECT_EQ(pose(Organ::disc, 0.6).mesophyll_width, pose(Organ::stalk, 0.6).mesophyll_width);
 }
 
+TEST(FlowerModel, DiscsAreSolid) {
+  Blade disc;
+  disc.organ = Organ::disc;
+  const LeafShade shade = model_of(daisy()).shade(disc, 0.0, 0.5);
+  EXPECT_EQ(shade.transmittance, glm::vec3(0.0F));
+  EXPECT_EQ(shade.reflectance, shade.albedo);
+}
+
+// On a disc that faces the sky snow lies as on level leaves, though its axis is upright.
+TEST(FlowerModel, DiscsHoldSnow) {
+  Blade disc = test::straight_blade();
+  disc.organ = Organ::disc;
+  disc.lean = 0.0F;
+  BladePose pose;
+  pose.snow = 1.0F;
+  EXPECT_GT(snow_ridge(disc, pose, 0.5F, BladeAxis(disc, pose).at(0.09F)).half_height_m, 0.0F);
+  disc.organ = Organ::stalk;
+  EXPECT_EQ(snow_ridge(disc, pose, 0.5F, BladeAxis(disc, pose).at(0.09F)).half_height_m, 0.0F);
+}
+
 TEST(FlowerModel, PetalsAreDull) {
   const AgeingModel model = model_of(daisy());
   Blade blade;
@@ -246,17 +268,28 @@ TEST(Flower, GoesWithTheTipOfABentStalk) {
   EXPECT_EQ(seen, 10 * petals);
 }
 
-// A tenth of the blades are stalks, each with a flower: of eleven fibres one is of a flower.
-TEST(Flower, CountsAsOneBladeAmongThoseThatStandForAPatch) {
+// Of fibres as many are of flowers, by area, as of the patch, whatever the step between them; they
+// are on top.
+TEST(Flower, StandsForAPatchByItsArea) {
   scene::Scene scene = flower_meadow();
-  scene.species[0].physiology.fresh_spread = scene.species[0].physiology.litter = 0.0;
+  scene.species[1].flower.length_m = 0.03;
+  scene.species[1].flower.width_m = 0.012;
   const MeadowModel model(scene);
   const BladePatch patch = WitheringPatch(scene, model, 0).at(0.0);
-  const std::vector<Fibre> fibres = representative_fibres(patch, model, 3 * 110);
-  const auto white =
-      std::ranges::count_if(fibres, [](const Fibre& fibre) { return fibre.albedo.b > 0.5F; });
-  EXPECT_EQ(fibres.size(), 3U * 110U);
-  EXPECT_EQ(white, 3 * 10);
+  double flowers_m2 = 0.0, all_m2 = 0.0;
+  for (const Blade& blade : patch.blades) {
+    const double area_m2 = double{blade.length_m * blade.radius_m};
+    all_m2 += area_m2;
+    if (sits_on_stalk(blade)) flowers_m2 += area_m2;
+  }
+  for (const int step : {1, 4, 5}) {
+    const std::vector<Fibre> fibres = representative_fibres(patch, model, 300 / step);
+    const auto high =
+        std::ranges::count_if(fibres, [](const Fibre& fibre) { return fibre.along == 1.0F; });
+    EXPECT_NEAR(static_cast<double>(high) / static_cast<double>(fibres.size()), flowers_m2 / all_m2,
+                step == 1 ? 0.02 : 0.04)
+        << step;
+  }
 }
 
 /// What is white in a fresh meadow, as an area, square metres.
@@ -283,6 +316,24 @@ TEST(Flower, IsInTheTexelWithItsArea) {
   const double added_m2 =
       (with_flowers - white_m2(scene)) / double{albedo_of(scene::PetalColour::white).b};
   EXPECT_NEAR(added_m2, petals_m2, 0.1 * petals_m2);
+}
+
+// Petals stand on edge above the turf: broad ones are higher than their axes.
+TEST(Flower, IsWithinTheTexel) {
+  scene::Scene scene = flower_meadow();
+  scene.species[0].plant.height_m = 0.03;
+  scene.species[1].plant.height_m = 0.05;
+  scene.species[1].flower.length_m = 0.02;
+  scene.species[1].flower.width_m = 0.05;
+  const TimeVaryingTexel texel(scene, {test::slanting_light()}, {}, {});
+  double highest_m = 0.0;
+  for (int variant = 0; variant < scene.grass.variants; ++variant)
+    for (const Blade& blade : sample_blades(scene, variant, 1))
+      if (blade.organ == Organ::petal)
+        highest_m = std::max(highest_m, double{blade.root_height_m} +
+                                            double{blade.radius_m} * std::sin(double{blade.lean}));
+  const TexelShape shape = texel.lod_shape(0);
+  EXPECT_LE(highest_m, shape.height * shape.voxel_m);
 }
 
 TEST(Flower, IsCountedWhereBladesAre) {

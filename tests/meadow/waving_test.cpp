@@ -65,6 +65,11 @@ TEST(MeanBeam, IsTheMeanOfTheSpecies) {
   scene.species[0].plant.height_m = 0.2;
   scene.species[1].plant.height_m = 0.6;
   EXPECT_NEAR(mean_beam(scene, 0.0, 0.0).length_m, 0.3, 1e-6);
+  // Stalks of flowers do not wave the meadow.
+  scene.species[1].flower.petals = 5;
+  EXPECT_NEAR(mean_beam(scene, 0.0, 0.0).length_m, scene.species[0].plant.height_m, 1e-6);
+  scene.species[0].flower.petals = 5;
+  EXPECT_NEAR(mean_beam(scene, 0.0, 0.0).length_m, 0.3, 1e-6);
 }
 
 TEST(WavingGrass, MovesFromFrameToFrameAndNeedsNoOtherFrame) {

@@ -64,6 +64,10 @@ TEST(Species, ShareTheBladesToTheLastOne) {
   scene.species.push_back(scene.species[0]);
   scene.grass.blades = 100;
   EXPECT_EQ(blades_of(scene), (std::vector<int>{43, 14, 43}));
+  scene.species[1].share = scene.species[2].share = 0.001;
+  EXPECT_EQ(blades_of(scene), (std::vector<int>{98, 1, 1})) << "none is without a blade";
+  scene.grass.blades = 2;
+  EXPECT_EQ(blades_of(scene), (std::vector<int>{1, 1, 0}));
 }
 
 TEST(Species, OfASceneWithoutThemIsThatOfItsTables) {
@@ -101,7 +105,7 @@ TEST(Species, AreBlamedByTheirOwnKeys) {
               testing::HasSubstr("a.toml:3:1: species[2].vein_shrinkage: found 0.15, expected less "
                                  "than 0.1 (species[2].mesophyll_shrinkage)"));
   EXPECT_THAT(problems_of("[[species]]\nheight = 5\n"), testing::HasSubstr("species[1].height"));
-  EXPECT_THAT(problems_of("[grass]\nblades = 3\n[[species]]\nshare = 1000\n[[species]]\n"),
+  EXPECT_THAT(problems_of("[grass]\nblades = 1\n[[species]]\nshare = 1000\n[[species]]\n"),
               testing::HasSubstr("species[2].share: found 1, which leaves this species none"));
   EXPECT_THAT(problems_of("[[species]]\nheigth = 0.1\n"),
               testing::HasSubstr("did you mean \"species[1].height\""));
@@ -117,6 +121,12 @@ TEST(Species, ThatFlowerAreGrassWithStiffStalks) {
   EXPECT_THAT(problems_of("[[species]]\npetal_colour = 'green'\n"),
               testing::HasSubstr("expected \"white\", \"yellow\", \"pink\""));
   EXPECT_EQ(problems_of("[[species]]\npetals = 0\nmotion = 'points'\n"), "");
+  EXPECT_THAT(problems_of("[[species]]\npetals = 3\npetal_length = 0.1\n[grass]\npatch = 0.2\n"),
+              testing::HasSubstr("species[1].petals: found petals and a disc of up to 0.1 m"));
+  EXPECT_THAT(problems_of("[grass]\nblades = 4000\n[[species]]\n[[species]]\npetals = 20\n"
+                          "petal_length = 0.005\npetal_width = 0.001\n"),
+              testing::HasSubstr("species[2].petals: found 20, with which a patch has 46000 blades "
+                                 "and petals (grass.blades is 4000), expected at most 40000"));
 }
 
 const char* const four = R"([[species]]

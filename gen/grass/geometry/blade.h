@@ -18,8 +18,8 @@ enum class Organ : std::uint8_t { leaf, stalk, petal, disc };
 /// A blade of grass as it grows: a cone that stands on the patch and leans, and what sets it apart
 /// from its neighbours when it withers. Metres, radians.
 struct Blade {
-  glm::vec2 root_m;            ///< on the patch, [0, patch)^2
-  float root_height_m = 0.0F;  ///< of a twig that it stands on, over the ground
+  glm::vec2 root_m;            ///< on the patch, [0, patch)^2; a petal's may lie beside it
+  float root_height_m = 0.0F;  ///< of a twig that it stands on, or of a petal's outer end
   glm::vec2 heading;           ///< unit, the horizontal direction it leans and droops to
   float lean = 0.0F;           ///< angle of the axis from the vertical at the root
   float length_m = 0.0F;

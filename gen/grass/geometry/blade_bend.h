@@ -43,7 +43,7 @@ BladeBend nearest_bend(const glm::dvec2& lean, int multiple);
 
 /// The tubes of a patch, straight ones with `places` as blade_tubes() makes them, bent: each blade
 /// by itself, as long as before, its snow with it, and the flower on its tip. What would sink below
-/// the ground lies on it.
+/// the ground lies on it, but for petals.
 Tubes bent(const Tubes& straight, const BladePlaces& places, const BladeBend& bend);
 
 }  // namespace wold::grass

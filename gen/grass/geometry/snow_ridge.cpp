@@ -81,7 +81,7 @@ float SnowRidge::area_m() const {
 
 SnowRidge snow_ridge(const Blade& blade, const BladePose& pose, float along, const AxisPoint& at) {
   const float thickness = lump_thickness(double{pose.snow}, rank_of(blade, along, at)) *
-                          snow_held(std::abs(at.tangent.x));
+                          (blade.organ == Organ::disc ? 1.0F : snow_held(std::abs(at.tangent.x)));
   const float radius_m = blade.radius_m * pose.mesophyll_width * (1.0F - along);
   SnowRidge ridge;
   ridge.centre_m = at.position_m + radius_m * upper_side(at.tangent);

@@ -44,10 +44,10 @@ struct SnowRidge {
 
 /// The ridge at `along` (0 root to 1 tip), where the axis is `at`.
 ///
-/// Snow gathers in tufts of 6 cm that neighbouring blades share, and in lumps along each blade.
-/// The section is what lies there over its density. It covers the blade's whole width from
-/// half of the most on, a little beyond its edges, and is no higher than one and a half times the
-/// blade's width.
+/// A flower's disc is level, whatever its axis. Snow gathers in tufts of 6 cm that neighbouring
+/// blades share, and in lumps along each blade. The section is what lies there over its density. It
+/// covers the blade's whole width from half of the most on, a little beyond its edges, and is no
+/// higher than one and a half times the blade's width.
 SnowRidge snow_ridge(const Blade& blade, const BladePose& pose, float along, const AxisPoint& at);
 
 /// The direction of a blade's plane that its upper side faces.

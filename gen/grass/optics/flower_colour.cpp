@@ -64,6 +64,10 @@ FlowerColour::FlowerColour(scene::PetalColour petals) {
   };
   petal_ = ageing(fresh_petal(petals));
   disc_ = ageing(fresh_petal(scene::PetalColour::yellow));
+  for (LeafShade* solid : {&disc_.fresh, &disc_.brown}) {
+    solid->reflectance = solid->albedo;
+    solid->transmittance = glm::vec3(0.0F);
+  }
 }
 
 }  // namespace wold::grass

@@ -59,6 +59,7 @@ Layer pile(const Layer& one, double plates) {
 /// (models/flower/petals.toml).
 double petal_pigment(const LeafContent& leaf, double wavelength_nm) {
   constexpr double band_nm = 42.0;  // its standard deviation
+  if (leaf.pigment == 0.0) return 0.0;
   return leaf.pigment * math::exp(-0.5 * square((wavelength_nm - leaf.pigment_nm) / band_nm));
 }
 

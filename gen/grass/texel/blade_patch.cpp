@@ -67,7 +67,9 @@ glm::vec3 mean_albedo(const BladePatch& patch, const MeadowModel& model) {
     std::optional<BladeAxis> axis;  // only snow asks for it
     if (patch.poses[i].snow > 0.0F) axis.emplace(blade, patch.poses[i]);
     for (const double along : {0.1, 0.3, 0.5, 0.7, 0.9}) {
-      const double area = (1.0 - along) * double{blade.radius_m * blade.length_m};
+      // Leaves shrink alike; petals shrivel.
+      const float width = sits_on_stalk(blade) ? patch.poses[i].mesophyll_width : 1.0F;
+      const double area = (1.0 - along) * double{blade.radius_m * blade.length_m * width};
       const AxisPoint at =
           axis ? axis->at(length_m * static_cast<float>(along)) : AxisPoint{{0, 0}, {0, 1}};
       sum += area * glm::dvec3(seen_place(patch, model, i, along, at).albedo);

@@ -63,6 +63,9 @@ double rise_m(const Blade& blade, const scene::Physiology& physiology, double wa
     const float arc_m = blade.length_m * pose.length_scale * static_cast<float>(i) / 16.0F;
     highest = std::max(highest, double{axis.at(arc_m).position_m.y});
   }
+  // Petals are highest where they are widest.
+  if (sits_on_stalk(blade))
+    highest = std::max(highest, double{blade.radius_m * math::sin(blade.lean)});
   return highest;
 }
 
