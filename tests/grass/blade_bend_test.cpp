@@ -26,6 +26,7 @@ BladePatch patch(double snow = 0.0) {
 /// Upright, at a place, 0.4 m long.
 BladePlaces upright() {
   BladePlaces all;
+  all.carried_by = {0};
   for (std::size_t i = 0; i < rings; ++i) {
     const float along = static_cast<float>(i) / (rings - 1);
     all.places.push_back({0, {0.1F, 0.2F, 0.4F * along}, 0.002F, 0.0F, {}, along});
