@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Whether versions of Blender show the same: renders tests/benchmark/phenomena.toml with Debian's
-# Blender and with each PROGRAM, Blender or a Python with the package bpy, and compares.
+# Blender and with each PROGRAM, Blender or a Python with the package bpy, and compares. 4.5 and 5.2
+# are the long-term versions of bpy of the package index.
 #
-#     tests/blender_versions.sh [PROGRAM...]     default: bpy 4.5 LTS and 5.2 LTS of the package index
+#     tests/blender_versions.sh [PROGRAM...]     default: 4.5 5.2
 #
 # Prints a table; exit code 1 when a picture is farther from Debian's than FLIP 0.02, or 2/255 after
 # a blur of 8x8 pixels. The pictures stay in build/blender_versions.
@@ -42,7 +43,7 @@ compare() {
 }
 
 install "${build_packages[@]}" "${render_packages[@]}" "${test_packages[@]}"
-[ $# -gt 0 ] || set -- "$(bpy_program 4.5)" "$(bpy_program 5.2)"
+[ $# -gt 0 ] || set -- 4.5 5.2
 build -DWOLD_TESTS=ON -DWOLD_WERROR=ON -- wold picture_difference
 rm -rf "$out"
 "$here/build/wold" generate "$scene" --quiet --renderer blender --out "$out/data"
@@ -51,6 +52,7 @@ echo '| renderer | frame | FLIP | blur, of 255 | seconds for all |'
 echo '|---|---|---|---|---|'
 number=0 far=0
 for program in "$@"; do
+  case $program in 4.5 | 5.2) program=$(bpy_program "$program") ;; esac
   number=$((number + 1))
   seconds=$(render "$number" "$program")
   compare "$number" "$program" "$seconds" || far=1
