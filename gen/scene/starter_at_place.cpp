@@ -54,7 +54,7 @@ Species bushes(const Scene& scene) {
   return bushes;
 }
 
-/// Yellow flowers amid the grass, three to a patch.
+/// Yellow flowers amid the grass: three to a patch, one where a bush stands.
 Species hawkbits(const Scene& scene) {
   Species hawkbits = species_of(scene).front();
   hawkbits.name = "hawkbit";

@@ -41,7 +41,7 @@ glm::vec3 tip_m(const Blade& blade) { return foot_m(blade) + blade.length_m * di
 
 AgeingModel model_of(const scene::Flower& flower) { return {{}, 0.12, flower}; }
 
-/// Of a blade of an organ, as fresh as it gets.
+/// Of a blade of an organ at its own weathering degree.
 glm::vec3 albedo_of(scene::PetalColour colour, Organ organ = Organ::petal, double age = 0.0) {
   scene::Flower flower = daisy();
   flower.colour = colour;

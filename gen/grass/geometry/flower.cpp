@@ -64,7 +64,7 @@ void make_stalk(const FlowerRandom& random, double patch_m, Blade& blade) {
       wrapped_m(random.of_stock("y") * patch_m + stock_m * random.normal("beside y"), patch_m)};
 }
 
-/// Three directions that are upright to each other: `up` that of a stalk's tip.
+/// Three perpendicular unit vectors: `up` points along the stalk.
 struct Frame {
   explicit Frame(const Blade& stalk)
       : up(from_plane(stalk, {math::sin(stalk.lean), math::cos(stalk.lean)})),

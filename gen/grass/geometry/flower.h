@@ -11,8 +11,8 @@ namespace wold::grass {
 /// tip and, where the flower has one, its disc; petals are as wide as they get where they end, and
 /// their points meet at the tip.
 ///
-/// Several stalks grow from one root stock. They are straight and of this year. `scattering` is
-/// what the blades were scattered by.
+/// Several stalks grow from one root stock. They are straight and of this year. Keyed by
+/// `scattering`, by which the blades were scattered.
 std::vector<Blade> with_flowers(std::vector<Blade> stalks, const scene::Flower& flower,
                                 const Scattering& scattering);
 

@@ -17,7 +17,7 @@ class FlowerModel {
   double withered(double age) const;
   /// The colours of a petal or a disc of that age.
   LeafShade shade(Organ organ, double age) const;
-  /// What remains of a petal's width at that age.
+  /// What remains of a petal's width at that age: 1 to 0.15.
   float petal_width(double age) const;
 
  private:

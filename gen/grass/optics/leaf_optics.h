@@ -14,7 +14,7 @@ struct LeafContent {
   double brown = 0.0;         ///< arbitrary units: 0 living, 1 to 2 brown
   double water_cm = 0.0;      ///< thickness of the water alone
   double dry_g_cm2 = 0.0;     ///< dry mass per area; more than 0
-  double pigment = 0.0;       ///< of a petal: absorption at the middle of its band
+  double pigment = 0.0;       ///< of a petal: depth at the middle of its band, natural logarithm
   double pigment_nm = 550.0;  ///< where that is
 };
 
