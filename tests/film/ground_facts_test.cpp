@@ -75,5 +75,22 @@ TEST(GroundFacts, StillGrassLeansNoMore) {
   EXPECT_FALSE(facts_in(scene, site, now).more_lean);
 }
 
+// Stalks of 0.1 m x 1 mm with ten petals of 10 x 5 mm: six times the area of the stalk.
+TEST(GroundFacts, FlowersCountWithTheirPetals) {
+  scene::Scene scene = windy_meadow();
+  scene.species.resize(2);
+  scene.species[0].plant.height_m = 0.2;
+  scene.species[0].plant.width_m = 0.004;
+  scene.species[1].plant.height_m = 0.1;
+  scene.species[1].plant.width_m = 0.001;
+  scene.species[1].flower.petals = 10;
+  scene.species[1].flower.length_m = 0.01;
+  scene.species[1].flower.width_m = 0.005;
+  const place::Site site = test::site_of(scene);
+  const passes::GroundFacts facts = facts_in(scene, site, meadow::frame_grass(scene, site, 1));
+  ASSERT_EQ(facts.mixtures.size(), 1U);
+  EXPECT_NEAR(facts.mixtures[0][1], 6.0 / (6.0 + 8.0), 1e-9);
+}
+
 }  // namespace
 }  // namespace wold::film
