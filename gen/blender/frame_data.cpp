@@ -44,6 +44,16 @@ Json write_terrain(const Landscape& landscape, const fs::path& folder) {
           {"size_m", landscape.terrain.size_m()}};
 }
 
+/// Corners of triangles, which a frame without boulders does not have.
+Json write_boulders(const landscape::RaisedGround& boulders, const fs::path& folder) {
+  write_array(folder / "boulders_m.f32", boulders.points_m);
+  write_array(folder / "boulders.u32", boulders.triangles);
+  return {{"points", "boulders_m.f32"},
+          {"point_count", boulders.points_m.size()},
+          {"triangles", "boulders.u32"},
+          {"triangle_count", boulders.triangles.size()}};
+}
+
 /// North at the top: pictures begin with their upper row, ground maps with the southern one. A
 /// fourth channel, if any, is on the same grid.
 Image picture_of(const ColourMap& map, const FactorMap* fourth) {
@@ -326,7 +336,7 @@ std::vector<fs::path> write_frame_data(const Landscape& landscape, const fs::pat
                                        const std::vector<int>& picks,
                                        const fs::path& shared_folder) {
   write_image(folder / "sky.exr", landscape.sky, PixelFormat::half);
-  const Json frame = {{"format", format},
+  Json frame = {{"format", format},
                       {"frame", landscape.frame},
                       {"weathering", landscape.weathering},
                       {"time_s", landscape.time_s},
@@ -350,6 +360,8 @@ std::vector<fs::path> write_frame_data(const Landscape& landscape, const fs::pat
                       {"blades", blades_json(landscape, shared_folder / "blades", folder)},
                       {"flakes", write_flakes(landscape, folder, shared_folder / "flakes")},
                       {"fog", fog_json(landscape.fog)}};
+  if (!landscape.boulders.triangles.empty())
+    frame["boulders"] = write_boulders(landscape.boulders, folder);
   write_file(folder / "frame.json", frame.dump(2) + "\n");
   std::vector<fs::path> files = {folder / "frame.json"};
   append_named_files(frame, folder, files);

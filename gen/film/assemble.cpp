@@ -11,6 +11,7 @@
 #include "core/colour.h"
 #include "core/elementary.h"
 #include "core/parallel.h"
+#include "ground/boulders_in_view.h"
 #include "ground/lit_ground.h"
 #include "meadow/blade_parts.h"
 #include "place/view.h"
@@ -223,6 +224,7 @@ AssembledFrame assemble_frame(const scene::Scene& scene, const place::Site& site
   assembled.ground = std::make_unique<const ground::SnowyGround>(scene, site, frame);
   const ground::SnowyGround& ground = *assembled.ground;
   landscape.terrain = ground.surface();
+  if (site.boulders) landscape.boulders = ground::boulders_in_view(site, landscape);
   const sky::FrameSky sky(scene, site, frame, landscape.camera.eye_m);
   const double overcast_per_m = sky::overcast_extinction_per_m(scene, site, frame);
   const sky::PrecipitationMedium air(site.day, overcast_per_m, ground.mean_albedo());

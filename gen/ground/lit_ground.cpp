@@ -188,8 +188,10 @@ landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const Groun
   const double margin_m = place::margin_in_view_m(grid.step_m());
   const RowParts made =
       place::rows_in_view(grid, site_.terrain, view, margin_m + 2.0 * grid.step_m());
-  const auto [part, bare] =
-      ground.covered(place::ground_part(scene_, site_, grid, made), under_grass_);
+  const auto [part, bare] = ground.covered(
+      place::ground_part(scene_, site_, grid, made,
+                         [&](const glm::dvec2& at_m) { return double{ground.depth_m(at_m)}; }),
+      under_grass_);
   const ColourMap light = illuminate_(part.light);
   ColourMap radiance = product(part.reflectance, light);
   add_hot_spot(bare, part.light, part.growth, view, radiance);

@@ -203,10 +203,7 @@ void SnowyGround::lay_everywhere(int frame) {
   keep_from_water(*white_);
   if (is_paper(scene_)) return;  // the ground's shape stays
   surface_ = snow_surface(scene_, site_.terrain, depth_m_, *white_);
-  const terrain::LandShadow* shadow = site_.land_shadow.get();
-  light_ = sketch ? terrain::ground_light(surface_, site_.day,
-                                          {surface_.square(), sketch->light_samples}, shadow)
-                  : terrain::ground_light(surface_, site_.day, shadow);
+  light_ = place::whole_light(site_, surface_);
 }
 
 void SnowyGround::keep_from_water(FactorMap& snow) const {

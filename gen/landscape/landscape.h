@@ -166,6 +166,13 @@ inline double soft_border_m(const ColourMap& coarser, const GroundDetail& finer)
   return std::min(2.0 * coarser.step_m(), 0.25 * finer.map.size_m());
 }
 
+/// Triangles that stand out of the terrain and show the ground's pictures, seen from above: corners
+/// in world space, metres; counter-clockwise from above.
+struct RaisedGround {
+  std::vector<glm::vec3> points_m;
+  std::vector<glm::uvec3> triangles;  ///< indices into `points_m`
+};
+
 /// What lights level, open ground: in its light things that others put into the landscape look as
 /// if they stood there. The sun's is what falling snow leaves of it, clouds do not stand before it.
 struct Daylight {
@@ -198,6 +205,7 @@ struct Landscape {
   FactorMap extinction_factor;         ///< multiplies volumes' extinction, by world x and y
   ColourMap ground;                    ///< radiance of the bare ground, by world x and y
   std::vector<GroundDetail> ground_details;  ///< coarse to fine, each inside the one before
+  RaisedGround boulders;                     ///< that the camera may see
   Image sky;                     ///< radiance by direction, 3 channels: column c looks to azimuth
                                  ///< 360 (c + 0.5) / width degrees clockwise from north, row r to
                                  ///< elevation 90 - 180 (r + 0.5) / height degrees

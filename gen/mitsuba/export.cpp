@@ -21,8 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 using landscape::Landscape;
 
-/// The ground's triangles in world space; its picture has the north at the top.
-Mesh ground_mesh(const Heightfield& terrain) {
+/// The triangles of the ground and its boulders in world space; its picture has the north at the top.
+Mesh ground_mesh(const Heightfield& terrain, const landscape::RaisedGround& boulders) {
   const int n = terrain.samples();
   const auto index = [n](int i, int j) { return static_cast<std::uint32_t>(j * n + i); };
   Mesh mesh;
@@ -33,12 +33,19 @@ Mesh ground_mesh(const Heightfield& terrain) {
   for (int j = 0; j + 1 < n; ++j)
     for (int i = 0; i + 1 < n; ++i)
       mesh.add_quad({index(i, j), index(i + 1, j), index(i + 1, j + 1), index(i, j + 1)});
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (const glm::vec3& at_m : boulders.points_m) {
+    const glm::dvec2 place = (glm::dvec2(at_m) - terrain.corner_m()) / terrain.size_m();
+    mesh.vertices.push_back({at_m, glm::vec2(place.x, 1.0 - place.y)});
+  }
+  for (const glm::uvec3& corners : boulders.triangles)
+    mesh.triangles.push_back({first + corners.x, first + corners.y, first + corners.z});
   return mesh;
 }
 
 /// Returns the file's name.
-std::string write_terrain(const Heightfield& terrain, const fs::path& folder) {
-  const std::string bytes = ply_bytes(ground_mesh(terrain));
+std::string write_terrain(const Landscape& landscape, const fs::path& folder) {
+  const std::string bytes = ply_bytes(ground_mesh(landscape.terrain, landscape.boulders));
   std::string name = fmt::format("terrain_{}.ply", content_hash(bytes));
   update_file(folder / name, bytes);
   return name;
@@ -121,7 +128,7 @@ std::vector<fs::path> export_frame(const Landscape& landscape, const fs::path& f
   std::vector<fs::path> files = write_all_leaves(landscape, data / "leaves");
   for (const fs::path& file : write_texels(landscape, data / "texels")) files.push_back(file);
   for (const fs::path& file : write_clouds(landscape, frame_folder)) files.push_back(file);
-  const std::string terrain = write_terrain(landscape.terrain, data);
+  const std::string terrain = write_terrain(landscape, data);
   write_image(frame_folder / "sky.exr", landscape.unlit->sky, PixelFormat::half);
   write_image(frame_folder / "ground.exr", picture_of(landscape.unlit->ground_albedo),
               PixelFormat::half);

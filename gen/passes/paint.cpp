@@ -243,7 +243,7 @@ void Painter::add(Pass pass) {
     case Pass::normal:
       add_vector(pass, PixelFormat::half, [&](const SeenPlace& seen, std::size_t) {
         return seen.thing == SeenPlace::Thing::blade ? glm::dvec3(seen.blade_normal)
-                                                     : sights_.ground().normal(at(seen));
+                                                     : sights_.ground_normal(seen.at_m);
       });
       break;
     case Pass::position:

@@ -25,11 +25,18 @@ SeenPlace Sight::seen(const glm::dvec3& eye_m, const glm::dvec3& direction) cons
 Sights::Sights(const landscape::Landscape& landscape)
     : eye_m_(landscape.camera.eye_m),
       ground_(landscape.terrain),
+      raised_(landscape.boulders),
       grass_(landscape),
       blades_(landscape) {}
 
+glm::dvec3 Sights::ground_normal(const glm::dvec3& at_m) const {
+  const std::optional<glm::dvec3> raised = raised_.normal(at_m);
+  return raised ? *raised : ground_.normal(glm::dvec2(at_m));
+}
+
 void Sights::look(const glm::dvec3& direction, Sight& sight) const {
-  sight.ground_m = ground_.distance_m(eye_m_, direction);
+  sight.ground_m =
+      raised_.distance_m(eye_m_, direction, ground_.distance_m(eye_m_, direction));
   sight.blade = blades_.look(eye_m_, direction, sight.ground_m);
   grass_.look(eye_m_, direction, std::min(sight.ground_m, sight.blade.distance_m), sight.grass);
 }

@@ -5,6 +5,7 @@
 
 #include "landscape/landscape.h"
 #include "passes/ground_cast.h"
+#include "passes/raised_cast.h"
 #include "passes/seen_place.h"
 #include "passes/standing_blades.h"
 #include "passes/standing_grass.h"
@@ -33,11 +34,13 @@ class Sights {
   /// Along a unit direction. `sight` is made anew.
   void look(const glm::dvec3& direction, Sight& sight) const;
 
-  const GroundCast& ground() const { return ground_; }
+  /// Unit normal of the ground, or of what stands out of it, at a place in world space.
+  glm::dvec3 ground_normal(const glm::dvec3& at_m) const;
 
  private:
   glm::dvec3 eye_m_;
   GroundCast ground_;
+  RaisedCast raised_;
   StandingGrass grass_;
   StandingBlades blades_;
 };

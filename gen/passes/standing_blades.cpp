@@ -4,28 +4,9 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "passes/triangle.h"
 
 namespace wold::passes {
-namespace {
-
-/// Where a ray meets a triangle, by Moeller and Trumbore (1997); infinite beside it.
-double meeting_m(const glm::dvec3& start, const glm::dvec3& along,
-                 const std::array<glm::vec3, 3>& corners) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  const glm::dvec3 first(corners[0]);
-  const glm::dvec3 one = glm::dvec3(corners[1]) - first, other = glm::dvec3(corners[2]) - first;
-  const glm::dvec3 across = glm::cross(along, other);
-  const double volume = glm::dot(one, across);
-  if (volume == 0.0) return infinite;
-  const glm::dvec3 away = start - first;
-  const double u = glm::dot(away, across) / volume;
-  const glm::dvec3 turned = glm::cross(away, one);
-  const double v = glm::dot(along, turned) / volume;
-  const double at_m = glm::dot(other, turned) / volume;
-  return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && at_m > 0.0 ? at_m : infinite;
-}
-
-}  // namespace
 
 StandingBlades::StandingBlades(const landscape::Landscape& landscape)
     : landscape_(landscape), meshes_(), cells_({}) {
@@ -103,11 +84,8 @@ BladeHit StandingBlades::look(const glm::dvec3& eye_m, const glm::dvec3& directi
   });
   if (!met) return hit;
   hit.ring = met->ring;
-  const auto& corners = met->corners_m;
-  const glm::dvec3 in_cell = glm::cross(glm::dvec3(corners[1]) - glm::dvec3(corners[0]),
-                                        glm::dvec3(corners[2]) - glm::dvec3(corners[0]));
   const glm::dmat3 from_world(cell_from_world_[static_cast<std::size_t>(hit.cell)]);
-  hit.normal = glm::normalize(glm::transpose(from_world) * in_cell);
+  hit.normal = glm::normalize(glm::transpose(from_world) * across(met->corners_m));
   if (glm::dot(hit.normal, direction) > 0.0) hit.normal = -hit.normal;
   return hit;
 }

@@ -87,7 +87,7 @@ GroundPart whole_ground(const scene::Scene& scene, const Site& site,
                         const std::optional<GroundGrid>& grid, FactorMap growth) {
   const light::Daylight& day = site.day;
   if (grid) return lit_part(scene, site, site.surface(*grid), std::move(growth));
-  terrain::GroundLight light = terrain::ground_light(site.terrain, day, site.land_shadow.get());
+  terrain::GroundLight light = whole_light(site, site.terrain);
   ColourMap reflectance = terrain::ground_reflectance(
       site.surface(picture_grid(scene)), day.sun_direction(), scene.terrain, scene.seed, growth);
   return {std::move(growth), std::move(light), std::move(reflectance)};
@@ -142,23 +142,38 @@ GroundGrid light_grid(const Heightfield& terrain, const GroundGrid& grid,
 }
 
 GroundPart ground_part(const scene::Scene& scene, const Site& site, const GroundGrid& grid,
-                       RowParts parts) {
-  const terrain::Surface surface = site.surface(grid, std::move(parts));
+                       RowParts parts, const terrain::SnowDepth& snow_m) {
+  const terrain::Surface surface = site.surface(grid, std::move(parts), snow_m);
   GroundPart part = lit_part(scene, site, surface, growth_map(scene, surface));
   part.ledges = ledges(scene, site.snow.get(), surface, part.growth);
   return part;
 }
 
-terrain::Surface Site::surface(const GroundGrid& grid, RowParts parts) const {
+terrain::Surface Site::surface(const GroundGrid& grid, RowParts parts,
+                               const terrain::SnowDepth& snow_m) const {
   return {terrain,
           finer.get(),
           grid,
-          {water.get(), cover.get(), scree.get(), photo.get()},
-          std::move(parts)};
+          {water.get(), cover.get(), scree.get(), photo.get(), boulders.get()},
+          std::move(parts),
+          snow_m};
 }
 
 terrain::GroundLight light_on(const Site& site, const GroundGrid& grid, RowParts parts) {
   return lit(site, site.surface(grid, std::move(parts)));
+}
+
+terrain::GroundLight whole_light(const Site& site, const Heightfield& surface) {
+  constexpr double step_m = 0.05;
+  constexpr int most = 2049;
+  const terrain::LandShadow* shadow = site.land_shadow.get();
+  if (site.sketch)
+    return terrain::ground_light(surface, site.day, {surface.square(), site.sketch->light_samples},
+                                 shadow);
+  terrain::GroundLight light = terrain::ground_light(surface, site.day, shadow);
+  if (!site.boulders) return light;
+  const GroundGrid grid{surface.square(), std::min(map_samples(surface.size_m(), step_m), most)};
+  return site.surface(grid).lit(std::move(light), site.day.sun_direction());
 }
 
 const FactorMap& growth_of_cells(const Site& site) {
@@ -167,8 +182,9 @@ const FactorMap& growth_of_cells(const Site& site) {
 
 Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmSeason> season,
                const fs::path& snow_folder, const std::optional<Sketch>& sketch) {
-  auto [terrain, finer, water, cover, scree, photo] = scene_ground(scene);
-  const terrain::KnownGround known{water.get(), cover.get(), scree.get(), photo.get()};
+  auto [terrain, finer, water, cover, scree, photo, boulders] = scene_ground(scene);
+  const terrain::KnownGround known{water.get(), cover.get(), scree.get(), photo.get(),
+                                   boulders.get()};
   auto surroundings = std::make_shared<const terrain::Surroundings>(
       scene.terrain, terrain, scene.seed, farthest_land_m(scene));
   const scene::Scene half_way = half_way_through(scene);
@@ -202,6 +218,7 @@ Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmS
             std::move(cover),
             std::move(scree),
             std::move(photo),
+            std::move(boulders),
             std::move(surroundings),
             std::move(growth),
             std::move(growth_of_window),

@@ -62,6 +62,7 @@ struct Site {
   std::shared_ptr<const terrain::LandCover> cover;    ///< if it is known
   std::shared_ptr<const terrain::Scree> scree;        ///< of a large terrain, where it has some
   std::shared_ptr<const terrain::Photo> photo;        ///< if there is one
+  std::shared_ptr<const terrain::Boulders> boulders;  ///< if there are any
   std::shared_ptr<const terrain::Surroundings> surroundings;
   FactorMap growth;                           ///< growth_map()'s
   std::optional<FactorMap> growth_of_window;  ///< the same in the CellWindow of a large terrain
@@ -81,8 +82,10 @@ struct Site {
   std::shared_ptr<const wind::AirFlow> air_over_snow;  ///< none where wind lifts no snow
   std::optional<Sketch> sketch = {};                   ///< none: as fine as pictures need
 
-  /// The ground on a grid, or the parts of its rows that count; the site has to outlive it.
-  terrain::Surface surface(const GroundGrid& grid, RowParts parts = {}) const;
+  /// The ground on a grid, or the parts of its rows that count, under snow; the site has to outlive
+  /// it.
+  terrain::Surface surface(const GroundGrid& grid, RowParts parts = {},
+                           const terrain::SnowDepth& snow_m = {}) const;
 };
 
 /// Maps of a large terrain have as many samples as its pictures need; its snow is kept in tiled
@@ -101,13 +104,18 @@ double visual_range_m(const scene::Scene& scene, const Site& site, int frame);
 /// in a season with that day's air. Shares clouds and snow with it.
 Site site_of_frame(const scene::Scene& scene, const Site& site, int frame);
 
+/// The light of a site's day on all of the ground of a terrain that is not large. `surface`: its
+/// heights with the snow on it.
+terrain::GroundLight whole_light(const Site& site, const Heightfield& surface);
+
 /// Growth where cells are laid.
 const FactorMap& growth_of_cells(const Site& site);
 
 /// A part of a site's ground, of whose rows `parts` count: elsewhere nothing grows, and it is dark.
-/// Its light is on the light_grid(), or as fine as the relief below the terrain's steps.
+/// Its light is on the light_grid(), or as fine as the relief below the terrain's steps. `snow_m`
+/// buries boulders.
 GroundPart ground_part(const scene::Scene& scene, const Site& site, const GroundGrid& grid,
-                       RowParts parts);
+                       RowParts parts, const terrain::SnowDepth& snow_m = {});
 
 /// The light of a clear sky on such a part of a site's ground.
 terrain::GroundLight light_on(const Site& site, const GroundGrid& grid, RowParts parts);

@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 3> directives = {"declare", "local", "ver
 
 /// What stands in files of data: nothing that reads, writes, includes or makes a string, and none
 /// of the scene program's own names of files and folders.
-constexpr std::array<std::string_view, 57> words = {
+constexpr std::array<std::string_view, 59> words = {
     "Wold_backdrop_corner_m",
     "Wold_backdrop_right_m",
     "Wold_backdrop_up_m",
@@ -31,6 +31,8 @@ constexpr std::array<std::string_view, 57> words = {
     "Wold_blade_light_samples",
     "Wold_blade_light_step_m",
     "Wold_blades",
+    "Wold_boulders_file",
+    "Wold_boulders_mesh",
     "Wold_cloud",
     "Wold_colour_max",
     "Wold_emission_max",
@@ -167,10 +169,11 @@ void add_include_files(const fs::path& folder, std::vector<fs::path>& files) {
   }
 }
 
-/// The files of data/ that a text has the scene program include. They end as all do, or POV-Ray
+/// The files of data/ that a text has the scene program include by a name of its own. They end as all do, or POV-Ray
 /// might find one with another ending.
-std::vector<std::string> terrain_files_in(std::string_view text, const fs::path& file) {
-  constexpr std::string_view word = "Wold_terrain_file", sign = " = \"", ending = ".inc\"";
+std::vector<std::string> named_files_in(std::string_view text, std::string_view word,
+                                        const fs::path& file) {
+  constexpr std::string_view sign = " = \"", ending = ".inc\"";
   std::vector<std::string> names;
   for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word)) {
     text.remove_prefix(at + word.size());
@@ -195,8 +198,9 @@ std::vector<fs::path> include_files(const fs::path& data, const std::string& own
     add_include_files(folder, files);
   if (const fs::path all = data / "frames.inc"; fs::exists(all)) files.push_back(all);
   for (std::size_t i = 0, count = files.size(); i < count; ++i)
-    for (const std::string& name : terrain_files_in(read_file(files[i]), files[i]))
-      if (fs::exists(data / name)) files.push_back(data / name);
+    for (const char* word : {"Wold_terrain_file", "Wold_boulders_file"})
+      for (const std::string& name : named_files_in(read_file(files[i]), word, files[i]))
+        if (fs::exists(data / name)) files.push_back(data / name);
   return files;
 }
 

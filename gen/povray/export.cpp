@@ -115,8 +115,10 @@ std::string clouds_text(const std::vector<landscape::CloudBox>& clouds) {
   return include_file(text);
 }
 
-std::string frame_text(const landscape::Landscape& scene, const std::string& terrain) {
-  return fmt::format(
+/// `terrain` and `boulders`: names of files; there may be no boulders.
+std::string frame_text(const landscape::Landscape& scene, const std::string& terrain,
+                       const std::string& boulders) {
+  std::string text = fmt::format(
       "// Frame {}, weathering degree {}. Metres; x east, y north, z up.\n"
       "#declare Wold_eye_m = {};\n"
       "#declare Wold_target_m = {};\n"
@@ -135,6 +137,9 @@ std::string frame_text(const landscape::Landscape& scene, const std::string& ter
       vector(scene.daylight.sun_irradiance), vector(scene.daylight.sky_irradiance),
       number(scene.patch_m), scene.ground.samples(), number(scene.ground.step_m()),
       literal(terrain));
+  if (!boulders.empty())
+    text += fmt::format("#declare Wold_boulders_file = {};\n", literal(boulders));
+  return text;
 }
 
 void write_volumes_list(std::ostream& out, const landscape::Landscape& scene,
@@ -226,6 +231,8 @@ std::vector<fs::path> export_frame(const landscape::Landscape& scene, const fs::
   if (!scene.blade_meshes.empty()) make_folder(data / "blades");
   for (const landscape::BladeMesh& mesh : scene.blade_meshes) write_blades(mesh, data / "blades");
   const std::string terrain = write_terrain(scene.terrain, data);
+  const bool has_boulders = !scene.boulders.triangles.empty();
+  const std::string boulders = has_boulders ? write_boulders(scene.boulders, data) : "";
   const std::string maps = write_grass_maps(scene, frame);
   const std::string backdrop = write_backdrop(scene.backdrop, frame);
   write_map_picture(scene.ground, frame / "ground.exr");
@@ -238,7 +245,7 @@ std::vector<fs::path> export_frame(const landscape::Landscape& scene, const fs::
   for (const landscape::CloudBox& cloud : scene.clouds) write_cloud(cloud, df3_bits, frame);
   write_file(frame / "clouds.inc", clouds_text(scene.clouds));
   write_flakes(scene.flakes, scene.camera.eye_m, frame, data / "flakes");
-  write_file(frame / "frame.inc", include_file(frame_text(scene, terrain) + maps + details +
+  write_file(frame / "frame.inc", include_file(frame_text(scene, terrain, boulders) + maps + details +
                                                backdrop + air_text(scene)));
   write_expected_picture(frame / "expected.json", expectation::expected_picture(scene));
   const fs::path frame_ini = data / fmt::format("frame_{:04}.ini", scene.frame);
@@ -248,6 +255,7 @@ std::vector<fs::path> export_frame(const landscape::Landscape& scene, const fs::
   std::vector<fs::path> files = frame_files(scene, frame);
   for (const fs::path& shared : shared_files(scene, used, data)) files.push_back(shared);
   files.insert(files.end(), {data / terrain, frame_ini, folder / "povray.ini"});
+  if (has_boulders) files.push_back(data / boulders);
   return files;
 }
 

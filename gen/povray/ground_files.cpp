@@ -40,20 +40,38 @@ void append_triangles(std::string& text, int n) {
   text += "  }\n";
 }
 
+/// Writes a mesh2 that declares `name`, as STEM_<hash>.inc; returns the file's name.
+std::string write_mesh(std::string_view what, std::string_view stem, const std::string& mesh,
+                       const fs::path& folder) {
+  const std::string text = fmt::format(
+      "// The {} triangles: metres, x east, y north, z up.\n{}"
+      "#declare Wold_{}_mesh = mesh2 {{\n{}}}\n{}",
+      what, include_begin, stem, mesh, include_end);
+  std::string name = fmt::format("{}_{}.inc", stem, content_hash(text));
+  update_file(folder / name, text);
+  return name;
+}
+
 }  // namespace
 
 std::string write_terrain(const Heightfield& terrain, const fs::path& folder) {
-  std::string text = fmt::format(
-      "// The ground's triangles: metres, x east, y north, z up.\n{}"
-      "#declare Wold_terrain_mesh = mesh2 {{\n",
-      include_begin);
-  append_vertices(text, terrain);
-  append_triangles(text, terrain.samples());
-  text += "}\n";
-  text += include_end;
-  std::string name = fmt::format("terrain_{}.inc", content_hash(text));
-  update_file(folder / name, text);
-  return name;
+  std::string mesh;
+  append_vertices(mesh, terrain);
+  append_triangles(mesh, terrain.samples());
+  return write_mesh("ground's", "terrain", mesh, folder);
+}
+
+std::string write_boulders(const landscape::RaisedGround& boulders, const fs::path& folder) {
+  std::string mesh;
+  const auto out = std::back_inserter(mesh);
+  fmt::format_to(out, "  vertex_vectors {{ {}", boulders.points_m.size());
+  for (const glm::vec3& at_m : boulders.points_m)
+    fmt::format_to(out, ",\n<{:.7g},{:.7g},{:.7g}>", at_m.x, at_m.y, at_m.z);
+  fmt::format_to(out, "\n  }}\n  face_indices {{ {}", boulders.triangles.size());
+  for (const glm::uvec3& corners : boulders.triangles)
+    fmt::format_to(out, ",\n<{},{},{}>", corners.x, corners.y, corners.z);
+  mesh += "\n  }\n";
+  return write_mesh("boulders'", "boulders", mesh, folder);
 }
 
 float write_factor(const FactorMap& factor, const fs::path& path) {

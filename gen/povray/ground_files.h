@@ -16,6 +16,11 @@ namespace wold::povray {
 /// frames with the same ground share the file: returns "terrain_<hash>.inc". Throws FileError.
 std::string write_terrain(const Heightfield& terrain, const std::filesystem::path& folder);
 
+/// Writes boulders, of which there is at least one, as `#declare Wold_boulders_mesh = mesh2 { ... }`,
+/// likewise: returns "boulders_<hash>.inc". Throws FileError.
+std::string write_boulders(const landscape::RaisedGround& boulders,
+                           const std::filesystem::path& folder);
+
 /// The map, and its border's values a metre or so beyond it: blades hang over the terrain's edges,
 /// and outside a density file all is 0.
 template <class T, class Meaning>

@@ -136,6 +136,9 @@ Ground make_ground(const scene::Terrain& terrain, std::uint64_t seed,
                                             : real_place(terrain, seed, cover_classes);
   if (ground.finer)
     ground.scree = std::make_shared<const Scree>(ground.heights_m, terrain.rock_slope_deg, seed);
+  if (terrain.boulders_per_hectare > 0.0)
+    ground.boulders = std::make_shared<const Boulders>(ground.heights_m, terrain, seed,
+                                                       ground.scree.get(), ground.water.get());
   return ground;
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/ground_map.h"
 #include "scene/scene.h"
+#include "terrain/boulders.h"
 #include "terrain/finer_relief.h"
 #include "terrain/land_cover.h"
 #include "terrain/photo.h"
@@ -20,11 +21,14 @@ struct Ground {
   std::shared_ptr<const FinerRelief>
       finer;                                ///< none where the step is no coarser than soil's creep
   std::shared_ptr<const Water> water = {};  ///< lakes; none where there are none
-  std::shared_ptr<const LandCover> cover = {};  ///< read_land_cover()'s
-  std::shared_ptr<const Scree> scree = {};      ///< none where there is nothing finer
-  std::shared_ptr<const Photo> photo = {};      ///< read_photo()'s
+  std::shared_ptr<const LandCover> cover = {};    ///< read_land_cover()'s
+  std::shared_ptr<const Scree> scree = {};        ///< none where there is nothing finer
+  std::shared_ptr<const Photo> photo = {};        ///< read_photo()'s
+  std::shared_ptr<const Boulders> boulders = {};  ///< none where terrain.boulders is 0
 
-  KnownGround known() const { return {water.get(), cover.get(), scree.get(), photo.get()}; }
+  KnownGround known() const {
+    return {water.get(), cover.get(), scree.get(), photo.get(), boulders.get()};
+  }
 };
 
 /// The scene's ground: make_hillside(), make_mountain(), or the place of an elevation model when it

@@ -236,6 +236,11 @@ ColourMap ground_reflectance(const Surface& surface, const glm::dvec3& sun_direc
         land = glm::mix(
             land, covered(colour.debris(place_m, surface.up(i, j), sun_direction), cover, 1.0F),
             static_cast<float>(scree));
+      if (const NearbyBoulders::Rise boulder = surface.boulder(i, j); boulder.cover > 0.0)
+        land = glm::mix(land,
+                        colour.rock.boulder_at(place_m + glm::dvec3(0.0, 0.0, boulder.height_m),
+                                               surface.up(i, j), sun_direction),
+                        static_cast<float>(boulder.cover));
       map.at(i, j) = glm::mix(land, water_albedo, static_cast<float>(surface.water(i, j))) *
                      static_cast<float>(1.0 / pi);
     });

@@ -33,6 +33,10 @@ constexpr std::array<BlockSize, 4> stone_sizes{{{1.2, 0.35, 0.3, 0.2},
                                                 {0.12, 0.4, 0.4, 0.25},
                                                 {0.03, 0.2, 0.2, 0.15}}};
 
+/// Of worn boulders.
+constexpr std::array<BlockSize, 4> boulder_sizes{
+    {{0.9, 0.14, 0.2}, {0.3, 0.14, 0.2}, {0.09, 0.16, 0.16}, {0.03, 0.16, 0.12}}};
+
 /// Beds that dip by 20 degrees, in a keyed direction.
 glm::dmat3 beds(std::uint64_t key) {
   constexpr double dip = radians(20.0);
@@ -54,8 +58,10 @@ Rock::Rock(const glm::vec3& albedo, std::uint64_t seed, double step_m)
       beds_(random_bits({key_, key_of("beds"), 0, 0}), {200.0, 0.1}, /*hurst=*/0.3, /*step_m=*/0.0),
       stain_{random_bits({key_, key_of("stain"), 0, 0}), 5, 0.5},
       to_beds_(beds(key_)),
+      lichens_{random_bits({key_, key_of("lichens"), 0, 0}), 4, 0.4},
       blocks_(block_sizes, key_, step_m),
-      stones_(stone_sizes, random_bits({key_, key_of("stones"), 0, 0}), step_m) {}
+      stones_(stone_sizes, random_bits({key_, key_of("stones"), 0, 0}), step_m),
+      boulders_(boulder_sizes, random_bits({key_, key_of("boulders"), 0, 0}), step_m) {}
 
 /// Bent, so that no joint is a straight line; a bed is half as thick as a block is wide.
 glm::dvec3 Rock::bedded(const glm::dvec3& place_m) const {
@@ -103,6 +109,28 @@ glm::vec3 Rock::debris_at(const glm::dvec3& place_m, const glm::dvec3& up,
   if (!stones_.is_shown()) return albedo_;
   return albedo_ *
          std::clamp(static_cast<float>(stones_.shade(place_m, up, to_sun)), darkest, brightest);
+}
+
+glm::vec3 Rock::boulder_at(const glm::dvec3& place_m, const glm::dvec3& up,
+                           const glm::dvec3& to_sun) const {
+  constexpr double lichen_m = 0.22, stone_m = 4.0, tone = 0.16, mean_cover = 0.242;
+  constexpr glm::vec3 lichen(0.27F, 0.268F, 0.215F);
+  const double step_m = slope_step_m(up, step_m_);
+  // Without a direction in which it is drawn out on sides.
+  const auto on_faces = [&](double size_m) {
+    const glm::dvec3 at = place_m / size_m;
+    return glm::dvec2(at.x + 0.7 * at.z, at.y - 0.7 * at.z);
+  };
+  const double shade = boulders_.shade(place_m, up, to_sun);
+  const double weathered =
+      1.0 + tone * shown_fraction(stone_m, step_m) * math::tanh(stain_.at(on_faces(stone_m)));
+  const double cover =
+      std::lerp(mean_cover, glm::smoothstep(0.5, 0.9, lichens_.at(on_faces(lichen_m))),
+                shown_fraction(lichen_m, step_m));
+  const glm::vec3 surface =
+      glm::mix(albedo_ * static_cast<float>(weathered) * stain_at(place_m, step_m), lichen,
+               static_cast<float>(cover));
+  return glm::min(surface * static_cast<float>(shade), brightest * albedo_);
 }
 
 /// Damp and lichens.

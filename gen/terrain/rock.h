@@ -29,6 +29,11 @@ class Rock {
   glm::vec3 debris_at(const glm::dvec3& place_m, const glm::dvec3& up,
                       const glm::dvec3& to_sun) const;
 
+  /// The same of a boulder: worn faces with few cracks, and lichens, paler than the rock, on a
+  /// quarter of them. `up` is the boulder's.
+  glm::vec3 boulder_at(const glm::dvec3& place_m, const glm::dvec3& up,
+                       const glm::dvec3& to_sun) const;
+
   /// Share of the rock at a place on which snow can lie, in [0, 1]: its ledges, where faces are
   /// less steep than `steepest_deg`, give or take two degrees. Faces turn about a third as far as
   /// light shows them, and hard beds stand steeper than soft ones: both are choices.
@@ -45,7 +50,8 @@ class Rock {
   ScaleFreeNoise bend_, beds_;
   Fbm stain_;
   glm::dmat3 to_beds_;
-  BrokenSurface<3> blocks_, stones_;
+  Fbm lichens_;
+  BrokenSurface<3> blocks_, stones_, boulders_;
 };
 
 /// How much steeper ground is than where rock begins to show, degrees: that is terrain.rock_slope,

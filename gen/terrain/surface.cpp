@@ -27,22 +27,51 @@ double more_sky(const glm::dvec3& face, const glm::dvec3& ground) {
 }  // namespace
 
 Surface::Surface(const Heightfield& heights_m, const FinerRelief* finer, const GroundGrid& grid,
-                 const KnownGround& known, RowParts parts)
+                 const KnownGround& known, RowParts parts, const SnowDepth& snow_m)
     : heights_m_(heights_m),
       grid_(grid),
       known_(known),
-      parts_(parts.empty() ? whole_rows(grid.samples) : std::move(parts)) {
+      parts_(parts.empty() ? whole_rows(grid.samples) : std::move(parts)),
+      snow_m_(snow_m) {
   if (known.scree != nullptr) scree_.emplace(*known.scree, grid.step_m());
-  if (finer == nullptr || grid.step_m() >= heights_m.step_m()) return;
-  const FinerRelief::Weights weights = finer->shown_below(heights_m.step_m(), grid.step_m());
-  const GroundMap<FinerRelief::Bump> bumps = finer->on_grid(grid, weights, parts_);
-  bumps_.emplace(grid.samples, grid.square);
+  if (finer != nullptr && grid.step_m() < heights_m.step_m()) add_relief(*finer);
+  if (known.boulders != nullptr) add_boulders();
+}
+
+void Surface::add_relief(const FinerRelief& finer) {
+  const FinerRelief::Weights weights = finer.shown_below(heights_m_.step_m(), grid_.step_m());
+  const GroundMap<FinerRelief::Bump> bumps = finer.on_grid(grid_, weights, parts_);
+  bumps_.emplace(grid_.samples, grid_.square);
   for (std::size_t k = 0; k < bumps.values().size(); ++k) {
     const FinerRelief::Bump& bump = bumps.values()[k];
     const double exposure = bump.height_m / std::max(bump.deviation_m, 1e-9);
     bumps_->values()[k] = {glm::vec2(bump.gradient), static_cast<float>(exposure)};
   }
   if (known_.water != nullptr) level_water();
+}
+
+void Surface::add_boulders() {
+  boulders_.emplace(known_.boulders->nearby(grid_.square, grid_.step_m()));
+  if (boulders_->all().empty()) return;
+  if (!bumps_) bumps_.emplace(grid_.samples, grid_.square);
+  parallel_for(static_cast<std::size_t>(grid_.samples), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    visit_row(part(j), [&](int i) {
+      bumps_->at(i, j).gradient += glm::vec2(rise_of_boulder(i, j).gradient);
+    });
+  });
+}
+
+NearbyBoulders::Rise Surface::rise_of_boulder(int i, int j) const {
+  const glm::dvec2 at_m = place_m(i, j);
+  return boulders_->at(at_m, snow_m_ ? snow_m_(at_m) : 0.0);
+}
+
+NearbyBoulders::Rise Surface::boulder(int i, int j) const {
+  if (!boulders_) return {};
+  NearbyBoulders::Rise rise = rise_of_boulder(i, j);
+  rise.cover += (1.0 - rise.cover) * known_.boulders->hidden_cover(place_m(i, j), grid_.step_m());
+  return rise;
 }
 
 /// What is finer than the heights is no water's.
@@ -108,9 +137,12 @@ GroundLight Surface::lit(GroundLight on_heights, const glm::dvec3& to_sun) const
     visit_row(part(j), [&](int i) {
       const glm::dvec2 at_m = place_m(i, j);
       const glm::dvec3 ground = normal(heights_m_, at_m.x, at_m.y), face = up(i, j);
-      const auto sky = static_cast<float>(more_sky(face, ground));
+      const Boulder::Light left =
+          boulders_ ? boulders_->light_beside(at_m, to_sun, -glm::dvec2(ground) / ground.z)
+                    : Boulder::Light{};
+      const auto sky = static_cast<float>(more_sky(face, ground) * left.sky);
       light.sun.at(i, j) = on_heights.sun.sample(at_m.x, at_m.y) *
-                           static_cast<float>(more_sun(face, ground, to_sun));
+                           static_cast<float>(more_sun(face, ground, to_sun) * left.sun);
       light.sky.at(i, j) = on_heights.sky.sample(at_m.x, at_m.y) * sky;
       light.overcast.at(i, j) = on_heights.overcast.sample(at_m.x, at_m.y) * sky;
     });

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <glm/glm.hpp>
 #include <optional>
 
 #include "core/ground_map.h"
 #include "core/row_parts.h"
 #include "light/daylight.h"
+#include "terrain/boulders.h"
 #include "terrain/finer_relief.h"
 #include "terrain/land_cover.h"
 #include "terrain/lighting.h"
@@ -21,7 +23,11 @@ struct KnownGround {
   const LandCover* cover = nullptr;
   const Scree* scree = nullptr;
   const Photo* photo = nullptr;
+  const Boulders* boulders = nullptr;
 };
+
+/// Depth in metres at a place.
+using SnowDepth = std::function<double(const glm::dvec2& at_m)>;
 
 /// The ground's surface on a grid, as finely as its step shows it: heights, and the relief below
 /// their samples where there is some.
@@ -29,8 +35,9 @@ class Surface {
  public:
   /// The heights and what is known have to outlive it. `parts`: of the grid's rows, what counts;
   /// empty: all. Nothing is known of other places.
+  /// `snow_m`: how deep snow lies on the ground at a place, which buries boulders; empty: none.
   Surface(const Heightfield& heights_m, const FinerRelief* finer, const GroundGrid& grid,
-          const KnownGround& known = {}, RowParts parts = {});
+          const KnownGround& known = {}, RowParts parts = {}, const SnowDepth& snow_m = {});
 
   const GroundGrid& grid() const { return grid_; }
   /// What counts of row `j`.
@@ -58,9 +65,12 @@ class Surface {
   /// Share of it that debris of rock covers, in [0, 1].
   double scree(int i, int j) const;
 
+  /// The boulder at a place, if any. Its cover counts those that are too small for the grid, too.
+  NearbyBoulders::Rise boulder(int i, int j) const;
+
   /// A light on the heights, as it falls on this surface: the sun by Lambert's law, the sky by how
-  /// much of it the surface faces. The light itself where there is no relief below the heights;
-  /// none at places that do not count.
+  /// much of it the surface faces, with the shade of boulders. The light itself where there is no
+  /// relief below the heights; none at places that do not count.
   GroundLight lit(GroundLight on_heights, const glm::dvec3& to_sun) const;
 
  private:
@@ -70,6 +80,9 @@ class Surface {
   };
 
   void level_water();
+  void add_relief(const FinerRelief& finer);
+  void add_boulders();
+  NearbyBoulders::Rise rise_of_boulder(int i, int j) const;
 
   const Heightfield& heights_m_;
   GroundGrid grid_;
@@ -77,6 +90,8 @@ class Surface {
   RowParts parts_;
   std::optional<GroundMap<Bump>> bumps_;
   std::optional<Scree::Patches> scree_;
+  std::optional<NearbyBoulders> boulders_;
+  SnowDepth snow_m_;
 };
 
 }  // namespace wold::terrain

@@ -35,7 +35,8 @@ struct GroundMesh {
   std::vector<glm::vec3> points_m;
   std::vector<glm::vec3> normals;
   std::vector<glm::dvec2> st;
-  std::vector<std::size_t> corners;               ///< four a face
+  std::vector<std::size_t> counts;                ///< of each face's corners
+  std::vector<std::size_t> corners;               ///< face by face
   std::vector<std::vector<std::size_t>> subsets;  ///< faces of each detail
 };
 
@@ -64,6 +65,32 @@ std::optional<std::size_t> detail_at(const std::vector<GroundDetail>& details,
   return std::nullopt;
 }
 
+/// Each face by the picture of its first corner. A corner's normal is the mean of its faces'.
+void add_boulders(const Landscape& landscape, GroundMesh& mesh) {
+  const Heightfield& terrain = landscape.terrain;
+  const landscape::RaisedGround& boulders = landscape.boulders;
+  const std::size_t first = mesh.points_m.size();
+  for (const glm::vec3& at_m : boulders.points_m) {
+    mesh.points_m.push_back(at_m);
+    mesh.normals.emplace_back(0.0F);
+    mesh.st.push_back((glm::dvec2(at_m) - terrain.corner_m()) / terrain.size_m());
+  }
+  for (const glm::uvec3& corners : boulders.triangles) {
+    const glm::vec3& a = boulders.points_m[corners.x];
+    const glm::vec3 normal =
+        glm::cross(boulders.points_m[corners.y] - a, boulders.points_m[corners.z] - a);
+    if (const auto detail = detail_at(landscape.ground_details, glm::dvec2(a)))
+      mesh.subsets[*detail].push_back(mesh.counts.size());
+    mesh.counts.push_back(3);
+    for (int k = 0; k < 3; ++k) {
+      mesh.corners.push_back(first + corners[k]);
+      mesh.normals[first + corners[k]] += normal;
+    }
+  }
+  for (std::size_t i = first; i < mesh.normals.size(); ++i)
+    mesh.normals[i] = glm::normalize(mesh.normals[i]);
+}
+
 GroundMesh ground_mesh(const Landscape& landscape) {
   const std::vector<double> x_m = lines_m(landscape, 0), y_m = lines_m(landscape, 1);
   GroundMesh mesh;
@@ -75,10 +102,12 @@ GroundMesh ground_mesh(const Landscape& landscape) {
       const std::size_t corner = j * x_m.size() + i;
       const glm::dvec2 middle_m = 0.5 * glm::dvec2(x_m[i] + x_m[i + 1], y_m[j] + y_m[j + 1]);
       if (const auto detail = detail_at(landscape.ground_details, middle_m))
-        mesh.subsets[*detail].push_back(mesh.corners.size() / 4);
+        mesh.subsets[*detail].push_back(mesh.counts.size());
+      mesh.counts.push_back(4);
       mesh.corners.insert(mesh.corners.end(),
                           {corner, corner + 1, corner + 1 + x_m.size(), corner + x_m.size()});
     }
+  add_boulders(landscape, mesh);
   return mesh;
 }
 
@@ -123,7 +152,7 @@ std::string layer_text(const GroundMesh& mesh) {
       "    )\n"
       "    uniform token subdivisionScheme = \"none\"\n"
       "    uniform token subsetFamily:materialBind:familyType = \"nonOverlapping\"\n",
-      extent_text(mesh.points_m), quad_counts(mesh.corners.size() / 4),
+      extent_text(mesh.points_m), array(mesh.counts, index_text),
       array(mesh.corners, index_text), array(mesh.normals, thousandths),
       array(mesh.points_m, millimetres), array(mesh.st, place));
   for (std::size_t i = 0; i < mesh.subsets.size(); ++i) text += subset_text(i + 1, mesh.subsets[i]);

@@ -326,5 +326,22 @@ TEST_F(BlenderExport, MissingVolumeIsAFileError) {
   EXPECT_FALSE(fs::exists(folder / "out/data/frame_0001/frame.json"));
 }
 
+TEST_F(BlenderExport, BouldersAreArraysWhereThereAreSome) {
+  export_frame(landscape, folder / "out");
+  EXPECT_FALSE(frame_json().contains("boulders"));
+  landscape.boulders.points_m = {{1, 1, 2}, {0.5F, 0.5F, 1}, {1.5F, 0.5F, 1}, {1, 1.5F, 1}};
+  landscape.boulders.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}};
+  const std::vector<fs::path> files = export_frame(landscape, folder / "out");
+  const nlohmann::json boulders = frame_json().at("boulders");
+  EXPECT_EQ(boulders.at("point_count"), 4);
+  EXPECT_EQ(boulders.at("triangle_count"), 3);
+  EXPECT_EQ(array<glm::vec3>(boulders.at("points")), landscape.boulders.points_m);
+  EXPECT_EQ(array<glm::uvec3>(boulders.at("triangles")), landscape.boulders.triangles);
+  for (const char* kind : {"points", "triangles"})
+    EXPECT_TRUE(std::ranges::any_of(files, [&](const fs::path& file) {
+      return file.filename() == boulders.at(kind).get<std::string>();
+    }));
+}
+
 }  // namespace
 }  // namespace wold::blender

@@ -38,6 +38,7 @@ TEST_F(DataOnly, NumbersNamesAndCommentsAre) {
                     "#local _version = version;\n#version 3.7;\n// Metres; x east, 1 km: \"far\"\n"
                     "#declare Wold_eye_m = <-0.5, 1e-05, 3.25>;\n"
                     "#declare Wold_terrain_file = \"terrain_3cfc2014cb24781d.inc\";\n"
+                    "#declare Wold_boulders_file = \"boulders_3cfc2014cb24781d.inc\";\n"
                     "Wold_grass_density(0, \"v0_k00_062_d\")\n"
                     "Wold_volume(0, \"v0_k00_q0_062\", 0)\n"
                     "Wold_blades(0, \"v0_k01_09e2a5c4_b-2_3_x0-5000_y0-5000\")\n"

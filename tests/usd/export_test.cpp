@@ -215,5 +215,24 @@ TEST(UsdFilm, EveryFrameOfTheFilmIsNamedWhetherItIsMadeOrNot) {
   EXPECT_THAT(text, HasSubstr("endTimeCode = 3"));
 }
 
+TEST_F(UsdExport, BouldersAreTrianglesOfTheGround) {
+  const auto ground_text = [&] {
+    return read_file(folder.path() / "out" / write_ground(landscape, folder.path() / "out"));
+  };
+  fs::create_directories(folder.path() / "out");
+  const auto counts_in = [](const std::string& text) {
+    const std::size_t begin = text.find("faceVertexCounts");
+    return text.substr(begin, text.find('\n', begin) - begin);
+  };
+  const std::string before = counts_in(ground_text());
+  landscape.boulders.points_m = {{1, 1, 2}, {0.5F, 0.5F, 1}, {1.5F, 0.5F, 1}, {1, 1.5F, 1}};
+  landscape.boulders.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}};
+  const std::string text = ground_text();
+  EXPECT_EQ(counts_in(text), before.substr(0, before.size() - 1) + ", 3, 3, 3]");
+  EXPECT_THAT(text, HasSubstr("(1, 1, 2), (0.5, 0.5, 1), (1.5, 0.5, 1), (1, 1.5, 1)]"));
+  EXPECT_THAT(text, HasSubstr("(0, 0, 1), (-0.743, -0.371, 0.557), (0.743, -0.371, 0.557), "
+                              "(0, 0.894, 0.447)]"));
+}
+
 }  // namespace
 }  // namespace wold::usd

@@ -7,7 +7,7 @@ from typing import Any
 import bpy
 
 from .frame_data import Frame
-from .meshes import give_attribute, quad_mesh
+from .meshes import face_mesh, give_attribute
 from .nodes import LIT, attribute, glow, map_outputs, new_material
 
 
@@ -24,7 +24,7 @@ def blade_mesh(frame: Frame, entry: dict[str, Any], name: str) -> Any:
     file, count = entry["file"], entry["vertices"]
     vertices_m = frame.numbers(file + ".vertices.f32", "f", 3 * count)
     quads = frame.numbers(file + ".quads.i32", "i", 4 * entry["quads"])
-    mesh = quad_mesh(name, vertices_m, quads)
+    mesh = face_mesh(name, vertices_m, quads)
     give_attribute(mesh, "radiance", "POINT", frame.numbers(file + ".radiance.f32", "f", 3 * count))
     return mesh
 

@@ -15,7 +15,7 @@ from .differences import add_group_socket, volume_shift_voxels
 from .frame_data import DataError, Frame
 from .grass_material import EMISSION, GrassMaterials, Kind
 from .hull_names import name_of_volume
-from .meshes import add_object, give_attribute, point_mesh, quad_mesh
+from .meshes import add_object, face_mesh, give_attribute, point_mesh
 from .nodes import Nodes, constant, end_in, medium, new_material
 from .volumes import load_volume
 
@@ -145,7 +145,7 @@ def add_cover(home: Any, frame: Frame, cells: dict[str, Any]) -> None:
     cells without this one."""
     places = frame.numbers(cells["positions"], "f", 3 * cells["count"])
     low, high = ([choose(places[axis::3]) for axis in range(3)] for choose in (min, max))
-    mesh = quad_mesh("cover", array.array("f", 4 * low + high), array.array("i", range(4)))
+    mesh = face_mesh("cover", array.array("f", 4 * low + high), array.array("i", range(4)))
     mesh.materials.append(cover_material())
     add_object(home, "cover", mesh)
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from .frame_data import Frame
-from .meshes import add_object, give_attribute, quad_mesh
+from .meshes import add_object, face_mesh, give_attribute
 from .nodes import Nodes, attribute, constant, end_in, mixed, new_material
 from .pictures import load_picture
 
@@ -39,7 +39,7 @@ def add_flakes(home: Any, frame: Frame) -> None:
         return
     count = flakes["count"]
     corners_m = frame.numbers(flakes["corners"], "f", 12 * count)
-    mesh = quad_mesh("flakes", corners_m, array.array("i", range(4 * count)))
+    mesh = face_mesh("flakes", corners_m, array.array("i", range(4 * count)))
     places = array.array("f", (0, 0, 1, 0, 1, 1, 0, 1)) * count
     mesh.uv_layers.new().data.foreach_set("uv", places)
     give_attribute(mesh, "opacity", "FACE", frame.numbers(flakes["opacities"], "f", count))

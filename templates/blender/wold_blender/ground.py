@@ -1,11 +1,11 @@
-"""The terrain as a mesh that shows the ground's radiance."""
+"""The terrain and its boulders as meshes that show the ground's radiance."""
 
 from __future__ import annotations
 
 from typing import Any
 
 from .frame_data import Frame
-from .meshes import add_object, grid_points, grid_quads, quad_mesh
+from .meshes import add_object, face_mesh, grid_points, grid_quads
 from .nodes import LIT, glow, map_outputs, new_material
 
 
@@ -30,6 +30,19 @@ def add_terrain(home: Any, frame: Frame) -> None:
     samples = terrain["samples"]
     heights_m = frame.numbers(terrain["heights"], "f", samples * samples)
     points = grid_points(heights_m, samples, terrain["size_m"] / (samples - 1))
-    mesh = quad_mesh("terrain", points, grid_quads(samples))
-    mesh.materials.append(ground_material(frame))
+    mesh = face_mesh("terrain", points, grid_quads(samples))
+    material = ground_material(frame)
+    mesh.materials.append(material)
     add_object(home, "terrain", mesh)
+    if "boulders" in frame.data:
+        add_boulders(home, frame, material)
+
+
+def add_boulders(home: Any, frame: Frame, material: Any) -> None:
+    """What stands out of the terrain, with its material."""
+    boulders = frame["boulders"]
+    points = frame.numbers(boulders["points"], "f", 3 * boulders["point_count"])
+    corners = frame.numbers(boulders["triangles"], "i", 3 * boulders["triangle_count"])
+    mesh = face_mesh("boulders", points, corners, sides=3)
+    mesh.materials.append(material)
+    add_object(home, "boulders", mesh)

@@ -28,15 +28,15 @@ def point_mesh(name: str, coordinates: Numbers) -> Any:
     return mesh
 
 
-def quad_mesh(name: str, coordinates: Numbers, corners: Numbers) -> Any:
-    """`corners` are the vertices of each face, four by four."""
+def face_mesh(name: str, coordinates: Numbers, corners: Numbers, sides: int = 4) -> Any:
+    """`corners` are the vertices of each face, four by four, or as many as it has sides."""
     mesh = point_mesh(name, coordinates)
     mesh.loops.add(len(corners))
     mesh.loops.foreach_set("vertex_index", corners)
-    mesh.polygons.add(len(corners) // 4)
-    mesh.polygons.foreach_set("loop_start", array.array("i", range(0, len(corners), 4)))
+    mesh.polygons.add(len(corners) // sides)
+    mesh.polygons.foreach_set("loop_start", array.array("i", range(0, len(corners), sides)))
     if polygons_are_told_where_they_end():
-        mesh.polygons.foreach_set("loop_total", array.array("i", [4]) * (len(corners) // 4))
+        mesh.polygons.foreach_set("loop_total", array.array("i", [sides]) * (len(corners) // sides))
     mesh.update(calc_edges=True)
     return mesh
 
@@ -44,7 +44,7 @@ def quad_mesh(name: str, coordinates: Numbers, corners: Numbers) -> Any:
 def rectangle(name: str, points: Numbers) -> Any:
     """A mesh of one quad that shows the whole of a picture: lower left, lower right, upper right,
     upper left."""
-    mesh = quad_mesh(name, points, array.array("i", range(4)))
+    mesh = face_mesh(name, points, array.array("i", range(4)))
     mesh.uv_layers.new().data.foreach_set("uv", (0, 0, 1, 0, 1, 1, 0, 1))
     return mesh
 
