@@ -13,7 +13,6 @@
 #include "scene/sun_path.h"
 #include "terrain/elevation_model.h"
 #include "terrain/ground.h"
-#include "terrain/relief.h"
 
 namespace wold::place {
 namespace {
@@ -58,20 +57,6 @@ glm::dvec3 to_sun(const scene::Scene& scene) {
   return light::direction_of(radians(sun.azimuth_deg), radians(sun.elevation_deg));
 }
 
-/// A few, where there is rock for them to come from: most of them lie below it.
-double boulders_per_hectare(const Heightfield& heights_m, double rock_slope_deg) {
-  constexpr double few = 3.0, least_rock = 0.01;
-  constexpr int places = 100;  // along a side
-  int rock = 0;
-  for (int j = 0; j < places; ++j)
-    for (int i = 0; i < places; ++i) {
-      const glm::dvec2 at_m =
-          heights_m.corner_m() + (glm::dvec2(i, j) + 0.5) * (heights_m.size_m() / places);
-      rock += terrain::slope_deg(heights_m, at_m.x, at_m.y) > rock_slope_deg;
-    }
-  return rock >= least_rock * places * places ? few : 0.0;
-}
-
 }  // namespace
 
 scene::StarterPlace starter_place(const std::string& elevation, const std::string& kind) {
@@ -87,15 +72,13 @@ scene::StarterPlace starter_place(const std::string& elevation, const std::strin
   const scene::Scene scene = scene::scene_of_kind(kind, place.longitude_latitude_deg);
   const scene::Terrain terrain = terrain_of(elevation, model);
   const auto [width_px, height_px] = scene.render.size_px;
-  const Heightfield heights_m = terrain::make_ground(terrain, scene.seed).heights_m;
-  const Viewpoint view =
-      find_viewpoint(heights_m, {eye_height_m, scene.camera.field_of_view_deg,
-                                 static_cast<double>(height_px) / width_px, to_sun(scene)});
+  const Viewpoint view = find_viewpoint(terrain::make_ground(terrain, scene.seed).heights_m,
+                                        {eye_height_m, scene.camera.field_of_view_deg,
+                                         static_cast<double>(height_px) / width_px, to_sun(scene)});
   place.elevation = elevation;
   place.system = terrain.system;
   place.size_m = terrain.size_m;
   place.samples = terrain.samples;
-  place.boulders = boulders_per_hectare(heights_m, terrain.rock_slope_deg);
   place.visual_range_m = visual_range_m(scene, terrain.size_m);
   place.eye_m = rounded_m(view.eye_m, terrain.size_m);
   place.target_m = rounded_m(view.target_m, terrain.size_m);

@@ -18,7 +18,6 @@ struct StarterPlace {
   std::string system;         ///< terrain.system
   double size_m = 0.0;        ///< terrain.size
   int samples = 0;            ///< terrain.samples
-  double boulders = 0.0;      ///< terrain.boulders
   double visual_range_m = 0;  ///< sky.visual_range
   std::array<double, 2> eye_m{}, target_m{};
   double eye_height_m = 0.0, target_height_m = 0.0;

@@ -124,7 +124,6 @@ Starter at_place(Starter starter, const StarterPlace& place) {
   scene.terrain.system = place.system;
   scene.terrain.size_m = place.size_m;
   scene.terrain.samples = place.samples;
-  scene.terrain.boulders_per_hectare = place.boulders;
   scene.sky.visual_range_m = place.visual_range_m;
   scene.camera.eye_m = place.eye_m;
   scene.camera.eye_height_m = place.eye_height_m;
@@ -138,7 +137,6 @@ Starter at_place(Starter starter, const StarterPlace& place) {
                             "terrain.samples", "camera.eye_height", "camera.target_height",
                             "camera.field_of_view", "sky.visual_range"});
   if (!place.system.empty()) starter.keys.emplace_back("terrain.system");
-  if (place.boulders > 0.0) starter.keys.emplace_back("terrain.boulders");
   scene.species = {species_of(scene).front(), bushes(scene), hawkbits(scene)};
   starter.keys = joined(starter.keys, keys_of_plants());
   return starter;

@@ -121,7 +121,7 @@ glm::vec3 Rock::boulder_at(const glm::dvec3& place_m, const glm::dvec3& up,
     const glm::dvec3 at = place_m / size_m;
     return glm::dvec2(at.x + 0.7 * at.z, at.y - 0.7 * at.z);
   };
-  const double shade = boulders_.shade(place_m, up, to_sun);
+  const double shade = std::min(boulders_.shade(place_m, up, to_sun), double{brightest});
   const double weathered =
       1.0 + tone * shown_fraction(stone_m, step_m) * math::tanh(stain_.at(on_faces(stone_m)));
   const double cover =
@@ -130,7 +130,7 @@ glm::vec3 Rock::boulder_at(const glm::dvec3& place_m, const glm::dvec3& up,
   const glm::vec3 surface =
       glm::mix(albedo_ * static_cast<float>(weathered) * stain_at(place_m, step_m), lichen,
                static_cast<float>(cover));
-  return glm::min(surface * static_cast<float>(shade), brightest * albedo_);
+  return surface * static_cast<float>(shade);
 }
 
 /// Damp and lichens.

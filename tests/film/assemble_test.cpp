@@ -297,5 +297,17 @@ TEST(LeafAreaIndex, IsThatOfTaperingBlades) {
   EXPECT_NEAR(place::leaf_area_index(scene), 3.0, 1e-5);
 }
 
+TEST(Assemble, HasTheBouldersOfItsSite) {
+  scene::Scene scene = small_meadow();
+  const auto boulders = [&] {
+    return assemble(scene, test::site_of(scene), test::grass_of(scene, 1), {}, test::no_grass(),
+                    needs_of({}))
+        .boulders.triangles.size();
+  };
+  EXPECT_EQ(boulders(), 0U);
+  scene.terrain.boulders_per_hectare = 200.0;
+  EXPECT_GT(boulders(), 0U);
+}
+
 }  // namespace
 }  // namespace wold::film

@@ -115,5 +115,18 @@ TEST(BouldersInView, AreNotDrawnBehindTheCameraNorUnderSnow) {
   EXPECT_TRUE(boulders_in_view(site, landscape).triangles.empty());
 }
 
+TEST(BouldersInView, LeaveTheEyeItsPlace) {
+  const scene::Scene scene = with_boulders();
+  const place::Site site = site_of(scene);
+  landscape::Landscape landscape = landscape_of(scene, site, 960);
+  const terrain::NearbyBoulders nearby = site.boulders->nearby(site.terrain.square(), 0.0);
+  const auto widest = std::ranges::max_element(nearby.all(), {}, &terrain::Boulder::width_m);
+  landscape.camera.eye_m =
+      place::above_ground(site.terrain, widest->middle_m() + glm::dvec2(0.1, 0.0), 0.5);
+  landscape.camera.target_m = landscape.camera.eye_m + glm::dvec3(0.0, 10.0, 0.0);
+  for (const glm::vec3& at_m : boulders_in_view(site, landscape).points_m)
+    EXPECT_GT(glm::distance(glm::dvec2(at_m), widest->middle_m()), 0.3 * widest->width_m());
+}
+
 }  // namespace
 }  // namespace wold::ground

@@ -524,5 +524,34 @@ TEST(PassNames, UnknownOnesAreRefusedWithWhatThereIs) {
     }
 }
 
+// A block of half a metre in the middle of level ground.
+TEST(Passes, BouldersAreGroundThatStandsOutOfIt) {
+  const test::TemporaryFolder folder("passes_boulder");
+  Landscape landscape = bare(test::constant_meadow({}, folder.path()));
+  for (float& height_m : landscape.terrain.values()) height_m = 0.0F;
+  landscape.boulders.points_m = {{1.25F, 1.25F, 0.5F}, {1.75F, 1.25F, 0.5F}, {1.75F, 1.75F, 0.5F},
+                                 {1.25F, 1.75F, 0.5F}, {1.25F, 1.0F, -0.1F}, {1.75F, 1.0F, -0.1F}};
+  landscape.boulders.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 1}, {4, 1, 0}};
+  const Painted painted(landscape);
+  const glm::dvec3 side = glm::normalize(glm::dvec3(0.0, -0.6, 0.25));
+  int on_top = 0, on_side = 0;
+  for (std::size_t pixel = 0; pixel < painted.pixels(); ++pixel) {
+    if (painted.shows_nothing(pixel)) continue;
+    const glm::dvec3 at_m = painted.vector("position", "XYZ", pixel);
+    const glm::dvec3 normal = painted.vector("normal", "XYZ", pixel);
+    if (at_m.z > 0.499) {
+      ++on_top;
+      EXPECT_GT(normal.z, 0.999);
+    } else if (at_m.z > 1e-4) {
+      ++on_side;
+      EXPECT_LT(glm::distance(normal, side), 1e-2);
+    } else if (at_m.y < 1.0) {
+      EXPECT_GT(normal.z, 0.999);
+    }
+  }
+  EXPECT_GT(on_top + on_side, 50);
+  EXPECT_GT(on_side, 10);
+}
+
 }  // namespace
 }  // namespace wold::passes

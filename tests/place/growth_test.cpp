@@ -131,5 +131,27 @@ TEST(Growth, DecidesWhichCellsStand) {
   EXPECT_NEAR(blades / texels, 0.3, 0.03);
 }
 
+TEST(Growth, LeavesBouldersBare) {
+  scene::Scene scene = flat_square(100.0);
+  scene.terrain.boulders_per_hectare = 150.0;
+  const Heightfield ground = plane(100.0, 0.0);
+  const terrain::Boulders boulders(ground, scene.terrain, scene.seed, nullptr, nullptr);
+  const terrain::Surface surface(ground, nullptr, {ground.square(), 1001}, {.boulders = &boulders});
+  const FactorMap growth = growth_map(scene, surface);
+  int on_boulders = 0;
+  for (int j = 0; j < growth.samples(); ++j)
+    for (int i = 0; i < growth.samples(); ++i) {
+      const double cover = surface.boulder(i, j).cover;
+      if (cover == 1.0) {
+        ++on_boulders;
+        EXPECT_EQ(growth.at(i, j), 0.0F);
+      }
+      if (cover == 0.0) {
+        EXPECT_EQ(growth.at(i, j), 1.0F);
+      }
+    }
+  EXPECT_GT(on_boulders, 5000);
+}
+
 }  // namespace
 }  // namespace wold::place

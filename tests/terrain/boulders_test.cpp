@@ -300,5 +300,36 @@ TEST(Boulders, AreLitAndShadeTheGround) {
   EXPECT_GT(dark, 5000);
 }
 
+// Green rock on red soil.
+TEST(Boulders, HaveTheColourOfRock) {
+  const Heightfield plane = slope(0.0);
+  const Boulders boulders = boulders_on(plane, 100.0);
+  const KnownGround known{.boulders = &boulders};
+  const GroundGrid grid{{{200.0, 200.0}, 30.0}, 301};
+  const Surface surface(plane, nullptr, grid, known);
+  scene::Terrain look = terrain_with(100.0);
+  look.ground_albedo = {0.3, 0.0, 0.0};
+  look.rock_albedo = {0.0, 0.3, 0.0};
+  const ColourMap reflectance =
+      ground_reflectance(surface, {0.0, 0.6, 0.8}, look, 5, FactorMap(2, grid.square, 0.0F));
+  glm::dvec3 sum(0.0);
+  int on_top = 0;
+  for (int j = 0; j < grid.samples; ++j)
+    for (int i = 0; i < grid.samples; ++i) {
+      const double cover = surface.boulder(i, j).cover;
+      // Stones that lie on soil are green, too.
+      if (cover == 0.0) {
+        EXPECT_EQ(reflectance.at(i, j).b, 0.0F);
+      }
+      if (cover < 1.0 || surface.slope_deg(i, j) > 30.0) continue;
+      sum += glm::dvec3(reflectance.at(i, j));
+      ++on_top;
+    }
+  ASSERT_GT(on_top, 500);
+  // The rock's albedo on three quarters, lichens' on a quarter.
+  EXPECT_NEAR(sum.g * std::numbers::pi / on_top, 0.758 * 0.3 + 0.242 * 0.268, 0.05);
+  EXPECT_NEAR(sum.b * std::numbers::pi / on_top, 0.242 * 0.215, 0.02);
+}
+
 }  // namespace
 }  // namespace wold::terrain
