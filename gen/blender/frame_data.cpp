@@ -17,7 +17,7 @@ namespace wold::blender {
 namespace {
 
 /// Of the folder; templates/blender/wold_blender/frame_data.py reads no other.
-constexpr int format = 7;
+constexpr int format = 7, format_with_boulders = 8;
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
@@ -49,6 +49,7 @@ Json write_boulders(const landscape::RaisedGround& boulders, const fs::path& fol
   write_array(folder / "boulders_m.f32", boulders.points_m);
   write_array(folder / "boulders.u32", boulders.triangles);
   return {{"points", "boulders_m.f32"},
+          {"origin_m", json_of(boulders.origin_m)},
           {"point_count", boulders.points_m.size()},
           {"triangles", "boulders.u32"},
           {"triangle_count", boulders.triangles.size()}};
@@ -336,32 +337,32 @@ std::vector<fs::path> write_frame_data(const Landscape& landscape, const fs::pat
                                        const std::vector<int>& picks,
                                        const fs::path& shared_folder) {
   write_image(folder / "sky.exr", landscape.sky, PixelFormat::half);
-  Json frame = {{"format", format},
-                      {"frame", landscape.frame},
-                      {"weathering", landscape.weathering},
-                      {"time_s", landscape.time_s},
-                      {"daylight", daylight_json(landscape.daylight)},
-                      {"size_px", {landscape.width_px, landscape.height_px}},
-                      {"samples", landscape.samples},
-                      {"exposure_gain", landscape.exposure_gain},
-                      {"camera", camera_json(landscape.camera)},
-                      {"terrain", write_terrain(landscape, folder)},
-                      {"light", write_light_map(landscape.light, folder, "light.exr")},
-                      {"standing_light", write_standing_light(landscape, folder)},
-                      {"ground", write_ground_map(landscape.ground, folder, "ground.exr")},
-                      {"ground_details", write_ground_details(landscape, folder)},
-                      {"sky", "sky.exr"},
-                      {"clouds", write_clouds(landscape, folder)},
-                      {"backdrop", write_backdrop(landscape, folder)},
-                      {"cells", write_cells(landscape, folder, picks)},
-                      {"volumes", volumes_json(volumes, folder)},
-                      {"density_unit_per_m", density_unit_per_m},
-                      {"blade_cells", write_blade_cells(landscape, folder)},
-                      {"blades", blades_json(landscape, shared_folder / "blades", folder)},
-                      {"flakes", write_flakes(landscape, folder, shared_folder / "flakes")},
-                      {"fog", fog_json(landscape.fog)}};
-  if (!landscape.boulders.triangles.empty())
-    frame["boulders"] = write_boulders(landscape.boulders, folder);
+  const bool has_boulders = !landscape.boulders.triangles.empty();
+  Json frame = {{"format", has_boulders ? format_with_boulders : format},
+                {"frame", landscape.frame},
+                {"weathering", landscape.weathering},
+                {"time_s", landscape.time_s},
+                {"daylight", daylight_json(landscape.daylight)},
+                {"size_px", {landscape.width_px, landscape.height_px}},
+                {"samples", landscape.samples},
+                {"exposure_gain", landscape.exposure_gain},
+                {"camera", camera_json(landscape.camera)},
+                {"terrain", write_terrain(landscape, folder)},
+                {"light", write_light_map(landscape.light, folder, "light.exr")},
+                {"standing_light", write_standing_light(landscape, folder)},
+                {"ground", write_ground_map(landscape.ground, folder, "ground.exr")},
+                {"ground_details", write_ground_details(landscape, folder)},
+                {"sky", "sky.exr"},
+                {"clouds", write_clouds(landscape, folder)},
+                {"backdrop", write_backdrop(landscape, folder)},
+                {"cells", write_cells(landscape, folder, picks)},
+                {"volumes", volumes_json(volumes, folder)},
+                {"density_unit_per_m", density_unit_per_m},
+                {"blade_cells", write_blade_cells(landscape, folder)},
+                {"blades", blades_json(landscape, shared_folder / "blades", folder)},
+                {"flakes", write_flakes(landscape, folder, shared_folder / "flakes")},
+                {"fog", fog_json(landscape.fog)}};
+  if (has_boulders) frame["boulders"] = write_boulders(landscape.boulders, folder);
   write_file(folder / "frame.json", frame.dump(2) + "\n");
   std::vector<fs::path> files = {folder / "frame.json"};
   append_named_files(frame, folder, files);

@@ -11,6 +11,7 @@
 #include "expectation/ground_march.h"
 #include "expectation/sights.h"
 #include "landscape/perspective.h"
+#include "landscape/raised_cast.h"
 
 namespace wold::expectation {
 namespace {
@@ -73,13 +74,15 @@ std::vector<Sight> bare_sights(const landscape::Landscape& landscape, const Tili
   const landscape::Perspective perspective = perspective_of(landscape);
   const glm::dvec3& eye_m = landscape.camera.eye_m;
   const GroundMarch march(landscape.terrain);
+  const landscape::RaisedCast boulders(landscape.boulders);
   std::vector<Sight> sights(static_cast<std::size_t>(tiling.count()) * tiling.rays_per_tile());
   parallel_for(sights.size(), [&](std::size_t i) {
     const auto tile = static_cast<int>(i / tiling.rays_per_tile());
     const auto ray = static_cast<int>(i % tiling.rays_per_tile());
     Sight& sight = sights[i];
     sight.direction = perspective.direction(tiling.place_px(tile, ray));
-    const double ground_m = march.distance_m(eye_m, sight.direction);
+    const double ground_m =
+        boulders.distance_m(eye_m, sight.direction, march.distance_m(eye_m, sight.direction));
     sight.meets_ground = std::isfinite(ground_m);
     sight.bare = bare_view(landscape, eye_m, sight.direction, ground_m);
     sight.clouds = cloud_view(landscape.clouds, eye_m, sight.direction, sight.bare.distance_m);

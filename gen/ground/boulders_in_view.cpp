@@ -15,25 +15,21 @@ namespace {
 using landscape::RaisedGround;
 using terrain::Boulder;
 
-constexpr double least_px = 4.0;
+/// The narrowest boulder that is drawn. The ground's pictures, which it shows, have no more than
+/// some 1400 steps to a radian, however large the frame is.
+constexpr double least_px = 5.0, most_px_per_radian = 1366.0;
 
-/// The part of the terrain in which a boulder is large enough to be drawn.
-Square drawn_square(const Heightfield& terrain, const glm::dvec3& eye_m, const place::View& view) {
-  // A boulder straight ahead or aside looks as large at a distance.
-  const double pixels_per_radian = view.pixels(1.0, eye_m + glm::dvec3(1.0, 0.0, 0.0));
-  const double far_m = terrain::Boulders::most_m * pixels_per_radian / least_px;
-  const glm::dvec2 low = terrain.corner_m(), high = low + terrain.size_m();
-  const glm::dvec2 from = glm::clamp(glm::dvec2(eye_m) - far_m, low, high);
-  const glm::dvec2 to = glm::clamp(glm::dvec2(eye_m) + far_m, low, high);
-  return {from, std::max(to.x - from.x, to.y - from.y)};
+double pixels_per_radian(const place::View& view, const glm::dvec3& eye_m) {
+  constexpr double small_m = 1e-3;
+  return view.pixels(small_m, eye_m + glm::dvec3(1.0, 0.0, 0.0)) / small_m;
 }
 
-/// Whether an eye, so far from the boulder's foot, would be in it or so near that it fills the
+/// Whether an eye, so far from a boulder's foot, would be in it or so near that it fills the
 /// picture.
-bool holds(const Boulder& boulder, const glm::dvec3& eye_from_foot_m) {
+bool holds(double width_m, const glm::dvec3& eye_from_foot_m) {
   constexpr double beside = 0.6;  // over the width
   const double away_m = glm::length(glm::dvec2(eye_from_foot_m));
-  return away_m < beside * boulder.width_m() && eye_from_foot_m.z < boulder.width_m();
+  return away_m < beside * width_m && eye_from_foot_m.z < width_m;
 }
 
 /// Rings of corners from the middle to the rim, and one more, which is in the ground.
@@ -47,7 +43,7 @@ class BoulderMesh {
 
   void add_to(RaisedGround& mesh) const {
     const auto middle = static_cast<std::uint32_t>(mesh.points_m.size());
-    mesh.points_m.push_back(on_top(boulder_.middle_m()));
+    mesh.points_m.push_back(on_top(boulder_.middle_m(), mesh));
     for (std::uint32_t way = 0; way < ways_; ++way) add_spoke(way, mesh);
     const auto corner = [&](std::uint32_t way, std::uint32_t ring) {
       return ring == 0 ? middle : middle + way % ways_ * (rings_ + 1) + ring;
@@ -70,16 +66,18 @@ class BoulderMesh {
     for (std::uint32_t ring = 1; ring <= rings_; ++ring) {
       // Closer to each other where the sides are steep.
       const double part = math::sin(0.5 * std::numbers::pi * ring / rings_);
-      mesh.points_m.push_back(on_top(boulder_.middle_m() + part * rim_m * along));
+      mesh.points_m.push_back(on_top(boulder_.middle_m() + part * rim_m * along, mesh));
     }
     glm::vec3 in_ground = mesh.points_m.back();
     in_ground.z -= static_cast<float>(sunk * boulder_.width_m());
     mesh.points_m.push_back(in_ground);
   }
 
-  glm::vec3 on_top(const glm::dvec2& at_m) const {
+  /// From the mesh's origin.
+  glm::vec3 on_top(const glm::dvec2& at_m, const RaisedGround& mesh) const {
     const double height_m = std::max(0.0, boulder_.top(at_m).height_m);
-    return glm::vec3(at_m, static_cast<double>(mesh_height_m(bare_m_, at_m)) + height_m);
+    const double ground_m{mesh_height_m(bare_m_, at_m)};
+    return glm::dvec3(at_m, ground_m + height_m) - mesh.origin_m;
   }
 
   const Boulder& boulder_;
@@ -93,18 +91,20 @@ RaisedGround boulders_in_view(const place::Site& site, const landscape::Landscap
   const glm::dvec3& eye_m = landscape.camera.eye_m;
   const place::View view = place::View(landscape.camera, landscape.width_px, landscape.height_px)
                                .over(landscape.terrain);
-  RaisedGround mesh;
-  const terrain::NearbyBoulders nearby =
-      site.boulders->nearby(drawn_square(site.terrain, eye_m, view), /*step_m=*/0.0);
-  for (const Boulder& boulder : nearby.all()) {
-    const glm::dvec3 foot_m = place::above_ground(site.terrain, boulder.middle_m(), 0.0);
-    const double snow_m = double{mesh_height_m(landscape.terrain, boulder.middle_m())} - foot_m.z;
-    const double width_px = view.pixels(boulder.width_m(), foot_m);
-    if (width_px < least_px || boulder.top(boulder.middle_m()).height_m <= snow_m ||
-        holds(boulder, eye_m - foot_m) || !view.may_see(foot_m, boulder.width_m()) ||
-        !view.may_see_ground(foot_m, boulder.width_m()))
-      continue;
-    BoulderMesh(boulder, site.terrain, width_px).add_to(mesh);
+  const double widths = std::min(pixels_per_radian(view, eye_m), most_px_per_radian) / least_px;
+  const auto is_drawn = [&](const glm::dvec2& middle_m, double width_m) {
+    const glm::dvec3 foot_m(middle_m, double{mesh_height_m(site.terrain, middle_m)});
+    const double snow_m = double{mesh_height_m(landscape.terrain, middle_m)} - foot_m.z;
+    return glm::distance(eye_m, foot_m) < widths * width_m &&
+           snow_m < Boulder::most_height_m(width_m) && !holds(width_m, eye_m - foot_m) &&
+           view.may_see(foot_m, width_m) && view.may_see_ground(foot_m, width_m);
+  };
+  RaisedGround mesh{glm::floor(eye_m), {}, {}};
+  for (const Boulder& boulder : site.boulders->about(glm::dvec2(eye_m), widths, is_drawn)) {
+    const double away_m =
+        std::max(glm::distance(glm::dvec2(eye_m), boulder.middle_m()), boulder.width_m());
+    BoulderMesh(boulder, site.terrain, pixels_per_radian(view, eye_m) * boulder.width_m() / away_m)
+        .add_to(mesh);
   }
   return mesh;
 }

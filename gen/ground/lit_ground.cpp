@@ -189,9 +189,7 @@ landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const Groun
   const RowParts made =
       place::rows_in_view(grid, site_.terrain, view, margin_m + 2.0 * grid.step_m());
   const auto [part, bare] = ground.covered(
-      place::ground_part(scene_, site_, grid, made,
-                         [&](const glm::dvec2& at_m) { return double{ground.depth_m(at_m)}; }),
-      under_grass_);
+      place::ground_part(scene_, site_, grid, made, ground.snow_depth()), under_grass_);
   const ColourMap light = illuminate_(part.light);
   ColourMap radiance = product(part.reflectance, light);
   add_hot_spot(bare, part.light, part.growth, view, radiance);
@@ -203,12 +201,12 @@ landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const Groun
           grid.square.corner_m};
 }
 
-ColourMap LitGround::light_in_window() const {
+ColourMap LitGround::light_in_window(const SnowyGround& ground) const {
   const GroundGrid window = place::window_grid(scene_);
   // Under all of a cell that reaches into the picture.
   const RowParts lit =
       place::rows_in_view(window, site_.terrain, view_, 2.0 * meadow::cell_reach_m(scene_));
-  const terrain::GroundLight clear = place::light_on(site_, window, lit);
+  const terrain::GroundLight clear = place::light_on(site_, window, lit, ground.snow_depth());
   return on_grass(illuminate_(clear), clear, window, view_);
 }
 
@@ -355,7 +353,7 @@ void LitGround::show(const SnowyGround& ground, const ColourMap& light, const Sk
   }
 
   if (sees_around) show_land_around(*around, lakes.get(), landscape);
-  if (place::is_large(scene_)) grass_light = light_in_window();
+  if (place::is_large(scene_)) grass_light = light_in_window(ground);
   landscape.light =
       product(grass_light,
               meadow::weathering_tint(scene_, *site_.withering, now_.frame, choices_, now_.snow,

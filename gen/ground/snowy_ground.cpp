@@ -203,7 +203,7 @@ void SnowyGround::lay_everywhere(int frame) {
   keep_from_water(*white_);
   if (is_paper(scene_)) return;  // the ground's shape stays
   surface_ = snow_surface(scene_, site_.terrain, depth_m_, *white_);
-  light_ = place::whole_light(site_, surface_);
+  light_ = place::whole_light(site_, surface_, snow_depth());
 }
 
 void SnowyGround::keep_from_water(FactorMap& snow) const {
@@ -265,6 +265,11 @@ ColourMap SnowyGround::iced(ColourMap bare) const {
 float SnowyGround::depth_m(const glm::dvec2& at_m) const {
   if (lying_) return lying_->depth_m(at_m) * holds_snow(at_m, surface_.step_m());
   return is_bare() ? 0.0F : depth_m_.sample(at_m.x, at_m.y);
+}
+
+terrain::SnowDepth SnowyGround::snow_depth() const {
+  if (is_bare()) return {};
+  return [this](const glm::dvec2& at_m) { return double{depth_m(at_m)}; };
 }
 
 float SnowyGround::white_fraction(const glm::dvec2& at_m) const {

@@ -55,6 +55,8 @@ class SnowyGround {
 
   /// Depth of the snow at a place, metres.
   float depth_m(const glm::dvec2& at_m) const;
+  /// The same as a function, which it has to outlive; empty without snow.
+  terrain::SnowDepth snow_depth() const;
   /// Fraction of the ground there that is white.
   float white_fraction(const glm::dvec2& at_m) const;
   /// Fraction of water at a place that ice covers: all of it from 5 cm of ice on.

@@ -166,10 +166,11 @@ inline double soft_border_m(const ColourMap& coarser, const GroundDetail& finer)
   return std::min(2.0 * coarser.step_m(), 0.25 * finer.map.size_m());
 }
 
-/// Triangles that stand out of the terrain and show the ground's pictures, seen from above: corners
-/// in world space, metres; counter-clockwise from above.
+/// Triangles that stand out of the terrain and show the ground's pictures; counter-clockwise from
+/// above.
 struct RaisedGround {
-  std::vector<glm::vec3> points_m;
+  glm::dvec3 origin_m{0.0};           ///< near them, in world space
+  std::vector<glm::vec3> points_m;    ///< from the origin
   std::vector<glm::uvec3> triangles;  ///< indices into `points_m`
 };
 

@@ -21,8 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 using landscape::Landscape;
 
-/// The triangles of the ground and its boulders in world space; its picture has the north at the top.
-Mesh ground_mesh(const Heightfield& terrain, const landscape::RaisedGround& boulders) {
+/// The ground's triangles in world space; its picture has the north at the top.
+Mesh ground_mesh(const Heightfield& terrain) {
   const int n = terrain.samples();
   const auto index = [n](int i, int j) { return static_cast<std::uint32_t>(j * n + i); };
   Mesh mesh;
@@ -33,20 +33,28 @@ Mesh ground_mesh(const Heightfield& terrain, const landscape::RaisedGround& boul
   for (int j = 0; j + 1 < n; ++j)
     for (int i = 0; i + 1 < n; ++i)
       mesh.add_quad({index(i, j), index(i + 1, j), index(i + 1, j + 1), index(i, j + 1)});
-  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-  for (const glm::vec3& at_m : boulders.points_m) {
-    const glm::dvec2 place = (glm::dvec2(at_m) - terrain.corner_m()) / terrain.size_m();
-    mesh.vertices.push_back({at_m, glm::vec2(place.x, 1.0 - place.y)});
-  }
-  for (const glm::uvec3& corners : boulders.triangles)
-    mesh.triangles.push_back({first + corners.x, first + corners.y, first + corners.z});
   return mesh;
 }
 
-/// Returns the file's name.
-std::string write_terrain(const Landscape& landscape, const fs::path& folder) {
-  const std::string bytes = ply_bytes(ground_mesh(landscape.terrain, landscape.boulders));
-  std::string name = fmt::format("terrain_{}.ply", content_hash(bytes));
+/// From their origin, with the ground's picture.
+Mesh boulder_mesh(const Landscape& landscape) {
+  const Heightfield& terrain = landscape.terrain;
+  const landscape::RaisedGround& boulders = landscape.boulders;
+  Mesh mesh;
+  for (const glm::vec3& from_origin_m : boulders.points_m) {
+    const glm::dvec3 at_m = boulders.origin_m + glm::dvec3(from_origin_m);
+    const glm::dvec2 place = (glm::dvec2(at_m) - terrain.corner_m()) / terrain.size_m();
+    mesh.vertices.push_back({from_origin_m, glm::vec2(place.x, 1.0 - place.y)});
+  }
+  for (const glm::uvec3& corners : boulders.triangles)
+    mesh.triangles.push_back({corners.x, corners.y, corners.z});
+  return mesh;
+}
+
+/// Returns the file's name, which says what is in it.
+std::string write_mesh(const Mesh& mesh, const char* stem, const fs::path& folder) {
+  const std::string bytes = ply_bytes(mesh);
+  std::string name = fmt::format("{}_{}.ply", stem, content_hash(bytes));
   update_file(folder / name, bytes);
   return name;
 }
@@ -128,13 +136,17 @@ std::vector<fs::path> export_frame(const Landscape& landscape, const fs::path& f
   std::vector<fs::path> files = write_all_leaves(landscape, data / "leaves");
   for (const fs::path& file : write_texels(landscape, data / "texels")) files.push_back(file);
   for (const fs::path& file : write_clouds(landscape, frame_folder)) files.push_back(file);
-  const std::string terrain = write_terrain(landscape, data);
+  const std::string terrain = write_mesh(ground_mesh(landscape.terrain), "terrain", data);
+  const bool has_boulders = !landscape.boulders.triangles.empty();
+  const std::string boulders =
+      has_boulders ? write_mesh(boulder_mesh(landscape), "boulders", data) : "";
   write_image(frame_folder / "sky.exr", landscape.unlit->sky, PixelFormat::half);
   write_image(frame_folder / "ground.exr", picture_of(landscape.unlit->ground_albedo),
               PixelFormat::half);
-  write_file(frame_folder / "scene.xml", scene_text(landscape, terrain));
+  write_file(frame_folder / "scene.xml", scene_text(landscape, terrain, boulders));
   files.insert(files.end(), {data / terrain, frame_folder / "sky.exr", frame_folder / "ground.exr",
                              frame_folder / "scene.xml"});
+  if (has_boulders) files.push_back(data / boulders);
   return files;
 }
 

@@ -128,8 +128,10 @@ std::string lights(const Landscape& landscape) {
   return text;
 }
 
-/// The values of a map lie on its border, pixels within a picture's.
-std::string ground(const Landscape& landscape, const std::string& terrain) {
+/// A mesh of the ground with its picture. The values of a map lie on its border, pixels within a
+/// picture's.
+std::string ground(const Landscape& landscape, const std::string& file,
+                   const glm::dvec3& origin_m) {
   const double samples = landscape.unlit->ground_albedo.samples();
   const std::string to_pixels = fmt::format(
       "<transform name=\"to_uv\"><scale x=\"{0}\" y=\"{0}\"/>"
@@ -138,7 +140,7 @@ std::string ground(const Landscape& landscape, const std::string& terrain) {
   return fmt::format(
       "  <shape type=\"ply\"><string name=\"filename\" value=\"../{}\"/>{}\n"
       "    <bsdf type=\"twosided\"><bsdf type=\"diffuse\">{}</bsdf></bsdf></shape>\n",
-      terrain, to_world(translation(-landscape.camera.eye_m)),
+      file, to_world(translation(origin_m - landscape.camera.eye_m)),
       picture("reflectance", "ground.exr", to_pixels));
 }
 
@@ -207,14 +209,17 @@ std::vector<const landscape::CloudBox*> shown_clouds(const Landscape& landscape)
 
 std::string cloud_file(const landscape::CloudBox& cloud) { return cloud.name + ".vol"; }
 
-std::string scene_text(const Landscape& landscape, const std::string& terrain) {
+std::string scene_text(const Landscape& landscape, const std::string& terrain,
+                       const std::string& boulders) {
   std::string text = fmt::format(
       "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n"
       "<!-- Frame {}, weathering degree {}. Metres from the eye; x east, y north, z up. -->\n"
       "<scene version=\"3.0.0\">\n",
       landscape.frame, number(landscape.weathering));
-  text += settings(landscape) + camera(landscape) + lights(landscape) + ground(landscape, terrain) +
-          leaves(landscape);
+  text += settings(landscape) + camera(landscape) + lights(landscape) +
+          ground(landscape, terrain, glm::dvec3(0.0));
+  if (!boulders.empty()) text += ground(landscape, boulders, landscape.boulders.origin_m);
+  text += leaves(landscape);
   for (const landscape::Cell& cell : landscape.cells) text += cell_text(landscape, cell);
   for (const landscape::CloudBox* cloud : shown_clouds(landscape))
     text += cloud_text(landscape, *cloud);

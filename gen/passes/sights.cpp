@@ -35,8 +35,7 @@ glm::dvec3 Sights::ground_normal(const glm::dvec3& at_m) const {
 }
 
 void Sights::look(const glm::dvec3& direction, Sight& sight) const {
-  sight.ground_m =
-      raised_.distance_m(eye_m_, direction, ground_.distance_m(eye_m_, direction));
+  sight.ground_m = raised_.distance_m(eye_m_, direction, ground_.distance_m(eye_m_, direction));
   sight.blade = blades_.look(eye_m_, direction, sight.ground_m);
   grass_.look(eye_m_, direction, std::min(sight.ground_m, sight.blade.distance_m), sight.grass);
 }

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "landscape/landscape.h"
+#include "landscape/raised_cast.h"
 #include "passes/ground_cast.h"
-#include "passes/raised_cast.h"
 #include "passes/seen_place.h"
 #include "passes/standing_blades.h"
 #include "passes/standing_grass.h"
@@ -40,7 +40,7 @@ class Sights {
  private:
   glm::dvec3 eye_m_;
   GroundCast ground_;
-  RaisedCast raised_;
+  landscape::RaisedCast raised_;
   StandingGrass grass_;
   StandingBlades blades_;
 };

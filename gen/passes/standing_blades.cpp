@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
-#include "passes/triangle.h"
+#include "landscape/triangle.h"
 
 namespace wold::passes {
 
@@ -12,17 +12,17 @@ StandingBlades::StandingBlades(const landscape::Landscape& landscape)
     : landscape_(landscape), meshes_(), cells_({}) {
   for (const landscape::BladeMesh& mesh : landscape.blade_meshes)
     meshes_.push_back(mesh_of(*mesh.tubes));
-  std::vector<Box> boxes;
+  std::vector<landscape::Box> boxes;
   for (const landscape::BladeCell& cell : landscape.blade_cells) {
     boxes.push_back(box_of(cell));
     cell_from_world_.push_back(glm::inverse(cell.world_from_cell));
   }
-  cells_ = BoxTree(boxes);
+  cells_ = landscape::BoxTree(boxes);
 }
 
 StandingBlades::Mesh StandingBlades::mesh_of(const Tubes& tubes) {
   std::vector<Triangle> triangles;
-  std::vector<Box> boxes;
+  std::vector<landscape::Box> boxes;
   const auto corners = static_cast<std::size_t>(tubes.corners);
   const auto rings = static_cast<std::size_t>(tubes.rings);
   const auto add = [&](std::size_t ring, const std::array<glm::vec3, 3>& corners_m) {
@@ -40,17 +40,17 @@ StandingBlades::Mesh StandingBlades::mesh_of(const Tubes& tubes) {
       add(ring, {corner_m(ring, c), corner_m(ring + 1, c + 1), corner_m(ring + 1, c)});
     }
   }
-  BoxTree tree(boxes);
+  landscape::BoxTree tree(boxes);
   return {std::move(triangles), std::move(tree)};
 }
 
 /// In world space. Rounding to floats may not leave anything out.
-Box StandingBlades::box_of(const landscape::BladeCell& cell) const {
+landscape::Box StandingBlades::box_of(const landscape::BladeCell& cell) const {
   constexpr float rounding_m = 1e-3F;
   const Mesh& mesh = meshes_[static_cast<std::size_t>(cell.mesh)];
-  Box box;
+  landscape::Box box;
   if (mesh.tree.is_empty()) return box;
-  const Box& inner = mesh.tree.box();
+  const landscape::Box& inner = mesh.tree.box();
   for (int corner = 0; corner < 8; ++corner) {
     const glm::dvec3 at_m((corner & 1) != 0 ? inner.high.x : inner.low.x,
                           (corner & 2) != 0 ? inner.high.y : inner.low.y,
@@ -72,7 +72,7 @@ BladeHit StandingBlades::look(const glm::dvec3& eye_m, const glm::dvec3& directi
     const glm::dvec3 along = glm::dmat3(cell_from_world_[number]) * direction;
     const Mesh& mesh = meshes_[static_cast<std::size_t>(landscape_.blade_cells[number].mesh)];
     mesh.tree.follow(start, along, nearest_m, [&](std::uint32_t triangle) {
-      const double at_m = meeting_m(start, along, mesh.triangles[triangle].corners_m);
+      const double at_m = landscape::meeting_m(start, along, mesh.triangles[triangle].corners_m);
       if (at_m < nearest_m) {
         nearest_m = hit.distance_m = at_m;
         hit.cell = static_cast<int>(number);
@@ -85,7 +85,7 @@ BladeHit StandingBlades::look(const glm::dvec3& eye_m, const glm::dvec3& directi
   if (!met) return hit;
   hit.ring = met->ring;
   const glm::dmat3 from_world(cell_from_world_[static_cast<std::size_t>(hit.cell)]);
-  hit.normal = glm::normalize(glm::transpose(from_world) * across(met->corners_m));
+  hit.normal = glm::normalize(glm::transpose(from_world) * landscape::across(met->corners_m));
   if (glm::dot(hit.normal, direction) > 0.0) hit.normal = -hit.normal;
   return hit;
 }

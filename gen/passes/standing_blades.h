@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "landscape/box_tree.h"
 #include "landscape/landscape.h"
-#include "passes/box_tree.h"
 
 namespace wold::passes {
 
@@ -34,16 +34,16 @@ class StandingBlades {
   };
   struct Mesh {
     std::vector<Triangle> triangles;
-    BoxTree tree;
+    landscape::BoxTree tree;
   };
 
   static Mesh mesh_of(const Tubes& tubes);
-  Box box_of(const landscape::BladeCell& cell) const;
+  landscape::Box box_of(const landscape::BladeCell& cell) const;
 
   const landscape::Landscape& landscape_;
   std::vector<Mesh> meshes_;
   std::vector<glm::dmat4> cell_from_world_;
-  BoxTree cells_;
+  landscape::BoxTree cells_;
 };
 
 }  // namespace wold::passes

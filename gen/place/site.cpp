@@ -159,13 +159,15 @@ terrain::Surface Site::surface(const GroundGrid& grid, RowParts parts,
           snow_m};
 }
 
-terrain::GroundLight light_on(const Site& site, const GroundGrid& grid, RowParts parts) {
-  return lit(site, site.surface(grid, std::move(parts)));
+terrain::GroundLight light_on(const Site& site, const GroundGrid& grid, RowParts parts,
+                              const terrain::SnowDepth& snow_m) {
+  return lit(site, site.surface(grid, std::move(parts), snow_m));
 }
 
-terrain::GroundLight whole_light(const Site& site, const Heightfield& surface) {
+terrain::GroundLight whole_light(const Site& site, const Heightfield& surface,
+                                 const terrain::SnowDepth& snow_m) {
   constexpr double step_m = 0.05;
-  constexpr int most = 2049;
+  constexpr int most = 1025;
   const terrain::LandShadow* shadow = site.land_shadow.get();
   if (site.sketch)
     return terrain::ground_light(surface, site.day, {surface.square(), site.sketch->light_samples},
@@ -173,7 +175,7 @@ terrain::GroundLight whole_light(const Site& site, const Heightfield& surface) {
   terrain::GroundLight light = terrain::ground_light(surface, site.day, shadow);
   if (!site.boulders) return light;
   const GroundGrid grid{surface.square(), std::min(map_samples(surface.size_m(), step_m), most)};
-  return site.surface(grid).lit(std::move(light), site.day.sun_direction());
+  return site.surface(grid, {}, snow_m).lit(std::move(light), site.day.sun_direction());
 }
 
 const FactorMap& growth_of_cells(const Site& site) {

@@ -105,8 +105,9 @@ double visual_range_m(const scene::Scene& scene, const Site& site, int frame);
 Site site_of_frame(const scene::Scene& scene, const Site& site, int frame);
 
 /// The light of a site's day on all of the ground of a terrain that is not large. `surface`: its
-/// heights with the snow on it.
-terrain::GroundLight whole_light(const Site& site, const Heightfield& surface);
+/// heights with the snow on it, which is so deep.
+terrain::GroundLight whole_light(const Site& site, const Heightfield& surface,
+                                 const terrain::SnowDepth& snow_m = {});
 
 /// Growth where cells are laid.
 const FactorMap& growth_of_cells(const Site& site);
@@ -118,7 +119,8 @@ GroundPart ground_part(const scene::Scene& scene, const Site& site, const Ground
                        RowParts parts, const terrain::SnowDepth& snow_m = {});
 
 /// The light of a clear sky on such a part of a site's ground.
-terrain::GroundLight light_on(const Site& site, const GroundGrid& grid, RowParts parts);
+terrain::GroundLight light_on(const Site& site, const GroundGrid& grid, RowParts parts,
+                              const terrain::SnowDepth& snow_m);
 
 /// The grid of the light on a part of the ground: as fine as `grid` or, where that is finer, as the
 /// terrain; of a sketch no finer than it says.

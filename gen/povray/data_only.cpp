@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 3> directives = {"declare", "local", "ver
 
 /// What stands in files of data: nothing that reads, writes, includes or makes a string, and none
 /// of the scene program's own names of files and folders.
-constexpr std::array<std::string_view, 59> words = {
+constexpr std::array<std::string_view, 60> words = {
     "Wold_backdrop_corner_m",
     "Wold_backdrop_right_m",
     "Wold_backdrop_up_m",
@@ -33,6 +33,7 @@ constexpr std::array<std::string_view, 59> words = {
     "Wold_blades",
     "Wold_boulders_file",
     "Wold_boulders_mesh",
+    "Wold_boulders_origin_m",
     "Wold_cloud",
     "Wold_colour_max",
     "Wold_emission_max",
@@ -169,8 +170,8 @@ void add_include_files(const fs::path& folder, std::vector<fs::path>& files) {
   }
 }
 
-/// The files of data/ that a text has the scene program include by a name of its own. They end as all do, or POV-Ray
-/// might find one with another ending.
+/// The files of data/ that a text has the scene program include by a name of its own. They end as
+/// all do, or POV-Ray might find one with another ending.
 std::vector<std::string> named_files_in(std::string_view text, std::string_view word,
                                         const fs::path& file) {
   constexpr std::string_view sign = " = \"", ending = ".inc\"";
@@ -197,10 +198,14 @@ std::vector<fs::path> include_files(const fs::path& data, const std::string& own
   for (const fs::path& folder : {data / own, data / "volumes", data / "blades"})
     add_include_files(folder, files);
   if (const fs::path all = data / "frames.inc"; fs::exists(all)) files.push_back(all);
-  for (std::size_t i = 0, count = files.size(); i < count; ++i)
+  // What is named may name others.
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const std::string text = read_file(files[i]);
     for (const char* word : {"Wold_terrain_file", "Wold_boulders_file"})
-      for (const std::string& name : named_files_in(read_file(files[i]), word, files[i]))
-        if (fs::exists(data / name)) files.push_back(data / name);
+      for (const std::string& name : named_files_in(text, word, files[i]))
+        if (fs::exists(data / name) && std::ranges::find(files, data / name) == files.end())
+          files.push_back(data / name);
+  }
   return files;
 }
 

@@ -138,7 +138,10 @@ std::string frame_text(const landscape::Landscape& scene, const std::string& ter
       number(scene.patch_m), scene.ground.samples(), number(scene.ground.step_m()),
       literal(terrain));
   if (!boulders.empty())
-    text += fmt::format("#declare Wold_boulders_file = {};\n", literal(boulders));
+    text += fmt::format(
+        "#declare Wold_boulders_file = {};\n"
+        "#declare Wold_boulders_origin_m = {};\n",
+        literal(boulders), vector(scene.boulders.origin_m));
   return text;
 }
 
@@ -245,8 +248,8 @@ std::vector<fs::path> export_frame(const landscape::Landscape& scene, const fs::
   for (const landscape::CloudBox& cloud : scene.clouds) write_cloud(cloud, df3_bits, frame);
   write_file(frame / "clouds.inc", clouds_text(scene.clouds));
   write_flakes(scene.flakes, scene.camera.eye_m, frame, data / "flakes");
-  write_file(frame / "frame.inc", include_file(frame_text(scene, terrain, boulders) + maps + details +
-                                               backdrop + air_text(scene)));
+  write_file(frame / "frame.inc", include_file(frame_text(scene, terrain, boulders) + maps +
+                                               details + backdrop + air_text(scene)));
   write_expected_picture(frame / "expected.json", expectation::expected_picture(scene));
   const fs::path frame_ini = data / fmt::format("frame_{:04}.ini", scene.frame);
   const glm::ivec2 size_px = {scene.width_px, scene.height_px};

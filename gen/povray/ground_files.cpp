@@ -7,6 +7,7 @@
 #include <iterator>
 #include <limits>
 #include <ostream>
+#include <utility>
 #include <vector>
 
 #include "core/df3.h"
@@ -40,13 +41,18 @@ void append_triangles(std::string& text, int n) {
   text += "  }\n";
 }
 
-/// Writes a mesh2 that declares `name`, as STEM_<hash>.inc; returns the file's name.
-std::string write_mesh(std::string_view what, std::string_view stem, const std::string& mesh,
-                       const fs::path& folder) {
-  const std::string text = fmt::format(
+/// The beginning of a file that declares Wold_<stem>_mesh.
+std::string mesh_begin(std::string_view what, std::string_view stem) {
+  return fmt::format(
       "// The {} triangles: metres, x east, y north, z up.\n{}"
-      "#declare Wold_{}_mesh = mesh2 {{\n{}}}\n{}",
-      what, include_begin, stem, mesh, include_end);
+      "#declare Wold_{}_mesh = mesh2 {{\n",
+      what, include_begin, stem);
+}
+
+/// Ends such a file and writes it as <stem>_<hash>.inc; returns the file's name.
+std::string write_mesh(std::string text, std::string_view stem, const fs::path& folder) {
+  text += "}\n";
+  text += include_end;
   std::string name = fmt::format("{}_{}.inc", stem, content_hash(text));
   update_file(folder / name, text);
   return name;
@@ -55,23 +61,23 @@ std::string write_mesh(std::string_view what, std::string_view stem, const std::
 }  // namespace
 
 std::string write_terrain(const Heightfield& terrain, const fs::path& folder) {
-  std::string mesh;
-  append_vertices(mesh, terrain);
-  append_triangles(mesh, terrain.samples());
-  return write_mesh("ground's", "terrain", mesh, folder);
+  std::string text = mesh_begin("ground's", "terrain");
+  append_vertices(text, terrain);
+  append_triangles(text, terrain.samples());
+  return write_mesh(std::move(text), "terrain", folder);
 }
 
 std::string write_boulders(const landscape::RaisedGround& boulders, const fs::path& folder) {
-  std::string mesh;
-  const auto out = std::back_inserter(mesh);
+  std::string text = mesh_begin("boulders'", "boulders");
+  const auto out = std::back_inserter(text);
   fmt::format_to(out, "  vertex_vectors {{ {}", boulders.points_m.size());
   for (const glm::vec3& at_m : boulders.points_m)
     fmt::format_to(out, ",\n<{:.7g},{:.7g},{:.7g}>", at_m.x, at_m.y, at_m.z);
   fmt::format_to(out, "\n  }}\n  face_indices {{ {}", boulders.triangles.size());
   for (const glm::uvec3& corners : boulders.triangles)
     fmt::format_to(out, ",\n<{},{},{}>", corners.x, corners.y, corners.z);
-  mesh += "\n  }\n";
-  return write_mesh("boulders'", "boulders", mesh, folder);
+  text += "\n  }\n";
+  return write_mesh(std::move(text), "boulders", folder);
 }
 
 float write_factor(const FactorMap& factor, const fs::path& path) {

@@ -16,8 +16,9 @@ namespace wold::povray {
 /// frames with the same ground share the file: returns "terrain_<hash>.inc". Throws FileError.
 std::string write_terrain(const Heightfield& terrain, const std::filesystem::path& folder);
 
-/// Writes boulders, of which there is at least one, as `#declare Wold_boulders_mesh = mesh2 { ... }`,
-/// likewise: returns "boulders_<hash>.inc". Throws FileError.
+/// Writes boulders, of which there is at least one, from their origin, as
+/// `#declare Wold_boulders_mesh = mesh2 { ... }`. The name says what is in it: returns
+/// "boulders_<hash>.inc". Throws FileError.
 std::string write_boulders(const landscape::RaisedGround& boulders,
                            const std::filesystem::path& folder);
 

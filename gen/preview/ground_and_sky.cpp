@@ -6,6 +6,7 @@
 #include "core/parallel.h"
 #include "expectation/bare_view.h"
 #include "expectation/ground_march.h"
+#include "landscape/raised_cast.h"
 
 namespace wold::preview {
 namespace {
@@ -66,12 +67,15 @@ void paint_ground_and_sky(const Landscape& landscape, const landscape::Perspecti
                           Canvas& canvas) {
   const GroundMarch march(landscape.terrain);
   const Distances distances(march, perspective, canvas.radiance);
+  const landscape::RaisedCast boulders(landscape.boulders);
   parallel_for(static_cast<std::size_t>(canvas.radiance.height), [&](std::size_t row) {
     const int y = static_cast<int>(row);
     for (int x = 0; x < canvas.radiance.width; ++x) {
       const glm::dvec3 direction = perspective.direction({x + 0.5, y + 0.5});
+      const double ground_m =
+          boulders.distance_m(perspective.eye_m(), direction, distances.at_m(x, y));
       const expectation::Hit hit =
-          expectation::bare_view(landscape, perspective.eye_m(), direction, distances.at_m(x, y));
+          expectation::bare_view(landscape, perspective.eye_m(), direction, ground_m);
       std::copy_n(&hit.radiance.x, 3, canvas.radiance.pixel(x, y));
       canvas.depth_at(x, y) =
           static_cast<float>(hit.distance_m * perspective.depth_along(direction));

@@ -47,7 +47,7 @@ struct Terrain {
   int erosion_steps = 60;
   std::array<double, 3> ground_albedo = {0.13, 0.095, 0.06};
   std::array<double, 3> rock_albedo = {0.19, 0.162, 0.128};
-  double rock_slope_deg = 40.0;  ///< rock shows where the ground is steeper
+  double rock_slope_deg = 40.0;       ///< rock shows where the ground is steeper
   double boulders_per_hectare = 0.0;  ///< wider than 1 m, on open ground
 
   bool operator==(const Terrain&) const = default;

@@ -97,17 +97,19 @@ double Boulder::rim_m(const glm::dvec2& way) const {
 /// In the space where the ellipsoid is a unit sphere: how near to its middle a ray to the sun
 /// comes, and how near the place is.
 Boulder::Light Boulder::light_beside(const glm::dvec2& at_m, const glm::dvec3& to_sun,
-                                     const glm::dvec2& ascent) const {
+                                     const glm::dvec2& ascent, double snow_m) const {
   constexpr double core = 0.82, rim = 1.08;            // of the shadow
   constexpr double most_hidden = 0.45, far_out = 1.7;  // of the sky, beside the boulder
-  const glm::dvec3 place = glm::dvec3(to_own(at_m - middle_m_), -raised_m_) / half_m_;
+  const double stands_out = (raised_m_ + half_m_.z - snow_m) / (raised_m_ + half_m_.z);
+  if (stands_out <= 0.0) return {};
+  const glm::dvec3 place = glm::dvec3(to_own(at_m - middle_m_), snow_m - raised_m_) / half_m_;
   const double rise = to_sun.z - glm::dot(ascent, glm::dvec2(to_sun));
   const glm::dvec3 way = glm::dvec3(to_own(glm::dvec2(to_sun)), rise) / half_m_;
   Light light;
   const double along = -glm::dot(place, way) / glm::dot(way, way);
   if (along > 0.0) light.sun = glm::smoothstep(core, rim, glm::length(place + along * way));
-  light.sky =
-      1.0 - most_hidden * (1.0 - glm::smoothstep(0.9, far_out, glm::length(glm::dvec2(place))));
+  light.sky = 1.0 - most_hidden * stands_out *
+                        (1.0 - glm::smoothstep(0.9, far_out, glm::length(glm::dvec2(place))));
   return light;
 }
 

@@ -19,6 +19,8 @@ class Boulder {
   double width_m() const { return width_m_; }
   /// Nothing of a boulder of a width is farther from its middle.
   static double reach_m(double width_m) { return 0.72 * width_m; }
+  /// And nothing of it is higher over the ground.
+  static double most_height_m(double width_m) { return 0.75 * width_m; }
 
   struct Top {
     double height_m = -1.0;    ///< below 0 beside the boulder
@@ -30,13 +32,14 @@ class Boulder {
   double rim_m(const glm::dvec2& way) const;
 
   /// Shares of the sun's and of the sky's light, in [0, 1], that the boulder leaves to the ground
-  /// beside it, as an ellipsoid would. `to_sun`: unit vector; `ascent`: the ground's gradient.
+  /// beside it, as an ellipsoid would. `to_sun`: unit vector; `ascent`: the ground's gradient;
+  /// `snow_m`: how deep snow lies on the ground.
   struct Light {
     double sun = 1.0;
     double sky = 1.0;
   };
-  Light light_beside(const glm::dvec2& at_m, const glm::dvec3& to_sun,
-                     const glm::dvec2& ascent) const;
+  Light light_beside(const glm::dvec2& at_m, const glm::dvec3& to_sun, const glm::dvec2& ascent,
+                     double snow_m = 0.0) const;
 
  private:
   /// A plane over the ground, in the boulder's own axes.

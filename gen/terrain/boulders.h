@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
+#include <memory>
 #include <vector>
 
 #include "core/ground_map.h"
@@ -29,9 +31,9 @@ class NearbyBoulders {
   /// `snow_m`: how deep the ground, and what is lower, lies under snow.
   Rise at(const glm::dvec2& at_m, double snow_m = 0.0) const;
 
-  /// What all leave of the light beside them; on them it is all.
+  /// What all leave of the light beside them; on them it is all. See Boulder::light_beside().
   Boulder::Light light_beside(const glm::dvec2& at_m, const glm::dvec3& to_sun,
-                              const glm::dvec2& ascent) const;
+                              const glm::dvec2& ascent, double snow_m = 0.0) const;
 
  private:
   friend class Boulders;
@@ -43,6 +45,12 @@ class NearbyBoulders {
     glm::ivec2 first{0};
     glm::ivec2 count{0};
     std::vector<std::int32_t> boulder;  ///< place in boulders_; -1: none
+
+    std::size_t index(const glm::ivec2& cell) const {
+      const glm::ivec2 place = cell - first;
+      return static_cast<std::size_t>(place.y) * static_cast<std::size_t>(count.x) +
+             static_cast<std::size_t>(place.x);
+    }
   };
   const Boulder* in(const Cells& cells, const glm::ivec2& cell) const;
   /// boulder_of(boulder) of each in a square of cells.
@@ -56,7 +64,8 @@ class NearbyBoulders {
 
 /// Where boulders lie: terrain.boulders on a hectare of open ground, in loose groups, and up to 20
 /// times as many where blocks come down from rock (Scree::likely()); none in water and on ground
-/// where they would roll on.
+/// where they would roll on, by its slope over a thousandth of the terrain or a step of its
+/// heights.
 ///
 /// Widths are from 0.47 to 4.6 m. As many are wider than a width as its inverse square says: rock
 /// breaks into pieces with exponents of 1.4 to 3.5, mostly 2 to 2.6 [Turcotte1986]. How groups and
@@ -68,19 +77,27 @@ class Boulders {
 
   /// Of the heights, the scree and the water where there is some. Needs terrain.boulders > 0.
   Boulders(const Heightfield& heights_m, const scene::Terrain& terrain, std::uint64_t seed,
-           const Scree* scree, const Water* water);
+           const Scree* scree, std::shared_ptr<const Water> water);
 
   /// Of a square and so far around it that their shadows are known, as a map with that step shows
   /// them: each size as far as shown_fraction() says. A step of 0 shows all.
   NearbyBoulders nearby(const Square& square, double step_m) const;
 
+  /// Whether a boulder of a width about a place is wanted.
+  using Wanted = std::function<bool(const glm::dvec2& middle_m, double width_m)>;
+  /// Those that are wanted of each size, where they are no farther from a place, along an axis,
+  /// than so many times the size's greatest width. `wanted` is called from several threads.
+  std::vector<Boulder> about(const glm::dvec2& at_m, double widths, const Wanted& wanted) const;
+
   /// Share of the ground about a place that those cover which a map with that step does not show.
   double hidden_cover(const glm::dvec2& at_m, double step_m) const;
 
  private:
+  static constexpr double spread = 2.15;
   /// Of one size, one in some of the cells of a grid.
   struct Size {
     double width_m;  ///< the narrowest; the widest is `spread` times as wide
+    double most_m() const { return spread * width_m; }
     /// The middle of a boulder lies in its cell.
     double cell_m() const { return 5.0 * width_m; }
   };
@@ -88,19 +105,22 @@ class Boulders {
     glm::ivec2 cell;
     Boulder boulder;
   };
-  static constexpr double spread = 2.15;
   static constexpr std::array<Size, 3> sizes{{{2.15}, {1.0}, {1.0 / 2.15}}};
 
   /// Of the sizes that terrain.boulders counts.
   static double cells_on_a_hectare();
   /// Probability that a cell about a place has one.
   double probability(const glm::dvec2& at_m) const;
-  /// Those of a row of cells.
-  std::vector<Placed> row_of(std::size_t size, const glm::ivec2& first, int count) const;
+  /// Those of a row of cells; of cells from one to another one, row by row.
+  std::vector<Placed> row_of(std::size_t size, const glm::ivec2& first, int count,
+                             const Wanted& wanted) const;
+  std::vector<std::vector<Placed>> rows_of(std::size_t size, const glm::ivec2& first,
+                                           const glm::ivec2& last, const Wanted& wanted) const;
   NearbyBoulders::Cells cells_of(std::size_t size, const Square& square,
                                  std::vector<Boulder>& all) const;
 
   std::uint64_t key_;
+  std::shared_ptr<const Water> water_;
   FactorMap likely_;  ///< that a cell has one, where groups are neither dense nor loose
   Fbm groups_;
 };

@@ -138,7 +138,7 @@ Ground make_ground(const scene::Terrain& terrain, std::uint64_t seed,
     ground.scree = std::make_shared<const Scree>(ground.heights_m, terrain.rock_slope_deg, seed);
   if (terrain.boulders_per_hectare > 0.0)
     ground.boulders = std::make_shared<const Boulders>(ground.heights_m, terrain, seed,
-                                                       ground.scree.get(), ground.water.get());
+                                                       ground.scree.get(), ground.water);
   return ground;
 }
 

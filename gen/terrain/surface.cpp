@@ -138,7 +138,8 @@ GroundLight Surface::lit(GroundLight on_heights, const glm::dvec3& to_sun) const
       const glm::dvec2 at_m = place_m(i, j);
       const glm::dvec3 ground = normal(heights_m_, at_m.x, at_m.y), face = up(i, j);
       const Boulder::Light left =
-          boulders_ ? boulders_->light_beside(at_m, to_sun, -glm::dvec2(ground) / ground.z)
+          boulders_ ? boulders_->light_beside(at_m, to_sun, -glm::dvec2(ground) / ground.z,
+                                              snow_m_ ? snow_m_(at_m) : 0.0)
                     : Boulder::Light{};
       const auto sky = static_cast<float>(more_sky(face, ground) * left.sky);
       light.sun.at(i, j) = on_heights.sun.sample(at_m.x, at_m.y) *

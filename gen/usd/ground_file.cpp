@@ -70,8 +70,9 @@ void add_boulders(const Landscape& landscape, GroundMesh& mesh) {
   const Heightfield& terrain = landscape.terrain;
   const landscape::RaisedGround& boulders = landscape.boulders;
   const std::size_t first = mesh.points_m.size();
-  for (const glm::vec3& at_m : boulders.points_m) {
-    mesh.points_m.push_back(at_m);
+  for (const glm::vec3& from_origin_m : boulders.points_m) {
+    const glm::dvec3 at_m = boulders.origin_m + glm::dvec3(from_origin_m);
+    mesh.points_m.emplace_back(at_m);
     mesh.normals.emplace_back(0.0F);
     mesh.st.push_back((glm::dvec2(at_m) - terrain.corner_m()) / terrain.size_m());
   }
@@ -79,7 +80,8 @@ void add_boulders(const Landscape& landscape, GroundMesh& mesh) {
     const glm::vec3& a = boulders.points_m[corners.x];
     const glm::vec3 normal =
         glm::cross(boulders.points_m[corners.y] - a, boulders.points_m[corners.z] - a);
-    if (const auto detail = detail_at(landscape.ground_details, glm::dvec2(a)))
+    if (const auto detail =
+            detail_at(landscape.ground_details, glm::dvec2(boulders.origin_m) + glm::dvec2(a)))
       mesh.subsets[*detail].push_back(mesh.counts.size());
     mesh.counts.push_back(3);
     for (int k = 0; k < 3; ++k) {
@@ -152,9 +154,8 @@ std::string layer_text(const GroundMesh& mesh) {
       "    )\n"
       "    uniform token subdivisionScheme = \"none\"\n"
       "    uniform token subsetFamily:materialBind:familyType = \"nonOverlapping\"\n",
-      extent_text(mesh.points_m), array(mesh.counts, index_text),
-      array(mesh.corners, index_text), array(mesh.normals, thousandths),
-      array(mesh.points_m, millimetres), array(mesh.st, place));
+      extent_text(mesh.points_m), array(mesh.counts, index_text), array(mesh.corners, index_text),
+      array(mesh.normals, thousandths), array(mesh.points_m, millimetres), array(mesh.st, place));
   for (std::size_t i = 0; i < mesh.subsets.size(); ++i) text += subset_text(i + 1, mesh.subsets[i]);
   return text + "}\n";
 }

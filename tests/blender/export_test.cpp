@@ -329,10 +329,14 @@ TEST_F(BlenderExport, MissingVolumeIsAFileError) {
 TEST_F(BlenderExport, BouldersAreArraysWhereThereAreSome) {
   export_frame(landscape, folder / "out");
   EXPECT_FALSE(frame_json().contains("boulders"));
+  EXPECT_EQ(frame_json().at("format"), 7);
+  landscape.boulders.origin_m = {100, 200, 30};
   landscape.boulders.points_m = {{1, 1, 2}, {0.5F, 0.5F, 1}, {1.5F, 0.5F, 1}, {1, 1.5F, 1}};
   landscape.boulders.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}};
   const std::vector<fs::path> files = export_frame(landscape, folder / "out");
   const nlohmann::json boulders = frame_json().at("boulders");
+  EXPECT_EQ(frame_json().at("format"), 8);  // which older add-ons refuse
+  EXPECT_EQ(boulders.at("origin_m"), nlohmann::json({100, 200, 30}));
   EXPECT_EQ(boulders.at("point_count"), 4);
   EXPECT_EQ(boulders.at("triangle_count"), 3);
   EXPECT_EQ(array<glm::vec3>(boulders.at("points")), landscape.boulders.points_m);

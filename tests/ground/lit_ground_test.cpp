@@ -17,6 +17,7 @@ namespace {
 /// one in the south casts the camera's shadow 3 m before it.
 scene::Scene meadow_from_above(double sun_azimuth_deg) {
   scene::Scene scene;
+  scene.render.size_px = {160, 90};
   scene.terrain.size_m = 8.0;
   scene.terrain.samples = 161;
   scene.terrain.hill_height_m = 0.0;

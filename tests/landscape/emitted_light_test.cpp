@@ -10,12 +10,12 @@ namespace wold::landscape {
 namespace {
 
 /// A box of 4 x 4 x 4 voxels of which some have matter, of any colour.
-struct Box {
+struct LitBox {
   glm::ivec3 voxels{4, 4, 4};
   std::vector<float> extinction_per_m = std::vector<float>(64, 0.0F);
   std::vector<glm::vec3> radiance = std::vector<glm::vec3>(64, glm::vec3(0.0F));
 
-  Box() {
+  LitBox() {
     std::mt19937 random(3);
     std::uniform_real_distribution<float> number(0.01F, 1.0F);
     for (std::size_t i = 0; i < 64; ++i)
@@ -28,7 +28,7 @@ struct Box {
 
 // CIE 1931: the luminance of red, green and blue of sRGB is 0.2126, 0.7152 and 0.0722.
 TEST(EmittedLight, LuminanceIsOfWhatAMetreAdds) {
-  const Box box;
+  const LitBox box;
   const EmittedLight light = emitted_light(box.extinction_per_m, box.radiance, box.voxels);
   for (std::size_t i = 0; i < 64; ++i) {
     const glm::vec3 gained = box.extinction_per_m[i] * box.radiance[i];
@@ -39,7 +39,7 @@ TEST(EmittedLight, LuminanceIsOfWhatAMetreAdds) {
 
 // Luminance times colour is, over all eight voxels of a coarse one, what they emit.
 TEST(EmittedLight, LuminanceTimesColourIsWhatIsEmitted) {
-  const Box box;
+  const LitBox box;
   const EmittedLight light = emitted_light(box.extinction_per_m, box.radiance, box.voxels);
   std::vector<glm::vec3> wrong(light.colours.values.size(), glm::vec3(0.0F));
   for (int z = 0; z < 4; ++z)
@@ -55,7 +55,7 @@ TEST(EmittedLight, LuminanceTimesColourIsWhatIsEmitted) {
 }
 
 TEST(EmittedLight, ColoursHaveLuminanceOne) {
-  const Box box;
+  const LitBox box;
   for (const glm::vec3& colour :
        emitted_light(box.extinction_per_m, box.radiance, box.voxels).colours.values)
     EXPECT_NEAR(luminance(colour), 1.0, 1e-5);

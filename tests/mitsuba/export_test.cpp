@@ -132,22 +132,20 @@ TEST(MitsubaGrid, HeaderAndValuesLieWhereMitsubaReadsThem) {
   EXPECT_THROW(grid_bytes({2, 2, 2}, std::vector<float>(7)), std::invalid_argument);
 }
 
-TEST_F(MitsubaExport, BouldersAreTrianglesOfTheGround) {
-  const auto counts = [&] {
-    const std::vector<fs::path> files = export_frame(landscape, folder.path() / "out");
-    const auto file = std::ranges::find_if(files, [](const fs::path& path) {
-      return path.filename().string().starts_with("terrain_");
-    });
-    const std::string text = read_file(*file);
-    const auto number_after = [&](const std::string& what) {
-      return std::stoi(text.substr(text.find(what) + what.size()));
-    };
-    return glm::ivec2(number_after("element vertex "), number_after("element face "));
-  };
-  const glm::ivec2 before = counts();
+TEST_F(MitsubaExport, BouldersAreAMeshOfTheirOwnWithTheGroundsPicture) {
+  export_frame(landscape, folder.path() / "out");
+  EXPECT_THAT(scene(), Not(testing::HasSubstr("boulders_")));
   landscape.boulders.points_m = {{1, 1, 2}, {0.5F, 0.5F, 1}, {1.5F, 0.5F, 1}, {1, 1.5F, 1}};
   landscape.boulders.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}};
-  EXPECT_EQ(counts(), before + glm::ivec2(4, 3));
+  const std::vector<fs::path> files = export_frame(landscape, folder.path() / "out");
+  const auto file = std::ranges::find_if(files, [](const fs::path& path) {
+    return path.filename().string().starts_with("boulders_");
+  });
+  ASSERT_NE(file, files.end());
+  EXPECT_THAT(scene(), testing::HasSubstr("\"../" + file->filename().string() + "\""));
+  const std::string text = read_file(*file);
+  EXPECT_THAT(text, testing::HasSubstr("element vertex 4"));
+  EXPECT_THAT(text, testing::HasSubstr("element face 3"));
 }
 
 }  // namespace

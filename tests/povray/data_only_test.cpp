@@ -47,6 +47,22 @@ TEST_F(DataOnly, NumbersNamesAndCommentsAre) {
             "");
 }
 
+// A file that a frame names is included before the boulders' is.
+TEST_F(DataOnly, FilesThatNamedFilesNameCount) {
+  const auto write = [&](const char* file, const char* text) {
+    make_folder((folder_.path() / "data" / file).parent_path());
+    write_file(folder_.path() / "data" / file, text);
+  };
+  write("frame_0002/frame.inc", "#declare Wold_terrain_file = \"terrain_1.inc\";\n");
+  write("terrain_1.inc", "#declare Wold_boulders_file = \"other.inc\";\n");
+  EXPECT_THAT(said_of("other.inc", "#fopen F \"x\" write"),
+              HasSubstr("other.inc:1: found \"#fopen"));
+  write("frame_0002/frame.inc", "#declare Wold_boulders_file = \"boulders_1.inc\";\n");
+  EXPECT_THAT(said_of("boulders_1.inc", "#fopen F \"x\" write"), HasSubstr("boulders_1.inc"));
+  // One that names itself is read once.
+  EXPECT_EQ(said_of("boulders_1.inc", "#declare Wold_boulders_file = \"boulders_1.inc\";\n"), "");
+}
+
 TEST_F(DataOnly, WhatRunsReadsOrWritesIsNot) {
   for (const char* text : {
            "#fopen F \"x\" write",

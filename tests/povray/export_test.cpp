@@ -297,6 +297,7 @@ TEST_F(Export, BouldersAreAMeshOfTheirOwnWhereThereAreSome) {
   EXPECT_THAT(read_file(frame_inc), Not(testing::HasSubstr("boulders")));
   scene.boulders.points_m = {{1, 1, 2}, {0.5F, 0.5F, 1}, {1.5F, 0.5F, 1}, {1, 1.5F, 1}};
   scene.boulders.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}};
+  scene.boulders.origin_m = {100, 200, 30};
   files = export_frame(scene, folder / "out", 16);
   const auto file = std::ranges::find_if(files, [](const fs::path& path) {
     return path.filename().string().starts_with("boulders_");
@@ -304,6 +305,7 @@ TEST_F(Export, BouldersAreAMeshOfTheirOwnWhereThereAreSome) {
   ASSERT_NE(file, files.end());
   EXPECT_THAT(read_file(frame_inc),
               testing::HasSubstr("Wold_boulders_file = \"" + file->filename().string() + "\";"));
+  EXPECT_THAT(read_file(frame_inc), testing::HasSubstr("Wold_boulders_origin_m = <100, 200, 30>;"));
   const std::string text = read_file(*file);
   EXPECT_THAT(text, testing::HasSubstr("#declare Wold_boulders_mesh = mesh2 {"));
   EXPECT_THAT(text, testing::HasSubstr("vertex_vectors { 4,\n<1,1,2>,\n<0.5,0.5,1>,"));

@@ -28,7 +28,7 @@ class ExportedFolder(unittest.TestCase):
         return self.folder / "data" / f"frame_{number:04d}"
 
     def write_frame(self, number, values):
-        whole = {"format": frame_data.FORMAT, "weathering": 0.0, "time_s": 0.0, **values}
+        whole = {"format": frame_data.NEWEST_FORMAT, "weathering": 0.0, "time_s": 0.0, **values}
         self.write_json(number, json.dumps(whole))
 
     def write_json(self, number, text):
@@ -67,7 +67,7 @@ class FrameJson(ExportedFolder):
 
     def test_another_format_is_an_error_that_names_both(self):
         self.write_frame(1, {"format": 4})
-        self.fails(f"has format 4, {frame_data.FORMAT} was expected", self.frame)
+        self.fails(f"has format 4, {frame_data.NEWEST_FORMAT} was expected", self.frame)
 
     def test_json_that_is_no_frame_has_no_format(self):
         for text in ("[]", "5", '"frame"', "null", "{}"):

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "core/random.h"
@@ -76,6 +78,12 @@ TEST(Boulder, IsAsLargeAsItIsSaid) {
     heights += height_m / 300.0;
     EXPECT_GT(height_m, 0.25 * 2.0 * 0.5) << number;
     EXPECT_LT(height_m, 0.7 * 2.0) << number;
+    for (std::uint64_t k = 0; k < 50; ++k)
+      EXPECT_LT(boulder
+                    .top(boulder.middle_m() +
+                         random_uniform({number, k, 3}) * heading(random_uniform({number, k, 4})))
+                    .height_m,
+                Boulder::most_height_m(2.0));
   }
   EXPECT_NEAR(widths, 2.0, 0.2);
   EXPECT_NEAR(heights / 2.0, 0.34, 0.08);
@@ -129,8 +137,8 @@ scene::Terrain terrain_with(double boulders_per_hectare) {
 }
 
 Boulders boulders_on(const Heightfield& heights_m, double per_hectare, const Scree* scree = nullptr,
-                     const Water* water = nullptr) {
-  return {heights_m, terrain_with(per_hectare), 5, scree, water};
+                     std::shared_ptr<const Water> water = nullptr) {
+  return {heights_m, terrain_with(per_hectare), 5, scree, std::move(water)};
 }
 
 std::size_t count_wider(const Boulders& boulders, double width_m) {
@@ -141,7 +149,7 @@ std::size_t count_wider(const Boulders& boulders, double width_m) {
 
 TEST(Boulders, AreAsManyOnAHectareAsTheSceneSays) {
   const Heightfield plane = slope(4.0);
-  for (const double per_hectare : {5.0, 40.0, 100.0})
+  for (const double per_hectare : {5.0, 40.0, 100.0, 200.0})
     EXPECT_NEAR(static_cast<double>(count_wider(boulders_on(plane, per_hectare), 1.0)),
                 100.0 * per_hectare, 9.0 * per_hectare)
         << per_hectare;
@@ -190,11 +198,12 @@ TEST(Boulders, KeepOutOfWater) {
   Lakes lakes{GroundMap<int>(101, size_m, -1), {0.0}};
   for (int j = 0; j < 101; ++j)
     for (int i = 0; i < 51; ++i) lakes.number.at(i, j) = 0;
-  const Water water(lakes, 3);
+  const auto water = std::make_shared<const Water>(lakes, 3);
   const NearbyBoulders nearby =
-      boulders_on(plane, 60.0, nullptr, &water).nearby({.size_m = size_m}, 0.0);
+      boulders_on(plane, 60.0, nullptr, water).nearby({.size_m = size_m}, 0.0);
   EXPECT_FALSE(nearby.all().empty());
-  for (const Boulder& boulder : nearby.all()) EXPECT_GT(boulder.middle_m().x, 480.0);
+  for (const Boulder& boulder : nearby.all())
+    EXPECT_LT(water->share(boulder.middle_m(), boulder.width_m()), 0.011);
 }
 
 TEST(Boulders, AreTheSameInWhateverSquareTheyAreAskedFor) {
@@ -266,11 +275,15 @@ TEST(Boulders, AreBuriedBySnow) {
   };
   EXPECT_GT(cover_under(0.0), 1.5 * cover_under(0.3));
   EXPECT_GT(cover_under(0.3), 0.0);
-  EXPECT_EQ(cover_under(3.3), 0.0);
+  EXPECT_EQ(cover_under(3.5), 0.0);
+  const Surface deep(plane, nullptr, grid, known, {}, [](const glm::dvec2&) { return 3.5; });
+  const ColourMap one(2, grid.square, glm::vec3(1.0F));
+  const GroundLight light =
+      deep.lit({one, one, FactorMap(2, grid.square, 1.0F)}, glm::normalize(glm::dvec3(1, 0, 0.3)));
+  for (const glm::vec3& sun : light.sun.values()) ASSERT_NEAR(sun.g, 1.0F, 1e-4F);
 }
 
-// Faces that look at a low sun are brighter than the ground, what lies behind boulders is dark, and
-// the mean over all stays that of the ground within what their sides take.
+// Faces that look at a low sun are brighter than the ground, and what lies behind boulders is dark.
 TEST(Boulders, AreLitAndShadeTheGround) {
   const Heightfield plane = slope(0.0);
   const Boulders boulders = boulders_on(plane, 100.0);
@@ -298,6 +311,50 @@ TEST(Boulders, AreLitAndShadeTheGround) {
     }
   EXPECT_GT(bright, 1000);
   EXPECT_GT(dark, 5000);
+}
+
+// Under snow they shade less, and nothing where it covers them.
+TEST(Boulders, ShadeLessUnderSnow) {
+  const Heightfield plane = slope(0.0);
+  const NearbyBoulders nearby = boulders_on(plane, 100.0).nearby({{200.0, 200.0}, 50.0}, 0.05);
+  const glm::dvec3 to_sun = glm::normalize(glm::dvec3(-1.0, 0.0, 0.4));
+  const auto hidden = [&](double snow_m) {
+    glm::dvec2 sum(0.0);
+    for (int j = 0; j <= 250; ++j)
+      for (int i = 0; i <= 250; ++i) {
+        const Boulder::Light left = nearby.light_beside(glm::dvec2(200.0) + 0.2 * glm::dvec2(i, j),
+                                                        to_sun, glm::dvec2(0.0), snow_m);
+        sum += 1.0 - glm::dvec2(left.sun, left.sky);
+      }
+    return sum;
+  };
+  const glm::dvec2 bare = hidden(0.0), some = hidden(0.4), deep = hidden(3.5);
+  for (int k = 0; k < 2; ++k) {
+    EXPECT_LT(some[k], 0.7 * bare[k]);
+    EXPECT_GT(some[k], 0.0);
+    EXPECT_EQ(deep[k], 0.0);
+  }
+}
+
+// About a place they are those that lie there, and no others are made.
+TEST(Boulders, AboutAPlaceAreThoseThatAreWanted) {
+  const Heightfield plane = slope(4.0);
+  const Boulders boulders = boulders_on(plane, 80.0);
+  const glm::dvec2 at_m(480.0, 530.0);
+  const auto few =
+      boulders.about(at_m, 20.0, [](const glm::dvec2&, double width_m) { return width_m > 1.5; });
+  const NearbyBoulders nearby = boulders.nearby({.size_m = size_m}, 0.0);
+  const auto wanted = [&](const Boulder& boulder) {
+    const glm::dvec2 away_m = glm::abs(boulder.middle_m() - at_m);
+    const double far_m = 20.0 * (boulder.width_m() < 2.15 ? 2.15 : 4.6225) - 12.0;
+    return boulder.width_m() > 1.5 && std::max(away_m.x, away_m.y) < far_m;
+  };
+  const auto least = std::ranges::count_if(nearby.all(), wanted);
+  EXPECT_GT(least, 20);
+  EXPECT_EQ(std::ranges::count_if(few, wanted), least);
+  for (const Boulder& boulder : few) EXPECT_GT(boulder.width_m(), 1.5);
+  EXPECT_TRUE(boulders.about({-5000.0, 500.0}, 20.0, [](auto, double) { return true; }).size() <
+              3000);
 }
 
 // Green rock on red soil.

@@ -226,6 +226,8 @@ TEST_F(UsdExport, BouldersAreTrianglesOfTheGround) {
   };
   const std::string before = counts_in(ground_text());
   landscape.boulders.points_m = {{1, 1, 2}, {0.5F, 0.5F, 1}, {1.5F, 0.5F, 1}, {1, 1.5F, 1}};
+  landscape.boulders.origin_m = {-1, 0, 5};
+  for (glm::vec3& from_origin_m : landscape.boulders.points_m) from_origin_m -= glm::vec3(-1, 0, 5);
   landscape.boulders.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}};
   const std::string text = ground_text();
   EXPECT_EQ(counts_in(text), before.substr(0, before.size() - 1) + ", 3, 3, 3]");

@@ -12,7 +12,8 @@ import re
 import sys
 from typing import Any, NamedTuple
 
-FORMAT = 7  # of the folder; gen/blender/frame_data.cpp writes it
+# Of the folder; gen/blender/frame_data.cpp writes the newest one where a frame needs it.
+OLDEST_FORMAT, NEWEST_FORMAT = 7, 8
 
 
 class DataError(Exception):
@@ -29,10 +30,10 @@ def read_json(path: str) -> Any:
 
 def check_format(frame: Any, path: str) -> None:
     found = frame.get("format") if isinstance(frame, dict) else None
-    if found != FORMAT:
+    if not isinstance(found, int) or not OLDEST_FORMAT <= found <= NEWEST_FORMAT:
         raise DataError(
-            f"{path} has format {found}, {FORMAT} was expected: generate the scene and render it"
-            " with the same version of Wold"
+            f"{path} has format {found}, {NEWEST_FORMAT} was expected: generate the scene and"
+            " render it with the same version of Wold"
         )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from .frame_data import Frame
+from .frame_data import DataError, Frame
 from .meshes import add_object, face_mesh, grid_points, grid_quads
 from .nodes import LIT, glow, map_outputs, new_material
 
@@ -43,6 +43,8 @@ def add_boulders(home: Any, frame: Frame, material: Any) -> None:
     boulders = frame["boulders"]
     points = frame.numbers(boulders["points"], "f", 3 * boulders["point_count"])
     corners = frame.numbers(boulders["triangles"], "i", 3 * boulders["triangle_count"])
+    if max(corners) >= boulders["point_count"] or min(corners) < 0:
+        raise DataError(f"{frame.json_path} has boulders with corners that are not there")
     mesh = face_mesh("boulders", points, corners, sides=3)
     mesh.materials.append(material)
-    add_object(home, "boulders", mesh)
+    add_object(home, "boulders", mesh).location = boulders["origin_m"]

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace wold::passes {
+namespace wold::landscape {
 
 /// A box along the axes; empty at first.
 struct Box {
@@ -76,4 +76,4 @@ void BoxTree::follow(const glm::dvec3& start, const glm::dvec3& along, double en
   }
 }
 
-}  // namespace wold::passes
+}  // namespace wold::landscape

@@ -1,14 +1,14 @@
-#include "passes/raised_cast.h"
+#include "landscape/raised_cast.h"
 
 #include <array>
 #include <vector>
 
-#include "passes/triangle.h"
+#include "landscape/triangle.h"
 
-namespace wold::passes {
+namespace wold::landscape {
 namespace {
 
-std::vector<Box> boxes_of(const landscape::RaisedGround& raised) {
+std::vector<Box> boxes_of(const RaisedGround& raised) {
   std::vector<Box> boxes(raised.triangles.size());
   for (std::size_t i = 0; i < boxes.size(); ++i)
     for (int k = 0; k < 3; ++k) boxes[i].add(raised.points_m[raised.triangles[i][k]]);
@@ -17,7 +17,7 @@ std::vector<Box> boxes_of(const landscape::RaisedGround& raised) {
 
 }  // namespace
 
-RaisedCast::RaisedCast(const landscape::RaisedGround& raised)
+RaisedCast::RaisedCast(const RaisedGround& raised)
     : raised_(raised), triangles_(boxes_of(raised)) {}
 
 std::array<glm::vec3, 3> RaisedCast::corners(std::uint32_t triangle) const {
@@ -28,8 +28,9 @@ std::array<glm::vec3, 3> RaisedCast::corners(std::uint32_t triangle) const {
 RaisedCast::Hit RaisedCast::first(const glm::dvec3& start_m, const glm::dvec3& direction,
                                   double end_m) const {
   Hit hit{end_m, std::nullopt};
-  triangles_.follow(start_m, direction, end_m, [&](std::uint32_t triangle) {
-    const double at_m = meeting_m(start_m, direction, corners(triangle));
+  const glm::dvec3 from_m = start_m - raised_.origin_m;
+  triangles_.follow(from_m, direction, end_m, [&](std::uint32_t triangle) {
+    const double at_m = meeting_m(from_m, direction, corners(triangle));
     if (at_m < hit.distance_m) hit = {at_m, triangle};
     return hit.distance_m;
   });
@@ -50,4 +51,4 @@ std::optional<glm::dvec3> RaisedCast::normal(const glm::dvec3& at_m) const {
   return glm::normalize(across(corners(*hit.triangle)));
 }
 
-}  // namespace wold::passes
+}  // namespace wold::landscape

@@ -1,4 +1,4 @@
-#include "passes/raised_cast.h"
+#include "landscape/raised_cast.h"
 
 #include <gtest/gtest.h>
 
@@ -7,16 +7,18 @@
 
 #include "core/random.h"
 
-namespace wold::passes {
+namespace wold::landscape {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
+const glm::dvec3 origin_m(100.0, -50.0, 7.0);
+
 /// A cone of 45 degrees, many times: its tip 1 m over the ground at each of 10 by 10 places, 4 m
 /// apart.
-landscape::RaisedGround cones() {
+RaisedGround cones() {
   constexpr std::uint32_t ways = 64;
-  landscape::RaisedGround raised;
+  RaisedGround raised{origin_m, {}, {}};
   for (int cone = 0; cone < 100; ++cone) {
     const glm::vec3 foot_m(4.0F * static_cast<float>(cone % 10),
                            4.0F * static_cast<float>(cone / 10), 0.0F);
@@ -32,29 +34,32 @@ landscape::RaisedGround cones() {
 }
 
 TEST(RaisedCast, MeetsConesWhereTheyAre) {
-  const landscape::RaisedGround raised = cones();
+  const RaisedGround raised = cones();
   const RaisedCast cast(raised);
   // Half a metre over the ground a cone is a metre wide.
   for (const int row : {0, 3, 9})
-    EXPECT_NEAR(cast.distance_m({-5.0, 4.0 * row, 0.5}, {1, 0, 0}, infinite), 4.5, 0.002);
-  EXPECT_EQ(cast.distance_m({-5.0, 2.0, 0.5}, {1, 0, 0}, infinite), infinite);
-  EXPECT_EQ(cast.distance_m({-5.0, 4.0, 0.5}, {1, 0, 0}, 3.0), 3.0);
-  EXPECT_EQ(cast.distance_m({-5.0, 4.0, 0.5}, {-1, 0, 0}, infinite), infinite);
+    EXPECT_NEAR(cast.distance_m(origin_m + glm::dvec3(-5.0, 4.0 * row, 0.5), {1, 0, 0}, infinite),
+                4.5, 0.002);
+  EXPECT_EQ(cast.distance_m(origin_m + glm::dvec3(-5.0, 2.0, 0.5), {1, 0, 0}, infinite), infinite);
+  EXPECT_EQ(cast.distance_m(origin_m + glm::dvec3(-5.0, 4.0, 0.5), {1, 0, 0}, 3.0), 3.0);
+  EXPECT_EQ(cast.distance_m(origin_m + glm::dvec3(-5.0, 4.0, 0.5), {-1, 0, 0}, infinite), infinite);
 }
 
 TEST(RaisedCast, KnowsNormalsOnConesAndNoneBeside) {
-  const landscape::RaisedGround raised = cones();
+  const RaisedGround raised = cones();
   const RaisedCast cast(raised);
   for (std::uint64_t k = 0; k < 200; ++k) {
     const double turn = 6.2831853 * random_uniform({k, 1}), from_m = 0.9 * random_uniform({k, 2});
     const glm::dvec2 way(std::cos(turn), std::sin(turn));
-    const auto normal = cast.normal({8.0 + from_m * way.x, 12.0 + from_m * way.y, 1.0 - from_m});
+    const auto normal = cast.normal(
+        origin_m + glm::dvec3(8.0 + from_m * way.x, 12.0 + from_m * way.y, 1.0 - from_m));
     ASSERT_TRUE(normal);
     EXPECT_NEAR(glm::dot(*normal, glm::normalize(glm::dvec3(way, 1.0))), 1.0, 0.003);
-    EXPECT_FALSE(cast.normal({8.0 + from_m * way.x, 12.0 + from_m * way.y, 1.1 - from_m}));
+    EXPECT_FALSE(cast.normal(
+        origin_m + glm::dvec3(8.0 + from_m * way.x, 12.0 + from_m * way.y, 1.1 - from_m)));
   }
-  EXPECT_FALSE(cast.normal({10.0, 12.0, 0.0}));
+  EXPECT_FALSE(cast.normal(origin_m + glm::dvec3(10.0, 12.0, 0.0)));
 }
 
 }  // namespace
-}  // namespace wold::passes
+}  // namespace wold::landscape

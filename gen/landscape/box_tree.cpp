@@ -1,9 +1,9 @@
-#include "passes/box_tree.h"
+#include "landscape/box_tree.h"
 
 #include <cmath>
 #include <numeric>
 
-namespace wold::passes {
+namespace wold::landscape {
 
 BoxTree::BoxTree(std::span<const Box> boxes) : things_(boxes.size()) {
   std::iota(things_.begin(), things_.end(), 0U);
@@ -49,4 +49,4 @@ bool BoxTree::meets(const Box& box, const glm::dvec3& start, const glm::dvec3& i
   return from_m <= to_m;
 }
 
-}  // namespace wold::passes
+}  // namespace wold::landscape

@@ -5,16 +5,16 @@
 #include <glm/glm.hpp>
 #include <optional>
 
+#include "landscape/box_tree.h"
 #include "landscape/landscape.h"
-#include "passes/box_tree.h"
 
-namespace wold::passes {
+namespace wold::landscape {
 
 /// Finds where rays meet what stands out of the terrain.
 class RaisedCast {
  public:
   /// `raised` has to outlive it.
-  explicit RaisedCast(const landscape::RaisedGround& raised);
+  explicit RaisedCast(const RaisedGround& raised);
 
   /// Distance in metres along a unit direction, at most `end_m`; that where the ray meets nothing
   /// before.
@@ -30,10 +30,11 @@ class RaisedCast {
     std::optional<std::uint32_t> triangle;
   };
   Hit first(const glm::dvec3& start_m, const glm::dvec3& direction, double end_m) const;
+  /// From the origin of what is raised.
   std::array<glm::vec3, 3> corners(std::uint32_t triangle) const;
 
-  const landscape::RaisedGround& raised_;
+  const RaisedGround& raised_;
   BoxTree triangles_;
 };
 
-}  // namespace wold::passes
+}  // namespace wold::landscape

@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <limits>
 
-namespace wold::passes {
+namespace wold::landscape {
 
 /// Where the ray start + m * along meets a triangle, as m > 0 [Moeller1997]; infinite beside it.
 inline double meeting_m(const glm::dvec3& start, const glm::dvec3& along,
@@ -29,4 +29,4 @@ inline glm::dvec3 across(const std::array<glm::vec3, 3>& corners) {
                     glm::dvec3(corners[2]) - glm::dvec3(corners[0]));
 }
 
-}  // namespace wold::passes
+}  // namespace wold::landscape
