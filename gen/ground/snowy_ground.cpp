@@ -201,6 +201,7 @@ void SnowyGround::lay_everywhere(int frame) {
   white_ = snow.white(state, sketch ? sketch->ground_samples : white_samples(surface_.size_m()));
   keep_from_water(depth_m_);
   keep_from_water(*white_);
+  clear_steep_sides(*white_);
   if (is_paper(scene_)) return;  // the ground's shape stays
   surface_ = snow_surface(scene_, site_.terrain, depth_m_, *white_);
   light_ = place::whole_light(site_, surface_, snow_depth());
@@ -212,6 +213,22 @@ void SnowyGround::keep_from_water(FactorMap& snow) const {
     const int j = static_cast<int>(row);
     for (int i = 0; i < snow.samples(); ++i)
       snow.at(i, j) *= holds_snow(snow.place_m(i, j), snow.step_m());
+  });
+}
+
+void SnowyGround::clear_steep_sides(FactorMap& white) const {
+  constexpr double held_deg = 48.0, steepest_deg = 64.0;  // about as steep as terrain::ledges()
+  if (!site_.boulders) return;
+  const terrain::Surface surface =
+      site_.surface({white.square(), white.samples()}, {}, snow_depth());
+  parallel_for(static_cast<std::size_t>(white.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < white.samples(); ++i) {
+      const double cover = surface.boulder(i, j).cover;
+      if (cover <= 0.0) continue;
+      const double steep = glm::smoothstep(held_deg, steepest_deg, surface.slope_deg(i, j));
+      white.at(i, j) *= static_cast<float>(1.0 - cover * steep);
+    }
   });
 }
 

@@ -77,6 +77,8 @@ class SnowyGround {
   /// How much of what falls there stays, in [0, 1]: none of it in water.
   float holds_snow(const glm::dvec2& at_m, double step_m) const;
   void keep_from_water(FactorMap& snow) const;
+  /// Of the boulders on ground that is not large.
+  void clear_steep_sides(FactorMap& white) const;
   void freeze_water(int frame);
   /// Ice where water is frozen, in place of what comes out of the water.
   ColourMap iced(ColourMap bare) const;

@@ -195,5 +195,33 @@ TEST(SnowyGround, LeavesWallsBare) {
   EXPECT_LT(ground.white_fraction(), 0.97);
 }
 
+TEST(SnowyGround, LiesOnBouldersButNotOnTheirSides) {
+  scene::Scene scene = snowed_in(12.0);
+  scene.terrain.boulders_per_hectare = 200.0;
+  scene.terrain.size_m = 20.0;
+  const place::Site site = test::site_of(scene);
+  const SnowyGround ground(scene, site, 1);
+  const terrain::Surface surface = site.surface({site.terrain.square(), 801});
+  int tops = 0, sides = 0;
+  double white_on_sides = 0.0;
+  for (int j = 0; j < 801; ++j)
+    for (int i = 0; i < 801; ++i) {
+      const terrain::NearbyBoulders::Rise rise = surface.boulder(i, j);
+      const glm::dvec2 at_m = surface.place_m(i, j);
+      if (rise.cover < 1.0 || rise.height_m < double{ground.depth_m(at_m)} + 0.1) continue;
+      const float white = ground.white_fraction(at_m);
+      const double slope_deg = surface.slope_deg(i, j);
+      if (slope_deg > 67.0) {
+        ++sides;
+        white_on_sides += double{white};
+      } else if (slope_deg < 30.0) {
+        tops += white > 0.5F;
+      }
+    }
+  EXPECT_GT(tops, 200);
+  ASSERT_GT(sides, 200);
+  EXPECT_LT(white_on_sides / sides, 0.1);
+}
+
 }  // namespace
 }  // namespace wold::ground
