@@ -137,6 +137,24 @@ TEST(BouldersInView, AreNotDrawnBehindTheCameraNorUnderSnow) {
   EXPECT_TRUE(boulders_in_view(site, landscape).triangles.empty());
 }
 
+TEST(BouldersInView, LowOnesAreNotDrawnUnderSomeSnow) {
+  constexpr float snow_m = 0.6F;
+  const scene::Scene scene = with_boulders();
+  const place::Site site = site_of(scene);
+  landscape::Landscape landscape = landscape_of(scene, site, 960);
+  std::ranges::for_each(landscape.terrain.values(), [](float& height_m) { height_m += snow_m; });
+  landscape.camera.eye_m.z += 2.0;
+  const landscape::RaisedGround raised = boulders_in_view(site, landscape);
+  EXPECT_FALSE(raised.triangles.empty());
+  for (const terrain::Boulder& boulder : site.boulders->nearby(site.terrain.square(), 0.0).all()) {
+    if (terrain::Boulder::most_height_m(boulder.width_m()) > double{snow_m}) continue;
+    for (const glm::vec3& from_origin_m : raised.points_m)
+      EXPECT_GT(glm::distance(glm::dvec2(raised.origin_m) + glm::dvec2(from_origin_m),
+                              boulder.middle_m()),
+                1e-3);
+  }
+}
+
 TEST(BouldersInView, LeaveTheEyeItsPlace) {
   const scene::Scene scene = with_boulders();
   const place::Site site = site_of(scene);

@@ -235,6 +235,32 @@ TEST(Boulders, AreWholeAcrossCells) {
   EXPECT_GT(on_boulders, 40000);
 }
 
+// No seam in their shadows, either: by a millimetre light changes a little.
+TEST(Boulders, ShadeAcrossCells) {
+  const NearbyBoulders nearby = boulders_on(slope(4.0), 150.0).nearby({{100.0, 100.0}, 100.0}, 0.0);
+  for (const double sun_deg : {6.0, 30.0}) {
+    const glm::dvec3 to_sun(0.6 * std::cos(sun_deg * degree), -0.8 * std::cos(sun_deg * degree),
+                            std::sin(sun_deg * degree));
+    int shaded = 0;
+    for (int j = 0; j < 10; ++j) {
+      double before = 1.0;
+      bool beside_before = false;
+      for (int i = 0; i < 20000; ++i) {
+        const glm::dvec2 at_m(110.0 + 1e-3 * i, 120.0 + 1.7 * j);
+        const bool beside = nearby.at(at_m).height_m <= 0.0;
+        const double sun = nearby.light_beside(at_m, to_sun, glm::dvec2(0.0)).sun;
+        if (beside && beside_before) {
+          ASSERT_LT(std::abs(sun - before), 0.05) << at_m.x << ' ' << at_m.y;
+        }
+        shaded += sun < 0.5;
+        before = sun;
+        beside_before = beside;
+      }
+    }
+    EXPECT_GT(shaded, 1000) << sun_deg;
+  }
+}
+
 // What a coarse map does not show counts as a share of its ground.
 TEST(Boulders, CoverAsMuchHoweverCoarseTheMap) {
   const Heightfield plane = slope(4.0);
