@@ -146,7 +146,8 @@ TEST(BouldersInView, LowOnesAreNotDrawnUnderSomeSnow) {
   landscape.camera.eye_m.z += 2.0;
   const landscape::RaisedGround raised = boulders_in_view(site, landscape);
   EXPECT_FALSE(raised.triangles.empty());
-  for (const terrain::Boulder& boulder : site.boulders->nearby(site.terrain.square(), 0.0).all()) {
+  const terrain::NearbyBoulders nearby = site.boulders->nearby(site.terrain.square(), 0.0);
+  for (const terrain::Boulder& boulder : nearby.all()) {
     if (terrain::Boulder::most_height_m(boulder.width_m()) > double{snow_m}) continue;
     for (const glm::vec3& from_origin_m : raised.points_m)
       EXPECT_GT(glm::distance(glm::dvec2(raised.origin_m) + glm::dvec2(from_origin_m),
