@@ -108,13 +108,11 @@ std::vector<Key> terrain_keys() {
             FIELD(terrain.rock_albedo)),
       bound(number("terrain.rock_slope", "deg", {0, 90}, "Rock shows where the ground is steeper."),
             FIELD(terrain.rock_slope_deg)),
-      bound(
-          number(
-              "terrain.boulders", "per hectare", {0, 200},
-              "Boulders at least a metre wide on open ground. As many as nature has are smaller, "
-              "down to half a metre; below rock of large terrains there are up to twenty times as "
-              "many."),
-          FIELD(terrain.boulders_per_hectare)),
+      bound(number("terrain.boulders", "per hectare", {0, 200},
+                   "Boulders at least a metre wide on open ground. Smaller ones, down to half a "
+                   "metre, are more, as in nature; below rock of large terrains there are up to "
+                   "twenty times as many."),
+            FIELD(terrain.boulders_per_hectare)),
   };
 }
 
