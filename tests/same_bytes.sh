@@ -24,6 +24,7 @@ scenes=(
   "fur fur 1"
   "flakes figures/snow_tornado 1"
   "points figures/points 2"
+  "boulders hillside 2 --set terrain.boulders=200"
 )
 
 # hashes_of NAME FOLDER: for each folder and kind of file, as a line of the table.

@@ -20,8 +20,7 @@ using terrain::Boulder;
 constexpr double least_px = 5.0, most_px_per_radian = 1366.0;
 
 double pixels_per_radian(const place::View& view, const glm::dvec3& eye_m) {
-  constexpr double small_m = 1e-3;
-  return view.pixels(small_m, eye_m + glm::dvec3(1.0, 0.0, 0.0)) / small_m;
+  return view.pixels(1.0, eye_m + glm::dvec3(1.0, 0.0, 0.0));
 }
 
 /// Whether an eye, so far from a boulder's foot, would be in it or so near that it fills the

@@ -55,7 +55,7 @@ class SnowyGround {
 
   /// Depth of the snow at a place, metres.
   float depth_m(const glm::dvec2& at_m) const;
-  /// The same as a function, which it has to outlive; empty without snow.
+  /// depth_m() as a function, which this has to outlive; empty without snow.
   terrain::SnowDepth snow_depth() const;
   /// Fraction of the ground there that is white.
   float white_fraction(const glm::dvec2& at_m) const;
@@ -77,7 +77,7 @@ class SnowyGround {
   /// How much of what falls there stays, in [0, 1]: none of it in water.
   float holds_snow(const glm::dvec2& at_m, double step_m) const;
   void keep_from_water(FactorMap& snow) const;
-  /// Of the boulders on ground that is not large.
+  /// Takes snow off the steep sides of boulders, on ground that is not large.
   void clear_steep_sides(FactorMap& white) const;
   void freeze_water(int frame);
   /// Ice where water is frozen, in place of what comes out of the water.

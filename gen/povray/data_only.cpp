@@ -190,27 +190,27 @@ std::vector<std::string> named_files_in(std::string_view text, std::string_view 
   return names;
 }
 
-/// All that the scene program can include for a frame. data/ itself is not looked through: it has
-/// a folder of every frame.
+/// What the scene program includes of a frame, but for what the files themselves name. data/ is not
+/// looked through: it has a folder of every frame.
 std::vector<fs::path> include_files(const fs::path& data, const std::string& own) {
   std::vector<fs::path> files;
   require_folder(data);
   for (const fs::path& folder : {data / own, data / "volumes", data / "blades"})
     add_include_files(folder, files);
   if (const fs::path all = data / "frames.inc"; fs::exists(all)) files.push_back(all);
-  // What is named may name others.
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    const std::string text = read_file(files[i]);
-    for (const char* word : {"Wold_terrain_file", "Wold_boulders_file"})
-      for (const std::string& name : named_files_in(text, word, files[i]))
-        if (fs::exists(data / name) && std::ranges::find(files, data / name) == files.end())
-          files.push_back(data / name);
-  }
   return files;
 }
 
-void require_data_only_in(const fs::path& file) {
-  const std::string text = read_file(file);
+/// Adds those that a text names and that are not there yet.
+void add_named_files(std::string_view text, const fs::path& file, const fs::path& data,
+                     std::vector<fs::path>& files) {
+  for (const char* word : {"Wold_terrain_file", "Wold_boulders_file"})
+    for (const std::string& name : named_files_in(text, word, file))
+      if (fs::exists(data / name) && std::ranges::find(files, data / name) == files.end())
+        files.push_back(data / name);
+}
+
+void require_data_only_in(const std::string& text, const fs::path& file) {
   Reader reader(text);
   if (reader.is_data()) return;
   const auto at = static_cast<std::ptrdiff_t>(text.size() - reader.rest().size());
@@ -224,9 +224,15 @@ void require_data_only_in(const fs::path& file) {
 }  // namespace
 
 void require_data_only(const fs::path& folder, int frame) {
+  const fs::path data = folder / "data";
   try {
-    for (const fs::path& file : include_files(folder / "data", fmt::format("frame_{:04}", frame)))
-      require_data_only_in(file);
+    std::vector<fs::path> files = include_files(data, fmt::format("frame_{:04}", frame));
+    for (std::size_t i = 0; i < files.size(); ++i) {  // what is named may name others
+      const fs::path file = files[i];
+      const std::string text = read_file(file);
+      add_named_files(text, file, data, files);
+      require_data_only_in(text, file);
+    }
   } catch (const fs::filesystem_error& error) {
     throw FileError(
         fmt::format("cannot read {}: {}", error.path1().string(), error.code().message()));

@@ -33,27 +33,31 @@ Boulder::Boulder(const glm::dvec2& middle_m, double width_m, std::uint64_t bits)
   const double turn = std::numbers::pi * draws.between(0.0, 1.0);
   along_ = {math::cos(turn), math::sin(turn)};
   const double half_m = 0.5 * width_m;
-  half_m_ = half_m * glm::dvec3(1.0, draws.between(0.62, 0.95), draws.between(0.5, 0.85));
+  // One draw a statement: compilers differ in which argument of a call they work out first.
+  const double height = draws.between(0.5, 0.85);
+  const double breadth = draws.between(0.62, 0.95);
+  half_m_ = half_m * glm::dvec3(1.0, breadth, height);
   raised_m_ = half_m_.z * draws.between(-0.1, 0.3);
   // A face touches the ellipsoid or cuts a little off. In the space where that is a unit sphere a
   // face with the unit normal m, at a distance d, is z = (d - m.x x - m.y y) / m.z.
-  const auto face = [&](double tilt_deg, double heading, double distance) {
-    const double tilt = radians(tilt_deg), run = math::tan(tilt);
+  struct Range {
+    double low, high;
+  };
+  const auto face = [&](const Range& tilt_deg, const Range& turns, const Range& distances) {
+    const double distance = draws.between(distances.low, distances.high);
+    const double heading = 2.0 * std::numbers::pi * draws.between(turns.low, turns.high);
+    const double tilt = radians(draws.between(tilt_deg.low, tilt_deg.high));
+    const double run = math::tan(tilt);
     return Face{raised_m_ + half_m_.z * distance / math::cos(tilt),
                 -half_m_.z * run *
                     glm::dvec2(math::cos(heading) / half_m_.x, math::sin(heading) / half_m_.y)};
   };
   auto next = faces_.begin();
-  *next++ = face(draws.between(0.0, 22.0), draws.between(0.0, 2.0 * std::numbers::pi),
-                 draws.between(0.8, 0.95));
+  *next++ = face({0.0, 22.0}, {0.0, 1.0}, {0.8, 0.95});
   for (int i = 0; i < faces_above - 1; ++i)
-    *next++ =
-        face(draws.between(38.0, 60.0), 0.5 * std::numbers::pi * (i + draws.between(0.0, 0.9)),
-             draws.between(0.84, 1.0));
+    *next++ = face({38.0, 60.0}, {i / 4.0, (i + 0.9) / 4.0}, {0.84, 1.0});
   for (int i = 0; i < faces_beside; ++i)
-    *next++ =
-        face(draws.between(68.0, 81.0), std::numbers::pi / 3.0 * (i + draws.between(0.0, 0.35)),
-             draws.between(0.86, 1.0));
+    *next++ = face({68.0, 81.0}, {i / 6.0, (i + 0.35) / 6.0}, {0.86, 1.0});
 }
 
 glm::dvec2 Boulder::to_own(const glm::dvec2& way) const {

@@ -19,7 +19,7 @@ class Boulder {
   double width_m() const { return width_m_; }
   /// Nothing of a boulder of a width is farther from its middle.
   static double reach_m(double width_m) { return 0.72 * width_m; }
-  /// And nothing of it is higher over the ground.
+  /// Nothing of a boulder of a width is higher over the ground.
   static double most_height_m(double width_m) { return 0.75 * width_m; }
 
   struct Top {

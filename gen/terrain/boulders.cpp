@@ -190,7 +190,7 @@ NearbyBoulders::Rise NearbyBoulders::at(const glm::dvec2& at_m, double snow_m) c
 Boulder::Light NearbyBoulders::light_beside(const glm::dvec2& at_m, const glm::dvec3& to_sun,
                                             const glm::dvec2& ascent, double snow_m) const {
   constexpr int reach = 2;                  // of shadows, in cells
-  constexpr double whole = 1.4, end = 2.0;  // where they fade, likewise
+  constexpr double whole = 1.4, end = 2.0;  // in cells from a boulder: shadows fade between them
   Boulder::Light left;
   for (const Cells& cells : cells_) {
     const glm::ivec2 here(glm::floor(at_m / cells.cell_m));

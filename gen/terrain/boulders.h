@@ -72,9 +72,6 @@ class NearbyBoulders {
 /// the foot of rock faces differ from open ground is a choice. A keyed function of the place.
 class Boulders {
  public:
-  /// No boulder is wider.
-  static constexpr double most_m = 4.63;
-
   /// Of the heights, the scree and the water where there is some. Needs terrain.boulders > 0.
   Boulders(const Heightfield& heights_m, const scene::Terrain& terrain, std::uint64_t seed,
            const Scree* scree, std::shared_ptr<const Water> water);

@@ -164,7 +164,7 @@ TEST(Boulders, AreFewerTheWiderByTheInverseSquare) {
                     (1.0 - 1.0 / (4.63 * 4.63)),
                 0.08 * wider_than_1 / (width_m * width_m))
         << width_m;
-  EXPECT_EQ(count_wider(boulders, Boulders::most_m), 0U);
+  EXPECT_EQ(count_wider(boulders, 4.63), 0U);
 }
 
 TEST(Boulders, DoNotLieWhereTheyWouldRollOn) {
