@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "core/error.h"
@@ -11,8 +12,8 @@
 namespace wold::shutter {
 namespace {
 
-const std::vector<float>& finite_channel(const LayeredImage& image, const std::string& name,
-                                         const std::filesystem::path& file) {
+std::span<const float> finite_channel(const LayeredImage& image, const std::string& name,
+                                      const std::filesystem::path& file) {
   const ImageChannel* channel = image.find(name);
   if (channel == nullptr)
     throw FileError(
@@ -29,9 +30,10 @@ const std::vector<float>& finite_channel(const LayeredImage& image, const std::s
 
 MotionField read_motion_field(const std::filesystem::path& passes) {
   const LayeredImage image = read_layered_image(passes);
-  const std::vector<float>& right = finite_channel(image, "motion.X", passes);
-  const std::vector<float>& down = finite_channel(image, "motion.Y", passes);
-  MotionField field{image.width, image.height, {}, finite_channel(image, "depth.Z", passes)};
+  const std::span<const float> right = finite_channel(image, "motion.X", passes);
+  const std::span<const float> down = finite_channel(image, "motion.Y", passes);
+  const std::span<const float> depth = finite_channel(image, "depth.Z", passes);
+  MotionField field{image.width, image.height, {}, {depth.begin(), depth.end()}};
   field.motion_px.reserve(right.size());
   for (std::size_t i = 0; i < right.size(); ++i) field.motion_px.emplace_back(right[i], down[i]);
   return field;

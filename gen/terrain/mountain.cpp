@@ -71,17 +71,53 @@ GroundMap<double> filled(int samples, double size_m, const Value& value) {
   return map;
 }
 
-/// Streams that cut while rock rises and slopes creep, in turns. Heights have no scale yet: the law
-/// is linear.
-void grow(GroundMap<double>& heights, std::uint64_t seed, double reach, int rounds) {
+/// Streams cut and slopes creep while rock rises by `uplift`. Heights have no scale: both laws are
+/// linear.
+void erode(GroundMap<double>& heights, const GroundMap<double>& uplift, const Incision& incision) {
   constexpr double creep_fraction = 1e-5;  // of the side squared, per reach
   const double side_m = heights.size_m();
+  carve(heights, uplift, incision);
+  creep(heights, creep_fraction * incision.reach * side_m * side_m);
+}
+
+/// Rock rises while it is worn, in turns.
+void grow(GroundMap<double>& heights, std::uint64_t seed, double reach, int rounds) {
   const double part = reach / rounds;
-  const auto uplift = filled(heights.samples(), side_m,
+  const auto uplift = filled(heights.samples(), heights.size_m(),
                              [&](const glm::dvec2& at) { return part * rise(at, seed); });
+  for (int round = 0; round < rounds; ++round)
+    erode(heights, uplift, {.reach = part, .source_fraction = 1e-3, .steps = 3});
+}
+
+/// 0 on the map's border, 1 farther than `width` from it.
+double inside(const glm::dvec2& at, double width) {
+  const glm::dvec2 from_border = glm::min(at, 1.0 - at);
+  return smooth_step(0.0, width, std::min(from_border.x, from_border.y));
+}
+
+/// Land rises again by what was worn off about it, as far as the Earth's crust is stiff; not at the
+/// border, whose level stays.
+void rebound(GroundMap<double>& heights, const GroundMap<double>& before) {
+  constexpr double stiffness = 0.06;  // deviation of the bell that a load bends
+  const double side_m = heights.size_m();
+  GroundMap<double> worn = before;
+  for (std::size_t k = 0; k < worn.values().size(); ++k) worn.values()[k] -= heights.values()[k];
+  creep(worn, 0.5 * stiffness * stiffness * side_m * side_m);
+  for (int j = 0; j < worn.samples(); ++j)
+    for (int i = 0; i < worn.samples(); ++i)
+      heights.at(i, j) +=
+          worn.at(i, j) * inside(glm::dvec2(i, j) / (worn.samples() - 1.0), 2.0 * stiffness);
+}
+
+/// Streams cut spurs and small valleys into the land, whose body stays as it is.
+void wear(GroundMap<double>& heights, double reach, double source_fraction) {
+  constexpr int rounds = 2;
+  const GroundMap<double> no_uplift(heights.samples(), heights.size_m());
   for (int round = 0; round < rounds; ++round) {
-    carve(heights, uplift, {.reach = part, .source_fraction = 1e-3, .steps = 3});
-    creep(heights, creep_fraction * part * side_m * side_m);
+    const GroundMap<double> before = heights;
+    erode(heights, no_uplift,
+          {.reach = reach / rounds, .source_fraction = source_fraction, .steps = 3});
+    rebound(heights, before);
   }
 }
 
@@ -92,9 +128,15 @@ glm::dvec2 highest(const GroundMap<double>& map) {
   return glm::dvec2(place % map.samples(), place / map.samples()) / (map.samples() - 1.0);
 }
 
+GroundMap<double> resampled(const GroundMap<double>& map, int samples) {
+  return filled(samples, map.size_m(), [&](const glm::dvec2& at) {
+    return map.sample(at.x * map.size_m(), at.y * map.size_m());
+  });
+}
+
 /// The map with more samples, drawn so that its highest point comes to the summit's place, and bent
 /// a little: water on a coarse grid leaves straight slopes that face the eight neighbours.
-GroundMap<double> refined(const GroundMap<double>& map, std::uint64_t seed, int samples) {
+GroundMap<double> bent(const GroundMap<double>& map, std::uint64_t seed, int samples) {
   const glm::dvec2 aside = highest(map) - summit;
   return filled(samples, map.size_m(), [&](const glm::dvec2& at) {
     const double drawn = smooth_step(0.0, 1.0, 1.0 - way_down(at));
@@ -110,7 +152,7 @@ void raise_to(GroundMap<double>& heights_m, double height_m) {
 }
 
 /// Streams alone would cut the main valleys down to the borders' level right into the heart of the
-/// mountain; its body lifts them there. Then they cut a little more, on the final grid.
+/// mountain; its body lifts them there. Then they cut into finer and finer grids.
 GroundMap<double> massif(const scene::Terrain& terrain, std::uint64_t seed) {
   constexpr int coarse = 129;
   constexpr double body_fraction = 0.5;
@@ -121,7 +163,11 @@ GroundMap<double> massif(const scene::Terrain& terrain, std::uint64_t seed) {
   for (int j = 0; j < coarse; ++j)
     for (int i = 0; i < coarse; ++i)
       heights.at(i, j) += body_fraction * body(glm::dvec2(i, j) / (coarse - 1.0), seed);
-  heights = refined(heights, seed, terrain.samples);
+  heights = resampled(heights, 257);
+  wear(heights, 2.0, 5e-4);
+  heights = bent(heights, seed, 513);
+  wear(heights, 1.0, 3e-4);
+  heights = resampled(heights, terrain.samples);
   carve(heights, {.reach = terrain.streams, .source_fraction = 3e-4, .steps = 6});
   return heights;
 }

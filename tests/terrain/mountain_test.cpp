@@ -87,6 +87,42 @@ TEST(Mountain, HasRidgesAndValleysAllAround) {
   EXPECT_GT(ring_m[324] - ring_m[36], 0.15 * shape.hill_height_m);
 }
 
+/// Heights over the mean of a ring about them, root mean square, where the mountain is high.
+double relief_m(const Heightfield& ground, double radius_m, double lowest_m) {
+  double sum_m2 = 0.0;
+  int count = 0;
+  for (double y = 0.2 * ground.size_m(); y < 0.9 * ground.size_m(); y += 1.0)
+    for (double x = 0.1 * ground.size_m(); x < 0.9 * ground.size_m(); x += 1.0) {
+      const double height_m = ground.sample(x, y);
+      if (height_m < lowest_m) continue;
+      double ring_m = 0.0;
+      for (int k = 0; k < 16; ++k) {
+        const double bearing = glm::radians(22.5 * k);
+        ring_m += ground.sample(x + radius_m * std::sin(bearing), y + radius_m * std::cos(bearing));
+      }
+      sum_m2 += (height_m - ring_m / 16.0) * (height_m - ring_m / 16.0);
+      ++count;
+    }
+  return std::sqrt(sum_m2 / count);
+}
+
+// Cut by the coarsest streams alone, whose valleys lie farther apart, spurs are round knolls: 0.040
+// to 0.045 of the mountain's height.
+TEST(Mountain, SpursStandOutBetweenSmallValleys) {
+  scene::Terrain shape = alpine(301);
+  shape.relief_m = 0.0;
+  for (const std::uint64_t seed : {1U, 2U, 3U})
+    EXPECT_GT(relief_m(make_mountain(shape, seed), 0.04 * shape.size_m, 0.15 * shape.hill_height_m),
+              0.05 * shape.hill_height_m)
+        << "seed " << seed;
+}
+
+// What streams take from the valleys lifts the crests: a sixth of the box about it is mountain.
+TEST(Mountain, KeepsItsBodyWhileItIsWorn) {
+  for (const std::uint64_t seed : {1U, 2U, 3U})
+    EXPECT_NEAR(mean(make_mountain(alpine(), seed)), 0.17 * 84.0, 0.017 * 84.0) << "seed " << seed;
+}
+
 TEST(Mountain, IsTheSameWithMoreSamplesAndAnotherWithAnotherSeed) {
   const Heightfield coarse = make_mountain(alpine(151), 1);
   const Heightfield fine = make_mountain(alpine(301), 1);
