@@ -16,17 +16,16 @@ struct Sight {
   glm::dvec3 direction{0.0};  ///< unit vector
   bool meets_ground = false;
   Hit bare;  ///< the ground, or what is behind everything
-  std::optional<landscape::AggregateAppearance>
-      grass;  ///< of volumes, lit, that stand on the ground there
+  std::optional<landscape::AggregateAppearance> grass;  ///< of volumes, lit
   std::optional<landscape::AggregateAppearance> blades;
   SeenBox clouds;
 };
 
-/// Fills in the volumes that stand where sights meet the ground. Returns of how many cells they
-/// are, or parts of cells. Throws FileError when a volume cannot be read.
+/// Fills in the volumes that sights go through on their way down to the ground. Returns of how many
+/// cells they are, or parts of cells. Throws FileError when a volume cannot be read.
 std::size_t look_at_grass(const landscape::Landscape& landscape, std::vector<Sight>& sights);
 
-/// Fills in the blades that stand where sights meet the ground.
+/// Fills in the blades that sights go through on their way down to the ground.
 void look_at_blades(const landscape::Landscape& landscape, std::vector<Sight>& sights);
 
 }  // namespace wold::expectation

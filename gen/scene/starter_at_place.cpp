@@ -32,7 +32,7 @@ void move_date(std::vector<std::int64_t>& date) {
 Species bushes(const Scene& scene) {
   Species bushes = species_of(scene).front();
   bushes.name = "bushes";
-  bushes.share = 2.0;
+  bushes.share = 3.0;
   bushes.habitat.cover = 0.12;
   bushes.habitat.feature_m = 1.0;
   bushes.habitat.steepest_deg = 45.0;
@@ -54,11 +54,45 @@ Species bushes(const Scene& scene) {
   return bushes;
 }
 
-/// Yellow flowers amid the grass: three to a patch, one where a bush stands.
+/// Thin, yellowish grass in wide patches, as on poor ground.
+Species pale_grass(const Scene& scene) {
+  Species grass = species_of(scene).front();
+  grass.name = "pale_grass";
+  grass.share = 1.0;
+  grass.habitat.cover = 0.45;
+  grass.habitat.feature_m = 30.0;
+  grass.plant.height_m = 0.2;
+  grass.plant.width_m = 0.003;
+  grass.plant.lean_deg = 22.0;
+  grass.physiology.chlorophyll_ug_cm2 = 11.0;
+  grass.physiology.brown_pigment = 0.5;
+  grass.physiology.fresh_spread = 0.35;
+  grass.physiology.litter = 0.8;
+  return grass;
+}
+
+/// Tall, dark grass in small patches where it is moist.
+Species lush_grass(const Scene& scene) {
+  Species grass = species_of(scene).front();
+  grass.name = "lush_grass";
+  grass.share = 1.0;
+  grass.habitat.cover = 0.25;
+  grass.habitat.feature_m = 8.0;
+  grass.habitat.driest = 0.4;
+  grass.plant.height_m = 0.42;
+  grass.plant.width_m = 0.008;
+  grass.plant.lean_deg = 20.0;
+  grass.physiology.chlorophyll_ug_cm2 = 38.0;
+  grass.physiology.fresh_spread = 0.1;
+  grass.physiology.litter = 0.25;
+  return grass;
+}
+
+/// Yellow flowers amid the grass: some four to a patch, one or two where much else stands.
 Species hawkbits(const Scene& scene) {
   Species hawkbits = species_of(scene).front();
   hawkbits.name = "hawkbit";
-  hawkbits.share = 0.008;
+  hawkbits.share = 0.012;
   Plant& plant = hawkbits.plant;
   plant.height_m = 0.27;
   plant.height_spread = 0.15;
@@ -79,6 +113,7 @@ const KeyNames& keys_of_plants() {
                                  "species.cover",
                                  "species.feature",
                                  "species.steepest",
+                                 "species.driest",
                                  "species.crown",
                                  "species.height",
                                  "species.height_spread",
@@ -92,6 +127,7 @@ const KeyNames& keys_of_plants() {
                                  "species.fresh_spread",
                                  "species.chlorophyll_content",
                                  "species.carotenoid_content",
+                                 "species.brown_pigment",
                                  "species.petals",
                                  "species.petal_length",
                                  "species.petal_width",
@@ -137,7 +173,8 @@ Starter at_place(Starter starter, const StarterPlace& place) {
                             "terrain.samples", "camera.eye_height", "camera.target_height",
                             "camera.field_of_view", "sky.visual_range"});
   if (!place.system.empty()) starter.keys.emplace_back("terrain.system");
-  scene.species = {species_of(scene).front(), bushes(scene), hawkbits(scene)};
+  scene.species = {species_of(scene).front(), pale_grass(scene), lush_grass(scene), bushes(scene),
+                   hawkbits(scene)};
   starter.keys = joined(starter.keys, keys_of_plants());
   return starter;
 }

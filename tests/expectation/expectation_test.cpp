@@ -126,6 +126,39 @@ TEST(Expectation, FogDimsWhatIsSeen) {
 }
 
 // Of the meadow only the eastern half has cells.
+// More volumes than are looked at, half of them of thick grass, half of thin: each half is seen as
+// it is.
+TEST(Expectation, AllKindsOfGrassAreSeenHoweverManyThereAre) {
+  const test::TemporaryFolder folder("expectation_kinds");
+  test::ConstantMeadow shape = fog;
+  shape.cells_per_side = 12;
+  landscape::Landscape meadow = test::constant_meadow(shape, folder.path() / "thick");
+  std::ranges::fill(meadow.terrain.values(), 0.0F);
+  shape.extinction = 0.5F;
+  const landscape::Landscape thin = test::constant_meadow(shape, folder.path() / "thin");
+  meadow.volumes.resize(72, meadow.volumes.front());
+  meadow.volumes.resize(144, thin.volumes.front());
+  meadow.cells.clear();
+  meadow.blade_cells.clear();
+  for (int i = 0; i < 144; ++i)
+    meadow.cells.push_back(
+        {glm::translate(glm::dmat4(1.0), {0.5 * (i / 12), 0.5 * (i % 12), 0.0}), i});
+  meadow.camera = {{3.0, 2.9999, 9.0}, {3.0, 3.0, 0.0}, 60.0};
+  const ExpectedPicture expected = expected_picture(meadow);
+  ASSERT_EQ(expected.things.size(), 1U);
+  int checked = 0;
+  for (const ExpectedTile& tile : expected.things[0].tiles) {
+    const int column = tile.tile % expected.tiles.x - expected.tiles.x / 2;
+    if (std::abs(column) > 5 || column == 0 || column == -1) continue;
+    const double ground = through(height_m, sine_down(meadow, expected, tile.tile),
+                                  column < 0 ? double{fog.extinction} : 0.5);
+    const double seen = double{fog.radiance} * (1.0 - ground) + double{fog.ground} * ground;
+    EXPECT_NEAR(double{tile.with.g}, meadow.exposure_gain * seen, 0.01) << tile.tile;
+    ++checked;
+  }
+  EXPECT_GT(checked, 50);
+}
+
 TEST(Expectation, OnlyWhereCellsStandIsGrass) {
   const test::TemporaryFolder folder("expectation_half");
   landscape::Landscape meadow = level_meadow(folder.path());

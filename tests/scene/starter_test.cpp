@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "scene/parse.h"
 #include "scene/species.h"
+#include "scene/starter_at_place.h"
 #include "scene/write.h"
 
 namespace wold::scene {
@@ -81,46 +82,30 @@ TEST(StarterScene, OfARealPlaceShowsIt) {
     wanted.camera.target_m = place.target_m;
     wanted.camera.target_height_m = place.target_height_m;
     Scene read = parse_scene(text, "a.toml");
-    // Grass as the scene has it, bushes that stay green among it, and flowers.
-    ASSERT_EQ(read.species.size(), 3U) << kind;
-    wanted.species = {species_of(wanted).front()};
-    Species bushes = species_of(wanted).front();
-    bushes.name = "bushes";
-    bushes.share = 2.0;
-    bushes.habitat.cover = 0.12;
-    bushes.habitat.feature_m = 1.0;
-    bushes.habitat.steepest_deg = 45.0;
-    bushes.plant.crown_m = 0.45;
-    bushes.plant.height_m = 0.08;
-    bushes.plant.height_spread = 0.35;
-    bushes.plant.width_m = 0.016;
-    bushes.plant.lean_deg = 28.0;
-    bushes.plant.lean_spread_deg = 15.0;
-    bushes.plant.bend = 0.4;
-    bushes.plant.mingle = {{"evergreen", {}}};
-    bushes.physiology.droop = 0.4;
-    bushes.physiology.litter = 0.1;
-    bushes.physiology.fresh_spread = 0.08;
-    bushes.physiology.chlorophyll_ug_cm2 = 58.0;
-    bushes.physiology.carotenoid_ug_cm2 = 11.0;
-    wanted.species.push_back(bushes);
-    Species hawkbits = species_of(scene_of_kind(kind)).front();
-    hawkbits.name = "hawkbit";
-    hawkbits.share = 0.008;
-    hawkbits.plant.height_m = 0.27;
-    hawkbits.plant.height_spread = 0.15;
-    hawkbits.plant.width_m = 0.0018;
-    hawkbits.plant.lean_deg = 10.0;
-    hawkbits.flower.petals = 18;
-    hawkbits.flower.length_m = 0.014;
-    hawkbits.flower.width_m = 0.004;
-    hawkbits.flower.opening_deg = 72.0;
-    hawkbits.flower.colour = PetalColour::yellow;
-    wanted.species.push_back(hawkbits);
+    wanted.species = at_place({kind, "", scene_of_kind(kind), {}}, place).scene.species;
     EXPECT_THAT(read.terrain.elevation, testing::EndsWith(place.elevation));
     read.terrain.elevation = place.elevation;
     EXPECT_EQ(resolved_toml(read), resolved_toml(wanted)) << kind;
   }
+}
+
+/// Grass of three tones, bushes that stay green among it, and flowers.
+TEST(StarterScene, OfARealPlaceIsNoLawn) {
+  const std::vector<Species> plants =
+      at_place({"hillside", "", scene_of_kind("hillside"), {}}, {}).scene.species;
+  const auto& grass = plants.front();
+  EXPECT_EQ(grass.share, 1.0);
+  EXPECT_EQ(grass.habitat.cover, 1.0) << "no bare ground where nothing else stands";
+  const auto how_many = [&](const auto& are) { return std::ranges::count_if(plants, are); };
+  EXPECT_EQ(how_many([](const Species& one) { return one.plant.crown_m > 0.0; }), 1);
+  EXPECT_EQ(how_many([](const Species& one) { return one.flower.petals > 0; }), 1);
+  const auto paler = [](double factor) {
+    return [=](const Species& one) {
+      return one.plant.crown_m == 0.0 && one.physiology.chlorophyll_ug_cm2 < 22.0 * factor;
+    };
+  };
+  EXPECT_EQ(how_many(paler(0.6)), 1);
+  EXPECT_EQ(how_many(paler(1.5)) + 1, how_many(paler(10.0))) << "one is darker";
 }
 
 /// It is as late in the day as in the Alps, 8 degrees east, and as late in the year.
