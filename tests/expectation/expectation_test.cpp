@@ -172,6 +172,47 @@ TEST(Expectation, OnlyWhereCellsStandIsGrass) {
     EXPECT_GE(tile.tile % expected.tiles.x, half);
 }
 
+/// What grass south of a border lets through of the ground at a place, beyond it too.
+double through_what_stands_in_front(const glm::dvec3& eye_m, const glm::dvec3& way,
+                                    double border_m) {
+  const double ground_m = eye_m.y - eye_m.z / way.z * way.y;
+  const double enters_m = ground_m + height_m / way.z * way.y;
+  if (enters_m >= border_m) return 1.0;
+  const double leaves_m = std::min(ground_m, border_m);
+  return std::exp(-double{fog.extinction} * (leaves_m - enters_m) / way.y);
+}
+
+// Grass hides what lies behind it, bare ground as well; cells are told apart by quarters of a
+// patch.
+TEST(Expectation, GrassHidesWhatIsBehind) {
+  const test::TemporaryFolder folder("expectation_behind");
+  landscape::Landscape meadow = level_meadow(folder.path());
+  std::erase_if(meadow.cells,
+                [](const landscape::Cell& cell) { return cell.world_from_cell[3].y > 1.4; });
+  meadow.camera = {{1.5, -0.5, 1.0}, {1.5, 1.5, 0.0}, 30.0};
+  const ExpectedPicture expected = expected_picture(meadow);
+  ASSERT_EQ(expected.things.size(), 1U);
+  const glm::ivec2 size_px(meadow.width_px, meadow.height_px);
+  const landscape::Perspective perspective(meadow.camera, size_px);
+  const glm::dvec2 tile_px = glm::dvec2(size_px) / glm::dvec2(expected.tiles);
+  double hidden_beyond = 0.0;
+  for (const ExpectedTile& tile : expected.things[0].tiles) {
+    double ground = 0.0;
+    const glm::dvec2 low_px =
+        tile_px * glm::dvec2(tile.tile % expected.tiles.x, tile.tile / expected.tiles.x);
+    for (int row = 0; row < 8; ++row) {
+      const glm::dvec3 way =
+          perspective.direction(low_px + tile_px * glm::dvec2(0.5, (row + 0.5) / 8.0));
+      const double left = through_what_stands_in_front(meadow.camera.eye_m, way, 1.5);
+      ground += left / 8.0;
+      if (-meadow.camera.eye_m.z / way.z * way.y > 2.0) hidden_beyond += 1.0 - left;
+    }
+    const double seen = double{fog.radiance} * (1.0 - ground) + double{fog.ground} * ground;
+    EXPECT_NEAR(double{tile.with.g}, meadow.exposure_gain * seen, 0.02) << tile.tile;
+  }
+  EXPECT_GT(hidden_beyond, 10.0);
+}
+
 // Half of a cell, quarter-turned: its western half lies in the south then. The camera looks
 // straight down on it, north is up.
 TEST(Expectation, PartsOfCellsAreWhereTheyAreTurnedTo) {
