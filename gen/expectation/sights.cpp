@@ -237,7 +237,7 @@ BladesAppearance look_of(const landscape::Landscape& landscape, const landscape:
 }  // namespace
 
 std::size_t look_at_grass(const landscape::Landscape& landscape, std::vector<Sight>& sights) {
-  double canopy_m = 0.0;
+  double canopy_m = 1e-3;
   for (const landscape::Volume& volume : landscape.volumes)
     canopy_m = std::max(canopy_m, volume.voxels.z * volume.voxel_m);
   const Ways ways = ways_through(landscape, landscape.cells, canopy_m, sights);
@@ -263,7 +263,7 @@ std::size_t look_at_grass(const landscape::Landscape& landscape, std::vector<Sig
 }
 
 void look_at_blades(const landscape::Landscape& landscape, std::vector<Sight>& sights) {
-  double canopy_m = 0.0;
+  double canopy_m = 1e-3;
   for (const landscape::BladeMesh& mesh : landscape.blade_meshes)
     for (const glm::vec3& vertex_m : mesh.tubes->vertices_m)
       canopy_m = std::max(canopy_m, double{vertex_m.z});
