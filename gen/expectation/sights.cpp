@@ -20,6 +20,7 @@ template <class Instance>
 class CellFinder {
  public:
   CellFinder(const std::vector<Instance>& cells, double side_m) : side_m_(side_m) {
+    places_.reserve(cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const auto corner_m = [&](const glm::dvec2& fraction) {
         return glm::dvec2(cells[i].world_from_cell * glm::dvec4(fraction * side_m, 0.0, 1.0));
@@ -69,16 +70,16 @@ class CellFinder {
   std::vector<Place> places_;
 };
 
-/// What a line of sight goes through on the way down to the ground: a piece of it above one cell.
+/// A piece of a line of sight on its way down to the ground, above one cell.
 struct Passage {
   int cell = nothing;
-  glm::dvec2 at_m{0.0};
-  landscape::PatchRay ray;  ///< in cell space
+  double begin_m = 0.0, end_m = 0.0;  ///< from the eye
 };
 
-/// A piece of a line of sight in cell space, from one of its ends to the other, metres.
+/// A piece of a line of sight in cell space, from one of its ends to the other, metres. It starts
+/// as far from the cell's corner as it is there, in patches.
 landscape::PatchRay ray_through(const glm::dmat4& world_from_cell, const glm::dvec3& from_m,
-                                const glm::dvec3& to_m) {
+                                const glm::dvec3& to_m, double patch_m) {
   constexpr double flattest = 0.03;  // it still goes down
   const glm::dmat4 cell_from_world = glm::inverse(world_from_cell);
   const glm::dvec3 from(cell_from_world * glm::dvec4(from_m, 1.0));
@@ -86,6 +87,7 @@ landscape::PatchRay ray_through(const glm::dmat4& world_from_cell, const glm::dv
   const double length = glm::length(to - from);
   const double drop = std::max(std::abs(to.z - from.z), flattest * length);
   landscape::PatchRay ray;
+  ray.start = glm::dvec2(from) / patch_m;
   ray.direction = glm::normalize(glm::dvec3(to.x - from.x, to.y - from.y, -drop));
   ray.top_m = std::max(from.z, to.z);
   ray.floor_m = std::max(0.0, ray.top_m - drop);
@@ -93,32 +95,40 @@ landscape::PatchRay ray_through(const glm::dmat4& world_from_cell, const glm::dv
   return ray;
 }
 
-/// From the nearest to the farthest, the last one down to the ground. `canopy_m`: nothing stands
-/// higher above it.
+/// The same ray from where it comes down to `top_m`.
+landscape::PatchRay from_top(landscape::PatchRay ray, double top_m, double patch_m) {
+  const double above_m = std::max(0.0, ray.top_m - top_m);
+  ray.start += above_m / -ray.direction.z / patch_m * glm::dvec2(ray.direction);
+  ray.top_m -= above_m;
+  return ray;
+}
+
+glm::dvec3 place_m(const landscape::Landscape& landscape, const Sight& sight, double distance_m) {
+  return landscape.camera.eye_m + distance_m * sight.direction;
+}
+
+/// From the nearest to the farthest. `canopy_m`: nothing stands higher above its cell.
 template <class Instance>
 std::vector<Passage> passages(const landscape::Landscape& landscape,
-                              const std::vector<Instance>& cells,
                               const CellFinder<Instance>& finder, double canopy_m,
                               const Sight& sight) {
-  constexpr int longest = 256;  // pieces of a quarter of a patch
-  std::vector<Passage> found;
-  const auto place_m = [&](double distance_m) {
-    return landscape.camera.eye_m + distance_m * sight.direction;
-  };
-  const double piece_m =
+  constexpr int most = 256;
+  constexpr double growth = 1.02;  // the longer the way through what stands, the less one cell is
+  constexpr double shortest_m = 1e-6;
+  double piece_m =
       std::min(0.25 * landscape.patch_m / std::max(glm::length(glm::dvec2(sight.direction)), 1e-9),
                canopy_m / std::max(std::abs(sight.direction.z), 1e-9));
+  std::vector<Passage> found;
   double end_m = sight.bare.distance_m;
-  for (int i = 0; i < longest && end_m > 0.0; ++i) {
+  for (int i = 0; i < most && end_m > shortest_m; ++i) {
     const double begin_m = std::max(0.0, end_m - piece_m);
-    const glm::dvec2 at_m(place_m(0.5 * (begin_m + end_m)));
-    if (const int cell = finder.at(at_m); cell != nothing)
-      found.push_back({cell, at_m,
-                       ray_through(cells[static_cast<std::size_t>(cell)].world_from_cell,
-                                   place_m(begin_m), place_m(end_m))});
+    const glm::dvec2 middle_m(place_m(landscape, sight, 0.5 * (begin_m + end_m)));
+    if (const int cell = finder.at(middle_m); cell != nothing)
+      found.push_back({cell, begin_m, end_m});
+    const glm::dvec3 at_m = place_m(landscape, sight, begin_m);
+    if (at_m.z - double{landscape.terrain.sample(at_m.x, at_m.y)} > canopy_m) break;
     end_m = begin_m;
-    const glm::dvec3 top_m = place_m(begin_m);
-    if (top_m.z - double{landscape.terrain.sample(top_m.x, top_m.y)} > canopy_m) break;
+    piece_m *= growth;
   }
   std::ranges::reverse(found);
   return found;
@@ -134,16 +144,21 @@ Ways ways_through(const landscape::Landscape& landscape, const std::vector<Insta
   if (cells.empty()) return ways;
   const CellFinder finder(cells, landscape.patch_m);
   parallel_for(sights.size(), [&](std::size_t i) {
-    if (sights[i].meets_ground) ways[i] = passages(landscape, cells, finder, canopy_m, sights[i]);
+    if (sights[i].meets_ground) ways[i] = passages(landscape, finder, canopy_m, sights[i]);
   });
   return ways;
 }
 
-std::set<int> cells_of(const Ways& ways) {
-  std::set<int> cells;
+/// The numbers of those that are met, rising.
+template <class Instance>
+std::vector<int> cells_met(const std::vector<Instance>& cells, const Ways& ways) {
+  std::vector<bool> met(cells.size(), false);
   for (const std::vector<Passage>& way : ways)
-    for (const Passage& passage : way) cells.insert(passage.cell);
-  return cells;
+    for (const Passage& passage : way) met[static_cast<std::size_t>(passage.cell)] = true;
+  std::vector<int> numbers;
+  for (std::size_t i = 0; i < met.size(); ++i)
+    if (met[i]) numbers.push_back(static_cast<int>(i));
+  return numbers;
 }
 
 /// The light there on what glows by itself.
@@ -151,18 +166,27 @@ glm::dvec3 light_at(const landscape::Landscape& landscape, const glm::dvec2& at_
   return glm::dvec3(landscape.light.sample(at_m.x, at_m.y));
 }
 
-/// What stands in the way, one thing behind the other; look(passage): how each looks in a light
-/// of 1.
-template <class Look>
+/// What stands in the way, one thing behind the other; look(cell, ray, place): how each looks in a
+/// light of 1.
+template <class Instance, class Look>
 std::optional<landscape::AggregateAppearance> seen_through(const landscape::Landscape& landscape,
+                                                           const std::vector<Instance>& cells,
+                                                           const Sight& sight,
                                                            const std::vector<Passage>& way,
                                                            const Look& look) {
+  constexpr double opaque = 1e-3;
   if (way.empty()) return {};
   landscape::AggregateAppearance seen;
   for (const Passage& passage : way) {
-    const landscape::AggregateAppearance next = look(passage);
-    seen.radiance += seen.transmittance * next.radiance * light_at(landscape, passage.at_m);
+    const Instance& cell = cells[static_cast<std::size_t>(passage.cell)];
+    const glm::dvec3 from_m = place_m(landscape, sight, passage.begin_m);
+    const glm::dvec3 to_m = place_m(landscape, sight, passage.end_m);
+    const glm::dvec2 at_m(0.5 * (from_m + to_m));
+    const landscape::AggregateAppearance next =
+        look(cell, ray_through(cell.world_from_cell, from_m, to_m, landscape.patch_m), at_m);
+    seen.radiance += seen.transmittance * next.radiance * light_at(landscape, at_m);
     seen.transmittance *= next.transmittance;
+    if (seen.transmittance < opaque) break;
   }
   return seen;
 }
@@ -229,6 +253,20 @@ class Speakers {
   std::map<int, int> speaker_;
 };
 
+/// Patch-sized squares of the ground on which something stands that is met.
+std::size_t patches_met(const landscape::Landscape& landscape, const std::vector<Sight>& sights,
+                        const Ways& ways) {
+  std::set<std::pair<int, int>> squares;
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    if (ways[i].empty()) continue;
+    const Passage& last = ways[i].back();
+    const glm::dvec3 at_m = place_m(landscape, sights[i], 0.5 * (last.begin_m + last.end_m));
+    squares.emplace(static_cast<int>(std::floor(at_m.x / landscape.patch_m)),
+                    static_cast<int>(std::floor(at_m.y / landscape.patch_m)));
+  }
+  return squares.size();
+}
+
 BladesAppearance look_of(const landscape::Landscape& landscape, const landscape::BladeCell& cell) {
   const glm::dvec2 side_m = (cell.part.high - cell.part.low) * landscape.patch_m;
   return {*landscape.blade_meshes[static_cast<std::size_t>(cell.mesh)].tubes, side_m.x * side_m.y};
@@ -238,28 +276,30 @@ BladesAppearance look_of(const landscape::Landscape& landscape, const landscape:
 
 std::size_t look_at_grass(const landscape::Landscape& landscape, std::vector<Sight>& sights) {
   double canopy_m = 1e-3;
-  for (const landscape::Volume& volume : landscape.volumes)
-    canopy_m = std::max(canopy_m, volume.voxels.z * volume.voxel_m);
-  const Ways ways = ways_through(landscape, landscape.cells, canopy_m, sights);
-  const std::set<int> cells = cells_of(ways);
-  const auto volume_of = [&](int cell) {
-    return landscape.cells[static_cast<std::size_t>(cell)].volume;
+  const auto height_m = [](const landscape::Volume& volume) {
+    return volume.voxels.z * volume.voxel_m;
   };
+  for (const landscape::Volume& volume : landscape.volumes)
+    canopy_m = std::max(canopy_m, height_m(volume));
+  const Ways ways = ways_through(landscape, landscape.cells, canopy_m, sights);
   std::set<int> used;
-  for (const int cell : cells) used.insert(volume_of(cell));
+  for (const int cell : cells_met(landscape.cells, ways))
+    used.insert(landscape.cells[static_cast<std::size_t>(cell)].volume);
   const Speakers speakers(landscape, used);
   parallel_for(sights.size(), [&](std::size_t i) {
-    std::size_t number = i;
-    sights[i].grass = seen_through(landscape, ways[i], [&](const Passage& passage) {
-      landscape::PatchRay ray = passage.ray;
-      ray.thickness *= double{landscape.extinction_factor.sample(passage.at_m.x, passage.at_m.y)};
-      const glm::dvec3 anywhere = spread(number++);  // as a whole meadow looks, not this place
-      ray.start = glm::dvec2(anywhere);
+    const glm::dvec3 anywhere = spread(i);  // as a whole meadow looks, not this place
+    const auto look = [&](const landscape::Cell& cell, const landscape::PatchRay& piece,
+                          const glm::dvec2& at_m) {
+      const landscape::Volume& volume = landscape.volumes[static_cast<std::size_t>(cell.volume)];
+      landscape::PatchRay ray = from_top(piece, height_m(volume), landscape.patch_m);
+      ray.thickness *= double{landscape.extinction_factor.sample(at_m.x, at_m.y)};
+      ray.start = glm::fract(ray.start + glm::dvec2(anywhere));
       ray.begin = anywhere.z;
-      return speakers.of(volume_of(passage.cell)).trace(ray);
-    });
+      return speakers.of(cell.volume).trace(ray);
+    };
+    sights[i].grass = seen_through(landscape, landscape.cells, sights[i], ways[i], look);
   });
-  return cells.size();
+  return patches_met(landscape, sights, ways);
 }
 
 void look_at_blades(const landscape::Landscape& landscape, std::vector<Sight>& sights) {
@@ -268,18 +308,16 @@ void look_at_blades(const landscape::Landscape& landscape, std::vector<Sight>& s
     for (const glm::vec3& vertex_m : mesh.tubes->vertices_m)
       canopy_m = std::max(canopy_m, double{vertex_m.z});
   const Ways ways = ways_through(landscape, landscape.blade_cells, canopy_m, sights);
-  const auto cell_of = [&](int number) -> const landscape::BladeCell& {
-    return landscape.blade_cells[static_cast<std::size_t>(number)];
-  };
   std::map<int, BladesAppearance> looks;
-  for (const int number : cells_of(ways)) {
-    const landscape::BladeCell& cell = cell_of(number);
+  for (const int number : cells_met(landscape.blade_cells, ways)) {
+    const landscape::BladeCell& cell = landscape.blade_cells[static_cast<std::size_t>(number)];
     if (!looks.contains(cell.mesh)) looks.emplace(cell.mesh, look_of(landscape, cell));
   }
-  for (std::size_t i = 0; i < sights.size(); ++i)
-    sights[i].blades = seen_through(landscape, ways[i], [&](const Passage& passage) {
-      return looks.at(cell_of(passage.cell).mesh).trace(passage.ray);
-    });
+  parallel_for(sights.size(), [&](std::size_t i) {
+    const auto look = [&](const landscape::BladeCell& cell, const landscape::PatchRay& ray,
+                          const glm::dvec2&) { return looks.at(cell.mesh).trace(ray); };
+    sights[i].blades = seen_through(landscape, landscape.blade_cells, sights[i], ways[i], look);
+  });
 }
 
 }  // namespace wold::expectation

@@ -21,8 +21,8 @@ struct Sight {
   SeenBox clouds;
 };
 
-/// Fills in the volumes that sights go through on their way down to the ground. Returns of how many
-/// cells they are, or parts of cells. Throws FileError when a volume cannot be read.
+/// Fills in the volumes that sights go through on their way down to the ground. Returns on how many
+/// patches of the ground they stand. Throws FileError when a volume cannot be read.
 std::size_t look_at_grass(const landscape::Landscape& landscape, std::vector<Sight>& sights);
 
 /// Fills in the blades that sights go through on their way down to the ground.

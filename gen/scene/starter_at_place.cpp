@@ -88,7 +88,7 @@ Species lush_grass(const Scene& scene) {
   return grass;
 }
 
-/// Yellow flowers amid the grass: some four to a patch, one or two where much else stands.
+/// Yellow flowers amid the grass: five to a patch, one or two where much else stands.
 Species hawkbits(const Scene& scene) {
   Species hawkbits = species_of(scene).front();
   hawkbits.name = "hawkbit";

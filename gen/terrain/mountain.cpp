@@ -19,7 +19,8 @@ namespace {
 // Places and lengths here are fractions of the map's side.
 constexpr glm::dvec2 summit(0.52, 0.62);
 constexpr double meadow_end = 0.15;
-constexpr double meadow_rise = 0.04;  // of the mountain's height
+constexpr double meadow_rise = 0.04;     // of the mountain's height
+constexpr double creep_fraction = 1e-5;  // of the side squared, per reach
 
 double smooth_step(double from, double to, double x) {
   const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
@@ -74,7 +75,6 @@ GroundMap<double> filled(int samples, double size_m, const Value& value) {
 /// Streams cut and slopes creep while rock rises by `uplift`. Heights have no scale: both laws are
 /// linear.
 void erode(GroundMap<double>& heights, const GroundMap<double>& uplift, const Incision& incision) {
-  constexpr double creep_fraction = 1e-5;  // of the side squared, per reach
   const double side_m = heights.size_m();
   carve(heights, uplift, incision);
   creep(heights, creep_fraction * incision.reach * side_m * side_m);
@@ -128,6 +128,14 @@ glm::dvec2 highest(const GroundMap<double>& map) {
   return glm::dvec2(place % map.samples(), place / map.samples()) / (map.samples() - 1.0);
 }
 
+/// What few samples cannot have is evened out, beyond what slopes have crept.
+void even_out(GroundMap<double>& map, int samples) {
+  const double step_m = map.size_m() / (samples - 1.0);
+  const double crept_m2 = creep_fraction * map.size_m() * map.size_m();
+  const double wanted_m2 = 0.16 * step_m * step_m;
+  if (wanted_m2 > crept_m2) creep(map, wanted_m2 - crept_m2);
+}
+
 GroundMap<double> resampled(const GroundMap<double>& map, int samples) {
   return filled(samples, map.size_m(), [&](const glm::dvec2& at) {
     return map.sample(at.x * map.size_m(), at.y * map.size_m());
@@ -145,9 +153,10 @@ GroundMap<double> bent(const GroundMap<double>& map, std::uint64_t seed, int sam
   });
 }
 
-/// Scales the heights so that the highest is `height_m`.
+/// Scales the heights so that the highest is `height_m`; level ground stays.
 void raise_to(GroundMap<double>& heights_m, double height_m) {
   const double highest_m = *std::max_element(heights_m.values().begin(), heights_m.values().end());
+  if (highest_m <= 0.0) return;
   for (double& at_m : heights_m.values()) at_m *= height_m / highest_m;
 }
 
@@ -167,6 +176,7 @@ GroundMap<double> massif(const scene::Terrain& terrain, std::uint64_t seed) {
   wear(heights, 2.0, 5e-4);
   heights = bent(heights, seed, 513);
   wear(heights, 1.0, 3e-4);
+  even_out(heights, terrain.samples);
   heights = resampled(heights, terrain.samples);
   carve(heights, {.reach = terrain.streams, .source_fraction = 3e-4, .steps = 6});
   return heights;

@@ -125,7 +125,6 @@ TEST(Expectation, FogDimsWhatIsSeen) {
   }
 }
 
-// Of the meadow only the eastern half has cells.
 // More volumes than are looked at, half of them of thick grass, half of thin: each half is seen as
 // it is.
 TEST(Expectation, AllKindsOfGrassAreSeenHoweverManyThereAre) {
@@ -159,6 +158,7 @@ TEST(Expectation, AllKindsOfGrassAreSeenHoweverManyThereAre) {
   EXPECT_GT(checked, 50);
 }
 
+// Of the meadow only the eastern half has cells.
 TEST(Expectation, OnlyWhereCellsStandIsGrass) {
   const test::TemporaryFolder folder("expectation_half");
   landscape::Landscape meadow = level_meadow(folder.path());
@@ -170,6 +170,26 @@ TEST(Expectation, OnlyWhereCellsStandIsGrass) {
   EXPECT_EQ(expected.things[0].tiles.size(), static_cast<std::size_t>(half * expected.tiles.y));
   for (const ExpectedTile& tile : expected.things[0].tiles)
     EXPECT_GE(tile.tile % expected.tiles.x, half);
+}
+
+// Looking along bare strips one sees the ground between them down to the foot, whatever stands
+// beside: what a line of sight meets in one place it meets in the next.
+TEST(Expectation, GapsStayOpenAllTheWayDown) {
+  const test::TemporaryFolder folder("expectation_gaps");
+  landscape::Landscape meadow = level_meadow(folder.path());
+  test::ConstantMeadow strips = fog;
+  strips.bare_voxels = strips.voxels / 2;
+  meadow.volumes = test::constant_meadow(strips, folder.path() / "strips").volumes;
+  meadow.camera.field_of_view_deg = 8.0;
+  const ExpectedPicture expected = expected_picture(meadow);
+  ASSERT_EQ(expected.things.size(), 1U);
+  double left = 0.0, wanted = 0.0;
+  for (const ExpectedTile& tile : expected.things[0].tiles) {
+    const double seen = double{tile.with.g} / meadow.exposure_gain;
+    left += (double{fog.radiance} - seen) / (double{fog.radiance} - double{fog.ground});
+    wanted += 0.5 + 0.5 * through(height_m, sine_down(meadow, expected, tile.tile));
+  }
+  EXPECT_NEAR(left / wanted, 1.0, 0.02);
 }
 
 /// What grass south of a border lets through of the ground at a place, beyond it too.

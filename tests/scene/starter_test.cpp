@@ -106,6 +106,7 @@ TEST(StarterScene, OfARealPlaceIsNoLawn) {
   };
   EXPECT_EQ(how_many(paler(0.6)), 1);
   EXPECT_EQ(how_many(paler(1.5)) + 1, how_many(paler(10.0))) << "one is darker";
+  EXPECT_EQ(how_many([](const Species& one) { return one.habitat.driest > 0.0; }), 1);
 }
 
 /// It is as late in the day as in the Alps, 8 degrees east, and as late in the year.

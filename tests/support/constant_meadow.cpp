@@ -18,8 +18,9 @@ landscape::Volume constant_volume(const ConstantMeadow& meadow,
   auto emission = openvdb::Vec3SGrid::create(openvdb::Vec3s(0.0F));
   density->setName("density");
   emission->setName("emission_q0");
-  const openvdb::CoordBBox box(openvdb::Coord(1),
-                               openvdb::Coord(meadow.voxels, meadow.voxels, meadow.height_voxels));
+  const openvdb::CoordBBox box(
+      openvdb::Coord(1),
+      openvdb::Coord(meadow.voxels - meadow.bare_voxels, meadow.voxels, meadow.height_voxels));
   density->fill(box, meadow.extinction);
   emission->fill(box, openvdb::Vec3s(meadow.radiance));
   landscape::Volume volume;

@@ -12,6 +12,7 @@ struct ConstantMeadow {
   int cells_per_side = 6;
   int voxels = 14;  ///< per side of a cell of 0.5 m
   int height_voxels = 8;
+  int bare_voxels = 0;       ///< per side, in the east of each cell: nothing grows there
   float extinction = 2.45F;  ///< 1/m
   float radiance = 0.10F;
   float ground = 0.02F;
