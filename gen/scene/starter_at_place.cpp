@@ -176,6 +176,8 @@ Starter at_place(Starter starter, const StarterPlace& place) {
   scene.species = {species_of(scene).front(), pale_grass(scene), lush_grass(scene), bushes(scene),
                    hawkbits(scene)};
   starter.keys = joined(starter.keys, keys_of_plants());
+  scene.grass.variants = 2;  // of each of the eight ways in which plants stand together
+  starter.keys.emplace_back("grass.variants");
   return starter;
 }
 

@@ -82,6 +82,7 @@ TEST(StarterScene, OfARealPlaceShowsIt) {
     wanted.camera.target_m = place.target_m;
     wanted.camera.target_height_m = place.target_height_m;
     Scene read = parse_scene(text, "a.toml");
+    wanted.grass.variants = 2;
     wanted.species = at_place({kind, "", scene_of_kind(kind), {}}, place).scene.species;
     EXPECT_THAT(read.terrain.elevation, testing::EndsWith(place.elevation));
     read.terrain.elevation = place.elevation;
