@@ -8,73 +8,11 @@
 
 #include "core/parallel.h"
 #include "expectation/blades_appearance.h"
+#include "expectation/passages.h"
 #include "landscape/tiled_volume.h"
 
 namespace wold::expectation {
 namespace {
-
-constexpr int nothing = -1;
-
-/// Which cell, or part of one, stands where.
-template <class Instance>
-class CellFinder {
- public:
-  CellFinder(const std::vector<Instance>& cells, double side_m) : side_m_(side_m) {
-    places_.reserve(cells.size());
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      const auto corner_m = [&](const glm::dvec2& fraction) {
-        return glm::dvec2(cells[i].world_from_cell * glm::dvec4(fraction * side_m, 0.0, 1.0));
-      };
-      const glm::dvec2 one_m = corner_m(cells[i].part.low), other_m = corner_m(cells[i].part.high);
-      add({{}, glm::min(one_m, other_m), glm::max(one_m, other_m), static_cast<int>(i)});
-    }
-    std::ranges::sort(places_, {}, &Place::square);
-  }
-
-  /// Its number; `nothing` where none stands.
-  int at(const glm::dvec2& at_m) const {
-    for (const Place& place :
-         std::ranges::equal_range(places_, square_of(at_m), {}, &Place::square))
-      if (glm::all(glm::greaterThanEqual(at_m, place.low_m)) &&
-          glm::all(glm::lessThan(at_m, place.high_m)))
-        return place.cell;
-    return nothing;
-  }
-
- private:
-  using Square = std::pair<int, int>;  ///< as large as a patch
-  struct Place {
-    Square square;
-    glm::dvec2 low_m, high_m;
-    int cell;
-  };
-
-  Square square_of(const glm::dvec2& at_m) const {
-    return {static_cast<int>(std::floor(at_m.x / side_m_)),
-            static_cast<int>(std::floor(at_m.y / side_m_))};
-  }
-
-  /// To each square that it reaches into.
-  void add(Place place) {
-    const double within_m = 1e-6 * side_m_;  // borders do not count for the next square
-    const auto [west, south] = square_of(place.low_m + within_m);
-    const auto [east, north] = square_of(place.high_m - within_m);
-    for (int j = south; j <= north; ++j)
-      for (int i = west; i <= east; ++i) {
-        place.square = {i, j};
-        places_.push_back(place);
-      }
-  }
-
-  double side_m_;
-  std::vector<Place> places_;
-};
-
-/// A piece of a line of sight on its way down to the ground, above one cell.
-struct Passage {
-  int cell = nothing;
-  double begin_m = 0.0, end_m = 0.0;  ///< from the eye
-};
 
 /// A piece of a line of sight in cell space, from one of its ends to the other, metres. It starts
 /// as far from the cell's corner as it is there, in patches.
@@ -101,64 +39,6 @@ landscape::PatchRay from_top(landscape::PatchRay ray, double top_m, double patch
   ray.start += above_m / -ray.direction.z / patch_m * glm::dvec2(ray.direction);
   ray.top_m -= above_m;
   return ray;
-}
-
-glm::dvec3 place_m(const landscape::Landscape& landscape, const Sight& sight, double distance_m) {
-  return landscape.camera.eye_m + distance_m * sight.direction;
-}
-
-/// From the nearest to the farthest. `canopy_m`: nothing stands higher above its cell.
-template <class Instance>
-std::vector<Passage> passages(const landscape::Landscape& landscape,
-                              const CellFinder<Instance>& finder, double canopy_m,
-                              const Sight& sight) {
-  constexpr int most = 256;
-  constexpr double growth = 1.02;  // the longer the way through what stands, the less one cell is
-  constexpr double shortest_m = 1e-6;
-  double piece_m =
-      std::min(0.25 * landscape.patch_m / std::max(glm::length(glm::dvec2(sight.direction)), 1e-9),
-               canopy_m / std::max(std::abs(sight.direction.z), 1e-9));
-  std::vector<Passage> found;
-  double end_m = sight.bare.distance_m;
-  for (int i = 0; i < most && end_m > shortest_m; ++i) {
-    const double begin_m = std::max(0.0, end_m - piece_m);
-    const glm::dvec2 middle_m(place_m(landscape, sight, 0.5 * (begin_m + end_m)));
-    if (const int cell = finder.at(middle_m); cell != nothing)
-      found.push_back({cell, begin_m, end_m});
-    const glm::dvec3 at_m = place_m(landscape, sight, begin_m);
-    if (at_m.z - double{landscape.terrain.sample(at_m.x, at_m.y)} > canopy_m) break;
-    end_m = begin_m;
-    piece_m *= growth;
-  }
-  std::ranges::reverse(found);
-  return found;
-}
-
-/// The passages of each line of sight.
-using Ways = std::vector<std::vector<Passage>>;
-
-template <class Instance>
-Ways ways_through(const landscape::Landscape& landscape, const std::vector<Instance>& cells,
-                  double canopy_m, const std::vector<Sight>& sights) {
-  Ways ways(sights.size());
-  if (cells.empty()) return ways;
-  const CellFinder finder(cells, landscape.patch_m);
-  parallel_for(sights.size(), [&](std::size_t i) {
-    if (sights[i].meets_ground) ways[i] = passages(landscape, finder, canopy_m, sights[i]);
-  });
-  return ways;
-}
-
-/// The numbers of those that are met, rising.
-template <class Instance>
-std::vector<int> cells_met(const std::vector<Instance>& cells, const Ways& ways) {
-  std::vector<bool> met(cells.size(), false);
-  for (const std::vector<Passage>& way : ways)
-    for (const Passage& passage : way) met[static_cast<std::size_t>(passage.cell)] = true;
-  std::vector<int> numbers;
-  for (std::size_t i = 0; i < met.size(); ++i)
-    if (met[i]) numbers.push_back(static_cast<int>(i));
-  return numbers;
 }
 
 /// The light there on what glows by itself.
@@ -203,9 +83,9 @@ std::size_t voxels_of(const landscape::Volume& volume) {
 }
 
 /// Few volumes that can be read soon: the coarsest, so many that they do not have too many voxels
-/// together; of those that are as coarse as the last, every so manieth, since neighbours look alike
-/// and one end may be of one plant, the other of another. `used`: numbers of volumes, rising.
-/// Rising.
+/// together. Of those that are as coarse as the last they are evenly spread ones: neighbours look
+/// alike, while one end may be of one plant, the other of another. `used`: numbers of volumes,
+/// rising. Rising.
 std::vector<int> spokesmen(const landscape::Landscape& landscape, const std::vector<int>& used) {
   constexpr std::size_t max = 32;
   constexpr std::size_t max_voxels = 2'000'000;
@@ -253,7 +133,7 @@ class Speakers {
   std::map<int, int> speaker_;
 };
 
-/// Patch-sized squares of the ground on which something stands that is met.
+/// How many patch-sized squares of the ground the farthest passages lie in.
 std::size_t patches_met(const landscape::Landscape& landscape, const std::vector<Sight>& sights,
                         const Ways& ways) {
   std::set<std::pair<int, int>> squares;

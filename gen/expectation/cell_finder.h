@@ -1,0 +1,69 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <utility>
+#include <vector>
+
+namespace wold::expectation {
+
+/// Which cell, or part of one, stands where: landscape::Cell or BladeCell.
+template <class Instance>
+class CellFinder {
+ public:
+  static constexpr int none = -1;
+
+  /// `side_m`: of a patch.
+  CellFinder(const std::vector<Instance>& cells, double side_m) : side_m_(side_m) {
+    places_.reserve(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const auto corner_m = [&](const glm::dvec2& fraction) {
+        return glm::dvec2(cells[i].world_from_cell * glm::dvec4(fraction * side_m, 0.0, 1.0));
+      };
+      const glm::dvec2 one_m = corner_m(cells[i].part.low), other_m = corner_m(cells[i].part.high);
+      add({{}, glm::min(one_m, other_m), glm::max(one_m, other_m), static_cast<int>(i)});
+    }
+    std::ranges::sort(places_, {}, &Place::square);
+  }
+
+  /// Its number; `none` where none stands.
+  int at(const glm::dvec2& at_m) const {
+    for (const Place& place :
+         std::ranges::equal_range(places_, square_of(at_m), {}, &Place::square))
+      if (glm::all(glm::greaterThanEqual(at_m, place.low_m)) &&
+          glm::all(glm::lessThan(at_m, place.high_m)))
+        return place.cell;
+    return none;
+  }
+
+ private:
+  using Square = std::pair<int, int>;  ///< as large as a patch
+  struct Place {
+    Square square;
+    glm::dvec2 low_m, high_m;
+    int cell;
+  };
+
+  Square square_of(const glm::dvec2& at_m) const {
+    return {static_cast<int>(std::floor(at_m.x / side_m_)),
+            static_cast<int>(std::floor(at_m.y / side_m_))};
+  }
+
+  /// To each square that it reaches into.
+  void add(Place place) {
+    const double within_m = 1e-6 * side_m_;  // borders do not count for the next square
+    const auto [west, south] = square_of(place.low_m + within_m);
+    const auto [east, north] = square_of(place.high_m - within_m);
+    for (int j = south; j <= north; ++j)
+      for (int i = west; i <= east; ++i) {
+        place.square = {i, j};
+        places_.push_back(place);
+      }
+  }
+
+  double side_m_;
+  std::vector<Place> places_;
+};
+
+}  // namespace wold::expectation
