@@ -128,7 +128,8 @@ glm::dvec2 highest(const GroundMap<double>& map) {
   return glm::dvec2(place % map.samples(), place / map.samples()) / (map.samples() - 1.0);
 }
 
-/// What few samples cannot have is evened out, beyond what slopes have crept.
+/// What few samples cannot have is evened out: of waves two steps long a fifth is left, with what
+/// slopes have crept.
 void even_out(GroundMap<double>& map, int samples) {
   const double step_m = map.size_m() / (samples - 1.0);
   const double crept_m2 = creep_fraction * map.size_m() * map.size_m();

@@ -139,6 +139,22 @@ TEST(Mountain, IsTheSameWithMoreSamplesAndAnotherWithAnotherSeed) {
   EXPECT_GT(apart_m(other), 3.0 * apart_m(fine));
 }
 
+// Crests and ravines that 33 samples cannot have would be met by chance.
+TEST(Mountain, OfFewSamplesIsAsMuchMountain) {
+  for (const std::uint64_t seed : {1U, 2U, 3U})
+    EXPECT_NEAR(mean(make_mountain(alpine(33), seed)) / mean(make_mountain(alpine(), seed)), 1.0,
+                0.1)
+        << "seed " << seed;
+}
+
+TEST(Mountain, OfNoHeightIsLevel) {
+  scene::Terrain level = alpine(33);
+  level.hill_height_m = 0.0;
+  level.relief_m = 0.0;
+  const Heightfield ground = make_mountain(level, 1);
+  for (const float height_m : ground.values()) EXPECT_EQ(height_m, 0.0F);
+}
+
 TEST(Mountain, IsTheSameOnAnyNumberOfThreads) {
   const auto heights_m = [](int threads) {
     const ThreadLimit limit(threads);
