@@ -99,11 +99,15 @@ std::vector<int> spokesmen(const landscape::Landscape& landscape, const std::vec
     sum += voxels(coarsest[count]);
     if (count > 0 && sum > max_voxels) break;
   }
-  const auto alike = std::ranges::equal_range(coarsest, voxels(coarsest[count - 1]), {}, voxels);
-  const auto first = static_cast<std::size_t>(alike.begin() - coarsest.begin());
-  std::vector<int> chosen(coarsest.begin(), alike.begin());
-  for (std::size_t i = 0; first + i < count; ++i)
-    chosen.push_back(alike[(2 * i + 1) * alike.size() / (2 * (count - first))]);
+  const std::size_t size = voxels(coarsest[count - 1]);
+  std::vector<int> chosen, alike;
+  for (const int volume : coarsest) {
+    if (voxels(volume) < size) chosen.push_back(volume);
+    if (voxels(volume) == size) alike.push_back(volume);
+  }
+  const std::size_t wanted = count - chosen.size();
+  for (std::size_t i = 0; i < wanted; ++i)
+    chosen.push_back(alike[(2 * i + 1) * alike.size() / (2 * wanted)]);
   std::ranges::sort(chosen);
   return chosen;
 }
