@@ -8,13 +8,14 @@
 
 namespace wold::expectation {
 
-/// Which cell, or part of one, stands where: landscape::Cell or BladeCell.
+/// Which cell, or part of one, stands where on the ground: of landscape::Cell or BladeCell, no two
+/// of which stand on one place.
 template <class Instance>
 class CellFinder {
  public:
   static constexpr int none = -1;
 
-  /// `side_m`: of a patch.
+  /// `side_m`: of a patch, above 0.
   CellFinder(const std::vector<Instance>& cells, double side_m) : side_m_(side_m) {
     places_.reserve(cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -27,7 +28,7 @@ class CellFinder {
     std::ranges::sort(places_, {}, &Place::square);
   }
 
-  /// Its number; `none` where none stands.
+  /// Its number among the cells, at a place in metres; `none` where none stands.
   int at(const glm::dvec2& at_m) const {
     for (const Place& place :
          std::ranges::equal_range(places_, square_of(at_m), {}, &Place::square))

@@ -27,12 +27,18 @@ void move_date(std::vector<std::int64_t>& date) {
           static_cast<unsigned>(later.day())};
 }
 
+/// The scene's grass under another name; `share` is relative to that of the grass itself, 1.
+Species grass_of(const Scene& scene, const char* name, double share) {
+  Species grass = species_of(scene).front();
+  grass.name = name;
+  grass.share = share;
+  return grass;
+}
+
 /// Low evergreen bushes amid the grass, as on hills that are grazed: without anything as large the
 /// eye does not see how far away a slope is.
 Species bushes(const Scene& scene) {
-  Species bushes = species_of(scene).front();
-  bushes.name = "bushes";
-  bushes.share = 3.0;
+  Species bushes = grass_of(scene, "bushes", 3.0);
   bushes.habitat.cover = 0.12;
   bushes.habitat.feature_m = 1.0;
   bushes.habitat.steepest_deg = 45.0;
@@ -56,9 +62,7 @@ Species bushes(const Scene& scene) {
 
 /// Thin, yellowish grass in wide patches, as on poor ground.
 Species pale_grass(const Scene& scene) {
-  Species grass = species_of(scene).front();
-  grass.name = "pale_grass";
-  grass.share = 1.0;
+  Species grass = grass_of(scene, "pale_grass", 1.0);
   grass.habitat.cover = 0.45;
   grass.habitat.feature_m = 30.0;
   grass.plant.height_m = 0.2;
@@ -73,9 +77,7 @@ Species pale_grass(const Scene& scene) {
 
 /// Tall, dark grass in small patches where it is moist.
 Species lush_grass(const Scene& scene) {
-  Species grass = species_of(scene).front();
-  grass.name = "lush_grass";
-  grass.share = 1.0;
+  Species grass = grass_of(scene, "lush_grass", 1.0);
   grass.habitat.cover = 0.25;
   grass.habitat.feature_m = 8.0;
   grass.habitat.driest = 0.4;
@@ -90,9 +92,7 @@ Species lush_grass(const Scene& scene) {
 
 /// Yellow flowers amid the grass: five to a patch, one or two where much else stands.
 Species hawkbits(const Scene& scene) {
-  Species hawkbits = species_of(scene).front();
-  hawkbits.name = "hawkbit";
-  hawkbits.share = 0.012;
+  Species hawkbits = grass_of(scene, "hawkbit", 0.012);
   Plant& plant = hawkbits.plant;
   plant.height_m = 0.27;
   plant.height_spread = 0.15;
