@@ -3,6 +3,7 @@
 #include "film/exporters.h"
 #include "support/file_only_exporter.h"
 #include "support/temporary_folder.h"
+#include "work/disk_budget.h"
 #include "work/do_tasks.h"
 #include "work/folder_lock.h"
 #include "work/plan.h"
@@ -68,7 +69,9 @@ TEST(Stages, OfAnExporterWithoutARendererAreDoneWithItsFiles) {
     require_renderers(job, stages, renderers);
     const FolderLock lock(job.out, Access::alone, progress);
     Work work(job, &renderers);
+    EXPECT_GT(missing_bytes(job, stages, work), 0.0);
     do_tasks(job, work, stages, progress);
+    EXPECT_EQ(missing_bytes(job, stages, work), 0.0);
     work.finish();
   }
   EXPECT_TRUE(std::filesystem::exists(job.out / "lines/0002.txt"));
