@@ -152,8 +152,8 @@ double step_per_framing() {
   return ratio([&] { patch.dynamics.advance_to(0.5); }, [&] { framing(); }, 3 * rounds);
 }
 
-/// Where a hundred thousand flakes are and how they look, and finding as many frames. (How long a
-/// file takes to be written is the system's affair: the same flakes took 1.4 to 2.2 times as long.)
+/// Where a hundred thousand flakes are and how they look, and finding as many frames. (Not writing
+/// them: on one system the same flakes took 1.4 times as long as their file, on another 2.2 times.)
 double snow_per_framing() {
   using namespace snow;
   constexpr std::size_t count = 1600 * lanes;
