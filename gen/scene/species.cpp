@@ -10,10 +10,48 @@ namespace {
 /// Standard deviations at which lengths of blades are cut.
 constexpr double max_deviations = 2.2;
 
-double sum_of_shares(const std::vector<Species>& species) {
-  double sum = 0.0;
-  for (const Species& one : species) sum += one.share;
-  return sum;
+bool is_shrub(const Species& species) { return species.plant.crown_m > 0.0; }
+
+/// `blades` in proportion to the shares, each rounded so that the sum is exact, and one at least
+/// where there are enough.
+std::vector<int> shared_out(int blades, const std::vector<double>& shares) {
+  const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+  std::vector<int> counts;
+  double share = 0.0;
+  int before = 0;
+  for (const double one : shares) {
+    share += one;
+    const int until = static_cast<int>(std::lround(blades * (share / sum)));
+    counts.push_back(until - before);
+    before = until;
+  }
+  for (int& count : counts) {
+    int& most = *std::ranges::max_element(counts);
+    if (count > 0 || most < 2) continue;
+    ++count;
+    --most;
+  }
+  return counts;
+}
+
+/// Which part of the ground each species is the top of, sum 1: shrubs of what they cover, the rest
+/// by their shares, as shrubs do where nothing else grows.
+std::vector<double> ground_fractions(const std::vector<Species>& species) {
+  double covered = 0.0, rooted = 0.0, all = 0.0;
+  for (const Species& one : species) {
+    (is_shrub(one) ? covered : rooted) += is_shrub(one) ? one.habitat.cover : one.share;
+    all += one.share;
+  }
+  std::vector<double> fractions;
+  for (const Species& one : species) {
+    if (rooted <= 0.0)
+      fractions.push_back(one.share / all);
+    else if (is_shrub(one))
+      fractions.push_back(one.habitat.cover / std::max(1.0, covered));
+    else
+      fractions.push_back(std::max(0.0, 1.0 - covered) * one.share / rooted);
+  }
+  return fractions;
 }
 
 Mixture all_species(const MeadowPart& meadow) {
@@ -88,24 +126,18 @@ std::vector<int> blades_of(const MeadowPart& meadow) {
 }
 
 std::vector<int> blades_of(const MeadowPart& meadow, const Mixture& mixture) {
-  std::vector<Species> species;
+  const std::vector<Species> species = species_of(meadow);
+  const auto species_at = [&](int one) { return species.at(static_cast<std::size_t>(one)); };
+  std::vector<double> shares;
   for (const int one : mixture)
-    species.push_back(species_of(meadow).at(static_cast<std::size_t>(one)));
-  const double sum = sum_of_shares(species);
+    if (!is_shrub(species_at(one))) shares.push_back(species_at(one).share);
+  const std::vector<int> rooted = shared_out(meadow.grass.blades, shares);
   std::vector<int> counts;
-  double share = 0.0;
-  int before = 0;
-  for (const Species& one : species) {
-    share += one.share;
-    const int until = static_cast<int>(std::lround(meadow.grass.blades * (share / sum)));
-    counts.push_back(until - before);
-    before = until;
-  }
-  for (int& count : counts) {
-    int& most = *std::ranges::max_element(counts);
-    if (count > 0 || most < 2) continue;
-    ++count;
-    --most;
+  auto next = rooted.begin();
+  for (const int one : mixture) {
+    const double on_twigs = species_at(one).share * meadow.grass.blades;
+    counts.push_back(
+        is_shrub(species_at(one)) ? std::max(1, static_cast<int>(std::lround(on_twigs))) : *next++);
   }
   return counts;
 }
@@ -139,11 +171,11 @@ bool has_hair(const Scene& scene) {
 Grass mean_grass(const MeadowPart& meadow) {
   Grass grass = meadow.grass;
   const std::vector<Species> species = species_of(meadow);
-  const double sum = sum_of_shares(species);
+  const std::vector<double> weights = ground_fractions(species);
   grass.height_m = grass.width_m = grass.crown_m = 0.0;
-  for (const Species& one : species) {
-    grass.height_m += one.share / sum * standing_m(one.plant);
-    grass.width_m += one.share / sum * one.plant.width_m;
+  for (std::size_t i = 0; i < species.size(); ++i) {
+    grass.height_m += weights[i] * standing_m(species[i].plant);
+    grass.width_m += weights[i] * species[i].plant.width_m;
   }
   return grass;
 }

@@ -34,8 +34,10 @@ int patch_number(const MeadowPart& meadow, int mixture, int variant);
 /// The mixture of a patch.
 Mixture mixture_of(const MeadowPart& meadow, int patch);
 
-/// Blades of a patch by species, in the order of species_of(): grass.blades in proportion to the
-/// shares, each rounded so that the sum is exact, and one at least where there are enough.
+/// Blades of a patch by species, in the order of species_of(). Those that stand in the ground are
+/// grass.blades in proportion to the shares, each rounded so that the sum is exact, and one at
+/// least where there are enough. A shrub's stand on its twigs, over the grass: as many times
+/// grass.blades as its share, one at least.
 std::vector<int> blades_of(const MeadowPart& meadow);
 /// The same of a patch that is of a mixture, in the order of that.
 std::vector<int> blades_of(const MeadowPart& meadow, const Mixture& mixture);
@@ -52,8 +54,8 @@ bool is_hair(const Physiology& physiology);
 bool has_hair(const Scene& scene);
 
 /// The meadow's patch with blades that stand in the ground, as high and as wide as plants stand and
-/// blades are in the mean over all of the meadow's species: for what asks how the meadow is from
-/// afar, not what grows in it.
+/// blades are in the mean over all of the meadow's species, shrubs by the ground that they cover:
+/// for what asks how the meadow is from afar, not what grows in it.
 Grass mean_grass(const MeadowPart& meadow);
 
 /// How high a plant stands before it droops, metres: its crown and a blade of mean length.

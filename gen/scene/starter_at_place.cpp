@@ -38,24 +38,24 @@ Species grass_of(const Scene& scene, const char* name, double share) {
 /// Low evergreen bushes amid the grass, as on hills that are grazed: without anything as large the
 /// eye does not see how far away a slope is.
 Species bushes(const Scene& scene) {
-  Species bushes = grass_of(scene, "bushes", 3.0);
+  Species bushes = grass_of(scene, "bushes", 9.0);
   bushes.habitat.cover = 0.12;
   bushes.habitat.feature_m = 1.0;
   bushes.habitat.steepest_deg = 45.0;
   Plant& plant = bushes.plant;
   plant.crown_m = 0.45;
-  plant.height_m = 0.08;
+  plant.height_m = 0.035;
   plant.height_spread = 0.35;
-  plant.width_m = 0.016;
-  plant.lean_deg = 28.0;
+  plant.width_m = 0.012;
+  plant.lean_deg = 40.0;
   plant.lean_spread_deg = 15.0;
   plant.bend = 0.4;
   plant.mingle = {{"evergreen", {}}};
   Physiology& physiology = bushes.physiology;
   physiology.droop = 0.4;
-  physiology.litter = 0.1;
+  physiology.litter = 0.06;
   physiology.fresh_spread = 0.08;
-  physiology.chlorophyll_ug_cm2 = 58.0;
+  physiology.chlorophyll_ug_cm2 = 45.0;
   physiology.carotenoid_ug_cm2 = 11.0;
   return bushes;
 }
@@ -90,9 +90,9 @@ Species lush_grass(const Scene& scene) {
   return grass;
 }
 
-/// Yellow flowers amid the grass: five to a patch, one or two where much else stands.
+/// Yellow flowers amid the grass: two to a patch, one where much else stands.
 Species hawkbits(const Scene& scene) {
-  Species hawkbits = grass_of(scene, "hawkbit", 0.012);
+  Species hawkbits = grass_of(scene, "hawkbit", 0.005);
   Plant& plant = hawkbits.plant;
   plant.height_m = 0.27;
   plant.height_spread = 0.15;

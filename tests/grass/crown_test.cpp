@@ -121,5 +121,36 @@ TEST(Crown, CarriesTheBladesOfAShrubTurnedOutwards) {
   for (const Blade& blade : blades) EXPECT_NEAR(glm::length(blade.heading), 1.0F, 1e-5F);
 }
 
+// Twelve leaves stand along each shoot, one length of it and another of two and a half leaves.
+TEST(Crown, HasItsLeavesAlongShoots) {
+  constexpr int of_shoot = 12, shoots = 200;
+  scene::Plant plant;
+  plant.crown_m = crown_m;
+  plant.height_m = 0.04;
+  const std::vector<Blade> blades =
+      scatter_blades(plant, {}, {patch_m, of_shoot * shoots, 3, 1, 0});
+  const auto root_m = [&](int blade) {
+    const Blade& one = blades.at(static_cast<std::size_t>(blade));
+    return glm::vec3(one.root_m, one.root_height_m);
+  };
+  double longest_m = 0.0, between_m = 0.0;
+  for (int shoot = 0; shoot < shoots; ++shoot) {
+    const int first = shoot * of_shoot;
+    const glm::vec3 along = glm::normalize(root_m(first + 1) - root_m(first));
+    for (int leaf = 1; leaf < of_shoot; ++leaf) {
+      const glm::vec3 from_first = root_m(first + leaf) - root_m(first);
+      EXPECT_LT(glm::length(glm::cross(from_first, along)), 2e-3F) << "one line";
+      EXPECT_GE(root_m(first + leaf).z, -1e-6F);
+      longest_m = std::max(longest_m, double{glm::length(from_first)});
+    }
+    between_m +=
+        double{glm::distance(root_m(first), root_m((first + of_shoot) % (of_shoot * shoots)))} /
+        shoots;
+  }
+  EXPECT_LE(longest_m, 2.5 * plant.height_m + 1e-6);
+  EXPECT_GT(longest_m, 2.0 * plant.height_m);
+  EXPECT_GT(between_m, 0.3 * patch_m) << "shoots are all over the shrub";
+}
+
 }  // namespace
 }  // namespace wold::grass

@@ -97,6 +97,20 @@ TEST(Lods, FittedDensityLetsThroughWhatTheFineOneDoes) {
   EXPECT_GT(*std::min_element(fitted.begin(), fitted.end()), 0.0F);
 }
 
+// A shrub lets nothing through, however dense: it has no say in the fit, and must not become denser
+// for the sake of the grass around it.
+TEST(Lods, FittedDensityOfAShrubStaysWithinWhatItHolds) {
+  VolumeData fine = random_volume({62, 41, 0.004});
+  for (std::size_t i = 0; i < fine.size(); ++i)
+    if (const glm::ivec3 at = fine.shape.coordinates(fine.voxel[i]); at.x < 20 && at.y < 20)
+      fine.density[i] *= 400.0F;
+  const VolumeData coarse = coarser(fine, 30);
+  Transmittances wanted = seen_through(fine);
+  wanted.value[2] -= 0.02;  // as of blades, which stand in rows
+  const auto fitted = fitted_density(coarse.shape, coarse.voxel, coarse.density, wanted);
+  EXPECT_LT(*std::ranges::max_element(fitted), 5.0F * *std::ranges::max_element(coarse.density));
+}
+
 /// What the opaque blades let through, from an elevation of Transmittances.
 double blades_let_through(const PointDynamics& patch, double patch_m, std::size_t elevation) {
   return blade_transmittance(patch.blades(), patch.poses(), patch_m,

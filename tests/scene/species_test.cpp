@@ -94,10 +94,49 @@ TEST(Species, ThatAreShrubsStandAboveTheGround) {
   scene.species[1].plant.crown_m = 0.7;
   EXPECT_NEAR(standing_m(scene.species[1].plant), 0.7 + 0.4, 1e-12);
   EXPECT_NEAR(max_standing_m(scene.species[1].plant), 0.7 + 0.4 * (1.0 + 2.2 * 0.22), 1e-12);
-  EXPECT_NEAR(mean_grass(scene).height_m, 0.75 * 0.2 + 0.25 * 1.1, 1e-12);
   EXPECT_EQ(rooted_fraction(scene, {1}), 0.0);
-  const double grass = 301 * 0.2 * 0.0056, shrub = 100 * 0.4 * 0.008;
+  const double grass = 401 * 0.2 * 0.0056, shrub = 401 * 0.4 * 0.008;
   EXPECT_NEAR(rooted_fraction(scene, {0, 1}), grass / (grass + shrub), 1e-12);
+}
+
+TEST(Species, ThatAreShrubsHaveTheirLeavesOverTheGrass) {
+  Scene scene = parse_scene(two, "a.toml", {});
+  scene.species.push_back(scene.species[1]);
+  scene.species[1].plant.crown_m = 0.7;
+  scene.species[1].share = 2.5;
+  EXPECT_EQ(blades_of(scene), (std::vector<int>{301, 1003, 100}));
+  EXPECT_EQ(blades_of(scene, {1, 2}), (std::vector<int>{1003, 401}));
+  EXPECT_EQ(blades_of(scene, {1}), std::vector<int>{1003});
+  scene.species[1].share = 0.001;
+  EXPECT_EQ(blades_of(scene), (std::vector<int>{301, 1, 100}));
+}
+
+TEST(Species, ThatAreShrubsAreTheTopOfWhatTheyCover) {
+  Scene scene = parse_scene(two, "a.toml", {});
+  Species& shrub = scene.species[1];
+  shrub.plant.crown_m = 0.7;
+  const auto mean_m = [&](double cover) {
+    shrub.habitat.cover = cover;
+    return mean_grass(scene).height_m;
+  };
+  EXPECT_NEAR(mean_m(0.1), 0.9 * 0.2 + 0.1 * 1.1, 1e-12);
+  EXPECT_NEAR(mean_m(0.0), 0.2, 1e-12);
+  EXPECT_NEAR(mean_m(1.0), 1.1, 1e-12);
+  scene.species.push_back(shrub);
+  scene.species[2].plant.crown_m = 0.3;
+  EXPECT_NEAR(mean_grass(scene).height_m, 0.5 * 1.1 + 0.5 * 0.7, 1e-12) << "no more than all of it";
+  scene.species.erase(scene.species.begin());
+  scene.species[0].habitat.cover = 0.0;
+  scene.species[0].share = 3.0;
+  EXPECT_NEAR(mean_grass(scene).height_m, 0.75 * 1.1 + 0.25 * 0.7, 1e-12) << "nothing else grows";
+}
+
+TEST(Species, ThatAreShrubsHaveNoMoreLeavesThanCanBeLit) {
+  EXPECT_THAT(
+      problems_of("[grass]\nblades = 4000\n[[species]]\n[[species]]\nshare = 12\n"
+                  "width = 0.001\ncrown = 0.5\n"),
+      testing::HasSubstr("species[2].share: found 12, with which a shrub has 48000 blades on "
+                         "its twigs (grass.blades times its share), expected at most 40000"));
 }
 
 TEST(Species, AreBlamedByTheirOwnKeys) {

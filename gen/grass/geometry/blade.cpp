@@ -91,19 +91,28 @@ Blade make_blade(const scene::Plant& plant, const scene::Physiology& physiology,
   return blade;
 }
 
-/// Moves a blade that grows from the ground to a twig of a shrub: there it grows half-way between
-/// the twig's direction and the one that it had.
-void put_on_twig(const Crown& crown, const BladeRandom& random, Blade& blade) {
+/// How many leaves a shoot of a shrub has, and how far down from its end, in lengths of a mean leaf
+/// (modelling choices): leaves that stand evenly make a ball of fuzz.
+constexpr int leaves_of_shoot = 12;
+constexpr double leafy_lengths = 2.5;
+
+/// Moves a blade that grows from the ground to a shoot that ends where `of_shoot` says: there it
+/// grows half-way between the shoot's direction and the one that it had.
+void put_on_shoot(const Crown& crown, const BladeRandom& of_shoot, double leafy_m, double along,
+                  Blade& blade) {
   const Crown::Twig twig =
-      crown.twig({random.uniform("cushion"), random.uniform("twig height"),
-                  random.uniform("twig heading"), random.uniform("twig depth")});
-  blade.root_m = twig.place_m;
-  blade.root_height_m = twig.height_m;
+      crown.twig({of_shoot.uniform("cushion"), of_shoot.uniform("twig height"),
+                  of_shoot.uniform("twig heading"), of_shoot.uniform("twig depth")});
+  // None of it is in the ground.
+  const double rise = std::max(double{twig.outwards.z}, 1e-3);
+  const auto back_m = static_cast<float>(along * std::min(leafy_m, twig.height_m / rise));
+  blade.root_m = twig.place_m - back_m * glm::vec2(twig.outwards);
+  blade.root_height_m = twig.height_m - back_m * twig.outwards.z;
   const glm::vec3 grown = from_plane(blade, {math::sin(blade.lean), math::cos(blade.lean)});
-  const glm::vec3 along = glm::normalize(twig.outwards + grown);
-  const float level = glm::length(glm::vec2(along));
-  if (level > 0.0F) blade.heading = glm::vec2(along) / level;
-  blade.lean = math::atan2(level, along.z);
+  const glm::vec3 along_blade = glm::normalize(twig.outwards + grown);
+  const float level = glm::length(glm::vec2(along_blade));
+  if (level > 0.0F) blade.heading = glm::vec2(along_blade) / level;
+  blade.lean = math::atan2(level, along_blade.z);
 }
 
 }  // namespace
@@ -123,7 +132,9 @@ std::vector<Blade> scatter_blades(const scene::Plant& plant, const scene::Physio
     const BladeRandom random(seed, variant, sample, number);
     blades.push_back(make_blade(plant, physiology, random,
                                 stratified_root(random, number, count, patch_m), tufts));
-    if (crown) put_on_twig(*crown, random, blades.back());
+    if (crown)
+      put_on_shoot(*crown, BladeRandom(seed, variant, sample, number / leaves_of_shoot),
+                   leafy_lengths * plant.height_m, random.uniform("along shoot"), blades.back());
   }
   if (scene::is_hair(physiology)) clump(blades, physiology, patch_m, seed, variant);
   return blades;

@@ -105,10 +105,13 @@ glm::dvec3 damped_step(const Response& now, const glm::dvec3& miss, double dampi
   return glm::inverse(normal) * right;
 }
 
-/// Keeps the mix positive for every voxel: its two fillings lie in [0, 1].
-glm::dvec3 positive(glm::dvec3 weights) {
-  constexpr double min = 0.02;
+/// Keeps the mix positive for every voxel, its two fillings lie in [0, 1], and the fullest columns
+/// within four times what they hold. Columns that let nothing through, under a shrub, have no say in
+/// the fit: it would make them denser without end, and 8 bits would hold nothing else of the patch.
+glm::dvec3 allowed(glm::dvec3 weights) {
+  constexpr double min = 0.02, max_of_columns = 3.0;
   weights.x = std::max(weights.x, min);
+  weights.z = std::min(weights.z, max_of_columns);
   const double spare = weights.x - min;
   const double taken = std::max(0.0, -weights.y) + std::max(0.0, -weights.z);
   const double keep = taken > spare ? spare / taken : 1.0;
@@ -126,7 +129,7 @@ glm::dvec3 fitted_weights(const RayDepths& depths, const glm::dvec3& wanted) {
   double damping = 1e-2;
   for (int step = 0; step < steps && glm::length(now.seen - wanted) > good && damping < hopeless;
        ++step) {
-    const glm::dvec3 next = positive(weights + damped_step(now, wanted - now.seen, damping));
+    const glm::dvec3 next = allowed(weights + damped_step(now, wanted - now.seen, damping));
     const Response then = response(depths, next);
     const bool better = glm::length(then.seen - wanted) < glm::length(now.seen - wanted);
     damping *= better ? 0.2 : 8.0;
