@@ -13,6 +13,8 @@ namespace wold::grass {
 namespace {
 
 constexpr int azimuths = 2;
+/// Optical depth along a voxel's side that no one tells from more: 1/3000 comes through.
+constexpr double solid_depth = 8.0;
 
 /// Rows of rays that are enough for a mean over a fine texel.
 int row_stride(const TexelShape& shape) { return std::max(1, shape.side / 24); }
@@ -105,13 +107,10 @@ glm::dvec3 damped_step(const Response& now, const glm::dvec3& miss, double dampi
   return glm::inverse(normal) * right;
 }
 
-/// Keeps the mix positive for every voxel, its two fillings lie in [0, 1], and the fullest columns
-/// within four times what they hold. Columns that let nothing through, under a shrub, have no say in
-/// the fit: it would make them denser without end, and 8 bits would hold nothing else of the patch.
-glm::dvec3 allowed(glm::dvec3 weights) {
-  constexpr double min = 0.02, max_of_columns = 3.0;
+/// Keeps the mix positive for every voxel: its two fillings lie in [0, 1].
+glm::dvec3 positive(glm::dvec3 weights) {
+  constexpr double min = 0.02;
   weights.x = std::max(weights.x, min);
-  weights.z = std::min(weights.z, max_of_columns);
   const double spare = weights.x - min;
   const double taken = std::max(0.0, -weights.y) + std::max(0.0, -weights.z);
   const double keep = taken > spare ? spare / taken : 1.0;
@@ -129,7 +128,7 @@ glm::dvec3 fitted_weights(const RayDepths& depths, const glm::dvec3& wanted) {
   double damping = 1e-2;
   for (int step = 0; step < steps && glm::length(now.seen - wanted) > good && damping < hopeless;
        ++step) {
-    const glm::dvec3 next = allowed(weights + damped_step(now, wanted - now.seen, damping));
+    const glm::dvec3 next = positive(weights + damped_step(now, wanted - now.seen, damping));
     const Response then = response(depths, next);
     const bool better = glm::length(then.seen - wanted) < glm::length(now.seen - wanted);
     damping *= better ? 0.2 : 8.0;
@@ -283,7 +282,11 @@ std::vector<float> fitted_density(const TexelShape& shape, const std::vector<std
   const glm::vec3 weights(fitted_weights(ray_depths(VoxelRows(shape, voxel), bases),
                                          {wanted.value[0], wanted.value[1], wanted.value[2]}));
   std::vector<float> result(density.size());
-  for (std::size_t i = 0; i < density.size(); ++i) result[i] = glm::dot(weights, bases[i]);
+  // Columns that let nothing through, under a shrub, have no say in the fit, which may make them
+  // denser without end; 8 bits would hold nothing else of the patch.
+  const auto solid = static_cast<float>(solid_depth / shape.voxel_m);
+  for (std::size_t i = 0; i < density.size(); ++i)
+    result[i] = std::min(glm::dot(weights, bases[i]), solid);
   return result;
 }
 
