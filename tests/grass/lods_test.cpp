@@ -103,7 +103,7 @@ TEST(Lods, FittedDensityOfAShrubIsNoMoreThanSolid) {
   VolumeData fine = random_volume({62, 41, 0.004});
   for (std::size_t i = 0; i < fine.size(); ++i)
     if (const glm::ivec3 at = fine.shape.coordinates(fine.voxel[i]); at.x < 20 && at.y < 20)
-      fine.density[i] *= 400.0F;
+      fine.density[i] *= 4000.0F;
   const VolumeData coarse = coarser(fine, 30);
   Transmittances wanted = seen_through(fine);
   wanted.value[2] -= 0.02;  // as of blades, which stand in rows
