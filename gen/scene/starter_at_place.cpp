@@ -38,7 +38,7 @@ Species grass_of(const Scene& scene, const char* name, double share) {
 /// Low evergreen bushes amid the grass, as on hills that are grazed: without anything as large the
 /// eye does not see how far away a slope is.
 Species bushes(const Scene& scene) {
-  Species bushes = grass_of(scene, "bushes", 9.0);
+  Species bushes = grass_of(scene, "bushes", 6.0);
   bushes.habitat.cover = 0.12;
   bushes.habitat.feature_m = 1.0;
   bushes.habitat.steepest_deg = 45.0;

@@ -79,6 +79,49 @@ double inside(double place, double low, double high) {
   return (high - low) / 2.0 - std::abs(apart);
 }
 
+/// Whether the light of a place below the roof comes through it, by hand: of the patch's own roof,
+/// or of those on the patches beside it. Undecided within a voxel of an edge.
+enum class Under { own, others, sky, edge };
+Under under(const glm::ivec3& at, const glm::dvec2& slope) {
+  const glm::dvec2 place = glm::dvec2(at) + 0.5 + slope * (9.5 - (at.z + 0.5));
+  const double edge = 1.0 + std::max(std::abs(slope.x), std::abs(slope.y)) / 2.0;
+  const auto within = [](double along, double low, double high) {
+    return (high - low) / 2.0 - std::abs(along - (low + high) / 2.0);
+  };
+  const double own = std::min(within(place.x, 4.0, 10.0), within(place.y, 6.0, 14.0));
+  const double any = std::min(inside(place.x, 4.0, 10.0), inside(place.y, 6.0, 14.0));
+  if (own > edge) return Under::own;
+  if (any > edge) return Under::others;
+  return any < -edge ? Under::sky : Under::edge;
+}
+
+// A shrub amid grass: its own patch has it, one of four beside it has it, too.
+TEST(Columns, WhatDoesNotStandBesideAPatchShadowsItsOwnAlone) {
+  const auto voxels = every_voxel();
+  const Beside one_of_four{5, 0.25}, none{5, 0.0}, as_low{10, 0.25};
+  int of_others = 0;
+  for (const glm::dvec3& direction :
+       {direction_at(45.0 * degree, 2.0), direction_at(40.0 * degree, 4.0)}) {
+    const glm::dvec2 slope = glm::dvec2(direction) / direction.z;
+    const auto through = [&](const Beside& beside) {
+      return voxel_transmittance(VoxelRows(shape, voxels), roof(), direction, 0, beside);
+    };
+    const auto quarter = through(one_of_four), alone = through(none), everywhere = through(as_low);
+    for (std::uint32_t voxel : voxels) {
+      const glm::ivec3 at = shape.coordinates(voxel);
+      if (at.z >= 9) continue;
+      const Under from = under(at, slope);
+      if (from == Under::edge) continue;
+      of_others += from == Under::others ? 1 : 0;
+      const bool own = from == Under::own, other = from == Under::others;
+      ASSERT_NEAR(alone[voxel], own ? 0.0 : 1.0, 1e-5);
+      ASSERT_NEAR(quarter[voxel], own ? 0.0 : other ? 0.75 : 1.0, 1e-4);
+      ASSERT_NEAR(everywhere[voxel], own || other ? 0.0 : 1.0, 1e-5) << "as high as the grass";
+    }
+  }
+  EXPECT_GT(of_others, 40);
+}
+
 TEST(Columns, RoofShadowsWhatLiesUnderIt) {
   const auto voxels = every_voxel();
   for (const glm::dvec3& direction : directions()) {

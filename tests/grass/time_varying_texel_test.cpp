@@ -135,5 +135,42 @@ TEST(TimeVaryingTexel, FilesHoldWhatWasDemanded) {
   EXPECT_ANY_THROW(read_dense_vectors(path, "emission_q1", glm::ivec3(1), size));
 }
 
+/// Of what glows in the patch of a shrub, by how much of the ground it covers.
+double mean_emission_of_shrub(double cover) {
+  scene::Scene scene = test::small_scene();
+  scene.grass.blades = 300;
+  scene.species = {{.plant = scene.grass, .physiology = scene.ageing}};
+  scene.species.push_back(scene.species.front());
+  scene.species.front().plant.height_m = 0.05;
+  scene::Species& shrub = scene.species.back();
+  shrub.plant.crown_m = 0.25;
+  shrub.plant.height_m = 0.03;
+  shrub.habitat.cover = cover;
+  const wold::test::TemporaryFolder folder("tvt_shrub");
+  const TimeVaryingTexel texel(scene, {test::slanting_light()}, folder.path());
+  TexelDemand demand;
+  demand[0][0] = {{1, {0}}};
+  SilentProgress progress;
+  texel.generate(demand, progress);
+  double sum = 0.0;
+  int count = 0;
+  const glm::ivec3 size(30, 30, texel.lod_shape(1).height);
+  for (const glm::vec3& value :
+       read_dense_vectors(texel.volume_path(0, 0, 1), "emission_q0", glm::ivec3(1), size)) {
+    sum += double{value.g};
+    count += value.g > 0.0F ? 1 : 0;
+  }
+  return sum / count;
+}
+
+TEST(TimeVaryingTexel, ALoneShrubHasMoreLightThanOneInAThicket) {
+  const double thicket = mean_emission_of_shrub(1.0), lone = mean_emission_of_shrub(0.1);
+  EXPECT_GT(lone, 1.05 * thicket);
+  EXPECT_LT(lone, 2.0 * thicket);
+  const double between = mean_emission_of_shrub(0.6);
+  EXPECT_GT(between, 1.01 * thicket);
+  EXPECT_LT(between, 0.98 * lone);
+}
+
 }  // namespace
 }  // namespace wold::grass

@@ -49,6 +49,10 @@ int own_slices(const FibreLook& look, const glm::dvec3& light, const TexelShape&
   return static_cast<int>(std::lround(0.5 * look.width_m * light.z / shape.voxel_m)) + 1;
 }
 
+Beside beside(const FibreLook& look, const TexelShape& shape) {
+  return {static_cast<int>(std::lround(look.neighbours_m / shape.voxel_m)), look.like_neighbours};
+}
+
 /// A grazing ray would be followed through grass for ever: a sun lower than this casts shadows as
 /// from here, and once it has set it has no light.
 glm::dvec3 risen(const glm::dvec3& sun_direction) {
@@ -123,8 +127,9 @@ std::vector<std::vector<float>> sky_transmittances(const VolumeData& volume,
   std::vector<std::vector<float>> through(sky_size());
   parallel_for(through.size(), [&](std::size_t i) {
     const glm::dvec3 direction = on_ring(sky_rings()[i / sides], i % sides, 0.5);
-    through[i] = voxel_transmittance(voxels, volume.density, direction,
-                                     own_slices(look, direction, volume.shape));
+    through[i] =
+        voxel_transmittance(voxels, volume.density, direction,
+                            own_slices(look, direction, volume.shape), beside(look, volume.shape));
   });
   return through;
 }
@@ -144,7 +149,7 @@ std::vector<float> sunlit_fractions(const VolumeData& volume, const Lighting& li
                                     const FibreLook& look, int turn) {
   const glm::dvec3 sun = TurnedLight(lighting, turn).sun;
   return voxel_transmittance(VoxelRows(volume.shape, volume.voxel), volume.density, sun,
-                             own_slices(look, sun, volume.shape));
+                             own_slices(look, sun, volume.shape), beside(look, volume.shape));
 }
 
 TurnedLight::TurnedLight(const Lighting& lighting, int turn)

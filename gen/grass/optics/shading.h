@@ -101,10 +101,13 @@ glm::vec3 source_radiance(const Fibre& fibre, const TurnedLight& light, float su
 /// Radiance of the sun's light that a fibre scatters, the mean over all directions.
 glm::vec3 scattered_sunlight(const Fibre& fibre, const TurnedLight& light, float sunlit);
 
-/// Kajiya-Kay's exponent and the width of a blade, within which it does not shadow itself.
+/// Kajiya-Kay's exponent, the width of a blade, within which it does not shadow itself, and what
+/// stands around the patch.
 struct FibreLook {
   float specular_exponent = 24.0F;
   double width_m = 0.0;
+  double neighbours_m = 0.0;     ///< what is higher than this does not stand beside every patch
+  double like_neighbours = 1.0;  ///< share of the patches beside it that have what is higher
 };
 
 /// What of each direction of the sky reaches each voxel of a volume, through the others.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "core/elementary.h"
@@ -10,15 +11,59 @@
 namespace wold::grass {
 namespace {
 
-/// Adds the optical depth of one slab to every ray.
-template <class Value>
+/// Adds the optical depth of one slab to every ray, and says to which and how much.
+template <class Value, class Added>
 void add_slab(const Columns& columns, const Columns::Slab& slab, const VoxelRows& voxels,
-              const std::vector<Value>& extinction, std::vector<Value>& depth) {
+              const std::vector<Value>& extinction, std::vector<Value>& depth, const Added& added) {
   const auto length = static_cast<float>(slab.length_m);
   columns.each(slab, voxels, [&](std::size_t ray, std::size_t place) {
     depth[ray] += length * extinction[place];
+    added(ray, length * extinction[place]);
   });
 }
+
+/// The depths of rays that come through patches beside this one, of which not all have what stands
+/// high: where a ray enters a patch, its depth is that which lets through what they do in the mean.
+class RaysFromBeside {
+ public:
+  RaysFromBeside(const TexelShape& shape, const Beside& beside, std::size_t rays)
+      : shape_(shape), beside_(beside), high_(beside.share < 1.0 ? rays : 0, 0.0F) {}
+
+  /// Before the depth of a slab is added.
+  void enter(const Columns::Slab& slab, std::vector<float>& depth) {
+    if (high_.empty()) return;
+    if (slab_)
+      for (int y = 0; y < shape_.side; ++y)
+        for (int x = 0; x < shape_.side; ++x)
+          if (patch(x + slab.shift_x) != patch(x + slab_->shift_x) ||
+              patch(y + slab.shift_y) != patch(y + slab_->shift_y))
+            leave(shape_.linear(x, y, 0), depth);
+    slab_ = slab;
+  }
+  /// Whether a ray, that at the ground would be at `voxel` of an axis, is in the patch by now.
+  bool is_inside(int voxel, int axis) const {
+    return !slab_ || patch(voxel + (axis == 0 ? slab_->shift_x : slab_->shift_y)) == 0;
+  }
+  /// Of a voxel that a ray comes through.
+  void add(std::size_t ray, float depth) {
+    if (!high_.empty() && slab_->z >= beside_.top) high_[ray] += depth;
+  }
+
+ private:
+  int patch(int voxel) const { return (voxel - shape_.wrapped(voxel)) / shape_.side; }
+
+  void leave(std::size_t ray, std::vector<float>& depth) {
+    if (!(high_[ray] > 0.0F)) return;
+    const double through = std::lerp(1.0, double{math::exp(-high_[ray])}, beside_.share);
+    depth[ray] -= high_[ray] + static_cast<float>(math::log(through));
+    high_[ray] = 0.0F;
+  }
+
+  const TexelShape& shape_;
+  Beside beside_;
+  std::vector<float> high_;  ///< depths of the patch that a ray is in, above its neighbours
+  std::optional<Columns::Slab> slab_;
+};
 
 }  // namespace
 
@@ -61,7 +106,7 @@ std::vector<Value> optical_depths(const VoxelRows& voxels, const std::vector<Val
   const Columns columns(voxels.shape(), direction, stride);
   std::vector<Value> depth(columns.rays(), Value(0.0F));
   for (const Columns::Slab& slab : columns.slabs())
-    add_slab(columns, slab, voxels, extinction, depth);
+    add_slab(columns, slab, voxels, extinction, depth, [](std::size_t, const Value&) {});
   return depth;
 }
 template std::vector<float> optical_depths(const VoxelRows&, const std::vector<float>&,
@@ -70,11 +115,13 @@ template std::vector<glm::vec3> optical_depths(const VoxelRows&, const std::vect
                                                const glm::dvec3&, int);
 
 std::vector<float> voxel_transmittance(const VoxelRows& voxels, const std::vector<float>& density,
-                                       const glm::dvec3& direction, int skip) {
+                                       const glm::dvec3& direction, int skip,
+                                       const Beside& beside) {
   const TexelShape& shape = voxels.shape();
   const Columns columns(shape, direction);
   const glm::dvec2 slope = glm::dvec2(direction) / direction.z;
   std::vector<float> depth(columns.rays(), 0.0F);
+  RaysFromBeside from_beside(shape, beside, columns.rays());
   std::vector<float> result(voxels.size());
   const auto read_slice = [&](int z) {
     // The middles of the slice's voxels lie between the same four rays, at the same place.
@@ -85,9 +132,13 @@ std::vector<float> voxel_transmittance(const VoxelRows& voxels, const std::vecto
     for (int y = 0; y < shape.side; ++y) {
       const float* near = depth.data() + shape.linear(0, shape.wrapped(y - shift.y), 0);
       const float* far = depth.data() + shape.linear(0, shape.wrapped(y - shift.y + 1), 0);
+      if (!from_beside.is_inside(y - shift.y, 1)) near = far;
+      if (!from_beside.is_inside(y - shift.y + 1, 1)) far = near;
       voxels.each(y, z, [&](int x, std::size_t place) {
-        const int left = x < shift_x ? x - shift_x + shape.side : x - shift_x;
-        const int right = left + 1 == shape.side ? 0 : left + 1;
+        int left = x < shift_x ? x - shift_x + shape.side : x - shift_x;
+        int right = left + 1 == shape.side ? 0 : left + 1;
+        if (!from_beside.is_inside(x - shift.x, 0)) left = right;
+        if (!from_beside.is_inside(x - shift.x + 1, 0)) right = left;
         result[place] =
             math::exp(-bilinear(near[left], near[right], far[left], far[right], on.x, on.y));
       });
@@ -101,7 +152,9 @@ std::vector<float> voxel_transmittance(const VoxelRows& voxels, const std::vecto
   for (const Columns::Slab& slab : columns.slabs()) {
     // Depths now reach down to the middle of the slab's slice.
     if (!slab.upper_half) read_down_to(slab.z - skip);
-    add_slab(columns, slab, voxels, density, depth);
+    from_beside.enter(slab, depth);
+    add_slab(columns, slab, voxels, density, depth,
+             [&](std::size_t ray, float added) { from_beside.add(ray, added); });
   }
   return result;
 }

@@ -90,11 +90,19 @@ template <class Value>
 std::vector<Value> optical_depths(const VoxelRows& voxels, const std::vector<Value>& extinction,
                                   const glm::dvec3& direction, int stride = 1);
 
+/// What stands beside a patch, whose light comes through patches like it: a shrub amid grass has
+/// grass around it, not shrubs.
+struct Beside {
+  int top = 0;         ///< slices; what stands higher is not beside every patch
+  double share = 1.0;  ///< of the patches beside it that have that, too
+};
+
 /// Transmittance from outside to every voxel. The last `skip` slices before the voxel do not
 /// count: they hold the blade the voxel belongs to, and a fibre of the Kajiya-Kay model does not
 /// shadow itself.
 std::vector<float> voxel_transmittance(const VoxelRows& voxels, const std::vector<float>& density,
-                                       const glm::dvec3& direction, int skip);
+                                       const glm::dvec3& direction, int skip,
+                                       const Beside& beside = {});
 
 /// Mean radiance that leaves the tiled box towards `direction`; density and emission per voxel.
 glm::dvec3 mean_radiance(const VoxelRows& voxels, const std::vector<float>& density,

@@ -94,8 +94,22 @@ TexelShape finest_shape(const scene::MeadowPart& meadow) {
   return {side, static_cast<int>(std::ceil(tallest_m(meadow) / voxel_m)) + 2, voxel_m};
 }
 
-FibreLook fibre_look(const scene::MeadowPart& meadow) {
-  return {static_cast<float>(meadow.grass.specular_exponent), scene::mean_grass(meadow).width_m};
+/// Shrubs have around them what else grows on their patch, and other shrubs as often as they grow
+/// anywhere.
+FibreLook fibre_look(const scene::MeadowPart& meadow, int variant) {
+  FibreLook look{static_cast<float>(meadow.grass.specular_exponent),
+                 scene::mean_grass(meadow).width_m};
+  const std::vector<scene::Species> species = scene::species_of(meadow);
+  double shrubs = 0.0;
+  for (const int one : scene::mixture_of(meadow, variant)) {
+    const scene::Species& grown = species[static_cast<std::size_t>(one)];
+    if (grown.plant.crown_m > 0.0)
+      shrubs += grown.habitat.cover;
+    else
+      look.neighbours_m = std::max(look.neighbours_m, scene::standing_m(grown.plant));
+  }
+  if (shrubs > 0.0) look.like_neighbours = std::min(shrubs, 1.0);
+  return look;
 }
 
 /// Every turn that any level wants, ascending.
@@ -118,7 +132,11 @@ std::string described(const scene::MeadowPart& meadow, const Lighting& lighting)
   relevant.grass.unevenness = plain.grass.unevenness;
   relevant.ageing = meadow.ageing;
   relevant.species = meadow.species;
-  for (scene::Species& species : relevant.species) species.habitat = {};
+  for (scene::Species& species : relevant.species) {
+    const double cover = species.habitat.cover;
+    species.habitat = {};
+    if (species.plant.crown_m > 0.0) species.habitat.cover = cover;  // how far it shades others
+  }
   relevant.ageing.frames = plain.ageing.frames;
   relevant.ageing.age_spread = plain.ageing.age_spread;
   relevant.ageing.age_spread_feature_m = plain.ageing.age_spread_feature_m;
@@ -137,7 +155,7 @@ std::string described(const scene::MeadowPart& meadow, const Lighting& lighting)
 }  // namespace
 
 std::string texel_models() {
-  constexpr int version = 7;  // raise when the same scene and models give other texels
+  constexpr int version = 8;  // raise when the same scene and models give other texels
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(shipped_file("models")))
     if (entry.is_regular_file() && entry.path().parent_path().filename() != "cloud")
@@ -204,7 +222,7 @@ BladePatch TimeVaryingTexel::patch(int variant, const PatchState& state) const {
 }
 
 Tubes TimeVaryingTexel::blades(int variant, const PatchState& state, double shadow_pixel_m) const {
-  return blade_tubes(patch(variant, state), model_, lighting(state), fibre_look(meadow_),
+  return blade_tubes(patch(variant, state), model_, lighting(state), fibre_look(meadow_, variant),
                      shadow_pixel_m);
 }
 
@@ -218,8 +236,8 @@ Tubes TimeVaryingTexel::points(int variant, const PatchState& state) const {
   Samples samples(meadow_, shape_, variant, model_);
   for (std::size_t step = 0; step <= now; ++step) samples.advance_to(key_frames_[step]);
   if (state.snow > 0) samples.support_load(state.snow_fraction());
-  return point_tubes(patch(variant, state), samples.all(), lighting(state), fibre_look(meadow_),
-                     shape_.voxel_m);
+  return point_tubes(patch(variant, state), samples.all(), lighting(state),
+                     fibre_look(meadow_, variant), shape_.voxel_m);
 }
 
 void TimeVaryingTexel::add_leaf_shades(int variant, const PatchState& state, Tubes& blades) const {
@@ -298,8 +316,8 @@ void TimeVaryingTexel::make_texel(int variant, const PatchState& state, const Sa
   std::vector<VolumeData> baked;
   {
     const Stopwatch watch(times.baking);
-    baked = bake_lods(texel, samples.all(), lighting(state), fibre_look(meadow_), grass.lods,
-                      all_turns(lods));
+    baked = bake_lods(texel, samples.all(), lighting(state), fibre_look(meadow_, variant),
+                      grass.lods, all_turns(lods));
   }
   const Stopwatch watch(times.storing);
   store(variant, state, texel, baked, lods);
