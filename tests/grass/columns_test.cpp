@@ -101,7 +101,7 @@ TEST(Columns, WhatDoesNotStandBesideAPatchShadowsItsOwnAlone) {
   const Beside one_of_four{5, 0.25}, none{5, 0.0}, as_low{10, 0.25};
   int of_others = 0;
   for (const glm::dvec3& direction :
-       {direction_at(45.0 * degree, 2.0), direction_at(40.0 * degree, 4.0)}) {
+       {direction_at(25.0 * degree, 0.05), direction_at(30.0 * degree, 3.3)}) {
     const glm::dvec2 slope = glm::dvec2(direction) / direction.z;
     const auto through = [&](const Beside& beside) {
       return voxel_transmittance(VoxelRows(shape, voxels), roof(), direction, 0, beside);
