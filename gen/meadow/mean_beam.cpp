@@ -21,11 +21,14 @@ wind::Beam beam_of(const scene::Species& species, double weathering, double snow
       grass::fresh_stiffness_n_m2(blade) * weight / grass::relative_load(species.physiology, lost)};
 }
 
-/// Stalks of flowers are few amid the grass, and stiff: leaves count, where there are any.
+/// Stalks of flowers are few amid the grass, and stiff, and shrubs stand still: leaves of grass
+/// count, where there are any.
 std::vector<scene::Species> waving_species(const scene::Scene& scene) {
   const std::vector<scene::Species> all = scene::species_of(scene);
   std::vector<scene::Species> leaves = all;
-  std::erase_if(leaves, scene::flowers);
+  std::erase_if(leaves, [](const scene::Species& one) {
+    return scene::flowers(one) || one.plant.crown_m > 0.0;
+  });
   return leaves.empty() ? all : leaves;
 }
 

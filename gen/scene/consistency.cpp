@@ -169,10 +169,10 @@ Rule blades_leave_room(const Scene& scene) {
   const double leaf_area = max_blade_area_m2(scene) / (grass.patch_m * grass.patch_m);
   return {{"grass.blades", "grass.patch", "grass.width", "grass.height"},
           leaf_area <= max_leaf_area,
-          fmt::format(
-              "grass.blades: found {} blades, {:.0f} m2 of leaf on each m2 of ground, "
-              "expected at most {} m2: fewer or smaller blades and petals, or a larger grass.patch",
-              grass.blades, leaf_area, max_leaf_area)};
+          fmt::format("grass.blades: found {} blades, {:.0f} m2 of leaf on each m2 of ground, "
+                      "expected at most {} m2: fewer or smaller blades, leaves of shrubs and "
+                      "petals, or a larger grass.patch",
+                      grass.blades, leaf_area, max_leaf_area)};
 }
 
 }  // namespace

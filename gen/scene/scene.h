@@ -112,7 +112,7 @@ struct Plant {
 /// [[species]] have in common.
 struct Grass : Plant {
   double patch_m = 0.6;             ///< side of the tile
-  int blades = 400;                 ///< per patch, of all species and samples together
+  int blades = 400;                 ///< per patch, in the ground, of all species and samples
   double specular_exponent = 24.0;  ///< Kajiya-Kay exponent p
   int variants = 4;
   std::vector<int> lods = {254, 126, 62, 30};  ///< voxels per side, finest first
@@ -191,7 +191,7 @@ struct Flower {
 /// One kind of plant of a meadow.
 struct Species {
   std::string name = "grass";
-  double share = 1.0;  ///< of the patch's blades, relative to the other species' shares
+  double share = 1.0;  ///< of the patch's blades, relative to others; a shrub's: times these
   Plant plant;
   Physiology physiology;
   Habitat habitat = {};

@@ -34,12 +34,17 @@ std::vector<int> shared_out(int blades, const std::vector<double>& shares) {
   return counts;
 }
 
+/// Of the terrain, as far as a habitat alone says it: ranks of wetness are shares of it.
+double cover_of(const Habitat& habitat) {
+  return habitat.cover * (habitat.wettest - habitat.driest);
+}
+
 /// Which part of the ground each species is the top of, sum 1: shrubs of what they cover, the rest
 /// by their shares, as shrubs do where nothing else grows.
 std::vector<double> ground_fractions(const std::vector<Species>& species) {
   double covered = 0.0, rooted = 0.0, all = 0.0;
   for (const Species& one : species) {
-    (is_shrub(one) ? covered : rooted) += is_shrub(one) ? one.habitat.cover : one.share;
+    (is_shrub(one) ? covered : rooted) += is_shrub(one) ? cover_of(one.habitat) : one.share;
     all += one.share;
   }
   std::vector<double> fractions;
@@ -47,7 +52,7 @@ std::vector<double> ground_fractions(const std::vector<Species>& species) {
     if (rooted <= 0.0)
       fractions.push_back(one.share / all);
     else if (is_shrub(one))
-      fractions.push_back(one.habitat.cover / std::max(1.0, covered));
+      fractions.push_back(cover_of(one.habitat) / std::max(1.0, covered));
     else
       fractions.push_back(std::max(0.0, 1.0 - covered) * one.share / rooted);
   }
@@ -144,19 +149,23 @@ std::vector<int> blades_of(const MeadowPart& meadow, const Mixture& mixture) {
 
 bool flowers(const Species& species) { return species.flower.petals > 0; }
 
-int max_drawn(const MeadowPart& meadow) {
+long drawn_of(const MeadowPart& meadow, int patch) {
   const std::vector<Species> species = species_of(meadow);
-  int most = 0;
-  for (const Mixture& mixture : mixtures_of(meadow)) {
-    const std::vector<int> blades = blades_of(meadow, mixture);
-    int drawn = 0;
-    for (std::size_t k = 0; k < mixture.size(); ++k) {
-      const Species& one = species[static_cast<std::size_t>(mixture[k])];
-      const int each = flowers(one) ? 1 + one.flower.petals + (one.flower.disc_m > 0.0 ? 1 : 0) : 1;
-      drawn += blades[k] * each;
-    }
-    most = std::max(most, drawn);
+  const Mixture mixture = mixture_of(meadow, patch);
+  const std::vector<int> blades = blades_of(meadow, mixture);
+  long drawn = 0;
+  for (std::size_t k = 0; k < mixture.size(); ++k) {
+    const Species& one = species[static_cast<std::size_t>(mixture[k])];
+    const int each = flowers(one) ? 1 + one.flower.petals + (one.flower.disc_m > 0.0 ? 1 : 0) : 1;
+    drawn += static_cast<long>(blades[k]) * each;
   }
+  return drawn;
+}
+
+long max_drawn(const MeadowPart& meadow) {
+  long most = 0;
+  for (int patch = 0; patch < patch_count(meadow); patch += meadow.grass.variants)
+    most = std::max(most, drawn_of(meadow, patch));
   return most;
 }
 

@@ -45,8 +45,10 @@ std::vector<int> blades_of(const MeadowPart& meadow, const Mixture& mixture);
 /// Whether the blades of a species are stalks of flowers.
 bool flowers(const Species& species);
 
-/// What is drawn of a patch that has most: blades, petals and the discs amid them.
-int max_drawn(const MeadowPart& meadow);
+/// What is drawn of a patch: blades, petals and the discs amid them.
+long drawn_of(const MeadowPart& meadow, int patch);
+/// Of the patch that has most of them.
+long max_drawn(const MeadowPart& meadow);
 
 /// Whether a species is hair, whose clumps are combed one way, not blades of grass (scene::Fur).
 bool is_hair(const Physiology& physiology);

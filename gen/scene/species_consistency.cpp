@@ -175,24 +175,33 @@ Rule few_have_a_habitat(const Scene& scene) {
 /// Each of them is lit by itself.
 constexpr int max_lit = 40000;
 
-Rule few_petals_are_drawn(const Scene& scene) {
+/// Leaves of all its shrubs together.
+long leaves_of_shrubs(const std::vector<Judged>& all) {
+  long leaves = 0;
+  for (const Judged& one : all)
+    if (one.species.plant.crown_m > 0.0) leaves += one.blades;
+  return leaves;
+}
+
+Rule few_petals_are_drawn(const Scene& scene, long leaves) {
   const auto petals = [](const Species& one) { return one.flower.petals; };
   const auto fullest = std::ranges::max_element(scene.species, {}, petals);
   const std::string item =
       item_name("species", static_cast<std::size_t>(fullest - scene.species.begin()));
+  const long drawn = max_drawn(scene) - leaves;
   return {{item + ".petals", "grass.blades"},
-          petals(*fullest) == 0 || max_drawn(scene) <= max_lit,
+          petals(*fullest) == 0 || drawn <= max_lit,
           fmt::format("{}.petals: found {}, with which a patch has {} blades and petals "
                       "(grass.blades is {}), expected at most {}: fewer petals or a smaller share",
-                      item, petals(*fullest), max_drawn(scene), scene.grass.blades, max_lit)};
+                      item, petals(*fullest), drawn, scene.grass.blades, max_lit)};
 }
 
-Rule few_leaves_are_drawn(const Judged& judged) {
+Rule few_leaves_are_drawn(const Judged& judged, long leaves) {
   return {{judged.in.plant + ".share", judged.in.plant + ".crown", "grass.blades"},
-          judged.species.plant.crown_m <= 0.0 || judged.blades <= max_lit,
-          fmt::format("{}.share: found {}, with which a shrub has {} blades on its twigs "
-                      "(grass.blades times its share), expected at most {}",
-                      judged.in.plant, judged.species.share, judged.blades, max_lit)};
+          judged.species.plant.crown_m <= 0.0 || leaves <= max_lit,
+          fmt::format("{}.share: found {}, with which the shrubs of a patch have {} blades on "
+                      "their twigs (grass.blades times their share), expected at most {}",
+                      judged.in.plant, judged.species.share, leaves, max_lit)};
 }
 
 std::vector<Judged> judged_species(const Scene& scene) {
@@ -223,10 +232,12 @@ std::vector<Rule> species_rules(const Scene& scene) {
       rules.push_back(std::move(rule));
   if (scene.species.empty()) return rules;
   rules.push_back(few_have_a_habitat(scene));
-  rules.push_back(few_petals_are_drawn(scene));
-  for (const Judged& judged : judged_species(scene)) {
+  const std::vector<Judged> all = judged_species(scene);
+  const long leaves = leaves_of_shrubs(all);
+  rules.push_back(few_petals_are_drawn(scene, leaves));
+  for (const Judged& judged : all) {
     for (Rule& rule : grows_somewhere(judged)) rules.push_back(std::move(rule));
-    rules.push_back(few_leaves_are_drawn(judged));
+    rules.push_back(few_leaves_are_drawn(judged, leaves));
     rules.push_back(flowers_stand_on_grass(judged));
     rules.push_back(flowers_fit_the_patch(judged));
     rules.push_back(stalks_do_not_move(judged));

@@ -317,8 +317,8 @@ std::vector<Key> species_keys(std::size_t item) {
        bound(
            number("species.share", "", {0.0001, 1000},
                   "Blades of this species in a patch, relative to the shares of the other species "
-                  "that grow there: all together are grass.blades. A shrub's are on its twigs, "
-                  "over the grass: so many times grass.blades."),
+                  "that stand in the ground there: all these together are grass.blades. Of a shrub "
+                  "its leaves, over the grass, as so many times grass.blades."),
            PART(share))},
       habitat_keys("species", PART(habitat)),
       plant_keys("species", PART(plant)),

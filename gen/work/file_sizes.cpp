@@ -188,8 +188,8 @@ double scene_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
                    const film::FilmDemand& demand, std::size_t frames) {
   double shared = costs.shared_terrain_sample * squared(scene.terrain.samples) +
                   volumes_bytes(scene, costs, demand);
-  shared +=
-      static_cast<double>(demand.patches().size()) * (costs.shared_blade * scene::max_drawn(scene));
+  for (const auto& [variant, state] : demand.patches())
+    shared += costs.shared_blade * static_cast<double>(scene::drawn_of(scene, variant));
   double looked_at = 0.0;
   for (const auto& [frame, shown] : demand.frames()) looked_at += frame_bytes(scene, costs, shown);
   return shared +

@@ -54,15 +54,21 @@ double backdrop_bytes(const scene::Scene& scene) {
   return pixel_bytes * scene.render.size_px[0] * scene.render.size_px[1];
 }
 
+/// Blades and petals of the patches that a frame shows as such.
+double drawn_blades(const scene::Scene& scene, const film::FrameDemand& shown) {
+  long drawn = 0;
+  for (const auto& [variant, state] : shown.patches) drawn += scene::drawn_of(scene, variant);
+  return static_cast<double>(drawn);
+}
+
 /// What a renderer reads for a frame.
 double read_bytes(const scene::Scene& scene, const exporter::MemoryCosts& costs,
                   const film::FrameDemand& shown) {
-  double bytes = costs.ground_sample * ground_samples(scene) +
-                 costs.cloud_voxel * cloud_voxels(scene) +
-                 costs.haze_voxel * sky::blowing_snow_voxels(scene) +
-                 costs.terrain_sample * scene.terrain.samples * scene.terrain.samples +
-                 costs.part * static_cast<double>(shown.parts) +
-                 costs.blade * scene::max_drawn(scene) * static_cast<double>(shown.patches.size());
+  double bytes =
+      costs.ground_sample * ground_samples(scene) + costs.cloud_voxel * cloud_voxels(scene) +
+      costs.haze_voxel * sky::blowing_snow_voxels(scene) +
+      costs.terrain_sample * scene.terrain.samples * scene.terrain.samples +
+      costs.part * static_cast<double>(shown.parts) + costs.blade * drawn_blades(scene, shown);
   const double voxel_bytes = costs.voxel + density_bytes(scene, costs.density_grids);
   const VolumeSizes sizes(scene);
   for (const film::ShownVolume& volume : shown.volumes) {
@@ -141,8 +147,7 @@ double passes_memory_bytes(const Job& job, const film::FilmDemand& demand) {
       max_voxels = std::max(max_voxels, size.voxels);
     }
     shown_voxels = std::max(shown_voxels, voxels);
-    blades =
-        std::max(blades, scene::max_drawn(job.scene) * static_cast<double>(shown.patches.size()));
+    blades = std::max(blades, drawn_blades(job.scene, shown));
   }
   const scene::Render& render = job.scene.render;
   return landscape_bytes(job) + voxel_bytes * shown_voxels + albedo_bytes * max_voxels +

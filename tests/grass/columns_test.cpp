@@ -122,6 +122,22 @@ TEST(Columns, WhatDoesNotStandBesideAPatchShadowsItsOwnAlone) {
   EXPECT_GT(of_others, 40);
 }
 
+// What a blade does not shadow of itself is looked for higher up, where its light may still be in
+// the patch beside.
+TEST(Columns, LightFromBesideIsThinnedForBladesThatDoNotShadowThemselves) {
+  const auto voxels = every_voxel();
+  std::vector<float> dense(shape.voxels(), 0.0F);
+  for (std::uint32_t voxel : voxels)
+    if (shape.coordinates(voxel).z >= 6) dense[voxel] = 500.0F;
+  for (const int skip : {0, 1, 3}) {
+    const auto through = voxel_transmittance(VoxelRows(shape, voxels), dense,
+                                             direction_at(15.0 * degree, 0.0), skip, {2, 0.0});
+    // Within a slice's two thirds of the border, light comes from below the shrubs beside.
+    for (int y = 0; y < shape.side; ++y)
+      EXPECT_GT(through[shape.linear(shape.side - 1, y, 2)], 0.99F) << "skip " << skip;
+  }
+}
+
 TEST(Columns, RoofShadowsWhatLiesUnderIt) {
   const auto voxels = every_voxel();
   for (const glm::dvec3& direction : directions()) {

@@ -151,12 +151,18 @@ TEST(Crown, HasItsLeavesAlongShoots) {
   EXPECT_GT(between_m, 0.25 * patch_m) << "shoots are all over the shrub";
 }
 
-// Leaves as long as the crown is high: shoots are shorter near the ground.
-TEST(Crown, HasNoLeavesThatGrowFromBelowTheGround) {
+// Leaves as long as the crown is high: shoots end within the cushion, and above the ground.
+TEST(Crown, HasNoLeavesThatGrowFromBelowTheGroundOrFromBeyondThePatch) {
   scene::Plant plant;
   plant.crown_m = plant.height_m = 0.2;
-  for (const Blade& blade : scatter_blades(plant, {}, {patch_m, 1200, 3, 1, 0}))
+  const auto side_m = static_cast<float>(patch_m);
+  for (const Blade& blade : scatter_blades(plant, {}, {patch_m, 1200, 3, 1, 0})) {
     ASSERT_GE(blade.root_height_m, -1e-6F);
+    for (const float along_m : {blade.root_m.x, blade.root_m.y}) {
+      ASSERT_GT(along_m, 0.2F * side_m);
+      ASSERT_LT(along_m, 0.8F * side_m);
+    }
+  }
 }
 
 }  // namespace

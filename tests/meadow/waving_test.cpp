@@ -70,6 +70,10 @@ TEST(MeanBeam, IsTheMeanOfTheSpecies) {
   EXPECT_NEAR(mean_beam(scene, 0.0, 0.0).length_m, scene.species[0].plant.height_m, 1e-6);
   scene.species[0].flower.petals = 5;
   EXPECT_NEAR(mean_beam(scene, 0.0, 0.0).length_m, 0.3, 1e-6);
+  // Nor do shrubs.
+  scene.species[0].flower.petals = scene.species[1].flower.petals = 0;
+  scene.species[1].plant.crown_m = 0.5;
+  EXPECT_NEAR(mean_beam(scene, 0.0, 0.0).length_m, scene.species[0].plant.height_m, 1e-6);
 }
 
 TEST(WavingGrass, MovesFromFrameToFrameAndNeedsNoOtherFrame) {

@@ -135,8 +135,9 @@ TEST(Species, ThatAreShrubsHaveNoMoreLeavesThanCanBeLit) {
   EXPECT_THAT(
       problems_of("[grass]\nblades = 4000\n[[species]]\n[[species]]\nshare = 12\n"
                   "width = 0.001\ncrown = 0.5\n"),
-      testing::HasSubstr("species[2].share: found 12, with which a shrub has 48000 blades on "
-                         "its twigs (grass.blades times its share), expected at most 40000"));
+      testing::HasSubstr("species[2].share: found 12, with which the shrubs of a patch have "
+                         "48000 blades on their twigs (grass.blades times their share), "
+                         "expected at most 40000"));
 }
 
 TEST(Species, AreBlamedByTheirOwnKeys) {

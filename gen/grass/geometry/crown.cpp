@@ -54,7 +54,7 @@ Crown::Twig Crown::twig(const glm::dvec4& picks) const {
   const glm::dvec2 place_m = cushion.middle_m + radii * cushion.radius_m * level * heading;
   const glm::dvec3 gradient(heading * (level / cushion.radius_m), up / cushion.height_m);
   return {glm::vec2(place_m), static_cast<float>(radii * cushion.height_m * up),
-          glm::vec3(glm::normalize(gradient))};
+          glm::vec3(glm::normalize(gradient)), static_cast<float>(0.5 * cushion.radius_m)};
 }
 
 }  // namespace wold::grass

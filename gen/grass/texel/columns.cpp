@@ -23,7 +23,8 @@ void add_slab(const Columns& columns, const Columns::Slab& slab, const VoxelRows
 }
 
 /// The depths of rays that come through patches beside this one, of which not all have what stands
-/// high: where a ray enters a patch, its depth is that which lets through what they do in the mean.
+/// high: once a ray has left such a patch, its depth is that which lets through what they do in the
+/// mean.
 class RaysFromBeside {
  public:
   RaysFromBeside(const TexelShape& shape, const Beside& beside, std::size_t rays)
@@ -40,22 +41,29 @@ class RaysFromBeside {
             leave(shape_.linear(x, y, 0), depth);
     slab_ = slab;
   }
-  /// Whether a ray, that at the ground would be at `voxel` of an axis, is in the patch by now.
-  bool is_inside(int voxel, int axis) const {
-    return !slab_ || patch(voxel + (axis == 0 ? slab_->shift_x : slab_->shift_y)) == 0;
-  }
   /// Of a voxel that a ray comes through.
   void add(std::size_t ray, float depth) {
     if (!high_.empty() && slab_->z >= beside_.top) high_[ray] += depth;
+  }
+  /// By how much less deep a ray comes to this patch. `voxel`: where it ends on the ground, beyond
+  /// the patch's sides as well.
+  float thinned(std::size_t ray, const glm::ivec2& voxel) const {
+    if (high_.empty() || !slab_) return 0.0F;
+    const bool inside =
+        patch(voxel.x + slab_->shift_x) == 0 && patch(voxel.y + slab_->shift_y) == 0;
+    return inside ? 0.0F : thinned(ray);
   }
 
  private:
   int patch(int voxel) const { return (voxel - shape_.wrapped(voxel)) / shape_.side; }
 
-  void leave(std::size_t ray, std::vector<float>& depth) {
-    if (!(high_[ray] > 0.0F)) return;
+  float thinned(std::size_t ray) const {
+    if (!(high_[ray] > 0.0F)) return 0.0F;
     const double through = std::lerp(1.0, double{math::exp(-high_[ray])}, beside_.share);
-    depth[ray] -= high_[ray] + static_cast<float>(math::log(through));
+    return high_[ray] + static_cast<float>(math::log(through));
+  }
+  void leave(std::size_t ray, std::vector<float>& depth) {
+    depth[ray] -= thinned(ray);
     high_[ray] = 0.0F;
   }
 
@@ -128,21 +136,16 @@ std::vector<float> voxel_transmittance(const VoxelRows& voxels, const std::vecto
     const glm::dvec2 middle = slope * (z + 0.5);
     const glm::ivec2 shift(glm::ceil(middle));
     const glm::vec2 on(glm::dvec2(shift) - middle);
-    const int shift_x = shape.wrapped(shift.x);
-    for (int y = 0; y < shape.side; ++y) {
-      const float* near = depth.data() + shape.linear(0, shape.wrapped(y - shift.y), 0);
-      const float* far = depth.data() + shape.linear(0, shape.wrapped(y - shift.y + 1), 0);
-      if (!from_beside.is_inside(y - shift.y, 1)) near = far;
-      if (!from_beside.is_inside(y - shift.y + 1, 1)) far = near;
+    const auto depth_at = [&](int x, int y) {
+      const glm::ivec2 voxel = glm::ivec2(x, y) - shift;
+      const std::size_t ray = shape.linear(shape.wrapped(voxel.x), shape.wrapped(voxel.y), 0);
+      return depth[ray] - from_beside.thinned(ray, voxel);
+    };
+    for (int y = 0; y < shape.side; ++y)
       voxels.each(y, z, [&](int x, std::size_t place) {
-        int left = x < shift_x ? x - shift_x + shape.side : x - shift_x;
-        int right = left + 1 == shape.side ? 0 : left + 1;
-        if (!from_beside.is_inside(x - shift.x, 0)) left = right;
-        if (!from_beside.is_inside(x - shift.x + 1, 0)) right = left;
-        result[place] =
-            math::exp(-bilinear(near[left], near[right], far[left], far[right], on.x, on.y));
+        result[place] = math::exp(-bilinear(depth_at(x, y), depth_at(x + 1, y), depth_at(x, y + 1),
+                                            depth_at(x + 1, y + 1), on.x, on.y));
       });
-    }
   };
   int next = shape.height - 1;
   const auto read_down_to = [&](int z) {

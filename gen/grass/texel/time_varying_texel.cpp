@@ -103,12 +103,12 @@ FibreLook fibre_look(const scene::MeadowPart& meadow, int variant) {
   double shrubs = 0.0;
   for (const int one : scene::mixture_of(meadow, variant)) {
     const scene::Species& grown = species[static_cast<std::size_t>(one)];
-    if (grown.plant.crown_m > 0.0)
+    if (grown.plant.crown_m > 0.0) {
       shrubs += grown.habitat.cover;
-    else
+      look.like_neighbours = std::min(shrubs, 1.0);
+    } else if (!scene::flowers(grown))
       look.neighbours_m = std::max(look.neighbours_m, scene::standing_m(grown.plant));
   }
-  if (shrubs > 0.0) look.like_neighbours = std::min(shrubs, 1.0);
   return look;
 }
 
