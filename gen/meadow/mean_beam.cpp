@@ -27,7 +27,7 @@ std::vector<scene::Species> waving_species(const scene::Scene& scene) {
   const std::vector<scene::Species> all = scene::species_of(scene);
   std::vector<scene::Species> leaves = all;
   std::erase_if(leaves, [](const scene::Species& one) {
-    return scene::flowers(one) || one.plant.crown_m > 0.0;
+    return scene::flowers(one) || scene::is_shrub(one);
   });
   return leaves.empty() ? all : leaves;
 }

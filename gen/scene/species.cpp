@@ -10,8 +10,6 @@ namespace {
 /// Standard deviations at which lengths of blades are cut.
 constexpr double max_deviations = 2.2;
 
-bool is_shrub(const Species& species) { return species.plant.crown_m > 0.0; }
-
 /// `blades` in proportion to the shares, each rounded so that the sum is exact, and one at least
 /// where there are enough.
 std::vector<int> shared_out(int blades, const std::vector<double>& shares) {
@@ -146,6 +144,8 @@ std::vector<int> blades_of(const MeadowPart& meadow, const Mixture& mixture) {
   }
   return counts;
 }
+
+bool is_shrub(const Species& species) { return species.plant.crown_m > 0.0; }
 
 bool flowers(const Species& species) { return species.flower.petals > 0; }
 

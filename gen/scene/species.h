@@ -42,6 +42,8 @@ std::vector<int> blades_of(const MeadowPart& meadow);
 /// The same of a patch that is of a mixture, in the order of that.
 std::vector<int> blades_of(const MeadowPart& meadow, const Mixture& mixture);
 
+/// Whether the blades of a species are leaves on a shrub's twigs, not rooted in the ground.
+bool is_shrub(const Species& species);
 /// Whether the blades of a species are stalks of flowers.
 bool flowers(const Species& species);
 

@@ -175,11 +175,11 @@ Rule few_have_a_habitat(const Scene& scene) {
 /// Each of them is lit by itself.
 constexpr int max_lit = 40000;
 
-/// Leaves of all its shrubs together.
+/// Of a patch on which they all stand.
 long leaves_of_shrubs(const std::vector<Judged>& all) {
   long leaves = 0;
   for (const Judged& one : all)
-    if (one.species.plant.crown_m > 0.0) leaves += one.blades;
+    if (is_shrub(one.species)) leaves += one.blades;
   return leaves;
 }
 
@@ -198,7 +198,7 @@ Rule few_petals_are_drawn(const Scene& scene, long leaves) {
 
 Rule few_leaves_are_drawn(const Judged& judged, long leaves) {
   return {{judged.in.plant + ".share", judged.in.plant + ".crown", "grass.blades"},
-          judged.species.plant.crown_m <= 0.0 || leaves <= max_lit,
+          !is_shrub(judged.species) || leaves <= max_lit,
           fmt::format("{}.share: found {}, with which the shrubs of a patch have {} blades on "
                       "their twigs (grass.blades times their share), expected at most {}",
                       judged.in.plant, judged.species.share, leaves, max_lit)};

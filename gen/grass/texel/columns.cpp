@@ -45,23 +45,20 @@ class RaysFromBeside {
   void add(std::size_t ray, float depth) {
     if (!high_.empty() && slab_->z >= beside_.top) high_[ray] += depth;
   }
-  /// By how much less deep a ray comes to this patch. `voxel`: where it ends on the ground, beyond
-  /// the patch's sides as well.
-  float thinned(std::size_t ray, const glm::ivec2& voxel) const {
-    if (high_.empty() || !slab_) return 0.0F;
-    const bool inside =
-        patch(voxel.x + slab_->shift_x) == 0 && patch(voxel.y + slab_->shift_y) == 0;
-    return inside ? 0.0F : thinned(ray);
+  /// By how much less deep a ray will be once it has left the patch that it is in.
+  float thinned(std::size_t ray) const {
+    if (high_.empty() || !(high_[ray] > 0.0F)) return 0.0F;
+    const double through = std::lerp(1.0, double{math::exp(-high_[ray])}, beside_.share);
+    return high_[ray] + static_cast<float>(math::log(through));
+  }
+  /// How far rays have been moved by now, voxels.
+  glm::ivec2 shift() const {
+    return slab_ ? glm::ivec2(slab_->shift_x, slab_->shift_y) : glm::ivec2(0);
   }
 
  private:
   int patch(int voxel) const { return (voxel - shape_.wrapped(voxel)) / shape_.side; }
 
-  float thinned(std::size_t ray) const {
-    if (!(high_[ray] > 0.0F)) return 0.0F;
-    const double through = std::lerp(1.0, double{math::exp(-high_[ray])}, beside_.share);
-    return high_[ray] + static_cast<float>(math::log(through));
-  }
   void leave(std::size_t ray, std::vector<float>& depth) {
     depth[ray] -= thinned(ray);
     high_[ray] = 0.0F;
@@ -72,6 +69,37 @@ class RaysFromBeside {
   std::vector<float> high_;  ///< depths of the patch that a ray is in, above its neighbours
   std::optional<Columns::Slab> slab_;
 };
+
+/// Writes what comes through to the voxels of a slice. `middle`: by how many voxels a ray is moved
+/// there, between the ground and the middle of the slice. All its voxels' middles lie between the
+/// same four rays, at the same place.
+void read_slice(const VoxelRows& voxels, int z, const glm::dvec2& middle,
+                const std::vector<float>& depth, const RaysFromBeside& from_beside,
+                std::vector<float>& result) {
+  const TexelShape& shape = voxels.shape();
+  const glm::ivec2 shift(glm::ceil(middle));
+  const glm::vec2 on(glm::dvec2(shift) - middle);
+  // Rays that are read before they have come as far down may still be in a patch beside.
+  const glm::ivec2 ahead = from_beside.shift() - shift;
+  const auto is_inside = [&](int voxel) { return voxel >= 0 && voxel < shape.side; };
+  std::vector<std::size_t> ray_of(static_cast<std::size_t>(shape.side) + 1);  // in a row
+  for (std::size_t x = 0; x < ray_of.size(); ++x)
+    ray_of[x] = static_cast<std::size_t>(shape.wrapped(static_cast<int>(x) - shift.x));
+  const auto depth_at = [&](int x, int y, std::size_t row) {
+    const std::size_t ray = row + ray_of[static_cast<std::size_t>(x)];
+    const bool inside = is_inside(x + ahead.x) && is_inside(y + ahead.y);
+    return inside ? depth[ray] : depth[ray] - from_beside.thinned(ray);
+  };
+  for (int y = 0; y < shape.side; ++y) {
+    const std::size_t near = shape.linear(0, shape.wrapped(y - shift.y), 0);
+    const std::size_t far = shape.linear(0, shape.wrapped(y + 1 - shift.y), 0);
+    voxels.each(y, z, [&](int x, std::size_t place) {
+      result[place] =
+          math::exp(-bilinear(depth_at(x, y, near), depth_at(x + 1, y, near),
+                              depth_at(x, y + 1, far), depth_at(x + 1, y + 1, far), on.x, on.y));
+    });
+  }
+}
 
 }  // namespace
 
@@ -131,25 +159,10 @@ std::vector<float> voxel_transmittance(const VoxelRows& voxels, const std::vecto
   std::vector<float> depth(columns.rays(), 0.0F);
   RaysFromBeside from_beside(shape, beside, columns.rays());
   std::vector<float> result(voxels.size());
-  const auto read_slice = [&](int z) {
-    // The middles of the slice's voxels lie between the same four rays, at the same place.
-    const glm::dvec2 middle = slope * (z + 0.5);
-    const glm::ivec2 shift(glm::ceil(middle));
-    const glm::vec2 on(glm::dvec2(shift) - middle);
-    const auto depth_at = [&](int x, int y) {
-      const glm::ivec2 voxel = glm::ivec2(x, y) - shift;
-      const std::size_t ray = shape.linear(shape.wrapped(voxel.x), shape.wrapped(voxel.y), 0);
-      return depth[ray] - from_beside.thinned(ray, voxel);
-    };
-    for (int y = 0; y < shape.side; ++y)
-      voxels.each(y, z, [&](int x, std::size_t place) {
-        result[place] = math::exp(-bilinear(depth_at(x, y), depth_at(x + 1, y), depth_at(x, y + 1),
-                                            depth_at(x + 1, y + 1), on.x, on.y));
-      });
-  };
   int next = shape.height - 1;
   const auto read_down_to = [&](int z) {
-    for (; next >= std::max(z, 0); --next) read_slice(next);
+    for (; next >= std::max(z, 0); --next)
+      read_slice(voxels, next, slope * (next + 0.5), depth, from_beside, result);
   };
   read_down_to(shape.height - skip);
   for (const Columns::Slab& slab : columns.slabs()) {

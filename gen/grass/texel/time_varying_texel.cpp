@@ -103,11 +103,12 @@ FibreLook fibre_look(const scene::MeadowPart& meadow, int variant) {
   double shrubs = 0.0;
   for (const int one : scene::mixture_of(meadow, variant)) {
     const scene::Species& grown = species[static_cast<std::size_t>(one)];
-    if (grown.plant.crown_m > 0.0) {
+    if (scene::is_shrub(grown)) {
       shrubs += grown.habitat.cover;
       look.like_neighbours = std::min(shrubs, 1.0);
-    } else if (!scene::flowers(grown))
+    } else if (!scene::flowers(grown)) {
       look.neighbours_m = std::max(look.neighbours_m, scene::standing_m(grown.plant));
+    }
   }
   return look;
 }
@@ -135,7 +136,7 @@ std::string described(const scene::MeadowPart& meadow, const Lighting& lighting)
   for (scene::Species& species : relevant.species) {
     const double cover = species.habitat.cover;
     species.habitat = {};
-    if (species.plant.crown_m > 0.0) species.habitat.cover = cover;  // how far it shades others
+    if (scene::is_shrub(species)) species.habitat.cover = cover;  // how far it shades others
   }
   relevant.ageing.frames = plain.ageing.frames;
   relevant.ageing.age_spread = plain.ageing.age_spread;
