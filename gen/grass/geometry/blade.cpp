@@ -103,10 +103,7 @@ void put_on_shoot(const Crown& crown, const BladeRandom& of_shoot, double leafy_
   const Crown::Twig twig =
       crown.twig({of_shoot.uniform("cushion"), of_shoot.uniform("twig height"),
                   of_shoot.uniform("twig heading"), of_shoot.uniform("twig depth")});
-  // None of it is in the ground.
-  const double rise = std::max(double{twig.outwards.z}, 1e-3);
-  const double shoot_m = std::min({leafy_m, twig.height_m / rise, double{twig.inwards_m}});
-  const auto back_m = static_cast<float>(along * shoot_m);
+  const auto back_m = static_cast<float>(along * std::min(leafy_m, double{twig.inwards_m}));
   blade.root_m = twig.place_m - back_m * glm::vec2(twig.outwards);
   blade.root_height_m = twig.height_m - back_m * twig.outwards.z;
   const glm::vec3 grown = from_plane(blade, {math::sin(blade.lean), math::cos(blade.lean)});

@@ -18,7 +18,7 @@ class Crown {
     glm::vec2 place_m;   ///< on the patch
     float height_m;      ///< over the ground, up to the crown's
     glm::vec3 outwards;  ///< unit; never downwards
-    float inwards_m;     ///< how far it goes at most: half its cushion's radius
+    float inwards_m;     ///< how far it may reach back above the ground: half its cushion's radius
   };
 
   /// Lengths in metres, all positive.
