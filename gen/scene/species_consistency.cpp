@@ -172,7 +172,7 @@ Rule few_have_a_habitat(const Scene& scene) {
                       count, max_with_habitat)};
 }
 
-/// Each of them is lit by itself.
+/// Blades, leaves and petals of a patch: each is lit by itself.
 constexpr int max_lit = 40000;
 
 /// Of a patch on which they all stand.

@@ -36,8 +36,7 @@ class RaysFromBeside {
     if (slab_)
       for (int y = 0; y < shape_.side; ++y)
         for (int x = 0; x < shape_.side; ++x)
-          if (patch(x + slab.shift_x) != patch(x + slab_->shift_x) ||
-              patch(y + slab.shift_y) != patch(y + slab_->shift_y))
+          if (crosses(x, slab_->shift_x, slab.shift_x) || crosses(y, slab_->shift_y, slab.shift_y))
             leave(shape_.linear(x, y, 0), depth);
     slab_ = slab;
   }
@@ -58,6 +57,9 @@ class RaysFromBeside {
 
  private:
   int patch(int voxel) const { return (voxel - shape_.wrapped(voxel)) / shape_.side; }
+  bool crosses(int voxel, int from, int to) const {
+    return patch(voxel + from) != patch(voxel + to);
+  }
 
   void leave(std::size_t ray, std::vector<float>& depth) {
     depth[ray] -= thinned(ray);
