@@ -44,8 +44,9 @@ const exporter::Exporter& entry() {
       .warning_of = warning_of,
       // Fitted to what examples/ write.
       .files = {.frame = 0.9e6,
-                .frame_terrain_sample = 22.7,
+                .frame_terrain_sample = 4.0,
                 .frame_ground_sample = 2.7,
+                .frame_light_sample = 4.2,
                 .frame_part = 100.0,
                 .frame_cloud_voxel = 1.1,
                 .frame_haze_voxel = 3.5,

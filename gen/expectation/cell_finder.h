@@ -30,11 +30,12 @@ class CellFinder {
 
   /// Its number among the cells, at a place in metres; `none` where none stands.
   int at(const glm::dvec2& at_m) const {
-    for (const Place& place :
-         std::ranges::equal_range(places_, square_of(at_m), {}, &Place::square))
-      if (glm::all(glm::greaterThanEqual(at_m, place.low_m)) &&
-          glm::all(glm::lessThan(at_m, place.high_m)))
-        return place.cell;
+    const Square square = square_of(at_m);
+    for (auto place = std::ranges::lower_bound(places_, square, {}, &Place::square);
+         place != places_.end() && place->square == square; ++place)
+      if (glm::all(glm::greaterThanEqual(at_m, place->low_m)) &&
+          glm::all(glm::lessThan(at_m, place->high_m)))
+        return place->cell;
     return none;
   }
 

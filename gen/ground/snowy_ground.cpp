@@ -29,9 +29,6 @@ constexpr double grass_albedo = 0.2;
 /// Of pictures of the ground.
 constexpr double finest_step_m = 0.03;
 
-/// A map of the ground every 2 cm, 4097 a side at most: white spots have sharp edges.
-int white_samples(double size_m) { return map_samples(size_m, 0.02); }
-
 /// Snow heaps where tufts hold it: a fraction of its depth.
 Fbm heaps(std::uint64_t seed) {
   return Fbm(random_bits({seed, key_of("snow cover"), 0, key_of("heaps")}), 3, 0.7);
@@ -198,7 +195,7 @@ void SnowyGround::lay_everywhere(int frame) {
   depth_m_ = state.depth_m;
   albedo_ = static_cast<float>(mean(state.albedo.values()));
   const std::optional<place::Sketch>& sketch = site_.sketch;
-  white_ = snow.white(state, sketch ? sketch->ground_samples : white_samples(surface_.size_m()));
+  white_ = snow.white(state, sketch ? sketch->ground_samples : place::snow_grid(scene_).samples);
   keep_from_water(depth_m_);
   keep_from_water(*white_);
   clear_steep_sides(*white_);

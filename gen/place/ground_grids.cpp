@@ -52,6 +52,12 @@ GroundGrid picture_grid(const scene::Scene& scene) {
   return {{.size_m = size_m}, static_cast<int>(samples)};
 }
 
+GroundGrid snow_grid(const scene::Scene& scene) {
+  constexpr double step_m = 0.02;
+  const double size_m = scene.terrain.size_m;
+  return {{.size_m = size_m}, map_samples(size_m, step_m)};
+}
+
 std::vector<GroundGrid> detail_grids(const scene::Scene& scene, const landscape::Camera& camera) {
   std::vector<GroundGrid> grids;
   if (!is_large(scene)) return grids;

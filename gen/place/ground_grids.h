@@ -13,6 +13,10 @@ namespace wold::place {
 /// 4097 samples along a side.
 GroundGrid picture_grid(const scene::Scene& scene);
 
+/// Of what is white on the ground of a terrain that is not large, which is then the grid of its
+/// picture, where it is the finer one: steps of 2 cm, for white spots have sharp edges.
+GroundGrid snow_grid(const scene::Scene& scene);
+
 /// The grids of the pictures of a large terrain's ground.
 ///
 /// The whole terrain, and about the camera squares of half of the side of the one before; below 150

@@ -48,12 +48,12 @@ const exporter::Exporter& entry() {
       .needs = {.max_flakes_on_a_ray = 110.0},
       // Fitted to what examples/ write.
       .files = {.frame = 0.3e6,
-                .frame_terrain_sample = 55.0,
                 .frame_ground_sample = 2.7,
+                .frame_light_sample = 8.0,
                 .frame_part = 200.0,
                 .frame_cloud_voxel = 4.3,
                 .frame_haze_voxel = 8.4,
-                .shared_terrain_sample = 62.6,  // the shape of the ground
+                .shared_terrain_sample = 65.0,  // the shape of the ground
                 .shared_blade = 2500.0,
                 .shared_density_grids = grids_of_a_volume,
                 .shared_texel_grids = grids_of_a_texel},

@@ -49,6 +49,13 @@ void add_painted(const scene::Scene& scene, const film::FilmDemand& demand,
   }
 }
 
+/// Whether snow lies in a frame on a terrain that is not large, and gives it its own shape.
+bool lies_everywhere(const scene::Scene& scene, const film::FrameDemand& demand) {
+  return !place::is_large(scene) &&
+         std::ranges::any_of(demand.volumes,
+                             [](const film::ShownVolume& volume) { return volume.state.snow > 0; });
+}
+
 double volume_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
                     const VolumeSize& size) {
   return costs.shared_volume + density_bytes(scene, costs.shared_density_grids) * size.voxels +
@@ -70,8 +77,11 @@ double volumes_bytes(const scene::Scene& scene, const exporter::FileCosts& costs
 /// Light, what multiplies the grass, cells and sky of a frame.
 double frame_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
                    const film::FrameDemand& demand) {
-  return costs.frame + costs.frame_terrain_sample * squared(scene.terrain.samples) +
-         costs.frame_ground_sample * ground_samples(scene) +
+  double terrain_sample = costs.frame_terrain_sample;
+  if (lies_everywhere(scene, demand)) terrain_sample += costs.shared_terrain_sample;
+  return costs.frame + terrain_sample * squared(scene.terrain.samples) +
+         costs.frame_ground_sample * ground_samples(scene, demand) +
+         costs.frame_light_sample * squared(place::window_grid(scene).samples) +
          costs.frame_part * static_cast<double>(demand.parts) +
          costs.frame_cloud_voxel * cloud_voxels(scene) +
          costs.frame_haze_voxel * sky::blowing_snow_voxels(scene);
@@ -88,11 +98,13 @@ double standing_m(const SpeciesPatch& patch, double weathering, double snow) {
 }  // namespace
 
 VolumeSize volume_size(const SpeciesPatch& patch, int lod, double weathering, double snow) {
-  const auto& [grass, flower] = patch;
+  const scene::Grass& grass = patch.grass;
+  const scene::Flower& flower = patch.flower;
   const double side = grass.lods[static_cast<std::size_t>(lod)];
   const double voxel_m = grass.patch_m / side;
-  const double voxels =
-      side * side * ((grass.crown_m + standing_m(patch, weathering, snow)) / voxel_m + 2.0);
+  const auto voxels_under = [&](double load) {
+    return side * side * ((grass.crown_m + standing_m(patch, weathering, load)) / voxel_m + 2.0);
+  };
   // A blade fills voxels along its length, as many beside each other as it is wide and, at its
   // borders, some more; a flower is a disc.
   constexpr double border = 2.5;
@@ -102,10 +114,12 @@ VolumeSize volume_size(const SpeciesPatch& patch, int lod, double weathering, do
   const double of_blades =
       grass.blades * (length_m / voxel_m * squared(grass.width_m / voxel_m + border) + of_flower);
   // Blades stand in clumps and share voxels more often than by chance: the share that is empty is
-  // that of a negative binomial distribution, not of Poisson's.
+  // that of a negative binomial distribution, not of Poisson's. Snow presses them down, and what
+  // lies on them fills as many voxels as they lose.
   constexpr double clumping = 0.3;
-  const double empty = math::pow(1.0 + of_blades / voxels / clumping, -clumping);
-  return {voxels, voxels * (1.0 - empty)};
+  const double standing = voxels_under(0.0), voxels = voxels_under(snow);
+  const double empty = math::pow(1.0 + of_blades / standing / clumping, -clumping);
+  return {voxels, std::min(voxels, standing * (1.0 - empty))};
 }
 
 VolumeSizes::VolumeSizes(const scene::Scene& scene)
@@ -147,6 +161,12 @@ std::set<film::ShownVolume> without_turns(const std::set<film::ShownVolume>& vol
 
 double density_bytes(const scene::Scene& scene, double grids) {
   return grids * scene.render.df3_bits / 8.0;
+}
+
+double ground_samples(const scene::Scene& scene, const film::FrameDemand& shown) {
+  if (lies_everywhere(scene, shown))
+    return squared(std::max(place::picture_grid(scene).samples, place::snow_grid(scene).samples));
+  return ground_samples(scene);
 }
 
 double ground_samples(const scene::Scene& scene) {

@@ -27,7 +27,7 @@ double idle_bytes(const Job& job) { return 100.0 * megabyte + thread_bytes * thr
 double cells_bytes(const scene::Scene& scene) {
   const double along_a_side = scene.terrain.size_m / scene.grass.patch_m;
   constexpr double max_along_a_side = 320.0;  // of large terrains only what is near
-  return 0.18 * megabyte * math::pow(std::min(along_a_side, max_along_a_side), 1.54);
+  return 0.16 * megabyte * math::pow(std::min(along_a_side, max_along_a_side), 1.54);
 }
 
 /// Painting the ground and what else a frame needs; more where the ground's picture is large.
@@ -40,9 +40,9 @@ double painting_bytes(const scene::Scene& scene) {
 
 /// Maps of what is white on the ground; of a large terrain painting_bytes() has them.
 double lying_snow_bytes(const scene::Scene& scene) {
-  constexpr double step_m = 0.02, sample_bytes = 8.0;
+  constexpr double sample_bytes = 8.0;
   if (!scene::may_lie(scene) || place::is_large(scene)) return 0.0;
-  const double along_a_side = map_samples(scene.terrain.size_m, step_m);
+  const double along_a_side = place::snow_grid(scene).samples;
   return sample_bytes * along_a_side * along_a_side;
 }
 
@@ -65,7 +65,7 @@ double drawn_blades(const scene::Scene& scene, const film::FrameDemand& shown) {
 double read_bytes(const scene::Scene& scene, const exporter::MemoryCosts& costs,
                   const film::FrameDemand& shown) {
   double bytes =
-      costs.ground_sample * ground_samples(scene) + costs.cloud_voxel * cloud_voxels(scene) +
+      costs.ground_sample * ground_samples(scene, shown) + costs.cloud_voxel * cloud_voxels(scene) +
       costs.haze_voxel * sky::blowing_snow_voxels(scene) +
       costs.terrain_sample * scene.terrain.samples * scene.terrain.samples +
       costs.part * static_cast<double>(shown.parts) + costs.blade * drawn_blades(scene, shown);
@@ -90,24 +90,34 @@ double landscape_bytes(const Job& job) {
          lying_snow_bytes(job.scene);
 }
 
-/// The largest of a scene's volumes.
+void keep_larger(VolumeSize& largest, const VolumeSize& other) {
+  largest.voxels = std::max(largest.voxels, other.voxels);
+  largest.filled = std::max(largest.filled, other.filled);
+}
+
+/// The largest of a scene's volumes, whatever its frames show.
 VolumeSize largest_volume(const scene::Scene& scene) {
   const VolumeSizes sizes(scene);
   const std::size_t mixtures = scene::mixtures_of(scene).size();
   VolumeSize largest;
-  for (std::size_t mixture = 0; mixture < mixtures; ++mixture) {
-    const VolumeSize fresh = sizes.of(static_cast<int>(mixture) * scene.grass.variants, 0, 0);
-    largest.voxels = std::max(largest.voxels, fresh.voxels);
-    largest.filled = std::max(largest.filled, fresh.filled);
-  }
+  for (std::size_t mixture = 0; mixture < mixtures; ++mixture)
+    keep_larger(largest, sizes.of(static_cast<int>(mixture) * scene.grass.variants, 0, 0));
+  return largest;
+}
+
+/// The largest of the volumes that they show.
+VolumeSize largest_volume(const scene::Scene& scene, const film::FilmDemand& demand) {
+  const VolumeSizes sizes(scene);
+  VolumeSize largest;
+  for (const film::ShownVolume& volume : demand.volumes())
+    keep_larger(largest, sizes.of(volume.variant, volume.state, volume.lod));
   return largest;
 }
 
 /// Beside the landscape, the box of a volume, and by the thread what is filled of one in the
 /// making.
-double scene_memory_bytes(const Job& job, int threads) {
-  constexpr double voxel_bytes = 20.0, filled_bytes = 150.0;
-  const VolumeSize largest = largest_volume(job.scene);
+double scene_memory_bytes(const Job& job, int threads, const VolumeSize& largest) {
+  constexpr double voxel_bytes = 20.0, filled_bytes = 130.0;
   return landscape_bytes(job) + voxel_bytes * largest.voxels +
          filled_bytes * threads * largest.filled;
 }
@@ -122,12 +132,15 @@ double texel_memory_bytes(const Job& job) {
 
 int scene_threads(const Job& job) {
   int threads = threads_of(job);
+  const VolumeSize largest = largest_volume(job.scene);
   if (job.memory_bytes > 0.0)
-    while (threads > 1 && scene_memory_bytes(job, threads) > job.memory_bytes) --threads;
+    while (threads > 1 && scene_memory_bytes(job, threads, largest) > job.memory_bytes) --threads;
   return threads;
 }
 
-double scene_memory_bytes(const Job& job) { return scene_memory_bytes(job, scene_threads(job)); }
+double scene_memory_bytes(const Job& job, const film::FilmDemand& demand) {
+  return scene_memory_bytes(job, scene_threads(job), largest_volume(job.scene, demand));
+}
 
 double passes_memory_bytes(const Job& job, const film::FilmDemand& demand) {
   constexpr double voxel_bytes = 4.0;     // of every volume that is shown: its density

@@ -18,7 +18,7 @@ double texel_memory_bytes(const Job& job);
 int scene_threads(const Job& job);
 
 /// Making the scene files of one frame with these.
-double scene_memory_bytes(const Job& job);
+double scene_memory_bytes(const Job& job, const film::FilmDemand& demand);
 
 /// Making the passes of one frame.
 double passes_memory_bytes(const Job& job, const film::FilmDemand& demand);

@@ -42,5 +42,29 @@ TEST(VolumeSizes, OfFlowersStayAsHigh) {
             1.1 * volume_size({grass}, 0, 0.0, 0.0).filled);
 }
 
+// autumn_to_winter at day 60: finest texels under snow have as many bytes as fresh ones.
+TEST(VolumeSizes, UnderSnowAreLowerButHoldAsMuch) {
+  const scene::Grass grass;
+  const VolumeSize fresh = volume_size({grass}, 0, 0.0, 0.0),
+                   snowy = volume_size({grass}, 0, 0.0, 0.5);
+  EXPECT_LT(snowy.voxels, 0.8 * fresh.voxels);
+  EXPECT_EQ(snowy.filled, fresh.filled);
+  scene::Grass dense;
+  dense.blades *= 4;
+  const VolumeSize full = volume_size({dense}, 3, 0.0, 1.0);
+  EXPECT_EQ(full.filled, full.voxels);
+}
+
+// A terrain 60 m wide: every 3 cm, but every 2 cm where snow lies.
+TEST(GroundSamples, AreFinerWhereSnowLies) {
+  scene::Scene scene;
+  scene.terrain.size_m = 60.0;
+  film::FrameDemand shown;
+  shown.volumes.insert({.state = {0}});
+  EXPECT_EQ(ground_samples(scene, shown), 2001.0 * 2001.0);
+  shown.volumes.insert({.state = {0, 1}});
+  EXPECT_EQ(ground_samples(scene, shown), 3001.0 * 3001.0);
+}
+
 }  // namespace
 }  // namespace wold::work
