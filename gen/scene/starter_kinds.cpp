@@ -2,15 +2,44 @@
 
 #include <cmath>
 
+#include "scene/starter_plants.h"
+
 namespace wold::scene {
 namespace {
 
+CloudLayer cumulus_layer(double cover) {
+  CloudLayer layer;
+  layer.kind = CloudKind::cumulus;
+  layer.cover = cover;
+  layer.heading_deg = 60.0;
+  return layer;
+}
+
+/// Clouds of a fine day.
+CloudLayer fair_weather() { return cumulus_layer(0.3); }
+
+KeyNames keys_of_clouds() {
+  return {"clouds.kind", "clouds.cover", "clouds.speed", "clouds.heading"};
+}
+
+/// In drifts, amid grass.
+Species few_hawkbits(const Scene& scene) {
+  Species flowers = hawkbits(scene);
+  flowers.habitat.cover = 0.5;
+  flowers.habitat.feature_m = 5.0;
+  return flowers;
+}
+
 Starter hillside() {
-  return {"hillside",
-          "A withering meadow.",
-          {},
-          {"terrain.hill_height", "grass.blades", "ageing.water", "ageing.frames", "sun.elevation",
-           "sun.azimuth", "wind.grass", "wind.speed", "wind.heading", "film.frame_seconds"}};
+  Scene scene;
+  scene.clouds = {fair_weather()};
+  Starter starter = {
+      "hillside", "A meadow in flower, which withers, under fair-weather clouds.", scene,
+      joined(keys_of_clouds(), {"terrain.hill_height", "grass.blades", "ageing.water",
+                                "ageing.frames", "sun.elevation", "sun.azimuth", "wind.grass",
+                                "wind.speed", "wind.heading", "film.frame_seconds"})};
+  let_grow(starter, {few_hawkbits(scene)});
+  return starter;
 }
 
 /// Numbers from `first` to `last`, evenly spread, with four decimals.
@@ -22,51 +51,51 @@ std::vector<double> evenly(int count, double first, double last) {
   return numbers;
 }
 
+/// Rock above its meadow, 3 km wide, seen from the foot.
 void raise_mountain(Scene& scene) {
   Terrain& terrain = scene.terrain;
   terrain.shape = TerrainShape::mountain;
-  terrain.size_m = 48.0;
-  terrain.samples = 385;
-  terrain.hill_height_m = 10.0;
-  terrain.relief_m = 0.25;
-  terrain.relief_feature_m = 5.0;
+  terrain.size_m = 3000.0;
+  terrain.samples = 1025;
+  terrain.hill_height_m = 750.0;
+  terrain.relief_m = 20.0;
+  terrain.relief_feature_m = 700.0;
   terrain.streams = 0.3;
   terrain.talus_deg = 60.0;
-  terrain.rock_slope_deg = 44.0;
-  scene.growth.steepest_deg = 48.0;
-  scene.growth.cover = 0.97;
+  terrain.rock_slope_deg = 42.0;
+  terrain.boulders_per_hectare = 80.0;
+  scene.growth.steepest_deg = 44.0;
+  scene.growth.cover = 0.96;
+  scene.growth.feature_m = 25.0;
   scene.grass.lods = {126, 62, 30};
-  scene.camera.eye_m = {24.0, 0.5};
-  scene.camera.target_m = {24.5, 16.0};
-  scene.camera.target_height_m = 1.5;
-  scene.camera.field_of_view_deg = 62.0;
-}
-
-const KeyNames& keys_of_mountains() {
-  static const KeyNames names = {
-      "terrain.hill_height", "terrain.shape",          "terrain.size",        "terrain.samples",
-      "terrain.relief",      "terrain.relief_feature", "terrain.streams",     "terrain.talus",
-      "terrain.rock_slope",  "growth.cover",           "growth.steepest",     "grass.levels",
-      "camera.eye_height",   "camera.target_height",   "camera.field_of_view"};
-  return names;
+  scene.sky.visual_range_m = 60e3;
+  scene.camera = {.eye_m = {1500.0, 100.0},
+                  .eye_height_m = 1.8,
+                  .target_m = {1500.0, 1300.0},
+                  .target_height_m = 40.0,
+                  .field_of_view_deg = 50.0};
 }
 
 Starter mountain() {
   Scene scene;
   raise_mountain(scene);
-  scene.camera.eye_height_m = 4.5;
-  scene.sun.azimuth_deg = 255.0;
-  scene.sun.elevation_deg = 28.0;
-  return {"mountain", "Ridges and valleys, grass where it can stand, rock where it cannot.", scene,
-          joined(keys_of_mountains(), {"ageing.frames", "sun.elevation", "sun.azimuth"})};
-}
-
-CloudLayer cumulus_layer(double cover) {
-  CloudLayer layer;
-  layer.kind = CloudKind::cumulus;
-  layer.cover = cover;
-  layer.heading_deg = 60.0;
-  return layer;
+  scene.film.frame_seconds = 1800.0;
+  scene.sun.azimuth_deg = 245.0;
+  scene.sun.elevation_deg = 32.0;
+  scene.clouds = {fair_weather()};
+  Starter starter = {"mountain", "A mountain of rock and scree behind its meadow, which withers.",
+                     scene,
+                     joined(keys_of_clouds(),
+                            {"terrain.hill_height", "terrain.shape",     "terrain.size",
+                             "terrain.samples",     "terrain.relief",    "terrain.relief_feature",
+                             "terrain.streams",     "terrain.talus",     "terrain.rock_slope",
+                             "terrain.boulders",    "growth.cover",      "growth.steepest",
+                             "growth.feature",      "grass.levels",      "ageing.frames",
+                             "film.frame_seconds",  "sky.visual_range",  "sun.elevation",
+                             "sun.azimuth",         "camera.eye_height", "camera.target_height",
+                             "camera.field_of_view"})};
+  let_grow(starter, {pale_grass(scene), lush_grass(scene), hawkbits(scene)});
+  return starter;
 }
 
 CloudLayer fibres() {
@@ -168,10 +197,8 @@ std::vector<SeasonKey> from_summer_to_winter() {
 
 Starter season() {
   Scene scene;
-  raise_mountain(scene);
-  scene.camera.eye_height_m = 1.7;
-  scene.camera.target_height_m = 1.2;
   scene.grass.key_frames = evenly(21, 0.0, 1.0);
+  scene.grass.lods = {126, 62, 30};
   scene.season.first = {2026, 8, 25};
   scene.season.last = {2026, 12, 8};
   scene.season.frames = 36;
@@ -181,27 +208,33 @@ Starter season() {
   scene.sun.longitude_deg = 8.0;
   scene.film.frame_seconds = 4.0;
   scene.clouds = {cumulus_layer(0.45)};
-  return {"season", "From late summer to deep snow, three days from frame to frame.", scene,
-          joined(keys_of_mountains(), {"terrain.elevation",
-                                       "terrain.centre",
-                                       "grass.key_frames",
-                                       "sun.time",
-                                       "sun.latitude",
-                                       "sun.longitude",
-                                       "film.frame_seconds",
-                                       "season.first",
-                                       "season.last",
-                                       "season.frames",
-                                       "season.table",
-                                       "clouds.kind",
-                                       "clouds.cover",
-                                       "clouds.speed",
-                                       "clouds.heading",
-                                       "season_keys.date",
-                                       "season_keys.weathering",
-                                       "season_keys.temperature",
-                                       "season_keys.precipitation",
-                                       "season_keys.cloud_cover"})};
+  Starter starter = {"season", "From late summer to deep snow, three days from frame to frame.",
+                     scene,
+                     joined(keys_of_clouds(), {"terrain.elevation",
+                                               "terrain.centre",
+                                               "terrain.size",
+                                               "terrain.samples",
+                                               "terrain.hill_height",
+                                               "grass.levels",
+                                               "grass.key_frames",
+                                               "sun.time",
+                                               "sun.latitude",
+                                               "sun.longitude",
+                                               "film.frame_seconds",
+                                               "season.first",
+                                               "season.last",
+                                               "season.frames",
+                                               "season.table",
+                                               "season_keys.date",
+                                               "season_keys.weathering",
+                                               "season_keys.temperature",
+                                               "season_keys.precipitation",
+                                               "season_keys.cloud_cover",
+                                               "camera.eye_height",
+                                               "camera.target_height",
+                                               "camera.field_of_view"})};
+  let_grow(starter, {few_hawkbits(scene)});
+  return starter;
 }
 
 }  // namespace

@@ -11,11 +11,20 @@
 namespace wold::scene {
 namespace {
 
-TEST(StarterScene, IsShortAndTheDefaultSceneUnderItsName) {
+// Without its clouds, flowers and number of variants it is the default scene.
+TEST(StarterScene, IsShortAndTheDefaultMeadowInFlowerUnderClouds) {
   Scene scene;
   scene.name = "heath";
   const std::string text = starter_scene("heath", "hillside");
-  EXPECT_EQ(parse_scene(text, "heath.toml"), scene);
+  Scene read = parse_scene(text, "heath.toml");
+  ASSERT_EQ(read.clouds.size(), 1U);
+  ASSERT_EQ(read.species.size(), 2U);
+  EXPECT_EQ(read.species[0].plant, species_of(scene)[0].plant);
+  EXPECT_GT(read.species[1].flower.petals, 0);
+  read.clouds = {};
+  read.species = {};
+  read.grass.variants = scene.grass.variants;
+  EXPECT_EQ(read, scene);
   EXPECT_LT(text.size(), resolved_toml(scene).size() / 2);
   EXPECT_THROW(starter_scene("a/b", "hillside"), InputError);
   EXPECT_THROW(starter_scene("", "hillside"), InputError);
