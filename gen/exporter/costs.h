@@ -11,7 +11,7 @@ struct FileCosts {
   double frame_part = 0.0;             ///< per frame and part of a cell
   double frame_cloud_voxel = 0.0;      ///< per frame and voxel of a cloud
   double frame_haze_voxel = 0.0;       ///< per frame and voxel of snow that blows
-  double shared_terrain_sample = 0.0;  ///< per sample of the terrain, and each time that it changes
+  double shared_terrain_sample = 0.0;  ///< per sample of a terrain; snow makes others
   double shared_blade = 0.0;           ///< per blade of a patch that is shown as blades
   double shared_volume = 0.0;          ///< per volume
   /// Grids of FilmSettings::density_bits: numbers per voxel of a volume, and of those that volumes

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -16,6 +17,8 @@
 #include "place/view.h"
 #include "place/withering.h"
 #include "scene/shots.h"
+#include "scene/winter.h"
+#include "snow/cover.h"
 
 namespace wold::film {
 namespace {
@@ -57,7 +60,14 @@ class Ground {
         mixtures_(scene, terrain_),
         withering_(scene, terrain_, season),
         weather_(scene, season.get()),
-        season_(std::move(season)) {}
+        season_(std::move(season)) {
+    constexpr int enough_samples = 17;  // only when snow falls is asked
+    if (scene::may_lie(scene))
+      snow_.emplace(
+          scene, terrain_, [this](double time_s) { return weather_.at(time_s); }, enough_samples);
+  }
+  Ground(const Ground&) = delete;
+  Ground& operator=(const Ground&) = delete;
 
   const std::vector<int>& mixtures() const { return mixtures_.present(); }
 
@@ -73,6 +83,7 @@ class Ground {
         demand.volumes.insert({cell.variant, cell.state(), cell.lod, cell.turn});
     }
     demand.has_distance = has_distance(frame);
+    demand.has_snow = snow_ && snow_->at(scene::time_s(scene_, frame)).fallen_mm > 0.0;
     return demand;
   }
 
@@ -91,6 +102,7 @@ class Ground {
   place::Withering withering_;
   snow::Weather weather_;
   std::shared_ptr<const phenology::FilmSeason> season_;
+  std::optional<snow::SnowGround> snow_;
 };
 
 /// The states on the straight way from one to another, without the first.

@@ -32,6 +32,7 @@ struct FrameDemand {
   std::set<BladePatchState> patches;  ///< that cells show as blades or points
   std::size_t parts = 0;              ///< of cells
   bool has_distance = false;          ///< some grass is painted on the ground
+  bool has_snow = false;              ///< snow lies on the ground, or has
 };
 
 /// What a request's frames show, found by choosing their cells, without making any file. The bytes,

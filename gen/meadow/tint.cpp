@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/parallel.h"
+#include "place/ground_grids.h"
 #include "scene/key_frames.h"
 
 namespace wold::meadow {
@@ -29,14 +30,11 @@ std::vector<const CellChoice*> shown_cells(std::span<const CellChoice> choices,
 ColourMap weathering_tint(const scene::Scene& scene, const place::Withering& withering, int frame,
                           std::span<const CellChoice> choices, double snow,
                           const GrassColour& colour) {
-  constexpr int samples_per_cell = 8;
   const place::CellWindow window(scene);
   const std::vector<const CellChoice*> cells = shown_cells(choices, window);
   const std::vector<double> degrees = scene::key_frames(scene);
-  const double max_samples = place::is_large(scene) ? 2049.0 : 4097.0;
-  const double step_m = scene.grass.patch_m / samples_per_cell;
-  const double samples = std::round(window.square.size_m / step_m) + 1.0;
-  ColourMap tint(static_cast<int>(std::min(samples, max_samples)), window.square, glm::vec3(1.0F));
+  const GroundGrid grid = place::tint_grid(scene);
+  ColourMap tint(grid.samples, grid.square, glm::vec3(1.0F));
   parallel_for(static_cast<std::size_t>(tint.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < tint.samples(); ++i) {

@@ -20,14 +20,13 @@ const exporter::Exporter& entry() {
       .export_frame = export_landscape,
       .shared_folders = {"data", "data/texels", "data/leaves"},
       .needs = {.materials = true},
-      // By what the files hold: ground and sky as floats, a PLY terrain of 32 bytes a height; four
+      // By what the files hold: ground and sky as floats, a PLY terrain of 46 bytes a height; four
       // floats a voxel of a texel, of which the file has all.
       .files = {.frame = 4.0e6,
-                .frame_terrain_sample = 16.0,
                 .frame_ground_sample = 6.1,
                 .frame_part = 500.0,
                 .frame_cloud_voxel = 4.0,
-                .shared_terrain_sample = 48.0,
+                .shared_terrain_sample = 46.0,
                 .shared_blade = 3000.0}};
   return mitsuba;
 }

@@ -54,8 +54,9 @@ GroundGrid picture_grid(const scene::Scene& scene) {
 
 GroundGrid snow_grid(const scene::Scene& scene) {
   constexpr double step_m = 0.02;
-  const double size_m = scene.terrain.size_m;
-  return {{.size_m = size_m}, map_samples(size_m, step_m)};
+  GroundGrid grid = picture_grid(scene);
+  grid.samples = std::max(grid.samples, map_samples(grid.square.size_m, step_m));
+  return grid;
 }
 
 std::vector<GroundGrid> detail_grids(const scene::Scene& scene, const landscape::Camera& camera) {
@@ -77,6 +78,14 @@ GroundGrid window_grid(const scene::Scene& scene) {
   constexpr double step_m = 0.05;
   const Square square = CellWindow(scene).square;
   return {square, std::min(map_samples(square.size_m, step_m), max_samples)};
+}
+
+GroundGrid tint_grid(const scene::Scene& scene) {
+  constexpr int steps_of_patch = 8;
+  const Square square = CellWindow(scene).square;
+  const double max = is_large(scene) ? max_samples : 4097.0;
+  const double samples = std::round(square.size_m / (scene.grass.patch_m / steps_of_patch)) + 1.0;
+  return {square, static_cast<int>(std::min(samples, max))};
 }
 
 int cover_samples(const scene::Scene& scene) {

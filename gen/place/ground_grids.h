@@ -13,8 +13,8 @@ namespace wold::place {
 /// 4097 samples along a side.
 GroundGrid picture_grid(const scene::Scene& scene);
 
-/// Of what is white on the ground of a terrain that is not large, which is then the grid of its
-/// picture, where it is the finer one: steps of 2 cm, for white spots have sharp edges.
+/// The same where snow lies on all of the terrain at once: steps of 2 cm or finer, for white spots
+/// have sharp edges.
 GroundGrid snow_grid(const scene::Scene& scene);
 
 /// The grids of the pictures of a large terrain's ground.
@@ -33,8 +33,12 @@ GroundGrid whole_grid(const scene::Scene& scene);
 /// large.
 std::vector<GroundGrid> detail_grids(const scene::Scene& scene, const landscape::Camera& camera);
 
-/// Of the maps that multiply the grass in the CellWindow.
+/// Of the light on a large terrain's grass, in the CellWindow.
 GroundGrid window_grid(const scene::Scene& scene);
+
+/// Of what of a cell differs from place to place, in the CellWindow: eight steps a patch, at most
+/// 4097 samples along a side, of large terrains 2049.
+GroundGrid tint_grid(const scene::Scene& scene);
 
 /// Along a side of the squares of snow about the camera: one per pixel and radian, at most 1024.
 int cover_samples(const scene::Scene& scene);

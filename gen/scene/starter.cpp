@@ -102,7 +102,7 @@ std::string starter_scene(const std::string& name, const std::string& kind,
   std::string text = fmt::format(
       "#:schema ./scene.schema.json\n"
       "# {1}\n# Look at it: wold preview {0}.toml; make it: wold render {0}.toml\n"
-      "# These are the keys one changes first; `wold explain` names all of them: clouds, season,\n"
+      "# These are the keys one changes first; `wold explain` names all of them: shots, species,\n"
       "# snow_cover, weather and more. `wold explain KEY` says what one means. Editors complete "
       "and\n"
       "# check keys by the first line when there is a schema: wold schema >scene.schema.json\n\n",

@@ -14,7 +14,8 @@ namespace {
 /// What shapes a hill of the scene's own.
 const KeyNames& keys_of_own_ground() {
   static const KeyNames names = {"terrain.hill_height",    "terrain.shape",   "terrain.relief",
-                                 "terrain.relief_feature", "terrain.streams", "terrain.talus"};
+                                 "terrain.relief_feature", "terrain.streams", "terrain.talus",
+                                 "terrain.boulders"};
   return names;
 }
 

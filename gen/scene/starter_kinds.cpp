@@ -22,8 +22,8 @@ KeyNames keys_of_clouds() {
   return {"clouds.kind", "clouds.cover", "clouds.speed", "clouds.heading"};
 }
 
-/// In drifts, amid grass.
-Species few_hawkbits(const Scene& scene) {
+/// On half of the ground.
+Species hawkbits_in_drifts(const Scene& scene) {
   Species flowers = hawkbits(scene);
   flowers.habitat.cover = 0.5;
   flowers.habitat.feature_m = 5.0;
@@ -38,7 +38,7 @@ Starter hillside() {
       joined(keys_of_clouds(), {"terrain.hill_height", "grass.blades", "ageing.water",
                                 "ageing.frames", "sun.elevation", "sun.azimuth", "wind.grass",
                                 "wind.speed", "wind.heading", "film.frame_seconds"})};
-  let_grow(starter, {few_hawkbits(scene)});
+  let_grow(starter, {hawkbits_in_drifts(scene)});
   return starter;
 }
 
@@ -79,21 +79,21 @@ void raise_mountain(Scene& scene) {
 Starter mountain() {
   Scene scene;
   raise_mountain(scene);
-  scene.film.frame_seconds = 1800.0;
+  scene.film.frame_seconds = 60.0;
   scene.sun.azimuth_deg = 245.0;
   scene.sun.elevation_deg = 32.0;
   scene.clouds = {fair_weather()};
-  Starter starter = {"mountain", "A mountain of rock and scree behind its meadow, which withers.",
-                     scene,
-                     joined(keys_of_clouds(),
-                            {"terrain.hill_height", "terrain.shape",     "terrain.size",
-                             "terrain.samples",     "terrain.relief",    "terrain.relief_feature",
-                             "terrain.streams",     "terrain.talus",     "terrain.rock_slope",
-                             "terrain.boulders",    "growth.cover",      "growth.steepest",
-                             "growth.feature",      "grass.levels",      "ageing.frames",
-                             "film.frame_seconds",  "sky.visual_range",  "sun.elevation",
-                             "sun.azimuth",         "camera.eye_height", "camera.target_height",
-                             "camera.field_of_view"})};
+  Starter starter = {
+      "mountain", "Rock and scree where it is steep, and a meadow before them that withers.", scene,
+      joined(keys_of_clouds(),
+             {"terrain.hill_height", "terrain.shape",     "terrain.size",
+              "terrain.samples",     "terrain.relief",    "terrain.relief_feature",
+              "terrain.streams",     "terrain.talus",     "terrain.rock_slope",
+              "terrain.boulders",    "growth.cover",      "growth.steepest",
+              "growth.feature",      "grass.levels",      "ageing.frames",
+              "film.frame_seconds",  "sky.visual_range",  "sun.elevation",
+              "sun.azimuth",         "camera.eye_height", "camera.target_height",
+              "camera.field_of_view"})};
   let_grow(starter, {pale_grass(scene), lush_grass(scene), hawkbits(scene)});
   return starter;
 }
@@ -197,6 +197,9 @@ std::vector<SeasonKey> from_summer_to_winter() {
 
 Starter season() {
   Scene scene;
+  scene.terrain.size_m = 48.0;
+  scene.camera.eye_m = {24.0, 1.5};
+  scene.camera.target_m = {24.0, 17.0};
   scene.grass.key_frames = evenly(21, 0.0, 1.0);
   scene.grass.lods = {126, 62, 30};
   scene.season.first = {2026, 8, 25};
@@ -233,7 +236,7 @@ Starter season() {
                                                "camera.eye_height",
                                                "camera.target_height",
                                                "camera.field_of_view"})};
-  let_grow(starter, {few_hawkbits(scene)});
+  let_grow(starter, {hawkbits_in_drifts(scene)});
   return starter;
 }
 

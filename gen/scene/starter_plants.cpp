@@ -49,7 +49,7 @@ const KeyNames& keys_of_plants() {
 Species bushes(const Scene& scene) {
   Species bushes = grass_of(scene, "bushes", 6.0);
   bushes.habitat.cover = 0.12;
-  bushes.habitat.feature_m = 1.0;
+  bushes.habitat.feature_m = 2.3;
   bushes.habitat.steepest_deg = 45.0;
   Plant& plant = bushes.plant;
   plant.crown_m = 0.45;

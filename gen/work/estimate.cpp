@@ -90,8 +90,8 @@ Estimate modelled(const Job& job, const StageTasks& stage, const film::FilmDeman
     case Step::texels:
       return texels(job, stage, demand);
     case Step::clouds:
-      return {cloud_seconds * static_cast<double>(job.scene.clouds.size()),
-              scene_memory_bytes(job, demand), cloud_picture_bytes(job.scene)};
+      return {cloud_seconds * static_cast<double>(job.scene.clouds.size()), cloud_memory_bytes(job),
+              cloud_picture_bytes(job.scene)};
     case Step::passes:
       return passes_of_frame(job, demand);
     case Step::scenes:
@@ -152,7 +152,7 @@ Estimate estimate(const Job& job, const StageTasks& stage, Work& work) {
 double memory_bytes(const Job& job, const StageTasks& stage, Work& work) {
   if (stage.stage == Stage::texels) return texel_memory_bytes(job);
   if (stage.stage == Stage::passes) return passes_memory_bytes(job, work.demand());
-  if (!makes_pictures(stage.stage)) return scene_memory_bytes(job, work.demand());
+  if (!makes_pictures(stage.stage)) return max_scene_memory_bytes(job);
   if (const auto known = measured(stage, work); known && known->memory_bytes > 0.0)
     return known->memory_bytes;
   return picture_memory_bytes(job, stage.stage, work.demand());

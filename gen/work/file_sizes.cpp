@@ -49,11 +49,16 @@ void add_painted(const scene::Scene& scene, const film::FilmDemand& demand,
   }
 }
 
-/// Whether snow lies in a frame on a terrain that is not large, and gives it its own shape.
-bool lies_everywhere(const scene::Scene& scene, const film::FrameDemand& demand) {
-  return !place::is_large(scene) &&
-         std::ranges::any_of(demand.volumes,
-                             [](const film::ShownVolume& volume) { return volume.state.snow > 0; });
+/// Whether snow gives the ground of a frame its own shape.
+bool has_own_terrain(const scene::Scene& scene, const film::FrameDemand& shown) {
+  return shown.has_snow && scene.snow_cover.cover == scene::CoverModel::depth;
+}
+
+/// Of the largest of the maps that multiply the grass, which the others are brought to.
+double light_samples(const scene::Scene& scene) {
+  const int samples = place::tint_grid(scene).samples;
+  return squared(place::is_large(scene) ? std::max(samples, place::window_grid(scene).samples)
+                                        : samples);
 }
 
 double volume_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
@@ -76,13 +81,13 @@ double volumes_bytes(const scene::Scene& scene, const exporter::FileCosts& costs
 
 /// Light, what multiplies the grass, cells and sky of a frame.
 double frame_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
-                   const film::FrameDemand& demand) {
+                   const film::FrameDemand& shown) {
   double terrain_sample = costs.frame_terrain_sample;
-  if (lies_everywhere(scene, demand)) terrain_sample += costs.shared_terrain_sample;
+  if (has_own_terrain(scene, shown)) terrain_sample += costs.shared_terrain_sample;
   return costs.frame + terrain_sample * squared(scene.terrain.samples) +
-         costs.frame_ground_sample * ground_samples(scene, demand) +
-         costs.frame_light_sample * squared(place::window_grid(scene).samples) +
-         costs.frame_part * static_cast<double>(demand.parts) +
+         costs.frame_ground_sample * ground_samples(scene, shown) +
+         costs.frame_light_sample * light_samples(scene) +
+         costs.frame_part * static_cast<double>(shown.parts) +
          costs.frame_cloud_voxel * cloud_voxels(scene) +
          costs.frame_haze_voxel * sky::blowing_snow_voxels(scene);
 }
@@ -102,8 +107,9 @@ VolumeSize volume_size(const SpeciesPatch& patch, int lod, double weathering, do
   const scene::Flower& flower = patch.flower;
   const double side = grass.lods[static_cast<std::size_t>(lod)];
   const double voxel_m = grass.patch_m / side;
-  const auto voxels_under = [&](double load) {
-    return side * side * ((grass.crown_m + standing_m(patch, weathering, load)) / voxel_m + 2.0);
+  const auto voxels_under = [&](double snow_fraction) {
+    return side * side *
+           ((grass.crown_m + standing_m(patch, weathering, snow_fraction)) / voxel_m + 2.0);
   };
   // A blade fills voxels along its length, as many beside each other as it is wide and, at its
   // borders, some more; a flower is a disc.
@@ -117,9 +123,9 @@ VolumeSize volume_size(const SpeciesPatch& patch, int lod, double weathering, do
   // that of a negative binomial distribution, not of Poisson's. Snow presses them down, and what
   // lies on them fills as many voxels as they lose.
   constexpr double clumping = 0.3;
-  const double standing = voxels_under(0.0), voxels = voxels_under(snow);
-  const double empty = math::pow(1.0 + of_blades / standing / clumping, -clumping);
-  return {voxels, std::min(voxels, standing * (1.0 - empty))};
+  const double without_snow = voxels_under(0.0), voxels = voxels_under(snow);
+  const double empty = math::pow(1.0 + of_blades / without_snow / clumping, -clumping);
+  return {voxels, std::min(voxels, without_snow * (1.0 - empty))};
 }
 
 VolumeSizes::VolumeSizes(const scene::Scene& scene)
@@ -164,9 +170,10 @@ double density_bytes(const scene::Scene& scene, double grids) {
 }
 
 double ground_samples(const scene::Scene& scene, const film::FrameDemand& shown) {
-  if (lies_everywhere(scene, shown))
-    return squared(std::max(place::picture_grid(scene).samples, place::snow_grid(scene).samples));
-  return ground_samples(scene);
+  const bool is_white_everywhere =
+      !place::is_large(scene) || scene.snow_cover.cover == scene::CoverModel::paper;
+  return shown.has_snow && is_white_everywhere ? squared(place::snow_grid(scene).samples)
+                                               : ground_samples(scene);
 }
 
 double ground_samples(const scene::Scene& scene) {
@@ -206,8 +213,10 @@ double cloud_picture_bytes(const scene::Scene& scene) {
 
 double scene_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
                    const film::FilmDemand& demand, std::size_t frames) {
-  double shared = costs.shared_terrain_sample * squared(scene.terrain.samples) +
-                  volumes_bytes(scene, costs, demand);
+  const bool some_is_bare = std::ranges::any_of(
+      demand.frames(), [&](const auto& one) { return !has_own_terrain(scene, one.second); });
+  double shared = volumes_bytes(scene, costs, demand);
+  if (some_is_bare) shared += costs.shared_terrain_sample * squared(scene.terrain.samples);
   for (const auto& [variant, state] : demand.patches())
     shared += costs.shared_blade * static_cast<double>(scene::drawn_of(scene, variant));
   double looked_at = 0.0;

@@ -52,7 +52,7 @@ double density_bytes(const scene::Scene& scene, double grids);
 /// Of the pictures of the ground that a frame has: the whole, and on large terrains finer ones
 /// about the camera.
 double ground_samples(const scene::Scene& scene);
-/// Of this frame: where snow lies they are finer.
+/// Of this frame: snow may ask for finer ones.
 double ground_samples(const scene::Scene& scene, const film::FrameDemand& shown);
 
 /// Of the clouds that stand as volumes in a frame.

@@ -105,8 +105,10 @@ VolumeSize largest_volume(const scene::Scene& scene) {
   return largest;
 }
 
-/// The largest of the volumes that they show.
+/// The largest of the volumes that a film shows. Where it shows none, what it has of blades and of
+/// grass far away is as large as any.
 VolumeSize largest_volume(const scene::Scene& scene, const film::FilmDemand& demand) {
+  if (demand.volumes().empty()) return largest_volume(scene);
   const VolumeSizes sizes(scene);
   VolumeSize largest;
   for (const film::ShownVolume& volume : demand.volumes())
@@ -136,6 +138,12 @@ int scene_threads(const Job& job) {
   if (job.memory_bytes > 0.0)
     while (threads > 1 && scene_memory_bytes(job, threads, largest) > job.memory_bytes) --threads;
   return threads;
+}
+
+double cloud_memory_bytes(const Job& job) { return landscape_bytes(job); }
+
+double max_scene_memory_bytes(const Job& job) {
+  return scene_memory_bytes(job, scene_threads(job), largest_volume(job.scene));
 }
 
 double scene_memory_bytes(const Job& job, const film::FilmDemand& demand) {

@@ -17,7 +17,13 @@ double texel_memory_bytes(const Job& job);
 /// Threads that make scene files: the job's, or as many as its memory is enough for.
 int scene_threads(const Job& job);
 
-/// Making the scene files of one frame with these.
+/// Making the pictures of clouds.
+double cloud_memory_bytes(const Job& job);
+
+/// Making the scene files of any frame with the scene_threads().
+double max_scene_memory_bytes(const Job& job);
+
+/// Making those of one frame that shows no more than the demand.
 double scene_memory_bytes(const Job& job, const film::FilmDemand& demand);
 
 /// Making the passes of one frame.

@@ -76,7 +76,7 @@ TEST(StarterScene, OfARealPlaceShowsIt) {
                      .target_height_m = 20.0};
   for (const std::string& kind : starter_kinds()) {
     const std::string text = starter_scene("a", kind, place);
-    for (const char* key : {"hill_height", "shape", "relief", "streams", "talus"})
+    for (const char* key : {"hill_height", "shape", "relief", "streams", "talus", "boulders"})
       EXPECT_EQ(text.find(std::string("\n") + key), std::string::npos) << kind;
     Scene wanted = scene_of_kind(kind);
     wanted.name = "a";

@@ -55,15 +55,18 @@ TEST(VolumeSizes, UnderSnowAreLowerButHoldAsMuch) {
   EXPECT_EQ(full.filled, full.voxels);
 }
 
-// A terrain 60 m wide: every 3 cm, but every 2 cm where snow lies.
-TEST(GroundSamples, AreFinerWhereSnowLies) {
+// Every 3 cm, but every 2 cm where snow lies; as fine as a large picture shows them with it, too.
+TEST(GroundSamples, AreNoFewerWhereSnowLies) {
   scene::Scene scene;
   scene.terrain.size_m = 60.0;
-  film::FrameDemand shown;
-  shown.volumes.insert({.state = {0}});
-  EXPECT_EQ(ground_samples(scene, shown), 2001.0 * 2001.0);
-  shown.volumes.insert({.state = {0, 1}});
-  EXPECT_EQ(ground_samples(scene, shown), 3001.0 * 3001.0);
+  const film::FrameDemand bare;
+  film::FrameDemand snowy;
+  snowy.has_snow = true;
+  EXPECT_EQ(ground_samples(scene, bare), 2001.0 * 2001.0);
+  EXPECT_EQ(ground_samples(scene, snowy), 3001.0 * 3001.0);
+  scene.render.size_px = {3840, 2160};
+  EXPECT_GT(ground_samples(scene, bare), 3001.0 * 3001.0);
+  EXPECT_EQ(ground_samples(scene, snowy), ground_samples(scene, bare));
 }
 
 }  // namespace
