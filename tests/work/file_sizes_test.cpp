@@ -69,5 +69,27 @@ TEST(GroundSamples, AreNoFewerWhereSnowLies) {
   EXPECT_EQ(ground_samples(scene, snowy), ground_samples(scene, bare));
 }
 
+// Frames share a terrain while it is bare, and have their own under snow that shapes it.
+TEST(SceneBytes, CountATerrainForEachSnow) {
+  film::Request request;
+  scene::Scene& scene = request.scene;
+  scene.terrain.samples = 33;
+  scene.growth.cover = 0.0;
+  scene.ageing.frames = {0.0, 0.0, 0.0};
+  scene.film.frame_seconds = 3600.0;
+  scene.weather.temperature_c = -3.0;
+  scene.weather.precipitation_mm_h = 2.0;
+  const exporter::FileCosts one_a_sample{.shared_terrain_sample = 1.0};
+  const auto terrains = [&](const std::vector<int>& frames) {
+    request.frames = frames;
+    return scene_bytes(scene, one_a_sample, film::FilmDemand(request), frames.size()) / (33 * 33);
+  };
+  EXPECT_DOUBLE_EQ(terrains({1}), 1.0);
+  EXPECT_DOUBLE_EQ(terrains({1, 2, 3}), 3.0) << "bare, and two under snow";
+  EXPECT_DOUBLE_EQ(terrains({2, 3}), 2.0);
+  scene.snow_cover.cover = scene::CoverModel::paper;
+  EXPECT_DOUBLE_EQ(terrains({1, 2, 3}), 1.0) << "the paper's snow has no depth";
+}
+
 }  // namespace
 }  // namespace wold::work
