@@ -13,8 +13,8 @@ namespace wold::place {
 /// 4097 samples along a side.
 GroundGrid picture_grid(const scene::Scene& scene);
 
-/// The same where snow lies on all of the terrain at once: steps of 2 cm or finer, for white spots
-/// have sharp edges.
+/// The grid of the picture of the ground where snow lies on all of the terrain at once: that of
+/// picture_grid(), or steps of 2 cm where those are finer, for white spots have sharp edges.
 GroundGrid snow_grid(const scene::Scene& scene);
 
 /// The grids of the pictures of a large terrain's ground.
@@ -36,8 +36,8 @@ std::vector<GroundGrid> detail_grids(const scene::Scene& scene, const landscape:
 /// Of the light on a large terrain's grass, in the CellWindow.
 GroundGrid window_grid(const scene::Scene& scene);
 
-/// Of what of a cell differs from place to place, in the CellWindow: eight steps a patch, at most
-/// 4097 samples along a side, of large terrains 2049.
+/// The grid of the grass's tint from place to place, in the CellWindow: eight steps a patch, at
+/// most 4097 samples along a side, of large terrains 2049.
 GroundGrid tint_grid(const scene::Scene& scene);
 
 /// Along a side of the squares of snow about the camera: one per pixel and radian, at most 1024.

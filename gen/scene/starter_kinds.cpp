@@ -22,7 +22,7 @@ KeyNames keys_of_clouds() {
   return {"clouds.kind", "clouds.cover", "clouds.speed", "clouds.heading"};
 }
 
-/// On half of the ground.
+/// Hawkbits on half of the ground.
 Species hawkbits_in_drifts(const Scene& scene) {
   Species flowers = hawkbits(scene);
   flowers.habitat.cover = 0.5;
