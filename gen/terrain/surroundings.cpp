@@ -185,10 +185,13 @@ Surroundings::Surroundings(const scene::Terrain& terrain, const Heightfield& gro
 }
 
 const Surroundings::Land& Surroundings::land() const {
-  std::call_once(made_, [this] {
+  if (const Land* made = made_.load(std::memory_order_acquire)) return *made;
+  const std::lock_guard lock(making_);
+  if (!land_) {
     land_ = std::make_unique<const Land>(make(*plan_));
     plan_.reset();
-  });
+    made_.store(land_.get(), std::memory_order_release);
+  }
   return *land_;
 }
 

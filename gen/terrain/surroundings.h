@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
@@ -85,9 +86,11 @@ class Surroundings {
   double between_rings(const glm::dvec2& at_m, const HeightInRing& height_in) const;
 
   Square square_;
-  mutable std::once_flag made_;
+  // Not std::call_once: after an exception that hangs in some standard libraries (GCC bug 66146).
+  mutable std::mutex making_;
   mutable std::unique_ptr<const Plan> plan_;  ///< until rings are made
   mutable std::unique_ptr<const Land> land_;
+  mutable std::atomic<const Land*> made_ = nullptr;  ///< the land, when it is whole
 };
 
 }  // namespace wold::terrain
