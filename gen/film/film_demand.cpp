@@ -66,7 +66,7 @@ class Ground {
       snow_.emplace(
           scene, terrain_, [this](double time_s) { return weather_.at(time_s); }, enough_samples);
   }
-  Ground(const Ground&) = delete;
+  Ground(const Ground&) = delete;  // the snow asks its weather
   Ground& operator=(const Ground&) = delete;
 
   const std::vector<int>& mixtures() const { return mixtures_.present(); }

@@ -26,7 +26,8 @@ struct SpeciesPatch {
 };
 
 /// Of a patch at a level, withered to a degree in [0, 1], under a share in [0, 1] of the snow that
-/// it can carry: it gets lower and thinner, but flowers stay where they are.
+/// it can carry: withering makes it lower and thinner, snow lower alone, and flowers stay where
+/// they are.
 VolumeSize volume_size(const SpeciesPatch& patch, int lod, double weathering, double snow);
 
 /// Sizes of a scene's volumes, whose weathering degrees are the scene's key frames. That of a

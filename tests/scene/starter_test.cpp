@@ -63,6 +63,16 @@ TEST(StarterScene, OfEachKindShowsWhatItSays) {
   EXPECT_LE(snow_ends.date[2], 30 + season.season.last[2] - 3 * 2);
 }
 
+/// A key that is not written has its default, whatever the kind wants.
+TEST(StarterScene, OfEachKindHasAllOfItsKeys) {
+  for (const std::string& kind : starter_kinds()) {
+    Scene wanted = scene_of_kind(kind);
+    wanted.name = "a";
+    EXPECT_EQ(resolved_toml(parse_scene(starter_scene("a", kind), kind)), resolved_toml(wanted))
+        << kind;
+  }
+}
+
 /// A hill of the scene's own has no keys there, whatever the kind; all else stays.
 TEST(StarterScene, OfARealPlaceShowsIt) {
   StarterPlace place{.elevation = "alps.tif",
