@@ -84,8 +84,11 @@ FactorMap FrameSky::sunlit_fraction(const GroundGrid& grid) const {
 
 ColourMap FrameSky::light(const terrain::GroundLight& clear) const {
   if (!clouds_) return clear.together();
+  // Finer steps than a quarter of the clouds' pixels show nothing more of their shadows.
+  const double size_m = clear.sun.size_m();
+  const int samples = std::min(clear.sun.samples(), map_samples(size_m, 0.25 * clouds_->pixel_m));
   ColourMap light =
-      product(clear.sun, sunlit_fraction(GroundGrid{clear.sun.square(), clear.sun.samples()}));
+      product(clear.sun, sunlit_fraction(GroundGrid{clear.sun.square(), std::max(samples, 2)}));
   const glm::vec3 sky_factor = sheets_.irradiance() / site_.day.sky_irradiance();
   for (std::size_t i = 0; i < light.values().size(); ++i)
     light.values()[i] += clear.sky.values()[i] * sky_factor;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "core/angle.h"
@@ -51,19 +52,32 @@ struct SkyPatches {
   static double azimuth_rad(int a) { return 2.0 * pi * a / azimuths; }
 };
 
+/// Level, towards an azimuth.
+glm::dvec2 level_direction(double azimuth_rad) {
+  return glm::dvec2(light::direction_of(azimuth_rad, 0.0));
+}
+
+/// The terrain's horizons towards the sky's patches, azimuth by azimuth.
+Horizons horizons_of_sky(const Heightfield& terrain) {
+  std::vector<glm::dvec2> directions;
+  for (int a = 0; a < SkyPatches::azimuths; ++a)
+    directions.push_back(level_direction(SkyPatches::azimuth_rad(a)));
+  return {terrain, std::move(directions), 0.12};
+}
+
 /// Fraction of a band of elevations that lies above the horizon; continuous, so nothing steps.
 double fraction_above(int band, double horizon) {
   return std::clamp(band + 1.0 - horizon / SkyPatches::band_rad, 0.0, 1.0);
 }
 
 /// By the clear sky, and by an overcast one.
-glm::dvec4 sky_light(const Heightfield& terrain, const glm::dvec2& at_m, const glm::dvec3& up,
+glm::dvec4 sky_light(const Horizons& horizons, const glm::dvec2& at_m, const glm::dvec3& up,
                      const SkyPatches& sky) {
+  constexpr double level = 0.0;  // no patch lies below
   glm::dvec4 sum(0.0);
   auto patch = sky.patches.begin();
-  for (int a = 0; a < SkyPatches::azimuths; ++a) {
-    const glm::dvec2 towards(light::direction_of(SkyPatches::azimuth_rad(a), 0.0));
-    const double horizon = horizon_rad(terrain, at_m, towards, 0.12);
+  for (std::size_t a = 0; a < horizons.directions(); ++a) {
+    const double horizon = horizons.elevation_rad(a, at_m, level);
     for (int b = 0; b < SkyPatches::bands; ++b, ++patch)
       sum += patch->power *
              (std::max(0.0, glm::dot(up, patch->direction)) * fraction_above(b, horizon));
@@ -71,34 +85,54 @@ glm::dvec4 sky_light(const Heightfield& terrain, const glm::dvec2& at_m, const g
   return sum;
 }
 
-/// Fraction of the sun's disc that is seen over the terrain, in [0, 1].
-double sun_seen(const Heightfield& terrain, const glm::dvec2& at_m, const glm::dvec3& to_sun) {
-  const double azimuth = math::atan2(to_sun.x, to_sun.y);
-  const double elevation = math::asin(to_sun.z);
-  double seen = 0.0;
-  for (const double offset_rad : sun_disc::offsets_rad) {
-    const glm::dvec2 towards(light::direction_of(azimuth + offset_rad, 0.0));
-    const double above = elevation - horizon_rad(terrain, at_m, towards, 0.02);
-    seen +=
-        sun_disc::seen(0.5 + 0.5 * above / sun_disc::half_width_rad) / sun_disc::offsets_rad.size();
+/// What hides the sun from places on the terrain: its own ground and the land around.
+class SunHiding {
+ public:
+  SunHiding(const Heightfield& terrain, const glm::dvec3& to_sun, const LandShadow* around)
+      : terrain_(&terrain),
+        elevation_rad_(math::asin(to_sun.z)),
+        horizons_(terrain, azimuths(to_sun), 0.02),
+        around_(around) {}
+
+  /// Fraction of the sun's disc that is seen from the ground.
+  double seen(const glm::dvec2& at_m) const {
+    const double over_terrain = seen_over_terrain(at_m);
+    if (around_ == nullptr || over_terrain <= 0.0) return over_terrain;
+    return std::min(over_terrain, around_->sun_seen({at_m, terrain_->sample(at_m.x, at_m.y)}));
   }
-  return seen;
-}
 
-/// The same over the land around, too.
-double sun_seen(const Heightfield& terrain, const glm::dvec2& at_m, const glm::dvec3& to_sun,
-                const LandShadow* around) {
-  const double over_terrain = sun_seen(terrain, at_m, to_sun);
-  if (around == nullptr || over_terrain <= 0.0) return over_terrain;
-  return std::min(over_terrain, around->sun_seen({at_m, terrain.sample(at_m.x, at_m.y)}));
-}
+ private:
+  static std::vector<glm::dvec2> azimuths(const glm::dvec3& to_sun) {
+    const double azimuth_rad = math::atan2(to_sun.x, to_sun.y);
+    std::vector<glm::dvec2> directions;
+    for (const double offset_rad : sun_disc::offsets_rad)
+      directions.push_back(level_direction(azimuth_rad + offset_rad));
+    return directions;
+  }
 
-glm::dvec3 sun_light(const Heightfield& terrain, const glm::dvec2& at_m, const glm::dvec3& up,
-                     const light::Daylight& day, const LandShadow* around) {
+  double seen_over_terrain(const glm::dvec2& at_m) const {
+    double seen = 0.0;
+    for (std::size_t i = 0; i < horizons_.directions(); ++i) {
+      const double above = elevation_rad_ - horizons_.elevation_rad(i, at_m, below_sun_);
+      seen += sun_disc::seen(0.5 + 0.5 * above / sun_disc::half_width_rad) /
+              static_cast<double>(horizons_.directions());
+    }
+    return seen;
+  }
+
+  const Heightfield* terrain_;
+  double elevation_rad_;
+  Horizons horizons_;
+  const LandShadow* around_;
+  /// What is less steep hides nothing of the disc.
+  double below_sun_ = math::tan(elevation_rad_ - 1.01 * sun_disc::half_width_rad);
+};
+
+glm::dvec3 sun_light(const SunHiding& hiding, const glm::dvec2& at_m, const glm::dvec3& up,
+                     const light::Daylight& day) {
   const double lambert = glm::dot(up, day.sun_direction());
   if (lambert <= 0.0) return glm::dvec3(0.0);
-  return glm::dvec3(day.sun_irradiance()) *
-         (lambert * sun_seen(terrain, at_m, day.sun_direction(), around));
+  return glm::dvec3(day.sun_irradiance()) * (lambert * hiding.seen(at_m));
 }
 
 /// Irradiance of level ground under nothing but the patches: what the sum over patches makes of
@@ -170,6 +204,8 @@ GroundLight smoothed_light(const Heightfield& terrain, const light::Daylight& da
   const ColourMap dark(grid.samples, grid.square);
   GroundLight light{dark, dark, FactorMap(grid.samples, grid.square)};
   const SkyPatches sky(day);
+  const Horizons horizons = horizons_of_sky(terrain);
+  const SunHiding hiding(terrain, day.sun_direction(), around);
   const glm::dvec4 sky_scale =
       glm::dvec4(glm::dvec3(day.sky_irradiance()), 1.0) / flat_sky_light(sky);
   parallel_for(static_cast<std::size_t>(dark.samples()), [&](std::size_t row) {
@@ -177,8 +213,8 @@ GroundLight smoothed_light(const Heightfield& terrain, const light::Daylight& da
     for (int i = 0; i < dark.samples(); ++i) {
       const glm::dvec2 at_m = dark.place_m(i, j);
       const glm::dvec3 up = normal(terrain, at_m.x, at_m.y);
-      light.sun.at(i, j) = glm::vec3(sun_light(terrain, at_m, up, day, around));
-      const glm::vec4 by_sky(sky_light(terrain, at_m, up, sky) * sky_scale);
+      light.sun.at(i, j) = glm::vec3(sun_light(hiding, at_m, up, day));
+      const glm::vec4 by_sky(sky_light(horizons, at_m, up, sky) * sky_scale);
       light.sky.at(i, j) = glm::vec3(by_sky);
       light.overcast.at(i, j) = by_sky.w;
     }

@@ -3,13 +3,13 @@
 # machine, the same run. For each renderer and route: time, memory, and the noise that is left, as
 # the root mean square error against the same route with 64 samples per pixel.
 #
-#     tests/benchmark/against_blades.sh [SCENE] [WOLD OPTIONS...]     default: examples/mountain.toml
+#     tests/benchmark/against_blades.sh [SCENE] [WOLD OPTIONS...]     default: tests/data/small_mountain.toml
 #
 # The pictures stay in build/against_blades.
 set -euo pipefail
 here=$(cd "$(dirname "$0")/../.." && pwd)
 wold=$here/build/wold
-scene=${1:-$here/examples/mountain.toml}
+scene=${1:-$here/tests/data/small_mountain.toml}
 [ $# -eq 0 ] || shift
 out=$here/build/against_blades
 size=(240 135)

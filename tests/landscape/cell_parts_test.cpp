@@ -139,7 +139,7 @@ struct Example {
 };
 
 Example example(const char* name) {
-  const auto file = wold::test::tests_folder() / "../examples" / name;
+  const auto file = wold::test::tests_folder() / ".." / name;
   scene::Scene scene = scene::read_scene(file);
   scene.render.size_px = {960, 540};
   const Heightfield terrain = terrain::make_ground(scene.terrain, scene.seed).heights_m;
@@ -151,7 +151,7 @@ Example example(const char* name) {
 
 // At random places of every part that is drawn, its floor and the ground as the model has it.
 TEST(PartsOnGround, FollowTheGroundOfTheExamples) {
-  for (const char* name : {"hillside.toml", "mountain.toml"}) {
+  for (const char* name : {"examples/hillside.toml", "tests/data/small_mountain.toml"}) {
     const Example in = example(name);
     ASSERT_GT(in.cells.size(), 1000U);
     std::size_t parts = 0;
@@ -174,9 +174,9 @@ TEST(PartsOnGround, FollowTheGroundOfTheExamples) {
 }
 
 TEST(PartsOnGround, AreTheSameWithAnyNumberOfThreads) {
-  const Example all = example("hillside.toml");
+  const Example all = example("examples/hillside.toml");
   const ThreadLimit one(1);
-  const Example alone = example("hillside.toml");
+  const Example alone = example("examples/hillside.toml");
   ASSERT_EQ(all.cells.size(), alone.cells.size());
   for (std::size_t k = 0; k < all.cells.size(); ++k) {
     ASSERT_EQ(all.cells[k].parts.size(), alone.cells[k].parts.size());

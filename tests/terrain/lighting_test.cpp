@@ -6,8 +6,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/random.h"
 #include "terrain/hillside.h"
 #include "terrain/horizon.h"
+#include "terrain/mountain.h"
 #include "terrain/surface.h"
 
 namespace wold::terrain {
@@ -87,10 +89,37 @@ TEST(LightMap, OvercastSkyLightsAnInclinedPlaneAlikeOnAllSides) {
 TEST(Horizon, OfAWallIsItsAngle) {
   // 2 m high, 5 m north of the point.
   const Heightfield wall = ground(20.0, 201, [](double y) { return y > 14.95 ? 2.0 : 0.0; });
-  EXPECT_NEAR(horizon_rad(wall, {10.0, 10.0}, {0.0, 1.0}, 0.02), std::atan(2.0 / 5.0), 0.02);
-  EXPECT_NEAR(horizon_rad(wall, {10.0, 10.0}, {0.0, -1.0}, 0.02), 0.0, 1e-6);
-  EXPECT_NEAR(horizon_rad(wall, {10.0, 10.0}, {std::sin(1.0), std::cos(1.0)}, 0.02),
-              std::atan(2.0 * std::cos(1.0) / 5.0), 0.02);
+  const Horizons horizons(wall, {{0.0, 1.0}, {0.0, -1.0}, {std::sin(1.0), std::cos(1.0)}}, 0.02);
+  const glm::dvec2 from_m(10.0, 10.0);
+  EXPECT_NEAR(horizons.elevation_rad(0, from_m, -1.0), std::atan(2.0 / 5.0), 0.02);
+  EXPECT_NEAR(horizons.elevation_rad(1, from_m, -1.0), 0.0, 1e-6);
+  EXPECT_NEAR(horizons.elevation_rad(2, from_m, -1.0), std::atan(2.0 * std::cos(1.0) / 5.0), 0.02);
+}
+
+// What it knows of the ground ahead ends its search early, and never too early.
+TEST(Horizon, IsThatOfAllGroundAhead) {
+  scene::Terrain shape;
+  shape.size_m = 300.0;
+  shape.hill_height_m = 90.0;
+  shape.samples = 193;
+  const Heightfield terrain = make_mountain(shape, 4);
+  std::vector<glm::dvec2> directions;
+  for (int k = 0; k < 24; ++k) directions.emplace_back(std::sin(0.3 * k), std::cos(0.3 * k));
+  const Horizons horizons(terrain, directions, 0.1);
+  for (std::uint64_t i = 0; i < 4000; ++i) {
+    const glm::dvec2 from_m = 300.0 * glm::dvec2(random_uniform({1, key_of("east"), i, 0}),
+                                                 random_uniform({1, key_of("north"), i, 0}));
+    const std::size_t k = i % directions.size();
+    const double height_m = terrain.sample(from_m.x, from_m.y);
+    double steepest = -1.0;
+    for (double way_m = terrain.step_m();; way_m += std::max(terrain.step_m(), 0.1 * way_m)) {
+      const glm::dvec2 at_m = from_m + directions[k] * way_m;
+      if (!terrain.square().contains(at_m)) break;
+      steepest = std::max(steepest, (terrain.sample(at_m.x, at_m.y) - height_m) / way_m);
+    }
+    EXPECT_NEAR(horizons.elevation_rad(k, from_m, -1.0), std::atan(steepest), 1e-6);
+    EXPECT_NEAR(horizons.elevation_rad(k, from_m, 0.1), std::atan(std::max(steepest, 0.1)), 1e-6);
+  }
 }
 
 TEST(LightMap, WallCastsAShadowOfItsLength) {
