@@ -16,7 +16,7 @@ small=(--size 64x36 --quiet --renderer both --set 'grass.levels=[30]' --set gras
 # A name, the scene, the frame, and what else it is generated with.
 scenes=(
   "hillside hillside 2"
-  "blades mountain 2 --grass blades"
+  "blades ../tests/data/small_mountain 2 --grass blades"
   "snow first_snow 24"
   "storm ground_blizzard 2"
   "clouds clouds 2"

@@ -17,7 +17,7 @@ source "$here/tests/support/roots.sh"
 # What is rendered: a name, the scene, the frame, and what else the picture needs.
 scenes=(
   "hillside hillside 2"
-  "mountain mountain 2"
+  "mountain ../tests/data/small_mountain 2"
   "cumulus cumulus 1"
   "first_snow first_snow 24"
   "fog autumn_to_winter 90"

@@ -61,12 +61,11 @@ install "${build_packages[@]}" "${render_packages[@]}"
 build -- wold
 make hillside hillside 480x270 beside 1 2 3
 make valley "$(scene_of valley "$here/tests/data/terrain/bigtujunga_srtm30.tif")" 480x270 above 1 2 3
-make mountain mountain 480x270 beside 1 2 3
 make alpine_meadow alpine_meadow 720x405 above 1 3
 make range snowy_range 720x405 above 1
 make snow first_snow 640x360 beside 5 18 48
 make storm ground_blizzard 480x270 beside 1 13
 make clouds cumulus 720x405 beside 2
 make sunset clouds 480x200 above 36 62 84
-make season autumn_to_winter 360x202 above 1 43 62 118
+make season mountain 360x202 above 1 2 3 5
 film windy_meadow windy_meadow 240x135

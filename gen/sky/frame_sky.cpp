@@ -19,8 +19,9 @@ constexpr int usual_sky_width_px = 1024;
 /// that drift by from frame to frame would make it flicker.
 double shadow_step_s(const scene::Scene& scene, int frame) {
   constexpr double frames_apart = 2.0;
-  return scene::is_time_lapse(scene, frame) ? frames_apart * scene::cloud_step_s(scene, frame)
-                                            : 0.0;
+  return scene::is_time_lapse(scene, frame) && place::has_nearby_frames(scene, frame)
+             ? frames_apart * scene::cloud_step_s(scene, frame)
+             : 0.0;
 }
 
 /// Their own events have gathered them; in a season they are as many of these as its days have.
@@ -82,13 +83,18 @@ FactorMap FrameSky::sunlit_fraction(const GroundGrid& grid) const {
   return mean;
 }
 
+/// Steps of half a pixel of the clouds along the ray to the sun, where the ground rises by 45
+/// degrees; finer ones show nothing more of their shadows.
+GroundGrid FrameSky::shadow_grid(const ColourMap& light) const {
+  const glm::dvec3 to_sun = site_.day.sun_direction();
+  const double cotangent = glm::length(glm::dvec2(to_sun)) / std::max(to_sun.z, 1e-3);
+  const double step_m = 0.5 * clouds_->pixel_m / (1.0 + cotangent);
+  return {light.square(), std::clamp(map_samples(light.size_m(), step_m), 2, light.samples())};
+}
+
 ColourMap FrameSky::light(const terrain::GroundLight& clear) const {
   if (!clouds_) return clear.together();
-  // Finer steps than a quarter of the clouds' pixels show nothing more of their shadows.
-  const double size_m = clear.sun.size_m();
-  const int samples = std::min(clear.sun.samples(), map_samples(size_m, 0.25 * clouds_->pixel_m));
-  ColourMap light =
-      product(clear.sun, sunlit_fraction(GroundGrid{clear.sun.square(), std::max(samples, 2)}));
+  ColourMap light = product(clear.sun, sunlit_fraction(shadow_grid(clear.sun)));
   const glm::vec3 sky_factor = sheets_.irradiance() / site_.day.sky_irradiance();
   for (std::size_t i = 0; i < light.values().size(); ++i)
     light.values()[i] += clear.sky.values()[i] * sky_factor;

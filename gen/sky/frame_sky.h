@@ -30,6 +30,7 @@ class FrameSky {
 
  private:
   FactorMap sunlit_fraction(const GroundGrid& grid) const;
+  GroundGrid shadow_grid(const ColourMap& light) const;
 
   const scene::Scene& scene_;
   const place::Site& site_;

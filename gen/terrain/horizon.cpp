@@ -53,9 +53,9 @@ float highest_about(const std::vector<float>& highest_m, const glm::ivec2& block
   return highest;
 }
 
-/// No ground is higher on the way from anywhere in a block to the border. The way leads along that
-/// from the block's middle, off by less than 0.71 of a block; with half of the steps between that
-/// it stays in the blocks about those on the middle's way.
+/// No ground is higher on the way from anywhere in a block to the border. Along each axis that way
+/// is off the way from the block's middle by half a block at most, and from the nearest step on
+/// this by another quarter: less than a block in all, so the blocks about the steps hold it.
 float highest_ahead(const std::vector<float>& highest_about_m, const glm::ivec2& block,
                     const glm::dvec2& direction) {
   constexpr double step = 0.5;
@@ -88,7 +88,7 @@ double Horizons::elevation_rad(std::size_t direction, const glm::dvec2& from_m,
   const double height_m = terrain.sample(from_m.x, from_m.y);
   const glm::ivec2 block = glm::clamp(glm::ivec2(from_m * (blocks / terrain.size_m())),
                                       glm::ivec2(0), glm::ivec2(blocks - 1));
-  const double rise_m = ahead_m_[direction][index_of(block)] - height_m;
+  const double rise_m = std::max(0.0, ahead_m_[direction][index_of(block)] - height_m);
   double steepest = lowest;
   for (double distance_m = terrain.step_m(); rise_m > steepest * distance_m;
        distance_m += std::max(terrain.step_m(), distance_m * spacing_)) {

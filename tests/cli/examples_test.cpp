@@ -37,7 +37,7 @@ std::string from_value(const std::string& scene, const std::string& table, const
 int middle_frame(const std::string& scene) {
   if (from_value(scene, "season", "first").front() == '[' &&
       from_value(scene, "season", "first")[1] != ']')
-    return std::stoi(from_value(scene, "season", "frames")) / 2;
+    return (std::stoi(from_value(scene, "season", "frames")) + 1) / 2;
   const std::string frames = from_value(scene, "ageing", "frames");
   return static_cast<int>(std::count(frames.begin(), frames.begin() + frames.find(']'), ',') + 2) /
          2;

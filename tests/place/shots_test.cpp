@@ -118,18 +118,30 @@ TEST(ShotsInPlace, MeanNothingAcrossACut) {
   EXPECT_EQ(mean_of_nearby(scene, 4, [](int frame) { return frame < 4 ? 100.0 : 1.0; }), 1.0);
 }
 
-TEST(NearbyFrames, AreOfTheSameWeek) {
-  const auto of_frames = [](int frames) {
-    scene::Scene scene;
-    scene.season.first = {2026, 9, 1};
-    scene.season.last = {2026, 12, 20};  // 110 days
-    scene.season.frames = frames;
-    scene.ageing.frames.assign(static_cast<std::size_t>(frames), 0.0);
-    return mean_of_nearby(scene, 3, [](int frame) { return frame == 3 ? 9.0 : 0.0; });
+/// A season of 110 days.
+scene::Scene season_of(int frames) {
+  scene::Scene scene;
+  scene.season.first = {2026, 9, 1};
+  scene.season.last = {2026, 12, 20};
+  scene.season.frames = frames;
+  scene.ageing.frames.assign(static_cast<std::size_t>(frames), 0.0);
+  return scene;
+}
+
+TEST(NearbyFrames, CountInAMeanWhenTheyAreOfTheSameWeek) {
+  const auto mean = [](int frames) {
+    return mean_of_nearby(season_of(frames), 3, [](int frame) { return frame == 3 ? 9.0 : 0.0; });
   };
-  EXPECT_DOUBLE_EQ(of_frames(111), 3.0);             // a day apart: 3 of 1 + 2 + 3 + 2 + 1
-  EXPECT_DOUBLE_EQ(of_frames(23), 9.0 * 3.0 / 7.0);  // five days apart
-  EXPECT_DOUBLE_EQ(of_frames(5), 9.0);               // four weeks apart
+  EXPECT_DOUBLE_EQ(mean(111), 3.0);             // a day apart: 3 of 1 + 2 + 3 + 2 + 1
+  EXPECT_DOUBLE_EQ(mean(23), 9.0 * 3.0 / 7.0);  // five days apart
+  EXPECT_DOUBLE_EQ(mean(5), 9.0);               // four weeks apart
+}
+
+TEST(NearbyFrames, AreMissingInASeasonOfAFewPictures) {
+  EXPECT_TRUE(has_nearby_frames(season_of(111), 1));
+  EXPECT_TRUE(has_nearby_frames(season_of(111), 111));
+  EXPECT_FALSE(has_nearby_frames(season_of(5), 3));
+  EXPECT_FALSE(has_nearby_frames(season_of(1), 1));
 }
 
 }  // namespace
