@@ -98,29 +98,49 @@ TEST(Horizon, OfAWallIsItsAngle) {
   EXPECT_NEAR(horizons.elevation_rad(2, from_m, -1.0), std::atan(2.0 * std::cos(1.0) / 5.0), 0.02);
 }
 
+std::vector<glm::dvec2> directions_all_around() {
+  std::vector<glm::dvec2> directions;
+  for (int k = 0; k < 63; ++k) directions.emplace_back(std::sin(0.1 * k), std::cos(0.1 * k));
+  return directions;
+}
+
+/// Against all ground points on the way.
+void expect_horizon_of_all_ground(const Horizons& horizons, const Heightfield& terrain,
+                                  std::size_t k, const glm::dvec2& from_m) {
+  const double height_m = terrain.sample(from_m.x, from_m.y);
+  double steepest = -1.0;
+  for (double way_m = terrain.step_m();; way_m += std::max(terrain.step_m(), 0.01 * way_m)) {
+    const glm::dvec2 at_m = from_m + directions_all_around()[k] * way_m;
+    if (!terrain.square().contains(at_m)) break;
+    steepest = std::max(steepest, (terrain.sample(at_m.x, at_m.y) - height_m) / way_m);
+  }
+  EXPECT_NEAR(horizons.elevation_rad(k, from_m, -1.0), std::atan(steepest), 1e-6);
+  EXPECT_NEAR(horizons.elevation_rad(k, from_m, 0.1), std::atan(std::max(steepest, 0.1)), 1e-6);
+}
+
 // What it knows of the ground ahead ends its search early, and never too early.
-TEST(Horizon, IsThatOfAllGroundAhead) {
+TEST(Horizon, IsThatOfAllGroundOfAMountain) {
   scene::Terrain shape;
   shape.size_m = 300.0;
   shape.hill_height_m = 90.0;
   shape.samples = 193;
   const Heightfield terrain = make_mountain(shape, 4);
-  std::vector<glm::dvec2> directions;
-  for (int k = 0; k < 24; ++k) directions.emplace_back(std::sin(0.3 * k), std::cos(0.3 * k));
-  const Horizons horizons(terrain, directions, 0.1);
+  const Horizons horizons(terrain, directions_all_around(), 0.01);
+  for (std::uint64_t i = 0; i < 4000; ++i)
+    expect_horizon_of_all_ground(horizons, terrain, i % horizons.directions(),
+                                 300.0 * glm::dvec2(random_uniform({1, key_of("east"), i, 0}),
+                                                    random_uniform({1, key_of("north"), i, 0})));
+}
+
+TEST(Horizon, IsThatOfASpikeOnThePlain) {
+  Heightfield plain(321, 320.0);
+  plain.at(173, 153) = 60.0F;
+  const Horizons horizons(plain, directions_all_around(), 0.01);
   for (std::uint64_t i = 0; i < 4000; ++i) {
-    const glm::dvec2 from_m = 300.0 * glm::dvec2(random_uniform({1, key_of("east"), i, 0}),
-                                                 random_uniform({1, key_of("north"), i, 0}));
-    const std::size_t k = i % directions.size();
-    const double height_m = terrain.sample(from_m.x, from_m.y);
-    double steepest = -1.0;
-    for (double way_m = terrain.step_m();; way_m += std::max(terrain.step_m(), 0.1 * way_m)) {
-      const glm::dvec2 at_m = from_m + directions[k] * way_m;
-      if (!terrain.square().contains(at_m)) break;
-      steepest = std::max(steepest, (terrain.sample(at_m.x, at_m.y) - height_m) / way_m);
-    }
-    EXPECT_NEAR(horizons.elevation_rad(k, from_m, -1.0), std::atan(steepest), 1e-6);
-    EXPECT_NEAR(horizons.elevation_rad(k, from_m, 0.1), std::atan(std::max(steepest, 0.1)), 1e-6);
+    const std::size_t k = i % horizons.directions();
+    const double way_m = 150.0 * random_uniform({1, key_of("way"), i, 0});
+    expect_horizon_of_all_ground(horizons, plain, k,
+                                 glm::dvec2(173.0, 153.0) - directions_all_around()[k] * way_m);
   }
 }
 
