@@ -19,7 +19,7 @@ HOME = Path(__file__).resolve().parents[2]
 WOLD = HOME / "build/wold"
 DEFAULT = [
     "hillside:1-3",
-    "mountain:2",
+    "mountain:3",
     "evening:1",
     "real_slope:1",
     "first_snow:1,48",
