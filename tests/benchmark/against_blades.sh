@@ -3,7 +3,9 @@
 # machine, the same run. For each renderer and route: time, memory, and the noise that is left, as
 # the root mean square error against the same route with 64 samples per pixel.
 #
-#     tests/benchmark/against_blades.sh [SCENE] [WOLD OPTIONS...]     default: tests/data/small_mountain.toml
+#     tests/benchmark/against_blades.sh [SCENE] [WOLD OPTIONS...]
+#
+# Default: tests/data/small_mountain.toml.
 #
 # The pictures stay in build/against_blades.
 set -euo pipefail

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Time and memory of tests/data/small_mountain.toml by the number of its cells: what generating takes, how
-# many parts of them are drawn, and what each renderer takes for one frame of 960x540.
+# Time and memory of tests/data/small_mountain.toml by the number of its cells: what generating
+# takes, how many parts of them are drawn, and what each renderer takes for one frame of 960x540.
 #
 #     tests/benchmark/cells.sh [CELLS PER SIDE...]       default: 10 40 80 160 320 1000
 set -euo pipefail
@@ -22,8 +22,8 @@ echo '|---|---|---|---|---|---|---|---|'
 for cells in "$@"; do
   out=$work/$cells
   size=$(times "$cells" 0.6)
-  read -r generate_s generate_mb < <(measured "$wold" generate "$here/tests/data/small_mountain.toml" \
-    --quiet --frames 2 --size 960x540 --out "$out" --set "terrain.size=$size" \
+  read -r generate_s generate_mb < <(measured "$wold" generate \
+    "$here/tests/data/small_mountain.toml" --quiet --frames 2 --size 960x540 --out "$out" --set "terrain.size=$size" \
     --set "terrain.hill_height=$(times "$size" 0.2083)" \
     --set "camera.eye=[$(times "$size" 0.5), 0.5]" \
     --set "camera.target=[$(times "$size" 0.51), $(times "$size" 0.333)]"; echo)
