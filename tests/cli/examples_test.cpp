@@ -50,9 +50,9 @@ int ground_samples(const std::string& scene) {
 
 /// Scenes with large pictures, as they ship: levels of detail, variants, key frames, merged blades
 /// and flakes can be seen in them. golden_test.cpp has those of hillside.toml.
-const std::set<std::string> large = {"texel",         "texel_structure", "levels",
-                                     "key_frames",    "mingling_b3",     "snow_light",
-                                     "snow_blizzard", "evening",         "two_grasses"};
+const std::set<std::string> large = {
+    "texel",      "texel_structure", "levels",  "key_frames", "mingling_b3",
+    "snow_light", "snow_blizzard",   "evening", "mountain",   "two_grasses"};
 
 /// The others are small: what they ship works and has its colours in its places.
 std::string picture_options(const std::string& name, const std::string& scene) {
