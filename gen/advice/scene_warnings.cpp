@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cloud/recipe.h"
+#include "cloud/clouds.h"
 #include "cloud/timeline.h"
 #include "core/elementary.h"
 #include "scene/calendar.h"
@@ -64,7 +64,7 @@ void warn_of_jumping_clouds(const scene::Scene& scene, const phenology::FilmSeas
   if (scene.ageing.frames.size() < min_film_frames) return;
   for (std::size_t i = 0; i < scene.clouds.size(); ++i) {
     const scene::CloudLayer& layer = scene.clouds[i];
-    const double cell_m = layer.cell_m.value_or(cloud::recipe_of(layer.kind).cell_m);
+    const double cell_m = cloud::cell_m_of(layer);
     const auto [step_m, frame] = longest_step(scene, season, i, cell_m);
     if (step_m <= cell_m) continue;
     const double slower = smooth * cell_m / step_m;

@@ -56,6 +56,23 @@ int tops_radius_px(double thickness_px, int side_px) {
   return std::min(static_cast<int>(std::lround(radius * thickness_px)), (side_px - 1) / 2);
 }
 
+std::vector<PeriodicMap<float>> with_halves(PeriodicMap<float> map) {
+  constexpr int few_px = 8;
+  std::vector<PeriodicMap<float>> maps;
+  maps.push_back(std::move(map));
+  for (;;) {
+    const PeriodicMap<float>& fine = maps.back();
+    if (fine.width() % 2 != 0 || fine.height() % 2 != 0) return maps;
+    if (std::min(fine.width(), fine.height()) <= few_px) return maps;
+    PeriodicMap<float> half(fine.width() / 2, fine.height() / 2);
+    for (int y = 0; y < half.height(); ++y)
+      for (int x = 0; x < half.width(); ++x)
+        half.at(x, y) = 0.25F * (fine.at(2 * x, 2 * y) + fine.at(2 * x + 1, 2 * y) +
+                                 fine.at(2 * x, 2 * y + 1) + fine.at(2 * x + 1, 2 * y + 1));
+    maps.push_back(std::move(half));
+  }
+}
+
 PeriodicMap<float> smoothed_for_tops(const PeriodicMap<float>& map, double thickness_px) {
   const int radius_px = tops_radius_px(thickness_px, std::min(map.width(), map.height()));
   return box_filtered(box_filtered(map, radius_px), radius_px);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "cloud/periodic_map.h"
 
 namespace wold::cloud {
@@ -7,6 +9,10 @@ namespace wold::cloud {
 /// Means over squares of 2 radius + 1 pixels about every pixel, radius >= 0; the map continues at
 /// its other side. Twice gives a smooth kernel.
 PeriodicMap<float> box_filtered(const PeriodicMap<float>& map, int radius);
+
+/// The map, and after it maps that have half as many pixels a side as the one before, means of 2 x
+/// 2 of its, as long as sides are even and longer than a few pixels.
+std::vector<PeriodicMap<float>> with_halves(PeriodicMap<float> map);
 
 /// What tops of heaps follow, a map of depths or ranks smoothed over a sixth of the layer's
 /// thickness: single columns would stand out of a cloud like needles. thickness_px >= 0: in pixels

@@ -19,6 +19,7 @@ namespace {
 
 constexpr int max_period_px = 16384;
 constexpr int finest_cell_px = 1024;
+constexpr double widest_heaps = 10.0;  ///< over those of the kind
 
 /// The recipe of a layer's kind; its fibres are combed by the wind, whose turn with height differs
 /// from layer to layer.
@@ -29,10 +30,6 @@ Recipe recipe_of_layer(const scene::CloudLayer& described, std::uint64_t key) {
       described.heading_deg + turn_deg * (2.0 * random_uniform({key, key_of("trails")}) - 1.0);
   recipe.trails.heading_rad = glm::radians(turned_deg);
   return recipe;
-}
-
-double cell_m_of(const scene::CloudLayer& layer, const Recipe& recipe) {
-  return layer.cell_m.value_or(recipe.cell_m);
 }
 
 double thickness_m_of(const scene::CloudLayer& layer, const Recipe& recipe) {
@@ -82,8 +79,7 @@ Layer layer_of(std::uint64_t key, const scene::CloudLayer& described, const Reci
   layer.profile = textures.profile;
   layer.rank_per_field = textures.rank_per_field;
   if (textures.field_px > 0)
-    layer.detail =
-        Detail(recipe, textures.field_px, cell_m_of(described, recipe), layer.period_m, key);
+    layer.detail = Detail(recipe, textures.field_px, cell_m_of(described), layer.period_m, key);
   return layer;
 }
 
@@ -190,7 +186,7 @@ Clouds::Clouds(const scene::CloudsPart& part, double pixel_m, const phenology::F
     const scene::CloudLayer& described = part.layers[i];
     const std::uint64_t key = random_bits({part.seed, key_of("cloud layer"), i});
     const Recipe recipe = recipe_of_layer(described, key);
-    const double cell_m = cell_m_of(described, recipe);
+    const double cell_m = cell_m_of(described);
     const glm::ivec2 cells(described.cells[0], described.cells[1]);
     const glm::ivec2 period_px = period_px_of(cells, cell_m, pixel_m, i);
     const int side_px = std::clamp(period_px.x / cells.x, 1, finest_cell_px);
@@ -213,13 +209,21 @@ Clouds::Clouds(const scene::CloudsPart& part, double pixel_m, const phenology::F
                            [](const auto& film) { return film->layer->base_m; });
 }
 
+double cell_m_of(const scene::CloudLayer& layer) {
+  if (layer.cell_m) return *layer.cell_m;
+  const Recipe recipe = recipe_of(layer.kind);
+  const bool is_heaps = recipe.thermals.weight > 0.0 && layer.textures.empty();
+  const double thicker = thickness_m_of(layer, recipe) / recipe.thickness_m;
+  return recipe.cell_m * (is_heaps ? std::clamp(thicker, 1.0, widest_heaps) : 1.0);
+}
+
 double Clouds::usual_pixel_m(const std::vector<scene::CloudLayer>& layers) {
   const double sharpness = std::ranges::any_of(layers, is_all_in_its_map) ? 2.0 : 1.0;
   const double usual_period_px = 2048.0 * sharpness;
   const double usual_cell_px = 256.0 * sharpness;
   double pixel_m = 0.0, smallest_cell_m = 0.0;
   for (const scene::CloudLayer& layer : layers) {
-    const double cell_m = cell_m_of(layer, recipe_of(layer.kind));
+    const double cell_m = cell_m_of(layer);
     pixel_m =
         std::max(pixel_m, std::max(layer.cells[0], layer.cells[1]) * cell_m / usual_period_px);
     smallest_cell_m = smallest_cell_m == 0.0 ? cell_m : std::min(smallest_cell_m, cell_m);

@@ -99,6 +99,12 @@ class Clouds {
   glm::dvec3 sun_direction_;
 };
 
+/// Side of the square that a texture of the layer covers, in metres: the layer's own, or else its
+/// kind's. Heaps that are thicker than their kind's are as much wider, up to ten times, so that
+/// they keep their proportions: a wide range of cumulus is about as deep as wide (Benner and Curry
+/// 1998, Characteristics of small tropical cumulus clouds and their impact on the environment).
+double cell_m_of(const scene::CloudLayer& layer);
+
 /// How much `field` more of the textures' field raises a rank in [0, 1] near which it is added.
 double rank_rise(const Layer& layer, double rank, double field);
 

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "cloud/texture_noise.h"
-#include "cloud/trails.h"
 #include "core/elementary.h"
 #include "core/random.h"
 #include "core/statistics.h"
@@ -31,36 +29,6 @@ std::shared_ptr<const PeriodicMap<float>> tile_of(std::uint64_t key, const Noise
   return tile;
 }
 
-/// Along trails of a few features; longer ones would meet themselves at the tile's other side.
-constexpr double trail_features = 4.0;
-
-/// A tile's fibres instead of its features, with the same deviation.
-std::shared_ptr<const PeriodicMap<float>> fibres_of(const PeriodicMap<float>& tile,
-                                                    const Trails& trails, std::uint64_t key) {
-  constexpr double gentle = 0.3;  // so that the trails' logarithm is nearly their sum
-  const Trails short_ones = {trail_features / tile_features, 0.0, gentle, trails.heading_rad};
-  auto fibres = std::make_shared<PeriodicMap<float>>(trailing(tile, short_ones, key));
-  std::vector<float>& values = fibres->values();
-  const double average = mean(values);
-  double squares = 0.0;
-  for (float& value : values) {
-    value -= static_cast<float>(average);
-    squares += double{value} * double{value};
-  }
-  const double deviation = std::sqrt(squares / static_cast<double>(values.size()));
-  for (float& value : values) value /= static_cast<float>(deviation);
-  return fibres;
-}
-
-/// Octaves of what heads let fall, as trails show them: a trail sums over as many features as it is
-/// long, which leaves the root of one over their number of what sets them apart.
-Octaves seen_in_trails(Octaves heads, const Trails& trails) {
-  const double features = std::max(heads.period.x, heads.period.y) * trails.length;
-  heads.weight *= trails.contrast / std::sqrt(std::max(2.0 * features, 1.0));
-  heads.gain /= std::numbers::sqrt2;
-  return heads;
-}
-
 }  // namespace
 
 int octaves_in_map(const Octaves& octaves, int side_px) {
@@ -74,16 +42,14 @@ int octaves_in_map(const Octaves& octaves, int side_px) {
 Detail::Detail(const Recipe& recipe, int side_px, double cell_m, const glm::dvec2& period_m,
                std::uint64_t key) {
   const glm::ivec2 period(tile_features);
-  if (recipe.masses.weight != 0.0) {
-    auto tile = tile_of(key ^ key_of("masses"), [&](const glm::dvec2& at, std::uint64_t own) {
-      return perlin(at, own, period);
-    });
-    Octaves masses = recipe.masses;
-    if (recipe.trails.length > 0.0) {
-      tile = fibres_of(*tile, recipe.trails, key);
-      masses = seen_in_trails(masses, recipe.trails);
-    }
-    add(masses, tile, side_px, cell_m, period_m, key ^ key_of("masses"));
+  if (recipe.trails.length > 0.0) {
+    fibres_ = Fibres(recipe, octaves_in_map(recipe.masses, side_px), cell_m, period_m, key);
+    max_ += fibres_.max();
+  } else if (recipe.masses.weight != 0.0) {
+    add(recipe.masses,
+        tile_of(key ^ key_of("masses"),
+                [&](const glm::dvec2& at, std::uint64_t own) { return perlin(at, own, period); }),
+        side_px, cell_m, period_m, key ^ key_of("masses"));
   }
   if (recipe.billows.weight != 0.0)
     add(recipe.billows,
@@ -112,7 +78,7 @@ void Detail::add(const Octaves& octaves, const std::shared_ptr<const PeriodicMap
 }
 
 double Detail::at(const glm::dvec2& place_m, double footprint_m) const {
-  double sum = 0.0;
+  double sum = fibres_.at(place_m, footprint_m);
   for (const Octave& octave : octaves_) {
     const double seen = std::min(2.0 - 2.0 * footprint_m / octave.feature_m, 1.0);
     if (seen <= 0.0) continue;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "cloud/fibres.h"
 #include "cloud/periodic_map.h"
 #include "cloud/recipe.h"
 
@@ -46,6 +47,7 @@ class Detail {
            int side_px, double cell_m, const glm::dvec2& period_m, std::uint64_t key);
 
   std::vector<Octave> octaves_;
+  Fibres fibres_;
   double max_ = 0.0;
 };
 

@@ -27,7 +27,7 @@ struct Thermals {
 /// Ice that falls from heads and trails behind them in slower wind. Not used when its length is 0.
 struct Trails {
   double length = 0.0;  ///< over which they fade by e, in textures
-  double bend = 0.0;    ///< how far the wind turns over that length, as a fraction of it
+  double bend = 0.0;    ///< how far aside they are after that length, as a fraction of it
   double contrast =
       1.0;  ///< logarithm of how much more ice falls where the heads' field is 1 higher
   /// Where to, clockwise from north, the wind blows heads: not in the file, a layer's own.

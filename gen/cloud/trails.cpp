@@ -4,36 +4,81 @@
 #include <cmath>
 #include <vector>
 
+#include "cloud/box_filter.h"
 #include "cloud/texture_noise.h"
 #include "core/elementary.h"
 #include "core/parallel.h"
+#include "core/random.h"
 
 namespace wold::cloud {
 namespace {
 
-/// A place along a trail, and what of the ice that fell there is left.
+/// Trails end after so many lengths: the last ice has sublimed.
+constexpr double longest = 3.5;
+
+/// A place along a trail, what of the ice that fell there is left, and the map to look it up in.
 struct Step {
   double away;  ///< in trails' lengths
   double left;
+  std::size_t level;
 };
 
-/// Steps of two pixels on average, which grow with the way; length_px: of a trail.
-std::vector<Step> steps_of_trail(double length_px) {
-  constexpr double lengths = 3.5;
-  constexpr double growth = 0.15;  // of ice in the head, before it fades
-  const int count = std::max(static_cast<int>(std::ceil(0.5 * lengths * length_px)), 8);
-  const auto away = [&](double step) {
-    const double x = step / count;
-    return lengths * x * (1.0 + x) / 2.0;
-  };
+/// What is left of ice at a distance from its head, in lengths. In the head it has to grow first.
+double left_at(double away) {
+  constexpr double growth = 0.15;
+  const double end = math::pow(away / longest, 8.0);
+  return -math::expm1(-away / growth) * math::exp(-away) * std::max(1.0 - end, 0.0);
+}
+
+/// Steps of a pixel of their level; length_px: of a trail. Falling ice spreads, so that farther
+/// steps have coarser levels, each of half as many pixels.
+std::vector<Step> steps_of_trail(double length_px, std::size_t levels) {
+  constexpr double spread = 1.0 / 60.0;  // width over the way
   std::vector<Step> steps;
-  for (int i = 0; i < count; ++i) {
-    const double middle = away(i + 0.5);
-    const double grown = -math::expm1(-middle / growth);
-    steps.push_back({middle, grown * math::exp(-middle) * (away(i + 1) - away(i))});
+  double from_px = 0.0, step_px = 1.0;
+  for (std::size_t level = 0; from_px < longest * length_px; from_px += step_px) {
+    if (level + 1 < levels && spread * from_px > step_px) {
+      ++level;
+      step_px *= 2.0;
+    }
+    const double away = (from_px + 0.5 * step_px) / length_px;
+    steps.push_back({away, left_at(away) * step_px / length_px, level});
   }
   return steps;
 }
+
+/// How far aside a trail is, in its lengths: the wind turns with the height that ice falls through,
+/// most of it on the first length or two.
+double aside_at(double bend, double away) { return bend * away * away * 3.0 / (2.0 + away); }
+
+/// How far turbulence moves trails, so that fibres undulate: some waves on a trail's length. Size
+/// and height are choices, made by looking.
+class Waves {
+ public:
+  Waves(double length, std::uint64_t key)
+      : key_(key),
+        height_(0.02 * length),
+        period_(std::max(1, static_cast<int>(std::lround(1.3 / length)))) {}
+
+  /// In textures.
+  glm::dvec2 at(const glm::dvec2& place) const {
+    constexpr std::uint64_t octaves = 3;
+    glm::dvec2 sum(0.0);
+    glm::ivec2 period(period_);
+    double height = height_;
+    for (std::uint64_t octave = 0; octave < octaves; ++octave, period *= 2, height *= 0.45) {
+      const glm::dvec2 features = place * glm::dvec2(period);
+      sum += height * glm::dvec2(perlin(features, random_bits({key_, octave, 0}), period),
+                                 perlin(features, random_bits({key_, octave, 1}), period));
+    }
+    return sum;
+  }
+
+ private:
+  std::uint64_t key_;
+  double height_;
+  int period_;
+};
 
 PeriodicMap<float> falling(const PeriodicMap<float>& heads, double contrast) {
   PeriodicMap<float> ice(heads.width(), heads.height());
@@ -47,8 +92,9 @@ PeriodicMap<float> falling(const PeriodicMap<float>& heads, double contrast) {
 
 PeriodicMap<float> trailing(const PeriodicMap<float>& heads, const Trails& trails,
                             std::uint64_t key) {
-  const PeriodicMap<float> ice = falling(heads, trails.contrast);
-  const std::vector<Step> path = steps_of_trail(trails.length * heads.width());
+  const std::vector<PeriodicMap<float>> ice = with_halves(falling(heads, trails.contrast));
+  const std::vector<Step> path = steps_of_trail(trails.length * heads.width(), ice.size());
+  const Waves waves(trails.length, key);
   const glm::dvec2 downwind(math::sin(trails.heading_rad), math::cos(trails.heading_rad));
   const glm::dvec2 aside(downwind.y, -downwind.x);
   PeriodicMap<float> field(heads.width(), heads.height());
@@ -57,13 +103,14 @@ PeriodicMap<float> trailing(const PeriodicMap<float>& heads, const Trails& trail
     for (int x = 0; x < field.width(); ++x) {
       const glm::dvec2 place((x + 0.5) / field.width(), (y + 0.5) / field.height());
       constexpr glm::ivec2 regions(2);
+      const glm::dvec2 from = place + waves.at(place);
       const double bend =
           trails.bend * (1.0 + 0.5 * perlin(place * glm::dvec2(regions), key, regions));
       double sum = 0.0;
       for (const Step& step : path) {
         const glm::dvec2 head =
-            place + trails.length * step.away * (downwind + bend * step.away * aside);
-        sum += step.left * ice.sample(head.x, head.y);
+            from + trails.length * (step.away * downwind + aside_at(bend, step.away) * aside);
+        sum += step.left * ice[step.level].sample(head.x, head.y);
       }
       field.at(x, y) = static_cast<float>(math::log(sum));
     }

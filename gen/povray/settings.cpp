@@ -34,6 +34,8 @@ std::string settings(glm::ivec2 size_px, int samples) {
       "{}"
       "Display=Off\n"
       "Output_File_Type=N8 ; PNG, 8 bits per channel\n"
+      "Dither=On ; no bands in a sky\n"
+      "Dither_Method=B4\n"
       "Library_Path=.\n"
       "Library_Path=povray\n",
       size_px.x, size_px.y, antialiasing(samples));

@@ -18,6 +18,10 @@ namespace {
 /// Along a window's border over which the volume gives way to what lies beyond, of the side.
 constexpr double strip = 0.12;
 
+/// Optical depth across a voxel, at most: a ray's samples lie some two voxels apart, and would show
+/// as stripes in what is denser. The light is that of the droplets' own extinction.
+constexpr double deepest_voxel = 1.0;
+
 double voxel_m(const cloud::Layer& layer) { return layer.thickness_m / cloud_box_voxels.z; }
 
 /// How far away on the level the view meets what is rise_m above the eye: it looks up at most half
@@ -67,13 +71,15 @@ landscape::CloudBox cloud_box(const cloud::LayerState& state, double pixel_m,
   std::vector<glm::vec3> source =
       cloud::source_radiance(volume, cloud::cloud_light(day, cloud::middle_m(*state.layer), eye_m));
   const glm::vec3 colour(state.moment.light);
+  const auto densest_per_m = static_cast<float>(deepest_voxel / volume.box.voxel_m.z);
   each_filled(volume, [&](std::size_t i, const glm::dvec3& centre_m) {
     const glm::dvec3 way_m = centre_m - eye_m;
     const double distance_m = glm::length(way_m);
     const double clear = clear_fraction(distance_m, std::max(way_m.z, 1.0), day.visual_range_m());
     source[i] = glm::mix(day.sky_radiance(way_m / distance_m), source[i] * colour,
                          static_cast<float>(clear));
-    volume.extinction_per_m[i] *= static_cast<float>(window.fraction(glm::dvec2(centre_m)));
+    volume.extinction_per_m[i] = std::min(volume.extinction_per_m[i], densest_per_m) *
+                                 static_cast<float>(window.fraction(glm::dvec2(centre_m)));
   });
   return {{},
           volume.box.voxels,

@@ -17,6 +17,9 @@ constexpr double nothing_left = 0.004;
 /// a low sun, before which their edges shine, until light comes from so much higher.
 constexpr double near_fraction = 0.45, near_rise = 0.2;
 
+/// How much heads raise the field of heaps whose heads are evened out, at most.
+constexpr double heads_field = 0.95;
+
 /// Where the sun shines from into clouds.
 glm::dvec3 shining_from(glm::dvec3 sun_direction) {
   sun_direction.z = std::max(sun_direction.z, cloud::lowest_sun_sine);
@@ -73,7 +76,7 @@ CumulusView::Ray CumulusView::ray_along(const glm::dvec3& direction) const {
 
 /// As many as find heaps of the layer's size, up to a limit.
 int CumulusView::steps_along(const Ray& ray) const {
-  constexpr double max = 64.0, of_thickness = 0.12;
+  constexpr double max = 128.0, of_thickness = 0.06;
   const double step_m = std::max(of_thickness * layer_->thickness_m, 2.0 * ray.footprint_m);
   return static_cast<int>(std::clamp(std::ceil(ray.length_m() / step_m), 4.0, max));
 }
@@ -83,16 +86,12 @@ SeenClouds CumulusView::along(const glm::dvec3& direction) const {
   const Ray ray = ray_along(direction);
   const int count = steps_along(ray);
   const double step_m = ray.length_m() / count;
-  const double footprint_m = std::max(ray.footprint_m, 0.25 * step_m);  // of what steps can find
-  const auto field = [&](double at_m) { return heaps_.field(place_on(ray, at_m), footprint_m); };
   Passed passed;
-  double before = field(ray.base_m);
+  double before = field_on(ray, ray.base_m, step_m);
   for (int i = 0; i < count && !passed.is_done(); ++i) {
     const double low_m = ray.base_m + i * step_m, high_m = low_m + step_m;
-    const double after = field(high_m);
-    if (before > 0.0 || after > 0.0)
-      pass_heap(ray, before > 0.0 ? low_m : surface_between(ray, low_m, high_m, footprint_m),
-                after > 0.0 ? high_m : surface_between(ray, high_m, low_m, footprint_m), passed);
+    const double after = field_on(ray, high_m, step_m);
+    if (std::max(before, after) > -heads_field) pass_step(ray, low_m, high_m, passed);
     before = after;
   }
   const double hidden = 1.0 - passed.transmittance;
@@ -108,15 +107,39 @@ glm::dvec3 CumulusView::place_on(const Ray& ray, double at_m) const {
           layer_->base_m + height_fraction * heaps_.highest_m()};
 }
 
+/// Of heads that steps of that length can find.
+double CumulusView::field_on(const Ray& ray, double at_m, double step_m) const {
+  return heaps_.field(place_on(ray, at_m), std::max(ray.footprint_m, 0.25 * step_m));
+}
+
 /// Where between two places of the ray, by their distances, the heap begins that is at the second.
 double CumulusView::surface_between(const Ray& ray, double outside_m, double inside_m,
-                                    double footprint_m) const {
-  constexpr int halvings = 5;
+                                    double step_m) const {
+  constexpr int halvings = 4;
   for (int i = 0; i < halvings; ++i) {
     const double middle_m = 0.5 * (outside_m + inside_m);
-    (heaps_.field(place_on(ray, middle_m), footprint_m) > 0.0 ? inside_m : outside_m) = middle_m;
+    (field_on(ray, middle_m, step_m) > 0.0 ? inside_m : outside_m) = middle_m;
   }
   return inside_m;
+}
+
+/// Follows the line of sight through a step near a heap, in as short ones as find the heads that
+/// the eye makes out.
+void CumulusView::pass_step(const Ray& ray, double from_m, double to_m, Passed& passed) const {
+  constexpr double finest = 1.0 / 4.0;  // of the step
+  const double length_m = to_m - from_m;
+  const double wanted_m = std::max(finest * length_m, 2.0 * ray.footprint_m);
+  const int count = static_cast<int>(std::ceil(length_m / wanted_m));
+  const double step_m = length_m / count;
+  double before = field_on(ray, from_m, step_m);
+  for (int i = 0; i < count && !passed.is_done(); ++i) {
+    const double low_m = from_m + i * step_m, high_m = low_m + step_m;
+    const double after = field_on(ray, high_m, step_m);
+    if (before > 0.0 || after > 0.0)
+      pass_heap(ray, before > 0.0 ? low_m : surface_between(ray, low_m, high_m, step_m),
+                after > 0.0 ? high_m : surface_between(ray, high_m, low_m, step_m), passed);
+    before = after;
+  }
 }
 
 /// Follows the line of sight through a heap: steps are short at the surface that is met and grow

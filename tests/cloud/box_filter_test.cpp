@@ -43,5 +43,20 @@ TEST(BoxFilter, OfNoRadiusChangesNothing) {
   EXPECT_EQ(box_filtered(map, 0).values(), map.values());
 }
 
+TEST(BoxFilter, HalvesAreMeansOfFour) {
+  const PeriodicMap<float> map = random_map(48, 32);
+  const std::vector<PeriodicMap<float>> halves = with_halves(map);
+  ASSERT_EQ(halves.size(), 3U);  // 8 rows are few
+  EXPECT_EQ(halves[0].values(), map.values());
+  EXPECT_EQ(halves[2].width(), 12);
+  for (const auto& [x, y] : {std::array{0, 0}, std::array{11, 7}, std::array{5, 3}}) {
+    double sum = 0.0;
+    for (int j = 0; j < 4; ++j)
+      for (int i = 0; i < 4; ++i) sum += double{map.at(4 * x + i, 4 * y + j)};
+    EXPECT_NEAR(halves[2].at(x, y), sum / 16.0, 1e-6);
+  }
+  EXPECT_EQ(with_halves(random_map(31, 32)).size(), 1U);
+}
+
 }  // namespace
 }  // namespace wold::cloud

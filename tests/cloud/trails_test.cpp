@@ -71,6 +71,31 @@ TEST(Trails, BendAsTheWindTurns) {
   EXPECT_LT(far, 30);
 }
 
+// A head of one pixel lets fall a line, not a row of dots: along it nothing is off the mean of a
+// few pixels by much. Steps that skip pixels would show.
+TEST(Trails, AreLinesWithoutDots) {
+  constexpr double length = 0.25;
+  PeriodicMap<float> heads(256, 256);
+  heads.at(128, 128) = 9.0F;
+  const PeriodicMap<float> field = trailing(heads, {.length = length, .heading_rad = 1.0}, 3);
+  const double nothing = std::exp(double{*std::ranges::min_element(field.values())});
+  const glm::dvec2 upwind(-std::sin(1.0), -std::cos(1.0)), aside(upwind.y, -upwind.x);
+  std::vector<double> line;  // by half pixels: what falls across it
+  for (double away = 24.0; away < 140.0; away += 0.5) {
+    double sum = 0.0;
+    for (double across = -12.0; across <= 12.0; across += 0.5) {
+      const glm::dvec2 at = (glm::dvec2(128.5) + away * upwind + across * aside) / 256.0;
+      sum += std::exp(field.sample(at.x, at.y)) - nothing;
+    }
+    line.push_back(sum);
+  }
+  for (std::size_t i = 4; i + 4 < line.size(); ++i) {
+    double mean = 0.0;
+    for (std::size_t j = i - 4; j <= i + 4; ++j) mean += line[j] / 9.0;
+    EXPECT_NEAR(line[i], mean, 0.45 * mean) << i;
+  }
+}
+
 /// Of a layer of cirrus as it is by default.
 struct Cirrus {
   CloudState state;

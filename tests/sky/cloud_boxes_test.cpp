@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cloud/lifting.h"
@@ -94,6 +95,18 @@ TEST(CloudBoxes, HideWhatHeapsHide) {
 }
 
 // Nearly all of a window lies before the camera, which is above its near end.
+
+// A ray's samples lie some two voxels apart.
+TEST(CloudBoxes, AreNotDenserThanTheirVoxelsShow) {
+  View view;
+  view.scene.clouds[0].thickness_m = 2500.0;
+  view.clouds = cloud::Clouds(view.scene, 80.0).at(0.0);
+  view.windows = cloud_windows(view.clouds, view.camera);
+  const auto boxes = cloud_boxes(view.clouds, view.windows, view.day, view.camera.eye_m);
+  const float densest_per_m = *std::ranges::max_element(boxes.at(0).extinction_per_m);
+  EXPECT_NEAR(double{densest_per_m} * boxes[0].voxel_m, 1.0, 1e-4);
+}
+
 TEST(CloudBoxes, WindowsLieWhereTheCameraLooks) {
   View view;
   for (const glm::dvec2 ahead :
