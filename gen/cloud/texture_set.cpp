@@ -47,8 +47,15 @@ std::vector<float> slopes(const std::vector<PeriodicMap<float>>& fields,
   return slopes;
 }
 
+/// About as long a side, of which trails have halves.
+int halvable(int side_px) {
+  constexpr int multiple = 16;
+  return side_px > multiple ? side_px / multiple * multiple : side_px;
+}
+
 TextureSet made_textures(Recipe recipe, int side_px, std::uint64_t key) {
   side_px = std::min(side_px, finest_procedural_px);
+  if (recipe.trails.length > 0.0) side_px = halvable(side_px);
   recipe.masses.count = octaves_in_map(recipe.masses, side_px);
   recipe.billows.count = octaves_in_map(recipe.billows, side_px);
   std::vector<PeriodicMap<float>> fields;

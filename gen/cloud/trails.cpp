@@ -34,8 +34,9 @@ double left_at(double away) {
 /// steps have coarser levels, each of half as many pixels.
 std::vector<Step> steps_of_trail(double length_px, std::size_t levels) {
   constexpr double spread = 1.0 / 60.0;  // width over the way
+  constexpr double few = 8.0;            // steps, of trails shorter than that
   std::vector<Step> steps;
-  double from_px = 0.0, step_px = 1.0;
+  double from_px = 0.0, step_px = std::min(1.0, longest * length_px / few);
   for (std::size_t level = 0; from_px < longest * length_px; from_px += step_px) {
     if (level + 1 < levels && spread * from_px > step_px) {
       ++level;

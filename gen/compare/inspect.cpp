@@ -87,6 +87,14 @@ void describe_layers(const LayeredImage& image, Json& facts, Problems& problems)
       problems.push_back(fmt::format("{}: {} values are no finite numbers", channel.name, bad));
 }
 
+/// Whether all pixels have one colour, if need be dithered to steps of 8 bits.
+bool is_blank(const OIIO::ImageBufAlgo::PixelStats& statistics, const std::string& stored_as) {
+  const float spread = stored_as == "uint8" ? 1.001F / 255.0F : 0.0F;
+  for (std::size_t channel = 0; channel < statistics.min.size(); ++channel)
+    if (statistics.max[channel] - statistics.min[channel] > spread) return false;
+  return true;
+}
+
 void describe_picture(const fs::path& path, Json& facts, Problems& problems) {
   if (const LayeredImage layered = read_layered_image(path); has_layers(layered))
     return describe_layers(layered, facts, problems);
@@ -103,12 +111,12 @@ void describe_picture(const fs::path& path, Json& facts, Problems& problems) {
   facts["mean"] = statistics.avg;
   facts["nan_count"] = total(statistics.nancount);
   facts["infinite_count"] = total(statistics.infcount);
-  facts["blank"] = statistics.min == statistics.max;
+  const bool blank = is_blank(statistics, facts["stored_as"]);
+  facts["blank"] = blank;
   facts["memory_bytes"] = image.values.size() * sizeof(float);
   if (const auto bad = total(statistics.nancount) + total(statistics.infcount); bad > 0)
     problems.push_back(fmt::format("{} values are no finite numbers", bad));
-  if (statistics.min == statistics.max)
-    problems.emplace_back("the picture is blank: every pixel has the same colour");
+  if (blank) problems.emplace_back("the picture is blank: every pixel has the same colour");
 }
 
 void describe(FileKind kind, const fs::path& path, Json& facts, Problems& problems) {

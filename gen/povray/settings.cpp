@@ -35,7 +35,7 @@ std::string settings(glm::ivec2 size_px, int samples) {
       "Display=Off\n"
       "Output_File_Type=N8 ; PNG, 8 bits per channel\n"
       "Dither=On ; no bands in a sky\n"
-      "Dither_Method=B4\n"
+      "Dither_Method=B4 ; the same for a pixel, whatever is around it\n"
       "Library_Path=.\n"
       "Library_Path=povray\n",
       size_px.x, size_px.y, antialiasing(samples));

@@ -11,8 +11,8 @@
 namespace wold::render {
 namespace {
 
-// Half a step of 8 bit: less variation than that is one colour.
-constexpr double min_deviation = 0.5 / 255.0;
+// A step of 8 bits: less variation than that is one colour; one that is dithered has half of it.
+constexpr double min_deviation = 1.0 / 255.0;
 
 /// Standard deviation of one channel over the pixels.
 double deviation(const Image& image, int channel) {

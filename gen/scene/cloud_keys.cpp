@@ -22,8 +22,8 @@ std::vector<Key> cloud_keys(std::size_t item) {
       bound(automatic("clouds.thickness", "m", {1, 10000}, "From base to top of the thickest."),
             ITEM_FIELD(clouds, thickness_m)),
       bound(automatic("clouds.cell", "m", {10, 100000},
-                      "Side of the square that one texture covers; the layer's scale. Cumulus that "
-                      "is thicker than usual has a wider one."),
+                      "Side of the square that one texture covers; the layer's scale. \"auto\" is "
+                      "wider for cumulus that is thicker than usual, up to ten times."),
             ITEM_FIELD(clouds, cell_m)),
       bound(list(Kind::integers, "clouds.cells", "", {1, 64}, {.min_items = 2, .max_items = 2},
                  "Cells to the east and to the north after which the layer repeats; the paper's m "

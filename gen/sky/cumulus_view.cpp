@@ -17,7 +17,7 @@ constexpr double nothing_left = 0.004;
 /// a low sun, before which their edges shine, until light comes from so much higher.
 constexpr double near_fraction = 0.45, near_rise = 0.2;
 
-/// How much heads raise the field of heaps whose heads are evened out, at most.
+/// How much heads raise the field of heaps whose heads are evened out: hardly ever more.
 constexpr double heads_field = 0.95;
 
 /// Where the sun shines from into clouds.
@@ -43,6 +43,7 @@ struct CumulusView::Passed {
   glm::vec3 sent{0.0F};
   glm::vec3 source{0.0F};  ///< of the place that was lit last
   double lit_at = 2.0;     ///< the transmittance there; above 1 where none was lit yet
+  double step_m = 0.0;     ///< that comes next in the heap
   double weighed_m = 0.0;  ///< distances by how much is seen there
 
   bool is_done() const { return transmittance < nothing_left; }
@@ -135,6 +136,7 @@ void CumulusView::pass_step(const Ray& ray, double from_m, double to_m, Passed& 
   for (int i = 0; i < count && !passed.is_done(); ++i) {
     const double low_m = from_m + i * step_m, high_m = low_m + step_m;
     const double after = field_on(ray, high_m, step_m);
+    if (before <= 0.0 || passed.step_m == 0.0) passed.step_m = first_step_m(ray, passed);
     if (before > 0.0 || after > 0.0)
       pass_heap(ray, before > 0.0 ? low_m : surface_between(ray, low_m, high_m, step_m),
                 after > 0.0 ? high_m : surface_between(ray, high_m, low_m, step_m), passed);
@@ -142,14 +144,18 @@ void CumulusView::pass_step(const Ray& ray, double from_m, double to_m, Passed& 
   }
 }
 
+double CumulusView::first_step_m(const Ray& ray, const Passed& passed) const {
+  const double first_m = std::max(0.25 / layer_->droplets.extinction_per_m, ray.footprint_m);
+  return passed.transmittance > 0.9 ? first_m : 2.0 * first_m;
+}
+
 /// Follows the line of sight through a heap: steps are short at the surface that is met and grow
 /// inward. Light changes little on the way through what is as thin as that.
 void CumulusView::pass_heap(const Ray& ray, double from_m, double to_m, Passed& passed) const {
   constexpr double growth = 1.3;
-  const double first_m = std::max(0.25 / layer_->droplets.extinction_per_m, ray.footprint_m);
-  double step_m = passed.transmittance > 0.9 ? first_m : 2.0 * first_m;
-  for (double at_m = from_m; at_m < to_m && !passed.is_done(); step_m *= growth) {
-    const double length_m = std::min(step_m, to_m - at_m);
+  for (double at_m = from_m; at_m < to_m && !passed.is_done();) {
+    const double length_m = std::min(passed.step_m, to_m - at_m);
+    if (length_m == passed.step_m) passed.step_m *= growth;
     const double middle_m = at_m + 0.5 * length_m;
     at_m += length_m;
     const glm::dvec3 place_m = place_on(ray, middle_m);

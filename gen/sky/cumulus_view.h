@@ -47,6 +47,7 @@ class CumulusView {
   glm::dvec3 place_on(const Ray& ray, double at_m) const;
   double field_on(const Ray& ray, double at_m, double step_m) const;
   void pass_step(const Ray& ray, double from_m, double to_m, Passed& passed) const;
+  double first_step_m(const Ray& ray, const Passed& passed) const;
   void pass_heap(const Ray& ray, double from_m, double to_m, Passed& passed) const;
   double surface_between(const Ray& ray, double outside_m, double inside_m, double step_m) const;
   double extinction_per_m(const glm::dvec3& place_m, double footprint_m) const;

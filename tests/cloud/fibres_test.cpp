@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/random.h"
 
@@ -16,7 +18,7 @@ constexpr int held = 5;
 /// Of the wind to the east.
 Recipe combed() {
   Recipe recipe = recipe_of(scene::CloudKind::cirrus);
-  recipe.trails.heading_rad = 1.5707963267948966;
+  recipe.trails.heading_rad = 0.5 * std::numbers::pi;
   return recipe;
 }
 

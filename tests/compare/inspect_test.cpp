@@ -58,6 +58,12 @@ TEST_F(Inspect, PictureProblems) {
   Image image(4, 2, 3);
   write_image(folder_ / "blank.png", image, PixelFormat::uint8);
   EXPECT_THAT(inspect(folder_ / "blank.png").problems, ElementsAre(HasSubstr("blank")));
+  image.values[0] = 1.0F / 255.0F;
+  write_image(folder_ / "dithered.png", image, PixelFormat::uint8);
+  EXPECT_THAT(inspect(folder_ / "dithered.png").problems, ElementsAre(HasSubstr("blank")));
+  image.values[0] = 2.0F / 255.0F;
+  write_image(folder_ / "dark.png", image, PixelFormat::uint8);
+  EXPECT_THAT(inspect(folder_ / "dark.png").problems, ElementsAre());
   image.values = std::vector<float>(24, 0.5F);
   image.values[0] = std::nanf("");
   image.values[1] = 1.0F;

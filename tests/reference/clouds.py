@@ -100,7 +100,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description="Radiance of a cloud, all orders of scattering.")
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--out", type=pathlib.Path, required=True)
-    parser.add_argument("--samples", type=int, default=768, help="per pixel")
+    parser.add_argument("--samples", type=int, default=4096, help="per pixel")
     parser.add_argument("--suns", nargs="*", help="only these: 20_towards ...")
     chosen = parser.parse_args()
     mi.set_variant("llvm_ad_rgb")

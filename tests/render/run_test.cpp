@@ -158,7 +158,8 @@ TEST_F(FakeRenderer, BlenderIsStartedFarFromTheDataAndToldWhereTheyAre) {
 
 TEST_F(FakeRenderer, BlankPictureIsRefused) {
   Image blank(32, 18, 3);
-  for (std::size_t i = 0; i < blank.values.size(); ++i) blank.values[i] = i % 3 == 0 ? 0.2F : 0.8F;
+  for (std::size_t i = 0; i < blank.values.size(); ++i)
+    blank.values[i] = (i % 3 == 0 ? 0.2F : 0.8F) + (i % 2 == 0 ? 1.0F / 255.0F : 0.0F);  // dithered
   write_image(folder_ / "blank.png", blank, PixelFormat::uint8);
   play("cp \"$folder/blank.png\" \"$out\"");
   EXPECT_THAT(failure_of<RendererError>(job()), HasSubstr("blank"));

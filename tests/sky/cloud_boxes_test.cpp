@@ -94,8 +94,6 @@ TEST(CloudBoxes, HideWhatHeapsHide) {
   EXPECT_LT(volume_alone + heaps_alone, 0.08 * lines) << volume_alone << ' ' << heaps_alone;
 }
 
-// Nearly all of a window lies before the camera, which is above its near end.
-
 // A ray's samples lie some two voxels apart.
 TEST(CloudBoxes, AreNotDenserThanTheirVoxelsShow) {
   View view;
@@ -107,6 +105,7 @@ TEST(CloudBoxes, AreNotDenserThanTheirVoxelsShow) {
   EXPECT_NEAR(double{densest_per_m} * boxes[0].voxel_m, 1.0, 1e-4);
 }
 
+// Nearly all of a window lies before the camera, which is above its near end.
 TEST(CloudBoxes, WindowsLieWhereTheCameraLooks) {
   View view;
   for (const glm::dvec2 ahead :

@@ -41,7 +41,7 @@ def set_picture(scene: Any, frame: Frame, size_px: tuple[int, int]) -> None:
     scene.view_settings.look = "None"
     scene.view_settings.exposure = math.log2(frame["exposure_gain"])
     scene.view_settings.gamma = 1.0
-    scene.render.dither_intensity = 1.0  # no bands in a sky
+    scene.render.dither_intensity = 0.0  # it would brighten all by half a step of 8 bits
     scene.render.image_settings.file_format = "PNG"
     scene.render.image_settings.color_mode = "RGB"
     scene.render.image_settings.color_depth = "8"
