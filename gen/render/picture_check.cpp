@@ -11,8 +11,9 @@
 namespace wold::render {
 namespace {
 
-// A step of 8 bits: less variation than that is one colour; one that is dithered has half of it.
-constexpr double min_deviation = 1.0 / 255.0;
+// In 8 bits: less variation than that is one colour, which has half a step at most where a renderer
+// dithers.
+constexpr double min_deviation = 0.6 / 255.0;
 
 /// Standard deviation of one channel over the pixels.
 double deviation(const Image& image, int channel) {
