@@ -103,6 +103,7 @@ class Clouds {
 /// kind's. Heaps that are thicker than their kind's are as much wider, up to ten times, so that
 /// they keep their proportions: a wide range of cumulus is about as deep as wide (Benner and Curry
 /// 1998, Characteristics of small tropical cumulus clouds and their impact on the environment).
+/// Throws FileError when the kind's file is missing or damaged.
 double cell_m_of(const scene::CloudLayer& layer);
 
 /// How much `field` more of the textures' field raises a rank in [0, 1] near which it is added.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloud/procedural_texture.h"
 #include "cloud/texture_noise.h"
 #include "core/elementary.h"
 #include "core/random.h"
@@ -13,7 +14,6 @@ namespace {
 
 constexpr int tile_features = 16;
 constexpr int tile_px = 256;
-constexpr double min_px_per_feature = 3.0;
 
 /// noise(place in features, key, period) over one tile, without its mean.
 template <class Noise>
@@ -23,21 +23,11 @@ std::shared_ptr<const PeriodicMap<float>> tile_of(std::uint64_t key, const Noise
     for (int x = 0; x < tile_px; ++x)
       tile->at(x, y) = static_cast<float>(noise(
           glm::dvec2(x + 0.5, y + 0.5) * (static_cast<double>(tile_features) / tile_px), key));
-  std::vector<float>& values = tile->values();
-  const double average = mean(values);
-  for (float& value : values) value -= static_cast<float>(average);
+  subtract_mean(tile->values());
   return tile;
 }
 
 }  // namespace
-
-int octaves_in_map(const Octaves& octaves, int side_px) {
-  int features = std::max(octaves.period.x, octaves.period.y);
-  int held = 1;
-  for (features *= 2; held < octaves.count && features * min_px_per_feature <= side_px; ++held)
-    features *= 2;
-  return held;
-}
 
 Detail::Detail(const Recipe& recipe, int side_px, double cell_m, const glm::dvec2& period_m,
                std::uint64_t key) {

@@ -11,10 +11,6 @@
 
 namespace wold::cloud {
 
-/// How many octaves of a noise a texture of side_px pixels shows: those whose features have at
-/// least three along their shorter side, and always the first. In [1, octaves.count].
-int octaves_in_map(const Octaves& octaves, int side_px);
-
 /// What a recipe's noise has below the pixels of a layer's map, for a line of sight that sees more
 /// than the map holds: the octaves that the map leaves out. Each is looked up in one small tile of
 /// noise, at its own scale and place.

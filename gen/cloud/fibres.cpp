@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "cloud/box_filter.h"
-#include "cloud/detail.h"
 #include "cloud/procedural_texture.h"
 #include "core/elementary.h"
 #include "core/statistics.h"
@@ -32,11 +31,6 @@ Recipe finer(const Recipe& recipe, int held, double tiles_per_cell) {
   fine.trails.contrast *= contrast;
   fine.trails.length = std::min(recipe.trails.length * tiles_per_cell, longest_trail);
   return fine;
-}
-
-void subtract_mean(std::vector<float>& values) {
-  const auto average = static_cast<float>(mean(values));
-  for (float& value : values) value -= average;
 }
 
 }  // namespace

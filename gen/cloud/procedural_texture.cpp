@@ -1,5 +1,7 @@
 #include "cloud/procedural_texture.h"
 
+#include <algorithm>
+
 #include "cloud/texture_noise.h"
 #include "cloud/trails.h"
 #include "core/parallel.h"
@@ -39,6 +41,15 @@ glm::dvec2 displaced(const Recipe& recipe, const glm::dvec2& place, std::uint64_
 }
 
 }  // namespace
+
+int octaves_in_map(const Octaves& octaves, int side_px) {
+  constexpr double min_px_per_feature = 3.0;
+  int features = std::max(octaves.period.x, octaves.period.y);
+  int held = 1;
+  for (features *= 2; held < octaves.count && features * min_px_per_feature <= side_px; ++held)
+    features *= 2;
+  return held;
+}
 
 double procedural_field_at(const Recipe& recipe, const glm::dvec2& place, std::uint64_t key) {
   const glm::dvec2 at = displaced(recipe, place, key);

@@ -7,6 +7,10 @@
 
 namespace wold::cloud {
 
+/// How many octaves of a noise a texture of side_px pixels shows: those whose features have at
+/// least three along their shorter side, and always the first. In [1, octaves.count].
+int octaves_in_map(const Octaves& octaves, int side_px);
+
 /// A texture's field: the higher, the more cloud; only the order of its values means something.
 /// Periodic Perlin-Worley noise (Schneider 2015, The real-time volumetric cloudscapes of Horizon
 /// Zero Dawn), in two dimensions: gradient noise says where clouds stand, inverted cellular noise

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cloud/detail.h"
 #include "cloud/picture_texture.h"
 #include "cloud/procedural_texture.h"
 #include "cloud/ranks.h"
@@ -47,7 +46,7 @@ std::vector<float> slopes(const std::vector<PeriodicMap<float>>& fields,
   return slopes;
 }
 
-/// About as long a side, of which trails have halves.
+/// About as long a side, with halves: trails look far heads up in them.
 int halvable(int side_px) {
   constexpr int multiple = 16;
   return side_px > multiple ? side_px / multiple * multiple : side_px;

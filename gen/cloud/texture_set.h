@@ -35,10 +35,10 @@ inline constexpr int slope_steps = 128;
 inline constexpr int procedural_textures = 3;
 
 /// The layer's textures: its pictures, or made by the recipe with at most 512 pixels a side, keyed
-/// by `key`, without the octaves that are too fine for them (detail.h). side_px in [1, 1024]: about
-/// as many pixels as a cell will be drawn with, so that none are drawn that nobody sees; cover and
-/// opacity are the layer's, or else the recipe's or the pictures' own. Throws FileError for a
-/// picture that is missing, damaged or too large.
+/// by `key`, without the octaves that are too fine for them (octaves_in_map()). side_px in [1,
+/// 1024]: about as many pixels as a cell will be drawn with, so that none are drawn that nobody
+/// sees; cover and opacity are the layer's, or else the recipe's or the pictures' own. Throws
+/// FileError for a picture that is missing, damaged or too large.
 TextureSet textures_of(const scene::CloudLayer& layer, const Recipe& recipe, int side_px,
                        std::uint64_t key);
 

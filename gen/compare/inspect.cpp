@@ -105,13 +105,14 @@ void describe_picture(const fs::path& path, Json& facts, Problems& problems) {
   facts["width"] = image.width;
   facts["height"] = image.height;
   facts["channels"] = image.channels;
-  facts["stored_as"] = read_image_header(path).stored_as;
+  const std::string stored_as = read_image_header(path).stored_as;
+  facts["stored_as"] = stored_as;
   facts["least"] = statistics.min;
   facts["largest"] = statistics.max;
   facts["mean"] = statistics.avg;
   facts["nan_count"] = total(statistics.nancount);
   facts["infinite_count"] = total(statistics.infcount);
-  const bool blank = is_blank(statistics, facts["stored_as"]);
+  const bool blank = is_blank(statistics, stored_as);
   facts["blank"] = blank;
   facts["memory_bytes"] = image.values.size() * sizeof(float);
   if (const auto bad = total(statistics.nancount) + total(statistics.infcount); bad > 0)

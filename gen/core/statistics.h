@@ -13,4 +13,10 @@ inline double mean(std::span<const float> values) {
   return sum / static_cast<double>(std::max<std::size_t>(values.size(), 1));
 }
 
+/// Makes the mean of the values 0.
+inline void subtract_mean(std::span<float> values) {
+  const auto average = static_cast<float>(mean(values));
+  for (float& value : values) value -= average;
+}
+
 }  // namespace wold

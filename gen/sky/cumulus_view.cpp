@@ -88,6 +88,7 @@ SeenClouds CumulusView::along(const glm::dvec3& direction) const {
   const int count = steps_along(ray);
   const double step_m = ray.length_m() / count;
   Passed passed;
+  passed.step_m = first_step_m(ray, passed);
   double before = field_on(ray, ray.base_m, step_m);
   for (int i = 0; i < count && !passed.is_done(); ++i) {
     const double low_m = ray.base_m + i * step_m, high_m = low_m + step_m;
@@ -136,7 +137,7 @@ void CumulusView::pass_step(const Ray& ray, double from_m, double to_m, Passed& 
   for (int i = 0; i < count && !passed.is_done(); ++i) {
     const double low_m = from_m + i * step_m, high_m = low_m + step_m;
     const double after = field_on(ray, high_m, step_m);
-    if (before <= 0.0 || passed.step_m == 0.0) passed.step_m = first_step_m(ray, passed);
+    if (before <= 0.0) passed.step_m = first_step_m(ray, passed);
     if (before > 0.0 || after > 0.0)
       pass_heap(ray, before > 0.0 ? low_m : surface_between(ray, low_m, high_m, step_m),
                 after > 0.0 ? high_m : surface_between(ray, high_m, low_m, step_m), passed);
@@ -144,6 +145,7 @@ void CumulusView::pass_step(const Ray& ray, double from_m, double to_m, Passed& 
   }
 }
 
+/// Where a heap is met; of one behind another less is seen.
 double CumulusView::first_step_m(const Ray& ray, const Passed& passed) const {
   const double first_m = std::max(0.25 / layer_->droplets.extinction_per_m, ray.footprint_m);
   return passed.transmittance > 0.9 ? first_m : 2.0 * first_m;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cloud/clouds.h"
+#include "cloud/procedural_texture.h"
 #include "core/random.h"
 
 namespace wold::cloud {
