@@ -110,26 +110,38 @@ void refuse_unknown_command(int argc, char** argv) {
 }
 
 /// CLI11 says of a misspelt option only that it was not expected, and in any order.
-void refuse_unknown_option(const CLI::App& app) {
-  const std::vector<std::string> extras = app.remaining(/*recurse=*/true);
-  const auto option = std::ranges::find_if(
-      extras, [](const std::string& extra) { return extra.starts_with("--"); });
-  if (option == extras.end()) return;
-  const auto commands = app.get_subcommands();
-  const CLI::App& command = commands.empty() ? app : *commands.front();
+void refuse_unknown_option(const std::string& option, const CLI::App& command,
+                           const std::string& called) {
   std::vector<std::string> names;
   for (const CLI::Option* known : command.get_options())
     for (const std::string& name : known->get_lnames()) names.push_back("--" + name);
-  const std::string word = option->substr(0, option->find('='));
-  const std::string called = commands.empty() ? "wold" : "wold " + command.get_name();
+  const std::string word = option.substr(0, option.find('='));
   throw InputError(fmt::format("unknown option {} of {}{}; {} --help lists them",
                                scene::in_quotes(word), called,
                                scene::suggestion(scene::nearest(word, names)), called));
 }
 
+/// Words that stand where nothing takes them: a misspelt option, or a key that has no --set.
+void refuse_extras(const CLI::App& app) {
+  const std::vector<std::string> extras = app.remaining(/*recurse=*/true);
+  const auto commands = app.get_subcommands();
+  const CLI::App& command = commands.empty() ? app : *commands.front();
+  const std::string called = commands.empty() ? "wold" : "wold " + command.get_name();
+  const auto option = std::ranges::find_if(
+      extras, [](const std::string& extra) { return extra.starts_with("--"); });
+  if (option != extras.end()) refuse_unknown_option(*option, command, called);
+  const auto key = std::ranges::find_if(
+      extras, [](const std::string& extra) { return extra.find('=') != std::string::npos; });
+  if (key == extras.end() || command.get_option_no_throw("--set") == nullptr) return;
+  throw InputError(
+      fmt::format("{}: found a key by itself, expected --set before each, as in {} "
+                  "SCENE --set KEY=VALUE --set KEY=VALUE",
+                  scene::in_quotes(*key), called));
+}
+
 /// Help and version are answers, the rest are the user's mistakes.
 Action answer(const CLI::App& app, const CLI::ParseError& result) {
-  if (dynamic_cast<const CLI::ExtrasError*>(&result) != nullptr) refuse_unknown_option(app);
+  if (dynamic_cast<const CLI::ExtrasError*>(&result) != nullptr) refuse_extras(app);
   if (result.get_exit_code() != 0) throw InputError(result.what());
   std::ostringstream text, unused;
   app.exit(result, text, unused);

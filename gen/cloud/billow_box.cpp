@@ -62,15 +62,17 @@ float BillowBox::at(const glm::vec3& place) const {
   const glm::vec3 voxel = (place - glm::floor(place)) * static_cast<float>(side) - 0.5F;
   const glm::ivec3 low(glm::floor(voxel));
   const glm::vec3 part = voxel - glm::vec3(low);
+  const glm::vec3 weights[2] = {1.0F - part, part};
+  // Of the lower and the higher voxels, which lie one outside the cube at most.
+  const glm::ivec3 at[2] = {
+      glm::mix(low, glm::ivec3(side - 1), glm::lessThan(low, glm::ivec3(0))),
+      glm::mix(low + 1, glm::ivec3(0), glm::equal(low + 1, glm::ivec3(side)))};
   float sum = 0.0F;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::ivec3 step(corner & 1, corner >> 1 & 1, corner >> 2);
-    const glm::vec3 weights = glm::mix(1.0F - part, part, glm::vec3(step));
-    const glm::ivec3 at = low + step;
-    const int number = (wrapped_index(at.z, side) * side + wrapped_index(at.y, side)) * side +
-                       wrapped_index(at.x, side);
-    sum += weights.x * weights.y * weights.z * values_[static_cast<std::size_t>(number)];
-  }
+  for (int z = 0; z < 2; ++z)
+    for (int y = 0; y < 2; ++y) {
+      const float* row = &values_[static_cast<std::size_t>((at[z].z * side + at[y].y) * side)];
+      for (int x = 0; x < 2; ++x) sum += weights[x].x * weights[y].y * weights[z].z * row[at[x].x];
+    }
   return sum;
 }
 

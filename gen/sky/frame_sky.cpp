@@ -14,6 +14,16 @@ namespace {
 
 constexpr int usual_sky_width_px = 1024;
 
+/// The angle that clouds show details of, where the picture has pixels of that angle.
+double finest_rad(const place::Site& site, double pixel_rad) {
+  constexpr double usual_px = 0.5, sketched_px = 2.0;
+  return (site.sketch ? sketched_px : usual_px) * pixel_rad;
+}
+
+double finest_of_sky_rad(const place::Site& site) {
+  return finest_rad(site, 2.0 * std::numbers::pi / usual_sky_width_px);
+}
+
 /// How long the clouds drift between the moments over which a frame's shadows are the mean; 0 where
 /// they are those of the frame's moment. The frames of a time lapse are so far apart that shadows
 /// that drift by from frame to frame would make it flicker.
@@ -56,8 +66,7 @@ FrameSky::FrameSky(const scene::Scene& scene, const place::Site& site, int frame
       site_(site),
       frame_(frame),
       clouds_(clouds_of(scene, site, frame)),
-      sheets_(site.day, clouds_.value_or(cloud::CloudState{}), eye_m,
-              std::numbers::pi / usual_sky_width_px) {}
+      sheets_(site.day, clouds_.value_or(cloud::CloudState{}), eye_m, finest_of_sky_rad(site)) {}
 
 double FrameSky::openness() const {
   constexpr double sine = 0.5;  // of lines of sight well above the horizon
@@ -112,16 +121,16 @@ void FrameSky::show(landscape::Landscape& landscape, bool with_backdrop) const {
   const landscape::Camera& camera = landscape.camera;
   const auto windows = cloud_windows(clouds, camera);
   landscape.clouds = cloud_boxes(clouds, windows, site_.day, camera.eye_m);
-  const double half_pixel_rad =
-      0.5 * glm::radians(camera.field_of_view_deg) / static_cast<double>(landscape.width_px);
-  const CloudySky behind(site_.day, clouds, camera.eye_m, half_pixel_rad, windows);
+  const double pixel_rad =
+      glm::radians(camera.field_of_view_deg) / static_cast<double>(landscape.width_px);
+  const CloudySky behind(site_.day, clouds, camera.eye_m, finest_rad(site_, pixel_rad), windows);
   landscape.backdrop = sky_backdrop(behind, camera, landscape.width_px, landscape.height_px,
                                     beyond_everything_m(landscape));
 }
 
 Image FrameSky::unlit(const landscape::Camera& camera) const {
   if (!clouds_) return site_.day.sunless_sky_image(usual_sky_width_px);
-  const CloudySky behind(site_.day, *clouds_, camera.eye_m, std::numbers::pi / usual_sky_width_px,
+  const CloudySky behind(site_.day, *clouds_, camera.eye_m, finest_of_sky_rad(site_),
                          cloud_windows(*clouds_, camera));
   return sky_picture(behind, usual_sky_width_px);
 }

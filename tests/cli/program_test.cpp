@@ -121,6 +121,8 @@ TEST_F(Program, SceneErrorsAreListedLineByLine) {
                  "unknown option \"--sise\" of wold render; did you mean \"--size\"?");
   expect_refusal(wold("--versio"),
                  "unknown option \"--versio\" of wold; did you mean \"--version\"?");
+  expect_refusal(wold("check a.toml --set seed=5 grass.blades=9"),
+                 "\"grass.blades=9\": found a key by itself, expected --set before each");
   expect_refusal(wold("check missing.toml"), "missing.toml: cannot read the scene file: No such");
   expect_refusal(wold("check ."), "it is a folder");
 }
