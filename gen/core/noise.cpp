@@ -102,24 +102,30 @@ double gradient_noise(const glm::dvec2& at, std::uint64_t key, const glm::ivec2&
 }
 
 NoiseSlope gradient_noise_slope(const glm::dvec2& at, std::uint64_t key) {
+  const Directions& directions = unit_vectors();
   const glm::dvec2 low = glm::floor(at);
-  NoiseSlope sum;
-  for (int corner = 0; corner < 4; ++corner) {
-    const glm::dvec2 offset(corner & 1, corner >> 1);
-    const glm::dvec2 from_corner = at - low - offset;
-    const glm::dvec2 apart = glm::abs(from_corner);
-    const glm::dvec2 weight(corner_weight(apart.x), corner_weight(apart.y));
-    const glm::dvec2 slope = (1.0 - 2.0 * offset) *
-                             glm::dvec2(corner_weight_slope(apart.x), corner_weight_slope(apart.y));
-    const Lattice at_corner(low + offset);
-    const glm::dvec2& direction =
-        one_of(unit_vectors(), mixed(mixed(key ^ static_cast<std::uint64_t>(at_corner.x)) ^
-                                     static_cast<std::uint64_t>(at_corner.y)));
-    const double height = glm::dot(direction, from_corner);
-    sum.value += weight.x * weight.y * height;
-    sum.gradient += weight.x * weight.y * direction +
-                    height * glm::dvec2(slope.x * weight.y, weight.x * slope.y);
+  const glm::dvec2 from[2] = {at - low, at - low - 1.0};
+  glm::dvec2 weight[2], slope[2];
+  std::uint64_t column[2], row[2];
+  for (int i = 0; i < 2; ++i) {
+    const glm::dvec2 apart = glm::abs(from[i]);
+    weight[i] = {corner_weight(apart.x), corner_weight(apart.y)};
+    slope[i] =
+        (1.0 - 2.0 * i) * glm::dvec2(corner_weight_slope(apart.x), corner_weight_slope(apart.y));
+    const Lattice corner(low + static_cast<double>(i));
+    column[i] = mixed(key ^ static_cast<std::uint64_t>(corner.x));
+    row[i] = static_cast<std::uint64_t>(corner.y);
   }
+  NoiseSlope sum;
+  for (int j = 0; j < 2; ++j)
+    for (int i = 0; i < 2; ++i) {
+      const glm::dvec2& direction = one_of(directions, mixed(column[i] ^ row[j]));
+      const double height = glm::dot(direction, glm::dvec2(from[i].x, from[j].y));
+      const double both = weight[i].x * weight[j].y;
+      sum.value += both * height;
+      sum.gradient += both * direction +
+                      height * glm::dvec2(slope[i].x * weight[j].y, weight[i].x * slope[j].y);
+    }
   return sum;
 }
 

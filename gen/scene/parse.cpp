@@ -252,8 +252,13 @@ void take_common(Scene& scene) {
   }
 }
 
-/// For who has a package and types what the manual says from where there are no examples.
-std::string place_of_example(const fs::path& path) {
+/// For who types a scene's name alone, or has a package and types what the manual says from where
+/// there are no examples.
+std::string hint_of_place(const fs::path& path) {
+  std::error_code unreadable;
+  const fs::path with_ending = path.string() + ".toml";
+  if (fs::is_regular_file(with_ending, unreadable))
+    return fmt::format("; did you mean {}?", with_ending.string());
   const fs::path shipped = bundled_folder("examples") / path.filename();
   if (path.parent_path() != "examples" || !fs::exists(shipped)) return {};
   return fmt::format("; the one that came with wold is {}", shipped.string());
@@ -266,7 +271,7 @@ std::string bounded_text(const fs::path& path) {
     return InputError({Problem{where, "cannot read the scene file: " + reason}});
   };
   if (const std::string why = why_no_regular_file(path); !why.empty())
-    throw unreadable(why + place_of_example(path));
+    throw unreadable(why + hint_of_place(path));
   errno = 0;
   std::ifstream in(path, std::ios::binary);
   if (!in) throw unreadable(errno == 0 ? "unknown reason" : std::strerror(errno));

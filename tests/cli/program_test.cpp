@@ -125,6 +125,7 @@ TEST_F(Program, SceneErrorsAreListedLineByLine) {
                  "\"grass.blades=9\": found a key by itself, expected --set before each");
   expect_refusal(wold("check missing.toml"), "missing.toml: cannot read the scene file: No such");
   expect_refusal(wold("check ."), "it is a folder");
+  expect_refusal(wold("check a"), "No such file or directory; did you mean a.toml?");
 }
 
 TEST_F(Program, ShorthandsSetTheSameKeysAndDryRunWritesNothing) {
