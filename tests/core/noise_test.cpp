@@ -21,6 +21,18 @@ TEST(Noise, IsZeroOnTheLatticeAndBounded) {
   EXPECT_LE(largest, 0.7072);  // sqrt(dimension) / 2 with unit gradients
 }
 
+TEST(Noise, SlopesAreThoseOfItsHeights) {
+  constexpr double step = 1e-6;
+  const auto height = [](double x, double y) { return gradient_noise_slope({x, y}, 7).value; };
+  for (int k = -50; k < 50; ++k) {
+    const double x = 0.37 * k + 0.11, y = 0.53 * k - 0.29;
+    const NoiseSlope noise = gradient_noise_slope({x, y}, 7);
+    EXPECT_NEAR(noise.gradient.x, (height(x + step, y) - height(x - step, y)) / (2.0 * step), 1e-8);
+    EXPECT_NEAR(noise.gradient.y, (height(x, y + step) - height(x, y - step)) / (2.0 * step), 1e-8);
+    EXPECT_EQ(height(k, 3 - k), 0.0);
+  }
+}
+
 TEST(Noise, RepeatsExactlyAfterItsPeriod) {
   const Fbm shape{11, 4, 0.8, 5};
   for (int k = 0; k < 50; ++k) {
