@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <memory>
 
 #include "cli/arguments.h"
@@ -129,19 +129,35 @@ void add_programs(CLI::App& app, work::ChosenPrograms& programs) {
   }
 }
 
-/// Of a size in bytes: empty, or what is wrong with it. Less is a unit forgotten; what is
-/// below zero arrives as a number that no machine has.
-std::string at_least_a_megabyte(const std::string& text) {
+/// Of a size: empty, or what is wrong with it. A unit alone would be taken for one of it, and a
+/// number alone is a unit forgotten; below zero is what no machine has.
+std::string size_fault(const std::string& text) {
   constexpr double min = 1024.0 * 1024.0;
   constexpr double max = 1e18;
-  const double bytes = std::strtod(text.c_str(), nullptr);
-  return bytes >= min && bytes <= max ? "" : "expected a size of 1M or more, such as 8G";
+  const bool begins_with_digit = !text.empty() && text[0] >= '0' && text[0] <= '9';
+  std::string in_bytes = text;
+  try {
+    const bool is_size = begins_with_digit && CLI::AsSizeValue(false)(in_bytes).empty();
+    const double bytes = std::strtod(in_bytes.c_str(), nullptr);
+    if (is_size && bytes >= min && bytes <= max) return "";
+  } catch (const CLI::ValidationError&) {  // no number before the unit
+  }
+  return fmt::format("found {}, expected a whole size of 1M or more, such as 8G or 1500M", text);
 }
 
-/// A unit alone would be taken for one of it.
-std::string has_a_number(const std::string& text) {
-  const bool begins_with_digit = !text.empty() && text[0] >= '0' && text[0] <= '9';
-  return begins_with_digit ? "" : "expected a number and a unit, such as 8G";
+/// Checks that a text is one of these words.
+auto one_of(const std::vector<std::string>& words) {
+  return [words](const std::string& text) -> std::string {
+    if (std::find(words.begin(), words.end(), text) != words.end()) return "";
+    return fmt::format("found {}, expected one of {}", text, fmt::join(words, ", "));
+  };
+}
+
+std::string threads_fault(const std::string& text) {
+  constexpr int min = 1, max = 1024;
+  const auto number = number_in<int>(text);
+  if (number && *number >= min && *number <= max) return "";
+  return fmt::format("found {}, expected a whole number from {} to {}", text, min, max);
 }
 
 /// Everything that says which files are made.
@@ -158,23 +174,24 @@ void add_job_options(CLI::App& app, RenderArguments& arguments) {
       ->type_name("LIST");
   app.add_option("--threads", options.threads, "threads to use; the scene's without it")
       ->type_name("N")
-      ->check(CLI::Range(1, 1024));
+      ->check(threads_fault);
   app.add_option("--memory", options.memory_bytes,
                  "memory to keep to, renderers included, such as 8G; no limit without it")
       ->type_name("SIZE")
-      ->transform(CLI::AsSizeValue(false))
-      ->transform(CLI::Validator([](const std::string& text) { return has_a_number(text); }, ""))
-      ->check(at_least_a_megabyte, "");
+      ->transform(CLI::AsSizeValue(false).description(""))
+      ->transform(CLI::Validator([](const std::string& text) { return size_fault(text); }, ""));
 }
 
 CLI::Option* add_keep(CLI::App& app, work::Keep& keep) {
-  const std::map<std::string, work::Keep> words = {{"all", work::Keep::all},
-                                                   {"scenes", work::Keep::scenes}};
   return app
-      .add_option("--keep", keep,
-                  "what stays: all, or scenes, without the texels that scene files are made from")
-      ->type_name("WHAT")
-      ->transform(CLI::CheckedTransformer(words));
+      .add_option_function<std::string>(
+          "--keep",
+          [&keep](const std::string& word) {
+            keep = word == "scenes" ? work::Keep::scenes : work::Keep::all;
+          },
+          "what stays: all, or scenes, without the texels that scene files are made from")
+      ->type_name("all|scenes")
+      ->check(one_of({"all", "scenes"}));
 }
 
 void add_json(CLI::App& app, bool& json, const std::string& doc) {
@@ -352,7 +369,7 @@ Action declare_film(CLI::App& app) {
                  "the film; DIR/film_<renderer>.mp4 without it, for each that has all frames")
       ->type_name("FILE.mp4");
   app.add_option("--renderer", options->renderer, "whose frames; Blender's rather than POV-Ray's")
-      ->check(CLI::IsMember(names_of_renderers()))
+      ->check(one_of(names_of_renderers()))
       ->type_name(fmt::format("{}", fmt::join(names_of_renderers(), "|")));
   add_frames(app, options->frames, "frames to take, without gaps; all without it");
   app.add_option("--fps", options->frames_per_second,
@@ -445,7 +462,7 @@ Action declare_new(CLI::App& app) {
   auto options = std::make_shared<Options>();
   app.add_option("NAME", options->name, "names the scene and its file")->required();
   app.add_option("--kind", options->kind, "what it shows")
-      ->check(CLI::IsMember(scene::starter_kinds()))
+      ->check(one_of(scene::starter_kinds()))
       ->type_name(fmt::format("{}", fmt::join(scene::starter_kinds(), "|")))
       ->capture_default_str();
   app.add_option("--terrain", options->terrain,

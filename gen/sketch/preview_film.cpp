@@ -58,6 +58,17 @@ place::Sketch sketch_of(const scene::Scene& scene) {
           .snow_samples = 129};
 }
 
+/// The first patch of the mixture that most of the cells have, which are one at least.
+int usual_patch(const scene::Scene& scene, std::span<const meadow::CellChoice> cells) {
+  std::map<int, int> cells_of_mixture;
+  for (const meadow::CellChoice& cell : cells)
+    ++cells_of_mixture[scene::mixture_number(scene, cell.variant)];
+  const auto most =
+      std::max_element(cells_of_mixture.begin(), cells_of_mixture.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  return scene::patch_number(scene, most->first, 0);
+}
+
 }  // namespace
 
 std::vector<int> some_of(int count, int max) {
@@ -172,6 +183,7 @@ landscape::Landscape PreviewFilm::landscape(int frame) {
     cell.light = moment.light;
   }
   make_meshes(cells);
+  if (!cells.empty()) usual_patch_ = usual_patch(scene_, cells);
   return film::assemble(scene_, site, moment.grass, cells,
                         {{},
                          [&](const meadow::CellChoice& cell) {

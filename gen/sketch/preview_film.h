@@ -38,8 +38,9 @@ class PreviewFilm {
   /// the whole sky is fine enough to be shown.
   landscape::Landscape landscape(int frame);
 
-  /// The first variant's blades at a key frame, without snow.
-  Tubes blades(int key_frame) const { return blades(0, {key_frame, 0}); }
+  /// The blades of a patch at a key frame, without snow: of the mixture that stood most often
+  /// before the camera in landscape().
+  Tubes blades(int key_frame) const { return blades(usual_patch_, {key_frame, 0}); }
 
  private:
   /// What a frame has in common under all cameras: all its grass bears the same snow in the same
@@ -64,6 +65,7 @@ class PreviewFilm {
   grass::TimeVaryingTexel texels_;
   std::map<int, Moment> moments_;  ///< by frame
   meadow::PatchAppearances looks_;
+  int usual_patch_ = 0;
   std::map<std::pair<int, grass::PatchState>, landscape::BladeMesh> meshes_;
 };
 

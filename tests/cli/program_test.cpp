@@ -96,6 +96,10 @@ TEST_F(Program, UsageErrorsAreExitCodeTwo) {
   expect_refusal(wold("render a.toml --frames 3-1"), "--frames: found \"3-1\"");
   expect_refusal(wold("render a.toml --frames 1-2000000000"), "--frames: found");
   expect_refusal(wold("render a.toml --frames 4 --dry-run"), "expected frames from 1 to 3");
+  expect_refusal(wold("render a.toml --memory 3X"),
+                 "--memory: found 3X, expected a whole size of 1M or more");
+  expect_refusal(wold("render a.toml --keep nothing"),
+                 "--keep: found nothing, expected one of all");
   expect_refusal(wold("render a.toml --threads many"), "--threads");
   expect_refusal(wold("render a.toml --renderer blendr --dry-run"), "render.renderer: found");
 }
@@ -193,7 +197,8 @@ TEST_F(Program, NewHasAStarterSceneOfEachKind) {
     expect_answer(wold(fmt::format("check {}.toml", kind)), fmt::format("\nname = \"{}\"\n", kind));
   }
   EXPECT_EQ(wold("preview clouds.toml --set terrain.size=36").out, "out/clouds/preview.png\n");
-  expect_refusal(wold("new x --kind hill"), "--kind: hill not in {hillside,mountain,");
+  expect_refusal(wold("new x --kind hill"),
+                 "--kind: found hill, expected one of hillside, mountain, ");
 }
 
 TEST_F(Program, WritesSceneOfARealPlaceThatCanBeChecked) {
