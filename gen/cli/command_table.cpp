@@ -4,15 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <memory>
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
+#include "cli/option_faults.h"
 #include "console/console_progress.h"
-#include "core/number_text.h"
 #include "film/exporters.h"
 #include "passes/pass.h"
 #include "scene/registry.h"
@@ -129,35 +127,8 @@ void add_programs(CLI::App& app, work::ChosenPrograms& programs) {
   }
 }
 
-/// Of a size: empty, or what is wrong with it. A unit alone would be taken for one of it, and a
-/// number alone is a unit forgotten; below zero is what no machine has.
-std::string size_fault(const std::string& text) {
-  constexpr double min = 1024.0 * 1024.0;
-  constexpr double max = 1e18;
-  const bool begins_with_digit = !text.empty() && text[0] >= '0' && text[0] <= '9';
-  std::string in_bytes = text;
-  try {
-    const bool is_size = begins_with_digit && CLI::AsSizeValue(false)(in_bytes).empty();
-    const double bytes = std::strtod(in_bytes.c_str(), nullptr);
-    if (is_size && bytes >= min && bytes <= max) return "";
-  } catch (const CLI::ValidationError&) {  // no number before the unit
-  }
-  return fmt::format("found {}, expected a whole size of 1M or more, such as 8G or 1500M", text);
-}
-
-/// Checks that a text is one of these words.
 auto one_of(const std::vector<std::string>& words) {
-  return [words](const std::string& text) -> std::string {
-    if (std::find(words.begin(), words.end(), text) != words.end()) return "";
-    return fmt::format("found {}, expected one of {}", text, fmt::join(words, ", "));
-  };
-}
-
-std::string threads_fault(const std::string& text) {
-  constexpr int min = 1, max = 1024;
-  const auto number = number_in<int>(text);
-  if (number && *number >= min && *number <= max) return "";
-  return fmt::format("found {}, expected a whole number from {} to {}", text, min, max);
+  return [words](const std::string& text) { return word_fault(text, words); };
 }
 
 /// Everything that says which files are made.
@@ -174,7 +145,7 @@ void add_job_options(CLI::App& app, RenderArguments& arguments) {
       ->type_name("LIST");
   app.add_option("--threads", options.threads, "threads to use; the scene's without it")
       ->type_name("N")
-      ->check(threads_fault);
+      ->check([](const std::string& text) { return whole_number_fault(text, 1, 1024); });
   app.add_option("--memory", options.memory_bytes,
                  "memory to keep to, renderers included, such as 8G; no limit without it")
       ->type_name("SIZE")
@@ -299,21 +270,12 @@ Action declare_inspect(CLI::App& app) {
   return [options] { return run_inspect(options->files, options->json); };
 }
 
-/// "" when the text is a number from `min` to `max`; CLI11's own check lets NaN pass.
-std::string number_fault(const std::string& text, double min, double max) {
-  const auto number = number_in<double>(text);
-  if (number && std::isfinite(*number) && *number >= min && *number <= max) return "";
-  return std::isfinite(max)
-             ? fmt::format("found {}, expected a number from {} to {}", text, min, max)
-             : fmt::format("found {}, expected a number from {}", text, min);
-}
-
-std::string limit_fault(const std::string& text) {
-  return number_fault(text, 0.0, std::numeric_limits<double>::infinity());
-}
-
 void add_limit(CLI::App& app, const std::string& option, double& limit, const std::string& doc) {
-  app.add_option(option, limit, doc)->check(limit_fault)->capture_default_str();
+  app.add_option(option, limit, doc)
+      ->check([](const std::string& text) {
+        return number_fault(text, 0.0, std::numeric_limits<double>::infinity());
+      })
+      ->capture_default_str();
 }
 
 Action declare_compare(CLI::App& app) {

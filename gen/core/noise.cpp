@@ -50,25 +50,34 @@ const glm::dvec2& one_of(const Directions& directions, std::uint64_t bits) {
 /// What random_bits() of a key of gradient noise has in common for all corners.
 std::uint64_t field_of(std::uint64_t key) { return mixed(mixed(key) ^ key_of("gradient")); }
 
+/// What the four corners of a place's square share, by column and by row.
+struct Corners {
+  glm::dvec2 from[2];    ///< to the place
+  glm::dvec2 weight[2];  ///< along each axis
+  std::uint64_t column[2], row[2];
+
+  Corners(const glm::dvec2& at, std::uint64_t field, const glm::ivec2& period) {
+    const glm::dvec2 low = glm::floor(at);
+    from[0] = at - low;
+    from[1] = at - low - 1.0;
+    for (int i = 0; i < 2; ++i) {
+      weight[i] = {corner_weight(std::abs(from[i].x)), corner_weight(std::abs(from[i].y))};
+      const Lattice corner(low + static_cast<double>(i));
+      column[i] = mixed(field ^ static_cast<std::uint64_t>(wrapped(corner.x, period.x)));
+      row[i] = static_cast<std::uint64_t>(wrapped(corner.y, period.y));
+    }
+  }
+};
+
 /// Gradient noise of the field that field_of() has made.
 double noise_of(const glm::dvec2& at, std::uint64_t field, const glm::ivec2& period) {
   const Directions& directions = unit_vectors();
-  const glm::dvec2 low = glm::floor(at);
-  const glm::dvec2 from[2] = {at - low, at - low - 1.0};
-  double weight_x[2], weight_y[2];
-  std::uint64_t column[2], row[2];
-  for (int i = 0; i < 2; ++i) {
-    weight_x[i] = corner_weight(std::abs(from[i].x));
-    weight_y[i] = corner_weight(std::abs(from[i].y));
-    const Lattice corner(low + static_cast<double>(i));
-    column[i] = mixed(field ^ static_cast<std::uint64_t>(wrapped(corner.x, period.x)));
-    row[i] = static_cast<std::uint64_t>(wrapped(corner.y, period.y));
-  }
+  const auto [from, weight, column, row] = Corners(at, field, period);
   double sum = 0.0;
   for (int j = 0; j < 2; ++j)
     for (int i = 0; i < 2; ++i) {
       const glm::dvec2& direction = one_of(directions, mixed(column[i] ^ row[j]));
-      sum += weight_x[i] * weight_y[j] * glm::dot(direction, glm::dvec2(from[i].x, from[j].y));
+      sum += weight[i].x * weight[j].y * glm::dot(direction, glm::dvec2(from[i].x, from[j].y));
     }
   return sum;
 }
@@ -103,19 +112,11 @@ double gradient_noise(const glm::dvec2& at, std::uint64_t key, const glm::ivec2&
 
 NoiseSlope gradient_noise_slope(const glm::dvec2& at, std::uint64_t key) {
   const Directions& directions = unit_vectors();
-  const glm::dvec2 low = glm::floor(at);
-  const glm::dvec2 from[2] = {at - low, at - low - 1.0};
-  glm::dvec2 weight[2], slope[2];
-  std::uint64_t column[2], row[2];
-  for (int i = 0; i < 2; ++i) {
-    const glm::dvec2 apart = glm::abs(from[i]);
-    weight[i] = {corner_weight(apart.x), corner_weight(apart.y)};
-    slope[i] =
-        (1.0 - 2.0 * i) * glm::dvec2(corner_weight_slope(apart.x), corner_weight_slope(apart.y));
-    const Lattice corner(low + static_cast<double>(i));
-    column[i] = mixed(key ^ static_cast<std::uint64_t>(corner.x));
-    row[i] = static_cast<std::uint64_t>(corner.y);
-  }
+  const auto [from, weight, column, row] = Corners(at, key, glm::ivec2(0));
+  glm::dvec2 slope[2];
+  for (int i = 0; i < 2; ++i)
+    slope[i] = (1.0 - 2.0 * i) * glm::dvec2(corner_weight_slope(std::abs(from[i].x)),
+                                            corner_weight_slope(std::abs(from[i].y)));
   NoiseSlope sum;
   for (int j = 0; j < 2; ++j)
     for (int i = 0; i < 2; ++i) {
