@@ -73,9 +73,12 @@ void write_film_files(const Request& request) {
 }
 
 FilmPipeline::FilmPipeline(const Request& request)
+    : FilmPipeline(request, place::growing_ground(request.scene)) {}
+
+FilmPipeline::FilmPipeline(const Request& request, place::GrowingGround land)
     : request_(request),
       snow_(request.out / "snow"),
-      site_(place::make_site(request.scene, request.season, snow_.path())),
+      site_(place::make_site(request.scene, std::move(land), request.season, snow_.path())),
       texels_(request.scene, meadow::film_lights(request.scene, site_), request.out / "texels",
               texel_files(request)) {}
 

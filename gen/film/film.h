@@ -30,6 +30,8 @@ class FilmPipeline {
  public:
   /// Makes the terrain and its light. `request` has to outlive it.
   explicit FilmPipeline(const Request& request);
+  /// The same on growing_ground() of the request's scene, which has been made before.
+  FilmPipeline(const Request& request, place::GrowingGround land);
 
   /// Which texels the request's frames ask for: looks at all of them. Before make_texels().
   void find_demand(Progress& progress);

@@ -9,11 +9,7 @@
 
 #include "meadow/cells.h"
 #include "meadow/far_field.h"
-#include "place/cell_window.h"
-#include "place/ground_grids.h"
-#include "place/growth.h"
 #include "place/mixture_field.h"
-#include "place/scene_ground.h"
 #include "place/view.h"
 #include "place/withering.h"
 #include "scene/shots.h"
@@ -49,14 +45,11 @@ std::vector<std::vector<int>> by_take(const scene::Scene& scene, const std::vect
 /// The parts of a Site that cells are chosen from.
 class Ground {
  public:
-  Ground(const scene::Scene& scene, std::shared_ptr<const phenology::FilmSeason> season)
+  Ground(const scene::Scene& scene, const place::GrowingGround& land,
+         std::shared_ptr<const phenology::FilmSeason> season)
       : scene_(scene),
-        ground_(place::scene_ground(scene)),
-        growth_(place::is_large(scene)
-                    ? place::growth_map(
-                          scene, terrain::Surface(terrain_, ground_.finer.get(),
-                                                  place::window_grid(scene), ground_.known()))
-                    : place::growth_map(scene, terrain_, ground_.known())),
+        terrain_(land.ground.heights_m),
+        growth_(land.growth_of_cells),
         mixtures_(scene, terrain_),
         withering_(scene, terrain_, season),
         weather_(scene, season.get()),
@@ -95,9 +88,8 @@ class Ground {
   }
 
   const scene::Scene& scene_;
-  terrain::Ground ground_;
-  const Heightfield& terrain_ = ground_.heights_m;
-  FactorMap growth_;
+  const Heightfield& terrain_;
+  const FactorMap& growth_;
   place::MixtureField mixtures_;
   place::Withering withering_;
   snow::Weather weather_;
@@ -120,8 +112,11 @@ std::vector<grass::PatchState> states_between(const grass::PatchState& from,
 
 }  // namespace
 
-FilmDemand::FilmDemand(const Request& request) {
-  const Ground ground(request.scene, request.season);
+FilmDemand::FilmDemand(const Request& request)
+    : FilmDemand(request, place::growing_ground(request.scene)) {}
+
+FilmDemand::FilmDemand(const Request& request, const place::GrowingGround& land) {
+  const Ground ground(request.scene, land, request.season);
   mixtures_ = ground.mixtures();
   const std::vector<std::vector<int>> takes = by_take(request.scene, request.frames);
   for (const std::vector<int>& take : takes) {

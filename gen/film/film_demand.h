@@ -9,6 +9,7 @@
 
 #include "film/request.h"
 #include "grass/ageing/patch_state.h"
+#include "place/growing_ground.h"
 
 namespace wold::film {
 
@@ -44,6 +45,8 @@ class FilmDemand {
  public:
   /// Throws what making the ground and choosing cells throw.
   explicit FilmDemand(const Request& request);
+  /// The same on growing_ground() of the request's scene.
+  FilmDemand(const Request& request, const place::GrowingGround& land);
 
   /// Of each frame that was looked at: all, where they are few.
   const std::map<int, FrameDemand>& frames() const { return frames_; }

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "core/filled_map.h"
 #include "core/parallel.h"
 #include "core/pinhole.h"
 #include "grass/optics/light_under_grass.h"
@@ -15,6 +16,7 @@
 #include "place/cell_window.h"
 #include "place/each_in_view.h"
 #include "place/ground_grids.h"
+#include "place/ground_views.h"
 #include "scene/calendar.h"
 
 namespace wold::ground {
@@ -70,27 +72,6 @@ void add_reflected(const ColourMap& reflectance, const ColourMap& light, ColourM
       radiance.at(i, j) += reflectance.sample(at_m.x, at_m.y) * light.sample(at_m.x, at_m.y);
     }
   });
-}
-
-template <class Radiance>
-ColourMap filled(const GroundGrid& grid, const Radiance& radiance) {
-  ColourMap map(grid.samples, grid.square);
-  parallel_for(static_cast<std::size_t>(grid.samples), [&](std::size_t row) {
-    const int j = static_cast<int>(row);
-    for (int i = 0; i < grid.samples; ++i) map.at(i, j) = radiance(map.place_m(i, j));
-  });
-  return map;
-}
-
-/// The map where `parts` of its rows count, a coarser one's values elsewhere.
-ColourMap filled_up(const ColourMap& map, const RowParts& parts, const ColourMap& coarser) {
-  ColourMap all = filled({map.square(), map.samples()},
-                         [&](const glm::dvec2& at_m) { return coarser.sample(at_m.x, at_m.y); });
-  parallel_for(parts.size(), [&](std::size_t row) {
-    const int j = static_cast<int>(row);
-    visit_row(parts[row], [&](int i) { all.at(i, j) = map.at(i, j); });
-  });
-  return all;
 }
 
 meadow::PatchAppearances far_appearances(const scene::Scene& scene, const place::Site& site,
@@ -185,7 +166,7 @@ ColourMap LitGround::painted(ColourMap ground, const FactorMap& growth, const Co
 landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const GroundGrid& grid,
                                           const place::View& view, const LakeSurface* lakes,
                                           const ColourMap& coarser) const {
-  const double margin_m = place::margin_in_view_m(grid.step_m());
+  const double margin_m = place::margin_in_view_m(view, grid.step_m());
   const RowParts made =
       place::rows_in_view(grid, site_.terrain, view, margin_m + 2.0 * grid.step_m());
   const auto [part, bare] = ground.covered(
@@ -201,13 +182,13 @@ landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const Groun
           grid.square.corner_m};
 }
 
-ColourMap LitGround::light_in_window(const SnowyGround& ground) const {
+ColourMap LitGround::light_in_window(const SnowyGround& ground, const place::View& in_sight) const {
   const GroundGrid window = place::window_grid(scene_);
   // Under all of a cell that reaches into the picture.
   const RowParts lit =
-      place::rows_in_view(window, site_.terrain, view_, 2.0 * meadow::cell_reach_m(scene_));
+      place::rows_in_view(window, site_.terrain, in_sight, 2.0 * meadow::cell_reach_m(scene_));
   const terrain::GroundLight clear = place::light_on(site_, window, lit, ground.snow_depth());
-  return on_grass(illuminate_(clear), clear, window, view_);
+  return on_grass(illuminate_(clear), clear, window, in_sight);
 }
 
 struct LitGround::LevelLook {
@@ -283,20 +264,21 @@ std::unique_ptr<const LakeSurface> LitGround::lake_surface(
     constexpr int samples = 193;
     const Square wide{square.corner_m - 0.5 * (width_m - square.size_m), width_m};
     const GroundGrid grid{wide, samples};
-    return filled(
+    return filled<ColourMap>(
         grid, [&](const glm::dvec2& at_m) { return around.near_radiance(at_m, grid.step_m()); });
   };
   constexpr int samples_of_square = 513;
-  OverLakes over{
-      {*site_.surroundings, landscape.terrain, camera.eye_m,
-       panorama(camera, landscape.width_px, landscape.height_px)},
-      {filled({square, samples_of_square},
-              [&](const glm::dvec2& at_m) { return look.at(at_m) * light.sample(at_m.x, at_m.y); }),
-       of_around(3.0 * square.size_m),
-       of_around(square.size_m + 2.0 * site_.surroundings->reach_m())},
-      sky,
-      sun_alone(ground.light()),
-      camera.eye_m};
+  OverLakes over{{*site_.surroundings, landscape.terrain, camera.eye_m,
+                  panorama(camera, landscape.width_px, landscape.height_px)},
+                 {filled<ColourMap>({square, samples_of_square},
+                                    [&](const glm::dvec2& at_m) {
+                                      return look.at(at_m) * light.sample(at_m.x, at_m.y);
+                                    }),
+                  of_around(3.0 * square.size_m),
+                  of_around(square.size_m + 2.0 * site_.surroundings->reach_m())},
+                 sky,
+                 sun_alone(ground.light()),
+                 camera.eye_m};
   return std::make_unique<const LakeSurface>(site_, ground, scene::time_s(scene_, now_.frame),
                                              scene_.seed, std::move(over));
 }
@@ -333,7 +315,12 @@ void LitGround::show_land_around(const LandAround& around, const LakeSurface* la
 
 void LitGround::show(const SnowyGround& ground, const ColourMap& light, const SkyRadiance& sky,
                      landscape::Landscape& landscape) const {
-  ColourMap grass_light = on_grass(light, ground.light(), place::whole_grid(scene_), view_);
+  const std::vector<GroundGrid> details = place::detail_grids(scene_, landscape.camera);
+  const place::View in_sight = details.empty() ? view_ : view_.over(landscape.terrain);
+  const std::vector<place::View> pictures =
+      place::views_of_pictures(in_sight, place::whole_grid(scene_), details);
+  ColourMap grass_light =
+      on_grass(light, ground.light(), place::whole_grid(scene_), pictures.front());
   const bool sees_around =
       landscape.backdrop && sees_land_around(site_, landscape.camera, scene_.render);
   std::optional<LandAround> around;
@@ -343,17 +330,15 @@ void LitGround::show(const SnowyGround& ground, const ColourMap& light, const Sk
       site_.water ? lake_surface(ground, light, grass_light, *around, sky, landscape) : nullptr;
   // Maps are large: each goes before the next one is made.
   ColourMap radiance = product(ground.reflectance(under_grass_), light);
-  add_hot_spot(ground.bare(), ground.light(), ground.growth(), view_, radiance);
-  landscape.ground =
-      painted(std::move(radiance), ground.growth(), light, grass_light, lakes.get(), view_);
-  if (place::is_large(scene_)) {
-    const place::View view = view_.over(landscape.terrain);
-    for (const GroundGrid& grid : place::detail_grids(scene_, landscape.camera))
-      landscape.ground_details.push_back(detail(ground, grid, view, lakes.get(), landscape.ground));
-  }
+  add_hot_spot(ground.bare(), ground.light(), ground.growth(), pictures.front(), radiance);
+  landscape.ground = painted(std::move(radiance), ground.growth(), light, grass_light, lakes.get(),
+                             pictures.front());
+  for (std::size_t i = 0; i < details.size(); ++i)
+    landscape.ground_details.push_back(
+        detail(ground, details[i], pictures[i + 1], lakes.get(), landscape.ground));
 
   if (sees_around) show_land_around(*around, lakes.get(), landscape);
-  if (place::is_large(scene_)) grass_light = light_in_window(ground);
+  if (place::is_large(scene_)) grass_light = light_in_window(ground, in_sight);
   landscape.light =
       product(grass_light,
               meadow::weathering_tint(scene_, *site_.withering, now_.frame, choices_, now_.snow,

@@ -93,7 +93,7 @@ class LitGround {
   void show_land_around(const LandAround& around, const LakeSurface* lakes,
                         landscape::Landscape& landscape) const;
   /// On the grass of a large terrain's window of cells.
-  ColourMap light_in_window(const SnowyGround& ground) const;
+  ColourMap light_in_window(const SnowyGround& ground, const place::View& in_sight) const;
 
   const scene::Scene& scene_;
   const place::Site& site_;

@@ -6,11 +6,15 @@
 #include <utility>
 #include <vector>
 
+#include "core/coarser_parts.h"
 #include "core/elementary.h"
 #include "core/files.h"
+#include "core/filled_map.h"
 #include "place/air.h"
 #include "place/cell_window.h"
+#include "place/each_in_view.h"
 #include "place/ground_grids.h"
+#include "place/ground_views.h"
 #include "place/growth.h"
 #include "place/scene_ground.h"
 #include "place/view.h"
@@ -49,18 +53,21 @@ std::unique_ptr<snow::LargeCover> large_cover(const scene::Scene& scene, const H
       snow::LargeCover::Limits{.view_samples = cover_samples(scene)});
 }
 
-/// The light of a clear sky on a surface.
-terrain::GroundLight lit(const Site& site, const terrain::Surface& surface) {
-  return surface.lit(terrain::ground_light(site.terrain, site.day,
-                                           light_grid(site.terrain, surface.grid(), site.sketch),
-                                           site.land_shadow.get()),
-                     site.day.sun_direction());
+/// The light of a clear sky on a surface: as fine as its grid, or as another on the same square.
+terrain::GroundLight lit(const Site& site, const terrain::Surface& surface,
+                         const GroundGrid& fineness) {
+  constexpr int steps = 2;  // values between two, smoothed over one
+  const GroundGrid grid = light_grid(site.terrain, fineness, site.sketch);
+  const RowParts parts = coarser_parts(surface.grid(), surface.parts(), grid, steps);
+  return surface.lit(
+      terrain::ground_light(site.terrain, site.day, grid, site.land_shadow.get(), parts),
+      site.day.sun_direction());
 }
 
-/// A part of a site's ground on which that grows.
+/// A part of a site's ground on which that grows, in light as fine as a grid.
 GroundPart lit_part(const scene::Scene& scene, const Site& site, const terrain::Surface& surface,
-                    FactorMap growth) {
-  terrain::GroundLight light = lit(site, surface);
+                    const GroundGrid& fineness, FactorMap growth) {
+  terrain::GroundLight light = lit(site, surface, fineness);
   ColourMap reflectance = terrain::ground_reflectance(surface, site.day.sun_direction(),
                                                       scene.terrain, scene.seed, growth);
   return {std::move(growth), std::move(light), std::move(reflectance)};
@@ -82,11 +89,44 @@ std::optional<GroundGrid> grid_of_ground(const scene::Scene& scene, const Height
   return std::nullopt;
 }
 
+/// The ground of a large terrain in the light of a day: as its picture needs it where a frame, or
+/// any of the film without one, shows it. Elsewhere, where it only lights and is mirrored, every
+/// fourth sample along both axes says what lies between: on the mean the same.
+GroundPart large_ground(const scene::Scene& scene, const Site& site, std::optional<int> frame,
+                        FactorMap growth) {
+  constexpr int coarser = 4;
+  const GroundGrid fine = whole_grid(scene);
+  const std::vector<View> views =
+      frame ? views_of_whole(scene, site.terrain, *frame) : views_of_whole(scene, site.terrain);
+  if (views.empty()) return lit_part(scene, site, site.surface(fine), fine, std::move(growth));
+  const auto seen = [&](double more_steps) {
+    const double step_m = fine.step_m();
+    return rows_in_view(fine, site.terrain, views,
+                        margin_in_view_m(views.front(), step_m) + more_steps * step_m);
+  };
+  const GroundGrid coarse{fine.square, (fine.samples - 1) / coarser + 1};
+  const GroundPart all =
+      lit_part(scene, site, site.surface(fine, lattice(fine, coarse)), coarse, growth);
+  GroundPart part = lit_part(scene, site, site.surface(fine, seen(2.0)), fine, std::move(growth));
+  const RowParts of_picture = seen(0.0);
+  const auto completed = [&](const auto& map, const auto& of_all) {
+    // Light without bumps is on its own grid.
+    const GroundGrid grid{map.square(), map.samples()};
+    const bool sampled = of_all.samples() == fine.samples;
+    return filled_up(map, coarser_parts(fine, of_picture, grid, /*steps=*/1),
+                     sampled ? on_lattice(of_all, coarse) : of_all);
+  };
+  part.light = {completed(part.light.sun, all.light.sun), completed(part.light.sky, all.light.sky),
+                completed(part.light.overcast, all.light.overcast)};
+  part.reflectance = completed(part.reflectance, all.reflectance);
+  return part;
+}
+
 /// The whole ground in the light of a day, on a grid or with the usual steps.
 GroundPart whole_ground(const scene::Scene& scene, const Site& site,
                         const std::optional<GroundGrid>& grid, FactorMap growth) {
   const light::Daylight& day = site.day;
-  if (grid) return lit_part(scene, site, site.surface(*grid), std::move(growth));
+  if (grid) return lit_part(scene, site, site.surface(*grid), *grid, std::move(growth));
   terrain::GroundLight light = whole_light(site, site.terrain);
   ColourMap reflectance = terrain::ground_reflectance(
       site.surface(picture_grid(scene)), day.sun_direction(), scene.terrain, scene.seed, growth);
@@ -100,11 +140,14 @@ std::shared_ptr<const terrain::LandShadow> land_shadow(const scene::Scene& scene
   return std::make_shared<const terrain::LandShadow>(*site.surroundings, site.day.sun_direction());
 }
 
-/// Sets the light of its day on a site's ground, and what the ground makes of it.
-void light_ground(const scene::Scene& scene, Site& site) {
+/// Sets the light of its day on a site's ground, and what the ground makes of it: for a frame, or
+/// for all of the film.
+void light_ground(const scene::Scene& scene, Site& site, std::optional<int> frame = {}) {
   site.land_shadow = land_shadow(scene, site);
-  GroundPart ground = whole_ground(scene, site, grid_of_ground(scene, site.terrain, site.sketch),
-                                   std::move(site.growth));
+  GroundPart ground =
+      is_large(scene) ? large_ground(scene, site, frame, std::move(site.growth))
+                      : whole_ground(scene, site, grid_of_ground(scene, site.terrain, site.sketch),
+                                     std::move(site.growth));
   site.growth = std::move(ground.growth);
   site.light = std::move(ground.light);
   site.ground_reflectance = std::move(ground.reflectance);
@@ -144,7 +187,7 @@ GroundGrid light_grid(const Heightfield& terrain, const GroundGrid& grid,
 GroundPart ground_part(const scene::Scene& scene, const Site& site, const GroundGrid& grid,
                        RowParts parts, const terrain::SnowDepth& snow_m) {
   const terrain::Surface surface = site.surface(grid, std::move(parts), snow_m);
-  GroundPart part = lit_part(scene, site, surface, growth_map(scene, surface));
+  GroundPart part = lit_part(scene, site, surface, grid, growth_map(scene, surface));
   part.ledges = ledges(scene, site.snow.get(), surface, part.growth);
   return part;
 }
@@ -161,7 +204,7 @@ terrain::Surface Site::surface(const GroundGrid& grid, RowParts parts,
 
 terrain::GroundLight light_on(const Site& site, const GroundGrid& grid, RowParts parts,
                               const terrain::SnowDepth& snow_m) {
-  return lit(site, site.surface(grid, std::move(parts), snow_m));
+  return lit(site, site.surface(grid, std::move(parts), snow_m), grid);
 }
 
 terrain::GroundLight whole_light(const Site& site, const Heightfield& surface,
@@ -182,9 +225,14 @@ const FactorMap& growth_of_cells(const Site& site) {
   return site.growth_of_window ? *site.growth_of_window : site.growth;
 }
 
-Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmSeason> season,
-               const fs::path& snow_folder, const std::optional<Sketch>& sketch) {
-  auto [terrain, finer, water, cover, scree, photo, boulders] = scene_ground(scene);
+namespace {
+
+/// `growth_of_cells`: none where a sketch has its own.
+Site site_on(const scene::Scene& scene, terrain::Ground ground,
+             std::optional<FactorMap> growth_of_cells,
+             std::shared_ptr<const phenology::FilmSeason> season, const fs::path& snow_folder,
+             const std::optional<Sketch>& sketch) {
+  auto [terrain, finer, water, cover, scree, photo, boulders] = std::move(ground);
   const terrain::KnownGround known{water.get(), cover.get(), scree.get(), photo.get(),
                                    boulders.get()};
   auto surroundings = std::make_shared<const terrain::Surroundings>(
@@ -194,11 +242,9 @@ Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmS
   const bool large = is_large(scene);
   const auto grid = grid_of_ground(scene, terrain, sketch);
   FactorMap growth = grid ? growth_map(scene, terrain::Surface(terrain, finer.get(), *grid, known))
-                          : growth_map(scene, terrain, known);
+                          : std::move(growth_of_cells).value();
   std::optional<FactorMap> growth_of_window;
-  if (large)
-    growth_of_window =
-        growth_map(scene, terrain::Surface(terrain, finer.get(), window_grid(scene), known));
+  if (large) growth_of_window = std::move(growth_of_cells);
   std::optional<cloud::Clouds> clouds;
   if (!scene.clouds.empty())
     clouds.emplace(half_way, cloud::Clouds::usual_pixel_m(scene.clouds), season.get());
@@ -243,6 +289,24 @@ Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmS
   return site;
 }
 
+}  // namespace
+
+Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmSeason> season,
+               const fs::path& snow_folder, const std::optional<Sketch>& sketch) {
+  if (sketch && !is_large(scene))
+    return site_on(scene, scene_ground(scene), std::nullopt, std::move(season), snow_folder,
+                   sketch);
+  GrowingGround land = growing_ground(scene);
+  return site_on(scene, std::move(land.ground), std::move(land.growth_of_cells), std::move(season),
+                 snow_folder, sketch);
+}
+
+Site make_site(const scene::Scene& scene, GrowingGround land,
+               std::shared_ptr<const phenology::FilmSeason> season, const fs::path& snow_folder) {
+  return site_on(scene, std::move(land.ground), std::move(land.growth_of_cells), std::move(season),
+                 snow_folder, /*sketch=*/{});
+}
+
 double visual_range_m(const scene::Scene& scene, const Site& site, int frame) {
   if (!site.season) return scene.sky.visual_range_m;
   return site.season->visual_range_m(scene::season_days(scene, frame));
@@ -254,7 +318,7 @@ Site site_of_frame(const scene::Scene& scene, const Site& site, int frame) {
   scene::Sky sky = scene.sky;
   sky.visual_range_m = visual_range_m(scene, site, frame);
   now.day = light::Daylight(scene::sun_of_frame(scene, frame), sky);
-  light_ground(scene, now);
+  light_ground(scene, now, frame);
   return now;
 }
 

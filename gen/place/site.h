@@ -8,6 +8,7 @@
 #include "core/ground_map.h"
 #include "light/daylight.h"
 #include "phenology/film_season.h"
+#include "place/growing_ground.h"
 #include "place/mixture_field.h"
 #include "place/withering.h"
 #include "scene/scene.h"
@@ -96,6 +97,10 @@ struct Site {
 Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmSeason> season,
                const std::filesystem::path& snow_folder = {},
                const std::optional<Sketch>& sketch = {});
+/// The same on growing_ground() of the scene, which has been made before.
+Site make_site(const scene::Scene& scene, GrowingGround land,
+               std::shared_ptr<const phenology::FilmSeason> season,
+               const std::filesystem::path& snow_folder);
 
 /// How far one sees in a frame (from 1): sky.visual_range, in a season through that day's air.
 double visual_range_m(const scene::Scene& scene, const Site& site, int frame);

@@ -89,7 +89,20 @@ View View::over(const Heightfield& terrain) const {
   return view;
 }
 
+View View::outside(const Square& square) const {
+  View view = *this;
+  view.left_out_ = square;
+  return view;
+}
+
+View View::reaching(double reach_m) const {
+  View view = *this;
+  view.reach_m_ = reach_m;
+  return view;
+}
+
 bool View::may_see_ground(const glm::dvec3& at_m, double margin_m) const {
+  if (left_out_ && left_out_->contains(glm::dvec2(at_m))) return false;
   return may_see(at_m, margin_m) && (!ground_ || ground_->may_see(glm::dvec2(at_m), margin_m));
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 
 #include "core/ground_map.h"
 #include "landscape/landscape.h"
@@ -49,8 +50,17 @@ class View {
   /// terrain has to outlive it.
   View over(const Heightfield& terrain) const;
 
+  /// The same of one that is not asked for the ground of a square: another view has that.
+  View outside(const Square& square) const;
+
+  /// The same of one that is asked for what stands on the ground so far, > 0, beside its place: 2 m
+  /// without it.
+  View reaching(double reach_m) const;
+  double reach_m() const { return reach_m_; }
+
   /// Whether any of the ground within `margin_m` of a place on it can be seen; also behind nearer
-  /// ground where the view is not over() a terrain.
+  /// ground where the view is not over() a terrain. Never inside the square that it is outside()
+  /// of.
   bool may_see_ground(const glm::dvec3& at_m, double margin_m) const;
 
   /// Pixels that a length covers at a point, seen square on.
@@ -62,8 +72,9 @@ class View {
  private:
   glm::dvec3 eye_m_;
   std::array<glm::dvec3, 5> inwards_;  ///< unit normals of the sides and of the plane at the eye
-  double pixels_per_radian_ = 0.0;
+  double pixels_per_radian_ = 0.0, reach_m_ = 2.0;
   std::shared_ptr<const GroundInSight> ground_;  ///< null where nothing is known of it
+  std::optional<Square> left_out_;
 };
 
 }  // namespace wold::place

@@ -127,7 +127,9 @@ void LargeCover::integrate(int hour) {
   const auto later = hours_.upper_bound(hour);
   int from = later == hours_.begin() ? -1 : *std::prev(later);
   while (from < hour) {
-    const int to = from < 0 ? clock_.first_h : std::min(from + longest_pass_h, hour);
+    const int to = from < 0
+                       ? clock_.first_h
+                       : std::max(std::min(from + longest_pass_h, hour), bare_until(from, hour));
     remove(to);  // from another time
     pass(from, to);
     from = to;
@@ -137,6 +139,17 @@ void LargeCover::integrate(int hour) {
     if (other != hour && other != hour - clock_.step_h) remove(other);
 }
 
+/// The last hour, at most `to_hour`, up to which bare ground stays bare: where nothing lies nothing
+/// slides, and a pass may be as long as that.
+int LargeCover::bare_until(int from_hour, int to_hour) const {
+  if (!bare_hours_.contains(from_hour)) return from_hour;
+  const HeightClasses classes(lowest_to_highest_m_);
+  for (int hour = from_hour; hour < to_hour; hour += clock_.step_h)
+    if (snows(classes.step(weather_during(hour), clock_.step_h, cover_.melt_mm_per_day), classes))
+      return hour;
+  return to_hour;
+}
+
 void LargeCover::remove(int hour) {
   for (int level = 0; level < levels_; ++level) {
     std::error_code ignored;
@@ -144,6 +157,7 @@ void LargeCover::remove(int hour) {
     images_.forget(picture(hour, level));
   }
   hours_.erase(hour);
+  bare_hours_.erase(hour);
 }
 
 LargeCover::Window LargeCover::window(const glm::ivec2& tile) const {
@@ -165,6 +179,8 @@ std::vector<float> LargeCover::read(const std::filesystem::path& path, const Win
 
 /// Heights and how deep snow can lie, so that neither is asked for again by the hour.
 void LargeCover::write_ground(const LargeGround& ground) {
+  const glm::ivec2 tiles = extent_of(2).tiles();
+  std::vector<float> extremes_m(static_cast<std::size_t>(2 * tiles.x * tiles.y));
   const auto fill = [&](const glm::ivec2& tile, std::span<float> values) {
     const Window around = window(tile);
     Heightfield heights(around.side, (around.side - 1) * step_m_);
@@ -172,6 +188,9 @@ void LargeCover::write_ground(const LargeGround& ground) {
     for (int y = 0; y < around.side; ++y)
       for (int x = 0; x < around.side; ++x)
         require_number(heights.at(x, y), around.first + glm::ivec2(x, y));
+    const auto [lowest_m, highest_m] = std::ranges::minmax(heights.values());
+    extremes_m[2 * place_of(tile, tiles.x)] = lowest_m;
+    extremes_m[2 * place_of(tile, tiles.x) + 1] = highest_m;
     const FactorMap max_m = max_depths_m(heights);
     around.each_of_tile([&](const glm::ivec2& at, std::size_t place) {
       const auto value = place_of(at, limits_.tile_samples) * 2;
@@ -181,6 +200,8 @@ void LargeCover::write_ground(const LargeGround& ground) {
   };
   images_.forget(folder_ / "ground.tif");
   write_tiled_image(folder_ / "ground.tif", extent_of(2), limits_.tiles_at_a_time, fill);
+  const auto [lowest_m, highest_m] = std::ranges::minmax(extremes_m);
+  lowest_to_highest_m_ = {lowest_m, highest_m};
 }
 
 /// Heights and how deep snow can lie.
@@ -219,15 +240,23 @@ void LargeCover::write_drift(int heading_deg) {
   drifts_[heading_deg] = {path, std::accumulate(sums.begin(), sums.end(), 0.0) / places};
 }
 
+/// In the middle of the clock's step that begins at an hour.
+WeatherMoment LargeCover::weather_during(int hour) const {
+  return weather_((hour + 0.5 * clock_.step_h) * seconds_per_hour - earlier_s_);
+}
+
 /// Brings all tiles from one whole hour to a later one; from -1, the snow that lies at first.
 void LargeCover::pass(int from_hour, int to_hour) {
   std::vector<WeatherMoment> weather;
   for (int hour = from_hour < 0 ? to_hour : from_hour; hour < to_hour; hour += clock_.step_h)
-    weather.push_back(weather_((hour + 0.5 * clock_.step_h) * seconds_per_hour - earlier_s_));
+    weather.push_back(weather_during(hour));
   for (const WeatherMoment& hour : weather) write_drift(drift_heading_deg(hour, cover_.drifting));
+  const glm::ivec2 tiles = extent_of(1).tiles();
+  std::vector<char> white(static_cast<std::size_t>(tiles.x * tiles.y));
   const auto integrate_tile = [&](const glm::ivec2& tile, std::span<float> values) {
     const Window around = window(tile);
     SnowpackField lying = after(around, packs(around, from_hour), weather);
+    white[place_of(tile, tiles.x)] = is_bare(lying) ? 0 : 1;
     const std::vector<std::vector<double>*> of_pack = channels_of(lying, channels());
     around.each_of_tile([&](const glm::ivec2& at, std::size_t place) {
       auto value = place_of(at, limits_.tile_samples) * of_pack.size();
@@ -240,6 +269,7 @@ void LargeCover::pass(int from_hour, int to_hour) {
     write_halved(images_, picture(to_hour, level - 1), extent(level - 1), picture(to_hour, level),
                  limits_.tiles_at_a_time);
   hours_.insert(to_hour);
+  if (std::ranges::count(white, 1) == 0) bare_hours_.insert(to_hour);
 }
 
 /// The packs of a window after hours of weather.

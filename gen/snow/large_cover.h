@@ -89,6 +89,8 @@ class LargeCover {
   void write_ground(const LargeGround& ground);
   void write_drift(int heading_deg);
   void pass(int from_hour, int to_hour);
+  int bare_until(int from_hour, int to_hour) const;
+  WeatherMoment weather_during(int hour) const;
   void remove(int hour);
   Window window(const glm::ivec2& tile) const;
   std::vector<float> read(const std::filesystem::path& path, const Window& window,
@@ -114,7 +116,9 @@ class LargeCover {
   Limits limits_;
   TiledImages images_;
   int levels_ = 1;
-  std::set<int> hours_;  ///< on disk
+  std::set<int> hours_;                         ///< on disk
+  std::set<int> bare_hours_;                    ///< of these, at which no snow lies anywhere
+  std::array<float, 2> lowest_to_highest_m_{};  ///< of the ground
   struct Drift {
     std::filesystem::path weights;
     double mean;

@@ -200,7 +200,8 @@ glm::vec3 covered(const GroundColour::Albedo& albedo, const LandCover::Shares& c
 }
 
 GroundLight smoothed_light(const Heightfield& terrain, const light::Daylight& day,
-                           const GroundGrid& grid, int passes, const LandShadow* around) {
+                           const GroundGrid& grid, int passes, const LandShadow* around,
+                           const RowParts& parts) {
   const ColourMap dark(grid.samples, grid.square);
   GroundLight light{dark, dark, FactorMap(grid.samples, grid.square)};
   const SkyPatches sky(day);
@@ -210,14 +211,14 @@ GroundLight smoothed_light(const Heightfield& terrain, const light::Daylight& da
       glm::dvec4(glm::dvec3(day.sky_irradiance()), 1.0) / flat_sky_light(sky);
   parallel_for(static_cast<std::size_t>(dark.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
-    for (int i = 0; i < dark.samples(); ++i) {
+    visit_row(parts[row], [&](int i) {
       const glm::dvec2 at_m = dark.place_m(i, j);
       const glm::dvec3 up = normal(terrain, at_m.x, at_m.y);
       light.sun.at(i, j) = glm::vec3(sun_light(hiding, at_m, up, day));
       const glm::vec4 by_sky(sky_light(horizons, at_m, up, sky) * sky_scale);
       light.sky.at(i, j) = glm::vec3(by_sky);
       light.overcast.at(i, j) = by_sky.w;
-    }
+    });
   });
   for (int pass = 0; pass < passes; ++pass) {
     smooth(light.sun);
@@ -244,12 +245,13 @@ GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day,
   // 0.2 m.
   const double passes = 4.0 * 0.2 * 0.2 / (step_m * step_m);
   return smoothed_light(terrain, day, grid, std::max(1, static_cast<int>(std::lround(passes))),
-                        around);
+                        around, whole_rows(grid.samples));
 }
 
 GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day,
-                         const GroundGrid& grid, const LandShadow* around) {
-  return smoothed_light(terrain, day, grid, /*passes=*/1, around);
+                         const GroundGrid& grid, const LandShadow* around, const RowParts& parts) {
+  return smoothed_light(terrain, day, grid, /*passes=*/1, around,
+                        parts.empty() ? whole_rows(grid.samples) : parts);
 }
 
 ColourMap ground_reflectance(const Surface& surface, const glm::dvec3& sun_direction,

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "core/ground_map.h"
+#include "core/row_parts.h"
 #include "light/daylight.h"
 #include "scene/scene.h"
 
@@ -27,9 +28,11 @@ struct GroundLight {
 /// `around`: what land around the terrain takes of the sun; null takes nothing.
 GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day,
                          const LandShadow* around = nullptr);
-/// The same on another grid, smoothed over one of its steps.
+/// The same on another grid, smoothed over one of its steps. `parts`: of the grid's rows, what
+/// counts; empty: all. It is dark elsewhere, and less light than there is lies beside that.
 GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day,
-                         const GroundGrid& grid, const LandShadow* around = nullptr);
+                         const GroundGrid& grid, const LandShadow* around = nullptr,
+                         const RowParts& parts = {});
 
 /// Albedo of clear water by what it scatters back: less than 5 % of the light, most of it blue and
 /// green ([Mobley1994], irradiance reflectances of lakes).

@@ -42,6 +42,7 @@ class Surface {
   const GroundGrid& grid() const { return grid_; }
   /// What counts of row `j`.
   const RowPart& part(int j) const { return parts_[static_cast<std::size_t>(j)]; }
+  const RowParts& parts() const { return parts_; }
   /// The heights, without what is finer than their samples.
   const Heightfield& heights_m() const { return heights_m_; }
   /// Of value (i, j) of a map on the grid.

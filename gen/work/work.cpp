@@ -203,12 +203,19 @@ const Work::SceneHashes& Work::scene_hashes(int frame) {
 }
 
 film::FilmPipeline& Work::film() {
-  if (!film_) film_.emplace(job_);
+  if (!film_) {
+    film_.emplace(job_, land_ ? std::move(*land_) : place::growing_ground(job_.scene));
+    land_.reset();
+  }
   return *film_;
 }
 
 const film::FilmDemand& Work::demand() {
-  if (!demand_) demand_.emplace(job_);
+  if (!demand_) {
+    if (!land_) land_ = place::growing_ground(job_.scene);
+    demand_.emplace(job_, *land_);
+    if (film_) land_.reset();
+  }
   return *demand_;
 }
 

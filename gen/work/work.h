@@ -10,6 +10,7 @@
 #include "core/progress.h"
 #include "film/film.h"
 #include "film/film_demand.h"
+#include "place/growing_ground.h"
 #include "work/file_states.h"
 #include "work/job.h"
 #include "work/renderers.h"
@@ -114,6 +115,7 @@ class Work {
   std::map<int, Verdict> scenes_;               ///< verdicts, by frame
   std::map<int, SceneHashes> scene_hashes_;     ///< by frame
   std::map<std::string, std::string> changes_;  ///< since facts of that hash, in words
+  std::optional<place::GrowingGround> land_;    ///< from demand() on, until film() takes it
   std::optional<film::FilmPipeline> film_;
   std::optional<film::FilmDemand> demand_;
   bool demand_found_ = false;

@@ -110,6 +110,16 @@ TEST(GroundDetails, AreNestedAndMoveByWholeSteps) {
   }
 }
 
+/// Whether a picture of the ground shows a place alone: no finer one has replaced it.
+bool shows_alone(const landscape::Landscape& landscape, std::size_t detail,
+                 const glm::dvec2& at_m) {
+  if (detail + 1 >= landscape.ground_details.size()) return true;
+  const landscape::GroundDetail& finer = landscape.ground_details[detail + 1];
+  const double border_m = landscape::soft_border_m(landscape.ground_details[detail].map, finer);
+  const Square replaced{finer.corner_m + border_m, finer.map.size_m() - 2.0 * border_m};
+  return !replaced.contains(at_m);
+}
+
 /// Mean over a square of a picture, at many places.
 glm::dvec3 mean_over(const ColourMap& map, const Square& square) {
   constexpr int places = 400;
@@ -137,12 +147,12 @@ TEST(GroundDetails, AreMadeWhereTheCameraSeesThem) {
                test::no_grass(), needs_of({}));
   const place::View view(landscape.camera, scene.render.size_px[0], scene.render.size_px[1]);
   int seen = 0, hidden = 0, left = 0;
-  for (std::size_t k = 0; k < 4; ++k) {
+  for (std::size_t k = 0; k < landscape.ground_details.size(); ++k) {
     const landscape::GroundDetail& detail = landscape.ground_details[k];
     for (int j = 0; j < detail.map.samples(); ++j)
       for (int i = 0; i < detail.map.samples(); ++i) {
         const glm::dvec2 at_m = detail.corner_m + detail.map.place_m(i, j);
-        if (!landscape.terrain.square().contains(at_m) ||
+        if (!landscape.terrain.square().contains(at_m) || !shows_alone(landscape, k, at_m) ||
             !view.may_see(place::above_ground(landscape.terrain, at_m, 0.0), 0.0))
           continue;
         const bool coarse = detail.map.at(i, j) == landscape.ground.sample(at_m.x, at_m.y);
@@ -158,6 +168,45 @@ TEST(GroundDetails, AreMadeWhereTheCameraSeesThem) {
   EXPECT_GT(seen, 1000);
   EXPECT_GT(hidden, 1000);
   EXPECT_GT(left, hidden / 3);
+}
+
+// Light and look of the ground are as fine as if all of it were: where the camera sees the picture
+// of the whole. Elsewhere they come from a coarser map, on the mean the same.
+TEST(GroundDetails, LeaveTheWholeAsFineWhereItIsSeen) {
+  const test::TemporaryFolder folder("seen_whole");
+  scene::Scene scene = plain(6000.0);
+  scene.terrain.shape = scene::TerrainShape::mountain;
+  scene.terrain.hill_height_m = 900.0;
+  scene.terrain.relief_m = 20.0;
+  scene.camera.eye_m = {3000.0, 200.0};
+  scene.camera.target_m = {3100.0, 3000.0};
+  scene.render.size_px = {192, 108};
+  const place::Site site = test::site_of(scene, folder.path());
+  const GroundGrid grid = place::whole_grid(scene);
+  const place::GroundPart all =
+      place::ground_part(scene, site, grid, whole_rows(grid.samples), /*snow_m=*/{});
+  const landscape::Camera camera = place::camera_of_frame(scene, site.terrain, 1);
+  const place::View view(camera, scene.render.size_px[0], scene.render.size_px[1]);
+  const Square nearest = place::detail_grids(scene, camera).front().square;
+  int seen = 0;
+  glm::dvec3 mean(0.0), mean_of_all(0.0);
+  for (int j = 0; j < grid.samples; ++j)
+    for (int i = 0; i < grid.samples; ++i) {
+      const glm::dvec2 at_m = site.ground_reflectance.place_m(i, j);
+      mean += glm::dvec3(site.light.sun.at(i, j));
+      mean_of_all += glm::dvec3(all.light.sun.at(i, j));
+      if (nearest.contains(at_m) ||
+          !view.may_see(place::above_ground(site.terrain, at_m, 0.0), 0.0) ||
+          !test::sees_ground(site.terrain, camera.eye_m, at_m, /*step_m=*/10.0))
+        continue;
+      ++seen;
+      ASSERT_EQ(site.ground_reflectance.at(i, j), all.reflectance.at(i, j)) << i << ' ' << j;
+      ASSERT_EQ(site.light.sun.at(i, j), all.light.sun.at(i, j)) << i << ' ' << j;
+      ASSERT_EQ(site.light.sky.at(i, j), all.light.sky.at(i, j)) << i << ' ' << j;
+    }
+  EXPECT_GT(seen, 500);
+  // In a picture as small as this one the coarser light is smoothed over 72 m of steep ground.
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c], mean_of_all[c], 0.05 * mean_of_all[c]);
 }
 
 /// The plain with so much snow, mm of water.
@@ -191,8 +240,11 @@ TEST(GroundDetails, ShowPatchesOfSnow) {
   const test::TemporaryFolder folder("snow_patches");
   const landscape::Landscape landscape = snowed_on(1.5, folder.path());
   const double smallest_m = scene::SnowCover{}.feature_m;
+  const place::View view(landscape.camera, landscape.width_px, landscape.height_px);
   for (const landscape::GroundDetail& detail : landscape.ground_details) {
-    if (detail.map.size_m() < 2.0 * smallest_m) continue;
+    const double side_m = detail.map.size_m();
+    const glm::dvec3 middle_m(detail.corner_m + 0.5 * side_m, 0.0);
+    if (side_m < 2.0 * smallest_m || !view.may_see(middle_m, 0.5 * side_m)) continue;
     const auto [min, max] = std::ranges::minmax(detail.map.values(), {},
                                                 [](const glm::vec3& value) { return value.g; });
     EXPECT_GT(max.g, 3.0F * min.g) << detail.map.size_m();

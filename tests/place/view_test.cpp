@@ -56,6 +56,16 @@ TEST(Camera, StandsOverTheMesh) {
   EXPECT_NEAR(resolved_camera(camera, terrain, 0.0).target_m.z, 14.0, 1e-6);
 }
 
+TEST(View, IsNotAskedForAllGround) {
+  const Square square{{-1.0, 4.0}, 3.0};
+  const View view = View({{0, 0, 0}, {0, 10, 0}, 90.0}, 200, 100).outside(square).reaching(0.5);
+  EXPECT_FALSE(view.may_see_ground({0.0, 5.0, 0.0}, 100.0));
+  EXPECT_TRUE(view.may_see_ground({0.0, 3.9, 0.0}, 0.0));
+  EXPECT_TRUE(view.may_see_ground({0.0, 7.1, 0.0}, 0.0));
+  EXPECT_DOUBLE_EQ(margin_in_view_m(view, 0.01), 0.5);
+  EXPECT_DOUBLE_EQ(margin_in_view_m(view, 2.0), 4.0);
+}
+
 /// Waves of land, 2 km wide.
 Heightfield waves() {
   Heightfield terrain(65, 2000.0);
@@ -71,7 +81,7 @@ TEST(RowsInView, HaveAllThatIsVisitedAndWhatTheMarginAsksFor) {
   const View view =
       View({{560.0, 620.0, 42.0}, {1500.0, 800.0, 20.0}, 55.0}, 160, 90).over(terrain);
   const GroundGrid grid{{{600.0, 200.0}, 1000.0}, 501};
-  const double margin_m = margin_in_view_m(grid.step_m()) + 2.0 * grid.step_m();
+  const double margin_m = margin_in_view_m(view, grid.step_m()) + 2.0 * grid.step_m();
   const RowParts parts = rows_in_view(grid, terrain, view, margin_m);
   const FactorMap map(grid.samples, grid.square);
   std::vector<std::vector<int>> visited(parts.size());

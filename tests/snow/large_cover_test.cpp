@@ -114,6 +114,30 @@ TEST(LargeCover, IsTheSameHoweverItIsAskedAndKeepsTwoHoursOnDisk) {
   EXPECT_EQ(files, 2 * static_cast<int>(a.size()) + winds + 1);
 }
 
+// Bare ground is passed in one go up to the first snow, and that is none too late.
+TEST(LargeCover, PassesBareGroundUpToTheFirstSnow) {
+  constexpr int first_snow_h = 100;
+  scene::Scene bare = snowy_scene();
+  bare.snow_cover.initial_mm = 0.0;
+  std::atomic<int> rounds = 0;
+  const auto late = [&](double time_s) {
+    rounds += 1;
+    return time_s < 3600.0 * first_snow_h ? WeatherMoment{12.0, 4.0, 8.0, 75.0} : stormy(time_s);
+  };
+  const Heightfield terrain = hills(201);
+  const TemporaryFolder folder("late_snow");
+  LargeCover large(bare, large_ground(terrain), late, folder.path(), small_tiles);
+  large.integrate(first_snow_h);
+  EXPECT_EQ(rounds, 2 * first_snow_h);  // looked at, then passed
+  large.integrate(first_snow_h + 2);
+  std::vector<float> values(201 * 201 * 3);
+  TiledImages(16.0).read(folder.path() / "hour_00102_level_0.tif", {0, 0}, {201, 201}, 3, values);
+  const SnowGround::State want = SnowGround(bare, terrain, late).at(3600.0 * (first_snow_h + 2.0));
+  EXPECT_GT(want.fallen_mm, 1.0);
+  for (std::size_t i = 0; i < want.water_mm.values().size(); ++i)
+    ASSERT_NEAR(values[3 * i], want.water_mm.values()[i], 1e-5 * want.water_mm.values()[i]) << i;
+}
+
 TEST(LargeCover, HoldsNoMoreGroundThanItsTiles) {
   const Heightfield terrain = hills(600);
   LargeGround ground = large_ground(terrain);

@@ -50,6 +50,25 @@ TEST(LightMap, IsNoFinerThanHalfOfTheTerrainsStep) {
   EXPECT_EQ(samples(80.0), 81);
 }
 
+// What does not count is dark; what does, but for its border, is as if all did.
+TEST(LightMap, IsMadeWhereItCounts) {
+  const light::Daylight day({38.0, 235.0}, {3.0});
+  const Heightfield terrain = ground(80.0, 81, [](double y) { return 6.0 * std::sin(0.2 * y); });
+  const GroundGrid grid{terrain.square(), 41};
+  RowParts parts(41);
+  for (std::size_t j = 10; j < 30; ++j) parts[j] = {{4, 12}, {20, 41}};
+  const GroundLight whole = ground_light(terrain, day, grid);
+  const GroundLight part = ground_light(terrain, day, grid, nullptr, parts);
+  EXPECT_EQ(part.sky.at(16, 20), glm::vec3(0.0F));
+  EXPECT_EQ(part.sun.at(30, 5), glm::vec3(0.0F));
+  for (int j = 11; j < 29; ++j)
+    for (const int i : {5, 8, 10, 21, 30, 40}) {
+      EXPECT_EQ(part.sun.at(i, j), whole.sun.at(i, j));
+      EXPECT_EQ(part.sky.at(i, j), whole.sky.at(i, j));
+      EXPECT_EQ(part.overcast.at(i, j), whole.overcast.at(i, j));
+    }
+}
+
 TEST(LightMap, InclinedPlaneReceivesTheIntegralOverItsHemisphere) {
   const light::Daylight day({38.0, 180.0}, {3.0});
   const double tilt = 20.0 * degree;  // rises northwards, so it faces the sun in the south
