@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <utility>
 
 #include "core/ground_map.h"
 #include "core/parallel.h"

@@ -313,18 +313,37 @@ void LitGround::show_land_around(const LandAround& around, const LakeSurface* la
                     around, view, camera.eye_m, *landscape.backdrop);
 }
 
+/// Where snow lies the ground is higher than the terrain, boulders are in their places. Light that
+/// has fewer values than the pictures is made everywhere.
+std::vector<place::View> LitGround::views_of_pictures(const SnowyGround& ground,
+                                                      const std::vector<GroundGrid>& details,
+                                                      const landscape::Landscape& landscape) const {
+  if (details.empty()) return {view_};
+  const place::View in_sight = view_.over(landscape.terrain);
+  const bool coarse_light = site_.sketch || (!site_.finer && !site_.boulders);
+  if (coarse_light) return std::vector(details.size() + 1, in_sight);
+  const landscape::RaisedGround& boulders = landscape.boulders;
+  const bool snowed = static_cast<bool>(ground.snow_depth());
+  const auto stands = [&](const Square& square) {
+    return snowed || std::ranges::any_of(boulders.points_m, [&](const glm::vec3& point_m) {
+             return square.contains(glm::dvec2(boulders.origin_m) + glm::dvec2(point_m));
+           });
+  };
+  return place::views_of_pictures(in_sight, place::whole_grid(scene_), details, stands);
+}
+
 void LitGround::show(const SnowyGround& ground, const ColourMap& light, const SkyRadiance& sky,
                      landscape::Landscape& landscape) const {
   const std::vector<GroundGrid> details = place::detail_grids(scene_, landscape.camera);
-  const place::View in_sight = details.empty() ? view_ : view_.over(landscape.terrain);
-  const std::vector<place::View> pictures =
-      place::views_of_pictures(in_sight, place::whole_grid(scene_), details);
-  ColourMap grass_light =
-      on_grass(light, ground.light(), place::whole_grid(scene_), pictures.front());
+  const std::vector<place::View> pictures = views_of_pictures(ground, details, landscape);
   const bool sees_around =
       landscape.backdrop && sees_land_around(site_, landscape.camera, scene_.render);
+  const bool looked_at_from_afar = sees_around || site_.water;
+  // Land around is to look like this one, also like what this picture does not show.
+  ColourMap grass_light = on_grass(light, ground.light(), place::whole_grid(scene_),
+                                   looked_at_from_afar ? view_ : pictures.front());
   std::optional<LandAround> around;
-  if (sees_around || site_.water)
+  if (looked_at_from_afar)
     around.emplace(land_around(LevelLook(*this, ground, light, grass_light, landscape.camera)));
   const std::unique_ptr<const LakeSurface> lakes =
       site_.water ? lake_surface(ground, light, grass_light, *around, sky, landscape) : nullptr;
@@ -338,7 +357,7 @@ void LitGround::show(const SnowyGround& ground, const ColourMap& light, const Sk
         detail(ground, details[i], pictures[i + 1], lakes.get(), landscape.ground));
 
   if (sees_around) show_land_around(*around, lakes.get(), landscape);
-  if (place::is_large(scene_)) grass_light = light_in_window(ground, in_sight);
+  if (place::is_large(scene_)) grass_light = light_in_window(ground, view_.over(site_.terrain));
   landscape.light =
       product(grass_light,
               meadow::weathering_tint(scene_, *site_.withering, now_.frame, choices_, now_.snow,

@@ -93,6 +93,9 @@ class LitGround {
   void show_land_around(const LandAround& around, const LakeSurface* lakes,
                         landscape::Landscape& landscape) const;
   /// On the grass of a large terrain's window of cells.
+  std::vector<place::View> views_of_pictures(const SnowyGround& ground,
+                                             const std::vector<GroundGrid>& details,
+                                             const landscape::Landscape& landscape) const;
   ColourMap light_in_window(const SnowyGround& ground, const place::View& in_sight) const;
 
   const scene::Scene& scene_;

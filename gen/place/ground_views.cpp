@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "place/ground_grids.h"
 #include "scene/calendar.h"
 
 namespace wold::place {
@@ -16,7 +15,7 @@ bool are_alike(const landscape::Camera& a, const landscape::Camera& b) {
 /// Of ground that a grid's picture shows and no finer one: `view` without what lies inside the soft
 /// border of the finer one.
 View beside(const View& view, const GroundGrid& grid, const GroundGrid& finer) {
-  // The border takes two steps, and light and slopes count those beside them.
+  // The border takes two steps, and maps of light have values four steps apart.
   constexpr double border_steps = 6.0;
   const double border_m = border_steps * grid.step_m();
   const double inside_m = finer.square.size_m - 2.0 * border_m;
@@ -24,33 +23,33 @@ View beside(const View& view, const GroundGrid& grid, const GroundGrid& finer) {
   return view.outside({finer.square.corner_m + border_m, inside_m});
 }
 
-/// On a detail nothing stands: it shows no farther than light and slopes need.
-View of_ground(const View& view, const GroundGrid& grid) {
+/// Where nothing stands on a detail it shows no farther than light and slopes need.
+View of_detail(const View& view, const GroundGrid& grid, const Stands& stands) {
   constexpr double of_side = 0.05;
+  if (stands(grid.square)) return view;
   return view.reaching(std::min(view.reach_m(), of_side * grid.square.size_m));
 }
 
-View view_of_whole(const scene::Scene& scene, const Heightfield& terrain,
-                   const landscape::Camera& camera) {
-  const View view = View(camera, scene.render.size_px[0], scene.render.size_px[1]).over(terrain);
-  return views_of_pictures(view, whole_grid(scene), detail_grids(scene, camera)).front();
+View in_sight(const scene::Scene& scene, const Heightfield& terrain,
+              const landscape::Camera& camera) {
+  return View(camera, scene.render.size_px[0], scene.render.size_px[1]).over(terrain);
 }
 
 }  // namespace
 
 std::vector<View> views_of_pictures(const View& view, const GroundGrid& whole,
-                                    const std::vector<GroundGrid>& details) {
+                                    const std::vector<GroundGrid>& details, const Stands& stands) {
   if (details.empty()) return {view};
   std::vector<View> views{beside(view, whole, details.front())};
   for (std::size_t i = 0; i < details.size(); ++i) {
-    const View of_detail = of_ground(view, details[i]);
+    const View all = of_detail(view, details[i], stands);
     const bool finest = i + 1 == details.size();
-    views.push_back(finest ? of_detail : beside(of_detail, details[i], details[i + 1]));
+    views.push_back(finest ? all : beside(all, details[i], details[i + 1]));
   }
   return views;
 }
 
-std::vector<View> views_of_whole(const scene::Scene& scene, const Heightfield& terrain) {
+std::vector<View> views_of_film(const scene::Scene& scene, const Heightfield& terrain) {
   constexpr std::size_t most = 8;
   std::vector<landscape::Camera> cameras;
   for (int frame = 1; frame <= scene::frame_count(scene); ++frame) {
@@ -60,13 +59,12 @@ std::vector<View> views_of_whole(const scene::Scene& scene, const Heightfield& t
     if (cameras.size() > most) return {};
   }
   std::vector<View> views;
-  for (const landscape::Camera& camera : cameras)
-    views.push_back(view_of_whole(scene, terrain, camera));
+  for (const landscape::Camera& camera : cameras) views.push_back(in_sight(scene, terrain, camera));
   return views;
 }
 
-std::vector<View> views_of_whole(const scene::Scene& scene, const Heightfield& terrain, int frame) {
-  return {view_of_whole(scene, terrain, camera_of_frame(scene, terrain, frame))};
+View view_of_frame(const scene::Scene& scene, const Heightfield& terrain, int frame) {
+  return in_sight(scene, terrain, camera_of_frame(scene, terrain, frame));
 }
 
 }  // namespace wold::place

@@ -53,15 +53,18 @@ std::unique_ptr<snow::LargeCover> large_cover(const scene::Scene& scene, const H
       snow::LargeCover::Limits{.view_samples = cover_samples(scene)});
 }
 
-/// The light of a clear sky on a surface: as fine as its grid, or as another on the same square.
+/// The light of a clear sky on a surface, from a value for each of `fineness`: of its own grid, or
+/// of a coarser one on the same square, between whose values nobody looks.
 terrain::GroundLight lit(const Site& site, const terrain::Surface& surface,
                          const GroundGrid& fineness) {
   constexpr int steps = 2;  // values between two, smoothed over one
   const GroundGrid grid = light_grid(site.terrain, fineness, site.sketch);
+  const bool as_fine =
+      grid.samples == light_grid(site.terrain, surface.grid(), site.sketch).samples;
   const RowParts parts = coarser_parts(surface.grid(), surface.parts(), grid, steps);
-  return surface.lit(
-      terrain::ground_light(site.terrain, site.day, grid, site.land_shadow.get(), parts),
-      site.day.sun_direction());
+  return surface.lit(terrain::ground_light(site.terrain, site.day, grid, site.land_shadow.get(),
+                                           parts, /*smoothed=*/as_fine),
+                     site.day.sun_direction());
 }
 
 /// A part of a site's ground on which that grows, in light as fine as a grid.
@@ -96,8 +99,8 @@ GroundPart large_ground(const scene::Scene& scene, const Site& site, std::option
                         FactorMap growth) {
   constexpr int coarser = 4;
   const GroundGrid fine = whole_grid(scene);
-  const std::vector<View> views =
-      frame ? views_of_whole(scene, site.terrain, *frame) : views_of_whole(scene, site.terrain);
+  const std::vector<View> views = frame ? std::vector{view_of_frame(scene, site.terrain, *frame)}
+                                        : views_of_film(scene, site.terrain);
   if (views.empty()) return lit_part(scene, site, site.surface(fine), fine, std::move(growth));
   const auto seen = [&](double more_steps) {
     const double step_m = fine.step_m();

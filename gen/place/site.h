@@ -70,8 +70,9 @@ struct Site {
   light::Daylight day;
   /// What land around hides of that day's sun; none where nobody knows that land.
   std::shared_ptr<const terrain::LandShadow> land_shadow;
-  terrain::GroundLight light;       ///< under a clear sky
-  ColourMap ground_reflectance;     ///< of the bare ground, radiance over irradiance
+  /// Under a clear sky; of a large terrain coarser where no camera sees it.
+  terrain::GroundLight light;
+  ColourMap ground_reflectance;     ///< the same of the bare ground, radiance over irradiance
   std::optional<FactorMap> ledges;  ///< terrain::ledges() of a large terrain that snow may lie on
   std::optional<cloud::Clouds> clouds;
   std::shared_ptr<const phenology::FilmSeason> season;  ///< if it is one

@@ -53,8 +53,8 @@ class View {
   /// The same of one that is not asked for the ground of a square: another view has that.
   View outside(const Square& square) const;
 
-  /// The same of one that is asked for what stands on the ground so far, > 0, beside its place: 2 m
-  /// without it.
+  /// The same with how far beside its place what stands on the ground may reach, > 0: 2 m unless
+  /// set.
   View reaching(double reach_m) const;
   double reach_m() const { return reach_m_; }
 

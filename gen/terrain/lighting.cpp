@@ -249,8 +249,9 @@ GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day,
 }
 
 GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day,
-                         const GroundGrid& grid, const LandShadow* around, const RowParts& parts) {
-  return smoothed_light(terrain, day, grid, /*passes=*/1, around,
+                         const GroundGrid& grid, const LandShadow* around, const RowParts& parts,
+                         bool smoothed) {
+  return smoothed_light(terrain, day, grid, /*passes=*/smoothed ? 1 : 0, around,
                         parts.empty() ? whole_rows(grid.samples) : parts);
 }
 

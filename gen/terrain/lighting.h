@@ -28,11 +28,12 @@ struct GroundLight {
 /// `around`: what land around the terrain takes of the sun; null takes nothing.
 GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day,
                          const LandShadow* around = nullptr);
-/// The same on another grid, smoothed over one of its steps. `parts`: of the grid's rows, what
-/// counts; empty: all. It is dark elsewhere, and less light than there is lies beside that.
+/// The same on another grid, smoothed over one of its steps or, where its values are to be single
+/// ones of a finer map, not at all. `parts`: of the grid's rows, what counts; empty: all. It is
+/// dark elsewhere, and less light than there is lies beside that.
 GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day,
                          const GroundGrid& grid, const LandShadow* around = nullptr,
-                         const RowParts& parts = {});
+                         const RowParts& parts = {}, bool smoothed = true);
 
 /// Albedo of clear water by what it scatters back: less than 5 % of the light, most of it blue and
 /// green ([Mobley1994], irradiance reflectances of lakes).

@@ -204,8 +204,9 @@ const Work::SceneHashes& Work::scene_hashes(int frame) {
 
 film::FilmPipeline& Work::film() {
   if (!film_) {
-    film_.emplace(job_, land_ ? std::move(*land_) : place::growing_ground(job_.scene));
+    place::GrowingGround land = land_ ? std::move(*land_) : place::growing_ground(job_.scene);
     land_.reset();
+    film_.emplace(job_, std::move(land));
   }
   return *film_;
 }
@@ -264,6 +265,7 @@ void Work::finish() {
 
 void Work::forget_film() {
   film_.reset();
+  land_.reset();
   demand_found_ = false;
 }
 
