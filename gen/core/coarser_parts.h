@@ -29,12 +29,8 @@ inline RowParts coarser_parts(const GroundGrid& fine, const RowParts& parts,
       }
   RowParts found(side);
   for (std::size_t row = 0; row < side; ++row)
-    for (int i = 0; i < coarse.samples; ++i) {
-      if (counts[row * side + static_cast<std::size_t>(i)] == 0) continue;
-      RowPart& part = found[row];
-      if (part.empty() || part.back().end < i) part.push_back({i, i});
-      part.back().end = i + 1;
-    }
+    for (int i = 0; i < coarse.samples; ++i)
+      if (counts[row * side + static_cast<std::size_t>(i)] != 0) add_sample(i, found[row]);
   return found;
 }
 

@@ -22,6 +22,12 @@ inline RowParts whole_rows(int samples) {
   return RowParts(static_cast<std::size_t>(samples), RowPart{{0, samples}});
 }
 
+/// Adds a sample to the part of its row: one east of all that count.
+inline void add_sample(int i, RowPart& part) {
+  if (part.empty() || part.back().end < i) part.push_back({i, i});
+  part.back().end = i + 1;
+}
+
 /// visit(i) of each sample of a row that counts.
 template <class Visit>
 void visit_row(const RowPart& part, const Visit& visit) {

@@ -72,9 +72,6 @@ void write_film_files(const Request& request) {
     if (one->export_film) one->export_film(film, request.out / one->name);
 }
 
-FilmPipeline::FilmPipeline(const Request& request)
-    : FilmPipeline(request, place::growing_ground(request.scene)) {}
-
 FilmPipeline::FilmPipeline(const Request& request, place::GrowingGround land)
     : request_(request),
       snow_(request.out / "snow"),
@@ -268,7 +265,7 @@ std::vector<fs::path> make_film(const Request& request, Progress& progress) {
       throw InputError(fmt::format("found frame {}, expected 1 to {}", frame, last));
   require_files(request.scene);
   require_texel_memory(request.scene);
-  FilmPipeline film(request);
+  FilmPipeline film(request, place::growing_ground(request.scene));
   write_film_files(request);
   film.find_demand(progress);
   for (int variant = 0; variant < scene::patch_count(request.scene); ++variant)

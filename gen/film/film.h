@@ -28,9 +28,8 @@ namespace wold::film {
 /// All functions throw FileError and InterruptedError; every file that exists then is whole.
 class FilmPipeline {
  public:
-  /// Makes the terrain and its light. `request` has to outlive it.
-  explicit FilmPipeline(const Request& request);
-  /// The same on growing_ground() of the request's scene, which has been made before.
+  /// Makes the light of the ground, growing_ground() of the request's scene. `request` has to
+  /// outlive it.
   FilmPipeline(const Request& request, place::GrowingGround land);
 
   /// Which texels the request's frames ask for: looks at all of them. Before make_texels().

@@ -112,9 +112,6 @@ std::vector<grass::PatchState> states_between(const grass::PatchState& from,
 
 }  // namespace
 
-FilmDemand::FilmDemand(const Request& request)
-    : FilmDemand(request, place::growing_ground(request.scene)) {}
-
 FilmDemand::FilmDemand(const Request& request, const place::GrowingGround& land) {
   const Ground ground(request.scene, land, request.season);
   mixtures_ = ground.mixtures();

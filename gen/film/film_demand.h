@@ -43,9 +43,7 @@ struct FrameDemand {
 /// variant passes through the states between theirs.
 class FilmDemand {
  public:
-  /// Throws what making the ground and choosing cells throw.
-  explicit FilmDemand(const Request& request);
-  /// The same on growing_ground() of the request's scene.
+  /// `land`: growing_ground() of the request's scene. Throws what choosing cells throws.
   FilmDemand(const Request& request, const place::GrowingGround& land);
 
   /// Of each frame that was looked at: all, where they are few.

@@ -37,15 +37,12 @@ inline RowParts rows_in_view(const GroundGrid& grid, const Heightfield& terrain,
                              std::span<const View> views, double margin_m) {
   RowParts parts(static_cast<std::size_t>(grid.samples));
   parallel_for(parts.size(), [&](std::size_t row) {
-    RowPart& part = parts[row];
     for (int i = 0; i < grid.samples; ++i) {
       const glm::dvec2 at_m =
           grid.square.corner_m + glm::dvec2(i, static_cast<double>(row)) * grid.step_m();
       const glm::dvec3 ground_m = above_ground(terrain, at_m, 0.0);
       const auto shows = [&](const View& view) { return view.may_see_ground(ground_m, margin_m); };
-      if (std::ranges::none_of(views, shows)) continue;
-      if (part.empty() || part.back().end < i) part.push_back({i, i});
-      part.back().end = i + 1;
+      if (std::ranges::any_of(views, shows)) add_sample(i, parts[row]);
     }
   });
   return parts;

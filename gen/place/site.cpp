@@ -168,68 +168,6 @@ double farthest_land_m(const scene::Scene& scene) {
   return std::clamp(1.2 * scene.sky.visual_range_m, least_m, most_m);
 }
 
-}  // namespace
-
-Snow::Snow(const scene::Scene& scene, const std::shared_ptr<const snow::Weather>& weather,
-           const Heightfield& terrain, const fs::path& folder, int max_samples)
-    : pictures(scene.seed),
-      ground(
-          scene, terrain, [weather](double time_s) { return weather->at(time_s); }, max_samples),
-      large(large_cover(
-          scene, terrain, [weather](double time_s) { return weather->at(time_s); }, folder)) {}
-
-GroundGrid light_grid(const Heightfield& terrain, const GroundGrid& grid,
-                      const std::optional<Sketch>& sketch) {
-  constexpr double min_samples = 17.0;
-  const double step_m = std::max(grid.step_m(), terrain.step_m());
-  double samples = std::ceil(grid.square.size_m / step_m - 1e-9) + 1.0;
-  if (sketch) samples = std::min(samples, 1.0 * sketch->light_samples);
-  return {grid.square, static_cast<int>(std::max(samples, min_samples))};
-}
-
-GroundPart ground_part(const scene::Scene& scene, const Site& site, const GroundGrid& grid,
-                       RowParts parts, const terrain::SnowDepth& snow_m) {
-  const terrain::Surface surface = site.surface(grid, std::move(parts), snow_m);
-  GroundPart part = lit_part(scene, site, surface, grid, growth_map(scene, surface));
-  part.ledges = ledges(scene, site.snow.get(), surface, part.growth);
-  return part;
-}
-
-terrain::Surface Site::surface(const GroundGrid& grid, RowParts parts,
-                               const terrain::SnowDepth& snow_m) const {
-  return {terrain,
-          finer.get(),
-          grid,
-          {water.get(), cover.get(), scree.get(), photo.get(), boulders.get()},
-          std::move(parts),
-          snow_m};
-}
-
-terrain::GroundLight light_on(const Site& site, const GroundGrid& grid, RowParts parts,
-                              const terrain::SnowDepth& snow_m) {
-  return lit(site, site.surface(grid, std::move(parts), snow_m), grid);
-}
-
-terrain::GroundLight whole_light(const Site& site, const Heightfield& surface,
-                                 const terrain::SnowDepth& snow_m) {
-  constexpr double step_m = 0.05;
-  constexpr int most = 1025;
-  const terrain::LandShadow* shadow = site.land_shadow.get();
-  if (site.sketch)
-    return terrain::ground_light(surface, site.day, {surface.square(), site.sketch->light_samples},
-                                 shadow);
-  terrain::GroundLight light = terrain::ground_light(surface, site.day, shadow);
-  if (!site.boulders) return light;
-  const GroundGrid grid{surface.square(), std::min(map_samples(surface.size_m(), step_m), most)};
-  return site.surface(grid, {}, snow_m).lit(std::move(light), site.day.sun_direction());
-}
-
-const FactorMap& growth_of_cells(const Site& site) {
-  return site.growth_of_window ? *site.growth_of_window : site.growth;
-}
-
-namespace {
-
 /// `growth_of_cells`: none where a sketch has its own.
 Site site_on(const scene::Scene& scene, terrain::Ground ground,
              std::optional<FactorMap> growth_of_cells,
@@ -293,6 +231,64 @@ Site site_on(const scene::Scene& scene, terrain::Ground ground,
 }
 
 }  // namespace
+
+Snow::Snow(const scene::Scene& scene, const std::shared_ptr<const snow::Weather>& weather,
+           const Heightfield& terrain, const fs::path& folder, int max_samples)
+    : pictures(scene.seed),
+      ground(
+          scene, terrain, [weather](double time_s) { return weather->at(time_s); }, max_samples),
+      large(large_cover(
+          scene, terrain, [weather](double time_s) { return weather->at(time_s); }, folder)) {}
+
+GroundGrid light_grid(const Heightfield& terrain, const GroundGrid& grid,
+                      const std::optional<Sketch>& sketch) {
+  constexpr double min_samples = 17.0;
+  const double step_m = std::max(grid.step_m(), terrain.step_m());
+  double samples = std::ceil(grid.square.size_m / step_m - 1e-9) + 1.0;
+  if (sketch) samples = std::min(samples, 1.0 * sketch->light_samples);
+  return {grid.square, static_cast<int>(std::max(samples, min_samples))};
+}
+
+GroundPart ground_part(const scene::Scene& scene, const Site& site, const GroundGrid& grid,
+                       RowParts parts, const terrain::SnowDepth& snow_m) {
+  const terrain::Surface surface = site.surface(grid, std::move(parts), snow_m);
+  GroundPart part = lit_part(scene, site, surface, grid, growth_map(scene, surface));
+  part.ledges = ledges(scene, site.snow.get(), surface, part.growth);
+  return part;
+}
+
+terrain::Surface Site::surface(const GroundGrid& grid, RowParts parts,
+                               const terrain::SnowDepth& snow_m) const {
+  return {terrain,
+          finer.get(),
+          grid,
+          {water.get(), cover.get(), scree.get(), photo.get(), boulders.get()},
+          std::move(parts),
+          snow_m};
+}
+
+terrain::GroundLight light_on(const Site& site, const GroundGrid& grid, RowParts parts,
+                              const terrain::SnowDepth& snow_m) {
+  return lit(site, site.surface(grid, std::move(parts), snow_m), grid);
+}
+
+terrain::GroundLight whole_light(const Site& site, const Heightfield& surface,
+                                 const terrain::SnowDepth& snow_m) {
+  constexpr double step_m = 0.05;
+  constexpr int most = 1025;
+  const terrain::LandShadow* shadow = site.land_shadow.get();
+  if (site.sketch)
+    return terrain::ground_light(surface, site.day, {surface.square(), site.sketch->light_samples},
+                                 shadow);
+  terrain::GroundLight light = terrain::ground_light(surface, site.day, shadow);
+  if (!site.boulders) return light;
+  const GroundGrid grid{surface.square(), std::min(map_samples(surface.size_m(), step_m), most)};
+  return site.surface(grid, {}, snow_m).lit(std::move(light), site.day.sun_direction());
+}
+
+const FactorMap& growth_of_cells(const Site& site) {
+  return site.growth_of_window ? *site.growth_of_window : site.growth;
+}
 
 Site make_site(const scene::Scene& scene, std::shared_ptr<const phenology::FilmSeason> season,
                const fs::path& snow_folder, const std::optional<Sketch>& sketch) {

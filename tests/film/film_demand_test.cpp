@@ -17,11 +17,11 @@ TEST(FilmDemand, SaysWhetherSnowHasFallen) {
   scene.weather.temperature_c = -3.0;
   scene.weather.precipitation_mm_h = 2.0;
   request.frames = {1, 2};
-  const FilmDemand snows(request);
+  const FilmDemand snows(request, place::growing_ground(request.scene));
   EXPECT_FALSE(snows.at(1).has_snow);
   EXPECT_TRUE(snows.at(2).has_snow);
   scene.weather.temperature_c = 8.0;
-  EXPECT_FALSE(FilmDemand(request).at(2).has_snow);
+  EXPECT_FALSE(FilmDemand(request, place::growing_ground(request.scene)).at(2).has_snow);
 }
 
 }  // namespace

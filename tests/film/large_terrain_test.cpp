@@ -2,6 +2,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/colour.h"
@@ -33,6 +34,16 @@ scene::Scene plain(double size_m) {
   scene.growth.cover = 0.0;
   scene.grass.far_field_below_pixels = 0.0;
   scene.sky.visual_range_m = 1e6;
+  return scene;
+}
+
+/// A mountain of 900 m on 6 km, looked at from there.
+scene::Scene mountain_from(const std::array<double, 2>& eye_m) {
+  scene::Scene scene = plain(6000.0);
+  scene.terrain.shape = scene::TerrainShape::mountain;
+  scene.terrain.hill_height_m = 900.0;
+  scene.camera.eye_m = eye_m;
+  scene.camera.target_m = {3100.0, 3000.0};
   return scene;
 }
 
@@ -136,12 +147,7 @@ glm::dvec3 mean_over(const ColourMap& map, const Square& square) {
 // to the coarsest one.
 TEST(GroundDetails, AreMadeWhereTheCameraSeesThem) {
   const test::TemporaryFolder folder("seen_details");
-  scene::Scene scene = plain(6000.0);
-  scene.terrain.shape = scene::TerrainShape::mountain;
-  scene.terrain.samples = 129;
-  scene.terrain.hill_height_m = 900.0;
-  scene.camera.eye_m = {3000.0, 1500.0};
-  scene.camera.target_m = {3100.0, 3000.0};
+  const scene::Scene scene = mountain_from({3000.0, 1500.0});
   const landscape::Landscape landscape =
       assemble(scene, test::site_of(scene, folder.path()), test::grass_of(scene, 1), {},
                test::no_grass(), needs_of({}));
@@ -174,12 +180,8 @@ TEST(GroundDetails, AreMadeWhereTheCameraSeesThem) {
 // they come from a coarser map, on the mean the same.
 TEST(GroundDetails, LeaveTheWholeAsFineWhereItIsSeen) {
   const test::TemporaryFolder folder("seen_whole");
-  scene::Scene scene = plain(6000.0);
-  scene.terrain.shape = scene::TerrainShape::mountain;
-  scene.terrain.hill_height_m = 900.0;
+  scene::Scene scene = mountain_from({3000.0, 200.0});
   scene.terrain.relief_m = 20.0;
-  scene.camera.eye_m = {3000.0, 200.0};
-  scene.camera.target_m = {3100.0, 3000.0};
   scene.render.size_px = {192, 108};
   const place::Site site = test::site_of(scene, folder.path());
   const GroundGrid grid = place::whole_grid(scene);

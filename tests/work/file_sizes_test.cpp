@@ -82,7 +82,8 @@ TEST(SceneBytes, CountATerrainForEachSnow) {
   const exporter::FileCosts one_a_sample{.shared_terrain_sample = 1.0};
   const auto terrains = [&](const std::vector<int>& frames) {
     request.frames = frames;
-    return scene_bytes(scene, one_a_sample, film::FilmDemand(request), frames.size()) / (33 * 33);
+    const film::FilmDemand demand(request, place::growing_ground(scene));
+    return scene_bytes(scene, one_a_sample, demand, frames.size()) / (33 * 33);
   };
   EXPECT_DOUBLE_EQ(terrains({1}), 1.0);
   EXPECT_DOUBLE_EQ(terrains({1, 2, 3}), 3.0) << "bare, and two under snow";
