@@ -8,13 +8,10 @@
 
 namespace wold::expectation {
 
-/// Which cell, or part of one, stands where on the ground: of landscape::Cell or BladeCell, no two
-/// of which stand on one place.
+/// Which cells, or parts of them, stand where on the ground: of landscape::Cell or BladeCell.
 template <class Instance>
 class CellFinder {
  public:
-  static constexpr int none = -1;
-
   /// `side_m`: of a patch, above 0.
   CellFinder(const std::vector<Instance>& cells, double side_m) : side_m_(side_m) {
     places_.reserve(cells.size());
@@ -25,18 +22,19 @@ class CellFinder {
       const glm::dvec2 one_m = corner_m(cells[i].part.low), other_m = corner_m(cells[i].part.high);
       add({{}, glm::min(one_m, other_m), glm::max(one_m, other_m), static_cast<int>(i)});
     }
-    std::ranges::sort(places_, {}, &Place::square);
+    std::ranges::stable_sort(places_, {}, &Place::square);
   }
 
-  /// Its number among the cells, at a place in metres; `none` where none stands.
-  int at(const glm::dvec2& at_m) const {
+  /// visit(its number among the cells) for each that stands at a place in metres: none, one, or
+  /// shrubs and the grass around them.
+  template <class Visit>
+  void each_at(const glm::dvec2& at_m, const Visit& visit) const {
     const Square square = square_of(at_m);
     for (auto place = std::ranges::lower_bound(places_, square, {}, &Place::square);
          place != places_.end() && place->square == square; ++place)
       if (glm::all(glm::greaterThanEqual(at_m, place->low_m)) &&
           glm::all(glm::lessThan(at_m, place->high_m)))
-        return place->cell;
-    return none;
+        visit(place->cell);
   }
 
  private:

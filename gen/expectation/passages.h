@@ -39,8 +39,7 @@ std::vector<Passage> passages(const landscape::Landscape& landscape,
   for (int i = 0; i < most && end_m > shortest_m; ++i) {
     const double begin_m = std::max(0.0, end_m - piece_m);
     const glm::dvec2 middle_m(place_m(landscape, sight, 0.5 * (begin_m + end_m)));
-    if (const int cell = finder.at(middle_m); cell != CellFinder<Instance>::none)
-      found.push_back({cell, begin_m, end_m});
+    finder.each_at(middle_m, [&](int cell) { found.push_back({cell, begin_m, end_m}); });
     const glm::dvec3 at_m = place_m(landscape, sight, begin_m);
     if (at_m.z - double{landscape.terrain.sample(at_m.x, at_m.y)} > canopy_m) break;
     end_m = begin_m;

@@ -234,8 +234,7 @@ AssembledFrame assemble_frame(const scene::Scene& scene, const place::Site& site
   };
   landscape.daylight = open_daylight(site.day, air.sunlit_fraction(), illuminate);
   assembled.light = illuminate(ground.light());
-  const ColourMap& light = assembled.light;
-  const double metered = gain(scene, site.day, ground, light) * dusk(scene, frame);
+  const double metered = gain(scene, site.day, ground, assembled.light) * dusk(scene, frame);
   const double open = air.sunlit_fraction() * sky.openness();
   landscape.exposure_gain =
       metered * sunward(site, landscape, open, metered) * math::exp2(scene.render.exposure);
@@ -246,7 +245,7 @@ AssembledFrame assemble_frame(const scene::Scene& scene, const place::Site& site
     return overcast_per_m > 0.0 ? air.sky_radiance(clear, direction) : clear;
   };
   ground::LitGround(scene, site, now, landscape, choices, lookup.far, illuminate)
-      .show(ground, light, mirrored_sky, landscape);
+      .show(ground, assembled.light, mirrored_sky, landscape);
   if (overcast_per_m > 0.0) sky::add_precipitation(scene, site, air, needs, landscape);
   if (ground.white_fraction() > 0.0)
     sky::add_blowing_snow(

@@ -74,6 +74,13 @@ void add_reflected(const ColourMap& reflectance, const ColourMap& light, ColourM
   });
 }
 
+/// What of the light comes straight from the sun.
+terrain::GroundLight sun_of(const terrain::GroundLight& clear) {
+  const int samples = clear.sun.samples();
+  const Square& square = clear.sun.square();
+  return {clear.sun, ColourMap(samples, square, glm::vec3(0.0F)), FactorMap(samples, square, 0.0F)};
+}
+
 meadow::PatchAppearances far_appearances(const scene::Scene& scene, const place::Site& site,
                                          const meadow::FrameGrass& now, const FarLook& far) {
   meadow::PatchAppearances looks;
@@ -112,10 +119,20 @@ LitGround::LitGround(const scene::Scene& scene, const place::Site& site,
       under_grass_(grass::light_under_grass(patch_.at(landscape.weathering, now.snow), model_,
                                             meadow::frame_lighting(scene, site, now.frame))),
       shared_gaps_(patch_.at(landscape.weathering, now.snow), model_),
+      shrub_shade_(scene, choices, site.day.sun_direction()),
       meadow_(far_meadow(scene, site, now_, view_, far)) {
   if (scene.ageing.pigment_spread > 0.0)
     pigment_spread_.emplace(scene, patch_, now.snow,
                             meadow::frame_lighting(scene, site, now.frame));
+}
+
+void LitGround::shade_by_shrubs(const terrain::GroundLight& clear, ColourMap& light) const {
+  const std::optional<FactorMap> sunlit =
+      shrub_shade_.sunlit(site_.terrain, {light.square(), light.samples()});
+  if (!sunlit) return;
+  const ColourMap sun = illuminate_(sun_of(clear));
+  for (std::size_t i = 0; i < light.values().size(); ++i)
+    light.values()[i] -= (1.0F - sunlit->values()[i]) * sun.values()[i];
 }
 
 ColourMap LitGround::on_grass(const ColourMap& light, const terrain::GroundLight& clear,
@@ -171,7 +188,8 @@ landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const Groun
       place::rows_in_view(grid, site_.terrain, view, margin_m + 2.0 * grid.step_m());
   const auto [part, bare] = ground.covered(
       place::ground_part(scene_, site_, grid, made, ground.snow_depth()), under_grass_);
-  const ColourMap light = illuminate_(part.light);
+  ColourMap light = illuminate_(part.light);
+  shade_by_shrubs(part.light, light);
   ColourMap radiance = product(part.reflectance, light);
   add_hot_spot(bare, part.light, part.growth, view, radiance);
   radiance = painted(std::move(radiance), part.growth, light,
@@ -188,7 +206,9 @@ ColourMap LitGround::light_in_window(const SnowyGround& ground, const place::Vie
   const RowParts lit =
       place::rows_in_view(window, site_.terrain, in_sight, 2.0 * meadow::cell_reach_m(scene_));
   const terrain::GroundLight clear = place::light_on(site_, window, lit, ground.snow_depth());
-  return on_grass(illuminate_(clear), clear, window, in_sight);
+  ColourMap light = illuminate_(clear);
+  shade_by_shrubs(clear, light);
+  return on_grass(light, clear, window, in_sight);
 }
 
 struct LitGround::LevelLook {
@@ -285,10 +305,7 @@ std::unique_ptr<const LakeSurface> LitGround::lake_surface(
 
 /// What of the sun's light reaches places, whatever way they face.
 ColourMap LitGround::sun_alone(const terrain::GroundLight& clear) const {
-  const int samples = clear.sun.samples();
-  const Square& square = clear.sun.square();
-  ColourMap sun = illuminate_(
-      {clear.sun, ColourMap(samples, square, glm::vec3(0.0F)), FactorMap(samples, square, 0.0F)});
+  ColourMap sun = illuminate_(sun_of(clear));
   const auto sine = static_cast<float>(std::max(site_.day.sun_direction().z, 1e-3));
   for (glm::vec3& irradiance : sun.values())
     irradiance = glm::min(irradiance / sine, site_.day.sun_irradiance());
@@ -332,8 +349,9 @@ std::vector<place::View> LitGround::views_of_pictures(const SnowyGround& ground,
   return place::views_of_pictures(in_sight, place::whole_grid(scene_), details, stands);
 }
 
-void LitGround::show(const SnowyGround& ground, const ColourMap& light, const SkyRadiance& sky,
+void LitGround::show(const SnowyGround& ground, ColourMap& light, const SkyRadiance& sky,
                      landscape::Landscape& landscape) const {
+  shade_by_shrubs(ground.light(), light);
   const std::vector<GroundGrid> details = place::detail_grids(scene_, landscape.camera);
   const std::vector<place::View> pictures = views_of_pictures(ground, details, landscape);
   const bool sees_around =

@@ -20,6 +20,7 @@
 #include "meadow/frame_grass.h"
 #include "meadow/lean_light.h"
 #include "meadow/pigment_spread.h"
+#include "meadow/shrub_shade.h"
 #include "place/site.h"
 #include "place/view.h"
 #include "scene/scene.h"
@@ -56,11 +57,14 @@ class LitGround {
 
   /// Sets the landscape's pictures of the ground, its light on the grass, and how much of that
   /// stands; paints the land around on the landscape's backdrop, if it has one. `light`: the
-  /// frame's on all of the ground; `sky` is what water mirrors.
-  void show(const SnowyGround& ground, const ColourMap& light, const SkyRadiance& sky,
+  /// frame's on all of the ground, from which it takes what shrubs shade; `sky` is what water
+  /// mirrors.
+  void show(const SnowyGround& ground, ColourMap& light, const SkyRadiance& sky,
             landscape::Landscape& landscape) const;
 
  private:
+  /// Takes from the light what shrubs keep off. `clear`: under a clear sky, on the same grid.
+  void shade_by_shrubs(const terrain::GroundLight& clear, ColourMap& light) const;
   /// `light`: the frame's; `clear`: under a clear sky, on the same square.
   ColourMap on_grass(const ColourMap& light, const terrain::GroundLight& clear,
                      const GroundGrid& grid, const place::View& view) const;
@@ -110,6 +114,7 @@ class LitGround {
   meadow::LeanLight lean_light_;
   glm::vec3 under_grass_;  ///< fraction of the light that reaches the ground where grass grows
   grass::SharedGaps shared_gaps_;
+  meadow::ShrubShade shrub_shade_;
   std::optional<meadow::PigmentSpread> pigment_spread_;  ///< of colour, if any
   std::optional<meadow::Meadow> meadow_;  ///< as it looks from afar, where it is seen so
 };

@@ -22,12 +22,17 @@ struct Plane {
   glm::dvec2 rise{0.0};
 };
 
+/// Of the patch.
+glm::dvec2 middle_m(const CellPose& pose, double patch_m) {
+  return (glm::dvec2(pose.cell) + 0.5) * patch_m + pose.shift_m;
+}
+
 /// The ground that a part covers.
 Rectangle ground_of(const Part& part, double patch_m, const CellPose& pose) {
-  const glm::dvec2 centre_m = (glm::dvec2(pose.cell) + 0.5) * patch_m;
+  const glm::dvec2 centre_m = middle_m(pose, patch_m);
   const glm::dvec2 east = east_of(pose.turn);
   const auto place_m = [&](const glm::dvec2& fraction) {
-    const glm::dvec2 from_centre_m = (fraction - 0.5) * patch_m;
+    const glm::dvec2 from_centre_m = (fraction - 0.5) * pose.size * patch_m;
     return centre_m + from_centre_m.x * east + from_centre_m.y * left_of(east);
   };
   const glm::dvec2 a = place_m(part.low), b = place_m(part.high);
@@ -111,14 +116,13 @@ GroundFit fit_to_ground(const Heightfield& terrain, double patch_m, const CellPo
   const Rectangle ground = ground_of(part, patch_m, pose);
   const auto [plane, deviation_m] = plane_under(terrain, ground);
   const glm::dvec2& rise = plane.rise;
-  const glm::dvec2& lean = pose.lean;
-  const glm::dvec2 east = east_of(pose.turn);
+  const glm::dvec2 lean = pose.size * pose.lean;
+  const glm::dvec2 east = pose.size * east_of(pose.turn);
   const glm::dvec2 north = left_of(east);
-  const glm::dvec2 origin_m =
-      (glm::dvec2(pose.cell) + 0.5) * patch_m - (east + north) * (patch_m / 2.0);
+  const glm::dvec2 origin_m = middle_m(pose, patch_m) - (east + north) * (patch_m / 2.0);
   const double z_m = plane.height_m + glm::dot(rise, origin_m - ground.centre_m());
   return {{glm::dvec4(east, glm::dot(rise, east), 0), glm::dvec4(north, glm::dot(rise, north), 0),
-           glm::dvec4(lean, 1.0 + glm::dot(rise, lean), 0), glm::dvec4(origin_m, z_m, 1)},
+           glm::dvec4(lean, pose.size + glm::dot(rise, lean), 0), glm::dvec4(origin_m, z_m, 1)},
           deviation_m};
 }
 

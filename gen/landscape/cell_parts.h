@@ -11,9 +11,11 @@ namespace wold::landscape {
 
 /// Where a cell of the terrain is and how its patch stands there.
 struct CellPose {
-  glm::ivec2 cell{0};    ///< column (east) and row (north), from 0
-  int turn = 0;          ///< quarter-turns counter-clockwise, seen from above
-  glm::dvec2 lean{0.0};  ///< of what stands on it, along the ground (see meadow::WindLean)
+  glm::ivec2 cell{0};       ///< column (east) and row (north), from 0
+  int turn = 0;             ///< quarter-turns counter-clockwise, seen from above
+  glm::dvec2 lean{0.0};     ///< of what stands on it, along the ground (see meadow::WindLean)
+  glm::dvec2 shift_m{0.0};  ///< of the patch's middle from the cell's, east and north
+  double size = 1.0;        ///< over the patch's own, in all directions
 };
 
 /// Where x of a cell points to after so many quarter-turns.

@@ -8,8 +8,9 @@
 
 #include "core/noise.h"
 #include "core/parallel.h"
-#include "core/random.h"
+#include "meadow/cell_uniform.h"
 #include "meadow/far_field.h"
+#include "meadow/shrubs.h"
 #include "place/ground_grids.h"
 #include "place/view.h"
 #include "scene/key_frames.h"
@@ -19,13 +20,6 @@
 
 namespace wold::meadow {
 namespace {
-
-/// A number in [0, 1) of a cell, for a purpose.
-double cell_uniform(const scene::Scene& scene, const glm::ivec2& cell, const char* purpose) {
-  const auto index =
-      (static_cast<std::uint64_t>(cell.y) << 32) | static_cast<std::uint32_t>(cell.x);
-  return random_uniform({scene.seed, key_of("cell"), index, key_of(purpose)});
-}
 
 struct Texel {
   int variant = 0;
@@ -67,7 +61,7 @@ std::vector<Texel> choose_texels(const scene::Scene& scene, const place::CellWin
       if (j > 0) neighbours.push_back(texels[texels.size() - static_cast<std::size_t>(per_side)]);
       const glm::ivec2 cell = window.first + glm::ivec2(i, j);
       texels.push_back(
-          unlike(neighbours, scene.grass.variants, cell_uniform(scene, cell, "texel")));
+          unlike(neighbours, scene.grass.variants, cell_uniform(scene.seed, cell, "texel")));
     }
   return texels;
 }
@@ -87,7 +81,8 @@ double threshold(const scene::Scene& scene, const CellChoice& choice, Dither dit
   constexpr std::array<const char*, 3> purposes = {"key frame", "snow", "light"};
   const auto which = static_cast<int>(dither);
   const int place = (choice.variant + which) % scene.grass.variants;
-  const double within = cell_uniform(scene, choice.cell, purposes[static_cast<std::size_t>(which)]);
+  const double within =
+      cell_uniform(scene.seed, choice.cell, purposes[static_cast<std::size_t>(which)]);
   return (place + within) / scene.grass.variants;
 }
 
@@ -137,7 +132,7 @@ double above_middle_m(const scene::Scene& scene) {
   double max_m = 0.0;
   for (const scene::Species& species : scene::species_of(scene)) {
     const scene::Plant& plant = species.plant;
-    const double higher_m = plant.crown_m + 0.5 * (plant.height_m - mean_m);
+    const double higher_m = largest_shrub * plant.crown_m + 0.5 * (plant.height_m - mean_m);
     max_m =
         std::max(max_m, plant.height_m * std::max(1.5, 0.5 + 2.2 * plant.height_spread) + higher_m);
   }
@@ -216,7 +211,7 @@ CellChoice choose_cell(const scene::Scene& scene, const glm::ivec2& cell, const 
                        const Showing& showing, double pixels_per_m) {
   CellChoice choice;
   choice.cell = cell;
-  const double jittered = pixels_per_m * (0.9 + 0.2 * cell_uniform(scene, cell, "level"));
+  const double jittered = pixels_per_m * (0.9 + 0.2 * cell_uniform(scene.seed, cell, "level"));
   choice.lod = choose_lod(scene.grass, jittered);
   choice.blades = choose_blades(scene, jittered);
   choice.variant = texel.variant;
@@ -272,47 +267,93 @@ int turns_of_lod(const scene::Scene& scene, int lod) {
   return turns_of_lod(scene.grass.lods[static_cast<std::size_t>(lod)]);
 }
 
+namespace {
+
+/// Chooses what stands on each cell of a frame.
+class CellChooser {
+ public:
+  CellChooser(const scene::Scene& scene, const Heightfield& terrain, const FactorMap& growth,
+              const place::MixtureField& mixtures, const place::Withering& withering,
+              const FrameGrass& now)
+      : scene_(scene),
+        terrain_(terrain),
+        growth_(growth),
+        mixtures_(mixtures),
+        withering_(withering),
+        now_(now),
+        window_(scene),
+        grass_(scene::mean_grass(scene)),
+        sight_(scene, terrain, place::camera_of_frame(scene, terrain, now.frame)),
+        key_frames_(scene::key_frames(scene)),
+        leaning_(leaning_of_mixtures(scene)),
+        showing_{grass::PatchState::level_of(now.snow), now.light} {
+    if (place::is_large(scene)) mesh_ = terrain::mesh_heights(terrain, place::window_grid(scene));
+  }
+
+  /// Adds what stands on a cell, if anything does that can be seen. Shrubs stand beside their cell,
+  /// which has the grass that grows around them.
+  void add(const glm::ivec2& cell, const Texel& texel, std::vector<CellChoice>& row) const {
+    const glm::dvec3 middle_m = middle_of(grass_, terrain_, cell);
+    const Grown grown = grown_in(growth_, cell, scene_.grass.patch_m);
+    if (grown.max <= 0.0F || !sight_.may_see(middle_m)) return;
+    CellChoice choice = choose_cell(scene_, cell, texel, key_frames_,
+                                    withering_.at(glm::dvec2(middle_m), now_.frame), showing_,
+                                    sight_.pixels(middle_m));
+    if (choice.blades && cell_uniform(scene_.seed, cell, "grown") >= double{grown.mean}) return;
+    const int mixture = mixtures_.at(glm::dvec2(middle_m));
+    const int around = scene::without_shrubs(scene_, mixture);
+    row.push_back(standing(choice, around, {}));
+    if (around == mixture) return;
+    choice.beside_cell = true;
+    row.push_back(standing(choice, mixture, shrub_place(scene_, window_, cell)));
+  }
+
+ private:
+  /// The choice with the patch of a mixture, where it stands.
+  CellChoice standing(CellChoice choice, int mixture, const ShrubPlace& place) const {
+    const double patch_m = scene_.grass.patch_m;
+    choice.variant = scene::patch_number(scene_, mixture, choice.variant);
+    const landscape::CellPose pose = {choice.cell, choice.turn,
+                                      leaning_[static_cast<std::size_t>(mixture)] *
+                                          now_.wind_lean.lean(centre_m(choice.cell, patch_m)),
+                                      place.shift_m, place.size};
+    choice.parts = landscape::parts_on_ground(mesh_ ? *mesh_ : terrain_, patch_m, pose,
+                                              voxels_of(scene_, choice), ground_tolerance_m);
+    // Half-way up, so that they show as much too little above as too much below: along a line of
+    // sight between them either would be a seam.
+    if (!choice.beside_cell)
+      choice.reach = reach_to_neighbours(now_.wind_lean, patch_m, pose, 0.5 * grass_.height_m);
+    return choice;
+  }
+
+  const scene::Scene& scene_;
+  const Heightfield& terrain_;
+  const FactorMap& growth_;
+  const place::MixtureField& mixtures_;
+  const place::Withering& withering_;
+  const FrameGrass& now_;
+  place::CellWindow window_;
+  scene::Grass grass_;  ///< in the mean of all species
+  Sight sight_;
+  std::optional<Heightfield> mesh_;  ///< of a large terrain's ground, as it is drawn
+  std::vector<double> key_frames_;
+  std::vector<double> leaning_;  ///< by mixture
+  Showing showing_;
+};
+
+}  // namespace
+
 std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfield& terrain,
                                      const FactorMap& growth, const place::MixtureField& mixtures,
                                      const place::Withering& withering, const FrameGrass& now) {
   const place::CellWindow window(scene);
   const std::vector<Texel> texels = choose_texels(scene, window);
-  const landscape::Camera camera = place::camera_of_frame(scene, terrain, now.frame);
-  const Sight sight(scene, terrain, camera);
-  std::optional<Heightfield> mesh;
-  if (place::is_large(scene)) mesh = terrain::mesh_heights(terrain, place::window_grid(scene));
-  const Heightfield& ground = mesh ? *mesh : terrain;
-  const std::vector<double> key_frames = scene::key_frames(scene);
-  const scene::Grass grass = scene::mean_grass(scene);
-  const std::vector<double> leaning = leaning_of_mixtures(scene);
-  const Showing showing = {grass::PatchState::level_of(now.snow), now.light};
+  const CellChooser chooser(scene, terrain, growth, mixtures, withering, now);
   const auto side = static_cast<std::size_t>(window.per_side);
   std::vector<std::vector<CellChoice>> rows(side);
-  const auto consider = [&](const glm::ivec2& cell, const Texel& texel,
-                            std::vector<CellChoice>& row) {
-    const glm::dvec3 middle_m = middle_of(grass, terrain, cell);
-    const Grown grown = grown_in(growth, cell, scene.grass.patch_m);
-    if (grown.max <= 0.0F || !sight.may_see(middle_m)) return;
-    CellChoice choice =
-        choose_cell(scene, cell, texel, key_frames, withering.at(glm::dvec2(middle_m), now.frame),
-                    showing, sight.pixels(middle_m));
-    choice.variant = scene::patch_number(scene, mixtures.at(glm::dvec2(middle_m)), choice.variant);
-    if (choice.blades && cell_uniform(scene, cell, "grown") >= double{grown.mean}) return;
-    const double patch_m = scene.grass.patch_m;
-    const int mixture = scene::mixture_number(scene, choice.variant);
-    const landscape::CellPose pose = {
-        cell, choice.turn,
-        leaning[static_cast<std::size_t>(mixture)] * now.wind_lean.lean(centre_m(cell, patch_m))};
-    choice.parts = landscape::parts_on_ground(ground, patch_m, pose, voxels_of(scene, choice),
-                                              ground_tolerance_m);
-    // Half-way up, so that they show as much too little above as too much below: along a line of
-    // sight between them either would be a seam.
-    choice.reach = reach_to_neighbours(now.wind_lean, patch_m, pose, 0.5 * grass.height_m);
-    row.push_back(std::move(choice));
-  };
   parallel_for(side, [&](std::size_t j) {
     for (std::size_t i = 0; i < side; ++i)
-      consider(window.first + glm::ivec2(i, j), texels[j * side + i], rows[j]);
+      chooser.add(window.first + glm::ivec2(i, j), texels[j * side + i], rows[j]);
   });
   std::vector<CellChoice> choices;
   for (const std::vector<CellChoice>& row : rows)

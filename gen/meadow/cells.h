@@ -30,8 +30,9 @@ struct CellChoice {
   int light = 0;
   int turn = 0;
   int lod = 0;
-  bool blades = false;      ///< drawn as a mesh of blades or points, not as the volume of `lod`
-  grass::BladeBend bend{};  ///< of that mesh; what it leaves of the lean `parts` have
+  bool beside_cell = false;  ///< shrubs; what grows around them stands on the cell
+  bool blades = false;       ///< drawn as a mesh of blades or points, not as the volume of `lod`
+  grass::BladeBend bend{};   ///< of that mesh; what it leaves of the lean `parts` have
 
   grass::PatchState state() const { return {key_frame, snow, light}; }
 };
@@ -60,15 +61,17 @@ double cell_reach_m(const scene::Scene& scene);
 /// behind a hill, not so far that far_fraction() paints it. `growth` is growth_map()'s; where it is
 /// thin, blades stand on as many cells as it says, while volumes are thinned in space.
 ///
-/// The mixture of species is that of the cell's middle. Variant and turn come by keyed choice, so
-/// that neighbours differ. Key frame, level of snow and
-/// light are those below or above the cell's weathering and the frame's snow and light, in the mean
-/// as much as these; variants pass from one to the next one after another, so that few pairs
-/// of variant and state are seen at once. The level is the coarsest whose voxels cover at most
-/// grass.pixels_per_voxel, with a keyed tenth of jitter, so that no ring shows where levels change.
-/// A cell has as many parts as ground_tolerance_m asks for. Only `lod` (and with it the turns
-/// allowed), `parts` and whether a cell is listed depend on the camera. Cells are drawn as
-/// render.grass asks: with "auto" as blades where even the finest level is too coarse.
+/// The mixture of species is that of the cell's middle. A cell with shrubs among it is listed
+/// twice: first with what grows around them, then with them, somewhere else than the grid of cells
+/// has it: shrubs in rows would look planted. Variant and turn come by keyed choice, so that
+/// neighbours differ. Key frame, level of snow and light are those below or above the cell's
+/// weathering and the frame's snow and light, in the mean as much as these; variants pass from one
+/// to the next one after another, so that few pairs of variant and state are seen at once. The
+/// level is the coarsest whose voxels cover at most grass.pixels_per_voxel, with a keyed tenth of
+/// jitter, so that no ring shows where levels change. A cell has as many parts as
+/// ground_tolerance_m asks for. Only `lod` (and with it the turns allowed), `parts` and whether a
+/// cell is listed depend on the camera. Cells are drawn as render.grass asks: with "auto" as blades
+/// where even the finest level is too coarse.
 std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfield& terrain,
                                      const FactorMap& growth, const place::MixtureField& mixtures,
                                      const place::Withering& withering, const FrameGrass& now);

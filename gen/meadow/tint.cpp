@@ -16,12 +16,16 @@ std::size_t place_of(const glm::ivec2& cell, const place::CellWindow& window) {
   return static_cast<std::size_t>(inside.y) * window.per_side + inside.x;
 }
 
-/// What every cell of the window shows, row by row; nothing where none stands.
+/// What every cell of the window shows, row by row; nothing where none stands. What grows around
+/// shrubs comes first.
 std::vector<const CellChoice*> shown_cells(std::span<const CellChoice> choices,
                                            const place::CellWindow& window) {
   std::vector<const CellChoice*> shown(static_cast<std::size_t>(window.per_side * window.per_side),
                                        nullptr);
-  for (const CellChoice& choice : choices) shown[place_of(choice.cell, window)] = &choice;
+  for (const CellChoice& choice : choices) {
+    const CellChoice*& first = shown[place_of(choice.cell, window)];
+    if (first == nullptr) first = &choice;
+  }
   return shown;
 }
 

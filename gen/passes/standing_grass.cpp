@@ -118,28 +118,33 @@ void StandingGrass::add_stands() {
     };
     const glm::dvec2 one_m = corner_m(cell.part.low), other_m = corner_m(cell.part.high);
     const landscape::Volume& volume = landscape_.volumes[static_cast<std::size_t>(cell.volume)];
-    stands_.push_back({static_cast<int>(i), glm::inverse(cell.world_from_cell),
-                       glm::min(one_m, other_m), glm::max(one_m, other_m),
-                       volume.voxels.z * volume.voxel_m,
-                       density_of_volume_[static_cast<std::size_t>(cell.volume)]});
+    add_to_squares({static_cast<int>(i), glm::ivec2(0), glm::inverse(cell.world_from_cell),
+                    glm::min(one_m, other_m), glm::max(one_m, other_m),
+                    volume.voxels.z * volume.voxel_m,
+                    density_of_volume_[static_cast<std::size_t>(cell.volume)]});
   }
 }
 
-glm::ivec2 StandingGrass::square_of(const Stand& stand) const {
-  return glm::ivec2(glm::floor(0.5 * (stand.low_m + stand.high_m) / landscape_.patch_m));
+void StandingGrass::add_to_squares(Stand stand) {
+  const double side_m = landscape_.patch_m, within_m = 1e-6 * side_m;
+  const glm::ivec2 first(glm::floor((stand.low_m + within_m) / side_m));
+  const glm::ivec2 last(glm::floor((stand.high_m - within_m) / side_m));
+  for (stand.square.y = first.y; stand.square.y <= last.y; ++stand.square.y)
+    for (stand.square.x = first.x; stand.square.x <= last.x; ++stand.square.x)
+      stands_.push_back(stand);
 }
 
 /// Sorts what stands into the squares of a grid.
 void StandingGrass::lay_out() {
-  glm::ivec2 last = first_square_ = square_of(stands_.front());
+  glm::ivec2 last = first_square_ = stands_.front().square;
   for (const Stand& stand : stands_) {
-    first_square_ = glm::min(first_square_, square_of(stand));
-    last = glm::max(last, square_of(stand));
+    first_square_ = glm::min(first_square_, stand.square);
+    last = glm::max(last, stand.square);
   }
   squares_ = last - first_square_ + 1;
   grid_.resize(static_cast<std::size_t>(squares_.x) * static_cast<std::size_t>(squares_.y));
   const auto number = [&](const Stand& stand) {
-    const glm::ivec2 at = square_of(stand) - first_square_;
+    const glm::ivec2 at = stand.square - first_square_;
     return static_cast<std::size_t>(at.y) * static_cast<std::size_t>(squares_.x) +
            static_cast<std::size_t>(at.x);
   };
@@ -204,8 +209,8 @@ bool StandingGrass::cross_square(const Square& square, Way& way, double from_m, 
   if (square.first == square.end) return true;
   clip(square.low_m, square.high_m, way.eye_m.z, way.direction.z, from_m, to_m);
   if (!(from_m < to_m)) return true;
-  // Parts of a cell are few and do not overlap: the nearest first.
-  std::array<std::pair<double, std::size_t>, 64> order;
+  // The nearest first. A cell has 64 parts at most, and four shrubs may reach into it.
+  std::array<std::pair<double, std::size_t>, 5 * 64> order;
   std::size_t count = 0;
   for (std::size_t i = square.first; i < square.end && count < order.size(); ++i) {
     double first_m = from_m, last_m = to_m;

@@ -37,9 +37,10 @@ class StandingGrass {
             GrassSight& sight) const;
 
  private:
-  /// A part of a cell where it stands.
+  /// A part of a cell where it stands, as far as one square of the grid sees it.
   struct Stand {
     int cell = 0;
+    glm::ivec2 square{0};
     glm::dmat4 cell_from_world{1.0};
     glm::dvec2 low_m{0.0}, high_m{0.0};  ///< on the ground
     double height_m = 0.0;               ///< in cell space
@@ -59,8 +60,9 @@ class StandingGrass {
 
   void add_volumes();
   void add_stands();
+  /// To each square that it reaches into.
+  void add_to_squares(Stand stand);
   void lay_out();
-  glm::ivec2 square_of(const Stand& stand) const;
   /// Whether the ray goes on.
   bool cross_square(const Square& square, Way& way, double from_m, double to_m,
                     GrassSight& sight) const;

@@ -28,6 +28,7 @@ MixtureField::MixtureField(const scene::Scene& scene, const Heightfield& terrain
   present_.clear();
   find_present(terrain.square());
   if (is_large(scene)) find_present(CellWindow(scene).square);
+  add_present_without_shrubs(scene);
   instead_.clear();
   for (int mixture = 0; mixture < mixtures_; ++mixture)
     instead_.push_back(*std::ranges::min_element(
@@ -59,6 +60,12 @@ void MixtureField::find_present(const Square& square) {
   });
   std::set<int> all(present_.begin(), present_.end());
   for (const std::set<int>& row : rows) all.insert(row.begin(), row.end());
+  present_.assign(all.begin(), all.end());
+}
+
+void MixtureField::add_present_without_shrubs(const scene::Scene& scene) {
+  std::set<int> all(present_.begin(), present_.end());
+  for (const int mixture : present_) all.insert(scene::without_shrubs(scene, mixture));
   present_.assign(all.begin(), all.end());
 }
 

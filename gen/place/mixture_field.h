@@ -22,13 +22,14 @@ class MixtureField {
   int at(const glm::dvec2& at_m) const;
 
   /// Those that at() may give, ascending: found at 257 places along a side of the terrain, and as
-  /// many of the CellWindow. Elsewhere what would be another is the one of them that differs from
-  /// it in the fewest species.
+  /// many of the CellWindow, and what grows around the shrubs of these. Elsewhere what would be
+  /// another is the one of them that differs from it in the fewest species.
   const std::vector<int>& present() const { return present_; }
 
  private:
   int wanted(const glm::dvec2& at_m) const;
   void find_present(const Square& square);
+  void add_present_without_shrubs(const scene::Scene& scene);
 
   std::shared_ptr<const Heightfield> terrain_;  ///< that habitats_ refer to; none without them
   std::shared_ptr<const Habitats> habitats_;

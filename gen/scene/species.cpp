@@ -124,6 +124,18 @@ Mixture mixture_of(const MeadowPart& meadow, int patch) {
   return mixtures_of(meadow).at(static_cast<std::size_t>(mixture_number(meadow, patch)));
 }
 
+int without_shrubs(const MeadowPart& meadow, int mixture) {
+  auto missing = static_cast<unsigned>(mixture);
+  unsigned bit = 1;
+  for (const Species& one : species_of(meadow)) {
+    if (!has_habitat(one)) continue;
+    if (is_shrub(one)) missing |= bit;
+    bit <<= 1;
+  }
+  const auto without = static_cast<int>(missing);
+  return without < static_cast<int>(mixtures_of(meadow).size()) ? without : mixture;
+}
+
 std::vector<int> blades_of(const MeadowPart& meadow) {
   return blades_of(meadow, all_species(meadow));
 }

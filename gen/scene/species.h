@@ -34,6 +34,10 @@ int patch_number(const MeadowPart& meadow, int mixture, int variant);
 /// The mixture of a patch.
 Mixture mixture_of(const MeadowPart& meadow, int patch);
 
+/// The number of a mixture without its shrubs that have a habitat: of what grows around them. It is
+/// the same mixture where there are none, or nothing but them.
+int without_shrubs(const MeadowPart& meadow, int mixture);
+
 /// Blades of a patch by species, in the order of species_of(). Those that stand in the ground are
 /// grass.blades in proportion to the shares, each rounded so that the sum is exact, and one at
 /// least where there are enough. A shrub's stand on its twigs, over the grass: as many times

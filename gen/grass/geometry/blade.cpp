@@ -121,9 +121,7 @@ std::vector<Blade> scatter_blades(const scene::Plant& plant, const scene::Physio
   const auto tufts =
       random_bits({seed, key_of("tufts"), static_cast<std::uint64_t>(variant), key_of("snow")});
   std::optional<Crown> crown;
-  if (plant.crown_m > 0.0)
-    crown.emplace(Crown::Size{plant.crown_m, patch_m, plant.height_m * (1.0 + plant.height_spread)},
-                  seed, variant);
+  if (plant.crown_m > 0.0) crown = crown_of(plant, patch_m, seed, variant);
   std::vector<Blade> blades;
   blades.reserve(static_cast<std::size_t>(count));
   for (int number = 0; number < count; ++number) {

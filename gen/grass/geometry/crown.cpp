@@ -57,4 +57,8 @@ Crown::Twig Crown::twig(const glm::dvec4& picks) const {
           glm::vec3(glm::normalize(gradient)), static_cast<float>(0.5 * cushion.radius_m)};
 }
 
+Crown crown_of(const scene::Plant& shrub, double patch_m, std::uint64_t seed, int variant) {
+  return {{shrub.crown_m, patch_m, shrub.height_m * (1.0 + shrub.height_spread)}, seed, variant};
+}
+
 }  // namespace wold::grass

@@ -4,6 +4,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "scene/scene.h"
+
 namespace wold::grass {
 
 /// Where the twigs of a shrub end on a patch: on cushions, round and of different heights, as
@@ -13,6 +15,13 @@ namespace wold::grass {
 /// its inner third (modelling choices).
 class Crown {
  public:
+  /// The upper half of an ellipsoid of revolution, on the ground.
+  struct Cushion {
+    glm::dvec2 middle_m;  ///< on the patch
+    double radius_m;
+    double height_m;
+  };
+
   /// The end of a twig.
   struct Twig {
     glm::vec2 place_m;   ///< on the patch
@@ -35,15 +44,13 @@ class Crown {
   /// The twig that four numbers from 0 to 1 pick, uniform ones as even as the cushions' surface.
   Twig twig(const glm::dvec4& picks) const;
 
- private:
-  /// The upper half of an ellipsoid of revolution, on the ground.
-  struct Cushion {
-    glm::dvec2 middle_m;
-    double radius_m;
-    double height_m;
-  };
+  const std::vector<Cushion>& cushions() const { return cushions_; }
 
+ private:
   std::vector<Cushion> cushions_;
 };
+
+/// That of a shrub's patch, with room for leaves as long as most are.
+Crown crown_of(const scene::Plant& shrub, double patch_m, std::uint64_t seed, int variant);
 
 }  // namespace wold::grass

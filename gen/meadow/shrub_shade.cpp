@@ -1,0 +1,132 @@
+#include "meadow/shrub_shade.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/elementary.h"
+#include "core/parallel.h"
+#include "place/view.h"
+#include "scene/species.h"
+
+namespace wold::meadow {
+namespace {
+
+/// How far a ray goes on in the upper half of a sphere of radius 1, which lies on the ground.
+/// `start`: from its middle; `along`: what the ray makes of a metre.
+double way_in_m(const glm::dvec3& start, const glm::dvec3& along) {
+  const double a = glm::dot(along, along), b = glm::dot(start, along);
+  const double discriminant = b * b - a * (glm::dot(start, start) - 1.0);
+  if (discriminant <= 0.0) return 0.0;
+  const double root = std::sqrt(discriminant);
+  const double enters_m = std::max({0.0, (-root - b) / a, -start.z / along.z});
+  return std::max(0.0, (root - b) / a - enters_m);
+}
+
+/// From the first sample of a grid's axis in [low, high] to the last; the first is beyond the last
+/// where none is.
+glm::ivec2 samples_between(double low_m, double high_m, double corner_m, const GroundGrid& grid) {
+  const double last = grid.samples - 1.0;
+  return {
+      static_cast<int>(std::clamp(std::ceil((low_m - corner_m) / grid.step_m()), 0.0, last + 1)),
+      static_cast<int>(std::clamp(std::floor((high_m - corner_m) / grid.step_m()), -1.0, last))};
+}
+
+}  // namespace
+
+ShrubShade::Shrubs::Shrubs(const scene::Scene& scene, int patch) {
+  double leaves_m2 = 0.0, volume_m3 = 0.0;
+  const std::vector<scene::Species> species = scene::species_of(scene);
+  const scene::Mixture mixture = scene::mixture_of(scene, patch);
+  const std::vector<int> leaves = scene::blades_of(scene, mixture);
+  for (std::size_t k = 0; k < mixture.size(); ++k) {
+    const scene::Species& one = species[static_cast<std::size_t>(mixture[k])];
+    if (!scene::is_shrub(one)) continue;
+    const grass::Crown crown = grass::crown_of(one.plant, scene.grass.patch_m, scene.seed, patch);
+    for (const grass::Crown::Cushion& cushion : crown.cushions()) {
+      cushions.push_back(cushion);
+      height_m = std::max(height_m, cushion.height_m);
+      volume_m3 +=
+          2.0 / 3.0 * std::numbers::pi * cushion.radius_m * cushion.radius_m * cushion.height_m;
+    }
+    leaves_m2 += leaves[k] * scene::blade_area_m2(one);
+  }
+  extinction_per_m = 0.5 * leaves_m2 / volume_m3;
+}
+
+double ShrubShade::Shrubs::optical_depth(const glm::dvec3& start_m, const glm::dvec3& along) const {
+  double way_m = 0.0;
+  for (const grass::Crown::Cushion& cushion : cushions) {
+    const glm::dvec3 radii_m(cushion.radius_m, cushion.radius_m, cushion.height_m);
+    const glm::dvec3 start = (start_m - glm::dvec3(cushion.middle_m, 0.0)) / radii_m;
+    if (glm::length(glm::dvec2(start)) < 1.0) return 0.0;
+    way_m += way_in_m(start, along / radii_m);
+  }
+  return extinction_per_m * way_m;
+}
+
+ShrubShade::ShrubShade(const scene::Scene& scene, std::span<const CellChoice> choices,
+                       const glm::dvec3& to_sun)
+    : to_sun_(to_sun), patch_m_(scene.grass.patch_m), grass_m_(scene::mean_grass(scene).height_m) {
+  for (const CellChoice& choice : choices) {
+    if (!choice.beside_cell) continue;
+    auto of_patch = patches_.find(choice.variant);
+    if (of_patch == patches_.end())
+      of_patch = patches_.emplace(choice.variant, Shrubs(scene, choice.variant)).first;
+    add(of_patch->second, choice.parts.front().world_from_cell);
+  }
+}
+
+void ShrubShade::add(const Shrubs& shrubs, const glm::dmat4& world_from_cell) {
+  constexpr double lowest_sun = 0.03;  // over the ground; below it all is shade
+  const glm::dmat4 cell_from_world = glm::inverse(world_from_cell);
+  const glm::dvec3 along = glm::dmat3(cell_from_world) * to_sun_;
+  if (along.z < lowest_sun) return;
+  const glm::dvec2 falls_m = -shrubs.height_m / along.z * glm::dvec2(along);
+  Placed placed{&shrubs, cell_from_world, along};
+  placed.low_m = glm::dvec2(std::numeric_limits<double>::infinity());
+  placed.high_m = -placed.low_m;
+  for (const glm::dvec2& top_m : {glm::dvec2(0.0), falls_m})
+    for (int corner = 0; corner < 4; ++corner) {
+      const glm::dvec2 foot_m = patch_m_ * glm::dvec2(corner & 1, corner >> 1);
+      const glm::dvec2 at_m(world_from_cell * glm::dvec4(foot_m + top_m, 0.0, 1.0));
+      placed.low_m = glm::min(placed.low_m, at_m);
+      placed.high_m = glm::max(placed.high_m, at_m);
+    }
+  placed_.push_back(placed);
+}
+
+std::optional<FactorMap> ShrubShade::sunlit(const Heightfield& terrain,
+                                            const GroundGrid& grid) const {
+  const double shown = shown_fraction(patch_m_, grid.step_m());
+  if (placed_.empty() || shown <= 0.0) return std::nullopt;
+  std::vector<std::vector<const Placed*>> of_rows(static_cast<std::size_t>(grid.samples));
+  for (const Placed& placed : placed_) {
+    const glm::ivec2 rows =
+        samples_between(placed.low_m.y, placed.high_m.y, grid.square.corner_m.y, grid);
+    for (int row = rows[0]; row <= rows[1]; ++row)
+      of_rows[static_cast<std::size_t>(row)].push_back(&placed);
+  }
+  FactorMap sunlit(grid.samples, grid.square, 1.0F);
+  parallel_for(of_rows.size(), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (const Placed* placed : of_rows[row]) {
+      const glm::ivec2 columns =
+          samples_between(placed->low_m.x, placed->high_m.x, grid.square.corner_m.x, grid);
+      for (int i = columns[0]; i <= columns[1]; ++i)
+        sunlit.at(i, j) *= passed(*placed, terrain, sunlit.place_m(i, j), shown);
+    }
+  });
+  return sunlit;
+}
+
+float ShrubShade::passed(const Placed& placed, const Heightfield& terrain, const glm::dvec2& at_m,
+                         double shown) const {
+  const glm::dvec3 place_m = place::above_ground(terrain, at_m, 0.5 * grass_m_);
+  const glm::dvec3 start_m(placed.cell_from_world * glm::dvec4(place_m, 1.0));
+  return static_cast<float>(
+      math::exp(-shown * placed.shrubs->optical_depth(start_m, placed.along)));
+}
+
+}  // namespace wold::meadow
