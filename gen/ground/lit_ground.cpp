@@ -143,7 +143,7 @@ ColourMap LitGround::on_grass(const ColourMap& light, const terrain::GroundLight
                                    lean_light_grid(grid, site_.sketch))
           : meadow::lean_light_map(lean_light_, now_.wind_lean, site_.terrain, view);
   ColourMap on_grass = product(light, leaning);
-  if (place::is_wide(scene_) && scene_.grass.unevenness > 0.0) {
+  if (place::is_large(scene_) && scene_.grass.unevenness > 0.0) {
     const meadow::Sward sward(scene_, GroundGrid{clear.sun.square(), clear.sun.samples()}.step_m());
     on_grass = product(on_grass, meadow::sward_light_map(sward, clear, site_.day.sun_direction(),
                                                          site_.terrain, view));

@@ -39,7 +39,8 @@ struct Ways {
 int wanted_cells(const scene::Scene& scene, double way_m) {
   const double size_m = (way_m + 2.0 * farthest_standing_m(scene)) / (1.0 - edge_fraction);
   const double cells = std::ceil(size_m / scene.grass.patch_m) + 2.0;
-  return static_cast<int>(std::min<double>(cells, max_patches));
+  return static_cast<int>(
+      std::min({cells, 1.0 * max_patches, 1.0 * cells_per_side(scene)}));
 }
 
 }  // namespace
@@ -48,11 +49,9 @@ int cells_per_side(const scene::Scene& scene) {
   return static_cast<int>(std::floor(scene.terrain.size_m / scene.grass.patch_m + 1e-9));
 }
 
-bool is_large(const scene::Scene& scene) { return cells_per_side(scene) > max_patches; }
-
-bool is_wide(const scene::Scene& scene) {
-  constexpr double narrow_m = 120.0;
-  return is_large(scene) || scene.terrain.size_m > narrow_m;
+bool is_large(const scene::Scene& scene) {
+  constexpr double large_m = 120.0;
+  return scene.terrain.size_m > large_m || cells_per_side(scene) > max_patches;
 }
 
 CellWindow::CellWindow(const scene::Scene& scene)

@@ -10,17 +10,15 @@ namespace wold::place {
 /// Cells per side of the terrain: whole patches only.
 int cells_per_side(const scene::Scene& scene);
 
-/// Whether the terrain has more cells than are laid on it; its ground has finer pictures about the
-/// camera.
+/// Whether the terrain is so large, over 120 m or 2000 patches a side, that one picture of its
+/// ground would be too coarse before the camera, and features of one size would look like
+/// camouflage: its ground has finer pictures about the camera, and its meadow differs from place to
+/// place in all sizes.
 bool is_large(const scene::Scene& scene);
 
-/// Whether the terrain is so wide, over 120 m, that features of one size would look like camouflage
-/// on it: its meadow differs from place to place in all sizes.
-bool is_wide(const scene::Scene& scene);
-
-/// Where cells are laid, the same in all frames: on the whole terrain where at most 2000 patches
-/// lie along a side; on a larger one within a square about the middle of the camera's way, as far
-/// as grass can stand or as many.
+/// Where cells are laid, the same in all frames: on the whole terrain; on a large one within a
+/// square about the middle of the camera's way, as far as grass can stand or at most 2000 patches a
+/// side.
 struct CellWindow {
   explicit CellWindow(const scene::Scene& scene);
 

@@ -57,7 +57,7 @@ double amplitude(const scene::Ageing& ageing, double degree) {
 Withering::Withering(const scene::Scene& scene, const Heightfield& terrain,
                      std::shared_ptr<const phenology::FilmSeason> season)
     : ageing_(scene.ageing), field_(key_of_field(scene.seed), /*octaves=*/2, /*hurst=*/1.0) {
-  if (is_wide(scene)) {
+  if (is_large(scene)) {
     constexpr double of_terrain = 0.1, of_feature = 0.25, hurst = 0.2;
     const double feature_m = ageing_.age_spread_feature_m;
     scale_free_.emplace(key_of_field(scene.seed),

@@ -49,7 +49,7 @@ scene::Scene mountain_from(const std::array<double, 2>& eye_m) {
 
 TEST(CellWindow, IsTheWholeTerrainWhereThatFits) {
   scene::Scene scene;
-  for (const double size_m : {42.0, 100.1, 1200.0}) {
+  for (const double size_m : {42.0, 100.1, 120.0}) {
     scene.terrain.size_m = size_m;
     const place::CellWindow window(scene);
     EXPECT_FALSE(place::is_large(scene));
