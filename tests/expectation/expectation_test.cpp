@@ -68,6 +68,17 @@ TEST(Expectation, GrassFollowsBeerAndLambert) {
   expect_meadow(level_meadow(folder.path()), [](double sine) { return through(height_m, sine); });
 }
 
+// As shrubs and the grass around them.
+TEST(Expectation, WhatStandsOnOnePlaceHidesTogether) {
+  const test::TemporaryFolder folder("expectation_together");
+  landscape::Landscape meadow = level_meadow(folder.path());
+  const std::vector<landscape::Cell> once = meadow.cells;
+  meadow.cells.insert(meadow.cells.end(), once.begin(), once.end());
+  expect_meadow(meadow, [](double sine) {
+    return through(height_m, sine, 2.0 * double{fog.extinction});
+  });
+}
+
 TEST(Expectation, ThinGrassIsThinner) {
   const test::TemporaryFolder folder("expectation_thin");
   landscape::Landscape meadow = level_meadow(folder.path());

@@ -62,6 +62,19 @@ TEST(CellWindow, IsTheWholeTerrainWhereThatFits) {
   }
 }
 
+// A little larger than what is not large: the window ends with the terrain.
+TEST(CellWindow, LiesOnTheTerrain) {
+  scene::Scene scene = plain(150.0);
+  for (const double at_m : {1.0, 75.0, 149.0}) {
+    scene.camera.eye_m = {at_m, at_m};
+    const place::CellWindow window(scene);
+    EXPECT_TRUE(place::is_large(scene));
+    EXPECT_GE(window.first.x, 0);
+    EXPECT_GT(window.per_side, 50);
+    EXPECT_LE(window.first.x + window.per_side, place::cells_per_side(scene));
+  }
+}
+
 TEST(CellWindow, HoldsAllGrassThatStandsAboutTheCamera) {
   scene::Scene scene = plain(50e3);
   scene.growth.cover = 1.0;

@@ -57,6 +57,22 @@ TEST(FitToGround, LiesOnASlopeExactly) {
   }
 }
 
+TEST(FitToGround, ShiftsAndScales) {
+  const Heightfield slope =
+      ground([](const glm::dvec2& at_m) { return 0.3 * at_m.x - 0.7 * at_m.y; });
+  const CellPose pose = {{5, 7}, 1, {0.2, 0.1}, {0.1, -0.3}, 1.3};
+  const GroundFit fit = fit_to_ground(slope, patch_m, pose, whole);
+  EXPECT_NEAR(glm::determinant(fit.world_from_cell), 1.3 * 1.3 * 1.3, 1e-12);
+  EXPECT_NEAR(fit.world_from_cell[2].x, 1.3 * 0.2, 1e-12);  // leans as much
+  const glm::dvec2 middle_m = (glm::dvec2(pose.cell) + 0.5) * patch_m + pose.shift_m;
+  for (const glm::dvec2 corner : {glm::dvec2(0, 0), {1, 0}, {0, 1}, {1, 1}}) {
+    const glm::dvec4 at_m = fit.world_from_cell * glm::dvec4(corner * patch_m, 0, 1);
+    EXPECT_NEAR(at_m.z, slope.sample(at_m.x, at_m.y), 1e-6);
+    EXPECT_NEAR(std::abs(at_m.x - middle_m.x), 1.3 * patch_m / 2, 1e-12);
+    EXPECT_NEAR(std::abs(at_m.y - middle_m.y), 1.3 * patch_m / 2, 1e-12);
+  }
+}
+
 TEST(FitToGround, TurnsCounterClockwise) {
   const Heightfield level(3, 2.0);
   const glm::dmat4 once =

@@ -2,15 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <set>
+#include <utility>
 
 #include "core/error.h"
 #include "core/parallel.h"
 #include "meadow/canopy_snow.h"
+#include "meadow/shrubs.h"
 #include "place/view.h"
 #include "scene/key_frames.h"
 #include "scene/species.h"
@@ -359,6 +362,55 @@ TEST(Cells, StandForTheMixtureAtTheirMiddle) {
   }
   EXPECT_NEAR(with / static_cast<double>(choices.size()), 0.4, 0.06);
   EXPECT_EQ(static_cast<int>(variants.size()), scene::patch_count(scene));
+}
+
+// What grows around shrubs stands on their cell, and they beside it: anywhere in it, in sizes of
+// their own, whole on the terrain.
+TEST(Cells, HaveTheirShrubsBesideThem) {
+  scene::Scene scene = from_above();
+  scene.species.resize(2);
+  scene.species[1].plant.crown_m = 0.4;
+  scene.species[1].habitat.cover = 0.4;
+  scene.species[1].habitat.feature_m = 0.5;
+  const std::vector<CellChoice> choices = choices_of(scene);
+  std::set<std::pair<int, int>> on_cells;
+  std::vector<double> sizes;
+  glm::dvec2 shift_m(0.0), square_m2(0.0);
+  const double patch_m = scene.grass.patch_m;
+  for (const CellChoice& choice : choices) {
+    const int mixture = scene::mixture_number(scene, choice.variant);
+    const std::pair<int, int> cell(choice.cell.x, choice.cell.y);
+    if (!choice.beside_cell) {
+      EXPECT_EQ(mixture, 1);  // without the shrub
+      EXPECT_TRUE(on_cells.insert(cell).second);
+      continue;
+    }
+    EXPECT_EQ(mixture, 0);
+    EXPECT_TRUE(on_cells.contains(cell));
+    EXPECT_EQ(choice.reach, glm::dmat4(1.0));
+    const glm::dmat4& world_from_cell = choice.parts.front().world_from_cell;
+    sizes.push_back(glm::length(glm::dvec2(world_from_cell[0])));
+    const glm::dvec2 middle_m(world_from_cell * glm::dvec4(0.5 * patch_m, 0.5 * patch_m, 0, 1));
+    const glm::dvec2 off_m = middle_m - (glm::dvec2(choice.cell) + 0.5) * patch_m;
+    shift_m += off_m;
+    square_m2 += off_m * off_m;
+    for (const glm::dvec2 corner : {glm::dvec2(0.0), glm::dvec2(patch_m)}) {
+      const glm::dvec4 at_m = world_from_cell * glm::dvec4(corner, 0, 1);
+      EXPECT_GT(std::min(at_m.x, at_m.y), -1e-9);
+      EXPECT_LT(std::max(at_m.x, at_m.y), scene.terrain.size_m + 1e-9);
+    }
+  }
+  const auto shrubs = static_cast<double>(sizes.size());
+  EXPECT_NEAR(shrubs / static_cast<double>(on_cells.size()), 0.4, 0.06);
+  double covered = 0.0;
+  for (const double size : sizes) covered += size * size / shrubs;
+  EXPECT_NEAR(covered, 1.0, 0.06);
+  EXPECT_NEAR(*std::ranges::min_element(sizes), smallest_shrub, 0.02);
+  EXPECT_NEAR(*std::ranges::max_element(sizes), largest_shrub, 0.02);
+  for (int axis = 0; axis < 2; ++axis) {
+    EXPECT_NEAR(shift_m[axis] / shrubs, 0.0, 0.1 * patch_m);
+    EXPECT_NEAR(square_m2[axis] / shrubs, patch_m * patch_m / 12.0, 0.2 * patch_m * patch_m / 12.0);
+  }
 }
 
 }  // namespace

@@ -215,10 +215,12 @@ double let_through(const Landscape& landscape, const std::vector<std::vector<flo
   double depth = 0.0;
   for (double at_m = 0.5 * step_m; at_m < std::min(end_m, 6.0); at_m += step_m) {
     const glm::dvec3 here_m = landscape.camera.eye_m + at_m * along;
-    const glm::ivec2 square(glm::floor(glm::dvec2(here_m) / landscape.patch_m));
     for (const landscape::Cell& cell : landscape.cells) {
-      if (glm::ivec2(glm::floor(glm::dvec2(cell.world_from_cell * glm::dvec4(0.25, 0.25, 0, 1)) /
-                                landscape.patch_m)) != square)
+      const glm::dvec2 one_m(cell.world_from_cell * glm::dvec4(0, 0, 0, 1));
+      const glm::dvec2 other_m(cell.world_from_cell *
+                               glm::dvec4(landscape.patch_m, landscape.patch_m, 0, 1));
+      if (glm::any(glm::lessThan(glm::dvec2(here_m), glm::min(one_m, other_m))) ||
+          glm::any(glm::greaterThanEqual(glm::dvec2(here_m), glm::max(one_m, other_m))))
         continue;
       const glm::dvec3 in_cell(glm::inverse(cell.world_from_cell) * glm::dvec4(here_m, 1.0));
       const auto number = static_cast<std::size_t>(cell.volume);
@@ -242,6 +244,10 @@ TEST(Passes, GrassHidesWhatItsVoxelsHide) {
     cell.world_from_cell[2].x = 0.3;
     cell.world_from_cell[2].y = -0.2;
   }
+  landscape::Cell shrub = landscape.cells.front();  // beside its cell, and larger
+  for (int axis = 0; axis < 3; ++axis) shrub.world_from_cell[axis] *= 1.2;
+  shrub.world_from_cell[3] += glm::dvec4(0.2, 0.15, 0.0, 0.0);
+  landscape.cells.push_back(shrub);
   std::vector<std::vector<float>> densities;
   for (const landscape::Volume& volume : landscape.volumes)
     densities.push_back(read_dense_floats(volume.vdb, "density", glm::ivec3(1), volume.voxels));

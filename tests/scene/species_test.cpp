@@ -99,6 +99,18 @@ TEST(Species, ThatAreShrubsStandAboveTheGround) {
   EXPECT_NEAR(rooted_fraction(scene, {0, 1}), grass / (grass + shrub), 1e-12);
 }
 
+TEST(Species, ThatAreShrubsHaveOthersAroundThem) {
+  Scene scene;
+  scene.species.resize(3);
+  for (const std::size_t shrub : {0, 2}) scene.species[shrub].plant.crown_m = 0.7;
+  EXPECT_EQ(without_shrubs(scene, 0), 0);  // they stand everywhere
+  for (Species& one : scene.species) one.habitat.cover = 0.5;
+  EXPECT_EQ(without_shrubs(scene, 0b000), 0b101);
+  EXPECT_EQ(without_shrubs(scene, 0b001), 0b101);
+  EXPECT_EQ(without_shrubs(scene, 0b101), 0b101);
+  EXPECT_EQ(without_shrubs(scene, 0b010), 0b010);  // nothing else grows there
+}
+
 TEST(Species, ThatAreShrubsHaveTheirLeavesOverTheGrass) {
   Scene scene = parse_scene(two, "a.toml", {});
   scene.species.push_back(scene.species[1]);
