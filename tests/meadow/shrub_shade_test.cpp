@@ -45,11 +45,14 @@ glm::dvec3 sun_at(double elevation_deg) {
   return {std::cos(elevation) * 0.6, -std::cos(elevation) * 0.8, std::sin(elevation)};
 }
 
-Heightfield slope(double rise) {
+/// A ridge from south to north, or a slope where it is not bent.
+Heightfield ridge(double rise, double bend_per_m) {
   Heightfield terrain(97, terrain_m);
   for (int j = 0; j < 97; ++j)
-    for (int i = 0; i < 97; ++i)
-      terrain.at(i, j) = static_cast<float>(rise * terrain.place_m(i, j).x);
+    for (int i = 0; i < 97; ++i) {
+      const double from_middle_m = terrain.place_m(i, j).x - 0.5 * terrain_m;
+      terrain.at(i, j) = static_cast<float>(from_middle_m * (rise - bend_per_m * from_middle_m));
+    }
   return terrain;
 }
 
@@ -74,8 +77,9 @@ double marched_m(const std::vector<grass::Crown::Cushion>& cushions,
   return way_m;
 }
 
-// Against steps through the crowns, on level ground and on a slope, for shrubs of two sizes: their
-// leaves are spread over what the crowns hold.
+// Against steps through the crowns, on level ground, on a slope and on a ridge, beside which one is
+// lower than the shrubs' foot, for shrubs of two sizes: their leaves are spread over what the
+// crowns hold.
 TEST(ShrubShade, IsAsDeepAsTheWayThroughCrowns) {
   const scene::Scene scene = with_shrubs();
   const grass::Crown crown =
@@ -87,33 +91,32 @@ TEST(ShrubShade, IsAsDeepAsTheWayThroughCrowns) {
   const double leaves_m2 = scene::blades_of(scene).back() * scene::blade_area_m2(scene.species[1]);
   const double extinction_per_m = 0.5 * leaves_m2 / volume_m3;
   const double eye_m = 0.5 * scene::mean_grass(scene).height_m;
-  for (const double rise : {0.0, 0.4})
+  for (const Heightfield& terrain : {ridge(0.0, 0.0), ridge(0.4, 0.0), ridge(0.0, 0.3)})
     for (const double size : {0.8, 1.2}) {
-      const Heightfield terrain = slope(rise);
       const std::vector<CellChoice> choices = {shrubs(scene, terrain, size)};
       const glm::dvec3 to_sun = sun_at(25.0);
       const std::optional<FactorMap> sunlit =
-          ShrubShade(scene, choices, to_sun).sunlit(terrain, {{.size_m = terrain_m}, 201});
+          ShrubShade(scene, choices, to_sun).sunlit(terrain, {{.size_m = terrain_m}, 301});
       ASSERT_TRUE(sunlit);
       const glm::dmat4 cell_from_world =
           glm::inverse(choices.front().parts.front().world_from_cell);
       int shaded = 0;
-      for (int j = 70; j < 160; ++j)
-        for (int i = 60; i < 130; ++i) {
+      for (int j = 105; j < 240; ++j)
+        for (int i = 90; i < 195; ++i) {
           const glm::dvec2 at_m = sunlit->place_m(i, j);
           const glm::dvec3 start_m(at_m, double{terrain.sample(at_m.x, at_m.y)} + eye_m);
           const double way_m = marched_m(crown.cushions(), cell_from_world, start_m, to_sun);
           EXPECT_NEAR(sunlit->at(i, j), std::exp(-extinction_per_m * way_m), 0.02);
           shaded += way_m > 0.0;
         }
-      EXPECT_GT(shaded, 20);
+      EXPECT_GT(shaded, 40);
       EXPECT_EQ(std::ranges::count_if(sunlit->values(), [](float f) { return f < 1.0F; }), shaded);
     }
 }
 
 TEST(ShrubShade, IsNoneOfWhatStandsOnItsCellOrWithoutASun) {
   const scene::Scene scene = with_shrubs();
-  const Heightfield level = slope(0.0);
+  const Heightfield level = ridge(0.0, 0.0);
   CellChoice choice = shrubs(scene, level, 1.0);
   const GroundGrid grid{{.size_m = terrain_m}, 201}, coarse{{.size_m = terrain_m}, 9};
   EXPECT_TRUE(ShrubShade(scene, std::vector{choice}, sun_at(20.0)).sunlit(level, grid));

@@ -244,10 +244,12 @@ TEST(Passes, GrassHidesWhatItsVoxelsHide) {
     cell.world_from_cell[2].x = 0.3;
     cell.world_from_cell[2].y = -0.2;
   }
-  landscape::Cell shrub = landscape.cells.front();  // beside its cell, and larger
-  for (int axis = 0; axis < 3; ++axis) shrub.world_from_cell[axis] *= 1.2;
-  shrub.world_from_cell[3] += glm::dvec4(0.2, 0.15, 0.0, 0.0);
-  landscape.cells.push_back(shrub);
+  const std::vector<landscape::Cell> on_grid = landscape.cells;
+  for (landscape::Cell shrub : on_grid) {  // beside its cell, and larger
+    for (int axis = 0; axis < 3; ++axis) shrub.world_from_cell[axis] *= 1.2;
+    shrub.world_from_cell[3] += glm::dvec4(0.2, 0.15, 0.0, 0.0);
+    landscape.cells.push_back(shrub);
+  }
   std::vector<std::vector<float>> densities;
   for (const landscape::Volume& volume : landscape.volumes)
     densities.push_back(read_dense_floats(volume.vdb, "density", glm::ivec3(1), volume.voxels));
