@@ -127,12 +127,24 @@ void warn_of_far_cells(const scene::Scene& scene, std::vector<std::string>& warn
       farthest_m, pixels, usual.far_field_below_pixels));
 }
 
+/// Shrubs stand over the grass around them, and in Mitsuba a place is of one volume at most.
+void warn_of_shared_places(const scene::Scene& scene, std::vector<std::string>& warnings) {
+  if (scene.render.grass != scene::GrassForm::texels ||
+      std::ranges::find(scene.render.renderers, "mitsuba") == scene.render.renderers.end() ||
+      !scene::has_placed_shrubs(scene, /*mixture=*/0))
+    return;
+  warnings.emplace_back(
+      "Mitsuba shows one volume at a place, and shrubs stand over the grass around them: both have "
+      "holes there; set render.grass = \"blades\" for it");
+}
+
 }  // namespace
 
 std::vector<std::string> grass_warnings(const scene::Scene& film) {
   std::vector<std::string> warnings;
   warn_of_coarse_texels(film, warnings);
   warn_of_far_cells(film, warnings);
+  warn_of_shared_places(film, warnings);
   return warnings;
 }
 

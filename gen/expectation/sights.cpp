@@ -156,6 +156,15 @@ BladesAppearance look_of(const landscape::Landscape& landscape, const landscape:
   return {*landscape.blade_meshes[static_cast<std::size_t>(cell.mesh)].tubes, side_m.x * side_m.y};
 }
 
+/// The largest size of a cell over its patch's own.
+template <class Instance>
+double largest_size(const std::vector<Instance>& cells) {
+  double largest = 1.0;
+  for (const Instance& cell : cells)
+    largest = std::max(largest, glm::length(glm::dvec2(cell.world_from_cell[0])));
+  return largest;
+}
+
 }  // namespace
 
 std::size_t look_at_grass(const landscape::Landscape& landscape, std::vector<Sight>& sights) {
@@ -165,6 +174,7 @@ std::size_t look_at_grass(const landscape::Landscape& landscape, std::vector<Sig
   };
   for (const landscape::Volume& volume : landscape.volumes)
     canopy_m = std::max(canopy_m, height_m(volume));
+  canopy_m *= largest_size(landscape.cells);
   const Ways ways = ways_through(landscape, landscape.cells, canopy_m, sights);
   std::set<int> used;
   for (const int cell : cells_met(landscape.cells, ways))
@@ -191,6 +201,7 @@ void look_at_blades(const landscape::Landscape& landscape, std::vector<Sight>& s
   for (const landscape::BladeMesh& mesh : landscape.blade_meshes)
     for (const glm::vec3& vertex_m : mesh.tubes->vertices_m)
       canopy_m = std::max(canopy_m, double{vertex_m.z});
+  canopy_m *= largest_size(landscape.blade_cells);
   const Ways ways = ways_through(landscape, landscape.blade_cells, canopy_m, sights);
   std::map<int, BladesAppearance> looks;
   for (const int number : cells_met(landscape.blade_cells, ways)) {

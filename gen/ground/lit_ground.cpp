@@ -126,13 +126,17 @@ LitGround::LitGround(const scene::Scene& scene, const place::Site& site,
                             meadow::frame_lighting(scene, site, now.frame));
 }
 
-void LitGround::shade_by_shrubs(const terrain::GroundLight& clear, ColourMap& light) const {
+ColourMap LitGround::shaded_by_shrubs(ColourMap light, const terrain::GroundLight& clear,
+                                      const GroundGrid& grid) const {
+  const GroundGrid own{light.square(), light.samples()};
   const std::optional<FactorMap> sunlit =
-      shrub_shade_.sunlit(site_.terrain, {light.square(), light.samples()});
-  if (!sunlit) return;
+      shrub_shade_.sunlit(site_.terrain, grid.samples > own.samples ? grid : own);
+  if (!sunlit) return light;
   const ColourMap sun = illuminate_(sun_of(clear));
-  for (std::size_t i = 0; i < light.values().size(); ++i)
-    light.values()[i] -= (1.0F - sunlit->values()[i]) * sun.values()[i];
+  return filled<ColourMap>({sunlit->square(), sunlit->samples()}, [&](const glm::dvec2& at_m) {
+    const float shade = 1.0F - sunlit->sample(at_m.x, at_m.y);
+    return light.sample(at_m.x, at_m.y) - shade * sun.sample(at_m.x, at_m.y);
+  });
 }
 
 ColourMap LitGround::on_grass(const ColourMap& light, const terrain::GroundLight& clear,
@@ -188,8 +192,7 @@ landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const Groun
       place::rows_in_view(grid, site_.terrain, view, margin_m + 2.0 * grid.step_m());
   const auto [part, bare] = ground.covered(
       place::ground_part(scene_, site_, grid, made, ground.snow_depth()), under_grass_);
-  ColourMap light = illuminate_(part.light);
-  shade_by_shrubs(part.light, light);
+  const ColourMap light = shaded_by_shrubs(illuminate_(part.light), part.light, grid);
   ColourMap radiance = product(part.reflectance, light);
   add_hot_spot(bare, part.light, part.growth, view, radiance);
   radiance = painted(std::move(radiance), part.growth, light,
@@ -206,9 +209,7 @@ ColourMap LitGround::light_in_window(const SnowyGround& ground, const place::Vie
   const RowParts lit =
       place::rows_in_view(window, site_.terrain, in_sight, 2.0 * meadow::cell_reach_m(scene_));
   const terrain::GroundLight clear = place::light_on(site_, window, lit, ground.snow_depth());
-  ColourMap light = illuminate_(clear);
-  shade_by_shrubs(clear, light);
-  return on_grass(light, clear, window, in_sight);
+  return on_grass(shaded_by_shrubs(illuminate_(clear), clear, window), clear, window, in_sight);
 }
 
 struct LitGround::LevelLook {
@@ -351,7 +352,9 @@ std::vector<place::View> LitGround::views_of_pictures(const SnowyGround& ground,
 
 void LitGround::show(const SnowyGround& ground, ColourMap& light, const SkyRadiance& sky,
                      landscape::Landscape& landscape) const {
-  shade_by_shrubs(ground.light(), light);
+  light = shaded_by_shrubs(
+      std::move(light), ground.light(),
+      place::is_large(scene_) ? place::whole_grid(scene_) : place::window_grid(scene_));
   const std::vector<GroundGrid> details = place::detail_grids(scene_, landscape.camera);
   const std::vector<place::View> pictures = views_of_pictures(ground, details, landscape);
   const bool sees_around =

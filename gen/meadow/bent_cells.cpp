@@ -9,15 +9,18 @@
 namespace wold::meadow {
 namespace {
 
+/// How large an unturned cell is, over its patch.
+double size_of(const landscape::PlacedPart& part) { return part.world_from_cell[0].x; }
+
 glm::dvec2 lean_of(const landscape::PlacedPart& part) {
-  return glm::dvec2(part.world_from_cell[2]);
+  return glm::dvec2(part.world_from_cell[2]) / size_of(part);
 }
 
 /// A part of an unturned cell that leans by so much less.
 void straighten(const glm::dvec2& less, landscape::PlacedPart& part) {
   glm::dmat4& world_from_cell = part.world_from_cell;
-  const glm::dvec2 rise(world_from_cell[0].z, world_from_cell[1].z);
-  world_from_cell[2] -= glm::dvec4(less, glm::dot(rise, less), 0.0);
+  const glm::dvec2 rise(world_from_cell[0].z, world_from_cell[1].z);  // over the cell's own metres
+  world_from_cell[2] -= glm::dvec4(size_of(part) * less, glm::dot(rise, less), 0.0);
 }
 
 bool are_blades(const scene::Scene& scene) {

@@ -159,8 +159,12 @@ class Sight {
         margin_m_(cell_reach_m(scene)) {}
 
   bool may_see(const glm::dvec3& middle_m) const {
-    return view_.may_see(middle_m, margin_m_) &&
-           far_fraction(grass_, window_, view_, middle_m) < 1.0 && !is_behind_a_hill(middle_m);
+    return view_.may_see(middle_m, margin_m_) && far(middle_m) < 1.0 && !is_behind_a_hill(middle_m);
+  }
+
+  /// The fraction of the grass there that is painted on the ground.
+  double far(const glm::dvec3& middle_m) const {
+    return far_fraction(grass_, window_, view_, middle_m);
   }
 
   /// Pixels that a metre covers there.
@@ -223,12 +227,24 @@ CellChoice choose_cell(const scene::Scene& scene, const glm::ivec2& cell, const 
   return choice;
 }
 
-/// How far the patches of each mixture lean with the wind, of what grass does: shrubs stand.
-std::vector<double> leaning_of_mixtures(const scene::Scene& scene) {
-  std::vector<double> leaning;
-  for (const scene::Mixture& mixture : scene::mixtures_of(scene))
-    leaning.push_back(scene::rooted_fraction(scene, mixture));
-  return leaning;
+/// What cells ask of a mixture.
+struct MixtureFacts {
+  double leaning = 1.0;       ///< how far it leans with the wind, of what grass does: shrubs stand
+  bool has_shrubs = false;    ///< that stand beside their cell
+  std::optional<int> around;  ///< the mixture that stands on the cell, if any does
+};
+
+std::vector<MixtureFacts> facts_of_mixtures(const scene::Scene& scene) {
+  std::vector<MixtureFacts> facts;
+  const std::vector<scene::Mixture> mixtures = scene::mixtures_of(scene);
+  for (int number = 0; number < static_cast<int>(mixtures.size()); ++number) {
+    const bool has_shrubs = scene::has_placed_shrubs(scene, number);
+    const int around = scene::without_shrubs(scene, number);
+    facts.push_back({scene::rooted_fraction(scene, mixtures[static_cast<std::size_t>(number)]),
+                     has_shrubs,
+                     has_shrubs && around == number ? std::nullopt : std::optional(around)});
+  }
+  return facts;
 }
 
 int voxels_of(const scene::Scene& scene, const CellChoice& choice) {
@@ -285,7 +301,7 @@ class CellChooser {
         grass_(scene::mean_grass(scene)),
         sight_(scene, terrain, place::camera_of_frame(scene, terrain, now.frame)),
         key_frames_(scene::key_frames(scene)),
-        leaning_(leaning_of_mixtures(scene)),
+        mixture_facts_(facts_of_mixtures(scene)),
         showing_{grass::PatchState::level_of(now.snow), now.light} {
     if (place::is_large(scene)) mesh_ = terrain::mesh_heights(terrain, place::window_grid(scene));
   }
@@ -301,30 +317,55 @@ class CellChooser {
                                     sight_.pixels(middle_m));
     if (choice.blades && cell_uniform(scene_.seed, cell, "grown") >= double{grown.mean}) return;
     const int mixture = mixtures_.at(glm::dvec2(middle_m));
-    const int around = scene::without_shrubs(scene_, mixture);
-    row.push_back(standing(choice, around, {}));
-    if (around == mixture) return;
-    choice.beside_cell = true;
-    row.push_back(standing(choice, mixture, shrub_place(scene_, window_, cell)));
+    const MixtureFacts& facts = mixture_facts_[static_cast<std::size_t>(mixture)];
+    if (facts.around) row.push_back(on_cell(choice, *facts.around));
+    if (!facts.has_shrubs) return;
+    const ShrubPlace place = shrub_place(scene_, window_, cell);
+    const double grown_there{
+        growth_.sample(middle_m.x + place.shift_m.x, middle_m.y + place.shift_m.y)};
+    if (cell_uniform(scene_.seed, cell, "shrub grown") >= grown_there) return;
+    const double standing = choice.blades ? 1.0 : grown_there * (1.0 - sight_.far(middle_m));
+    row.push_back(beside_cell(choice, mixture, place, standing));
   }
 
  private:
-  /// The choice with the patch of a mixture, where it stands.
-  CellChoice standing(CellChoice choice, int mixture, const ShrubPlace& place) const {
-    const double patch_m = scene_.grass.patch_m;
+  /// The choice with the patch of a mixture on its cell.
+  CellChoice on_cell(CellChoice choice, int mixture) const {
     choice.variant = scene::patch_number(scene_, mixture, choice.variant);
-    const landscape::CellPose pose = {choice.cell, choice.turn,
-                                      leaning_[static_cast<std::size_t>(mixture)] *
-                                          now_.wind_lean.lean(centre_m(choice.cell, patch_m)),
-                                      place.shift_m, place.size};
-    choice.parts = landscape::parts_on_ground(mesh_ ? *mesh_ : terrain_, patch_m, pose,
+    const landscape::CellPose pose = pose_of(choice, mixture);
+    choice.parts = landscape::parts_on_ground(ground(), scene_.grass.patch_m, pose,
                                               voxels_of(scene_, choice), ground_tolerance_m);
     // Half-way up, so that they show as much too little above as too much below: along a line of
     // sight between them either would be a seam.
-    if (!choice.beside_cell)
-      choice.reach = reach_to_neighbours(now_.wind_lean, patch_m, pose, 0.5 * grass_.height_m);
+    choice.reach =
+        reach_to_neighbours(now_.wind_lean, scene_.grass.patch_m, pose, 0.5 * grass_.height_m);
     return choice;
   }
+
+  CellChoice beside_cell(CellChoice choice, int mixture, const ShrubPlace& place,
+                         double standing) const {
+    constexpr double tolerance_m = 0.05;  // the grass around hides their feet
+    const double patch_m = scene_.grass.patch_m;
+    choice.variant = scene::patch_number(scene_, mixture, choice.variant);
+    landscape::CellPose pose = pose_of(choice, mixture);
+    pose.shift_m = place.shift_m;
+    pose.size = place.size;
+    choice.parts =
+        landscape::parts_on_ground(ground(), patch_m, pose, voxels_of(scene_, choice), tolerance_m);
+    choice.beside_cell = {
+        landscape::fit_to_ground(ground(), patch_m, pose, landscape::Part{}).world_from_cell,
+        standing};
+    return choice;
+  }
+
+  landscape::CellPose pose_of(const CellChoice& choice, int mixture) const {
+    const glm::dvec2 lean = now_.wind_lean.lean(centre_m(choice.cell, scene_.grass.patch_m));
+    return {choice.cell, choice.turn,
+            mixture_facts_[static_cast<std::size_t>(mixture)].leaning * lean};
+  }
+
+  /// As it is drawn.
+  const Heightfield& ground() const { return mesh_ ? *mesh_ : terrain_; }
 
   const scene::Scene& scene_;
   const Heightfield& terrain_;
@@ -337,7 +378,7 @@ class CellChooser {
   Sight sight_;
   std::optional<Heightfield> mesh_;  ///< of a large terrain's ground, as it is drawn
   std::vector<double> key_frames_;
-  std::vector<double> leaning_;  ///< by mixture
+  std::vector<MixtureFacts> mixture_facts_;
   Showing showing_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,12 @@
 
 namespace wold::meadow {
 
+/// How shrubs stand beside their cell.
+struct BesideCell {
+  glm::dmat4 world_from_patch{1.0};  ///< on the plane that fits the ground under all of it
+  double standing = 1.0;             ///< the fraction of them that is shown
+};
+
 /// Which texel stands on a cell of the terrain, and how. `key_frame` and `lod` are indices into
 /// the scene's grass.key_frames and grass.levels; `variant` is a patch of scene::patch_count();
 /// `snow` and `light` are those of PatchState;
@@ -30,9 +37,9 @@ struct CellChoice {
   int light = 0;
   int turn = 0;
   int lod = 0;
-  bool beside_cell = false;  ///< shrubs; what grows around them stands on the cell
-  bool blades = false;       ///< drawn as a mesh of blades or points, not as the volume of `lod`
-  grass::BladeBend bend{};   ///< of that mesh; what it leaves of the lean `parts` have
+  std::optional<BesideCell> beside_cell;  ///< of shrubs that stand there, not on the cell
+  bool blades = false;      ///< drawn as a mesh of blades or points, not as the volume of `lod`
+  grass::BladeBend bend{};  ///< of that mesh; what it leaves of the lean `parts` have
 
   grass::PatchState state() const { return {key_frame, snow, light}; }
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "core/elementary.h"
@@ -32,6 +31,10 @@ glm::ivec2 samples_between(double low_m, double high_m, double corner_m, const G
       static_cast<int>(std::clamp(std::ceil((low_m - corner_m) / grid.step_m()), 0.0, last + 1)),
       static_cast<int>(std::clamp(std::floor((high_m - corner_m) / grid.step_m()), -1.0, last))};
 }
+
+/// Suns lower over the ground than the first cast no shade of their own: it lies everywhere. Those
+/// higher than the second cast all of it.
+constexpr double low_sun = 0.04, high_sun = 0.1;
 
 }  // namespace
 
@@ -74,27 +77,36 @@ ShrubShade::ShrubShade(const scene::Scene& scene, std::span<const CellChoice> ch
     auto of_patch = patches_.find(choice.variant);
     if (of_patch == patches_.end())
       of_patch = patches_.emplace(choice.variant, Shrubs(scene, choice.variant)).first;
-    add(of_patch->second, choice.parts.front().world_from_cell);
+    add(of_patch->second, *choice.beside_cell);
   }
 }
 
-void ShrubShade::add(const Shrubs& shrubs, const glm::dmat4& world_from_cell) {
-  constexpr double lowest_sun = 0.03;  // over the ground; below it all is shade
+void ShrubShade::add(const Shrubs& shrubs, const BesideCell& beside) {
+  constexpr double farther = 1.5;  // where the ground falls away from the plane under them
+  const glm::dmat4& world_from_cell = beside.world_from_patch;
   const glm::dmat4 cell_from_world = glm::inverse(world_from_cell);
   const glm::dvec3 along = glm::dmat3(cell_from_world) * to_sun_;
-  if (along.z < lowest_sun) return;
-  const glm::dvec2 falls_m = -shrubs.height_m / along.z * glm::dvec2(along);
-  Placed placed{&shrubs, cell_from_world, along};
-  placed.low_m = glm::dvec2(std::numeric_limits<double>::infinity());
-  placed.high_m = -placed.low_m;
-  for (const glm::dvec2& top_m : {glm::dvec2(0.0), falls_m})
-    for (int corner = 0; corner < 4; ++corner) {
-      const glm::dvec2 foot_m = patch_m_ * glm::dvec2(corner & 1, corner >> 1);
-      const glm::dvec2 at_m(world_from_cell * glm::dvec4(foot_m + top_m, 0.0, 1.0));
-      placed.low_m = glm::min(placed.low_m, at_m);
-      placed.high_m = glm::max(placed.high_m, at_m);
-    }
-  placed_.push_back(placed);
+  const double cast = beside.standing * glm::smoothstep(low_sun, high_sun, along.z);
+  if (cast <= 0.0) return;
+  const auto in_world = [&](const glm::dvec2& at_m, double w) {
+    return glm::dvec2(world_from_cell * glm::dvec4(at_m, 0.0, w));
+  };
+  const glm::dvec2 corner_m = in_world({0.0, 0.0}, 1.0),
+                   other_m = in_world(glm::dvec2(patch_m_), 1.0);
+  placed_.push_back({&shrubs, cell_from_world, along, cast, glm::min(corner_m, other_m),
+                     glm::max(corner_m, other_m),
+                     in_world(-farther * shrubs.height_m / along.z * glm::dvec2(along), 0.0)});
+}
+
+glm::dvec2 ShrubShade::Placed::between_m(double y_m) const {
+  double first = 0.0, last = 1.0;  // of the way that the shade falls
+  if (falls_m.y != 0.0) {
+    const double a = (y_m - high_m.y) / falls_m.y, b = (y_m - low_m.y) / falls_m.y;
+    first = std::clamp(std::min(a, b), 0.0, 1.0);
+    last = std::clamp(std::max(a, b), 0.0, 1.0);
+  }
+  return {low_m.x + std::min(first * falls_m.x, last * falls_m.x),
+          high_m.x + std::max(first * falls_m.x, last * falls_m.x)};
 }
 
 std::optional<FactorMap> ShrubShade::sunlit(const Heightfield& terrain,
@@ -103,8 +115,9 @@ std::optional<FactorMap> ShrubShade::sunlit(const Heightfield& terrain,
   if (placed_.empty() || shown <= 0.0) return std::nullopt;
   std::vector<std::vector<const Placed*>> of_rows(static_cast<std::size_t>(grid.samples));
   for (const Placed& placed : placed_) {
-    const glm::ivec2 rows =
-        samples_between(placed.low_m.y, placed.high_m.y, grid.square.corner_m.y, grid);
+    const glm::ivec2 rows = samples_between(placed.low_m.y + std::min(0.0, placed.falls_m.y),
+                                            placed.high_m.y + std::max(0.0, placed.falls_m.y),
+                                            grid.square.corner_m.y, grid);
     for (int row = rows[0]; row <= rows[1]; ++row)
       of_rows[static_cast<std::size_t>(row)].push_back(&placed);
   }
@@ -112,8 +125,9 @@ std::optional<FactorMap> ShrubShade::sunlit(const Heightfield& terrain,
   parallel_for(of_rows.size(), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (const Placed* placed : of_rows[row]) {
+      const glm::dvec2 between_m = placed->between_m(sunlit.place_m(0, j).y);
       const glm::ivec2 columns =
-          samples_between(placed->low_m.x, placed->high_m.x, grid.square.corner_m.x, grid);
+          samples_between(between_m[0], between_m[1], grid.square.corner_m.x, grid);
       for (int i = columns[0]; i <= columns[1]; ++i)
         sunlit.at(i, j) *= passed(*placed, terrain, sunlit.place_m(i, j), shown);
     }
@@ -125,8 +139,8 @@ float ShrubShade::passed(const Placed& placed, const Heightfield& terrain, const
                          double shown) const {
   const glm::dvec3 place_m = place::above_ground(terrain, at_m, 0.5 * grass_m_);
   const glm::dvec3 start_m(placed.cell_from_world * glm::dvec4(place_m, 1.0));
-  return static_cast<float>(
-      math::exp(-shown * placed.shrubs->optical_depth(start_m, placed.along)));
+  const double depth = placed.cast * placed.shrubs->optical_depth(start_m, placed.along);
+  return static_cast<float>(math::exp(-shown * depth));
 }
 
 }  // namespace wold::meadow

@@ -15,8 +15,8 @@ namespace wold::meadow {
 
 /// The shade that shrubs cast on what is around them. Their crowns are the half-ellipsoids on which
 /// their twigs end, filled evenly with leaves that face all ways: extinction is half of the leaves'
-/// area per volume [Ross1981]. Each shrub's own ground is left out: the light on that
-/// is the shrub's, which has its shade in itself.
+/// area per volume [Ross1981]. Each shrub's own ground is left out: the light on that is the
+/// shrub's, which has its shade in itself. What of a shrub is not shown shades nothing.
 class ShrubShade {
  public:
   /// Of the shrubs among a frame's choices that stand beside their cell. `to_sun`: unit vector.
@@ -42,13 +42,18 @@ class ShrubShade {
     double extinction_per_m = 0.0;
   };
   struct Placed {
+    /// Between which places to the east their shade lies, so far north.
+    glm::dvec2 between_m(double y_m) const;
+
     const Shrubs* shrubs;
     glm::dmat4 cell_from_world;
-    glm::dvec3 along;                    ///< a metre towards the sun, in cell space
-    glm::dvec2 low_m{0.0}, high_m{0.0};  ///< of the ground that may lie in its shade
+    glm::dvec3 along;          ///< a metre towards the sun, in cell space
+    double cast;               ///< the fraction of their optical depth that counts
+    glm::dvec2 low_m, high_m;  ///< of the ground under them
+    glm::dvec2 falls_m;        ///< how far from it the shade of their tops may lie
   };
 
-  void add(const Shrubs& shrubs, const glm::dmat4& world_from_cell);
+  void add(const Shrubs& shrubs, const BesideCell& beside);
   float passed(const Placed& placed, const Heightfield& terrain, const glm::dvec2& at_m,
                double shown) const;
 

@@ -46,7 +46,7 @@ std::string_view command_description(std::string_view command) {
        "Writes what the ground of a scene is like as GeoTIFFs, with a value at each of its "
        "heights: height, slope, share on which grass grows, share that is a lake, and of "
        "each frame the weathering degree, the depth of the snow and, on terrains of up to "
-       "2000 patches along a side, the water in it. They lie where terrain.elevation does, in the "
+       "120 m, the water in it. They lie where terrain.elevation does, in the "
        "azimuthal equidistant projection about the scene's middle, whose metres are the "
        "scene's; without a model they are in metres from its south-western corner."},
       {"check",

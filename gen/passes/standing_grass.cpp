@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "core/elementary.h"
@@ -76,6 +77,20 @@ class VoxelWalk {
   glm::ivec3 voxels_, at_{0}, step_{1};
   glm::dvec3 each_m_{0.0}, next_m_{0.0};  ///< metres along the ray, by axis
 };
+
+/// Makes one veil of those from `first` on that are of the same cell, where the first of them is.
+void unite_veils(std::ptrdiff_t first, std::vector<Veil>& veils) {
+  auto end = veils.begin() + first;
+  for (auto veil = end; veil != veils.end(); ++veil) {
+    const auto same = std::find_if(veils.begin() + first, end,
+                                   [&](const Veil& other) { return other.cell == veil->cell; });
+    if (same == end)
+      *end++ = *veil;
+    else
+      same->opacity += veil->opacity;
+  }
+  veils.erase(end, veils.end());
+}
 
 }  // namespace
 
@@ -152,7 +167,7 @@ void StandingGrass::lay_out() {
                    [&](const Stand& a, const Stand& b) { return number(a) < number(b); });
   for (std::size_t i = 0; i < stands_.size(); ++i) {
     Square& square = grid_[number(stands_[i])];
-    if (square.end == 0) square = {i, i, infinite, -infinite};
+    if (square.end == 0) square = {i, i, infinite, -infinite, 0.0, false};
     square.end = i + 1;
     // In world space the lower and the upper side of what stands over a rectangle are planes.
     const glm::dmat4& from_world = stands_[i].cell_from_world;
@@ -164,7 +179,14 @@ void StandingGrass::lay_out() {
           square.low_m = std::min(square.low_m, z_m);
           square.high_m = std::max(square.high_m, z_m);
         }
+    const glm::dvec2 corner_m = glm::dvec2(stands_[i].square) * landscape_.patch_m;
+    const glm::dvec2 side_m = glm::min(stands_[i].high_m, corner_m + landscape_.patch_m) -
+                              glm::max(stands_[i].low_m, corner_m);
+    square.stood_on_m2 += side_m.x * side_m.y;
   }
+  constexpr double rounding = 1e-6;
+  const double all_m2 = landscape_.patch_m * landscape_.patch_m;
+  for (Square& square : grid_) square.is_shared = square.stood_on_m2 > (1.0 + rounding) * all_m2;
 }
 
 void StandingGrass::look(const glm::dvec3& eye_m, const glm::dvec3& direction, double end_m,
@@ -209,8 +231,8 @@ bool StandingGrass::cross_square(const Square& square, Way& way, double from_m, 
   if (square.first == square.end) return true;
   clip(square.low_m, square.high_m, way.eye_m.z, way.direction.z, from_m, to_m);
   if (!(from_m < to_m)) return true;
-  // The nearest first. A cell has 64 parts at most, and four shrubs may reach into it.
-  std::array<std::pair<double, std::size_t>, 5 * 64> order;
+  // The nearest first. A cell has 64 parts at most, and shrubs of nine cells may reach into it.
+  std::array<std::pair<double, std::size_t>, 10 * 64> order;
   std::size_t count = 0;
   for (std::size_t i = square.first; i < square.end && count < order.size(); ++i) {
     double first_m = from_m, last_m = to_m;
@@ -219,10 +241,24 @@ bool StandingGrass::cross_square(const Square& square, Way& way, double from_m, 
            first_m, last_m);
     if (first_m < last_m) order[count++] = {first_m, i};
   }
-  std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count));
-  for (std::size_t k = 0; k < count; ++k)
-    if (!cross(stands_[order[k].second], way, from_m, to_m, sight)) return false;
-  return true;
+  const std::span met(order.data(), count);
+  std::ranges::sort(met);
+  const auto cross_all = [&](double first_m, double last_m) {
+    return std::ranges::all_of(met, [&](const auto& stand) {
+      return cross(stands_[stand.second], way, first_m, last_m, sight);
+    });
+  };
+  if (!square.is_shared) return cross_all(from_m, to_m);
+  // What stands in one place is crossed together, slice by slice.
+  const double slice_m = densities_[stands_[square.first].density].voxel_m;
+  const auto slices = static_cast<int>(std::ceil((to_m - from_m) / slice_m));
+  const auto first_veil = static_cast<std::ptrdiff_t>(sight.veils.size());
+  bool goes_on = true;
+  for (int slice = 0; slice < slices && goes_on; ++slice)
+    goes_on = cross_all(std::lerp(from_m, to_m, 1.0 * slice / slices),
+                        std::lerp(from_m, to_m, (slice + 1.0) / slices));
+  unite_veils(first_veil, sight.veils);
+  return goes_on;
 }
 
 bool StandingGrass::cross(const Stand& stand, Way& way, double from_m, double to_m,

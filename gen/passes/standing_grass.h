@@ -55,6 +55,8 @@ class StandingGrass {
   struct Square {
     std::size_t first = 0, end = 0;  ///< indices into stands_
     double low_m = 0.0, high_m = 0.0;
+    double stood_on_m2 = 0.0;  ///< by all of them together
+    bool is_shared = false;    ///< some stand in one place
   };
   struct Way;
 

@@ -12,9 +12,10 @@ std::vector<Sway::Shear> Sway::shears(const Cells& cells, const GroundFacts& fac
     const glm::dmat4& placed = cells[i].world_from_cell;
     const glm::dvec2 more = facts.more_lean(cells[i].origin.cell);
     // Cells are turned about the vertical: how the ground rises to the east and north.
+    const double size = glm::length(glm::dvec2(placed[0]));
     const glm::dvec2 rise =
-        placed[0].z * glm::dvec2(placed[0]) + placed[1].z * glm::dvec2(placed[1]);
-    shears[i] = {glm::inverse(placed), glm::dvec3(more, glm::dot(rise, more))};
+        (placed[0].z * glm::dvec2(placed[0]) + placed[1].z * glm::dvec2(placed[1])) / (size * size);
+    shears[i] = {glm::inverse(placed), size * glm::dvec3(more, glm::dot(rise, more))};
   });
   return shears;
 }

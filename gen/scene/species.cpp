@@ -124,6 +124,15 @@ Mixture mixture_of(const MeadowPart& meadow, int patch) {
   return mixtures_of(meadow).at(static_cast<std::size_t>(mixture_number(meadow, patch)));
 }
 
+bool has_placed_shrubs(const MeadowPart& meadow, int mixture) {
+  const std::vector<Species> species = species_of(meadow);
+  return std::ranges::any_of(mixtures_of(meadow).at(static_cast<std::size_t>(mixture)),
+                             [&](int number) {
+                               const Species& one = species[static_cast<std::size_t>(number)];
+                               return is_shrub(one) && has_habitat(one);
+                             });
+}
+
 int without_shrubs(const MeadowPart& meadow, int mixture) {
   auto missing = static_cast<unsigned>(mixture);
   unsigned bit = 1;

@@ -34,8 +34,10 @@ int patch_number(const MeadowPart& meadow, int mixture, int variant);
 /// The mixture of a patch.
 Mixture mixture_of(const MeadowPart& meadow, int patch);
 
-/// The number of a mixture without its shrubs that have a habitat: of what grows around them. It is
-/// the same mixture where there are none, or nothing but them.
+/// Whether shrubs are among a mixture that have a habitat, so that they do not stand everywhere.
+bool has_placed_shrubs(const MeadowPart& meadow, int mixture);
+/// The number of a mixture without those: of what grows around them. It is the same mixture where
+/// there are none, or nothing but them.
 int without_shrubs(const MeadowPart& meadow, int mixture);
 
 /// Blades of a patch by species, in the order of species_of(). Those that stand in the ground are

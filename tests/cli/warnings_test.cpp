@@ -58,6 +58,16 @@ TEST_F(Warnings, FarCellsBelowAPixel) {
   EXPECT_THAT(about("", "--set grass.far_field_below_pixels=0"), IsEmpty()) << "nothing is so far";
 }
 
+TEST_F(Warnings, ShrubsAsVolumesInMitsuba) {
+  const std::string shrubs =
+      "[render]\nrenderer = \"mitsuba\"\n[[species]]\nname = \"grass\"\n"
+      "[[species]]\nname = \"juniper\"\ncrown = 0.4\nheight = 0.04\ncover = 0.2\n";
+  EXPECT_THAT(about(shrubs), HasSubstr("warning: Mitsuba shows one volume at a place"));
+  EXPECT_THAT(about(shrubs, "--grass blades"), Not(HasSubstr("Mitsuba")));
+  EXPECT_THAT(about(shrubs, "--renderer povray"), Not(HasSubstr("Mitsuba")));
+  EXPECT_THAT(about("[render]\nrenderer = \"mitsuba\"\n"), Not(HasSubstr("one volume")));
+}
+
 TEST_F(Warnings, ASunThatTheDateHasAlready) {
   const std::string day = "[sun]\ndate = [2026, 6, 21]\nlatitude = 47\ntime = 12\n";
   EXPECT_THAT(about(day), IsEmpty());

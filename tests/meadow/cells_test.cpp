@@ -388,7 +388,7 @@ TEST(Cells, HaveTheirShrubsBesideThem) {
     EXPECT_EQ(mixture, 0);
     EXPECT_TRUE(on_cells.contains(cell));
     EXPECT_EQ(choice.reach, glm::dmat4(1.0));
-    const glm::dmat4& world_from_cell = choice.parts.front().world_from_cell;
+    const glm::dmat4& world_from_cell = choice.beside_cell->world_from_patch;
     sizes.push_back(glm::length(glm::dvec2(world_from_cell[0])));
     const glm::dvec2 middle_m(world_from_cell * glm::dvec4(0.5 * patch_m, 0.5 * patch_m, 0, 1));
     const glm::dvec2 off_m = middle_m - (glm::dvec2(choice.cell) + 0.5) * patch_m;

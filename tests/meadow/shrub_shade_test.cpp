@@ -33,10 +33,9 @@ scene::Scene with_shrubs() {
 CellChoice shrubs(const scene::Scene& scene, const Heightfield& terrain, double size) {
   CellChoice choice;
   choice.cell = glm::ivec2(0.5 * terrain_m / scene.grass.patch_m);
-  choice.beside_cell = true;
   const landscape::CellPose pose{choice.cell, 1, glm::dvec2(0.0), {0.1, -0.2}, size};
-  choice.parts = {
-      {{}, landscape::fit_to_ground(terrain, scene.grass.patch_m, pose, {}).world_from_cell}};
+  choice.beside_cell = {
+      landscape::fit_to_ground(terrain, scene.grass.patch_m, pose, {}).world_from_cell, 1.0};
   return choice;
 }
 
@@ -99,7 +98,7 @@ TEST(ShrubShade, IsAsDeepAsTheWayThroughCrowns) {
           ShrubShade(scene, choices, to_sun).sunlit(terrain, {{.size_m = terrain_m}, 301});
       ASSERT_TRUE(sunlit);
       const glm::dmat4 cell_from_world =
-          glm::inverse(choices.front().parts.front().world_from_cell);
+          glm::inverse(choices.front().beside_cell->world_from_patch);
       int shaded = 0;
       for (int j = 105; j < 240; ++j)
         for (int i = 90; i < 195; ++i) {
@@ -116,6 +115,22 @@ TEST(ShrubShade, IsAsDeepAsTheWayThroughCrowns) {
     }
 }
 
+TEST(ShrubShade, IsThatOfWhatIsShownOfThem) {
+  const scene::Scene scene = with_shrubs();
+  const Heightfield level = ridge(0.0, 0.0);
+  const GroundGrid grid{{.size_m = terrain_m}, 201};
+  const auto darkest = [&](double standing, double elevation_deg) {
+    CellChoice choice = shrubs(scene, level, 1.0);
+    choice.beside_cell->standing = standing;
+    const auto sunlit =
+        ShrubShade(scene, std::vector{choice}, sun_at(elevation_deg)).sunlit(level, grid);
+    return sunlit ? std::ranges::min(sunlit->values()) : 1.0F;
+  };
+  EXPECT_NEAR(std::log(darkest(0.5, 25.0)) / std::log(darkest(1.0, 25.0)), 0.5, 1e-4);
+  EXPECT_EQ(darkest(0.0, 25.0), 1.0F);
+  EXPECT_GT(darkest(1.0, 2.5), 0.95F);  // at sunset it fades
+}
+
 TEST(ShrubShade, IsNoneOfWhatStandsOnItsCellOrWithoutASun) {
   const scene::Scene scene = with_shrubs();
   const Heightfield level = ridge(0.0, 0.0);
@@ -124,7 +139,7 @@ TEST(ShrubShade, IsNoneOfWhatStandsOnItsCellOrWithoutASun) {
   EXPECT_TRUE(ShrubShade(scene, std::vector{choice}, sun_at(20.0)).sunlit(level, grid));
   EXPECT_FALSE(ShrubShade(scene, std::vector{choice}, sun_at(20.0)).sunlit(level, coarse));
   EXPECT_FALSE(ShrubShade(scene, std::vector{choice}, sun_at(-1.0)).sunlit(level, grid));
-  choice.beside_cell = false;
+  choice.beside_cell.reset();
   EXPECT_FALSE(ShrubShade(scene, std::vector{choice}, sun_at(20.0)).sunlit(level, grid));
 }
 

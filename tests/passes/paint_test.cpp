@@ -181,6 +181,26 @@ TEST(Passes, FogIsSeenWhereItHidesHalf) {
   EXPECT_GT(on_ground, 100);
 }
 
+// As shrubs and the grass around them: not one behind the other.
+TEST(Passes, FogsOfOnePlaceAreSeenWhereTheyHideHalfTogether) {
+  const test::TemporaryFolder folder("passes_fogs");
+  const test::ConstantMeadow fog = {.extinction = 0.9F};
+  Landscape landscape = level_fog(fog, folder.path());
+  const std::vector<landscape::Cell> once = landscape.cells;
+  landscape.cells.insert(landscape.cells.end(), once.begin(), once.end());
+  const Painted painted(landscape);
+  const double half_m = std::log(2.0) / (2.0 * double{fog.extinction});
+  const double slice_m = 0.5 / fog.voxels;
+  int grassy = 0;
+  for (std::size_t pixel = 0; pixel < painted.pixels(); ++pixel) {
+    const FogWay way = through_fog(fog, landscape.camera.eye_m, painted.direction(pixel));
+    if (!way.is_whole || way.last_m - way.first_m < half_m + slice_m) continue;
+    ++grassy;
+    ASSERT_NEAR(painted.distance_m(pixel), way.first_m + half_m, slice_m) << pixel;
+  }
+  EXPECT_GT(grassy, 300);
+}
+
 TEST(Passes, FogCoversWhatItsLengthSays) {
   const test::TemporaryFolder folder("passes_cover");
   const test::ConstantMeadow fog;

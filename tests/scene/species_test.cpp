@@ -104,11 +104,14 @@ TEST(Species, ThatAreShrubsHaveOthersAroundThem) {
   scene.species.resize(3);
   for (const std::size_t shrub : {0, 2}) scene.species[shrub].plant.crown_m = 0.7;
   EXPECT_EQ(without_shrubs(scene, 0), 0);  // they stand everywhere
+  EXPECT_FALSE(has_placed_shrubs(scene, 0));
   for (Species& one : scene.species) one.habitat.cover = 0.5;
   EXPECT_EQ(without_shrubs(scene, 0b000), 0b101);
   EXPECT_EQ(without_shrubs(scene, 0b001), 0b101);
   EXPECT_EQ(without_shrubs(scene, 0b101), 0b101);
   EXPECT_EQ(without_shrubs(scene, 0b010), 0b010);  // nothing else grows there
+  EXPECT_TRUE(has_placed_shrubs(scene, 0b010));
+  EXPECT_FALSE(has_placed_shrubs(scene, 0b101));
 }
 
 TEST(Species, ThatAreShrubsHaveTheirLeavesOverTheGrass) {
