@@ -39,8 +39,7 @@ struct Ways {
 int wanted_cells(const scene::Scene& scene, double way_m) {
   const double size_m = (way_m + 2.0 * farthest_standing_m(scene)) / (1.0 - edge_fraction);
   const double cells = std::ceil(size_m / scene.grass.patch_m) + 2.0;
-  return static_cast<int>(
-      std::min({cells, 1.0 * max_patches, 1.0 * cells_per_side(scene)}));
+  return static_cast<int>(std::min({cells, 1.0 * max_patches, 1.0 * cells_per_side(scene)}));
 }
 
 }  // namespace

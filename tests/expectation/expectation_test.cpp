@@ -74,9 +74,8 @@ TEST(Expectation, WhatStandsOnOnePlaceHidesTogether) {
   landscape::Landscape meadow = level_meadow(folder.path());
   const std::vector<landscape::Cell> once = meadow.cells;
   meadow.cells.insert(meadow.cells.end(), once.begin(), once.end());
-  expect_meadow(meadow, [](double sine) {
-    return through(height_m, sine, 2.0 * double{fog.extinction});
-  });
+  expect_meadow(meadow,
+                [](double sine) { return through(height_m, sine, 2.0 * double{fog.extinction}); });
 }
 
 TEST(Expectation, ThinGrassIsThinner) {
