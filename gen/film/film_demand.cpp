@@ -67,8 +67,10 @@ class Ground {
   FrameDemand demand(int frame) const {
     FrameDemand demand;
     const meadow::FrameGrass now = meadow::still_grass(scene_, season_.get(), weather_, frame);
-    for (const meadow::CellChoice& cell :
-         meadow::choose_cells(scene_, terrain_, growth_, mixtures_, withering_, now)) {
+    const std::vector<meadow::CellChoice> cells =
+        meadow::choose_cells(scene_, terrain_, growth_, mixtures_, withering_, now);
+    if (!cells.empty()) demand.across_m = meadow::square_of_cells(scene_, cells).size_m;
+    for (const meadow::CellChoice& cell : cells) {
       demand.parts += cell.parts.size();
       if (cell.blades)
         demand.patches.insert({cell.variant, cell.state()});

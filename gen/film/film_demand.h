@@ -32,6 +32,7 @@ struct FrameDemand {
   std::set<ShownVolume> volumes;
   std::set<BladePatchState> patches;  ///< that cells show as blades or points
   std::size_t parts = 0;              ///< of cells
+  double across_m = 0.0;              ///< side of the square in which their grass is
   bool has_distance = false;          ///< some grass is painted on the ground
   bool has_snow = false;              ///< snow lies on the ground, or has
 };

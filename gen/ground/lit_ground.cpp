@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "core/cropped_map.h"
 #include "core/filled_map.h"
 #include "core/parallel.h"
 #include "core/pinhole.h"
@@ -388,6 +389,10 @@ void LitGround::show(const SnowyGround& ground, ColourMap& light, const SkyRadia
   if (meadow_)
     landscape.light =
         product(landscape.light, veil_of_grass(grass_light, site_.terrain, view_, *meadow_, haze_));
+  if (!place::is_large(scene_) || choices_.empty()) return;
+  const Square shown = meadow::square_of_cells(scene_, choices_);
+  landscape.light = cropped(landscape.light, shown);
+  landscape.extinction_factor = cropped(landscape.extinction_factor, shown);
 }
 
 bool sees_land_around(const place::Site& site, const landscape::Camera& camera,

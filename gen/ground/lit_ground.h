@@ -56,9 +56,9 @@ class LitGround {
   LitGround& operator=(const LitGround&) = delete;
 
   /// Sets the landscape's pictures of the ground, its light on the grass, and how much of that
-  /// stands; paints the land around on the landscape's backdrop, if it has one. `light`: the
-  /// frame's on all of the ground, from which it takes what shrubs shade; `sky` is what water
-  /// mirrors.
+  /// stands, on a large terrain only where cells are; paints the land around on the landscape's
+  /// backdrop, if it has one. `light`: the frame's on all of the ground, from which it takes what
+  /// shrubs shade; `sky` is what water mirrors.
   void show(const SnowyGround& ground, ColourMap& light, const SkyRadiance& sky,
             landscape::Landscape& landscape) const;
 

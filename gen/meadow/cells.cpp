@@ -384,6 +384,18 @@ class CellChooser {
 
 }  // namespace
 
+Square square_of_cells(const scene::Scene& scene, std::span<const CellChoice> cells) {
+  glm::ivec2 low = cells.front().cell, high = low;
+  for (const CellChoice& choice : cells) {
+    low = glm::min(low, choice.cell);
+    high = glm::max(high, choice.cell);
+  }
+  const glm::ivec2 count = high - low + 1;
+  const double reach_m = cell_reach_m(scene);
+  return {glm::dvec2(low) * scene.grass.patch_m - reach_m,
+          std::max(count.x, count.y) * scene.grass.patch_m + 2.0 * reach_m};
+}
+
 std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfield& terrain,
                                      const FactorMap& growth, const place::MixtureField& mixtures,
                                      const place::Withering& withering, const FrameGrass& now) {

@@ -64,6 +64,9 @@ int turns_of_lod(const scene::Scene& scene, int lod);
 /// How far from the middle of a cell, on the ground, its grass may reach, and half a cell more.
 double cell_reach_m(const scene::Scene& scene);
 
+/// Where the grass of cells reaches, of which there is one at least.
+Square square_of_cells(const scene::Scene& scene, std::span<const CellChoice> cells);
+
 /// Every cell with grass that can be seen, row by row: in the CellWindow, inside the picture, not
 /// behind a hill, not so far that far_fraction() paints it. `growth` is growth_map()'s; where it is
 /// thin, blades stand on as many cells as it says, while volumes are thinned in space.

@@ -54,11 +54,14 @@ bool has_own_terrain(const scene::Scene& scene, const film::FrameDemand& shown) 
   return shown.has_snow && scene.snow_cover.cover == scene::CoverModel::depth;
 }
 
-/// Of the largest of the maps that multiply the grass, which the others are brought to.
-double light_samples(const scene::Scene& scene) {
-  const int samples = place::tint_grid(scene).samples;
-  return squared(place::is_large(scene) ? std::max(samples, place::window_grid(scene).samples)
-                                        : samples);
+/// Of the largest of the maps that multiply the grass, which the others are brought to. On a large
+/// terrain they are where cells are.
+double light_samples(const scene::Scene& scene, const film::FrameDemand& shown) {
+  const GroundGrid tint = place::tint_grid(scene);
+  if (!place::is_large(scene)) return squared(tint.samples);
+  const int samples = std::max(tint.samples, place::window_grid(scene).samples);
+  const bool has_cells = shown.across_m > 0.0;
+  return squared(samples * (has_cells ? std::min(1.0, shown.across_m / tint.square.size_m) : 1.0));
 }
 
 double volume_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
@@ -86,7 +89,7 @@ double frame_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
   if (has_own_terrain(scene, shown)) terrain_sample += costs.shared_terrain_sample;
   return costs.frame + terrain_sample * squared(scene.terrain.samples) +
          costs.frame_ground_sample * ground_samples(scene, shown) +
-         costs.frame_light_sample * light_samples(scene) +
+         costs.frame_light_sample * light_samples(scene, shown) +
          costs.frame_part * static_cast<double>(shown.parts) +
          costs.frame_cloud_voxel * cloud_voxels(scene) +
          costs.frame_haze_voxel * sky::blowing_snow_voxels(scene);
