@@ -8,6 +8,7 @@
 #include "place/site.h"
 #include "place/view.h"
 #include "snow/blowing_snow.h"
+#include "support/temporary_folder.h"
 
 namespace wold::sky {
 namespace {
@@ -28,7 +29,9 @@ scene::Scene stormy(double size_m) {
 /// Its first frame's volumes, over snow that is loose everywhere, in the light of a low sun in the
 /// north, before the camera.
 landscape::Landscape blown(const scene::Scene& scene, double loose = 1.0, float sunlit = 1.0F) {
-  const place::Site site = place::make_site(scene, nullptr, {}, place::Sketch{33, 33, 33, 33});
+  const test::TemporaryFolder snow("blown");
+  const place::Site site =
+      place::make_site(scene, nullptr, snow.path(), place::Sketch{33, 33, 33, 33});
   landscape::Landscape landscape;
   landscape.terrain = site.terrain;
   landscape.camera = place::resolved_camera(scene.camera, site.terrain, 0.0);
