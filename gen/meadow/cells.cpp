@@ -8,6 +8,7 @@
 
 #include "core/noise.h"
 #include "core/parallel.h"
+#include "meadow/cell_texels.h"
 #include "meadow/cell_uniform.h"
 #include "meadow/far_field.h"
 #include "meadow/shrubs.h"
@@ -20,51 +21,6 @@
 
 namespace wold::meadow {
 namespace {
-
-struct Texel {
-  int variant = 0;
-  int turn = 0;
-};
-
-/// How much two neighbours look alike: the same variant shows even when it is turned, and levels
-/// that use but two turns undo a half-turn.
-int likeness(const Texel& a, const Texel& b) {
-  if (a.variant != b.variant) return 0;
-  if (a.turn == b.turn) return 3;
-  return a.turn % 2 == b.turn % 2 ? 2 : 1;
-}
-
-/// One of the texels that look least like the neighbours; `uniform` in [0, 1) chooses.
-Texel unlike(const std::vector<Texel>& neighbours, int variants, double uniform) {
-  std::vector<Texel> best;
-  int min = 1000;
-  for (int k = 0; k < variants * 4; ++k) {
-    const Texel candidate{k / 4, k % 4};
-    int sum = 0;
-    for (const Texel& neighbour : neighbours) sum += likeness(candidate, neighbour);
-    if (sum < min) best.clear();
-    min = std::min(min, sum);
-    if (sum == min) best.push_back(candidate);
-  }
-  return best[static_cast<std::size_t>(uniform * static_cast<double>(best.size()))];
-}
-
-/// Variant and turn of every cell, row by row from the south-west corner: each looks at its left
-/// and lower neighbours.
-std::vector<Texel> choose_texels(const scene::Scene& scene, const place::CellWindow& window) {
-  const int per_side = window.per_side;
-  std::vector<Texel> texels;
-  for (int j = 0; j < per_side; ++j)
-    for (int i = 0; i < per_side; ++i) {
-      std::vector<Texel> neighbours;
-      if (i > 0) neighbours.push_back(texels.back());
-      if (j > 0) neighbours.push_back(texels[texels.size() - static_cast<std::size_t>(per_side)]);
-      const glm::ivec2 cell = window.first + glm::ivec2(i, j);
-      texels.push_back(
-          unlike(neighbours, scene.grass.variants, cell_uniform(scene.seed, cell, "texel")));
-    }
-  return texels;
-}
 
 glm::dvec2 centre_m(const glm::ivec2& cell, double patch_m) {
   return (glm::dvec2(cell) + 0.5) * patch_m;
@@ -210,7 +166,7 @@ struct Showing {
 };
 
 /// All of the choice but where the cell stands.
-CellChoice choose_cell(const scene::Scene& scene, const glm::ivec2& cell, const Texel& texel,
+CellChoice choose_cell(const scene::Scene& scene, const glm::ivec2& cell, const CellTexel& texel,
                        const std::vector<double>& key_frames, double weathering,
                        const Showing& showing, double pixels_per_m) {
   CellChoice choice;
@@ -308,7 +264,7 @@ class CellChooser {
 
   /// Adds what stands on a cell, if anything does that can be seen. Shrubs stand beside their cell,
   /// which has the grass that grows around them.
-  void add(const glm::ivec2& cell, const Texel& texel, std::vector<CellChoice>& row) const {
+  void add(const glm::ivec2& cell, const CellTexel& texel, std::vector<CellChoice>& row) const {
     const glm::dvec3 middle_m = middle_of(grass_, terrain_, cell);
     const Grown grown = grown_in(growth_, cell, scene_.grass.patch_m);
     if (grown.max <= 0.0F || !sight_.may_see(middle_m)) return;
@@ -344,7 +300,7 @@ class CellChooser {
 
   CellChoice beside_cell(CellChoice choice, int mixture, const ShrubPlace& place,
                          double standing) const {
-    constexpr double tolerance_m = 0.05;  // the grass around hides their feet
+    constexpr double tolerance_m = 5.0 * ground_tolerance_m;  // the grass around hides their feet
     const double patch_m = scene_.grass.patch_m;
     choice.variant = scene::patch_number(scene_, mixture, choice.variant);
     landscape::CellPose pose = pose_of(choice, mixture);
@@ -400,7 +356,7 @@ std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfiel
                                      const FactorMap& growth, const place::MixtureField& mixtures,
                                      const place::Withering& withering, const FrameGrass& now) {
   const place::CellWindow window(scene);
-  const std::vector<Texel> texels = choose_texels(scene, window);
+  const std::vector<CellTexel> texels = choose_texels(scene, window);
   const CellChooser chooser(scene, terrain, growth, mixtures, withering, now);
   const auto side = static_cast<std::size_t>(window.per_side);
   std::vector<std::vector<CellChoice>> rows(side);

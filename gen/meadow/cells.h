@@ -64,7 +64,8 @@ int turns_of_lod(const scene::Scene& scene, int lod);
 /// How far from the middle of a cell, on the ground, its grass may reach, and half a cell more.
 double cell_reach_m(const scene::Scene& scene);
 
-/// Where the grass of cells reaches, of which there is one at least.
+/// A square on the ground, in metres, beyond which the grass of cells does not reach; of one cell
+/// at least.
 Square square_of_cells(const scene::Scene& scene, std::span<const CellChoice> cells);
 
 /// Every cell with grass that can be seen, row by row: in the CellWindow, inside the picture, not
@@ -72,16 +73,16 @@ Square square_of_cells(const scene::Scene& scene, std::span<const CellChoice> ce
 /// thin, blades stand on as many cells as it says, while volumes are thinned in space.
 ///
 /// The mixture of species is that of the cell's middle. A cell with shrubs among it is listed
-/// twice: first with what grows around them, then with them, somewhere else than the grid of cells
-/// has it: shrubs in rows would look planted. Variant and turn come by keyed choice, so that
-/// neighbours differ. Key frame, level of snow and light are those below or above the cell's
-/// weathering and the frame's snow and light, in the mean as much as these; variants pass from one
-/// to the next one after another, so that few pairs of variant and state are seen at once. The
-/// level is the coarsest whose voxels cover at most grass.pixels_per_voxel, with a keyed tenth of
-/// jitter, so that no ring shows where levels change. A cell has as many parts as
-/// ground_tolerance_m asks for. Only `lod` (and with it the turns allowed), `parts` and whether a
-/// cell is listed depend on the camera. Cells are drawn as render.grass asks: with "auto" as blades
-/// where even the finest level is too coarse.
+/// twice: first with what grows around them, if anything does, then with them, where shrub_place()
+/// puts them, if it is not bare there. Variant and turn are choose_texels()'. Key frame, level of
+/// snow and light are those below or above the cell's weathering and the frame's snow and light, in
+/// the mean as much as these; variants pass from one to the next one after another, so that few
+/// pairs of variant and state are seen at once. The level is the coarsest whose voxels cover at
+/// most grass.pixels_per_voxel, with a keyed tenth of jitter, so that no ring shows where levels
+/// change. A cell has as many parts as ground_tolerance_m asks for; shrubs, whose feet grass hides,
+/// as five times that. Only `lod` (and with it the turns allowed), `parts` and whether a cell is
+/// listed depend on the camera. Cells are drawn as render.grass asks: with "auto" as blades where
+/// even the finest level is too coarse.
 std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfield& terrain,
                                      const FactorMap& growth, const place::MixtureField& mixtures,
                                      const place::Withering& withering, const FrameGrass& now);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <span>
@@ -76,6 +77,12 @@ class VoxelWalk {
 
   glm::ivec3 voxels_, at_{0}, step_{1};
   glm::dvec3 each_m_{0.0}, next_m_{0.0};  ///< metres along the ray, by axis
+};
+
+/// A stand that a ray meets, by its number; from where on.
+struct Met {
+  double first_m;
+  std::size_t stand;
 };
 
 /// Makes one veil of those from `first` on that are of the same cell, where the first of them is.
@@ -167,7 +174,7 @@ void StandingGrass::lay_out() {
                    [&](const Stand& a, const Stand& b) { return number(a) < number(b); });
   for (std::size_t i = 0; i < stands_.size(); ++i) {
     Square& square = grid_[number(stands_[i])];
-    if (square.end == 0) square = {i, i, infinite, -infinite, 0.0, false};
+    if (square.end == 0) square = {i, i, infinite, -infinite, 0.0};
     square.end = i + 1;
     // In world space the lower and the upper side of what stands over a rectangle are planes.
     const glm::dmat4& from_world = stands_[i].cell_from_world;
@@ -179,14 +186,11 @@ void StandingGrass::lay_out() {
           square.low_m = std::min(square.low_m, z_m);
           square.high_m = std::max(square.high_m, z_m);
         }
-    const glm::dvec2 corner_m = glm::dvec2(stands_[i].square) * landscape_.patch_m;
-    const glm::dvec2 side_m = glm::min(stands_[i].high_m, corner_m + landscape_.patch_m) -
-                              glm::max(stands_[i].low_m, corner_m);
-    square.stood_on_m2 += side_m.x * side_m.y;
+    const glm::dvec2 corner(stands_[i].square);
+    const glm::dvec2 sides = glm::min(stands_[i].high_m / landscape_.patch_m, corner + 1.0) -
+                             glm::max(stands_[i].low_m / landscape_.patch_m, corner);
+    square.covered += sides.x * sides.y;
   }
-  constexpr double rounding = 1e-6;
-  const double all_m2 = landscape_.patch_m * landscape_.patch_m;
-  for (Square& square : grid_) square.is_shared = square.stood_on_m2 > (1.0 + rounding) * all_m2;
 }
 
 void StandingGrass::look(const glm::dvec3& eye_m, const glm::dvec3& direction, double end_m,
@@ -232,23 +236,25 @@ bool StandingGrass::cross_square(const Square& square, Way& way, double from_m, 
   clip(square.low_m, square.high_m, way.eye_m.z, way.direction.z, from_m, to_m);
   if (!(from_m < to_m)) return true;
   // The nearest first. A cell has 64 parts at most, and shrubs of nine cells may reach into it.
-  std::array<std::pair<double, std::size_t>, 10 * 64> order;
+  std::array<Met, 10 * 64> all_met;
   std::size_t count = 0;
-  for (std::size_t i = square.first; i < square.end && count < order.size(); ++i) {
+  for (std::size_t i = square.first; i < square.end && count < all_met.size(); ++i) {
     double first_m = from_m, last_m = to_m;
     for (int axis = 0; axis < 2; ++axis)
       clip(stands_[i].low_m[axis], stands_[i].high_m[axis], way.eye_m[axis], way.direction[axis],
            first_m, last_m);
-    if (first_m < last_m) order[count++] = {first_m, i};
+    if (first_m < last_m) all_met[count++] = {first_m, i};
   }
-  const std::span met(order.data(), count);
-  std::ranges::sort(met);
+  const std::span met(all_met.data(), count);
+  std::ranges::sort(met, std::less(),
+                    [](const Met& one) { return std::pair(one.first_m, one.stand); });
   const auto cross_all = [&](double first_m, double last_m) {
-    return std::ranges::all_of(met, [&](const auto& stand) {
-      return cross(stands_[stand.second], way, first_m, last_m, sight);
+    return std::ranges::all_of(met, [&](const Met& one) {
+      return cross(stands_[one.stand], way, first_m, last_m, sight);
     });
   };
-  if (!square.is_shared) return cross_all(from_m, to_m);
+  constexpr double rounding = 1e-6;
+  if (square.covered <= 1.0 + rounding) return cross_all(from_m, to_m);
   // What stands in one place is crossed together, slice by slice.
   const double slice_m = densities_[stands_[square.first].density].voxel_m;
   const auto slices = static_cast<int>(std::ceil((to_m - from_m) / slice_m));

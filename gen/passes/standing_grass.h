@@ -55,8 +55,7 @@ class StandingGrass {
   struct Square {
     std::size_t first = 0, end = 0;  ///< indices into stands_
     double low_m = 0.0, high_m = 0.0;
-    double stood_on_m2 = 0.0;  ///< by all of them together
-    bool is_shared = false;    ///< some stand in one place
+    double covered = 0.0;  ///< all that each of them covers of it; over 1 some share a place
   };
   struct Way;
 

@@ -47,8 +47,7 @@ Cells cells_of(const scene::Scene& scene) {
 bool is_bent(const CellChoice& cell) { return !cell.bend.is_none(); }
 
 // A straight blade's tip is where the lean had put it, its foot where it was, its middle behind.
-TEST(BentBlades, HaveTheirTipsWhereTheLeanPutsThem) {
-  const Cells cells = cells_of(gusty_scene());
+void expect_tips_where_the_lean_puts_them(const Cells& cells) {
   ASSERT_GT(std::ranges::count_if(cells.bent, is_bent), 20);
   for (std::size_t i = 0; i < cells.bent.size(); ++i)
     for (std::size_t k = 0; k < cells.bent[i].parts.size(); ++k) {
@@ -62,6 +61,23 @@ TEST(BentBlades, HaveTheirTipsWhereTheLeanPutsThem) {
         EXPECT_LT(glm::length(glm::dvec2(is[2])), glm::length(glm::dvec2(was[2])));
       }
     }
+}
+
+TEST(BentBlades, HaveTheirTipsWhereTheLeanPutsThem) {
+  expect_tips_where_the_lean_puts_them(cells_of(gusty_scene()));
+}
+
+TEST(BentBlades, HaveThemThereInShrubsOfAnySize) {
+  scene::Scene scene = gusty_scene();
+  scene.species.resize(2);
+  scene.species[1].plant.crown_m = 0.4;
+  scene.species[1].habitat.cover = 0.5;
+  const Cells cells = cells_of(scene);
+  ASSERT_GT(
+      std::ranges::count_if(
+          cells.bent, [](const CellChoice& cell) { return cell.beside_cell && is_bent(cell); }),
+      20);
+  expect_tips_where_the_lean_puts_them(cells);
 }
 
 TEST(BentBlades, AreNeitherVolumesNorPointsNorStill) {

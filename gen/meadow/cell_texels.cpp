@@ -1,0 +1,51 @@
+#include "meadow/cell_texels.h"
+
+#include <algorithm>
+#include <glm/glm.hpp>
+
+#include "meadow/cell_uniform.h"
+
+namespace wold::meadow {
+namespace {
+
+/// How much two neighbours look alike: the same variant shows even when it is turned, and levels
+/// that use but two turns undo a half-turn.
+int likeness(const CellTexel& a, const CellTexel& b) {
+  if (a.variant != b.variant) return 0;
+  if (a.turn == b.turn) return 3;
+  return a.turn % 2 == b.turn % 2 ? 2 : 1;
+}
+
+/// One of the texels that look least like the neighbours; `uniform` in [0, 1) chooses.
+CellTexel unlike(const std::vector<CellTexel>& neighbours, int variants, double uniform) {
+  std::vector<CellTexel> best;
+  int min = 1000;
+  for (int k = 0; k < variants * 4; ++k) {
+    const CellTexel candidate{k / 4, k % 4};
+    int sum = 0;
+    for (const CellTexel& neighbour : neighbours) sum += likeness(candidate, neighbour);
+    if (sum < min) best.clear();
+    min = std::min(min, sum);
+    if (sum == min) best.push_back(candidate);
+  }
+  return best[static_cast<std::size_t>(uniform * static_cast<double>(best.size()))];
+}
+
+}  // namespace
+
+std::vector<CellTexel> choose_texels(const scene::Scene& scene, const place::CellWindow& window) {
+  const int per_side = window.per_side;
+  std::vector<CellTexel> texels;
+  for (int j = 0; j < per_side; ++j)
+    for (int i = 0; i < per_side; ++i) {
+      std::vector<CellTexel> neighbours;
+      if (i > 0) neighbours.push_back(texels.back());
+      if (j > 0) neighbours.push_back(texels[texels.size() - static_cast<std::size_t>(per_side)]);
+      const glm::ivec2 cell = window.first + glm::ivec2(i, j);
+      texels.push_back(
+          unlike(neighbours, scene.grass.variants, cell_uniform(scene.seed, cell, "texel")));
+    }
+  return texels;
+}
+
+}  // namespace wold::meadow
