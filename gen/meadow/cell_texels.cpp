@@ -16,14 +16,19 @@ int likeness(const CellTexel& a, const CellTexel& b) {
   return a.turn % 2 == b.turn % 2 ? 2 : 1;
 }
 
+int likeness(const CellTexel& texel, const std::vector<CellTexel>& neighbours) {
+  int sum = 0;
+  for (const CellTexel& neighbour : neighbours) sum += likeness(texel, neighbour);
+  return sum;
+}
+
 /// One of the texels that look least like the neighbours; `uniform` in [0, 1) chooses.
 CellTexel unlike(const std::vector<CellTexel>& neighbours, int variants, double uniform) {
-  std::vector<CellTexel> best;
-  int min = 1000;
-  for (int k = 0; k < variants * 4; ++k) {
+  std::vector<CellTexel> best = {CellTexel{}};
+  int min = likeness(best.front(), neighbours);
+  for (int k = 1; k < variants * 4; ++k) {
     const CellTexel candidate{k / 4, k % 4};
-    int sum = 0;
-    for (const CellTexel& neighbour : neighbours) sum += likeness(candidate, neighbour);
+    const int sum = likeness(candidate, neighbours);
     if (sum < min) best.clear();
     min = std::min(min, sum);
     if (sum == min) best.push_back(candidate);
