@@ -38,7 +38,11 @@ SMALL = [
     "--set", "grass.key_frames=[0,0.5,1]",
 ]  # fmt: skip
 # Of the scenes that `wold new` writes: what is before the camera, and two pictures.
-SMALL_NEW = ["--set", "terrain.size=22", "--set", "ageing.frames=[0,0.6]"]
+SMALL_NEW = [
+    "--set", "terrain.size=22", "--set", "terrain.hill_height=2", "--set", "terrain.relief=0.3",
+    "--set", "terrain.relief_feature=10", "--set", "camera.eye=[11,2]",
+    "--set", "camera.target=[11,18]", "--set", "ageing.frames=[0,0.6]",
+]  # fmt: skip
 DAYS = [31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31]
 MAKES = {"render", "generate", "passes", "preview", "task"}
 LONG_OPTIONS = re.compile(r" --(size|frames) [\w,-]+")

@@ -22,23 +22,53 @@ KeyNames keys_of_clouds() {
   return {"clouds.kind", "clouds.cover", "clouds.speed", "clouds.heading"};
 }
 
-/// Hawkbits on half of the ground.
-Species hawkbits_in_drifts(const Scene& scene) {
-  Species flowers = hawkbits(scene);
-  flowers.habitat.cover = 0.5;
-  flowers.habitat.feature_m = 5.0;
-  return flowers;
+/// Open hills, 400 m wide, with a boulder here and there, from a slope above a hollow: ground that
+/// faces the sun and ground that does not share the picture.
+void lay_out_hills(Scene& scene) {
+  Terrain& terrain = scene.terrain;
+  terrain.size_m = 400.0;
+  terrain.samples = 769;
+  terrain.hill_height_m = 30.0;
+  terrain.relief_m = 7.0;
+  terrain.relief_feature_m = 150.0;
+  terrain.streams = 0.15;
+  terrain.boulders_per_hectare = 15.0;
+  scene.grass.lods = {126, 62, 30};
+  scene.camera.eye_m = {150.0, 150.0};
+  scene.camera.target_m = {320.0, 180.0};
+}
+
+KeyNames keys_of_hills() {
+  return {"terrain.hill_height",    "terrain.size",    "terrain.samples",  "terrain.relief",
+          "terrain.relief_feature", "terrain.streams", "terrain.boulders", "grass.levels"};
+}
+
+/// Bushes here and there, as on hills that are grazed.
+Species few_bushes(const Scene& scene) {
+  Species few = bushes(scene);
+  few.habitat.cover = 0.08;
+  return few;
+}
+
+/// Thin grass on less of the ground than on dry mountains.
+Species little_pale_grass(const Scene& scene) {
+  Species grass = pale_grass(scene);
+  grass.habitat.cover = 0.3;
+  return grass;
 }
 
 Starter hillside() {
   Scene scene;
+  lay_out_hills(scene);
   scene.clouds = {fair_weather()};
   Starter starter = {
-      "hillside", "A meadow in flower, which withers, under fair-weather clouds.", scene,
-      joined(keys_of_clouds(), {"terrain.hill_height", "grass.blades", "ageing.water",
-                                "ageing.frames", "sun.elevation", "sun.azimuth", "wind.grass",
-                                "wind.speed", "wind.heading", "film.frame_seconds"})};
-  let_grow(starter, {hawkbits_in_drifts(scene)});
+      "hillside", "Hills in flower, whose grass withers, under fair-weather clouds.", scene,
+      joined(keys_of_hills(),
+             joined(keys_of_clouds(), {"grass.blades", "ageing.water", "ageing.frames",
+                                       "sun.elevation", "sun.azimuth", "wind.grass", "wind.speed",
+                                       "wind.heading", "film.frame_seconds"}))};
+  let_grow(starter,
+           {little_pale_grass(scene), lush_grass(scene), few_bushes(scene), hawkbits(scene)});
   return starter;
 }
 
@@ -197,11 +227,8 @@ std::vector<SeasonKey> from_summer_to_winter() {
 
 Starter season() {
   Scene scene;
-  scene.terrain.size_m = 48.0;
-  scene.camera.eye_m = {24.0, 1.5};
-  scene.camera.target_m = {24.0, 17.0};
+  lay_out_hills(scene);
   scene.grass.key_frames = evenly(21, 0.0, 1.0);
-  scene.grass.lods = {126, 62, 30};
   scene.season.first = {2026, 8, 25};
   scene.season.last = {2026, 12, 8};
   scene.season.frames = 36;
@@ -211,32 +238,18 @@ Starter season() {
   scene.sun.longitude_deg = 8.0;
   scene.film.frame_seconds = 4.0;
   scene.clouds = {cumulus_layer(0.45)};
-  Starter starter = {"season", "From late summer to deep snow, three days from frame to frame.",
-                     scene,
-                     joined(keys_of_clouds(), {"terrain.elevation",
-                                               "terrain.centre",
-                                               "terrain.size",
-                                               "terrain.samples",
-                                               "terrain.hill_height",
-                                               "grass.levels",
-                                               "grass.key_frames",
-                                               "sun.time",
-                                               "sun.latitude",
-                                               "sun.longitude",
-                                               "film.frame_seconds",
-                                               "season.first",
-                                               "season.last",
-                                               "season.frames",
-                                               "season.table",
-                                               "season_keys.date",
-                                               "season_keys.weathering",
-                                               "season_keys.temperature",
-                                               "season_keys.precipitation",
-                                               "season_keys.cloud_cover",
-                                               "camera.eye_height",
-                                               "camera.target_height",
-                                               "camera.field_of_view"})};
-  let_grow(starter, {hawkbits_in_drifts(scene)});
+  Starter starter = {
+      "season", "From late summer to deep snow, three days from frame to frame.", scene,
+      joined(keys_of_hills(),
+             joined(keys_of_clouds(),
+                    {"terrain.elevation", "terrain.centre", "grass.key_frames", "sun.time",
+                     "sun.latitude", "sun.longitude", "film.frame_seconds", "season.first",
+                     "season.last", "season.frames", "season.table", "season_keys.date",
+                     "season_keys.weathering", "season_keys.temperature",
+                     "season_keys.precipitation", "season_keys.cloud_cover", "camera.eye_height",
+                     "camera.target_height", "camera.field_of_view"}))};
+  // Each that does not stand everywhere doubles what every key frame takes.
+  let_grow(starter, {few_bushes(scene), hawkbits(scene)});
   return starter;
 }
 

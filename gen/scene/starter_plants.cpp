@@ -76,8 +76,8 @@ Species pale_grass(const Scene& scene) {
   grass.plant.height_m = 0.2;
   grass.plant.width_m = 0.003;
   grass.plant.lean_deg = 22.0;
-  grass.physiology.chlorophyll_ug_cm2 = 11.0;
-  grass.physiology.brown_pigment = 0.5;
+  grass.physiology.chlorophyll_ug_cm2 = 13.0;
+  grass.physiology.brown_pigment = 0.35;
   grass.physiology.fresh_spread = 0.35;
   grass.physiology.litter = 0.8;
   return grass;
@@ -91,9 +91,9 @@ Species lush_grass(const Scene& scene) {
   grass.plant.height_m = 0.42;
   grass.plant.width_m = 0.008;
   grass.plant.lean_deg = 20.0;
-  grass.physiology.chlorophyll_ug_cm2 = 38.0;
-  grass.physiology.fresh_spread = 0.1;
-  grass.physiology.litter = 0.25;
+  grass.physiology.chlorophyll_ug_cm2 = 33.0;
+  grass.physiology.fresh_spread = 0.25;
+  grass.physiology.litter = 0.4;
   return grass;
 }
 
