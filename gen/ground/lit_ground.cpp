@@ -339,7 +339,7 @@ std::vector<place::View> LitGround::views_of_pictures(const SnowyGround& ground,
                                                       const landscape::Landscape& landscape) const {
   if (details.empty()) return {view_};
   const place::View in_sight = view_.over(landscape.terrain);
-  const bool coarse_light = site_.sketch || (!site_.finer && !site_.boulders);
+  const bool coarse_light = site_.sketch || !site_.is_uneven();
   if (coarse_light) return std::vector(details.size() + 1, in_sight);
   const landscape::RaisedGround& boulders = landscape.boulders;
   const bool snowed = static_cast<bool>(ground.snow_depth());

@@ -173,9 +173,9 @@ Site site_on(const scene::Scene& scene, terrain::Ground ground,
              std::optional<FactorMap> growth_of_cells,
              std::shared_ptr<const phenology::FilmSeason> season, const fs::path& snow_folder,
              const std::optional<Sketch>& sketch) {
-  auto [terrain, finer, water, cover, scree, photo, boulders] = std::move(ground);
-  const terrain::KnownGround known{water.get(), cover.get(), scree.get(), photo.get(),
-                                   boulders.get()};
+  auto [terrain, finer, water, cover, scree, photo, boulders, paths] = std::move(ground);
+  const terrain::KnownGround known{water.get(), cover.get(),    scree.get(),
+                                   photo.get(), boulders.get(), paths.get()};
   auto surroundings = std::make_shared<const terrain::Surroundings>(
       scene.terrain, terrain, scene.seed, farthest_land_m(scene));
   const scene::Scene half_way = half_way_through(scene);
@@ -208,6 +208,7 @@ Site site_on(const scene::Scene& scene, terrain::Ground ground,
             std::move(scree),
             std::move(photo),
             std::move(boulders),
+            std::move(paths),
             std::move(surroundings),
             std::move(growth),
             std::move(growth_of_window),
@@ -262,7 +263,7 @@ terrain::Surface Site::surface(const GroundGrid& grid, RowParts parts,
   return {terrain,
           finer.get(),
           grid,
-          {water.get(), cover.get(), scree.get(), photo.get(), boulders.get()},
+          {water.get(), cover.get(), scree.get(), photo.get(), boulders.get(), paths.get()},
           std::move(parts),
           snow_m};
 }
@@ -281,7 +282,7 @@ terrain::GroundLight whole_light(const Site& site, const Heightfield& surface,
     return terrain::ground_light(surface, site.day, {surface.square(), site.sketch->light_samples},
                                  shadow);
   terrain::GroundLight light = terrain::ground_light(surface, site.day, shadow);
-  if (!site.boulders) return light;
+  if (!site.is_uneven()) return light;
   const GroundGrid grid{surface.square(), std::min(map_samples(surface.size_m(), step_m), most)};
   return site.surface(grid, {}, snow_m).lit(std::move(light), site.day.sun_direction());
 }

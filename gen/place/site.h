@@ -64,6 +64,7 @@ struct Site {
   std::shared_ptr<const terrain::Scree> scree;        ///< of a large terrain, where it has some
   std::shared_ptr<const terrain::Photo> photo;        ///< if there is one
   std::shared_ptr<const terrain::Boulders> boulders;  ///< if there are any
+  std::shared_ptr<const terrain::Paths> paths;        ///< if there are any
   std::shared_ptr<const terrain::Surroundings> surroundings;
   FactorMap growth;                           ///< growth_map()'s
   std::optional<FactorMap> growth_of_window;  ///< the same in the CellWindow of a large terrain
@@ -83,6 +84,9 @@ struct Site {
   std::shared_ptr<const wind::AirFlow> air;  ///< of grass that waves; none where it stands still
   std::shared_ptr<const wind::AirFlow> air_over_snow;  ///< none where wind lifts no snow
   std::optional<Sketch> sketch = {};                   ///< none: as fine as pictures need
+
+  /// Whether the ground's surface() is uneven below the step of the terrain's heights.
+  bool is_uneven() const { return finer || boulders || paths; }
 
   /// The ground on a grid, or the parts of its rows that count, under snow; the site has to outlive
   /// it.

@@ -99,6 +99,12 @@ void mark_camera(const landscape::Camera& camera, const Map& map, double reach_m
   draw_line(picture, eye - along, eye + along, colour);
 }
 
+void draw_path(const std::vector<glm::dvec2>& path_m, const Map& map, Image& picture) {
+  const glm::vec3 colour(0.45F, 0.25F, 0.1F);
+  for (std::size_t k = 0; k + 1 < path_m.size(); ++k)
+    draw_line(picture, map.pixel_of(path_m[k]), map.pixel_of(path_m[k + 1]), colour);
+}
+
 void label_corners(double size_m, Image& picture, const std::filesystem::path& font) {
   constexpr double in_km_m = 2000.0;
   const glm::vec3 ink(0.1F);
@@ -125,7 +131,8 @@ double contour_interval_m(const Heightfield& terrain) {
   return ten;
 }
 
-Image relief_map(const Heightfield& terrain, const landscape::Camera& camera, int width_px,
+Image relief_map(const Heightfield& terrain, const landscape::Camera& camera,
+                 const std::vector<std::vector<glm::dvec2>>& paths_m, int width_px,
                  const std::filesystem::path& font) {
   const Map map(terrain, width_px);
   const double exaggeration = std::clamp(0.4 / std::max(map.mean_slope(), 1e-6), 0.7, 20.0);
@@ -143,6 +150,7 @@ Image relief_map(const Heightfield& terrain, const landscape::Camera& camera, in
       std::copy_n(&seen.x, 3, picture.pixel(x, y));
     }
   });
+  for (const std::vector<glm::dvec2>& path_m : paths_m) draw_path(path_m, map, picture);
   mark_camera(camera, map, 0.25 * terrain.size_m(), picture);
   label_corners(terrain.size_m(), picture, font);
   return picture;

@@ -175,6 +175,20 @@ Rule blades_leave_room(const Scene& scene) {
                       grass.blades, leaf_area, max_leaf_area)};
 }
 
+/// East and north of two places at least, or none, each inside the terrain.
+Rule leads_over_the_terrain(const std::string& key, const std::vector<double>& way_m,
+                            double size_m) {
+  const bool pairs = way_m.empty() || (way_m.size() >= 4 && way_m.size() % 2 == 0);
+  const double farthest_m = way_m.empty() ? 0.0 : std::ranges::max(way_m);
+  return {{key, "terrain.size"},
+          pairs && farthest_m <= size_m,
+          !pairs ? fmt::format("{}: found a list of {}, expected east and north of two places or "
+                               "more: 4, 6, 8 ... numbers, or none",
+                               key, way_m.size())
+                 : fmt::format("{}: found {} m, expected at most {} m (terrain.size)", key,
+                               farthest_m, size_m)};
+}
+
 }  // namespace
 
 void report_contradictions(const Scene& scene, const Places& places,
@@ -196,6 +210,9 @@ void report_contradictions(const Scene& scene, const Places& places,
   for (std::size_t item = 0; item < scene.cover_classes.size(); ++item)
     rules.push_back(has_all_or_none(item_name("cover_classes", item) + ".albedo",
                                     scene.cover_classes[item].albedo.size(), 3, "three"));
+  for (std::size_t item = 0; item < scene.paths.size(); ++item)
+    rules.push_back(leads_over_the_terrain(item_name("paths", item) + ".way",
+                                           scene.paths[item].way_m, scene.terrain.size_m));
   const auto add = [&](std::vector<Rule> more) {
     for (Rule& rule : more) rules.push_back(std::move(rule));
   };

@@ -31,6 +31,7 @@ std::vector<Key> cloud_event_keys(std::size_t item);
 std::vector<Key> season_key_keys(std::size_t item);
 std::vector<Key> shot_keys(std::size_t item);
 std::vector<Key> species_keys(std::size_t item);
+std::vector<Key> path_keys(std::size_t item);
 std::vector<Key> cover_class_keys(std::size_t item);
 
 /// More layers no picture shows, and each costs its map.
@@ -39,6 +40,7 @@ inline constexpr std::size_t max_cloud_events = 1000;
 inline constexpr std::size_t max_season_keys = 1000;
 inline constexpr std::size_t max_shots = 200;
 inline constexpr int max_film_frames = 10000;
+inline constexpr std::size_t max_paths = 16;
 inline constexpr std::size_t max_cover_classes = 256;
 /// Each is simulated by itself.
 inline constexpr std::size_t max_species = 16;

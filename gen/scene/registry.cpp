@@ -53,6 +53,9 @@ std::vector<TableArray> all_arrays() {
           {"shots", "shot of the film", max_shots,
            [](const Scene& scene) { return scene.shots.size(); }, append_shot, shot_keys,
            take_camera_and_rate},
+          {"paths", "path through the meadow", max_paths,
+           [](const Scene& scene) { return scene.paths.size(); },
+           [](Scene& scene) { scene.paths.emplace_back(); }, path_keys},
           {"cover_classes", "class of land cover", max_cover_classes,
            [](const Scene& scene) { return scene.cover_classes.size(); },
            [](Scene& scene) { scene.cover_classes.emplace_back(); }, cover_class_keys}};

@@ -63,6 +63,15 @@ struct CoverClass {
   bool operator==(const CoverClass&) const = default;
 };
 
+/// A path that feet have worn into the meadow; see terrain/paths.h.
+struct Path {
+  /// East and north of places on the terrain that it leads to, one after the other, metres.
+  std::vector<double> way_m = {};
+  double width_m = 0.6;  ///< of what is bare
+
+  bool operator==(const Path&) const = default;
+};
+
 /// Where grass grows: each limit is a ragged border, a strip where it grows in patches.
 struct Growth {
   double cover = 1.0;          ///< of the ground within the limits that is grown over
@@ -419,6 +428,7 @@ struct Scene {
   std::vector<Shot> shots;  ///< empty: one film of ageing's or of the season's frames; see shots.h
   Weather weather;
   Season season;
+  std::vector<Path> paths;
   std::vector<CoverClass> cover_classes;  ///< empty: ESA WorldCover's, cover_classes_of()
   std::vector<SeasonKey> season_keys;
   Snowfall snowfall;

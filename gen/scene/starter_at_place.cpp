@@ -15,7 +15,7 @@ namespace {
 const KeyNames& keys_of_own_ground() {
   static const KeyNames names = {"terrain.hill_height",    "terrain.shape",   "terrain.relief",
                                  "terrain.relief_feature", "terrain.streams", "terrain.talus",
-                                 "terrain.boulders"};
+                                 "terrain.boulders",       "paths.way",       "paths.width"};
   return names;
 }
 
@@ -48,6 +48,7 @@ Starter at_place(Starter starter, const StarterPlace& place) {
   Scene& scene = starter.scene;
   if (place.longitude_latitude_deg) move_to(scene, *place.longitude_latitude_deg);
   scene.terrain = {};
+  scene.paths = {};
   scene.terrain.elevation = place.elevation;
   scene.terrain.system = place.system;
   scene.terrain.size_m = place.size_m;

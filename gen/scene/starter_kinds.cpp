@@ -22,8 +22,8 @@ KeyNames keys_of_clouds() {
   return {"clouds.kind", "clouds.cover", "clouds.speed", "clouds.heading"};
 }
 
-/// Open hills, 400 m wide, with a boulder here and there, from a slope above a hollow: ground that
-/// faces the sun and ground that does not share the picture.
+/// Open hills, 400 m wide, with a boulder here and there and a path, from a slope above a hollow:
+/// ground that faces the sun and ground that does not share the picture.
 void lay_out_hills(Scene& scene) {
   Terrain& terrain = scene.terrain;
   terrain.size_m = 400.0;
@@ -33,14 +33,18 @@ void lay_out_hills(Scene& scene) {
   terrain.relief_feature_m = 150.0;
   terrain.streams = 0.15;
   terrain.boulders_per_hectare = 15.0;
+  scene.paths = {
+      {{156.0, 148.0, 165.0, 155.5, 174.0, 163.5, 184.0, 166.5, 189.0, 175.0, 200.0, 195.0}, 0.8}};
   scene.grass.lods = {126, 62, 30};
   scene.camera.eye_m = {150.0, 150.0};
   scene.camera.target_m = {320.0, 180.0};
 }
 
 KeyNames keys_of_hills() {
-  return {"terrain.hill_height",    "terrain.size",    "terrain.samples",  "terrain.relief",
-          "terrain.relief_feature", "terrain.streams", "terrain.boulders", "grass.levels"};
+  return {"terrain.hill_height", "terrain.size",           "terrain.samples",
+          "terrain.relief",      "terrain.relief_feature", "terrain.streams",
+          "terrain.boulders",    "grass.levels",           "paths.way",
+          "paths.width"};
 }
 
 /// Bushes here and there, as on hills that are grazed.

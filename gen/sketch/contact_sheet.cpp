@@ -140,8 +140,9 @@ class Preview {
     const double interval_m = preview::contour_interval_m(landscape.terrain);
     const std::string lines =
         interval_m > 0.0 ? fmt::format("contour lines every {:.3g} m", interval_m) : "level";
-    return {preview::relief_map(landscape.terrain, landscape.camera, width_px, font_),
-            "From above, with the camera; " + lines};
+    return {
+        preview::relief_map(landscape.terrain, landscape.camera, film_.paths_m(), width_px, font_),
+        "From above, with the camera; " + lines};
   }
 
   Tile sky(const landscape::Landscape& landscape, int width_px) const {

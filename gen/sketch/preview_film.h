@@ -38,6 +38,12 @@ class PreviewFilm {
   /// the whole sky is fine enough to be shown.
   landscape::Landscape landscape(int frame);
 
+  /// terrain::Paths::lines_m(), as far as there are any.
+  std::vector<std::vector<glm::dvec2>> paths_m() const {
+    if (!site_.paths) return {};
+    return site_.paths->lines_m();
+  }
+
   /// The blades of a patch at a key frame, without snow: of the mixture that stood most often
   /// before the camera in landscape().
   Tubes blades(int key_frame) const { return blades(usual_patch_, {key_frame, 0}); }

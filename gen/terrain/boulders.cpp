@@ -24,9 +24,11 @@ std::uint64_t as_bits(int number) { return static_cast<std::uint64_t>(number); }
 }  // namespace
 
 Boulders::Boulders(const Heightfield& heights_m, const scene::Terrain& terrain, std::uint64_t seed,
-                   const Scree* scree, std::shared_ptr<const Water> water)
+                   const Scree* scree, std::shared_ptr<const Water> water,
+                   std::shared_ptr<const Paths> paths)
     : key_(random_bits({seed, key_of("ground"), 0, key_of("boulders")})),
       water_(std::move(water)),
+      paths_(std::move(paths)),
       likely_(std::min(heights_m.samples(), max_samples), heights_m.square()),
       groups_{random_bits({key_, key_of("groups"), 0, 0}), 4, 0.4} {
   constexpr double below_rock = 19.0, lie_deg = 30.0, roll_deg = 40.0;
@@ -76,6 +78,7 @@ std::vector<Boulders::Placed> Boulders::row_of(std::size_t size, const glm::ivec
         kind.width_m / std::sqrt(1.0 - draw(3) * (1.0 - 1.0 / (spread * spread)));
     if (!wanted(middle_m, width_m)) continue;
     if (water_ && water_->share(middle_m, width_m) > wet) continue;
+    if (paths_ && paths_->lead_past(middle_m, 0.5 * width_m)) continue;
     const std::uint64_t bits = random_bits({key_ + size, as_bits(cell.x), as_bits(cell.y), 4});
     row.push_back({cell, Boulder(middle_m, width_m, bits)});
   }

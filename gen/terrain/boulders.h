@@ -11,6 +11,7 @@
 #include "core/noise.h"
 #include "scene/scene.h"
 #include "terrain/boulder.h"
+#include "terrain/paths.h"
 #include "terrain/scree.h"
 #include "terrain/water.h"
 
@@ -74,7 +75,8 @@ class Boulders {
  public:
   /// Of the heights, the scree and the water where there is some. Needs terrain.boulders > 0.
   Boulders(const Heightfield& heights_m, const scene::Terrain& terrain, std::uint64_t seed,
-           const Scree* scree, std::shared_ptr<const Water> water);
+           const Scree* scree, std::shared_ptr<const Water> water,
+           std::shared_ptr<const Paths> paths = {});
 
   /// Of a square and so far around it that their shadows are known, as a map with that step shows
   /// them: each size as far as shown_fraction() says. A step of 0 shows all.
@@ -118,6 +120,7 @@ class Boulders {
 
   std::uint64_t key_;
   std::shared_ptr<const Water> water_;
+  std::shared_ptr<const Paths> paths_;  ///< people have cleared them
   FactorMap likely_;  ///< that a cell has one, where groups are neither dense nor loose
   Fbm groups_;
 };

@@ -131,14 +131,17 @@ Ground own_place(const scene::Terrain& terrain, std::uint64_t seed) {
 }  // namespace
 
 Ground make_ground(const scene::Terrain& terrain, std::uint64_t seed,
-                   const std::vector<scene::CoverClass>& cover_classes) {
+                   const std::vector<scene::CoverClass>& cover_classes,
+                   const std::vector<scene::Path>& paths) {
   Ground ground = terrain.elevation.empty() ? own_place(terrain, seed)
                                             : real_place(terrain, seed, cover_classes);
   if (ground.finer)
     ground.scree = std::make_shared<const Scree>(ground.heights_m, terrain.rock_slope_deg, seed);
+  if (!paths.empty())
+    ground.paths = std::make_shared<const Paths>(ground.heights_m, paths, seed, ground.water.get());
   if (terrain.boulders_per_hectare > 0.0)
-    ground.boulders = std::make_shared<const Boulders>(ground.heights_m, terrain, seed,
-                                                       ground.scree.get(), ground.water);
+    ground.boulders = std::make_shared<const Boulders>(
+        ground.heights_m, terrain, seed, ground.scree.get(), ground.water, ground.paths);
   return ground;
 }
 

@@ -8,6 +8,7 @@
 #include "terrain/boulders.h"
 #include "terrain/finer_relief.h"
 #include "terrain/land_cover.h"
+#include "terrain/paths.h"
 #include "terrain/photo.h"
 #include "terrain/scree.h"
 #include "terrain/surface.h"
@@ -25,9 +26,10 @@ struct Ground {
   std::shared_ptr<const Scree> scree = {};        ///< none where there is nothing finer
   std::shared_ptr<const Photo> photo = {};        ///< read_photo()'s
   std::shared_ptr<const Boulders> boulders = {};  ///< none where terrain.boulders is 0
+  std::shared_ptr<const Paths> paths = {};        ///< none where the scene has none
 
   KnownGround known() const {
-    return {water.get(), cover.get(), scree.get(), photo.get(), boulders.get()};
+    return {water.get(), cover.get(), scree.get(), photo.get(), boulders.get(), paths.get()};
   }
 };
 
@@ -42,6 +44,7 @@ struct Ground {
 ///
 /// `cover_classes`: scene::cover_classes_of(), of terrain.cover.
 Ground make_ground(const scene::Terrain& terrain, std::uint64_t seed,
-                   const std::vector<scene::CoverClass>& cover_classes = {});
+                   const std::vector<scene::CoverClass>& cover_classes = {},
+                   const std::vector<scene::Path>& paths = {});
 
 }  // namespace wold::terrain

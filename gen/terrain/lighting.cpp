@@ -258,6 +258,7 @@ GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day,
 ColourMap ground_reflectance(const Surface& surface, const glm::dvec3& sun_direction,
                              const scene::Terrain& look, std::uint64_t seed,
                              const FactorMap& growth) {
+  constexpr double paler = 0.35;  // trodden soil is dry and smooth; a modelling choice
   const GroundGrid& grid = surface.grid();
   ColourMap map(grid.samples, grid.square);
   const GroundColour colour(look, seed, grid.step_m());
@@ -271,6 +272,7 @@ ColourMap ground_reflectance(const Surface& surface, const glm::dvec3& sun_direc
       glm::vec3 land = covered(
           colour.albedo(place_m, surface.up(i, j), sun_direction, surface.exposure(i, j), grown),
           cover, 1.0F - grown);
+      land *= static_cast<float>(1.0 + paler * surface.trodden(i, j).bare);
       if (const double scree = surface.scree(i, j) * (1.0 - double{grown}); scree > 0.0)
         land = glm::mix(
             land, covered(colour.debris(place_m, surface.up(i, j), sun_direction), cover, 1.0F),

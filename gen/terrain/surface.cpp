@@ -35,6 +35,7 @@ Surface::Surface(const Heightfield& heights_m, const FinerRelief* finer, const G
       snow_m_(snow_m) {
   if (known.scree != nullptr) scree_.emplace(*known.scree, grid.step_m());
   if (finer != nullptr && grid.step_m() < heights_m.step_m()) add_relief(*finer);
+  if (known.paths != nullptr) add_paths();
   if (known.boulders != nullptr) add_boulders();
 }
 
@@ -49,6 +50,24 @@ void Surface::add_relief(const FinerRelief& finer) {
   }
   if (known_.water != nullptr) level_water();
 }
+
+void Surface::add_paths() {
+  constexpr double buried_m = 0.3;  // snow that evens out what feet have made
+  trodden_ = known_.paths->on_grid(heights_m_, grid_);
+  if (!bumps_) bumps_.emplace(grid_.samples, grid_.square);
+  parallel_for(static_cast<std::size_t>(grid_.samples), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    visit_row(part(j), [&](int i) {
+      const Trodden place = trodden(i, j);
+      if (place.bare <= 0.0) return;
+      const double snow_m = snow_m_ ? snow_m_(place_m(i, j)) : 0.0;
+      const double seen = 1.0 - glm::smoothstep(0.0, buried_m, snow_m);
+      bumps_->at(i, j).gradient += glm::vec2(seen * place.gradient);
+    });
+  });
+}
+
+Trodden Surface::trodden(int i, int j) const { return trodden_.at(i, j); }
 
 void Surface::add_boulders() {
   boulders_.emplace(known_.boulders->nearby(grid_.square, grid_.step_m()));

@@ -11,6 +11,7 @@
 #include "terrain/finer_relief.h"
 #include "terrain/land_cover.h"
 #include "terrain/lighting.h"
+#include "terrain/paths.h"
 #include "terrain/photo.h"
 #include "terrain/scree.h"
 #include "terrain/water.h"
@@ -24,6 +25,7 @@ struct KnownGround {
   const Scree* scree = nullptr;
   const Photo* photo = nullptr;
   const Boulders* boulders = nullptr;
+  const Paths* paths = nullptr;
 };
 
 /// Depth in metres at a place.
@@ -69,6 +71,9 @@ class Surface {
   /// The boulder at a place, if any. Its cover counts those that are too small for the grid, too.
   NearbyBoulders::Rise boulder(int i, int j) const;
 
+  /// What feet have made of it.
+  Trodden trodden(int i, int j) const;
+
   /// A light on the heights, as it falls on this surface: the sun by Lambert's law, the sky by how
   /// much of it the surface faces, with the shade of boulders. The light itself where there is no
   /// relief below the heights; none at places that do not count.
@@ -83,6 +88,7 @@ class Surface {
   void level_water();
   void add_relief(const FinerRelief& finer);
   void add_boulders();
+  void add_paths();
   NearbyBoulders::Rise rise_of_boulder(int i, int j) const;
 
   const Heightfield& heights_m_;
@@ -92,6 +98,7 @@ class Surface {
   std::optional<GroundMap<Bump>> bumps_;
   std::optional<Scree::Patches> scree_;
   std::optional<NearbyBoulders> boulders_;
+  TroddenPlaces trodden_;
   SnowDepth snow_m_;
 };
 

@@ -25,7 +25,7 @@ double brightness(const Image& picture, int x, int y) {
 }
 
 TEST(ReliefMap, IsLitFromTheNorthWest) {
-  const Image map = relief_map(cone(1000.0F), in_the_south, 200, {});
+  const Image map = relief_map(cone(1000.0F), in_the_south, {}, 200, {});
   const auto mean_about = [&](int x, int y) {
     double sum = 0.0;
     for (int j = -5; j <= 5; ++j)
@@ -37,7 +37,7 @@ TEST(ReliefMap, IsLitFromTheNorthWest) {
 }
 
 TEST(ReliefMap, ShowsWhereTheCameraStands) {
-  const Image map = relief_map(Heightfield(17, 10000.0), in_the_south, 200, {});
+  const Image map = relief_map(Heightfield(17, 10000.0), in_the_south, {}, 200, {});
   const float* eye = map.pixel(100, 180);  // a tenth of the way from the southern border
   EXPECT_GT(eye[0], eye[1] + 0.3F);
   EXPECT_LT(std::abs(map.pixel(100, 40)[0] - map.pixel(30, 40)[0]), 1e-6F);

@@ -21,6 +21,7 @@ TEST(StarterScene, IsShortAndOfHillsInFlowerUnderClouds) {
   EXPECT_EQ(read.clouds.size(), 1U);
   EXPECT_GT(read.terrain.size_m, 120.0);  // a large terrain: nothing on it has a size of its own
   EXPECT_GT(read.terrain.boulders_per_hectare, 0.0);
+  EXPECT_EQ(read.paths.size(), 1U);
   EXPECT_EQ(read.sun, defaults.sun);
   EXPECT_EQ(read.ageing.frames, defaults.ageing.frames);
   ASSERT_GE(read.species.size(), 2U);
@@ -94,6 +95,7 @@ TEST(StarterScene, OfARealPlaceShowsIt) {
     Scene wanted = scene_of_kind(kind);
     wanted.name = "a";
     wanted.terrain = {};
+    wanted.paths = {};
     wanted.terrain.elevation = place.elevation;
     wanted.terrain.system = place.system;
     wanted.terrain.size_m = place.size_m;

@@ -80,6 +80,7 @@ TEST(ResolvedToml, HasEveryKeyWithItsMeaning) {
   scene.cloud_events.resize(1);
   scene.season_keys.resize(1);
   scene.shots.resize(1);
+  scene.paths.resize(1);
   scene.cover_classes.resize(1);
   const std::string text = resolved_toml(scene);
   std::vector<Key> keys = registry();
