@@ -60,6 +60,7 @@ wanted=("$@")
 install "${build_packages[@]}" "${render_packages[@]}"
 build -- wold
 make hillside hillside 480x270 beside 1 2 3
+make hills hill_path 480x270 above 1 2 3
 make valley "$(scene_of valley "$here/tests/data/terrain/bigtujunga_srtm30.tif")" 480x270 above 1 2 3
 make alpine_meadow alpine_meadow 720x405 above 1 3
 make range snowy_range 720x405 above 1

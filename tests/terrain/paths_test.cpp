@@ -46,7 +46,7 @@ double highest_m(const Heightfield& ground, const std::vector<glm::dvec2>& line)
   return highest;
 }
 
-// 5 km/h on level ground, and down a slope of a fortieth as fast as on level ground [Tobler1993].
+// 5 km/h on level ground [Tobler1993].
 TEST(WalkedWay, TakesAsLongAsToblerSays) {
   EXPECT_NEAR(3.6 / seconds_per_metre(0.0), 5.04, 0.01);
   // Up 20 degrees 1.4 km/h, down them 2.0.
@@ -75,8 +75,8 @@ TEST(WalkedWay, GoesRoundAHill) {
   EXPECT_LT(length_m(way), 1.5 * 280.0);
 }
 
-// The straight line is twice as steep as feet like it: a slope over 1 / 3.5 takes longer straight
-// up than in bends.
+// Tobler's function climbs fastest on a slope of 1 / 3.5: what is steeper takes longer straight up
+// than in bends.
 TEST(WalkedWay, ClimbsSteepSlopesInAFewBends) {
   const Heightfield slope = heights(200.0, [](const glm::dvec2& at_m) { return 0.6 * at_m.y; });
   const std::vector<glm::dvec2> way = walked_way(slope, {100.0, 40.0}, {100.0, 160.0}, nullptr);
@@ -106,7 +106,7 @@ TEST(WalkedWay, GoesRoundLakes) {
 
 scene::Path straight(double width_m = 0.8) { return {{10.0, 50.0, 90.0, 50.0}, width_m}; }
 
-/// How far north of the line from its begin to its end it is at most, at any east.
+/// North of the middle of the first path at an east of its.
 double middle_at(const Paths& paths, double east_m) {
   const std::vector<glm::dvec2> line = paths.lines_m().front();
   const auto beyond =
