@@ -41,7 +41,8 @@ SMALL = [
 SMALL_NEW = [
     "--set", "terrain.size=22", "--set", "terrain.hill_height=2", "--set", "terrain.relief=0.3",
     "--set", "terrain.relief_feature=10", "--set", "camera.eye=[11,2]",
-    "--set", "camera.target=[11,18]", "--set", "ageing.frames=[0,0.6]",
+    "--set", "camera.target=[11,18]", "--set", "paths[1].way=[11,4,12,18]",
+    "--set", "ageing.frames=[0,0.6]",
 ]  # fmt: skip
 DAYS = [31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31]
 MAKES = {"render", "generate", "passes", "preview", "task"}

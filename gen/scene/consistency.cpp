@@ -175,18 +175,33 @@ Rule blades_leave_room(const Scene& scene) {
                       grass.blades, leaf_area, max_leaf_area)};
 }
 
-/// East and north of two places at least, or none, each inside the terrain.
-Rule leads_over_the_terrain(const std::string& key, const std::vector<double>& way_m,
-                            double size_m) {
-  const bool pairs = way_m.empty() || (way_m.size() >= 4 && way_m.size() % 2 == 0);
+/// The place, from 1, that is the same as the one before it; 0: none.
+std::size_t place_twice(const std::vector<double>& way_m) {
+  for (std::size_t k = 2; k + 1 < way_m.size(); k += 2)
+    if (way_m[k] == way_m[k - 2] && way_m[k + 1] == way_m[k - 1]) return k / 2 + 1;
+  return 0;
+}
+
+/// East and north of two places at least, each inside the terrain and another than the one before.
+std::vector<Rule> path_rules(const std::string& table, const std::vector<double>& way_m,
+                             double size_m) {
+  const std::string key = table + ".way";
+  const bool pairs = way_m.size() >= 4 && way_m.size() % 2 == 0;
   const double farthest_m = way_m.empty() ? 0.0 : std::ranges::max(way_m);
-  return {{key, "terrain.size"},
-          pairs && farthest_m <= size_m,
-          !pairs ? fmt::format("{}: found a list of {}, expected east and north of two places or "
-                               "more: 4, 6, 8 ... numbers, or none",
-                               key, way_m.size())
-                 : fmt::format("{}: found {} m, expected at most {} m (terrain.size)", key,
-                               farthest_m, size_m)};
+  const std::size_t twice = place_twice(way_m);
+  return {{{key, table},
+           pairs,
+           fmt::format("{}: found a list of {}, expected east and north of two places or more: 4, "
+                       "6, 8 ... numbers",
+                       key, way_m.size())},
+          {{key, "terrain.size"},
+           farthest_m <= size_m,
+           fmt::format("{}: found {} m, expected at most {} m (terrain.size)", key, farthest_m,
+                       size_m)},
+          {{key},
+           twice == 0,
+           fmt::format("{}: found place {} where the one before it is, expected another place", key,
+                       twice)}};
 }
 
 }  // namespace
@@ -210,15 +225,14 @@ void report_contradictions(const Scene& scene, const Places& places,
   for (std::size_t item = 0; item < scene.cover_classes.size(); ++item)
     rules.push_back(has_all_or_none(item_name("cover_classes", item) + ".albedo",
                                     scene.cover_classes[item].albedo.size(), 3, "three"));
-  for (std::size_t item = 0; item < scene.paths.size(); ++item)
-    rules.push_back(leads_over_the_terrain(item_name("paths", item) + ".way",
-                                           scene.paths[item].way_m, scene.terrain.size_m));
   const auto add = [&](std::vector<Rule> more) {
     for (Rule& rule : more) rules.push_back(std::move(rule));
   };
   add(camera_rules("camera", scene.camera, scene.terrain.size_m));
   for (std::size_t item = 0; item < scene.shots.size(); ++item)
     add(camera_rules(item_name("shots", item), scene.shots[item].camera, scene.terrain.size_m));
+  for (std::size_t item = 0; item < scene.paths.size(); ++item)
+    add(path_rules(item_name("paths", item), scene.paths[item].way_m, scene.terrain.size_m));
   add(species_rules(scene));
   report_broken(rules, places, problems);
   report_cloud_contradictions(scene, places, problems);

@@ -64,8 +64,8 @@ class NearbyBoulders {
 };
 
 /// Where boulders lie: terrain.boulders on a hectare of open ground, in loose groups, and up to 20
-/// times as many where blocks come down from rock (Scree::likely()); none in water and on ground
-/// where they would roll on, by its slope over a thousandth of the terrain or a step of its
+/// times as many where blocks come down from rock (Scree::likely()); none in water, on paths and on
+/// ground where they would roll on, by its slope over a thousandth of the terrain or a step of its
 /// heights.
 ///
 /// Widths are from 0.47 to 4.6 m. As many are wider than a width as its inverse square says: rock
@@ -73,7 +73,8 @@ class NearbyBoulders {
 /// the foot of rock faces differ from open ground is a choice. A keyed function of the place.
 class Boulders {
  public:
-  /// Of the heights, the scree and the water where there is some. Needs terrain.boulders > 0.
+  /// Of the heights, and the scree, the water and the paths where there are some. Needs
+  /// terrain.boulders > 0.
   Boulders(const Heightfield& heights_m, const scene::Terrain& terrain, std::uint64_t seed,
            const Scree* scree, std::shared_ptr<const Water> water,
            std::shared_ptr<const Paths> paths = {});

@@ -137,7 +137,7 @@ Ground make_ground(const scene::Terrain& terrain, std::uint64_t seed,
                                             : real_place(terrain, seed, cover_classes);
   if (ground.finer)
     ground.scree = std::make_shared<const Scree>(ground.heights_m, terrain.rock_slope_deg, seed);
-  if (!paths.empty())
+  if (std::ranges::any_of(paths, [](const scene::Path& path) { return !path.way_m.empty(); }))
     ground.paths = std::make_shared<const Paths>(ground.heights_m, paths, seed, ground.water.get());
   if (terrain.boulders_per_hectare > 0.0)
     ground.boulders = std::make_shared<const Boulders>(

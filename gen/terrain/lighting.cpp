@@ -176,13 +176,15 @@ struct GroundColour {
   }
 
   /// Rock shows where it is steep, over 5 degrees and along a ragged border, sooner where it stands
-  /// out, and where no grass holds soil on it.
+  /// out, and where no grass holds soil on it. `trodden`: Trodden::bare.
   Albedo albedo(const glm::dvec3& place_m, const glm::dvec3& up, const glm::dvec3& to_sun,
-                double exposure, float growth) const {
+                double exposure, float growth, double trodden) const {
+    constexpr double paler = 0.35;  // trodden soil is dry and smooth; a modelling choice
     const glm::dvec2 at_m(place_m);
     const double beyond =
         beyond_rock_deg(math::acos(up.z) / radians_per_degree, exposure, rock_slope_deg);
-    const Albedo earth{soil.at(at_m, up, to_sun), soil.mean_albedo()};
+    const auto worn = static_cast<float>(1.0 + paler * trodden);
+    const Albedo earth{glm::min(worn * soil.at(at_m, up, to_sun), 1.0F), soil.mean_albedo()};
     if (beyond < -8.0) return earth;
     const double ragged = beyond + 2.5 * border_shown * border.at(at_m / border_m);
     const double bare = (1.0 - double{growth}) * glm::smoothstep(-2.5, 2.5, ragged);
@@ -258,7 +260,6 @@ GroundLight ground_light(const Heightfield& terrain, const light::Daylight& day,
 ColourMap ground_reflectance(const Surface& surface, const glm::dvec3& sun_direction,
                              const scene::Terrain& look, std::uint64_t seed,
                              const FactorMap& growth) {
-  constexpr double paler = 0.35;  // trodden soil is dry and smooth; a modelling choice
   const GroundGrid& grid = surface.grid();
   ColourMap map(grid.samples, grid.square);
   const GroundColour colour(look, seed, grid.step_m());
@@ -269,10 +270,10 @@ ColourMap ground_reflectance(const Surface& surface, const glm::dvec3& sun_direc
       const float grown = growth.sample(at_m.x, at_m.y);
       const glm::dvec3 place_m(at_m, surface.height_m(i, j));
       const LandCover::Shares cover = surface.cover(i, j);
-      glm::vec3 land = covered(
-          colour.albedo(place_m, surface.up(i, j), sun_direction, surface.exposure(i, j), grown),
-          cover, 1.0F - grown);
-      land *= static_cast<float>(1.0 + paler * surface.trodden(i, j).bare);
+      glm::vec3 land =
+          covered(colour.albedo(place_m, surface.up(i, j), sun_direction, surface.exposure(i, j),
+                                grown, surface.trodden(i, j).bare),
+                  cover, 1.0F - grown);
       if (const double scree = surface.scree(i, j) * (1.0 - double{grown}); scree > 0.0)
         land = glm::mix(
             land, covered(colour.debris(place_m, surface.up(i, j), sun_direction), cover, 1.0F),

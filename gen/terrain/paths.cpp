@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/parallel.h"
 #include "core/random.h"
@@ -12,6 +13,27 @@ namespace wold::terrain {
 namespace {
 
 constexpr double ragged_m = 0.9, wear_m = 9.0;  // sizes of features
+/// A path's half width, at most, and what is asked for beside it.
+constexpr double near_m = 5.0 + 4.0;
+
+/// Cuts a line's corners, but for its ends (Chaikin 1974).
+std::vector<glm::dvec2> cut_corners(const std::vector<glm::dvec2>& line) {
+  std::vector<glm::dvec2> cut{line.front()};
+  for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+    if (k > 0) cut.push_back(glm::mix(line[k], line[k + 1], 0.25));
+    if (k + 2 < line.size()) cut.push_back(glm::mix(line[k], line[k + 1], 0.75));
+  }
+  cut.push_back(line.back());
+  return cut;
+}
+
+/// Without points that are nearer than that to the one before.
+std::vector<glm::dvec2> thinned(const std::vector<glm::dvec2>& line_m, double least_m) {
+  std::vector<glm::dvec2> thin{line_m.front()};
+  for (const glm::dvec2& at_m : line_m)
+    if (glm::distance(at_m, thin.back()) >= least_m) thin.push_back(at_m);
+  return thin;
+}
 
 /// People step aside: up to some decimetres over a few metres, a metre over tens of them.
 void wander(std::vector<glm::dvec2>& line_m, std::uint64_t key) {
@@ -24,12 +46,18 @@ void wander(std::vector<glm::dvec2>& line_m, std::uint64_t key) {
   }
 }
 
-/// Without points that are nearer than that to the one before.
-std::vector<glm::dvec2> thinned(const std::vector<glm::dvec2>& line_m, double least_m) {
-  std::vector<glm::dvec2> thin{line_m.front()};
-  for (const glm::dvec2& at_m : line_m)
-    if (glm::distance(at_m, thin.back()) >= least_m) thin.push_back(at_m);
-  return thin;
+/// Of the path through a number of legs.
+std::vector<glm::dvec2> smooth_line(const std::vector<std::vector<glm::dvec2>>& legs,
+                                    double width_m, std::uint64_t key) {
+  constexpr int rounds = 3;
+  constexpr double least_piece = 0.4;  // of the width
+  std::vector<glm::dvec2> line_m;
+  for (const std::vector<glm::dvec2>& leg : legs)
+    line_m.insert(line_m.end(), leg.begin() + (line_m.empty() ? 0 : 1), leg.end());
+  for (int round = 0; round < rounds; ++round) line_m = cut_corners(line_m);
+  line_m = thinned(line_m, least_piece * width_m);
+  wander(line_m, key);
+  return line_m;
 }
 
 /// From the nearest place of a straight piece.
@@ -47,18 +75,13 @@ double covered(double far_m, double path_m, double strip_m) {
   return (within(far_m + 0.5 * path_m) - within(far_m - 0.5 * path_m)) / strip_m;
 }
 
-/// A path's half width, at most, and what is asked for beside it.
-constexpr double near_m = 5.0 + 4.0;
-
-glm::ivec2 square_at(const glm::dvec2& at_m) { return {glm::floor(at_m / near_m)}; }
+/// How far from its middle ground is another than without the path.
+double reach_m(double width_m, double step_m) { return 2.0 * width_m + step_m; }
 
 std::uint64_t key_of_square(const glm::ivec2& square) {
   return static_cast<std::uint64_t>(static_cast<std::uint32_t>(square.x)) << 32U |
          static_cast<std::uint32_t>(square.y);
 }
-
-/// How far from its middle ground is another than without the path.
-double reach_m(double width_m, double step_m) { return 2.0 * width_m + step_m; }
 
 }  // namespace
 
@@ -69,41 +92,53 @@ Trodden TroddenPlaces::at(int i, int j) const {
   return place == row.end() || place->i != i ? Trodden{} : place->trodden;
 }
 
+bool TroddenPlaces::empty() const {
+  return std::ranges::all_of(rows_, [](const std::vector<Place>& row) { return row.empty(); });
+}
+
 Paths::Paths(const Heightfield& heights_m, const std::vector<scene::Path>& paths,
              std::uint64_t seed, const Water* water)
     : ragged_{random_bits({seed, key_of("paths"), 0, key_of("ragged")}), 4, 0.6},
       wear_{random_bits({seed, key_of("paths"), 0, key_of("wear")}), 3, 0.6} {
-  for (const scene::Path& path : paths) {
-    if (path.way_m.empty()) continue;
-    std::vector<std::vector<glm::dvec2>> legs(path.way_m.size() / 2 - 1);
-    parallel_for(legs.size(), [&](std::size_t leg) {
-      const double* const way_m = &path.way_m[2 * leg];
-      legs[leg] = walked_way(heights_m, {way_m[0], way_m[1]}, {way_m[2], way_m[3]}, water);
-    });
-    Path walked{{}, path.width_m};
-    for (const std::vector<glm::dvec2>& leg : legs)
-      walked.line_m.insert(walked.line_m.end(), leg.begin(), leg.end());
-    walked.line_m = thinned(walked.line_m, 0.4 * path.width_m);
-    wander(walked.line_m, random_bits({seed, key_of("paths"), 0, key_of("wander")}));
-    paths_.push_back(std::move(walked));
-  }
+  using Leg = std::vector<glm::dvec2>;
+  std::vector<std::vector<Leg>> legs(paths.size());
+  for (std::size_t path = 0; path < paths.size(); ++path)
+    legs[path].resize(std::max<std::size_t>(paths[path].way_m.size() / 2, 1) - 1);
+  std::vector<std::pair<std::size_t, std::size_t>> all;
+  for (std::size_t path = 0; path < paths.size(); ++path)
+    for (std::size_t leg = 0; leg < legs[path].size(); ++leg) all.emplace_back(path, leg);
+  parallel_for(all.size(), [&](std::size_t k) {
+    const auto [path, leg] = all[k];
+    const double* const way_m = &paths[path].way_m[2 * leg];
+    legs[path][leg] = walked_way(heights_m, {way_m[0], way_m[1]}, {way_m[2], way_m[3]}, water);
+  });
+  const std::uint64_t key = random_bits({seed, key_of("paths"), 0, key_of("wander")});
+  for (std::size_t path = 0; path < paths.size(); ++path)
+    if (!legs[path].empty())
+      paths_.push_back({smooth_line(legs[path], paths[path].width_m, key), paths[path].width_m});
   file_pieces();
 }
 
 glm::dvec2 Paths::from_middle_m(const Piece& piece, const glm::dvec2& at_m) const {
-  const std::vector<glm::dvec2>& line_m = paths_[piece.path].line_m;
-  return from_piece(at_m, line_m[piece.point], line_m[piece.point + 1]);
+  return from_piece(at_m, begin_m(piece), end_m(piece));
 }
 
+glm::ivec2 Paths::square_at(const glm::dvec2& at_m) const { return {glm::floor(at_m / square_m_)}; }
+
 void Paths::file_pieces() {
+  std::vector<Piece> pieces;
   for (std::size_t path = 0; path < paths_.size(); ++path)
     for (std::size_t k = 0; k + 1 < paths_[path].line_m.size(); ++k) {
-      const glm::dvec2 &begin_m = paths_[path].line_m[k], &end_m = paths_[path].line_m[k + 1];
-      const glm::ivec2 first = square_at(glm::min(begin_m, end_m) - near_m);
-      const glm::ivec2 last = square_at(glm::max(begin_m, end_m) + near_m);
-      for (int j = first.y; j <= last.y; ++j)
-        for (int i = first.x; i <= last.x; ++i) near_[key_of_square({i, j})].push_back({path, k});
+      pieces.push_back({path, k});
+      const double length_m = glm::distance(begin_m(pieces.back()), end_m(pieces.back()));
+      square_m_ = std::max(square_m_, length_m + near_m);
     }
+  for (const Piece& piece : pieces) {
+    const glm::ivec2 first = square_at(glm::min(begin_m(piece), end_m(piece)) - near_m);
+    const glm::ivec2 last = square_at(glm::max(begin_m(piece), end_m(piece)) + near_m);
+    for (int j = first.y; j <= last.y; ++j)
+      for (int i = first.x; i <= last.x; ++i) near_[key_of_square({i, j})].push_back(piece);
+  }
 }
 
 bool Paths::lead_past(const glm::dvec2& at_m, double beside_m) const {
@@ -120,65 +155,105 @@ std::vector<std::vector<glm::dvec2>> Paths::lines_m() const {
   return lines;
 }
 
-TroddenPlaces Paths::on_grid(const Heightfield& heights_m, const GroundGrid& grid) const {
-  std::vector<std::vector<Near>> rows(static_cast<std::size_t>(grid.samples));
-  for (std::size_t path = 0; path < paths_.size(); ++path)
-    for (std::size_t k = 0; k + 1 < paths_[path].line_m.size(); ++k)
-      add_near({path, k}, grid, rows);
+TroddenPlaces Paths::on_grid(const Heightfield& heights_m, const GroundGrid& grid,
+                             const RowParts& parts) const {
   TroddenPlaces places;
-  places.rows_.resize(rows.size());
-  parallel_for(rows.size(), [&](std::size_t j) {
-    // Of a sample near several pieces the nearest counts.
-    std::ranges::sort(rows[j], {}, [](const Near& near) { return std::pair(near.i, near.far_m); });
-    const auto others = std::ranges::unique(rows[j], {}, &Near::i);
-    rows[j].erase(others.begin(), others.end());
-    for (const Near& near : rows[j]) {
-      const glm::dvec2 at_m =
-          grid.square.corner_m + glm::dvec2(near.i, static_cast<double>(j)) * grid.step_m();
-      places.rows_[j].push_back(
-          {near.i, trodden(near, at_m, gradient(heights_m, at_m.x, at_m.y), grid.step_m())});
-    }
+  const std::vector<Piece> pieces = pieces_on(grid);
+  if (pieces.empty()) return places;
+  places.rows_.resize(static_cast<std::size_t>(grid.samples));
+  parallel_for(places.rows_.size(), [&](std::size_t j) {
+    places.rows_[j] = row(static_cast<int>(j), pieces, heights_m, grid, parts[j]);
   });
   return places;
 }
 
-void Paths::add_near(const Piece& piece, const GroundGrid& grid,
-                     std::vector<std::vector<Near>>& rows) const {
-  const Path& path = paths_[piece.path];
-  const double far_m = reach_m(path.width_m, grid.step_m());
-  const glm::dvec2 &begin_m = path.line_m[piece.point], &end_m = path.line_m[piece.point + 1];
-  const auto sample_at = [&](const glm::dvec2& at_m) {
-    return glm::clamp((at_m - grid.square.corner_m) / grid.step_m(), -1.0, 1.0 * grid.samples);
-  };
-  const glm::ivec2 first(glm::ceil(sample_at(glm::min(begin_m, end_m) - far_m)));
-  const glm::ivec2 last(glm::floor(sample_at(glm::max(begin_m, end_m) + far_m)));
-  for (int j = std::max(first.y, 0); j <= std::min(last.y, grid.samples - 1); ++j)
-    for (int i = std::max(first.x, 0); i <= std::min(last.x, grid.samples - 1); ++i) {
-      const glm::dvec2 at_m = grid.square.corner_m + glm::dvec2(i, j) * grid.step_m();
-      const double off_m = glm::length(from_middle_m(piece, at_m));
-      if (off_m <= far_m) rows[static_cast<std::size_t>(j)].push_back({i, off_m, piece});
+std::vector<Paths::Piece> Paths::pieces_on(const GroundGrid& grid) const {
+  const glm::dvec2 low_m = grid.square.corner_m, high_m = low_m + grid.square.size_m;
+  std::vector<Piece> pieces;
+  for (std::size_t path = 0; path < paths_.size(); ++path) {
+    const double far_m = reach_m(paths_[path].width_m, grid.step_m());
+    for (std::size_t k = 0; k + 1 < paths_[path].line_m.size(); ++k) {
+      const Piece piece{path, k};
+      if (glm::all(glm::greaterThanEqual(glm::max(begin_m(piece), end_m(piece)) + far_m, low_m)) &&
+          glm::all(glm::lessThanEqual(glm::min(begin_m(piece), end_m(piece)) - far_m, high_m)))
+        pieces.push_back(piece);
     }
+  }
+  return pieces;
 }
 
-Trodden Paths::trodden(const Near& near, const glm::dvec2& at_m, const glm::dvec2& ascent,
+/// Of the pieces of a path the nearest counts, of paths the one that has worn more.
+std::vector<TroddenPlaces::Place> Paths::row(int j, const std::vector<Piece>& pieces,
+                                             const Heightfield& heights_m, const GroundGrid& grid,
+                                             const RowPart& part) const {
+  struct Nearest {
+    double far_m = std::numeric_limits<double>::infinity();
+    const Piece* piece = nullptr;
+  };
+  std::vector<Nearest> nearest;
+  std::vector<Trodden> most;
+  const double step_m = grid.step_m();
+  const auto place_m = [&](int i) { return grid.square.corner_m + glm::dvec2(i, j) * step_m; };
+  const auto tread = [&] {
+    most.resize(static_cast<std::size_t>(grid.samples));
+    visit_row(part, [&](int i) {
+      const Piece* const piece = nearest[static_cast<std::size_t>(i)].piece;
+      if (piece == nullptr) return;
+      const glm::dvec2 at_m = place_m(i);
+      const Trodden here = trodden(*piece, at_m, gradient(heights_m, at_m.x, at_m.y), step_m);
+      Trodden& all = most[static_cast<std::size_t>(i)];
+      if (here.bare > all.bare) all = here;
+    });
+    nearest.clear();
+  };
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const Piece& piece = pieces[k];
+    if (k > 0 && piece.path != pieces[k - 1].path && !nearest.empty()) tread();
+    const double far_m = reach_m(paths_[piece.path].width_m, step_m), y_m = place_m(0).y;
+    const glm::dvec2 low_m = glm::min(begin_m(piece), end_m(piece)) - far_m;
+    const glm::dvec2 high_m = glm::max(begin_m(piece), end_m(piece)) + far_m;
+    if (y_m < low_m.y || y_m > high_m.y) continue;
+    const auto sample_at = [&](double x_m) {
+      return std::clamp((x_m - grid.square.corner_m.x) / step_m, 0.0, grid.samples - 1.0);
+    };
+    nearest.resize(static_cast<std::size_t>(grid.samples));
+    const int last = static_cast<int>(std::floor(sample_at(high_m.x)));
+    for (int i = static_cast<int>(std::ceil(sample_at(low_m.x))); i <= last; ++i) {
+      Nearest& there = nearest[static_cast<std::size_t>(i)];
+      const double off_m = glm::length(from_middle_m(piece, place_m(i)));
+      if (off_m <= far_m && off_m < there.far_m) there = {off_m, &piece};
+    }
+  }
+  if (!nearest.empty()) tread();
+  std::vector<TroddenPlaces::Place> places;
+  for (std::size_t i = 0; i < most.size(); ++i)
+    if (most[i].bare > 0.0) places.push_back({static_cast<int>(i), most[i]});
+  return places;
+}
+
+Trodden Paths::trodden(const Piece& piece, const glm::dvec2& at_m, const glm::dvec2& ascent,
                        double step_m) const {
   constexpr double soft = 0.4, ragged = 0.16, uneven = 0.1;  // of the width; of the wear
   constexpr double trampled = 0.3, trampled_wide = 2.2;      // of the grass beside; of the width
   constexpr double levelled = 0.8, deep_m = 0.03, edge = 0.25;
-  const double width_m = paths_[near.piece.path].width_m, half_m = 0.5 * width_m;
+  constexpr double steepest_bank = 0.62;  // what is steeper slides
+  const double width_m = paths_[piece.path].width_m, half_m = 0.5 * width_m;
   const double shown = shown_fraction(width_m, step_m);
-  const double far_m = near.far_m + shown * ragged * width_m * ragged_.at(at_m / ragged_m);
+  const glm::dvec2 off = from_middle_m(piece, at_m);
+  const double off_m = glm::length(off);
+  const double far_m = off_m + shown * ragged * width_m * ragged_.at(at_m / ragged_m);
   const double wear = std::clamp(1.0 - uneven + uneven * wear_.at(at_m / wear_m), 0.7, 1.0);
   const double bare = covered(far_m, width_m, std::max(soft * width_m, step_m));
   const double beside =
       trampled * covered(far_m, trampled_wide * width_m, std::max(width_m, step_m));
-  Trodden place{wear * std::max(bare, beside), {}};
-  if (near.far_m <= 0.0 || shown <= 0.0) return place;
-  const glm::dvec2 outwards = from_middle_m(near.piece, at_m) / near.far_m;
+  Trodden place{.bare = wear * std::max(bare, beside), .level = shown * wear * levelled * bare};
+  if (off_m <= 0.0 || shown <= 0.0) return place;
+  const glm::dvec2 outwards = off / off_m;
   const double across = levelled * glm::dot(ascent, outwards);
+  const double room = std::max(0.0, steepest_bank - glm::length(ascent));
   double rise = 0.0;
-  if (far_m < half_m) rise -= across;                      // the tread
-  if (far_m >= half_m && far_m < width_m) rise += across;  // banks go back to the slope
+  if (far_m < half_m) rise -= across;                                               // the tread
+  if (far_m >= half_m && far_m < width_m) rise += std::clamp(across, -room, room);  // its bank
   if (std::abs(far_m - half_m) < edge * half_m) rise += deep_m / (2.0 * edge * half_m);
   place.gradient = shown * wear * rise * outwards;
   return place;

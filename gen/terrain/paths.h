@@ -7,6 +7,7 @@
 
 #include "core/ground_map.h"
 #include "core/noise.h"
+#include "core/row_parts.h"
 #include "scene/scene.h"
 #include "terrain/water.h"
 
@@ -14,7 +15,8 @@ namespace wold::terrain {
 
 /// What feet have made of a place.
 struct Trodden {
-  double bare = 0.0;  ///< share of a piece of ground, a step wide, that is worn bare, in [0, 1]
+  double bare = 0.0;         ///< share of a piece of ground, a step wide, that is worn, in [0, 1]
+  double level = 0.0;        ///< how far what stood out there is gone, in [0, 1]
   glm::dvec2 gradient{0.0};  ///< steepest ascent of what they have worn off and levelled
 };
 
@@ -23,6 +25,7 @@ class TroddenPlaces {
  public:
   /// Of value (i, j) of the map.
   Trodden at(int i, int j) const;
+  bool empty() const;
 
  private:
   friend class Paths;
@@ -30,7 +33,7 @@ class TroddenPlaces {
     int i;
     Trodden trodden;
   };
-  std::vector<std::vector<Place>> rows_;
+  std::vector<std::vector<Place>> rows_;  ///< from the west
 };
 
 /// The paths that people have worn through the meadow: from place to place as they walk
@@ -39,11 +42,14 @@ class TroddenPlaces {
 /// keyed function of the place.
 class Paths {
  public:
+  /// Those whose way has two places or more.
   Paths(const Heightfield& heights_m, const std::vector<scene::Path>& paths, std::uint64_t seed,
         const Water* water);
 
-  /// As a map on the grid shows them. `heights_m`: of the ground, as they were when it was made.
-  TroddenPlaces on_grid(const Heightfield& heights_m, const GroundGrid& grid) const;
+  /// As a map on the grid shows them, of what counts of its rows. `heights_m`: those of the
+  /// constructor.
+  TroddenPlaces on_grid(const Heightfield& heights_m, const GroundGrid& grid,
+                        const RowParts& parts) const;
 
   /// Whether a place is on one, or so many metres beside it, up to 4.
   bool lead_past(const glm::dvec2& at_m, double beside_m) const;
@@ -60,23 +66,27 @@ class Paths {
   struct Piece {
     std::size_t path, point;
   };
+  const glm::dvec2& begin_m(const Piece& piece) const {
+    return paths_[piece.path].line_m[piece.point];
+  }
+  const glm::dvec2& end_m(const Piece& piece) const {
+    return paths_[piece.path].line_m[piece.point + 1];
+  }
+  /// From the nearest place of the middle of a piece.
   glm::dvec2 from_middle_m(const Piece& piece, const glm::dvec2& at_m) const;
   void file_pieces();
-  /// A sample near a piece.
-  struct Near {
-    int i;
-    double far_m;  ///< from the middle of the path
-    Piece piece;
-  };
-  /// Adds the samples near a piece, by their rows.
-  void add_near(const Piece& piece, const GroundGrid& grid,
-                std::vector<std::vector<Near>>& rows) const;
-  Trodden trodden(const Near& near, const glm::dvec2& at_m, const glm::dvec2& ascent,
+  glm::ivec2 square_at(const glm::dvec2& at_m) const;
+  /// The pieces of each path that a map shows, path by path.
+  std::vector<Piece> pieces_on(const GroundGrid& grid) const;
+  std::vector<TroddenPlaces::Place> row(int j, const std::vector<Piece>& pieces,
+                                        const Heightfield& heights_m, const GroundGrid& grid,
+                                        const RowPart& part) const;
+  Trodden trodden(const Piece& piece, const glm::dvec2& at_m, const glm::dvec2& ascent,
                   double step_m) const;
 
   std::vector<Path> paths_;
-  /// Pieces by the square of near_m that they or what is as near to them reach into.
-  std::unordered_map<std::uint64_t, std::vector<Piece>> near_;
+  double square_m_ = 1.0;  ///< as wide as the longest piece and what is near to it
+  std::unordered_map<std::uint64_t, std::vector<Piece>> near_;  ///< by the square that they reach
   Fbm ragged_, wear_;
 };
 

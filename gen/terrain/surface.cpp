@@ -53,7 +53,8 @@ void Surface::add_relief(const FinerRelief& finer) {
 
 void Surface::add_paths() {
   constexpr double buried_m = 0.3;  // snow that evens out what feet have made
-  trodden_ = known_.paths->on_grid(heights_m_, grid_);
+  trodden_ = known_.paths->on_grid(heights_m_, grid_, parts_);
+  if (trodden_.empty()) return;
   if (!bumps_) bumps_.emplace(grid_.samples, grid_.square);
   parallel_for(static_cast<std::size_t>(grid_.samples), [&](std::size_t row) {
     const int j = static_cast<int>(row);
@@ -61,8 +62,10 @@ void Surface::add_paths() {
       const Trodden place = trodden(i, j);
       if (place.bare <= 0.0) return;
       const double snow_m = snow_m_ ? snow_m_(place_m(i, j)) : 0.0;
-      const double seen = 1.0 - glm::smoothstep(0.0, buried_m, snow_m);
-      bumps_->at(i, j).gradient += glm::vec2(seen * place.gradient);
+      const double seen = (1.0 - glm::smoothstep(0.0, buried_m, snow_m)) * (1.0 - water(i, j));
+      glm::vec2& gradient = bumps_->at(i, j).gradient;
+      gradient = gradient * static_cast<float>(1.0 - seen * place.level) +
+                 glm::vec2(seen * place.gradient);
     });
   });
 }
@@ -120,7 +123,9 @@ LandCover::Shares Surface::cover(int i, int j) const {
 }
 
 double Surface::scree(int i, int j) const {
-  return scree_ ? scree_->share(place_m(i, j), slope_deg(i, j), exposure(i, j)) : 0.0;
+  if (!scree_) return 0.0;
+  const double lies = scree_->share(place_m(i, j), slope_deg(i, j), exposure(i, j));
+  return lies * (1.0 - trodden(i, j).bare);
 }
 
 glm::dvec2 Surface::place_m(int i, int j) const {

@@ -37,7 +37,8 @@ class Surface {
  public:
   /// The heights and what is known have to outlive it. `parts`: of the grid's rows, what counts;
   /// empty: all. Nothing is known of other places.
-  /// `snow_m`: how deep snow lies on the ground at a place, which buries boulders; empty: none.
+  /// `snow_m`: how deep snow lies on the ground at a place, which buries boulders and paths; empty:
+  /// none.
   Surface(const Heightfield& heights_m, const FinerRelief* finer, const GroundGrid& grid,
           const KnownGround& known = {}, RowParts parts = {}, const SnowDepth& snow_m = {});
 
@@ -71,7 +72,7 @@ class Surface {
   /// The boulder at a place, if any. Its cover counts those that are too small for the grid, too.
   NearbyBoulders::Rise boulder(int i, int j) const;
 
-  /// What feet have made of it.
+  /// What feet have made of it; they leave no debris where they have worn it.
   Trodden trodden(int i, int j) const;
 
   /// A light on the heights, as it falls on this surface: the sun by Lambert's law, the sky by how

@@ -53,7 +53,9 @@ std::string shrunk(std::string command) {
   const bool all_frames = command.find("--frames") == std::string::npos;
   return command +
          " --set 'render.size=[64,36]' --set render.samples=1 --set terrain.samples=65 "
-         "--set terrain.size=26 --set grass.variants=1 --set 'grass.levels=[30]' --set "
+         "--set terrain.size=26 --set terrain.hill_height=3 --set terrain.relief=0.3 "
+         "--set terrain.relief_feature=10 --set 'camera.eye=[13,2]' --set 'camera.target=[13,18]' "
+         "--set 'paths[1].way=[13,4,14,20]' --set grass.variants=1 --set 'grass.levels=[30]' --set "
          "'grass.key_frames=[0,0.5,1]'" +
          (all_frames ? " --set season.frames=3" : "");
 }

@@ -46,6 +46,15 @@ TEST(Growth, CoversTheShareOfTheGround) {
   }
 }
 
+TEST(Growth, LeavesPathsBare) {
+  const scene::Scene scene = flat_square(40.0);
+  const Heightfield ground = plane(40.0, 0.0);
+  const terrain::Paths paths(ground, {{{2.0, 20.0, 38.0, 20.0}, 2.0}}, 1, nullptr);
+  const FactorMap growth = growth_map(scene, ground, {.paths = &paths});
+  EXPECT_LT(growth.sample(20.0, 20.0), 0.35F);
+  EXPECT_EQ(growth.sample(20.0, 27.0), 1.0F);
+}
+
 // On a slope of 25 degrees that faces the noon sun, 47 degrees north, as sunlight over level ground
 // says: sin 68 / sin 43 = 1.36. Other slopes, small terrains and what users say have all of it.
 TEST(Growth, LeavesSunnySlopesOfLargeTerrainsBareInPart) {

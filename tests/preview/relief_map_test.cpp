@@ -43,6 +43,17 @@ TEST(ReliefMap, ShowsWhereTheCameraStands) {
   EXPECT_LT(std::abs(map.pixel(100, 40)[0] - map.pixel(30, 40)[0]), 1e-6F);
 }
 
+TEST(ReliefMap, ShowsPaths) {
+  const Image map = relief_map(Heightfield(17, 10000.0), in_the_south,
+                               {{{2000.0, 8000.0}, {4000.0, 8000.0}}}, 200, {});
+  const auto differs = [&](int x, int y) {
+    return std::abs(map.pixel(x, y)[1] - map.pixel(30, 30)[1]) > 0.2F;
+  };
+  EXPECT_TRUE(differs(60, 40));
+  EXPECT_FALSE(differs(60, 50));
+  EXPECT_FALSE(differs(100, 40));
+}
+
 // Round numbers, so many that the relief can be read.
 TEST(ReliefMap, HasContourLinesOfARoundInterval) {
   EXPECT_EQ(contour_interval_m(cone(1000.0F)), 100.0);

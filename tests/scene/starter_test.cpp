@@ -9,6 +9,7 @@
 #include "scene/species.h"
 #include "scene/starter_at_place.h"
 #include "scene/write.h"
+#include "support/places.h"
 
 namespace wold::scene {
 namespace {
@@ -33,6 +34,14 @@ TEST(StarterScene, IsShortAndOfHillsInFlowerUnderClouds) {
   EXPECT_THROW(starter_scene("a/b", "hillside"), InputError);
   EXPECT_THROW(starter_scene("", "hillside"), InputError);
   EXPECT_THROW(starter_scene("heath", "hill"), InputError);
+}
+
+TEST(StarterScene, OfHillsIsAnExample) {
+  const std::filesystem::path file =
+      wold::test::tests_folder().parent_path() / "examples" / "hill_path.toml";
+  Scene wanted = scene_of_kind("hillside");
+  wanted.name = "hill_path";
+  EXPECT_EQ(resolved_toml(read_scene(file)), resolved_toml(wanted));
 }
 
 /// What a starter is of is written, and nothing is lost on the way.

@@ -9,7 +9,10 @@
 #include <numeric>
 #include <vector>
 
+#include "core/row_parts.h"
 #include "terrain/boulders.h"
+#include "terrain/ground.h"
+#include "terrain/lighting.h"
 #include "terrain/relief.h"
 #include "terrain/surface.h"
 #include "terrain/walked_way.h"
@@ -57,12 +60,13 @@ TEST(WalkedWay, TakesAsLongAsToblerSays) {
 
 TEST(WalkedWay, IsStraightOnLevelGround) {
   for (const glm::dvec2& to_m : {glm::dvec2(90.0, 50.0), glm::dvec2(70.0, 91.0)}) {
-    const glm::dvec2 from_m(10.0, 20.0);
+    const glm::dvec2 from_m(10.0, 20.0), along = glm::normalize(to_m - from_m);
     const std::vector<glm::dvec2> way = walked_way(level_ground(), from_m, to_m, nullptr);
     EXPECT_EQ(way.front(), from_m);
     EXPECT_EQ(way.back(), to_m);
-    // 16 directions miss 11 degrees at most.
-    EXPECT_LT(length_m(way), 1.03 * glm::distance(from_m, to_m));
+    for (const glm::dvec2& at_m : way)
+      EXPECT_NEAR(along.x * (at_m - from_m).y - along.y * (at_m - from_m).x, 0.0, 1e-6);
+    EXPECT_NEAR(length_m(way), glm::distance(from_m, to_m), 1e-6) << "there and back nowhere";
   }
 }
 
@@ -119,7 +123,7 @@ TEST(Paths, AreBareInTheMiddleAndLeaveTheMeadowBesideThem) {
   const Heightfield ground = level_ground();
   const Paths paths(ground, {straight()}, 1, nullptr);
   const GroundGrid grid{{{40.0, 45.0}, 10.0}, 501};
-  const TroddenPlaces places = paths.on_grid(ground, grid);
+  const TroddenPlaces places = paths.on_grid(ground, grid, whole_rows(grid.samples));
   const auto bare_at = [&](const glm::dvec2& at_m) {
     const glm::ivec2 value(glm::round((at_m - grid.square.corner_m) / grid.step_m()));
     return places.at(value.x, value.y).bare;
@@ -140,7 +144,7 @@ TEST(Paths, CoverAsMuchOnAnyMap) {
   const Paths paths(ground, {straight()}, 1, nullptr);
   const auto bare_m2 = [&](int samples) {
     const GroundGrid grid{{{20.0, 30.0}, 40.0}, samples};
-    const TroddenPlaces places = paths.on_grid(ground, grid);
+    const TroddenPlaces places = paths.on_grid(ground, grid, whole_rows(grid.samples));
     double sum = 0.0;
     for (int j = 0; j < samples; ++j)
       for (int i = 0; i < samples; ++i) sum += places.at(i, j).bare;
@@ -199,6 +203,65 @@ TEST(Paths, HaveNoBoulders) {
   };
   EXPECT_GT(on_paths(nullptr), 0);
   EXPECT_EQ(on_paths(paths), 0);
+}
+
+// A narrow path leaves no grass in the wide one that it crosses.
+TEST(Paths, CrossEachOther) {
+  const Heightfield ground = level_ground();
+  const scene::Path wide = straight(4.0), narrow{{50.0, 10.0, 50.0, 90.0}, 0.5};
+  const GroundGrid grid{{{45.0, 45.0}, 10.0}, 101};
+  const auto places_of = [&](const std::vector<scene::Path>& paths) {
+    return Paths(ground, paths, 1, nullptr).on_grid(ground, grid, whole_rows(grid.samples));
+  };
+  const TroddenPlaces alone = places_of({wide}), both = places_of({wide, narrow}),
+                      other_order = places_of({narrow, wide});
+  for (int j = 0; j < grid.samples; ++j)
+    for (int i = 0; i < grid.samples; ++i) {
+      EXPECT_GE(both.at(i, j).bare, alone.at(i, j).bare);
+      EXPECT_EQ(both.at(i, j).bare, other_order.at(i, j).bare);
+    }
+}
+
+// A map is made where it counts alone.
+TEST(Paths, AreWhereTheMapCounts) {
+  const Heightfield ground = level_ground();
+  const Paths paths(ground, {straight()}, 1, nullptr);
+  const GroundGrid grid{{{40.0, 40.0}, 20.0}, 101};
+  const TroddenPlaces all = paths.on_grid(ground, grid, whole_rows(grid.samples));
+  const RowParts parts(static_cast<std::size_t>(grid.samples), RowPart{{30, 60}});
+  const TroddenPlaces some = paths.on_grid(ground, grid, parts);
+  for (int j = 0; j < grid.samples; ++j)
+    for (int i = 0; i < grid.samples; ++i)
+      EXPECT_EQ(some.at(i, j).bare, i >= 30 && i < 60 ? all.at(i, j).bare : 0.0);
+  EXPECT_FALSE(some.empty());
+  EXPECT_TRUE(paths.on_grid(ground, {{{0.0, 80.0}, 20.0}, 101}, whole_rows(101)).empty());
+}
+
+TEST(Paths, LeaveWaterLevel) {
+  const Heightfield slope = heights(100.0, [](const glm::dvec2& at_m) { return 0.3 * at_m.y; });
+  const Paths paths(slope, {straight(1.2)}, 1, nullptr);
+  const Water lake({GroundMap<int>(51, 100.0, 0), {1.0}}, 1);
+  const GroundGrid grid{{{45.0, 45.0}, 10.0}, 101};
+  const Surface surface(slope, nullptr, grid, {.water = &lake, .paths = &paths});
+  for (int j = 0; j < grid.samples; ++j)
+    EXPECT_NEAR(surface.slope_deg(50, j), std::atan(0.3) * degrees, 0.01);
+}
+
+// Their soil is paler, and they are of the ground that a scene's is made to be.
+TEST(Paths, ArePaleSoilOfTheGround) {
+  scene::Terrain look;
+  look.hill_height_m = 0.0;
+  look.relief_m = 0.0;
+  const auto reflectance = [&](const std::vector<scene::Path>& paths) {
+    const Ground ground = make_ground(look, 1, {}, paths);
+    const GroundGrid grid{{{10.0, 10.0}, 20.0}, 201};
+    const Surface surface(ground.heights_m, nullptr, grid, ground.known());
+    return ground_reflectance(surface, {0.0, 0.6, 0.8}, look, 1,
+                              FactorMap(grid.samples, grid.square, 0.0F));
+  };
+  const ColourMap plain = reflectance({}), trodden = reflectance({{{5, 20, 35, 20}, 2.0}});
+  EXPECT_NEAR(double{trodden.sample(20.0, 20.0).g / plain.sample(20.0, 20.0).g}, 1.3, 0.06);
+  EXPECT_EQ(trodden.sample(20.0, 29.0), plain.sample(20.0, 29.0));
 }
 
 TEST(Paths, WithoutPlacesAreNone) {
