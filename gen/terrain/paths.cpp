@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/parallel.h"
 #include "core/random.h"
@@ -134,8 +133,8 @@ void Paths::file_pieces() {
       square_m_ = std::max(square_m_, length_m + near_m);
     }
   for (const Piece& piece : pieces) {
-    const glm::ivec2 first = square_at(glm::min(begin_m(piece), end_m(piece)) - near_m);
-    const glm::ivec2 last = square_at(glm::max(begin_m(piece), end_m(piece)) + near_m);
+    const auto [low_m, high_m] = box_m(piece, near_m);
+    const glm::ivec2 first = square_at(low_m), last = square_at(high_m);
     for (int j = first.y; j <= last.y; ++j)
       for (int i = first.x; i <= last.x; ++i) near_[key_of_square({i, j})].push_back(piece);
   }
@@ -167,64 +166,72 @@ TroddenPlaces Paths::on_grid(const Heightfield& heights_m, const GroundGrid& gri
   return places;
 }
 
+std::pair<glm::dvec2, glm::dvec2> Paths::box_m(const Piece& piece, double around_m) const {
+  return {glm::min(begin_m(piece), end_m(piece)) - around_m,
+          glm::max(begin_m(piece), end_m(piece)) + around_m};
+}
+
 std::vector<Paths::Piece> Paths::pieces_on(const GroundGrid& grid) const {
-  const glm::dvec2 low_m = grid.square.corner_m, high_m = low_m + grid.square.size_m;
+  const glm::dvec2 corner_m = grid.square.corner_m;
   std::vector<Piece> pieces;
-  for (std::size_t path = 0; path < paths_.size(); ++path) {
-    const double far_m = reach_m(paths_[path].width_m, grid.step_m());
+  for (std::size_t path = 0; path < paths_.size(); ++path)
     for (std::size_t k = 0; k + 1 < paths_[path].line_m.size(); ++k) {
-      const Piece piece{path, k};
-      if (glm::all(glm::greaterThanEqual(glm::max(begin_m(piece), end_m(piece)) + far_m, low_m)) &&
-          glm::all(glm::lessThanEqual(glm::min(begin_m(piece), end_m(piece)) - far_m, high_m)))
-        pieces.push_back(piece);
+      const auto [low_m, high_m] = box_m({path, k}, reach_m(paths_[path].width_m, grid.step_m()));
+      if (glm::all(glm::greaterThanEqual(high_m, corner_m)) &&
+          glm::all(glm::lessThanEqual(low_m, corner_m + grid.square.size_m)))
+        pieces.push_back({path, k});
     }
-  }
   return pieces;
 }
 
-/// Of the pieces of a path the nearest counts, of paths the one that has worn more.
-std::vector<TroddenPlaces::Place> Paths::row(int j, const std::vector<Piece>& pieces,
+std::vector<const Paths::Piece*> Paths::nearest_pieces(std::span<const Piece> of_path, int j,
+                                                       const GroundGrid& grid) const {
+  const double step_m = grid.step_m(),
+               far_m = reach_m(paths_[of_path.front().path].width_m, step_m);
+  const glm::dvec2 west_m = grid.square.corner_m + glm::dvec2(0.0, j * step_m);
+  const auto sample_at = [&](double x_m) {
+    return std::clamp((x_m - west_m.x) / step_m, 0.0, grid.samples - 1.0);
+  };
+  std::vector<const Piece*> nearest;
+  std::vector<double> off_m(static_cast<std::size_t>(grid.samples), far_m);
+  for (const Piece& piece : of_path) {
+    const auto [low_m, high_m] = box_m(piece, far_m);
+    if (west_m.y < low_m.y || west_m.y > high_m.y) continue;
+    nearest.resize(off_m.size(), nullptr);
+    const auto end = static_cast<std::size_t>(std::floor(sample_at(high_m.x))) + 1;
+    for (auto i = static_cast<std::size_t>(std::ceil(sample_at(low_m.x))); i < end; ++i) {
+      const glm::dvec2 at_m = west_m + glm::dvec2(static_cast<double>(i) * step_m, 0.0);
+      const double here_m = glm::length(from_middle_m(piece, at_m));
+      if (here_m >= off_m[i]) continue;
+      off_m[i] = here_m;
+      nearest[i] = &piece;
+    }
+  }
+  return nearest;
+}
+
+/// Of a path's pieces the nearest counts, of paths the one that has worn more.
+std::vector<TroddenPlaces::Place> Paths::row(int j, std::span<const Piece> pieces,
                                              const Heightfield& heights_m, const GroundGrid& grid,
                                              const RowPart& part) const {
-  struct Nearest {
-    double far_m = std::numeric_limits<double>::infinity();
-    const Piece* piece = nullptr;
-  };
-  std::vector<Nearest> nearest;
-  std::vector<Trodden> most;
-  const double step_m = grid.step_m();
-  const auto place_m = [&](int i) { return grid.square.corner_m + glm::dvec2(i, j) * step_m; };
-  const auto tread = [&] {
-    most.resize(static_cast<std::size_t>(grid.samples));
+  std::vector<Trodden> most(static_cast<std::size_t>(grid.samples));
+  while (!pieces.empty()) {
+    const auto others = std::ranges::find_if(
+        pieces, [&](const Piece& piece) { return piece.path != pieces.front().path; });
+    const auto of_path = pieces.first(static_cast<std::size_t>(others - pieces.begin()));
+    pieces = pieces.subspan(of_path.size());
+    const std::vector<const Piece*> nearest = nearest_pieces(of_path, j, grid);
+    if (nearest.empty()) continue;
     visit_row(part, [&](int i) {
-      const Piece* const piece = nearest[static_cast<std::size_t>(i)].piece;
+      const Piece* const piece = nearest[static_cast<std::size_t>(i)];
       if (piece == nullptr) return;
-      const glm::dvec2 at_m = place_m(i);
-      const Trodden here = trodden(*piece, at_m, gradient(heights_m, at_m.x, at_m.y), step_m);
+      const glm::dvec2 at_m = grid.square.corner_m + glm::dvec2(i, j) * grid.step_m();
+      const Trodden here =
+          trodden(*piece, at_m, gradient(heights_m, at_m.x, at_m.y), grid.step_m());
       Trodden& all = most[static_cast<std::size_t>(i)];
       if (here.bare > all.bare) all = here;
     });
-    nearest.clear();
-  };
-  for (std::size_t k = 0; k < pieces.size(); ++k) {
-    const Piece& piece = pieces[k];
-    if (k > 0 && piece.path != pieces[k - 1].path && !nearest.empty()) tread();
-    const double far_m = reach_m(paths_[piece.path].width_m, step_m), y_m = place_m(0).y;
-    const glm::dvec2 low_m = glm::min(begin_m(piece), end_m(piece)) - far_m;
-    const glm::dvec2 high_m = glm::max(begin_m(piece), end_m(piece)) + far_m;
-    if (y_m < low_m.y || y_m > high_m.y) continue;
-    const auto sample_at = [&](double x_m) {
-      return std::clamp((x_m - grid.square.corner_m.x) / step_m, 0.0, grid.samples - 1.0);
-    };
-    nearest.resize(static_cast<std::size_t>(grid.samples));
-    const int last = static_cast<int>(std::floor(sample_at(high_m.x)));
-    for (int i = static_cast<int>(std::ceil(sample_at(low_m.x))); i <= last; ++i) {
-      Nearest& there = nearest[static_cast<std::size_t>(i)];
-      const double off_m = glm::length(from_middle_m(piece, place_m(i)));
-      if (off_m <= far_m && off_m < there.far_m) there = {off_m, &piece};
-    }
   }
-  if (!nearest.empty()) tread();
   std::vector<TroddenPlaces::Place> places;
   for (std::size_t i = 0; i < most.size(); ++i)
     if (most[i].bare > 0.0) places.push_back({static_cast<int>(i), most[i]});

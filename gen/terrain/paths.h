@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "core/ground_map.h"
@@ -78,7 +80,12 @@ class Paths {
   glm::ivec2 square_at(const glm::dvec2& at_m) const;
   /// The pieces of each path that a map shows, path by path.
   std::vector<Piece> pieces_on(const GroundGrid& grid) const;
-  std::vector<TroddenPlaces::Place> row(int j, const std::vector<Piece>& pieces,
+  /// From the south-western corner to the north-eastern one of what is so near to a piece.
+  std::pair<glm::dvec2, glm::dvec2> box_m(const Piece& piece, double around_m) const;
+  /// Of a path, by the samples of a row of a map; none where none of it is near to the row.
+  std::vector<const Piece*> nearest_pieces(std::span<const Piece> of_path, int j,
+                                           const GroundGrid& grid) const;
+  std::vector<TroddenPlaces::Place> row(int j, std::span<const Piece> pieces,
                                         const Heightfield& heights_m, const GroundGrid& grid,
                                         const RowPart& part) const;
   Trodden trodden(const Piece& piece, const glm::dvec2& at_m, const glm::dvec2& ascent,

@@ -109,7 +109,8 @@ class Fields(unittest.TestCase):
         self.assertEqual(sorted(keys), sorted(self.keys_of(scene)))
 
     def keys_of(self, scene: dict[str, Any]) -> Iterator[str]:
-        lists = ("species", "clouds", "cloud_events", "season_keys", "shots", "paths", "cover_classes")
+        lists = ("species", "clouds", "cloud_events", "season_keys", "shots")
+        lists += ("paths", "cover_classes")
         for name, value in scene.items():
             if isinstance(value, dict):
                 yield from value
