@@ -37,11 +37,13 @@ SMALL = [
     "--set", "grass.variants=1", "--set", "grass.levels=[30]",
     "--set", "grass.key_frames=[0,0.5,1]",
 ]  # fmt: skip
-# Of the scenes that `wold new` writes: what is before the camera, and two pictures.
+# Of the scenes that `wold new` writes: what is before the camera, bushes alone having places of
+# their own, and two pictures.
 SMALL_NEW = [
     "--set", "terrain.size=22", "--set", "terrain.hill_height=2", "--set", "terrain.relief=0.3",
     "--set", "terrain.relief_feature=10", "--set", "camera.eye=[11,2]",
     "--set", "camera.target=[11,18]", "--set", "paths[1].way=[11,4,12,18]",
+    "--set", "species[2].cover=1", "--set", "species[3].cover=1", "--set", "species[3].driest=0",
     "--set", "ageing.frames=[0,0.6]",
 ]  # fmt: skip
 DAYS = [31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31]
