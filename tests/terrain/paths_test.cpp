@@ -154,6 +154,11 @@ TEST(Paths, CoverAsMuchOnAnyMap) {
   EXPECT_NEAR(fine_m2 / (40.0 * 0.8), 1.25, 0.15);  // with what is trampled beside it
   for (const int samples : {201, 81, 41, 21})
     EXPECT_NEAR(bare_m2(samples) / fine_m2, 1.0, 0.2) << samples;
+  // A path of 0.8 m covers two fifths of a square of 2 m, wherever its sample lies.
+  const GroundGrid coarse{{{20.0, 30.0}, 40.0}, 21};
+  const TroddenPlaces places = paths.on_grid(ground, coarse, whole_rows(coarse.samples));
+  for (int j = 0; j < coarse.samples; ++j)
+    for (int i = 0; i < coarse.samples; ++i) EXPECT_LE(places.at(i, j).bare, 0.41);
 }
 
 // The tread is level across a slope, and the bank above it steeper than that.
