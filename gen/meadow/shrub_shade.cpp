@@ -6,6 +6,7 @@
 
 #include "core/elementary.h"
 #include "core/parallel.h"
+#include "core/samples_between.h"
 #include "place/view.h"
 #include "scene/species.h"
 
@@ -21,15 +22,6 @@ double way_in_m(const glm::dvec3& start, const glm::dvec3& along) {
   const double root = std::sqrt(discriminant);
   const double enters_m = std::max({0.0, (-root - b) / a, -start.z / along.z});
   return std::max(0.0, (root - b) / a - enters_m);
-}
-
-/// From the first sample of a grid's axis in [low, high] to the last; the first is beyond the last
-/// where none is.
-glm::ivec2 samples_between(double low_m, double high_m, double corner_m, const GroundGrid& grid) {
-  const double last = grid.samples - 1.0;
-  return {
-      static_cast<int>(std::clamp(std::ceil((low_m - corner_m) / grid.step_m()), 0.0, last + 1)),
-      static_cast<int>(std::clamp(std::floor((high_m - corner_m) / grid.step_m()), -1.0, last))};
 }
 
 /// Suns lower over the ground than the first cast no shade of their own: it lies everywhere. Those

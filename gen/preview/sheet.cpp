@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/segment.h"
 
 namespace wold::preview {
 namespace {
@@ -42,7 +43,6 @@ void draw_line(Image& picture, const glm::dvec2& from_px, const glm::dvec2& to_p
                const glm::vec3& colour) {
   constexpr double half_width_px = 0.75;
   const glm::dvec2 along = to_px - from_px;
-  const double square = std::max(glm::dot(along, along), 1e-9);
   const glm::dvec2 size(picture.width, picture.height);
   const glm::dvec2 low =
       glm::clamp(glm::floor(glm::min(from_px, to_px)) - 2.0, glm::dvec2(0), size);
@@ -51,8 +51,7 @@ void draw_line(Image& picture, const glm::dvec2& from_px, const glm::dvec2& to_p
   for (int y = static_cast<int>(low.y); y < high.y; ++y)
     for (int x = static_cast<int>(low.x); x < high.x; ++x) {
       const glm::dvec2 at(x + 0.5, y + 0.5);
-      const double t = std::clamp(glm::dot(at - from_px, along) / square, 0.0, 1.0);
-      const double away = glm::length(at - from_px - t * along);
+      const double away = glm::length(at - from_px - share_of_way(at, from_px, to_px) * along);
       const auto fraction = static_cast<float>(std::clamp(half_width_px + 0.5 - away, 0.0, 1.0));
       for (int c = 0; c < 3; ++c)
         picture.pixel(x, y)[c] = std::lerp(picture.pixel(x, y)[c], colour[c], fraction);

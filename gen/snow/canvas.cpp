@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/segment.h"
+
 namespace wold::snow {
 
 Canvas::Canvas(int side_px)
@@ -30,14 +32,12 @@ void Canvas::stroke(const glm::dvec2& from, const glm::dvec2& to, double width, 
   const glm::dvec2 b = placing_.turned * to + placing_.moved;
   const double scale = std::sqrt(std::abs(glm::determinant(placing_.turned)));
   const double sample = 2.0 / side_;
-  const glm::dvec2 along = b - a;
-  const double length2 = std::max(glm::dot(along, along), 1e-12);
   const double reach = 0.5 * scale * std::max(width, end_width) + sample;
   raise(glm::min(a, b) - reach, glm::max(a, b) + reach, [&](const glm::dvec2& at) {
-    const double t = std::clamp(glm::dot(at - a, along) / length2, 0.0, 1.0);
+    const double t = share_of_way(at, a, b);
     const double wanted = 0.5 * scale * std::lerp(width, end_width, t);
     const double half = std::max(wanted, sample);
-    const double across = glm::distance(at, a + t * along) / half;
+    const double across = glm::distance(at, a + t * (b - a)) / half;
     constexpr double side_loss = 0.4;
     if (across >= 1.0) return 0.0;
     return opacity * wanted / half * (1.0 - side_loss * across * across);

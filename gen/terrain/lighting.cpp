@@ -183,8 +183,10 @@ struct GroundColour {
     const glm::dvec2 at_m(place_m);
     const double beyond =
         beyond_rock_deg(math::acos(up.z) / radians_per_degree, exposure, rock_slope_deg);
-    const auto worn = static_cast<float>(1.0 + paler * trodden);
-    const Albedo earth{glm::min(worn * soil.at(at_m, up, to_sun), 1.0F), soil.mean_albedo()};
+    const glm::vec3& mean = soil.mean_albedo();
+    const float no_brighter = std::max(1.0F, 1.0F / std::max({mean.r, mean.g, mean.b, 1e-6F}));
+    const float worn = std::min(static_cast<float>(1.0 + paler * trodden), no_brighter);
+    const Albedo earth{worn * soil.at(at_m, up, to_sun), worn * mean};
     if (beyond < -8.0) return earth;
     const double ragged = beyond + 2.5 * border_shown * border.at(at_m / border_m);
     const double bare = (1.0 - double{growth}) * glm::smoothstep(-2.5, 2.5, ragged);

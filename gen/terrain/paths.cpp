@@ -5,6 +5,8 @@
 
 #include "core/parallel.h"
 #include "core/random.h"
+#include "core/samples_between.h"
+#include "core/segment.h"
 #include "terrain/relief.h"
 #include "terrain/walked_way.h"
 
@@ -59,15 +61,6 @@ std::vector<glm::dvec2> smooth_line(const std::vector<std::vector<glm::dvec2>>& 
   return line_m;
 }
 
-/// From the nearest place of a straight piece.
-glm::dvec2 from_piece(const glm::dvec2& at_m, const glm::dvec2& begin_m, const glm::dvec2& end_m) {
-  const glm::dvec2 along = end_m - begin_m, from_begin = at_m - begin_m;
-  const double length2 = glm::dot(along, along);
-  const double share =
-      length2 > 0.0 ? std::clamp(glm::dot(from_begin, along) / length2, 0.0, 1.0) : 0.0;
-  return from_begin - share * along;
-}
-
 /// Share of a strip of a width, `far_m` from its middle to the path's, that a path covers.
 double covered(double far_m, double path_m, double strip_m) {
   const auto within = [&](double at_m) { return std::clamp(at_m, -0.5 * strip_m, 0.5 * strip_m); };
@@ -119,7 +112,8 @@ Paths::Paths(const Heightfield& heights_m, const std::vector<scene::Path>& paths
 }
 
 glm::dvec2 Paths::from_middle_m(const Piece& piece, const glm::dvec2& at_m) const {
-  return from_piece(at_m, begin_m(piece), end_m(piece));
+  const glm::dvec2 &begin = begin_m(piece), &end = end_m(piece);
+  return at_m - glm::mix(begin, end, share_of_way(at_m, begin, end));
 }
 
 glm::ivec2 Paths::square_at(const glm::dvec2& at_m) const { return {glm::floor(at_m / square_m_)}; }
@@ -189,22 +183,19 @@ std::vector<const Paths::Piece*> Paths::nearest_pieces(std::span<const Piece> of
   const double step_m = grid.step_m(),
                far_m = reach_m(paths_[of_path.front().path].width_m, step_m);
   const glm::dvec2 west_m = grid.square.corner_m + glm::dvec2(0.0, j * step_m);
-  const auto sample_at = [&](double x_m) {
-    return std::clamp((x_m - west_m.x) / step_m, 0.0, grid.samples - 1.0);
-  };
   std::vector<const Piece*> nearest;
   std::vector<double> off_m(static_cast<std::size_t>(grid.samples), far_m);
   for (const Piece& piece : of_path) {
     const auto [low_m, high_m] = box_m(piece, far_m);
     if (west_m.y < low_m.y || west_m.y > high_m.y) continue;
     nearest.resize(off_m.size(), nullptr);
-    const auto end = static_cast<std::size_t>(std::floor(sample_at(high_m.x))) + 1;
-    for (auto i = static_cast<std::size_t>(std::ceil(sample_at(low_m.x))); i < end; ++i) {
-      const glm::dvec2 at_m = west_m + glm::dvec2(static_cast<double>(i) * step_m, 0.0);
-      const double here_m = glm::length(from_middle_m(piece, at_m));
-      if (here_m >= off_m[i]) continue;
-      off_m[i] = here_m;
-      nearest[i] = &piece;
+    const glm::ivec2 along = samples_between(low_m.x, high_m.x, west_m.x, grid);
+    for (int i = along[0]; i <= along[1]; ++i) {
+      const double here_m = glm::length(from_middle_m(piece, west_m + glm::dvec2(i * step_m, 0.0)));
+      const auto sample = static_cast<std::size_t>(i);
+      if (here_m >= off_m[sample]) continue;
+      off_m[sample] = here_m;
+      nearest[sample] = &piece;
     }
   }
   return nearest;
@@ -214,7 +205,7 @@ std::vector<const Paths::Piece*> Paths::nearest_pieces(std::span<const Piece> of
 std::vector<TroddenPlaces::Place> Paths::row(int j, std::span<const Piece> pieces,
                                              const Heightfield& heights_m, const GroundGrid& grid,
                                              const RowPart& part) const {
-  std::vector<Trodden> most(static_cast<std::size_t>(grid.samples));
+  std::vector<Trodden> most;
   while (!pieces.empty()) {
     const auto others = std::ranges::find_if(
         pieces, [&](const Piece& piece) { return piece.path != pieces.front().path; });
@@ -222,6 +213,7 @@ std::vector<TroddenPlaces::Place> Paths::row(int j, std::span<const Piece> piece
     pieces = pieces.subspan(of_path.size());
     const std::vector<const Piece*> nearest = nearest_pieces(of_path, j, grid);
     if (nearest.empty()) continue;
+    most.resize(nearest.size());
     visit_row(part, [&](int i) {
       const Piece* const piece = nearest[static_cast<std::size_t>(i)];
       if (piece == nullptr) return;
