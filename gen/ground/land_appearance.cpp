@@ -1,11 +1,11 @@
 #include "ground/land_appearance.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "core/angle.h"
+#include "core/between.h"
 #include "core/elementary.h"
 #include "core/parallel.h"
 
@@ -22,31 +22,6 @@ constexpr double least_step_m = 50.0;
 
 double slope_deg(const glm::dvec3& up) {
   return math::acos(std::clamp(up.z, -1.0, 1.0)) / radians_per_degree;
-}
-
-/// Where a value lies between two of `count` that cover [0, 1].
-struct Between {
-  int low;
-  float part;
-
-  Between(double fraction, int count) {
-    const double place = std::clamp(fraction, 0.0, 1.0) * (count - 1);
-    low = std::min(static_cast<int>(place), count - 2);
-    part = static_cast<float>(place - low);
-  }
-};
-
-/// The eigenvector of the greatest variance, as long as its deviation: by power iteration. Of the
-/// two that fit, the one that brightens.
-glm::vec3 main_axis(const glm::dmat3& covariance) {
-  glm::length_t most = 0;
-  for (const glm::length_t c : {1, 2})
-    if (covariance[c][c] > covariance[most][most]) most = c;
-  if (covariance[most][most] < 1e-12) return glm::vec3(0.0F);
-  glm::dvec3 axis = covariance[most];
-  for (int i = 0; i < 32; ++i) axis = glm::normalize(covariance * axis);
-  if (axis.r + axis.g + axis.b < 0.0) axis = -axis;
-  return glm::vec3(axis * std::sqrt(glm::dot(axis, covariance * axis)));
 }
 
 /// A normal of that slope and aspect.
@@ -67,13 +42,12 @@ LandAppearance::LandAppearance(std::span<const LandSample> samples)
     const int rest = static_cast<int>(i) / aspects;
     table_[i] = regression(samples, rest / heights, rest % heights, static_cast<int>(i) % aspects);
   });
-  glm::dmat3 covariance(0.0);
+  std::vector<glm::vec3> deviations;
   for (const LandSample& sample : samples) {
     const glm::vec3 mean = glm::max(at(sample.up, sample.height_m), glm::vec3(1e-6F));
-    const glm::dvec3 off(glm::min(sample.radiance / mean - 1.0F, glm::vec3(1.0F)));
-    covariance += glm::outerProduct(off, off) / static_cast<double>(samples.size());
+    deviations.push_back(glm::min(sample.radiance / mean - 1.0F, glm::vec3(1.0F)));
   }
-  spread_ = main_axis(covariance);
+  variety_ = LandVariety(deviations);
 }
 
 /// Nadaraya and Watson 1964, with the widths of one step of the table, and least_step_m at least.
@@ -105,10 +79,8 @@ glm::vec3 LandAppearance::at(const glm::dvec3& up, double height_m) const {
   const double place = (turn - std::floor(turn)) * aspects;
   const int first = std::min(static_cast<int>(place), aspects - 1);
   const auto part = static_cast<float>(place - first);
-  const auto value = [&](int s, int h) {
-    const std::size_t row = (static_cast<std::size_t>(slope.low + s) * heights +
-                             static_cast<std::size_t>(height.low + h)) *
-                            aspects;
+  const auto value = [&](std::size_t s, std::size_t h) {
+    const std::size_t row = ((slope.first + s) * heights + height.first + h) * aspects;
     return glm::mix(table_[row + static_cast<std::size_t>(first)],
                     table_[row + static_cast<std::size_t>((first + 1) % aspects)], part);
   };

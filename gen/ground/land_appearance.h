@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "ground/land_variety.h"
+
 namespace wold::ground {
 
 /// What land looks like at one place.
@@ -26,9 +28,8 @@ class LandAppearance {
   /// Radiance over irradiance of land with this normal at a height: the mean of what lies alike.
   glm::vec3 at(const glm::dvec3& up, double height_m) const;
 
-  /// How places differ from that mean, over it: the main axis of their deviations, as long as
-  /// their standard deviation along it.
-  const glm::vec3& spread() const { return spread_; }
+  /// How places differ from that mean, over it.
+  const LandVariety& variety() const { return variety_; }
 
  private:
   static constexpr int slopes = 13, heights = 13, aspects = 8;
@@ -38,7 +39,7 @@ class LandAppearance {
 
   double lowest_m_, highest_m_;
   std::vector<glm::vec3> table_;  ///< aspects first, then heights
-  glm::vec3 spread_{0.0F};
+  LandVariety variety_{{}};
 };
 
 }  // namespace wold::ground

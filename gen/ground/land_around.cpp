@@ -48,17 +48,27 @@ LandAround::LandAround(const terrain::Surroundings& land, const light::Daylight&
       appearance_(std::move(appearance)),
       variation_(random_bits({seed, key_of("ground"), 0, key_of("land around")}),
                  patch_sizes(land.square().size_m), patch_hurst, /*step_m=*/0.0),
-      spread_(appearance_.spread() * static_cast<float>(wider_spread(land.square().size_m))) {
-  const double size_m = land.square().size_m;
-  for (const double width_m : {3.0 * size_m, size_m + 2.0 * land.reach_m()})
+      wider_spread_(static_cast<float>(wider_spread(land.square().size_m))) {
+  constexpr double wider = 3.0;  // each square than the one before
+  const double all_m = land.square().size_m + 2.0 * land.reach_m();
+  double width_m = land.square().size_m;
+  do {
+    width_m = std::min(wider * width_m, all_m);
     left_.push_back(left_of_light(around(land.square(), width_m), illuminate));
+  } while (width_m < all_m);
 }
 
 LandAround::Left LandAround::left_of_light(const Square& square, const Illuminate& illuminate) {
-  constexpr int samples = 129;
+  constexpr int samples = 257;  // shadows of heaped clouds show tens of kilometres away
   const ColourMap none(samples, square, glm::vec3(0.0F)), all(samples, square, glm::vec3(1.0F));
   const FactorMap no_overcast(samples, square, 0.0F), overcast(samples, square, 1.0F);
   return {illuminate({all, none, no_overcast}), illuminate({none, all, overcast})};
+}
+
+const LandAround::Left& LandAround::left_at(const glm::dvec2& at_m) const {
+  const auto contains = [&](const Left& left) { return left.of_sun.square().contains(at_m); };
+  const auto finest = std::ranges::find_if(left_, contains);
+  return finest == left_.end() ? left_.back() : *finest;
 }
 
 /// Fraction of the sun's disc, taken as 2 degrees wide, above the land's own horizon.
@@ -85,7 +95,7 @@ double LandAround::sun_seen(const glm::dvec3& at_m) const {
 /// Sun by Lambert's law where no land hides it; of the sky what an even slope faces.
 glm::vec3 LandAround::irradiance(const glm::dvec3& at_m, const glm::dvec3& up) const {
   const glm::dvec2 place_m(at_m);
-  const Left& left = left_.front().of_sun.square().contains(place_m) ? left_.front() : left_.back();
+  const Left& left = left_at(place_m);
   const double lambert = std::max(glm::dot(up, day_.sun_direction()), 0.0);
   const double sun = lambert > 0.0 ? lambert * sun_seen(at_m) : 0.0;
   return left.of_sun.sample(place_m.x, place_m.y) * day_.sun_irradiance() *
@@ -100,11 +110,12 @@ glm::vec3 LandAround::radiance(const glm::dvec2& place_m, double step_m) const {
 
 glm::vec3 LandAround::near_radiance(const glm::dvec2& place_m, double step_m) const {
   const glm::dvec3 at_m(place_m, land_.height_m(place_m, step_m));
-  const double rich = std::clamp(variation_.at(place_m, step_m), -2.0, 2.0);
+  const glm::vec3 differs =
+      appearance_.variety().at(variation_.at(place_m, step_m), variation_.shown(step_m));
   // What grows knows the slope as that of places in the square is known.
   const glm::dvec3 up_of_slope = land_.up(place_m, land_.step_m(place_m));
   const glm::vec3 look = appearance_.at(up_of_slope, at_m.z) *
-                         glm::max(1.0F + spread_ * static_cast<float>(rich), glm::vec3(0.2F));
+                         glm::max(1.0F + wider_spread_ * differs, glm::vec3(0.2F));
   return look * irradiance(at_m, land_.up(place_m, step_m));
 }
 

@@ -39,6 +39,7 @@ class LandAround {
     ColourMap of_sun, of_sky;
   };
   static Left left_of_light(const Square& square, const Illuminate& illuminate);
+  const Left& left_at(const glm::dvec2& at_m) const;
 
   double sun_seen(const glm::dvec3& at_m) const;
   glm::vec3 irradiance(const glm::dvec3& at_m, const glm::dvec3& up) const;
@@ -47,9 +48,9 @@ class LandAround {
   const light::Daylight& day_;
   const Haze& haze_;
   LandAppearance appearance_;
-  std::vector<Left> left_;  ///< on a square three times as wide as the scene's, and on all
+  std::vector<Left> left_;  ///< on squares about the scene's, from the smallest
   ScaleFreeNoise variation_;
-  glm::vec3 spread_;  ///< standard deviation of the look, over its mean
+  float wider_spread_;  ///< of places here, over that of places in the square
 };
 
 /// Radiance that an eye sees of a place on the land around, of which a pixel covers `step_m`.

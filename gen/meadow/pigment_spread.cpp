@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/between.h"
 #include "core/elementary.h"
 #include "core/noise.h"
 #include "core/parallel.h"
@@ -29,18 +30,6 @@ std::vector<scene::Species> enriched(const scene::Scene& scene, double richness)
     one.physiology.brown_pigment /= factor;
   }
   return species;
-}
-
-/// Where a value in [0, 1] lies in a table of so many: the place before it, and how far beyond.
-struct Between {
-  std::size_t first;
-  float fraction;
-};
-
-Between between(double value, std::size_t count) {
-  const double place = std::clamp(value, 0.0, 1.0) * static_cast<double>(count - 1);
-  const std::size_t first = std::min(static_cast<std::size_t>(place), count - 2);
-  return {first, static_cast<float>(place - static_cast<double>(first))};
 }
 
 /// Large terrains have rich and poor places of all sizes.
@@ -102,12 +91,12 @@ double PigmentSpread::richness(const glm::dvec2& at_m, double step_m) const {
 }
 
 glm::vec3 PigmentSpread::factor(double richness, double weathering) const {
-  const Between degree = between(weathering, factors_.size());
-  const Between rich = between(0.5 + 0.5 * richness / max_richness, ByRichness{}.size());
+  const Between degree(weathering, factors_.size());
+  const Between rich(0.5 + 0.5 * richness / max_richness, ByRichness{}.size());
   const auto at_degree = [&](std::size_t k) {
-    return glm::mix(factors_[k][rich.first], factors_[k][rich.first + 1], rich.fraction);
+    return glm::mix(factors_[k][rich.first], factors_[k][rich.first + 1], rich.part);
   };
-  return glm::mix(at_degree(degree.first), at_degree(degree.first + 1), degree.fraction);
+  return glm::mix(at_degree(degree.first), at_degree(degree.first + 1), degree.part);
 }
 
 ColourMap pigment_spread_map(const PigmentSpread& pigment_spread, const place::Withering& withering,

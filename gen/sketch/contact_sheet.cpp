@@ -45,12 +45,18 @@ std::string caption_of(const scene::Scene& scene, const landscape::Landscape& la
   return fmt::format("Frame {}, weathering degree {:.3g}", landscape.frame, landscape.weathering);
 }
 
-/// What multiplies the radiance of grass, developed, on the mean of the terrain.
+/// What multiplies the radiance of grass, developed, on the mean of the terrain: where its light is
+/// known, which on large terrain is where grass is drawn. Full light if that is nowhere.
 glm::vec3 mean_light(const landscape::Landscape& landscape) {
   glm::dvec3 sum(0.0);
-  for (const glm::vec3& light : landscape.light.values()) sum += light;
-  return glm::vec3(sum * landscape.exposure_gain /
-                   static_cast<double>(landscape.light.values().size()));
+  int count = 0;
+  for (const glm::vec3& light : landscape.light.values()) {
+    if (light == glm::vec3(0.0F)) continue;
+    sum += light;
+    ++count;
+  }
+  return glm::vec3(count == 0 ? glm::dvec3(landscape.exposure_gain)
+                              : sum * landscape.exposure_gain / static_cast<double>(count));
 }
 
 constexpr int map_beside_sky_px = 336;

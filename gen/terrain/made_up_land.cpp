@@ -34,7 +34,7 @@ double soft(double feature_m) {
 /// What is left of features that are smaller than valleys where those are so steep, over their
 /// mean.
 double weight_on(double steepness) {
-  constexpr double on_slopes = 0.3;
+  constexpr double on_slopes = 0.6;
   return on_slopes * std::clamp(steepness, 0.0, 1.0);
 }
 

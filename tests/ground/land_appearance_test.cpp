@@ -48,5 +48,15 @@ TEST(LandAppearance, DiffersByAspect) {
   EXPECT_NEAR(land.at(glm::normalize(glm::dvec3(0.0, 0.6, 1.0)), 100.0).g, dark.g, 0.05 * bright.g);
 }
 
+TEST(LandAppearance, KnowsHowPlacesDifferFromTheirMean) {
+  std::vector<LandSample> samples;
+  for (int i = 0; i < 400; ++i)
+    samples.push_back({{0.0, 0.0, 1.0}, 1.0 * i, glm::vec3(i % 2 == 0 ? 0.06F : 0.04F)});
+  const LandAppearance land(samples);
+  EXPECT_NEAR(land.at({0.0, 0.0, 1.0}, 200.0).r, 0.05F, 0.001F);
+  EXPECT_NEAR(land.variety().at(1.0, 1.0).r, 0.2F, 0.01F);
+  EXPECT_NEAR(land.variety().at(-1.0, 1.0).r, -0.2F, 0.01F);
+}
+
 }  // namespace
 }  // namespace wold::ground

@@ -11,10 +11,24 @@
 namespace wold::ground {
 namespace {
 
-/// Level land around a square of 64 m, half of whose places are bright.
+/// Level land around a square of 64 m, half of whose places are bright, under clouds.
 class LevelLand {
  public:
   static constexpr double spread = 0.2;
+
+  explicit LevelLand(const Illuminate& illuminate =
+                         [](const terrain::GroundLight& clear) { return clear.sun; })
+      : around_{land_, day_, haze_, appearance(), illuminate, 7} {}
+
+  /// Mean luminance of pixels of 50 m along a line to the north.
+  double seen(const glm::dvec2& from_m, double length_m) const {
+    constexpr int places = 40;
+    double sum = 0.0;
+    for (int i = 0; i < places; ++i)
+      sum +=
+          luminance(around_.near_radiance(from_m + glm::dvec2(0.0, length_m * i / places), 50.0));
+    return sum / places;
+  }
 
   /// Standard deviation of places' luminance over their mean, as pixels of that size see them.
   double deviation(double step_m) const {
@@ -47,9 +61,7 @@ class LevelLand {
   terrain::Surroundings land_{square(), Heightfield(17, 64.0), 1, 8000.0};
   light::Daylight day_{{45.0, 180.0}, {3.0}};
   Haze haze_{day_, {32.0, 32.0, 2.0}};
-  LandAround around_{
-      land_, day_, haze_, appearance(), [](const terrain::GroundLight& clear) { return clear.sun; },
-      7};
+  LandAround around_;
 };
 
 // It has patches up to a kilometre, which differ as those do that the square has.
@@ -65,6 +77,21 @@ TEST(LandAround, IsEvenWithinAPixel) {
   EXPECT_LT(level.deviation(60.0), 0.85 * level.deviation(0.25));
   EXPECT_LT(level.deviation(1000.0), 0.4 * level.deviation(0.25));
   EXPECT_LT(level.deviation(4000.0), 1e-6);
+}
+
+// Clouds of a kilometre, as far apart, darken stripes of the land.
+TEST(LandAround, HasTheShadowsOfCloudsKilometresAway) {
+  const LevelLand land([](const terrain::GroundLight& clear) {
+    ColourMap light = clear.sun;
+    for (int j = 0; j < light.samples(); ++j)
+      for (int i = 0; i < light.samples(); ++i)
+        if (std::fmod(light.place_m(i, j).x + 1e6, 2000.0) < 1000.0) light.at(i, j) *= 0.1F;
+    return light;
+  });
+  for (const double east_m : {2000.0, 6000.0, -4000.0}) {
+    const double shaded = land.seen({east_m + 500.0, -2000.0}, 4000.0);
+    EXPECT_NEAR(shaded / land.seen({east_m + 1500.0, -2000.0}, 4000.0), 0.1, 0.03) << east_m;
+  }
 }
 
 }  // namespace

@@ -144,38 +144,5 @@ TEST(LandAppearance, IsThatOfWhatLiesAlike) {
   EXPECT_NEAR(look.at(tilted(80.0), -900.0).r, rock.r, 0.01);  // steeper and lower
 }
 
-TEST(LandAppearance, KnowsHowMuchPlacesDiffer) {
-  std::vector<LandSample> samples;
-  for (int i = 0; i < 400; ++i)
-    samples.push_back({{0.0, 0.0, 1.0}, 1.0 * i, glm::vec3(i % 2 == 0 ? 0.06F : 0.04F)});
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(LandAppearance(samples).spread()[c], 0.2F, 0.01F);
-  EXPECT_NEAR(LandAppearance(samples).at({0.0, 0.0, 1.0}, 200.0).r, 0.05F, 0.001F);
-}
-
-// Straw stands here and there in green grass: it is redder, and no brighter in green.
-TEST(LandAppearance, KnowsInWhatColourPlacesDiffer) {
-  const glm::vec3 grass(0.04F, 0.06F, 0.01F), straw(0.08F, 0.06F, 0.02F);
-  std::vector<LandSample> samples;
-  for (int i = 0; i < 400; ++i)
-    samples.push_back({{0.0, 0.0, 1.0}, 1.0 * i, i % 2 == 0 ? grass : straw});
-  const glm::vec3 spread = LandAppearance(samples).spread();
-  EXPECT_NEAR(spread.r, 0.02 / 0.06, 0.01);
-  EXPECT_NEAR(spread.g, 0.0, 1e-3);
-  EXPECT_NEAR(spread.b, 0.005 / 0.015, 0.01);
-}
-
-// Dark places are bluish, bright ones reddish, by as much: no start of an iteration is across that.
-TEST(LandAppearance, KnowsColoursThatDifferOppositely) {
-  std::vector<LandSample> samples;
-  for (int i = 0; i < 400; ++i)
-    samples.push_back(
-        {{0.0, 0.0, 1.0},
-         1.0 * i,
-         i % 2 == 0 ? glm::vec3(0.06F, 0.05F, 0.04F) : glm::vec3(0.04F, 0.05F, 0.06F)});
-  const glm::vec3 spread = LandAppearance(samples).spread();
-  EXPECT_NEAR(std::abs(spread.r), 0.2, 0.01);
-  EXPECT_NEAR(spread.r + spread.b, 0.0, 0.01);
-}
-
 }  // namespace
 }  // namespace wold::ground
