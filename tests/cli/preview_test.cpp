@@ -72,6 +72,19 @@ TEST_F(Preview, IsTheSameBytesWithAnyNumberOfThreadsAndLeavesNothingElse) {
     EXPECT_EQ(entry.path().filename(), "preview.png");
 }
 
+// Such a terrain has light for grass in its window of cells alone.
+TEST_F(Preview, ShowsGrassInTheLightOnLargeTerrain) {
+  write("a.toml",
+        "[terrain]\nsize = 400\nsamples = 65\n[grass]\nblades = 60\n[camera]\neye = [200, 4]\n"
+        "eye_height = 30\ntarget = [200, 130]\n");
+  const Image sheet = drawn("a.toml");
+  constexpr int left = 24, width = 218, below = 46, height = 196;  // of the first tuft
+  float brightest = 0.0F;
+  for (int y = sheet.height - below - height; y < sheet.height - below; ++y)
+    for (int x = left; x < left + width; ++x) brightest = std::max(brightest, sheet.pixel(x, y)[1]);
+  EXPECT_GT(brightest, 0.5F);  // the ground behind has 0.25
+}
+
 TEST_F(Preview, OfAWrongSceneOrToAWrongFileIsRefused) {
   write("a.toml", "seed = 'x'\n");
   write("b.toml", "");
