@@ -290,7 +290,7 @@ std::unique_ptr<const LakeSurface> LitGround::lake_surface(
         grid, [&](const glm::dvec2& at_m) { return around.near_radiance(at_m, grid.step_m()); });
   };
   constexpr int samples_of_square = 513;
-  OverLakes over{{*site_.surroundings, landscape.terrain, camera.eye_m,
+  OverLakes over{{*site_.surroundings, landscape.terrain, *site_.water, camera.eye_m,
                   panorama(camera, landscape.width_px, landscape.height_px)},
                  {filled<ColourMap>({square, samples_of_square},
                                     [&](const glm::dvec2& at_m) {

@@ -8,21 +8,30 @@
 #include "light/daylight.h"
 
 namespace wold::ground {
+namespace {
+
+double height_on(const Heightfield& ground, const terrain::Water& water, const glm::dvec2& at_m) {
+  return water.share(at_m, 1.0) > 0.5 ? water.level_m(at_m) : double{ground.sample(at_m.x, at_m.y)};
+}
+
+}  // namespace
 
 MirroredLand::MirroredLand(const terrain::Surroundings& land, const Heightfield& ground,
-                           const glm::dvec3& eye_m, const Panorama& panorama)
+                           const terrain::Water& water, const glm::dvec3& eye_m,
+                           const Panorama& panorama)
     : eye_m_(eye_m),
       panorama_(panorama),
       lines_(static_cast<std::size_t>(2.0 * panorama.half_rad / panorama.step_rad) + 2) {
   parallel_for(lines_.size(), [&](std::size_t i) {
     lines_[i] =
-        line(land, ground,
+        line(land, ground, water,
              panorama.middle_rad - panorama.half_rad + panorama.step_rad * static_cast<double>(i));
   });
 }
 
 std::vector<MirroredLand::Height> MirroredLand::line(const terrain::Surroundings& land,
                                                      const Heightfield& ground,
+                                                     const terrain::Water& water,
                                                      double azimuth) const {
   constexpr double spacing = 0.004, farthest_m = 60e3;
   const glm::dvec2 towards(light::direction_of(azimuth, 0.0));
@@ -32,7 +41,7 @@ std::vector<MirroredLand::Height> MirroredLand::line(const terrain::Surroundings
   for (double distance_m = 0.5 * ground.step_m(); distance_m < end_m;) {
     const glm::dvec2 at_m = glm::dvec2(eye_m_) + towards * distance_m;
     const bool is_inside = distance_m < border_m;
-    const double height_m = is_inside ? double{ground.sample(at_m.x, at_m.y)}
+    const double height_m = is_inside ? height_on(ground, water, at_m)
                                       : land.height_m(at_m) - drop_m(distance_m) + drop_m(border_m);
     heights.push_back({static_cast<float>(distance_m), static_cast<float>(height_m)});
     const double step_m = is_inside ? 0.5 * ground.step_m() : 0.7 * land.step_m(at_m);

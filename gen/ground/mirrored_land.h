@@ -7,6 +7,7 @@
 #include "core/ground_map.h"
 #include "ground/land_view.h"
 #include "terrain/surroundings.h"
+#include "terrain/water.h"
 
 namespace wold::ground {
 
@@ -14,9 +15,10 @@ namespace wold::ground {
 /// the water in the vertical plane of the eye's line of sight. Heights along those lines are kept.
 class MirroredLand {
  public:
-  /// `ground`: of the scene's square.
+  /// `ground`: of the scene's square; `water` stands on it, and is as high as it is between the
+  /// ground's samples.
   MirroredLand(const terrain::Surroundings& land, const Heightfield& ground,
-               const glm::dvec3& eye_m, const Panorama& panorama);
+               const terrain::Water& water, const glm::dvec3& eye_m, const Panorama& panorama);
 
   /// Where rays from a place on the water, going on away from the eye, meet land: for each of
   /// `rises` over distance, which rise themselves; none for those that meet the sky.
@@ -29,7 +31,7 @@ class MirroredLand {
     float height_m;    ///< as it looks on a round earth
   };
   std::vector<Height> line(const terrain::Surroundings& land, const Heightfield& ground,
-                           double azimuth_rad) const;
+                           const terrain::Water& water, double azimuth_rad) const;
 
   glm::dvec3 eye_m_;
   Panorama panorama_;

@@ -61,8 +61,8 @@ std::vector<Key> terrain_keys() {
           plain(Kind::file, "terrain.cover", "", {0, 0},
                 "Raster of land cover, in any coordinate system, whose numbers are classes: ESA "
                 "WorldCover's, or those of [[cover_classes]]. They say where grass may grow, what "
-                "colour other ground has, and where lakes are. Relative paths start at the scene "
-                "file."),
+                "colour other ground has, and where lakes and rivers are. Relative paths start at the "
+                "scene file."),
           FIELD(terrain.cover)),
       bound(
           plain(Kind::file, "terrain.photo", "", {0, 0},
@@ -72,8 +72,8 @@ std::vector<Key> terrain_keys() {
                 "scene file."),
           FIELD(terrain.photo)),
       bound(word("terrain.water",
-                 "Lakes where the elevation model is level as only water is, and where "
-                 "terrain.cover has them (\"auto\"), or none."),
+                 "Lakes where the elevation model is level as only water is, and lakes and rivers "
+                 "where terrain.cover has them (\"auto\"), or none."),
             FIELD(terrain.water)),
       bound(number("terrain.size", "m", {1, 200000}, "Side of the square."), FIELD(terrain.size_m)),
       bound(integer("terrain.samples", "", {17, 4097}, "Heights along each side."),

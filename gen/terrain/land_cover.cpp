@@ -9,6 +9,7 @@
 
 #include "core/quiet_gdal.h"
 #include "core/random.h"
+#include "terrain/river_levels.h"
 #include "terrain/scene_place.h"
 #include "terrain/thinned_cells.h"
 
@@ -40,41 +41,100 @@ void require_classes(const Raster& raster, const ThinnedCells& cells) {
       raster.fail(fmt::format("found {}, expected the numbers of classes, which are whole", value));
 }
 
-/// Places of one lake of the cover's.
+/// Places of one lake or river of the cover's.
 using Places = std::vector<glm::ivec2>;
+
+/// The places beside one, by sides and corners, on the map.
+template <class Visit>
+void each_neighbour(const glm::ivec2& at, const GroundMap<int>& map, const Visit& visit) {
+  const int last = map.samples() - 1;
+  for (int y = std::max(at.y - 1, 0); y <= std::min(at.y + 1, last); ++y)
+    for (int x = std::max(at.x - 1, 0); x <= std::min(at.x + 1, last); ++x)
+      if (glm::ivec2(x, y) != at) visit(glm::ivec2(x, y));
+}
 
 /// The water that hangs together with a place, which is marked as seen.
 Places water_about(const LandCover& cover, const glm::ivec2& first, GroundMap<int>& seen) {
   Places places = {first};
   seen.at(first.x, first.y) = 1;
-  for (std::size_t next = 0; next < places.size(); ++next)
-    for (const glm::ivec2 side : {glm::ivec2(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
-      const glm::ivec2 at = places[next] + side;
-      const int last = seen.samples() - 1;
-      if (at.x < 0 || at.y < 0 || at.x > last || at.y > last) continue;
-      if (seen.at(at.x, at.y) != 0 || !cover.is_water(at.x, at.y)) continue;
+  for (std::size_t next = 0; next < places.size(); ++next) {
+    const glm::ivec2 place = places[next];
+    each_neighbour(place, seen, [&](const glm::ivec2& at) {
+      if (seen.at(at.x, at.y) != 0 || !cover.is_water(at.x, at.y)) return;
       seen.at(at.x, at.y) = 1;
       places.push_back(at);
-    }
+    });
+  }
   return places;
 }
 
-/// The level of water as level as a lake: what is measured on water is uneven by some metres, and a
-/// river falls. None where it is a river, or a few cells.
-std::optional<double> level_of(const Places& places, const LandCover& cover,
+std::vector<double> heights_of(const Places& places, const LandCover& cover,
                                const Heightfield& heights_m) {
-  constexpr std::size_t least = 36;
-  constexpr double most_uneven_m = 6.0;
-  if (places.size() < least) return std::nullopt;
   std::vector<double> heights;
   for (const glm::ivec2& at : places) {
     const glm::dvec2 at_m = cover.number().place_m(at.x, at.y);
     heights.push_back(double{heights_m.sample(at_m.x, at_m.y)});
   }
-  std::ranges::sort(heights);
-  const std::size_t tenth = heights.size() / 10;
-  if (heights[heights.size() - 1 - tenth] - heights[tenth] > most_uneven_m) return std::nullopt;
-  return heights[heights.size() / 2];
+  return heights;
+}
+
+/// The level of water as level as a lake: what is measured on water is uneven by some metres, and a
+/// river falls. None where it is a river.
+std::optional<double> level_of_lake(std::vector<double> heights_m) {
+  constexpr double most_uneven_m = 6.0;
+  std::ranges::sort(heights_m);
+  const std::size_t tenth = heights_m.size() / 10;
+  if (heights_m[heights_m.size() - 1 - tenth] - heights_m[tenth] > most_uneven_m)
+    return std::nullopt;
+  return heights_m[heights_m.size() / 2];
+}
+
+/// A river, and how high it stands in each place.
+struct River {
+  Places places;
+  std::vector<double> levels_m;
+};
+
+/// The map of lakes with twice as many steps to a cell, in which rivers stand: each place is a lake
+/// of its own, as its neighbours stand about as high. Ways from a place to the next are three steps
+/// wide at least: Water shows hardly anything narrower.
+Lakes with_rivers(const Lakes& lakes, const std::vector<River>& rivers) {
+  const GroundMap<int>& coarse = lakes.number;
+  const int last = 2 * (coarse.samples() - 1);
+  Lakes all{GroundMap<int>(last + 1, coarse.square(), -1), lakes.levels_m};
+  for (int j = 0; j <= last; ++j)
+    for (int i = 0; i <= last; ++i) all.number.at(i, j) = coarse.at((i + 1) / 2, (j + 1) / 2);
+  const auto paint = [&](const glm::ivec2& middle, int number) {
+    for (int y = std::max(middle.y - 1, 0); y <= std::min(middle.y + 1, last); ++y)
+      for (int x = std::max(middle.x - 1, 0); x <= std::min(middle.x + 1, last); ++x)
+        all.number.at(x, y) = number;
+  };
+  GroundMap<int> first_in(coarse.samples(), coarse.square(), -1);  // of the river at each place
+  for (const River& river : rivers) {
+    const int first = static_cast<int>(all.levels_m.size());
+    for (const glm::ivec2& at : river.places) first_in.at(at.x, at.y) = first;
+    for (std::size_t k = 0; k < river.places.size(); ++k)
+      each_neighbour(river.places[k], first_in, [&](const glm::ivec2& beside) {
+        if (first_in.at(beside.x, beside.y) == first)
+          paint(river.places[k] + beside, first + static_cast<int>(k));
+      });
+    for (std::size_t k = 0; k < river.places.size(); ++k)
+      paint(2 * river.places[k], first + static_cast<int>(k));
+    all.levels_m.insert(all.levels_m.end(), river.levels_m.begin(), river.levels_m.end());
+  }
+  return all;
+}
+
+/// The cover's water: all that hangs together, place by place.
+std::vector<Places> waters_of(const LandCover& cover) {
+  const GroundMap<int>& number = cover.number();
+  GroundMap<int> seen(number.samples(), number.square(), 0);
+  std::vector<Places> waters;
+  for (int j = 0; j < number.samples(); ++j)
+    for (int i = 0; i < number.samples(); ++i)
+      if (seen.at(i, j) == 0 && cover.is_water(i, j))
+        waters.push_back(water_about(cover, {i, j}, seen));
+  return waters;
 }
 
 }  // namespace
@@ -149,22 +209,24 @@ std::optional<LandCover> read_land_cover(const scene::Terrain& terrain,
 
 std::optional<Lakes> with_covered_water(std::optional<Lakes> lakes, const LandCover& cover,
                                         const Heightfield& heights_m) {
+  constexpr std::size_t least = 36;
   const GroundMap<int>& number = cover.number();
-  GroundMap<int> seen(number.samples(), number.square(), 0);
-  GroundMap<int> lake(number.samples(), number.square(), -1);
-  std::vector<double> levels_m;
-  for (int j = 0; j < number.samples(); ++j)
-    for (int i = 0; i < number.samples(); ++i) {
-      if (seen.at(i, j) != 0 || !cover.is_water(i, j)) continue;
-      const Places places = water_about(cover, {i, j}, seen);
-      const auto level_m = level_of(places, cover, heights_m);
-      if (!level_m) continue;
-      for (const glm::ivec2& at : places) lake.at(at.x, at.y) = static_cast<int>(levels_m.size());
-      levels_m.push_back(*level_m);
+  Lakes covered{GroundMap<int>(number.samples(), number.square(), -1), {}};
+  std::vector<River> rivers;
+  for (Places& places : waters_of(cover)) {
+    if (places.size() < least) continue;
+    const std::vector<double> measured_m = heights_of(places, cover, heights_m);
+    if (const auto level_m = level_of_lake(measured_m)) {
+      const int lake = static_cast<int>(covered.levels_m.size());
+      for (const glm::ivec2& at : places) covered.number.at(at.x, at.y) = lake;
+      covered.levels_m.push_back(*level_m);
+    } else if (auto levels_m = river_levels_m(places, measured_m, number.step_m())) {
+      rivers.push_back({std::move(places), std::move(*levels_m)});
     }
-  if (levels_m.empty()) return lakes;
-  if (!lakes) return Lakes{std::move(lake), std::move(levels_m)};
-  return joined(std::move(*lakes), {std::move(lake), std::move(levels_m)});
+  }
+  if (!rivers.empty()) covered = with_rivers(covered, rivers);
+  if (covered.levels_m.empty()) return lakes;
+  return lakes ? joined(std::move(*lakes), covered) : std::move(covered);
 }
 
 }  // namespace wold::terrain

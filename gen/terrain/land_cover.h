@@ -46,8 +46,9 @@ std::optional<LandCover> read_land_cover(const scene::Terrain& terrain,
                                          const std::vector<scene::CoverClass>& classes,
                                          std::uint64_t seed);
 
-/// Lakes with those that the cover knows: its water that hangs together and is as level as a lake,
-/// not as a river. `heights_m`: of the ground. Unchanged where the cover adds nothing.
+/// Lakes with the lakes and rivers that the cover knows, water of 36 cells or more that hangs
+/// together: as level as a lake, or as river_levels_m() has it. `heights_m`: of the ground.
+/// Unchanged where the cover adds nothing.
 std::optional<Lakes> with_covered_water(std::optional<Lakes> lakes, const LandCover& cover,
                                         const Heightfield& heights_m);
 

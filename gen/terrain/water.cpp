@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/between.h"
+#include "core/interpolation.h"
 #include "core/parallel.h"
 #include "core/random.h"
 
@@ -101,9 +103,17 @@ double Water::share(const glm::dvec2& at_m, double step_m) const {
 }
 
 double Water::level_m(const glm::dvec2& at_m) const {
-  const glm::dvec2 steps = (at_m - level_m_.corner_m()) / level_m_.step_m();
-  const glm::ivec2 nearest(glm::clamp(glm::round(steps), 0.0, level_m_.samples() - 1.0));
-  return double{level_m_.at(nearest.x, nearest.y)};
+  const glm::dvec2 place = (at_m - level_m_.corner_m()) / level_m_.square().size_m;
+  const auto samples = static_cast<std::size_t>(level_m_.samples());
+  const Between x(place.x, samples), y(place.y, samples);
+  const float of_lake_m = level_m_.at(static_cast<int>(x.first) + (x.part < 0.5F ? 0 : 1),
+                                      static_cast<int>(y.first) + (y.part < 0.5F ? 0 : 1));
+  // In a lake all are 0, whatever rounding makes of sums.
+  const auto higher_m = [&](int i, int j) {
+    return level_m_.at(static_cast<int>(x.first) + i, static_cast<int>(y.first) + j) - of_lake_m;
+  };
+  return double{of_lake_m} + double{bilinear(higher_m(0, 0), higher_m(1, 0), higher_m(0, 1),
+                                             higher_m(1, 1), x.part, y.part)};
 }
 
 void Water::settle(Heightfield& heights_m) const {

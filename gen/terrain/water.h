@@ -8,7 +8,8 @@
 
 namespace wold::terrain {
 
-/// Lakes on and around a scene's square, as a map of cells.
+/// Lakes on and around a scene's square, as a map of cells. Cells of a river are lakes, each for
+/// itself.
 struct Lakes {
   GroundMap<int> number;         ///< by place: index into `levels_m`; -1 is land
   std::vector<double> levels_m;  ///< over the scene's zero

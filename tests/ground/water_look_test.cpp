@@ -25,16 +25,28 @@ Heightfield lake_below_a_slope(double mound_m) {
   return heights_m;
 }
 
+/// That water, as high as it says, from beyond the mound on.
+terrain::Water lake() {
+  GroundMap<int> number(241, size_m, -1);
+  for (int j = 0; j < 241; ++j)
+    for (int i = 0; i < 241; ++i)
+      if (const double north_m = number.place_m(i, j).y; north_m > 110.0 && north_m < 590.0)
+        number.at(i, j) = 0;
+  return {{std::move(number), {0.0}}, 1};
+}
+
 struct View {
   Heightfield ground_m;
   terrain::Surroundings around;
+  terrain::Water water = lake();
   glm::dvec3 eye_m{600.0, 50.0, 20.0};
   MirroredLand land;
 
   explicit View(double mound_m)
       : ground_m(lake_below_a_slope(mound_m)),
         around(scene::Terrain{}, ground_m, 1, 2000.0),
-        land(around, ground_m, eye_m, {.middle_rad = 0.0, .half_rad = 0.5, .step_rad = 0.001}) {}
+        land(around, ground_m, water, eye_m,
+             {.middle_rad = 0.0, .half_rad = 0.5, .step_rad = 0.001}) {}
 };
 
 /// Where a ray from a place on the water meets the slope.
@@ -59,6 +71,21 @@ TEST(MirroredLand, IsNotHiddenByWhatIsNearerThanTheWater) {
   const auto places = view.land.met({600.0, 200.0, 0.0}, {0.1333});
   ASSERT_TRUE(places[0]);
   EXPECT_NEAR(places[0]->y, north_m(200.0, 0.1333), 2.0);
+}
+
+// A river's surface falls between the ground's samples, which stand out of it here and there.
+TEST(MirroredLand, IsNotHiddenByTheGroundUnderWater) {
+  Heightfield ground_m = lake_below_a_slope(0.0);
+  for (int j = 100; j < 280; ++j)
+    for (int i = 0; i < 601; ++i) ground_m.at(i, j) = 0.4F;
+  const terrain::Surroundings around(scene::Terrain{}, ground_m, 1, 2000.0);
+  const MirroredLand land(around, ground_m, lake(), {600.0, 50.0, 20.0},
+                          {.middle_rad = 0.0, .half_rad = 0.5, .step_rad = 0.001});
+  for (double from_m = 250.0; from_m < 500.0; from_m += 0.7) {
+    const auto places = land.met({600.0, from_m, 0.0}, {0.1333});
+    ASSERT_TRUE(places[0]) << from_m;
+    EXPECT_NEAR(places[0]->y, north_m(from_m, 0.1333), 2.0) << from_m;
+  }
 }
 
 TEST(MirroredLand, IsNoneWhereARayMeetsTheSky) {

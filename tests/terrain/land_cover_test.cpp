@@ -89,8 +89,45 @@ TEST(LandCover, HasALakeWhereItsWaterIsLevel) {
   EXPECT_EQ(lakes->number.at(20, 50), -1);
 }
 
-TEST(LandCover, HasNoLakeWhereItsWaterFallsAsARiver) {
-  EXPECT_FALSE(with_covered_water(std::nullopt, lake(), falling(0.05)));
+// A river crosses the ground from south to north, two cells to the east and one to the north at a
+// time, and falls to the west by 2 %.
+LandCover brook() {
+  GroundMap<int> number(101, size_m, 0);
+  for (int k = 0; k <= 50; ++k) {
+    number.at(2 * k, 25 + k) = 2;
+    if (k < 50) number.at(2 * k + 1, 25 + k) = 2;
+  }
+  return {std::move(number), classes, 4};
+}
+
+TEST(LandCover, ItsRiversFallWithTheGround) {
+  const auto rivers = with_covered_water(std::nullopt, brook(), falling(0.02));
+  ASSERT_TRUE(rivers);
+  const Water water(*rivers, 1);
+  for (const double east_m : {105.0, 355.0, 605.0, 855.0}) {
+    const glm::dvec2 at_m(east_m, 250.0 + 0.5 * east_m);
+    EXPECT_NEAR(water.level_m(at_m), 100.0 + 0.02 * east_m, 0.8) << east_m;
+    EXPECT_NEAR(water.level_m(at_m), water.level_m(at_m + glm::dvec2(-5.0, 10.0)), 0.25) << east_m;
+  }
+  EXPECT_LT(water.level_m({300.0, 400.0}), water.level_m({306.0, 403.0}));  // no steps
+}
+
+// A cell's width is less than Water shows.
+TEST(LandCover, ItsRiversAreSeenHoweverNarrow) {
+  const auto rivers = with_covered_water(std::nullopt, brook(), falling(0.02));
+  ASSERT_TRUE(rivers);
+  const Water water(*rivers, 1);
+  for (int k = 2; k < 48; ++k) {
+    double widest = 0.0;
+    for (double aside_m = -10.0; aside_m <= 20.0; aside_m += 1.0)
+      widest += water.share({20.0 * k + 5.0, 255.0 + 10.0 * k + aside_m}, 1.0);
+    EXPECT_GT(widest, 5.0) << k;
+    EXPECT_LT(widest, 26.0) << k;
+  }
+}
+
+TEST(LandCover, HasNoWaterWhereItWouldFallAsASlope) {
+  EXPECT_FALSE(with_covered_water(std::nullopt, lake(), falling(0.2)));
 }
 
 TEST(LandCover, ItsLakesStandBesideThoseOfTheModel) {
