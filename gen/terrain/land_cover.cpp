@@ -96,8 +96,8 @@ struct River {
 };
 
 /// The map of lakes with twice as many steps to a cell, in which rivers stand: each place is a lake
-/// of its own, as its neighbours stand about as high. Ways from a place to the next are three steps
-/// wide at least: Water shows hardly anything narrower.
+/// of its own, as its neighbours stand about as high. A place is three steps wide: Water shows
+/// hardly anything narrower.
 Lakes with_rivers(const Lakes& lakes, const std::vector<River>& rivers) {
   const GroundMap<int>& coarse = lakes.number;
   const int last = 2 * (coarse.samples() - 1);
@@ -109,15 +109,8 @@ Lakes with_rivers(const Lakes& lakes, const std::vector<River>& rivers) {
       for (int x = std::max(middle.x - 1, 0); x <= std::min(middle.x + 1, last); ++x)
         all.number.at(x, y) = number;
   };
-  GroundMap<int> first_in(coarse.samples(), coarse.square(), -1);  // of the river at each place
   for (const River& river : rivers) {
     const int first = static_cast<int>(all.levels_m.size());
-    for (const glm::ivec2& at : river.places) first_in.at(at.x, at.y) = first;
-    for (std::size_t k = 0; k < river.places.size(); ++k)
-      each_neighbour(river.places[k], first_in, [&](const glm::ivec2& beside) {
-        if (first_in.at(beside.x, beside.y) == first)
-          paint(river.places[k] + beside, first + static_cast<int>(k));
-      });
     for (std::size_t k = 0; k < river.places.size(); ++k)
       paint(2 * river.places[k], first + static_cast<int>(k));
     all.levels_m.insert(all.levels_m.end(), river.levels_m.begin(), river.levels_m.end());

@@ -109,20 +109,23 @@ TEST(LandCover, ItsRiversFallWithTheGround) {
     EXPECT_NEAR(water.level_m(at_m), 100.0 + 0.02 * east_m, 0.8) << east_m;
     EXPECT_NEAR(water.level_m(at_m), water.level_m(at_m + glm::dvec2(-5.0, 10.0)), 0.25) << east_m;
   }
-  EXPECT_LT(water.level_m({300.0, 400.0}), water.level_m({306.0, 403.0}));  // no steps
+  EXPECT_LT(water.level_m({301.0, 401.0}), water.level_m({304.0, 403.0}));  // no steps
 }
 
-// A cell's width is less than Water shows.
+// A cell's width is less than Water shows, and here cells meet at their corners alone.
 TEST(LandCover, ItsRiversAreSeenHoweverNarrow) {
-  const auto rivers = with_covered_water(std::nullopt, brook(), falling(0.02));
+  GroundMap<int> number(101, size_m, 0);
+  for (int k = 0; k <= 100; ++k) number.at(k, k) = 2;
+  const auto rivers =
+      with_covered_water(std::nullopt, LandCover(std::move(number), classes, 4), falling(0.02));
   ASSERT_TRUE(rivers);
   const Water water(*rivers, 1);
-  for (int k = 2; k < 48; ++k) {
-    double widest = 0.0;
-    for (double aside_m = -10.0; aside_m <= 20.0; aside_m += 1.0)
-      widest += water.share({20.0 * k + 5.0, 255.0 + 10.0 * k + aside_m}, 1.0);
-    EXPECT_GT(widest, 5.0) << k;
-    EXPECT_LT(widest, 26.0) << k;
+  for (double along_m = 30.0; along_m < 970.0; along_m += 2.5) {
+    double width_m = 0.0;
+    for (double aside_m = -20.0; aside_m <= 20.0; aside_m += 0.5)
+      width_m += 0.5 * std::sqrt(2.0) * water.share({along_m + aside_m, along_m - aside_m}, 0.5);
+    EXPECT_GT(width_m, 4.0) << along_m;
+    EXPECT_LT(width_m, 20.0) << along_m;
   }
 }
 

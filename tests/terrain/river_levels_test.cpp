@@ -55,6 +55,16 @@ TEST(RiverLevels, RiseUpstreamAndAreEvenAcross) {
   }
 }
 
+// A model has the bridge, not the water below it.
+TEST(RiverLevels, GoOnUnderABridge) {
+  River river;
+  for (std::size_t k = 900; k < 909; ++k) river.measured_m[k] += 60.0;
+  const auto levels_m = river_levels_m(river.places, river.measured_m, step_m);
+  ASSERT_TRUE(levels_m);
+  for (std::size_t k = 3; k + 3 < levels_m->size(); k += 3)
+    EXPECT_GT((*levels_m)[k + 1], (*levels_m)[k - 2] - 0.15) << k;
+}
+
 // Two arms round an island, and a tributary.
 TEST(RiverLevels, OfArmsAreAsHighWhereTheyMeet) {
   std::vector<glm::ivec2> places;
