@@ -115,7 +115,7 @@ FactorMap filled(const scene::Scene& scene, const terrain::Surface& surface,
                                  (1.0 - surface.scree(i, j)) * (1.0 - surface.boulder(i, j).cover) *
                                  sunny.grown(surface.up(i, j));
       map.at(i, j) = static_cast<float>(grown_at(i, j, probability) * (1.0 - surface.water(i, j)) *
-                                        (1.0 - surface.trodden(i, j).bare));
+                                        (1.0 - surface.worn(i, j)));
     });
   });
   return map;

@@ -173,9 +173,10 @@ Site site_on(const scene::Scene& scene, terrain::Ground ground,
              std::optional<FactorMap> growth_of_cells,
              std::shared_ptr<const phenology::FilmSeason> season, const fs::path& snow_folder,
              const std::optional<Sketch>& sketch) {
-  auto [terrain, finer, water, cover, scree, photo, boulders, paths] = std::move(ground);
-  const terrain::KnownGround known{water.get(), cover.get(),    scree.get(),
-                                   photo.get(), boulders.get(), paths.get()};
+  auto [terrain, finer, water, cover, scree, photo, boulders, paths, grazing_steps] =
+      std::move(ground);
+  const terrain::KnownGround known{water.get(),    cover.get(), scree.get(),        photo.get(),
+                                   boulders.get(), paths.get(), grazing_steps.get()};
   auto surroundings = std::make_shared<const terrain::Surroundings>(
       scene.terrain, terrain, scene.seed, farthest_land_m(scene));
   const scene::Scene half_way = half_way_through(scene);
@@ -209,6 +210,7 @@ Site site_on(const scene::Scene& scene, terrain::Ground ground,
             std::move(photo),
             std::move(boulders),
             std::move(paths),
+            std::move(grazing_steps),
             std::move(surroundings),
             std::move(growth),
             std::move(growth_of_window),
@@ -263,7 +265,8 @@ terrain::Surface Site::surface(const GroundGrid& grid, RowParts parts,
   return {terrain,
           finer.get(),
           grid,
-          {water.get(), cover.get(), scree.get(), photo.get(), boulders.get(), paths.get()},
+          {water.get(), cover.get(), scree.get(), photo.get(), boulders.get(), paths.get(),
+           grazing_steps.get()},
           std::move(parts),
           snow_m};
 }

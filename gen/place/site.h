@@ -65,6 +65,7 @@ struct Site {
   std::shared_ptr<const terrain::Photo> photo;        ///< if there is one
   std::shared_ptr<const terrain::Boulders> boulders;  ///< if there are any
   std::shared_ptr<const terrain::Paths> paths;        ///< if there are any
+  std::shared_ptr<const terrain::GrazingSteps> grazing_steps;  ///< likewise
   std::shared_ptr<const terrain::Surroundings> surroundings;
   FactorMap growth;                           ///< growth_map()'s
   std::optional<FactorMap> growth_of_window;  ///< the same in the CellWindow of a large terrain
@@ -86,7 +87,7 @@ struct Site {
   std::optional<Sketch> sketch = {};                   ///< none: as fine as pictures need
 
   /// Whether the ground's surface() is uneven below the step of the terrain's heights.
-  bool is_uneven() const { return finer || boulders || paths; }
+  bool is_uneven() const { return finer || boulders || paths || grazing_steps; }
 
   /// The ground on a grid, or the parts of its rows that count, under snow; the site has to outlive
   /// it.

@@ -61,7 +61,8 @@ std::vector<Key> terrain_keys() {
           plain(Kind::file, "terrain.cover", "", {0, 0},
                 "Raster of land cover, in any coordinate system, whose numbers are classes: ESA "
                 "WorldCover's, or those of [[cover_classes]]. They say where grass may grow, what "
-                "colour other ground has, and where lakes and rivers are. Relative paths start at the "
+                "colour other ground has, and where lakes and rivers are. Relative paths start at "
+                "the "
                 "scene file."),
           FIELD(terrain.cover)),
       bound(
@@ -113,6 +114,10 @@ std::vector<Key> terrain_keys() {
                    "metre, are more, as in nature; below rock of large terrains there are up to "
                    "twenty times as many."),
             FIELD(terrain.boulders_per_hectare)),
+      bound(number("terrain.grazing_steps", "", {0, 1},
+                   "Share of slopes of 23 to 33 degrees on which grazing animals have trodden "
+                   "steps along the contour; there are fewer on slopes of 15 to 42 degrees."),
+            FIELD(terrain.grazing_steps)),
   };
 }
 

@@ -49,6 +49,7 @@ struct Terrain {
   std::array<double, 3> rock_albedo = {0.19, 0.162, 0.128};
   double rock_slope_deg = 40.0;       ///< rock shows where the ground is steeper
   double boulders_per_hectare = 0.0;  ///< wider than 1 m, on open ground
+  double grazing_steps = 0.0;         ///< share of slopes that hold them, in [0, 1]
 
   bool operator==(const Terrain&) const = default;
 };

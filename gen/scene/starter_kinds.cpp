@@ -33,6 +33,7 @@ void lay_out_hills(Scene& scene) {
   terrain.relief_feature_m = 150.0;
   terrain.streams = 0.15;
   terrain.boulders_per_hectare = 15.0;
+  terrain.grazing_steps = 0.5;
   scene.paths = {
       {{156.0, 148.0, 165.0, 155.5, 174.0, 163.5, 184.0, 166.5, 189.0, 175.0, 200.0, 195.0}, 0.8}};
   scene.grass.lods = {126, 62, 30};
@@ -41,10 +42,9 @@ void lay_out_hills(Scene& scene) {
 }
 
 KeyNames keys_of_hills() {
-  return {"terrain.hill_height", "terrain.size",           "terrain.samples",
-          "terrain.relief",      "terrain.relief_feature", "terrain.streams",
-          "terrain.boulders",    "grass.levels",           "paths.way",
-          "paths.width"};
+  return {"terrain.hill_height",    "terrain.size",    "terrain.samples",  "terrain.relief",
+          "terrain.relief_feature", "terrain.streams", "terrain.boulders", "terrain.grazing_steps",
+          "grass.levels",           "paths.way",       "paths.width"};
 }
 
 /// Bushes here and there, as on hills that are grazed.

@@ -7,6 +7,7 @@
 #include "scene/scene.h"
 #include "terrain/boulders.h"
 #include "terrain/finer_relief.h"
+#include "terrain/grazing_steps.h"
 #include "terrain/land_cover.h"
 #include "terrain/paths.h"
 #include "terrain/photo.h"
@@ -22,14 +23,16 @@ struct Ground {
   std::shared_ptr<const FinerRelief>
       finer;                                ///< none where the step is no coarser than soil's creep
   std::shared_ptr<const Water> water = {};  ///< lakes; none where there are none
-  std::shared_ptr<const LandCover> cover = {};    ///< read_land_cover()'s
-  std::shared_ptr<const Scree> scree = {};        ///< none where there is nothing finer
-  std::shared_ptr<const Photo> photo = {};        ///< read_photo()'s
-  std::shared_ptr<const Boulders> boulders = {};  ///< none where terrain.boulders is 0
-  std::shared_ptr<const Paths> paths = {};        ///< none where the scene has none
+  std::shared_ptr<const LandCover> cover = {};             ///< read_land_cover()'s
+  std::shared_ptr<const Scree> scree = {};                 ///< none where there is nothing finer
+  std::shared_ptr<const Photo> photo = {};                 ///< read_photo()'s
+  std::shared_ptr<const Boulders> boulders = {};           ///< none where terrain.boulders is 0
+  std::shared_ptr<const Paths> paths = {};                 ///< none where the scene has none
+  std::shared_ptr<const GrazingSteps> grazing_steps = {};  ///< likewise
 
   KnownGround known() const {
-    return {water.get(), cover.get(), scree.get(), photo.get(), boulders.get(), paths.get()};
+    return {water.get(),    cover.get(), scree.get(),        photo.get(),
+            boulders.get(), paths.get(), grazing_steps.get()};
   }
 };
 

@@ -176,7 +176,7 @@ struct GroundColour {
   }
 
   /// Rock shows where it is steep, over 5 degrees and along a ragged border, sooner where it stands
-  /// out, and where no grass holds soil on it. `trodden`: Trodden::bare.
+  /// out, and where no grass holds soil on it. `trodden`: Surface::worn().
   Albedo albedo(const glm::dvec3& place_m, const glm::dvec3& up, const glm::dvec3& to_sun,
                 double exposure, float growth, double trodden) const {
     constexpr double paler = 0.35;  // trodden soil is dry and smooth; a modelling choice
@@ -272,10 +272,9 @@ ColourMap ground_reflectance(const Surface& surface, const glm::dvec3& sun_direc
       const float grown = growth.sample(at_m.x, at_m.y);
       const glm::dvec3 place_m(at_m, surface.height_m(i, j));
       const LandCover::Shares cover = surface.cover(i, j);
-      glm::vec3 land =
-          covered(colour.albedo(place_m, surface.up(i, j), sun_direction, surface.exposure(i, j),
-                                grown, surface.trodden(i, j).bare),
-                  cover, 1.0F - grown);
+      glm::vec3 land = covered(colour.albedo(place_m, surface.up(i, j), sun_direction,
+                                             surface.exposure(i, j), grown, surface.worn(i, j)),
+                               cover, 1.0F - grown);
       if (const double scree = surface.scree(i, j) * (1.0 - double{grown}); scree > 0.0)
         land = glm::mix(
             land, covered(colour.debris(place_m, surface.up(i, j), sun_direction), cover, 1.0F),

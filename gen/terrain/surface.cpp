@@ -35,6 +35,7 @@ Surface::Surface(const Heightfield& heights_m, const FinerRelief* finer, const G
       snow_m_(snow_m) {
   if (known.scree != nullptr) scree_.emplace(*known.scree, grid.step_m());
   if (finer != nullptr && grid.step_m() < heights_m.step_m()) add_relief(*finer);
+  if (known.grazing_steps != nullptr) add_grazing_steps();
   if (known.paths != nullptr) add_paths();
   if (known.boulders != nullptr) add_boulders();
 }
@@ -46,31 +47,57 @@ void Surface::add_relief(const FinerRelief& finer) {
   for (std::size_t k = 0; k < bumps.values().size(); ++k) {
     const FinerRelief::Bump& bump = bumps.values()[k];
     const double exposure = bump.height_m / std::max(bump.deviation_m, 1e-9);
-    bumps_->values()[k] = {glm::vec2(bump.gradient), static_cast<float>(exposure)};
+    bumps_->values()[k] = {glm::vec2(bump.gradient), static_cast<float>(exposure), 0.0F};
   }
   if (known_.water != nullptr) level_water();
 }
 
+/// What is seen of what feet have made: snow evens it out, and water is level.
+double Surface::without_snow(int i, int j) const {
+  constexpr double buried_m = 0.3;
+  const double snow_m = snow_m_ ? snow_m_(place_m(i, j)) : 0.0;
+  return (1.0 - glm::smoothstep(0.0, buried_m, snow_m)) * (1.0 - water(i, j));
+}
+
+void Surface::tread(int i, int j, const Trodden& place) {
+  const double seen = without_snow(i, j);
+  glm::vec2& gradient = bumps_->at(i, j).gradient;
+  gradient =
+      gradient * static_cast<float>(1.0 - seen * place.level) + glm::vec2(seen * place.gradient);
+}
+
+void Surface::add_grazing_steps() {
+  if (!bumps_) bumps_.emplace(grid_.samples, grid_.square);
+  parallel_for(static_cast<std::size_t>(grid_.samples), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    visit_row(part(j), [&](int i) {
+      const glm::dvec2 at_m = place_m(i, j);
+      const Trodden place = known_.grazing_steps->at(
+          {at_m, height_m(i, j)}, gradient(heights_m_, at_m.x, at_m.y), grid_.step_m());
+      if (place.bare <= 0.0) return;
+      bumps_->at(i, j).grazed_bare = static_cast<float>(place.bare);
+      tread(i, j, place);
+    });
+  });
+}
+
 void Surface::add_paths() {
-  constexpr double buried_m = 0.3;  // snow that evens out what feet have made
   trodden_ = known_.paths->on_grid(heights_m_, grid_, parts_);
   if (trodden_.empty()) return;
   if (!bumps_) bumps_.emplace(grid_.samples, grid_.square);
   parallel_for(static_cast<std::size_t>(grid_.samples), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     visit_row(part(j), [&](int i) {
-      const Trodden place = trodden(i, j);
-      if (place.bare <= 0.0) return;
-      const double snow_m = snow_m_ ? snow_m_(place_m(i, j)) : 0.0;
-      const double seen = (1.0 - glm::smoothstep(0.0, buried_m, snow_m)) * (1.0 - water(i, j));
-      glm::vec2& gradient = bumps_->at(i, j).gradient;
-      gradient = gradient * static_cast<float>(1.0 - seen * place.level) +
-                 glm::vec2(seen * place.gradient);
+      const Trodden place = trodden_.at(i, j);
+      if (place.bare > 0.0) tread(i, j, place);
     });
   });
 }
 
-Trodden Surface::trodden(int i, int j) const { return trodden_.at(i, j); }
+double Surface::worn(int i, int j) const {
+  const double grazed = bumps_ ? double{bumps_->at(i, j).grazed_bare} : 0.0;
+  return std::max(trodden_.at(i, j).bare, grazed);
+}
 
 void Surface::add_boulders() {
   boulders_.emplace(known_.boulders->nearby(grid_.square, grid_.step_m()));
@@ -102,7 +129,7 @@ void Surface::level_water() {
     const int j = static_cast<int>(row);
     visit_row(part(j), [&](int i) {
       const auto land = static_cast<float>(1.0 - water(i, j));
-      bumps_->at(i, j) = {bumps_->at(i, j).gradient * land, bumps_->at(i, j).exposure * land};
+      bumps_->at(i, j) = {bumps_->at(i, j).gradient * land, bumps_->at(i, j).exposure * land, 0.0F};
     });
   });
 }
@@ -125,7 +152,7 @@ LandCover::Shares Surface::cover(int i, int j) const {
 double Surface::scree(int i, int j) const {
   if (!scree_) return 0.0;
   const double lies = scree_->share(place_m(i, j), slope_deg(i, j), exposure(i, j));
-  return lies * (1.0 - trodden(i, j).bare);
+  return lies * (1.0 - worn(i, j));
 }
 
 glm::dvec2 Surface::place_m(int i, int j) const {

@@ -9,6 +9,7 @@
 #include "light/daylight.h"
 #include "terrain/boulders.h"
 #include "terrain/finer_relief.h"
+#include "terrain/grazing_steps.h"
 #include "terrain/land_cover.h"
 #include "terrain/lighting.h"
 #include "terrain/paths.h"
@@ -26,6 +27,7 @@ struct KnownGround {
   const Photo* photo = nullptr;
   const Boulders* boulders = nullptr;
   const Paths* paths = nullptr;
+  const GrazingSteps* grazing_steps = nullptr;
 };
 
 /// Depth in metres at a place.
@@ -72,8 +74,8 @@ class Surface {
   /// The boulder at a place, if any. Its cover counts those that are too small for the grid, too.
   NearbyBoulders::Rise boulder(int i, int j) const;
 
-  /// What feet have made of it; they leave no debris where they have worn it.
-  Trodden trodden(int i, int j) const;
+  /// Share of it that feet have worn, in [0, 1]; they leave no debris there.
+  double worn(int i, int j) const;
 
   /// A light on the heights, as it falls on this surface: the sun by Lambert's law, the sky by how
   /// much of it the surface faces, with the shade of boulders. The light itself where there is no
@@ -84,12 +86,16 @@ class Surface {
   struct Bump {
     glm::vec2 gradient{0.0F};
     float exposure = 0.0F;
+    float grazed_bare = 0.0F;  ///< Trodden::bare of grazing steps
   };
 
   void level_water();
   void add_relief(const FinerRelief& finer);
   void add_boulders();
   void add_paths();
+  void add_grazing_steps();
+  double without_snow(int i, int j) const;
+  void tread(int i, int j, const Trodden& place);
   NearbyBoulders::Rise rise_of_boulder(int i, int j) const;
 
   const Heightfield& heights_m_;
