@@ -13,9 +13,10 @@ namespace {
 
 /// What shapes a hill of the scene's own.
 const KeyNames& keys_of_own_ground() {
-  static const KeyNames names = {"terrain.hill_height",    "terrain.shape",   "terrain.relief",
-                                 "terrain.relief_feature", "terrain.streams", "terrain.talus",
-                                 "terrain.boulders",       "paths.way",       "paths.width"};
+  static const KeyNames names = {
+      "terrain.hill_height", "terrain.shape", "terrain.relief",   "terrain.relief_feature",
+      "terrain.streams",     "terrain.talus", "terrain.boulders", "terrain.grazing_steps",
+      "paths.way",           "paths.width"};
   return names;
 }
 

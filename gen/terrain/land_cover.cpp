@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "core/quiet_gdal.h"
 #include "core/random.h"
+#include "core/samples_between.h"
 #include "terrain/river_levels.h"
 #include "terrain/scene_place.h"
 #include "terrain/thinned_cells.h"
@@ -54,13 +56,14 @@ void each_neighbour(const glm::ivec2& at, const GroundMap<int>& map, const Visit
 }
 
 /// The water that hangs together with a place, which is marked as seen.
-Places water_about(const LandCover& cover, const glm::ivec2& first, GroundMap<int>& seen) {
+template <class IsWater>
+Places water_about(const glm::ivec2& first, const IsWater& is_water, GroundMap<int>& seen) {
   Places places = {first};
   seen.at(first.x, first.y) = 1;
   for (std::size_t next = 0; next < places.size(); ++next) {
     const glm::ivec2 place = places[next];
     each_neighbour(place, seen, [&](const glm::ivec2& at) {
-      if (seen.at(at.x, at.y) != 0 || !cover.is_water(at.x, at.y)) return;
+      if (seen.at(at.x, at.y) != 0 || !is_water(at)) return;
       seen.at(at.x, at.y) = 1;
       places.push_back(at);
     });
@@ -78,10 +81,11 @@ std::vector<double> heights_of(const Places& places, const LandCover& cover,
   return heights;
 }
 
-/// The level of water as level as a lake: what is measured on water is uneven by some metres, and a
-/// river falls. None where it is a river.
+constexpr std::size_t least_places = 36;
+constexpr double most_uneven_m = 6.0;  // what is measured on level water
+
+/// The level of water as level as a lake; a river falls. None where it is a river.
 std::optional<double> level_of_lake(std::vector<double> heights_m) {
-  constexpr double most_uneven_m = 6.0;
   std::ranges::sort(heights_m);
   const std::size_t tenth = heights_m.size() / 10;
   if (heights_m[heights_m.size() - 1 - tenth] - heights_m[tenth] > most_uneven_m)
@@ -95,39 +99,88 @@ struct River {
   std::vector<double> levels_m;
 };
 
-/// The map of lakes with twice as many steps to a cell, in which rivers stand: each place is a lake
-/// of its own, as its neighbours stand about as high. A place is three steps wide: Water shows
-/// hardly anything narrower.
-Lakes with_rivers(const Lakes& lakes, const std::vector<River>& rivers) {
-  const GroundMap<int>& coarse = lakes.number;
-  const int last = 2 * (coarse.samples() - 1);
-  Lakes all{GroundMap<int>(last + 1, coarse.square(), -1), lakes.levels_m};
-  for (int j = 0; j <= last; ++j)
-    for (int i = 0; i <= last; ++i) all.number.at(i, j) = coarse.at((i + 1) / 2, (j + 1) / 2);
-  const auto paint = [&](const glm::ivec2& middle, int number) {
-    for (int y = std::max(middle.y - 1, 0); y <= std::min(middle.y + 1, last); ++y)
-      for (int x = std::max(middle.x - 1, 0); x <= std::min(middle.x + 1, last); ++x)
-        all.number.at(x, y) = number;
+/// What is water in a cover.
+class CoveredWater {
+ public:
+  CoveredWater(const LandCover& cover, const Heightfield& heights_m)
+      : cover_(cover),
+        heights_m_(heights_m),
+        lakes_{GroundMap<int>(cover.number().samples(), cover.number().square(), -1), {}} {
+    const auto is_water = [&](const glm::ivec2& at) { return cover.is_water(at.x, at.y); };
+    for (const Places& places : waters(is_water)) {
+      const std::vector<double> measured_m = heights_of(places, cover, heights_m);
+      if (const auto level_m = level_of_lake(measured_m)) add_lake(places, measured_m, *level_m);
+    }
+    for (Places& places : waters([&](const glm::ivec2& at) {
+           return is_water(at) && lakes_.number.at(at.x, at.y) < 0;
+         }))
+      add_river(std::move(places));
+  }
+
+  const Lakes& lakes() const { return lakes_; }
+  const std::vector<River>& rivers() const { return rivers_; }
+
+ private:
+  /// What hangs together, place by place; a few cells are left out.
+  template <class IsWater>
+  std::vector<Places> waters(const IsWater& is_water) const {
+    const GroundMap<int>& number = cover_.number();
+    GroundMap<int> seen(number.samples(), number.square(), 0);
+    std::vector<Places> all;
+    for (int j = 0; j < number.samples(); ++j)
+      for (int i = 0; i < number.samples(); ++i) {
+        if (seen.at(i, j) != 0 || !is_water(glm::ivec2(i, j))) continue;
+        Places places = water_about({i, j}, is_water, seen);
+        if (places.size() >= least_places) all.push_back(std::move(places));
+      }
+    return all;
+  }
+
+  /// Without the rivers that join it, which are higher or lower.
+  void add_lake(const Places& places, std::span<const double> measured_m, double level_m) {
+    const int lake = static_cast<int>(lakes_.levels_m.size());
+    lakes_.levels_m.push_back(level_m);
+    for (std::size_t k = 0; k < places.size(); ++k)
+      if (std::abs(measured_m[k] - level_m) <= most_uneven_m)
+        lakes_.number.at(places[k].x, places[k].y) = lake;
+  }
+
+  void add_river(Places places) {
+    auto levels_m =
+        river_levels_m(places, heights_of(places, cover_, heights_m_), cover_.number().step_m());
+    if (levels_m) rivers_.push_back({std::move(places), std::move(*levels_m)});
+  }
+
+  const LandCover& cover_;
+  const Heightfield& heights_m_;
+  Lakes lakes_;
+  std::vector<River> rivers_;
+};
+
+/// Lakes with rivers between them, on a map with two steps or more to a cell of the rivers' if that
+/// is not too large. Each place of a river is a lake of its own, as its neighbours stand about as
+/// high. It is one and a half cells wide, and three steps at least: Water shows hardly anything
+/// narrower.
+Lakes with_rivers(const Lakes& lakes, const std::vector<River>& rivers,
+                  const GroundMap<int>& cells) {
+  Lakes all = finer(lakes, 0.5 * cells.step_m());
+  const GroundGrid grid{all.number.square(), all.number.samples()};
+  const double half_m = std::max(0.75 * cells.step_m(), 1.5 * grid.step_m());
+  const auto paint = [&](const glm::dvec2& middle_m, int number) {
+    const glm::dvec2 low_m = middle_m - half_m, high_m = middle_m + half_m;
+    const glm::ivec2 rows = samples_between(low_m.y, high_m.y, grid.square.corner_m.y, grid);
+    const glm::ivec2 columns = samples_between(low_m.x, high_m.x, grid.square.corner_m.x, grid);
+    for (int j = rows[0]; j <= rows[1]; ++j)
+      for (int i = columns[0]; i <= columns[1]; ++i)
+        if (int& own = all.number.at(i, j); own < 0 || own >= lakes.count()) own = number;
   };
   for (const River& river : rivers) {
-    const int first = static_cast<int>(all.levels_m.size());
+    const int first = all.count();
     for (std::size_t k = 0; k < river.places.size(); ++k)
-      paint(2 * river.places[k], first + static_cast<int>(k));
+      paint(cells.place_m(river.places[k].x, river.places[k].y), first + static_cast<int>(k));
     all.levels_m.insert(all.levels_m.end(), river.levels_m.begin(), river.levels_m.end());
   }
   return all;
-}
-
-/// The cover's water: all that hangs together, place by place.
-std::vector<Places> waters_of(const LandCover& cover) {
-  const GroundMap<int>& number = cover.number();
-  GroundMap<int> seen(number.samples(), number.square(), 0);
-  std::vector<Places> waters;
-  for (int j = 0; j < number.samples(); ++j)
-    for (int i = 0; i < number.samples(); ++i)
-      if (seen.at(i, j) == 0 && cover.is_water(i, j))
-        waters.push_back(water_about(cover, {i, j}, seen));
-  return waters;
 }
 
 }  // namespace
@@ -202,24 +255,11 @@ std::optional<LandCover> read_land_cover(const scene::Terrain& terrain,
 
 std::optional<Lakes> with_covered_water(std::optional<Lakes> lakes, const LandCover& cover,
                                         const Heightfield& heights_m) {
-  constexpr std::size_t least = 36;
-  const GroundMap<int>& number = cover.number();
-  Lakes covered{GroundMap<int>(number.samples(), number.square(), -1), {}};
-  std::vector<River> rivers;
-  for (Places& places : waters_of(cover)) {
-    if (places.size() < least) continue;
-    const std::vector<double> measured_m = heights_of(places, cover, heights_m);
-    if (const auto level_m = level_of_lake(measured_m)) {
-      const int lake = static_cast<int>(covered.levels_m.size());
-      for (const glm::ivec2& at : places) covered.number.at(at.x, at.y) = lake;
-      covered.levels_m.push_back(*level_m);
-    } else if (auto levels_m = river_levels_m(places, measured_m, number.step_m())) {
-      rivers.push_back({std::move(places), std::move(*levels_m)});
-    }
-  }
-  if (!rivers.empty()) covered = with_rivers(covered, rivers);
-  if (covered.levels_m.empty()) return lakes;
-  return lakes ? joined(std::move(*lakes), covered) : std::move(covered);
+  const CoveredWater covered(cover, heights_m);
+  if (!covered.lakes().levels_m.empty())
+    lakes = lakes ? joined(*lakes, covered.lakes()) : covered.lakes();
+  if (covered.rivers().empty()) return lakes;
+  return with_rivers(lakes ? *lakes : covered.lakes(), covered.rivers(), cover.number());
 }
 
 }  // namespace wold::terrain

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 
 #include "core/ground_map.h"
 
@@ -63,8 +64,8 @@ class Channel {
   std::vector<std::array<std::size_t, 8>> neighbours_;
 };
 
-/// The river across: places as many steps from its mouth that lie beside each other, in order
-/// upstream.
+/// The river across: of places as many steps from its mouth those that lie beside each other, in
+/// order upstream.
 struct Sections {
   std::vector<std::size_t> of_place;
   std::vector<std::size_t> next;  ///< downstream of each; of the mouth itself
@@ -91,7 +92,7 @@ struct Sections {
     }
   }
 
-  std::vector<double> means(const std::vector<double>& values) const {
+  std::vector<double> means(std::span<const double> values) const {
     std::vector<double> sums(next.size(), 0.0), counts(next.size(), 0.0);
     for (std::size_t k = 0; k < values.size(); ++k) {
       sums[of_place[k]] += values[k];
@@ -112,15 +113,32 @@ struct Sections {
   }
 };
 
-/// Half-way between the lowest levels that are not below any downstream, and the highest that are
-/// not above any upstream.
-void let_rise_upstream(const Sections& sections, std::vector<double>& levels_m) {
-  std::vector<double> filled_m = levels_m, cut_m = levels_m;
-  for (std::size_t k = 0; k < levels_m.size(); ++k)
-    filled_m[k] = std::max(filled_m[k], filled_m[sections.next[k]]);
-  for (std::size_t k = levels_m.size(); k-- > 0;)
-    cut_m[sections.next[k]] = std::min(cut_m[sections.next[k]], cut_m[k]);
-  for (std::size_t k = 0; k < levels_m.size(); ++k) levels_m[k] = 0.5 * (filled_m[k] + cut_m[k]);
+/// The highest levels that are nowhere above one upstream. What a model has wrong is too high most
+/// of the time: bridges, trees, banks.
+void cut_downstream(const Sections& sections, std::vector<double>& levels_m) {
+  for (std::size_t k = levels_m.size(); k-- > 0;) {
+    double& next_m = levels_m[sections.next[k]];
+    next_m = std::min(next_m, levels_m[k]);
+  }
+}
+
+/// Heights where none stands out of the water downstream of it by more than what is measured there
+/// is uneven: a bridge is not to lift the water beside it. None where much stands out far: no river
+/// flows so.
+std::optional<std::vector<double>> without_bridges(const Sections& sections,
+                                                   std::span<const double> heights_m) {
+  constexpr double uneven_m = 5.0, far_m = 25.0, much = 0.1;
+  std::vector<double> heights(heights_m.begin(), heights_m.end());
+  const std::vector<double> measured_m = sections.means(heights);
+  std::vector<double> cut_m = measured_m;
+  cut_downstream(sections, cut_m);
+  std::size_t far = 0;
+  for (std::size_t k = 0; k < cut_m.size(); ++k)
+    if (measured_m[k] - cut_m[k] > far_m) ++far;
+  if (static_cast<double>(far) > much * static_cast<double>(cut_m.size())) return std::nullopt;
+  for (std::size_t k = 0; k < heights.size(); ++k)
+    heights[k] = std::min(heights[k], cut_m[sections.of_place[k]] + uneven_m);
+  return heights;
 }
 
 }  // namespace
@@ -137,8 +155,12 @@ std::optional<std::vector<double>> river_levels_m(std::span<const glm::ivec2> pl
   const auto mouth =
       static_cast<std::size_t>(std::ranges::min_element(levels_m) - levels_m.begin());
   const Sections sections(channel, mouth, places.size());
+  std::optional<std::vector<double>> open_m = without_bridges(sections, heights_m);
+  if (!open_m) return std::nullopt;
+  levels_m = std::move(*open_m);
+  channel.smooth(levels_m, rounds);
   std::vector<double> of_sections_m = sections.means(levels_m);
-  let_rise_upstream(sections, of_sections_m);
+  cut_downstream(sections, of_sections_m);
   for (std::size_t k = 0; k < levels_m.size(); ++k)
     levels_m[k] = of_sections_m[sections.of_place[k]];
   channel.smooth(levels_m, rounds_between);

@@ -58,23 +58,28 @@ int number_at(const GroundMap<int>& number, const glm::dvec2& at_m) {
 
 }  // namespace
 
-Lakes joined(Lakes first, const Lakes& others) {
+Lakes finer(const Lakes& lakes, double step_m) {
   constexpr double most_samples = 4097.0;
-  const Square& square = first.number.square();
-  const double step_m = std::min(first.number.step_m(), others.number.step_m());
+  const Square& square = lakes.number.square();
+  const double finest_m = std::min(lakes.number.step_m(), step_m);
   const auto samples =
-      static_cast<int>(std::min(most_samples, std::ceil(square.size_m / step_m) + 1.0));
-  const int own = static_cast<int>(first.levels_m.size());
+      static_cast<int>(std::min(most_samples, std::ceil(square.size_m / finest_m) + 1.0));
   GroundMap<int> number(samples, square, -1);
   for (int j = 0; j < samples; ++j)
-    for (int i = 0; i < samples; ++i) {
-      const glm::dvec2 at_m = number.place_m(i, j);
-      const int lake = number_at(first.number, at_m), other = number_at(others.number, at_m);
-      number.at(i, j) = lake >= 0 || other < 0 ? lake : own + other;
+    for (int i = 0; i < samples; ++i)
+      number.at(i, j) = number_at(lakes.number, number.place_m(i, j));
+  return {std::move(number), lakes.levels_m};
+}
+
+Lakes joined(const Lakes& first, const Lakes& others) {
+  Lakes all = finer(first, others.number.step_m());
+  for (int j = 0; j < all.number.samples(); ++j)
+    for (int i = 0; i < all.number.samples(); ++i) {
+      const int other = number_at(others.number, all.number.place_m(i, j));
+      if (int& lake = all.number.at(i, j); lake < 0 && other >= 0) lake = first.count() + other;
     }
-  std::vector<double> levels_m = std::move(first.levels_m);
-  levels_m.insert(levels_m.end(), others.levels_m.begin(), others.levels_m.end());
-  return {std::move(number), std::move(levels_m)};
+  all.levels_m.insert(all.levels_m.end(), others.levels_m.begin(), others.levels_m.end());
+  return all;
 }
 
 Water::Water(Lakes lakes, std::uint64_t seed)

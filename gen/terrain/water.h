@@ -13,11 +13,16 @@ namespace wold::terrain {
 struct Lakes {
   GroundMap<int> number;         ///< by place: index into `levels_m`; -1 is land
   std::vector<double> levels_m;  ///< over the scene's zero
+
+  int count() const { return static_cast<int>(levels_m.size()); }
 };
+
+/// The same on a map with steps of so much or less, as far as 4097 samples along a side allow.
+Lakes finer(const Lakes& lakes, double step_m);
 
 /// The first ones, and where these have none the others; by the finer steps of both, on the square
 /// of the first.
-Lakes joined(Lakes first, const Lakes& others);
+Lakes joined(const Lakes& first, const Lakes& others);
 
 /// The water of lakes: where it is, as finely as it is asked for, and how high it stands. Shores
 /// run where cells end, but round and with bays of all sizes below a cell.

@@ -129,6 +129,49 @@ TEST(LandCover, ItsRiversAreSeenHoweverNarrow) {
   }
 }
 
+// A lake in the west, which a river joins that comes down 20 m from the east.
+TEST(LandCover, ItsRiversComeDownToItsLakes) {
+  GroundMap<int> number(101, size_m, 0);
+  for (int j = 20; j <= 80; ++j)
+    for (int i = 5; i <= 60; ++i) number.at(i, j) = 2;
+  for (int i = 61; i <= 100; ++i)
+    for (int j = 49; j <= 51; ++j) number.at(i, j) = 2;
+  Heightfield heights_m(101, size_m, 100.0F);
+  for (int j = 0; j < 101; ++j)
+    for (int i = 61; i < 101; ++i) heights_m.at(i, j) = 100.0F + 0.5F * static_cast<float>(i - 60);
+  const auto waters =
+      with_covered_water(std::nullopt, LandCover(std::move(number), classes, 4), heights_m);
+  ASSERT_TRUE(waters);
+  const Water water(*waters, 1);
+  EXPECT_DOUBLE_EQ(water.level_m({300.0, 500.0}), 100.0);
+  for (const double east_m : {700.0, 800.0, 900.0}) {
+    EXPECT_DOUBLE_EQ(water.share({east_m, 500.0}, 1.0), 1.0) << east_m;
+    EXPECT_NEAR(water.level_m({east_m, 500.0}), 100.0 + 0.05 * (east_m - 600.0), 1.5) << east_m;
+  }
+}
+
+// Such a lake is known on a map three times as wide, of no more than so many samples.
+TEST(LandCover, ItsNarrowRiversAreSeenBesideLakesOfTheModel) {
+  constexpr double wide_m = 20000.0;
+  GroundMap<int> number(2001, wide_m, 0);
+  for (int k = 600; k <= 1400; ++k) number.at(k, k) = 2;
+  Heightfield heights_m(101, wide_m);
+  for (int j = 0; j < 101; ++j)
+    for (int i = 0; i < 101; ++i) heights_m.at(i, j) = static_cast<float>(i);
+  Lakes of_model{GroundMap<int>(201, Square{{-wide_m, -wide_m}, 3.0 * wide_m}, -1), {33.0}};
+  of_model.number.at(3, 3) = 0;
+  const auto waters =
+      with_covered_water(of_model, LandCover(std::move(number), classes, 4), heights_m);
+  ASSERT_TRUE(waters);
+  const Water water(*waters, 1);
+  for (double along_m = 6100.0; along_m < 13900.0; along_m += 7.0) {
+    double width_m = 0.0;
+    for (double aside_m = -60.0; aside_m <= 60.0; aside_m += 2.0)
+      width_m += 2.0 * std::sqrt(2.0) * water.share({along_m + aside_m, along_m - aside_m}, 2.0);
+    EXPECT_GT(width_m, 10.0) << along_m;
+  }
+}
+
 TEST(LandCover, HasNoWaterWhereItWouldFallAsASlope) {
   EXPECT_FALSE(with_covered_water(std::nullopt, lake(), falling(0.2)));
 }
