@@ -116,7 +116,7 @@ std::vector<Key> terrain_keys() {
             FIELD(terrain.boulders_per_hectare)),
       bound(number("terrain.grazing_steps", "", {0, 1},
                    "Share of slopes of 23 to 33 degrees on which grazing animals have trodden "
-                   "steps along the contour; there are fewer on slopes of 15 to 42 degrees."),
+                   "steps along the contour; it is less down to 15 and up to 42 degrees."),
             FIELD(terrain.grazing_steps)),
   };
 }

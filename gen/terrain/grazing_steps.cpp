@@ -22,14 +22,6 @@ std::uint64_t key(std::uint64_t seed, std::string_view what) {
   return random_bits({seed, key_of("grazing steps"), 0, key_of(what)});
 }
 
-/// How well a slope holds them, from 0 to 1.
-double fits(double slope) {
-  constexpr double none_deg = 15.0, full_deg = 23.0, still_full_deg = 33.0, slides_deg = 42.0;
-  const double deg = math::atan(slope) * degrees_per_radian;
-  return glm::smoothstep(none_deg, full_deg, deg) *
-         (1.0 - glm::smoothstep(still_full_deg, slides_deg, deg));
-}
-
 /// How far a place in a step, from 0 to 1 upwards, belongs to the tread.
 double on_tread(double in_step) {
   constexpr double edge = 0.07;  // of a step
@@ -45,11 +37,22 @@ double least_of(double share) {
 
 }  // namespace
 
-GrazingSteps::GrazingSteps(double share, std::uint64_t seed)
-    : least_(least_of(share)),
+GrazingSteps::GrazingSteps(double share, double rock_slope_deg, std::uint64_t seed)
+    : rock_slope_deg_(rock_slope_deg),
+      least_(least_of(share)),
       herds_{key(seed, "herds"), 3, 0.5},
       winding_{key(seed, "winding"), 4, 0.9},
       wear_{key(seed, "wear"), 3, 0.5} {}
+
+/// How well a slope holds them, from 0 to 1.
+double GrazingSteps::fits(double slope) const {
+  constexpr double none_deg = 15.0, full_deg = 23.0, still_full_deg = 33.0, slides_deg = 42.0;
+  constexpr double below_rock_deg = 6.0;
+  const double deg = math::atan(slope) * degrees_per_radian;
+  return glm::smoothstep(none_deg, full_deg, deg) *
+         (1.0 - glm::smoothstep(still_full_deg, slides_deg, deg)) *
+         (1.0 - glm::smoothstep(rock_slope_deg_ - below_rock_deg, rock_slope_deg_, deg));
+}
 
 /// They come and go over some metres.
 double GrazingSteps::trodden_by_herds(const glm::dvec2& at_m) const {

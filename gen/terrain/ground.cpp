@@ -140,7 +140,8 @@ Ground make_ground(const scene::Terrain& terrain, std::uint64_t seed,
   if (std::ranges::any_of(paths, [](const scene::Path& path) { return !path.way_m.empty(); }))
     ground.paths = std::make_shared<const Paths>(ground.heights_m, paths, seed, ground.water.get());
   if (terrain.grazing_steps > 0.0)
-    ground.grazing_steps = std::make_shared<const GrazingSteps>(terrain.grazing_steps, seed);
+    ground.grazing_steps =
+        std::make_shared<const GrazingSteps>(terrain.grazing_steps, terrain.rock_slope_deg, seed);
   if (terrain.boulders_per_hectare > 0.0)
     ground.boulders = std::make_shared<const Boulders>(
         ground.heights_m, terrain, seed, ground.scree.get(), ground.water, ground.paths);

@@ -1,6 +1,7 @@
 #include "terrain/surface.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -47,38 +48,40 @@ void Surface::add_relief(const FinerRelief& finer) {
   for (std::size_t k = 0; k < bumps.values().size(); ++k) {
     const FinerRelief::Bump& bump = bumps.values()[k];
     const double exposure = bump.height_m / std::max(bump.deviation_m, 1e-9);
-    bumps_->values()[k] = {glm::vec2(bump.gradient), static_cast<float>(exposure), 0.0F};
+    bumps_->values()[k] = {glm::vec2(bump.gradient), static_cast<float>(exposure)};
   }
   if (known_.water != nullptr) level_water();
 }
 
-/// What is seen of what feet have made: snow evens it out, and water is level.
-double Surface::without_snow(int i, int j) const {
+double Surface::seen_of_feet(int i, int j) const {
   constexpr double buried_m = 0.3;
   const double snow_m = snow_m_ ? snow_m_(place_m(i, j)) : 0.0;
   return (1.0 - glm::smoothstep(0.0, buried_m, snow_m)) * (1.0 - water(i, j));
 }
 
-void Surface::tread(int i, int j, const Trodden& place) {
-  const double seen = without_snow(i, j);
-  glm::vec2& gradient = bumps_->at(i, j).gradient;
-  gradient =
-      gradient * static_cast<float>(1.0 - seen * place.level) + glm::vec2(seen * place.gradient);
+Surface::Grazed Surface::grazed(int i, int j) const {
+  const glm::dvec2 at_m = place_m(i, j);
+  const Trodden place = known_.grazing_steps->at(
+      {at_m, height_m(i, j)}, gradient(heights_m_, at_m.x, at_m.y), grid_.step_m());
+  if (place.bare <= 0.0 && place.gradient == glm::dvec2(0.0)) return {};
+  const double grass = cover(i, j).grass;
+  return {glm::vec2(grass * seen_of_feet(i, j) * place.gradient),
+          static_cast<float>(grass * place.bare)};
 }
 
 void Surface::add_grazing_steps() {
-  if (!bumps_) bumps_.emplace(grid_.samples, grid_.square);
+  GroundMap<Grazed> all(grid_.samples, grid_.square);
+  std::atomic<bool> any = false;
   parallel_for(static_cast<std::size_t>(grid_.samples), [&](std::size_t row) {
     const int j = static_cast<int>(row);
+    bool any_here = false;
     visit_row(part(j), [&](int i) {
-      const glm::dvec2 at_m = place_m(i, j);
-      const Trodden place = known_.grazing_steps->at(
-          {at_m, height_m(i, j)}, gradient(heights_m_, at_m.x, at_m.y), grid_.step_m());
-      if (place.bare <= 0.0) return;
-      bumps_->at(i, j).grazed_bare = static_cast<float>(place.bare);
-      tread(i, j, place);
+      all.at(i, j) = grazed(i, j);
+      any_here = any_here || all.at(i, j).bare > 0.0F;
     });
+    if (any_here) any = true;
   });
+  if (any) grazed_ = std::move(all);
 }
 
 void Surface::add_paths() {
@@ -89,14 +92,18 @@ void Surface::add_paths() {
     const int j = static_cast<int>(row);
     visit_row(part(j), [&](int i) {
       const Trodden place = trodden_.at(i, j);
-      if (place.bare > 0.0) tread(i, j, place);
+      if (place.bare <= 0.0) return;
+      const double seen = seen_of_feet(i, j);
+      glm::vec2& gradient = bumps_->at(i, j).gradient;
+      gradient = gradient * static_cast<float>(1.0 - seen * place.level) +
+                 glm::vec2(seen * place.gradient);
     });
   });
 }
 
 double Surface::worn(int i, int j) const {
-  const double grazed = bumps_ ? double{bumps_->at(i, j).grazed_bare} : 0.0;
-  return std::max(trodden_.at(i, j).bare, grazed);
+  const double by_herds = grazed_ ? double{grazed_->at(i, j).bare} : 0.0;
+  return std::max(trodden_.at(i, j).bare, by_herds);
 }
 
 void Surface::add_boulders() {
@@ -129,7 +136,7 @@ void Surface::level_water() {
     const int j = static_cast<int>(row);
     visit_row(part(j), [&](int i) {
       const auto land = static_cast<float>(1.0 - water(i, j));
-      bumps_->at(i, j) = {bumps_->at(i, j).gradient * land, bumps_->at(i, j).exposure * land, 0.0F};
+      bumps_->at(i, j) = {bumps_->at(i, j).gradient * land, bumps_->at(i, j).exposure * land};
     });
   });
 }
@@ -171,6 +178,19 @@ glm::dvec3 Surface::up(int i, int j) const {
   return glm::normalize(glm::dvec3(-ascent, 1.0));
 }
 
+/// With the steps of herds, where no path crosses them.
+glm::dvec3 Surface::lit_face(int i, int j) const {
+  const glm::dvec3 face = up(i, j);
+  if (!grazed_) return face;
+  const double off_path = 1.0 - trodden_.at(i, j).bare;
+  const glm::dvec2 steps = off_path * glm::dvec2(grazed_->at(i, j).gradient);
+  return glm::normalize(face / face.z - glm::dvec3(steps, 0.0));
+}
+
+bool Surface::is_even(int i, int j) const {
+  return !bumps_ && grazed_->at(i, j).gradient == glm::vec2(0.0F);
+}
+
 double Surface::slope_deg(int i, int j) const {
   return math::acos(std::min(up(i, j).z, 1.0)) * degrees_per_radian;
 }
@@ -180,14 +200,20 @@ double Surface::exposure(int i, int j) const {
 }
 
 GroundLight Surface::lit(GroundLight on_heights, const glm::dvec3& to_sun) const {
-  if (!bumps_) return on_heights;
+  if (!bumps_ && !grazed_) return on_heights;
   const ColourMap dark(grid_.samples, grid_.square);
   GroundLight light{dark, dark, FactorMap(grid_.samples, grid_.square)};
   parallel_for(static_cast<std::size_t>(grid_.samples), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     visit_row(part(j), [&](int i) {
       const glm::dvec2 at_m = place_m(i, j);
-      const glm::dvec3 ground = normal(heights_m_, at_m.x, at_m.y), face = up(i, j);
+      if (is_even(i, j)) {
+        light.sun.at(i, j) = on_heights.sun.sample(at_m.x, at_m.y);
+        light.sky.at(i, j) = on_heights.sky.sample(at_m.x, at_m.y);
+        light.overcast.at(i, j) = on_heights.overcast.sample(at_m.x, at_m.y);
+        return;
+      }
+      const glm::dvec3 ground = normal(heights_m_, at_m.x, at_m.y), face = lit_face(i, j);
       const Boulder::Light left =
           boulders_ ? boulders_->light_beside(at_m, to_sun, -glm::dvec2(ground) / ground.z,
                                               snow_m_ ? snow_m_(at_m) : 0.0)

@@ -39,8 +39,8 @@ class Surface {
  public:
   /// The heights and what is known have to outlive it. `parts`: of the grid's rows, what counts;
   /// empty: all. Nothing is known of other places.
-  /// `snow_m`: how deep snow lies on the ground at a place, which buries boulders and paths; empty:
-  /// none.
+  /// `snow_m`: how deep snow lies on the ground at a place, which buries boulders, and evens out
+  /// paths and grazing steps; empty: none.
   Surface(const Heightfield& heights_m, const FinerRelief* finer, const GroundGrid& grid,
           const KnownGround& known = {}, RowParts parts = {}, const SnowDepth& snow_m = {});
 
@@ -78,15 +78,21 @@ class Surface {
   double worn(int i, int j) const;
 
   /// A light on the heights, as it falls on this surface: the sun by Lambert's law, the sky by how
-  /// much of it the surface faces, with the shade of boulders. The light itself where there is no
-  /// relief below the heights; none at places that do not count.
+  /// much of it the surface faces, with the shade of boulders. The light itself where nothing is
+  /// finer than the heights; none at places that do not count.
   GroundLight lit(GroundLight on_heights, const glm::dvec3& to_sun) const;
 
  private:
   struct Bump {
     glm::vec2 gradient{0.0F};
     float exposure = 0.0F;
-    float grazed_bare = 0.0F;  ///< Trodden::bare of grazing steps
+  };
+
+  /// What herds have made of a place: no other steep side, so that grass stays on it and rock
+  /// below.
+  struct Grazed {
+    glm::vec2 gradient{0.0F};  ///< in light
+    float bare = 0.0F;
   };
 
   void level_water();
@@ -94,8 +100,12 @@ class Surface {
   void add_boulders();
   void add_paths();
   void add_grazing_steps();
-  double without_snow(int i, int j) const;
-  void tread(int i, int j, const Trodden& place);
+  Grazed grazed(int i, int j) const;
+  /// How much of what feet have made is seen: snow evens it out, and water is level.
+  double seen_of_feet(int i, int j) const;
+  glm::dvec3 lit_face(int i, int j) const;
+  /// Whether light falls on it as on the heights, where herds are all that makes it uneven.
+  bool is_even(int i, int j) const;
   NearbyBoulders::Rise rise_of_boulder(int i, int j) const;
 
   const Heightfield& heights_m_;
@@ -103,6 +113,7 @@ class Surface {
   KnownGround known_;
   RowParts parts_;
   std::optional<GroundMap<Bump>> bumps_;
+  std::optional<GroundMap<Grazed>> grazed_;  ///< none where nothing is
   std::optional<Scree::Patches> scree_;
   std::optional<NearbyBoulders> boulders_;
   TroddenPlaces trodden_;

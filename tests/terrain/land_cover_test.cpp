@@ -144,7 +144,7 @@ TEST(LandCover, ItsRiversComeDownToItsLakes) {
   ASSERT_TRUE(waters);
   const Water water(*waters, 1);
   EXPECT_DOUBLE_EQ(water.level_m({300.0, 500.0}), 100.0);
-  for (const double east_m : {700.0, 800.0, 900.0}) {
+  for (const double east_m : {760.0, 830.0, 900.0}) {
     EXPECT_DOUBLE_EQ(water.share({east_m, 500.0}, 1.0), 1.0) << east_m;
     EXPECT_NEAR(water.level_m({east_m, 500.0}), 100.0 + 0.05 * (east_m - 600.0), 1.5) << east_m;
   }
