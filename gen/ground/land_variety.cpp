@@ -32,6 +32,16 @@ glm::dvec3 main_axis(std::span<const glm::vec3> deviations) {
   return axis.r + axis.g + axis.b < 0.0 ? -axis : axis;
 }
 
+/// All less their mean.
+std::vector<glm::vec3> about_their_mean(std::span<const glm::vec3> deviations) {
+  glm::dvec3 sum(0.0);
+  for (const glm::vec3& each : deviations) sum += glm::dvec3(each);
+  const glm::vec3 mean(sum / static_cast<double>(deviations.size()));
+  std::vector<glm::vec3> centred;
+  for (const glm::vec3& each : deviations) centred.push_back(each - mean);
+  return centred;
+}
+
 /// Means of equally many places each, in order along their main axis.
 std::vector<glm::dvec3> means_of_ranks(std::span<const glm::vec3> deviations) {
   std::vector<glm::vec3> ordered(deviations.begin(), deviations.end());
@@ -65,7 +75,7 @@ LandVariety::LandVariety(std::span<const glm::vec3> deviations)
     : table_(std::size_t{known_values} * shown_values) {
   if (deviations.empty()) return;
   constexpr double least_unknown = 1e-3;
-  const std::vector<glm::dvec3> means = means_of_ranks(deviations);
+  const std::vector<glm::dvec3> means = means_of_ranks(about_their_mean(deviations));
   for (int shown = 0, k = 0; shown < shown_values; ++shown) {
     const double unknown = std::max(1.0 - 1.0 * shown / (shown_values - 1), least_unknown);
     for (int known = 0; known < known_values; ++known, ++k) {

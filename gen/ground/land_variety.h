@@ -13,7 +13,8 @@ namespace wold::ground {
 /// variable stands for is the place of the same rank.
 class LandVariety {
  public:
-  /// `deviations`: of places from the mean of what lies alike, over it. None: all are the mean.
+  /// `deviations`: of places from the mean of what lies alike, over it; their own mean, which is
+  /// about 0, does not count. None: all are the mean.
   explicit LandVariety(std::span<const glm::vec3> deviations);
 
   /// Mean deviation of places of which only a part of their normal variable is known: `known`, of

@@ -26,7 +26,8 @@ constexpr std::string_view word_of(T mode) {
 enum class TerrainShape { hillside, mountain };
 constexpr auto words_of(TerrainShape) { return std::array{"hillside", "mountain"}; }
 
-/// terrain.water: where lakes are, by what the elevation model shows of them, or nowhere.
+/// terrain.water: where lakes and rivers are, by what elevation model and land cover show of them,
+/// or nowhere.
 enum class WaterSource { automatic, none };
 constexpr auto words_of(WaterSource) { return std::array{"auto", "none"}; }
 

@@ -103,7 +103,10 @@ GroundGrid FrameSky::shadow_grid(const ColourMap& light) const {
 
 ColourMap FrameSky::light(const terrain::GroundLight& clear) const {
   if (!clouds_) return clear.together();
-  ColourMap light = product(clear.sun, sunlit_fraction(shadow_grid(clear.sun)));
+  const bool sun_shines = std::ranges::any_of(
+      clear.sun.values(), [](const glm::vec3& sun) { return sun != glm::vec3(0.0F); });
+  ColourMap light =
+      sun_shines ? product(clear.sun, sunlit_fraction(shadow_grid(clear.sun))) : clear.sun;
   const glm::vec3 sky_factor = sheets_.irradiance() / site_.day.sky_irradiance();
   for (std::size_t i = 0; i < light.values().size(); ++i)
     light.values()[i] += clear.sky.values()[i] * sky_factor;

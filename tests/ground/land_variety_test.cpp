@@ -28,7 +28,9 @@ TEST(LandVariety, HasAsManyOfEachAsThereAre) {
 
 // What is too fine to be shown counts by its mean: far land is neither brighter nor darker.
 TEST(LandVariety, KeepsItsMeanHoweverLittleIsShown) {
-  const LandVariety land(bushes_of_thousand(200));
+  std::vector<glm::vec3> places = bushes_of_thousand(200);
+  for (glm::vec3& place : places) place -= 0.1F;  // as they are where bright ones were cut off
+  const LandVariety land(places);
   for (const double shown : {0.0, 0.1, 0.4, 0.7, 1.0}) {
     constexpr int values = 2000;
     double sum = 0.0;
@@ -67,6 +69,19 @@ TEST(LandVariety, KnowsColoursThatDifferOppositely) {
   const glm::vec3 end = LandVariety(places).at(1.0, 1.0);
   EXPECT_NEAR(std::abs(end.r), 0.2F, 0.01F);
   EXPECT_NEAR(end.r + end.b, 0.0F, 0.01F);
+}
+
+// Fewer than it has ranks, or not as many in each.
+TEST(LandVariety, KnowsAnyNumberOfPlaces) {
+  for (const std::size_t count : {1U, 3U, 65U, 100U}) {
+    std::vector<glm::vec3> places;
+    for (std::size_t i = 0; i < count; ++i)
+      places.emplace_back(static_cast<float>(i) - 0.5F * static_cast<float>(count - 1));
+    const LandVariety land(places);
+    EXPECT_NEAR(land.at(0.0, 0.0).g, 0.0F, 0.5F) << count;
+    EXPECT_NEAR(land.at(3.0, 1.0).g, places.back().g, 1.0F) << count;
+    EXPECT_NEAR(land.at(-3.0, 1.0).g, places.front().g, 1.0F) << count;
+  }
 }
 
 TEST(LandVariety, OfNoPlacesIsNone) { EXPECT_EQ(LandVariety({}).at(2.0, 1.0), glm::vec3(0.0F)); }

@@ -200,6 +200,20 @@ TEST_F(OwnScene, ExampleShowsItsBall) {
   EXPECT_LT(picture.pixel(60, 2)[0], 1.1F * picture.pixel(60, 2)[1]);  // the sky
 }
 
+// A hut stands at 19.6, 11.5, its roof reddish, and what its eaves do not hide of its walls brown.
+TEST_F(OwnScene, ExampleShowsItsHut) {
+  FromAbove view(folder.path() / "texels");
+  view.landscape.camera = {{22.0, 4.0, 1.2}, {19.6, 11.5, 1.2}, 40.0};
+  export_all(view.landscape);
+  const Image picture =
+      run(view.landscape, wold::test::tests_folder() / ".." / "examples/povray/hut_and_lamp.pov");
+  int red = 0;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x)
+      if (picture.pixel(x, y)[0] > 1.5F * picture.pixel(x, y)[1]) ++red;
+  EXPECT_GT(red, 100);
+}
+
 // Of the frames that have been made the nearest by degree, and of equally near ones by time, gives
 // the ground; the nearest by time gives the sky. Three of six have been made.
 TEST_F(OwnScene, DegreesAndTimesFindTheirFrames) {
