@@ -76,9 +76,7 @@ Trodden GrazingSteps::at(const glm::dvec3& at_m, const glm::dvec2& ascent, doubl
       there * std::clamp(1.0 - uneven + uneven * wear_.at(place / wear_m), 0.2, 1.0);
   // What treads are less steep risers are steeper.
   const double flatter = levelled * (here - tread) / (1.0 - tread);
-  return {.bare = wear * seen,
-          .level = levelled * wear * shown * here,
-          .gradient = -wear * shown * flatter * ascent};
+  return {.bare = wear * seen, .gradient = -wear * shown * flatter * ascent};
 }
 
 }  // namespace wold::terrain

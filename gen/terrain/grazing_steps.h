@@ -21,7 +21,7 @@ class GrazingSteps {
   GrazingSteps(double share, double rock_slope_deg, std::uint64_t seed);
 
   /// Of a place at a height, where `ascent` is the steepest ascent, as a map with that step shows
-  /// it.
+  /// it. What stands out there stays: Trodden::level is 0.
   Trodden at(const glm::dvec3& at_m, const glm::dvec2& ascent, double step_m) const;
 
  private:

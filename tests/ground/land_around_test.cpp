@@ -79,18 +79,18 @@ TEST(LandAround, IsEvenWithinAPixel) {
   EXPECT_LT(level.deviation(4000.0), 1e-6);
 }
 
-// Clouds of a kilometre, as far apart, darken stripes of the land.
-TEST(LandAround, HasTheShadowsOfCloudsKilometresAway) {
+// Clouds of 100 m, as far apart, darken stripes of the land.
+TEST(LandAround, HasTheShadowsOfCloudsFarFromTheSquare) {
   const LevelLand land([](const terrain::GroundLight& clear) {
     ColourMap light = clear.sun;
     for (int j = 0; j < light.samples(); ++j)
       for (int i = 0; i < light.samples(); ++i)
-        if (std::fmod(light.place_m(i, j).x + 1e6, 2000.0) < 1000.0) light.at(i, j) *= 0.1F;
+        if (std::fmod(light.place_m(i, j).x + 1e6, 200.0) < 100.0) light.at(i, j) *= 0.1F;
     return light;
   });
-  for (const double east_m : {2000.0, 6000.0, -4000.0}) {
-    const double shaded = land.seen({east_m + 500.0, -2000.0}, 4000.0);
-    EXPECT_NEAR(shaded / land.seen({east_m + 1500.0, -2000.0}, 4000.0), 0.1, 0.03) << east_m;
+  for (const double east_m : {200.0, -200.0, 600.0}) {
+    const double shaded = land.seen({east_m + 50.0, -400.0}, 800.0);
+    EXPECT_NEAR(shaded / land.seen({east_m + 150.0, -400.0}, 800.0), 0.1, 0.03) << east_m;
   }
 }
 

@@ -99,7 +99,8 @@ TEST(StarterScene, OfARealPlaceShowsIt) {
                      .target_height_m = 20.0};
   for (const std::string& kind : starter_kinds()) {
     const std::string text = starter_scene("a", kind, place);
-    for (const char* key : {"hill_height", "shape", "relief", "streams", "talus", "boulders", "grazing_steps"})
+    for (const char* key :
+         {"hill_height", "shape", "relief", "streams", "talus", "boulders", "grazing_steps"})
       EXPECT_EQ(text.find(std::string("\n") + key), std::string::npos) << kind;
     Scene wanted = scene_of_kind(kind);
     wanted.name = "a";
