@@ -18,7 +18,7 @@ class LandVariety {
   explicit LandVariety(std::span<const glm::vec3> deviations);
 
   /// Mean deviation of places of which only a part of their normal variable is known: `known`, of
-  /// variance `shown`, from 0 to 1.
+  /// variance `shown`, from 0 to 1. It counts from -3 to 3.
   glm::vec3 at(double known, double shown) const;
 
  private:

@@ -10,6 +10,7 @@
 namespace wold::ground {
 namespace {
 
+/// Of the ground, or of the water that stands on it.
 double height_on(const Heightfield& ground, const terrain::Water& water, const glm::dvec2& at_m) {
   return water.share(at_m, 1.0) > 0.5 ? water.level_m(at_m) : double{ground.sample(at_m.x, at_m.y)};
 }

@@ -14,8 +14,8 @@ namespace wold::place {
 /// growth.feature, equalised to be uniform, decides. On large terrains it is less on slopes that
 /// face the noon sun, unless a mask, terrain.cover or terrain.photo says what grows. None grows in
 /// water, on scree and where feet have worn the ground, and where terrain.cover or terrain.photo
-/// says so less. So the mean of the
-/// map is the mean probability. Throws FileError when a mask cannot be read.
+/// says so less. So the mean of the map is the mean probability. Throws FileError when a mask
+/// cannot be read.
 FactorMap growth_map(const scene::Scene& scene, const Heightfield& terrain,
                      const terrain::KnownGround& known = {});
 /// The same on a surface's grid; where patches are smaller than its step it shows the probability.

@@ -173,10 +173,9 @@ Site site_on(const scene::Scene& scene, terrain::Ground ground,
              std::optional<FactorMap> growth_of_cells,
              std::shared_ptr<const phenology::FilmSeason> season, const fs::path& snow_folder,
              const std::optional<Sketch>& sketch) {
+  const terrain::KnownGround known = ground.known();  // stays where it is when the ground moves
   auto [terrain, finer, water, cover, scree, photo, boulders, paths, grazing_steps] =
       std::move(ground);
-  const terrain::KnownGround known{water.get(),    cover.get(), scree.get(),        photo.get(),
-                                   boulders.get(), paths.get(), grazing_steps.get()};
   auto surroundings = std::make_shared<const terrain::Surroundings>(
       scene.terrain, terrain, scene.seed, farthest_land_m(scene));
   const scene::Scene half_way = half_way_through(scene);

@@ -59,13 +59,13 @@ struct Sketch {
 struct Site {
   Heightfield terrain;
   std::shared_ptr<const terrain::FinerRelief> finer;  ///< of a large terrain, where it has some
-  std::shared_ptr<const terrain::Water> water;        ///< of lakes, if there are any
+  std::shared_ptr<const terrain::Water> water;        ///< of lakes and rivers, if there are any
   std::shared_ptr<const terrain::LandCover> cover;    ///< if it is known
   std::shared_ptr<const terrain::Scree> scree;        ///< of a large terrain, where it has some
   std::shared_ptr<const terrain::Photo> photo;        ///< if there is one
   std::shared_ptr<const terrain::Boulders> boulders;  ///< if there are any
   std::shared_ptr<const terrain::Paths> paths;        ///< if there are any
-  std::shared_ptr<const terrain::GrazingSteps> grazing_steps;  ///< likewise
+  std::shared_ptr<const terrain::GrazingSteps> grazing_steps;  ///< if there are any
   std::shared_ptr<const terrain::Surroundings> surroundings;
   FactorMap growth;                           ///< growth_map()'s
   std::optional<FactorMap> growth_of_window;  ///< the same in the CellWindow of a large terrain

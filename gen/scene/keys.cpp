@@ -62,8 +62,7 @@ std::vector<Key> terrain_keys() {
                 "Raster of land cover, in any coordinate system, whose numbers are classes: ESA "
                 "WorldCover's, or those of [[cover_classes]]. They say where grass may grow, what "
                 "colour other ground has, and where lakes and rivers are. Relative paths start at "
-                "the "
-                "scene file."),
+                "the scene file."),
           FIELD(terrain.cover)),
       bound(
           plain(Kind::file, "terrain.photo", "", {0, 0},

@@ -22,13 +22,14 @@ struct Ground {
   Heightfield heights_m;
   std::shared_ptr<const FinerRelief>
       finer;                                ///< none where the step is no coarser than soil's creep
-  std::shared_ptr<const Water> water = {};  ///< lakes; none where there are none
-  std::shared_ptr<const LandCover> cover = {};             ///< read_land_cover()'s
-  std::shared_ptr<const Scree> scree = {};                 ///< none where there is nothing finer
-  std::shared_ptr<const Photo> photo = {};                 ///< read_photo()'s
-  std::shared_ptr<const Boulders> boulders = {};           ///< none where terrain.boulders is 0
-  std::shared_ptr<const Paths> paths = {};                 ///< none where the scene has none
-  std::shared_ptr<const GrazingSteps> grazing_steps = {};  ///< likewise
+  std::shared_ptr<const Water> water = {};  ///< of lakes and rivers; none where there are none
+  std::shared_ptr<const LandCover> cover = {};    ///< read_land_cover()'s
+  std::shared_ptr<const Scree> scree = {};        ///< none where there is nothing finer
+  std::shared_ptr<const Photo> photo = {};        ///< read_photo()'s
+  std::shared_ptr<const Boulders> boulders = {};  ///< none where terrain.boulders is 0
+  std::shared_ptr<const Paths> paths = {};        ///< none where the scene has none
+  std::shared_ptr<const GrazingSteps> grazing_steps =
+      {};  ///< none where terrain.grazing_steps is 0
 
   KnownGround known() const {
     return {water.get(),    cover.get(), scree.get(),        photo.get(),
@@ -41,9 +42,9 @@ struct Ground {
 ///
 /// What was measured stays. Below the model's cells its relief goes on (FinerRelief) down to the
 /// heights' step, unless terrain.relief is 0, and soil creeps (crept()). Where the model has lakes
-/// (model_lakes()) the ground is their surface, unless terrain.water is none. Debris lies below its
-/// rock. The same for any
-/// number of threads. Throws what read_elevation(), read_land_cover() and read_photo() throw.
+/// (model_lakes()), or terrain.cover lakes and rivers (with_covered_water()), the ground is their
+/// surface, unless terrain.water is none. Debris lies below its rock. The same for any number of
+/// threads. Throws what read_elevation(), read_land_cover() and read_photo() throw.
 ///
 /// `cover_classes`: scene::cover_classes_of(), of terrain.cover.
 Ground make_ground(const scene::Terrain& terrain, std::uint64_t seed,

@@ -112,6 +112,18 @@ TEST(LandCover, ItsRiversFallWithTheGround) {
   EXPECT_LT(water.level_m({301.0, 401.0}), water.level_m({304.0, 403.0}));  // no steps
 }
 
+/// Of water along the diagonal from the south-west, across it, as pieces of that size show it.
+double width_of_diagonal_m(const Water& water, double along_m, double piece_m) {
+  constexpr int pieces = 40;  // to either side
+  double width_m = 0.0;
+  for (int k = -pieces; k <= pieces; ++k) {
+    const double aside_m = piece_m * k;
+    width_m +=
+        piece_m * std::sqrt(2.0) * water.share({along_m + aside_m, along_m - aside_m}, piece_m);
+  }
+  return width_m;
+}
+
 // A cell's width is less than Water shows, and here cells meet at their corners alone.
 TEST(LandCover, ItsRiversAreSeenHoweverNarrow) {
   GroundMap<int> number(101, size_m, 0);
@@ -121,9 +133,7 @@ TEST(LandCover, ItsRiversAreSeenHoweverNarrow) {
   ASSERT_TRUE(rivers);
   const Water water(*rivers, 1);
   for (double along_m = 30.0; along_m < 970.0; along_m += 2.5) {
-    double width_m = 0.0;
-    for (double aside_m = -20.0; aside_m <= 20.0; aside_m += 0.5)
-      width_m += 0.5 * std::sqrt(2.0) * water.share({along_m + aside_m, along_m - aside_m}, 0.5);
+    const double width_m = width_of_diagonal_m(water, along_m, 0.5);
     EXPECT_GT(width_m, 4.0) << along_m;
     EXPECT_LT(width_m, 20.0) << along_m;
   }
@@ -164,12 +174,8 @@ TEST(LandCover, ItsNarrowRiversAreSeenBesideLakesOfTheModel) {
       with_covered_water(of_model, LandCover(std::move(number), classes, 4), heights_m);
   ASSERT_TRUE(waters);
   const Water water(*waters, 1);
-  for (double along_m = 6100.0; along_m < 13900.0; along_m += 7.0) {
-    double width_m = 0.0;
-    for (double aside_m = -60.0; aside_m <= 60.0; aside_m += 2.0)
-      width_m += 2.0 * std::sqrt(2.0) * water.share({along_m + aside_m, along_m - aside_m}, 2.0);
-    EXPECT_GT(width_m, 10.0) << along_m;
-  }
+  for (double along_m = 6100.0; along_m < 13900.0; along_m += 7.0)
+    EXPECT_GT(width_of_diagonal_m(water, along_m, 2.0), 10.0) << along_m;
 }
 
 TEST(LandCover, HasNoWaterWhereItWouldFallAsASlope) {
