@@ -153,16 +153,23 @@ void add_job_options(CLI::App& app, RenderArguments& arguments) {
       ->transform(CLI::Validator([](const std::string& text) { return size_fault(text); }, ""));
 }
 
-CLI::Option* add_keep(CLI::App& app, work::Keep& keep) {
+/// `has_pictures`: whether the command makes pictures, which may stay alone.
+CLI::Option* add_keep(CLI::App& app, work::Keep& keep, bool has_pictures) {
+  std::vector<std::string> words = {"all", "scenes"};
+  std::string doc = "what stays: all; scenes, without the texels that scene files are made from";
+  if (has_pictures) {
+    words.emplace_back("pictures");
+    doc += "; or pictures, without scene files, either";
+  }
   return app
       .add_option_function<std::string>(
           "--keep",
-          [&keep](const std::string& word) {
-            keep = word == "scenes" ? work::Keep::scenes : work::Keep::all;
+          [&keep, words](const std::string& word) {
+            keep = static_cast<work::Keep>(std::ranges::find(words, word) - words.begin());
           },
-          "what stays: all, or scenes, without the texels that scene files are made from")
-      ->type_name("all|scenes")
-      ->check(one_of({"all", "scenes"}));
+          doc)
+      ->type_name(fmt::format("{}", fmt::join(words, "|")))
+      ->check(one_of(words));
 }
 
 void add_json(CLI::App& app, bool& json, const std::string& doc) {
@@ -181,9 +188,10 @@ Options resolved(const SceneArguments<Options>& arguments) {
 }
 
 template <class Run>
-Action generate_like(CLI::App& app, const std::shared_ptr<RenderArguments>& arguments, Run run) {
+Action generate_like(CLI::App& app, const std::shared_ptr<RenderArguments>& arguments, Run run,
+                     bool has_pictures = false) {
   add_job_options(app, *arguments);
-  add_keep(app, arguments->options.keep);
+  add_keep(app, arguments->options.keep, has_pictures);
   app.add_flag("--dry-run", arguments->options.dry_run,
                "check the scene, say what is to do and what it takes, stop");
   add_json(app, arguments->options.json, "print what has been made, or is to do, as JSON");
@@ -205,7 +213,7 @@ Action declare_generate(CLI::App& app) {
 Action declare_render(CLI::App& app) {
   auto arguments = std::make_shared<RenderArguments>();
   add_programs(app, arguments->options);
-  return generate_like(app, arguments, run_render);
+  return generate_like(app, arguments, run_render, /*has_pictures=*/true);
 }
 
 Action declare_passes(CLI::App& app) {
@@ -227,7 +235,7 @@ Action declare_plan(CLI::App& app) {
       add_form("--openjd", PlanForm::openjd, "as a job template of Open Job Description");
   json->excludes(why)->excludes(openjd);
   why->excludes(openjd);
-  add_keep(app, arguments->options.keep)->needs(openjd);
+  add_keep(app, arguments->options.keep, /*has_pictures=*/true)->needs(openjd);
   return [arguments, form] { return run_plan(resolved(*arguments), *form); };
 }
 

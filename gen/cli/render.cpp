@@ -10,17 +10,9 @@
 namespace wold::cli {
 namespace {
 
-std::vector<work::StageTasks> without_pictures(std::vector<work::StageTasks> stages) {
-  std::erase_if(stages, [](const work::StageTasks& stage) { return makes_pictures(stage.stage); });
-  return stages;
-}
-
 /// What the stages would do, for --dry-run.
-void print_plan(const work::Job& job, bool with_pictures, bool json) {
-  std::vector<work::StagePlan> plan = work::make_plan(job);
-  if (!with_pictures)
-    std::erase_if(plan,
-                  [](const work::StagePlan& stage) { return makes_pictures(stage.tasks.stage); });
+void print_plan(const work::Job& job, bool json) {
+  const std::vector<work::StagePlan> plan = work::make_plan(job);
   console::print_data(json ? work::plan_json(job, plan)
                            : work::plan_text(job, plan, /*why=*/false));
 }
@@ -40,14 +32,15 @@ void say_who_has_no_renderer(const work::Job& job, Progress& progress) {
 }  // namespace
 
 ExitCode run_generate(const work::RenderOptions& options, Progress& progress) {
-  const work::Job job = work::plan_job(options);
+  work::Job job = work::plan_job(options);
+  job.has_pictures = false;
   print_warnings(job.text_warnings);
   print_warnings(job.scene, job.season.get());
   if (options.dry_run) {
-    print_plan(job, /*with_pictures=*/false, options.json);
+    print_plan(job, options.json);
     return ExitCode::done;
   }
-  const std::vector<work::StageTasks> stages = without_pictures(work::stages_of(job));
+  const std::vector<work::StageTasks> stages = work::stages_of(job);
   work::complete_job(job, stages, progress);
   if (options.json) console::print_data(work::made_json(job, stages));
   return ExitCode::done;
@@ -58,7 +51,7 @@ ExitCode run_render(const work::RenderOptions& options, Progress& progress) {
   print_warnings(job.text_warnings);
   print_warnings(job.scene, job.season.get());
   if (options.dry_run) {
-    print_plan(job, /*with_pictures=*/true, options.json);
+    print_plan(job, options.json);
     return ExitCode::done;
   }
   const std::vector<work::StageTasks> stages = work::stages_of(job);
@@ -75,7 +68,7 @@ ExitCode run_passes(const work::RenderOptions& options, Progress& progress) {
   job.exporters.clear();
   print_warnings(job.text_warnings);
   if (options.dry_run) {
-    print_plan(job, /*with_pictures=*/false, options.json);
+    print_plan(job, options.json);
     return ExitCode::done;
   }
   const std::vector<work::StageTasks> stages = work::stages_of(job);

@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "core/error.h"
-#include "work/estimate.h"
+#include "work/batches.h"
 
 namespace wold::work {
 namespace {
@@ -18,13 +18,21 @@ double megabytes(double bytes) { return std::ceil(bytes / 1e6); }
 
 }  // namespace
 
+double bytes_at_once(const Job& job, const Stage& stage, std::size_t tasks, const Estimate& each) {
+  const std::size_t at_once =
+      stage == Stage::scenes ? frames_at_once(job, tasks, each.disk_bytes) : tasks;
+  return static_cast<double>(at_once) * each.disk_bytes;
+}
+
 double missing_bytes(const Job& job, const std::vector<StageTasks>& stages, Work& work) {
   double bytes = 0.0;
   for (const StageTasks& stage : stages) {
     const auto missing = std::ranges::count_if(stage.indices, [&](int index) {
       return !work.records().read({stage.stage, index}).has_value();
     });
-    if (missing > 0) bytes += static_cast<double>(missing) * estimate(job, stage, work).disk_bytes;
+    if (missing > 0)
+      bytes += bytes_at_once(job, stage.stage, static_cast<std::size_t>(missing),
+                             estimate(job, stage, work));
   }
   return bytes;
 }

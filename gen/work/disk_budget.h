@@ -4,12 +4,17 @@
 #include <optional>
 #include <vector>
 
+#include "work/estimate.h"
 #include "work/work.h"
 
 /// Whether the disk has room for what is to be made.
 namespace wold::work {
 
-/// Bytes of the files of the stages' tasks that were never done.
+/// What of so many tasks' files is there at the same time: those of all, but where scene files do
+/// not stay. `each`: the estimate of one.
+double bytes_at_once(const Job& job, const Stage& stage, std::size_t tasks, const Estimate& each);
+
+/// The most that files of the stages' tasks that were never done take at the same time.
 double missing_bytes(const Job& job, const std::vector<StageTasks>& stages, Work& work);
 
 /// What this process may still write where a folder is or would be made; nothing when the system

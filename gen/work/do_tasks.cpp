@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <set>
 
 #include "core/at_once.h"
 #include "core/machine.h"
 #include "core/parallel.h"
+#include "work/batches.h"
 #include "work/estimate.h"
 #include "work/memory_budget.h"
 #include "work/memory_model.h"
@@ -74,16 +77,84 @@ RendererLimits renderer_limits(const Job& job, std::size_t at_once) {
 }
 
 void make_pictures(const Job& job, Work& work, std::vector<Task> tasks, double bytes_each,
-                   Progress& progress) {
+                   const std::string& heading, Progress& progress) {
   std::stable_sort(tasks.begin(), tasks.end(),
                    [](const Task& a, const Task& b) { return a.index < b.index; });
   if (tasks.empty()) return;
   work.forget_film();
   const std::size_t at_once = std::min(tasks.size(), pictures_at_once(job, bytes_each));
-  run_all(work, tasks, "pictures", renderer_limits(job, at_once), progress,
+  run_all(work, tasks, heading, renderer_limits(job, at_once), progress,
           [&](std::size_t count, const std::function<void(std::size_t)>& body) {
             run_at_once(count, at_once, body);
           });
+}
+
+/// Stage by stage, pictures of all renderers together. `which` says in headings of what frames.
+void do_stages(const Job& job, Work& work, const std::vector<StageTasks>& stages,
+               const std::string& which, Progress& progress) {
+  if (job.memory_bytes > 0.0) limit_own_memory(job.memory_bytes);
+  std::vector<Task> pictures;
+  double bytes_each = 1.0;
+  for (const StageTasks& stage : stages) {
+    const std::vector<Task> tasks = needed(work, stage);
+    if (makes_pictures(stage.stage)) {
+      pictures.insert(pictures.end(), tasks.begin(), tasks.end());
+      if (stage.indices.size() > 1)
+        bytes_each = std::max(bytes_each, memory_bytes(job, stage, work));
+    } else if (stage.stage == Stage::texels) {
+      make_texels(job, work, stage, tasks, progress);
+    } else {
+      const ThreadLimit limit(scene_threads(job));
+      run_all(work, tasks, std::string(name_of(stage.stage)) + which, {}, progress, one_by_one);
+    }
+  }
+  make_pictures(job, work, pictures, bytes_each, "pictures" + which, progress);
+}
+
+/// Those of the stages' tasks that `is_wanted`, without stages of which nothing is.
+std::vector<StageTasks> of_stages(std::vector<StageTasks> stages,
+                                  const std::function<bool(const Task&)>& is_wanted) {
+  for (StageTasks& stage : stages)
+    std::erase_if(stage.indices, [&](int index) { return !is_wanted({stage.stage, index}); });
+  std::erase_if(stages, [](const StageTasks& stage) { return stage.indices.empty(); });
+  return stages;
+}
+
+/// Frames of which something is to be done.
+std::vector<int> frames_to_do(Work& work, const std::vector<StageTasks>& stages) {
+  std::set<int> frames;
+  for (const StageTasks& stage : stages)
+    for (const Task& task : needed(work, stage)) frames.insert(task.index);
+  return {frames.begin(), frames.end()};
+}
+
+/// What lasts first, then scene files and their pictures batch by batch. A batch's scene files go
+/// when those of the next are there.
+void do_in_batches(const Job& job, Work& work, const std::vector<StageTasks>& stages,
+                   Progress& progress) {
+  const auto of_step = [&](Step first, Step last) {
+    return of_stages(stages, [&](const Task& task) {
+      return first <= task.stage.step && task.stage.step <= last;
+    });
+  };
+  do_stages(job, work, of_step(Step::texels, Step::passes), "", progress);
+  work.remove_scenes(job.frames);
+  const std::vector<StageTasks> scenes = of_step(Step::scenes, Step::scenes);
+  const std::vector<StageTasks> pictures = of_step(Step::pictures, Step::pictures);
+  const std::vector<int> to_do = frames_to_do(work, of_step(Step::scenes, Step::pictures));
+  if (to_do.empty()) return;
+  const double bytes_each = estimate(job, scenes.front(), work).disk_bytes;
+  std::vector<int> before;
+  for (const std::vector<int>& frames : batches_of(to_do, bytes_each)) {
+    const auto is_in_batch = [&](const Task& task) {
+      return std::ranges::binary_search(frames, task.index);
+    };
+    const std::string which = fmt::format(" of frames {}", ranges_text(frames));
+    do_stages(job, work, of_stages(scenes, is_in_batch), which, progress);
+    work.remove_scenes(before);
+    do_stages(job, work, of_stages(pictures, is_in_batch), which, progress);
+    before = frames;
+  }
 }
 
 bool has_pictures_to_make(Work& work, const StageTasks& stage) {
@@ -105,23 +176,10 @@ void require_renderers(const Job& job, const std::vector<StageTasks>& stages,
 
 void do_tasks(const Job& job, Work& work, const std::vector<StageTasks>& stages,
               Progress& progress) {
-  if (job.memory_bytes > 0.0) limit_own_memory(job.memory_bytes);
-  std::vector<Task> pictures;
-  double bytes_each = 1.0;
-  for (const StageTasks& stage : stages) {
-    const std::vector<Task> tasks = needed(work, stage);
-    if (makes_pictures(stage.stage)) {
-      pictures.insert(pictures.end(), tasks.begin(), tasks.end());
-      if (stage.indices.size() > 1)
-        bytes_each = std::max(bytes_each, memory_bytes(job, stage, work));
-    } else if (stage.stage == Stage::texels) {
-      make_texels(job, work, stage, tasks, progress);
-    } else {
-      const ThreadLimit limit(scene_threads(job));
-      run_all(work, tasks, std::string(name_of(stage.stage)), {}, progress, one_by_one);
-    }
-  }
-  make_pictures(job, work, pictures, bytes_each, progress);
+  if (job.keep == Keep::pictures)
+    do_in_batches(job, work, stages, progress);
+  else
+    do_stages(job, work, stages, "", progress);
 }
 
 }  // namespace wold::work

@@ -37,6 +37,16 @@ std::vector<passes::Pass> wanted_passes(const std::string& names, const scene::S
   return passes::passes_of(names.empty() ? "depth,motion" : names + ",depth,motion");
 }
 
+/// Scene files that nobody shows are what is wanted of them.
+void require_pictures(const exporter::Exporters& exporters) {
+  for (const exporter::Exporter* one : exporters)
+    if (!one->renderer)
+      throw InputError(
+          fmt::format("--keep: found pictures, expected scenes or all with render.renderer \"{}\", "
+                      "whose scene files wold makes no pictures of",
+                      one->name));
+}
+
 }  // namespace
 
 Job plan_job(const RenderOptions& options) {
@@ -59,6 +69,7 @@ Job plan_job(const RenderOptions& options) {
   job.threads = options.threads > 0 ? options.threads : job.scene.render.threads;
   job.memory_bytes = static_cast<double>(options.memory_bytes);
   job.keep = options.keep;
+  if (job.keep == Keep::pictures) require_pictures(job.exporters);
   return job;
 }
 

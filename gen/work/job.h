@@ -19,9 +19,9 @@ namespace wold::work {
 /// one that is missing or empty it is the environment's, or the PATH's.
 using ChosenPrograms = std::map<std::string, std::string, std::less<>>;
 
-/// What of an output folder stays when all is done: everything, or scene files and pictures without
-/// the texels that scene files are made from.
-enum class Keep { all, scenes };
+/// What of an output folder stays when all is done: everything; scene files and pictures without
+/// the texels that scene files are made from; or pictures without the scene files that they show.
+enum class Keep { all, scenes, pictures };
 
 /// What `render`, `generate`, `plan` and `task` are asked for.
 struct RenderOptions {
@@ -33,7 +33,8 @@ struct RenderOptions {
   ChosenPrograms programs;
   int threads = 0;                 ///< 0: the scene's render.threads
   std::uint64_t memory_bytes = 0;  ///< 0: the machine's
-  Keep keep = Keep::all;  ///< of `render` and `generate`, and of the last step of a farm's job
+  Keep keep = Keep::all;  ///< of `render` and `generate`, and of the last step of a farm's job;
+                          ///< `pictures` of those that make some
   bool dry_run = false;
   bool json = false;  ///< whether what is printed is JSON
   bool quiet = false;
@@ -46,6 +47,7 @@ struct Job : film::Request {
   int threads = 0;            ///< 0: all processors
   double memory_bytes = 0.0;  ///< that all may take together; 0: the machine's, and no limit is set
   Keep keep = Keep::all;
+  bool has_pictures = true;    ///< whether renderers are to make some; else scene files are wanted
   bool is_blur_alone = false;  ///< whether passes are for film.shutter alone: files of all do, too
   std::vector<Problem> text_warnings;  ///< of scene::read_located_scene()
 };
@@ -57,7 +59,8 @@ int threads_of(const Job& job);
 double memory_of(const Job& job);
 
 /// Reads the scene and resolves the options against it. Throws InputError, also for frames that
-/// the scene does not have and for files that it names and that are not there.
+/// the scene does not have, for files that it names and that are not there, and where pictures
+/// alone are to stay of scene files that Wold makes no pictures of.
 Job plan_job(const RenderOptions& options);
 
 /// One line about the job, above what there is to do, and one about its shots if it has some.

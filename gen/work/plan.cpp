@@ -180,7 +180,7 @@ std::string total_text(const Job& job, const std::vector<StagePlan>& plan) {
     const auto tasks = static_cast<double>(stage.runs + stage.perhaps);
     if (tasks == 0.0) continue;
     seconds += tasks * stage.each.seconds;
-    disk_bytes += tasks * stage.each.disk_bytes;
+    disk_bytes += bytes_at_once(job, stage.tasks.stage, stage.runs + stage.perhaps, stage.each);
     memory_bytes = std::max(memory_bytes, stage.each.memory_bytes);
   }
   if (seconds == 0.0) return {};
@@ -233,7 +233,9 @@ std::string plan_openjd(const RenderOptions& options, const Job& job,
   }
   // Finds everything there and lists it in manifest.json.
   std::vector<std::string> last_command = {"render", "{{Param.Scene}}"};
-  if (options.keep == Keep::scenes) last_command.insert(last_command.end(), {"--keep", "scenes"});
+  if (options.keep != Keep::all)
+    last_command.insert(last_command.end(),
+                        {"--keep", options.keep == Keep::scenes ? "scenes" : "pictures"});
   steps.push_back(step_json("manifest", last_command, with));
   steps.back()["dependencies"] = dependencies_json(last);
   const Json json = {

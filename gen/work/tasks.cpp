@@ -28,6 +28,7 @@ std::vector<StageTasks> stages_of(const Job& job) {
   if (!job.scene.clouds.empty()) stages.push_back({Stage::clouds, {1}, {}, {}});
   if (!job.passes.empty()) stages.push_back({Stage::passes, job.frames, Stage::texels, {}});
   if (!job.exporters.empty()) stages.push_back({Stage::scenes, job.frames, Stage::texels, {}});
+  if (!job.has_pictures) return stages;
   for (const exporter::Exporter* one : job.exporters)
     if (one->renderer)
       stages.push_back({Stage{Step::pictures, one}, job.frames, {}, Stage::scenes});

@@ -104,28 +104,31 @@ Work::Work(const Job& job, Renderers* renderers)
 
 Verdict Work::verdict(const Task& task) {
   const std::lock_guard lock(mutex_);
-  if (task.stage == Stage::scenes)
-    if (const auto known = scenes_.find(task.index); known != scenes_.end()) return known->second;
-  const auto judge = [&]() -> Verdict {
-    const auto record = records_.read(task);
-    if (!record) return {Need::yes, "never made"};
-    if (record->removed) {
-      if (are_texels_read()) return {};
-      return {Need::yes, "removed when nothing needed it"};
-    }
-    for (const auto& [name, state] : record->outputs)
-      if (!fs::exists(job_.out / name)) return {Need::yes, fmt::format("{} is missing", name)};
-    if (makes_pictures(task.stage) && verdict({Stage::scenes, task.index}).need != Need::no)
-      return {Need::perhaps, "its scene files will be made anew; runs if they change"};
-    if (!is_made_from_this(task, *record)) return outdated(task, *record);
-    for (const auto& [name, state] : record->outputs)
-      if (!states_.is_still(name, state))
-        return {Need::yes, fmt::format("{} is not what was written", name)};
-    return {};
-  };
-  Verdict verdict = judge();
-  if (task.stage == Stage::scenes) scenes_[task.index] = verdict;
-  return verdict;
+  if (task.stage != Stage::scenes) return judge(task);
+  if (const auto known = scenes_.find(task.index); known != scenes_.end()) return known->second;
+  return scenes_[task.index] = judge(task);
+}
+
+Verdict Work::judge(const Task& task) {
+  const auto record = records_.read(task);
+  if (!record) return {Need::yes, "never made"};
+  if (record->removed) return judge_removed(task, *record);
+  for (const auto& [name, state] : record->outputs)
+    if (!fs::exists(job_.out / name)) return {Need::yes, fmt::format("{} is missing", name)};
+  if (makes_pictures(task.stage) && !are_scenes_right(task.index))
+    return {Need::perhaps, "its scene files will be made anew; runs if they change"};
+  if (!is_made_from_this(task, *record)) return outdated(task, *record);
+  for (const auto& [name, state] : record->outputs)
+    if (!states_.is_still(name, state))
+      return {Need::yes, fmt::format("{} is not what was written", name)};
+  return {};
+}
+
+Verdict Work::judge_removed(const Task& task, const TaskRecord& record) {
+  if (task.stage == Stage::scenes && !is_made_from_this(task, record))
+    return outdated(task, record);
+  if (task.stage == Stage::scenes ? are_pictures_made(task.index) : are_texels_read()) return {};
+  return {Need::yes, "removed when nothing needed it"};
 }
 
 /// For all frames: what reads texels needs them no more.
@@ -136,6 +139,25 @@ bool Work::are_texels_read() {
     });
   };
   return is_done(Stage::scenes) && (job_.passes.empty() || is_done(Stage::passes));
+}
+
+/// Whether nobody needs the frame's scene files any more. Never where they are what is wanted: by
+/// the job, or as of an exporter without a renderer.
+bool Work::are_pictures_made(int frame) {
+  const auto is_made = [&](const exporter::Exporter* one) {
+    return one->renderer && verdict({Stage{Step::pictures, one}, frame}).need == Need::no;
+  };
+  return job_.has_pictures && std::ranges::all_of(job_.exporters, is_made);
+}
+
+/// Whether pictures are to be made of the frame's scene files as they are, or were when removed.
+bool Work::are_scenes_right(int frame) {
+  const Task scenes = {Stage::scenes, frame};
+  if (const auto known = scenes_.find(frame); known != scenes_.end())
+    if (known->second.need == Need::no) return true;
+  if (const auto record = records_.read(scenes); record && record->removed)
+    return is_made_from_this(scenes, *record);
+  return verdict(scenes).need == Need::no;
 }
 
 Verdict Work::outdated(const Task& task, const TaskRecord& record) {
@@ -238,6 +260,16 @@ void Work::prepare(const Stage& stage, Progress& progress) {
   if (is_own_manifest(job_.out / "manifest.json")) fs::remove(job_.out / "manifest.json");
 }
 
+void Work::remove_scenes(std::span<const int> frames) {
+  if (!shared_) shared_.emplace(records_);
+  for (const int frame : frames) {
+    const Task scenes = {Stage::scenes, frame};
+    if (verdict(scenes).need != Need::no || !are_pictures_made(frame)) continue;
+    remove_outputs(scenes);
+    scenes_.erase(frame);
+  }
+}
+
 void Work::remove_texels() {
   if (!are_texels_read()) return;
   for (const StageTasks& stage : stages_of(job_))
@@ -250,10 +282,27 @@ void Work::remove_outputs(const Task& task) {
   if (!record) return;
   if (!record->removed) {
     record->removed = true;
-    records_.write(task, *record);
+    write_record(task, *record);
   }
-  for (const auto& [name, state] : record->outputs)
-    if (may_make(task.stage, fs::path(name).lexically_normal())) fs::remove(job_.out / name);
+  std::set<fs::path> folders;  // relative
+  for (const auto& [name, state] : record->outputs) {
+    const fs::path file = fs::path(name).lexically_normal();
+    const bool is_shared = task.stage == Stage::scenes && shared_->is_used(name);
+    if (is_shared || !may_make(task.stage, file)) continue;
+    fs::remove(job_.out / file);
+    folders.insert(file.parent_path());
+  }
+  for (fs::path folder : folders)
+    for (; !folder.empty(); folder = folder.parent_path()) remove_empty_folder(job_.out / folder);
+}
+
+/// In place of the one that there may be.
+void Work::write_record(const Task& task, const TaskRecord& record) {
+  const bool may_share = shared_ && task.stage == Stage::scenes;
+  if (may_share)
+    if (const auto old = records_.read(task)) shared_->take_away(*old);
+  records_.write(task, record);
+  if (may_share) shared_->add(record);
 }
 
 void Work::finish() {
@@ -279,7 +328,7 @@ void Work::run(const Task& task, const RendererLimits& limits, Progress& progres
     const std::string name = file.lexically_relative(job_.out).generic_string();
     record.outputs[name] = states_.of(name);
   }
-  records_.write(task, record);
+  write_record(task, record);
   if (task.stage != Stage::scenes) return;
   const std::lock_guard lock(mutex_);
   scenes_.erase(task.index);

@@ -15,6 +15,7 @@
 #include "work/job.h"
 #include "work/renderers.h"
 #include "work/scene_facts.h"
+#include "work/shared_files.h"
 #include "work/task_record.h"
 #include "work/tasks.h"
 
@@ -63,6 +64,12 @@ class Work {
   /// task depends on has not been done, RendererError and InterruptedError.
   void run(const Task& task, const RendererLimits& limits, Progress& progress);
 
+  /// Removes the files of these frames' scenes whose pictures are all made, but those that scenes
+  /// of other frames share. Their tasks then count as done for as long as those of their pictures
+  /// are. Records say so first, as in remove_texels(). For a process that has the folder to itself.
+  /// Throws FileError.
+  void remove_scenes(std::span<const int> frames);
+
   /// Removes the files of the job's texels, which no task needs as long as all scene files are
   /// done; does nothing when some are not. Their records say so first, so that a process which is
   /// killed here leaves nothing that looks damaged. For a process that has the folder to itself.
@@ -95,12 +102,17 @@ class Work {
   bool is_made_from_this(const Task& task, const TaskRecord& record);
   std::string picture_source(const Task& task);
   const SceneHashes& scene_hashes(int frame);
+  Verdict judge(const Task& task);
+  Verdict judge_removed(const Task& task, const TaskRecord& record);
   Verdict outdated(const Task& task, const TaskRecord& record);
   bool are_texels_read();
+  bool are_pictures_made(int frame);
+  bool are_scenes_right(int frame);
   Made make(const Task& task, const RendererLimits& limits, Progress& progress);
   Made make_picture(const Task& task, const RendererLimits& limits, Progress& progress);
   void remove_damaged(const Task& task);
   void remove_outputs(const Task& task);
+  void write_record(const Task& task, const TaskRecord& record);
   film::FilmPipeline& film();
 
   const Job& job_;
@@ -115,6 +127,7 @@ class Work {
   std::map<int, Verdict> scenes_;               ///< verdicts, by frame
   std::map<int, SceneHashes> scene_hashes_;     ///< by frame
   std::map<std::string, std::string> changes_;  ///< since facts of that hash, in words
+  std::optional<SharedFiles> shared_;           ///< from remove_scenes() on
   std::optional<place::GrowingGround> land_;    ///< from demand() on, until film() takes it
   std::optional<film::FilmPipeline> film_;
   std::optional<film::FilmDemand> demand_;

@@ -50,7 +50,7 @@ def parse_arguments() -> tuple[argparse.Namespace, list[str]]:
     )
     parser.add_argument(
         "--keep",
-        choices=["all", "scenes"],
+        choices=["all", "scenes", "pictures"],
         default="all",
         help="what stays when all is done, as of `wold render`",
     )

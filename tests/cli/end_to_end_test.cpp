@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -236,11 +237,104 @@ TEST_F(Resume, TexelsThatAKilledProcessWasRemovingAreRemoved) {
   rendered();
   const auto wanted = contents("out");
   rendered("--keep scenes");
+  fs::create_directory(folder_ / "out/texels");
   for (const auto& [name, hash] : wanted)
     if (name.starts_with("texels/v0")) write("out/" + name, "half of them are left");
   EXPECT_EQ(rendered(), "");
   EXPECT_EQ(rendered("--keep scenes"), "");
   EXPECT_TRUE(files_below(folder_ / "out/texels").empty());
+}
+
+TEST_F(Resume, PicturesAloneAreThoseOfScenesThatStay) {
+  EXPECT_EQ(rendered(), "1 2 ");
+  auto wanted = contents("out");
+  fs::remove_all(folder_ / "out");
+  EXPECT_EQ(rendered("--keep pictures"), "1 2 ");
+  EXPECT_FALSE(fs::exists(folder_ / "out/texels"));
+  EXPECT_FALSE(fs::exists(folder_ / "out/blender/data"));
+  std::erase_if(wanted, [](const auto& file) {
+    return file.first.starts_with("texels/") || file.first.starts_with("blender/data/");
+  });
+  EXPECT_THAT(different(contents("out"), wanted), IsEmpty());
+  const auto before = times("out/frames");
+  for (const std::string options : {"", "--keep pictures", "--keep scenes", "--frames 2"})
+    EXPECT_EQ(rendered(options), "") << options;
+  EXPECT_THAT(different(times("out/frames"), before), IsEmpty());
+  EXPECT_FALSE(fs::exists(folder_ / "out/texels"));
+  const std::string plan = wold("plan small.toml --renderer blender --out out").out;
+  for (const std::string stage : {"texels ", "scenes ", "blender"})
+    EXPECT_THAT(plan, HasSubstr("  " + stage + " 0 of 2 to do;"));
+}
+
+// The record of the first frame says that its files are large: four take more than a gigabyte.
+TEST_F(Resume, SceneFilesThatWereShownGoWhileOthersAreMade) {
+  const std::string nine_frames = " --set 'ageing.frames=[1, 0, 1, 0, 1, 0, 1, 0, 1]'";
+  EXPECT_EQ(rendered("--frames 1" + nine_frames), "1 ");
+  const fs::path path = folder_ / "out/tasks/scenes_0001.json";
+  auto record = nlohmann::json::parse(read_file(path));
+  record["outputs"]["blender/data/frame_0001/frame.json"][0] = 300000000;
+  write_file(path, record.dump());
+  const std::string blender = blender_played_by(
+      fmt::format("cp $good \"$out\"; ls '{}' | grep -c frame_ >>'{}'",
+                  (folder_ / "out/blender/data").string(), (folder_ / "there").string()));
+  const Result result =
+      wold("render small.toml --quiet --renderer blender --keep pictures --out out" + nine_frames,
+           blender);
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(calls(), "2 3 4 5 6 7 8 9 ");
+  EXPECT_EQ(read_file(folder_ / "there"), "4\n4\n4\n4\n4\n4\n4\n1\n");
+  EXPECT_FALSE(fs::exists(folder_ / "out/blender/data"));
+}
+
+TEST_F(Resume, APictureThatIsMissedComesBackWithoutItsSceneFiles) {
+  rendered("--keep pictures");
+  const auto wanted = contents("out");
+  fs::remove(folder_ / "out/frames/blender/0002.png");
+  EXPECT_THAT(wold("plan small.toml --renderer blender --why --out out").out,
+              HasSubstr("scenes  1 of 2 to do;"));
+  EXPECT_EQ(rendered("--keep pictures"), "2 ");
+  EXPECT_THAT(different(contents("out"), wanted), IsEmpty());
+  EXPECT_EQ(rendered("--keep pictures --set render.exposure=1"), "1 2 ");
+}
+
+TEST_F(Resume, SceneFilesThatOthersShareStay) {
+  rendered("--frames 1 --set 'ageing.frames=[0.1, 0.1]'");
+  auto wanted = contents("out/blender");
+  EXPECT_EQ(rendered("--frames 2 --keep pictures --set 'ageing.frames=[0.1, 0.1]'"), "2 ");
+  EXPECT_THAT(different(contents("out/blender"), wanted), IsEmpty());
+}
+
+// A process that is killed has said in its records that scene files go, and has removed some.
+TEST_F(Resume, SceneFilesThatAKilledProcessWasRemovingAreRemoved) {
+  rendered();
+  const auto all = contents("out/blender/data");
+  rendered("--keep pictures");
+  fs::create_directories(folder_ / "out/blender/data/frame_0002");
+  for (const auto& [name, hash] : all)
+    if (name.starts_with("frame_0002")) write("out/blender/data/" + name, "half of them are left");
+  EXPECT_EQ(rendered(), "");
+  EXPECT_EQ(rendered("--keep pictures"), "");
+  EXPECT_FALSE(fs::exists(folder_ / "out/blender/data"));
+}
+
+TEST_F(Resume, SceneFilesThatAreAskedForComeBack) {
+  rendered();
+  const auto wanted = contents("out");
+  rendered("--keep pictures");
+  const std::string generate = "generate small.toml --quiet --renderer blender --out out";
+  EXPECT_THAT(wold(generate + " --dry-run").out, HasSubstr("scenes  2 of 2 to do;"));
+  EXPECT_EQ(wold(generate).code, 0);
+  EXPECT_THAT(different(contents("out"), wanted), IsEmpty());
+  EXPECT_EQ(rendered(), "") << "pictures of the same scene files stay";
+}
+
+TEST_F(Resume, PicturesAloneStayOfWhatHasSome) {
+  const Result result =
+      wold("render small.toml --renderer blender,usd --grass blades --keep pictures --out out");
+  EXPECT_EQ(result.code, 2);
+  EXPECT_THAT(result.err, HasSubstr("--keep: found pictures, expected scenes or all with "
+                                    "render.renderer \"usd\""));
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
 TEST_F(Resume, PrintsThePicturesItStandsFor) {

@@ -100,6 +100,8 @@ TEST_F(Program, UsageErrorsAreExitCodeTwo) {
                  "--memory: found 3X, expected a whole size of 1M or more");
   expect_refusal(wold("render a.toml --keep nothing"),
                  "--keep: found nothing, expected one of all");
+  expect_refusal(wold("generate a.toml --keep pictures"),
+                 "--keep: found pictures, expected one of all, scenes");
   expect_refusal(wold("render a.toml --threads many"), "--threads");
   expect_refusal(wold("render a.toml --renderer blendr --dry-run"), "render.renderer: found");
 }

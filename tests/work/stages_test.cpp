@@ -80,6 +80,20 @@ TEST(Stages, OfAnExporterWithoutARendererAreDoneWithItsFiles) {
   for (const StagePlan& stage : make_plan(job)) EXPECT_EQ(stage.runs + stage.perhaps, 0U);
 }
 
+// They are there for two batches at a time.
+TEST(Stages, WhoseSceneFilesGoTakeNoMoreDiskInALongFilm) {
+  Job job = job_of({&test::file_only_exporter()});
+  const Estimate each{.disk_bytes = 50e6};
+  const auto gigabytes = [&](const Stage& stage, std::size_t tasks) {
+    return bytes_at_once(job, stage, tasks, each) / 1e9;
+  };
+  EXPECT_DOUBLE_EQ(gigabytes(Stage::scenes, 1000), 50.0);
+  job.keep = Keep::pictures;
+  EXPECT_DOUBLE_EQ(gigabytes(Stage::scenes, 1000), 2.0);
+  EXPECT_DOUBLE_EQ(gigabytes(Stage::scenes, 10), 0.5);
+  EXPECT_DOUBLE_EQ(gigabytes(Stage::passes, 1000), 50.0);
+}
+
 // Its last job waits for all that nothing else waits for.
 TEST(Stages, WithoutPicturesEndAJobTemplateWithTheSceneFiles) {
   Job job = job_of({&test::file_only_exporter()});
