@@ -128,10 +128,10 @@ LitGround::LitGround(const scene::Scene& scene, const place::Site& site,
 }
 
 ColourMap LitGround::shaded_by_shrubs(ColourMap light, const terrain::GroundLight& clear,
-                                      const GroundGrid& grid) const {
+                                      const SnowyGround& ground, const GroundGrid& grid) const {
   const GroundGrid own{light.square(), light.samples()};
-  const std::optional<FactorMap> sunlit =
-      shrub_shade_.sunlit(site_.terrain, grid.samples > own.samples ? grid : own);
+  const std::optional<FactorMap> sunlit = shrub_shade_.sunlit(
+      site_.terrain, grid.samples > own.samples ? grid : own, ground.snow_depth());
   if (!sunlit) return light;
   const ColourMap sun = illuminate_(sun_of(clear));
   return filled<ColourMap>({sunlit->square(), sunlit->samples()}, [&](const glm::dvec2& at_m) {
@@ -142,12 +142,12 @@ ColourMap LitGround::shaded_by_shrubs(ColourMap light, const terrain::GroundLigh
 
 ColourMap LitGround::on_grass(const ColourMap& light, const terrain::GroundLight& clear,
                               const GroundGrid& grid, const place::View& view) const {
-  const ColourMap leaning =
-      place::is_large(scene_) || site_.sketch
-          ? meadow::lean_light_map(lean_light_, now_.wind_lean, site_.terrain, view,
-                                   lean_light_grid(grid, site_.sketch))
-          : meadow::lean_light_map(lean_light_, now_.wind_lean, site_.terrain, view);
-  ColourMap on_grass = product(light, leaning);
+  // Maps are large: each goes before the next one is made.
+  ColourMap on_grass = product(
+      light, place::is_large(scene_) || site_.sketch
+                 ? meadow::lean_light_map(lean_light_, now_.wind_lean, site_.terrain, view,
+                                          lean_light_grid(grid, site_.sketch))
+                 : meadow::lean_light_map(lean_light_, now_.wind_lean, site_.terrain, view));
   if (place::is_large(scene_) && scene_.grass.unevenness > 0.0) {
     const meadow::Sward sward(scene_, GroundGrid{clear.sun.square(), clear.sun.samples()}.step_m());
     on_grass = product(on_grass, meadow::sward_light_map(sward, clear, site_.day.sun_direction(),
@@ -193,7 +193,7 @@ landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const Groun
       place::rows_in_view(grid, site_.terrain, view, margin_m + 2.0 * grid.step_m());
   const auto [part, bare] = ground.covered(
       place::ground_part(scene_, site_, grid, made, ground.snow_depth()), under_grass_);
-  const ColourMap light = shaded_by_shrubs(illuminate_(part.light), part.light, grid);
+  const ColourMap light = shaded_by_shrubs(illuminate_(part.light), part.light, ground, grid);
   ColourMap radiance = product(part.reflectance, light);
   add_hot_spot(bare, part.light, part.growth, view, radiance);
   radiance = painted(std::move(radiance), part.growth, light,
@@ -210,7 +210,8 @@ ColourMap LitGround::light_in_window(const SnowyGround& ground, const place::Vie
   const RowParts lit =
       place::rows_in_view(window, site_.terrain, in_sight, 2.0 * meadow::cell_reach_m(scene_));
   const terrain::GroundLight clear = place::light_on(site_, window, lit, ground.snow_depth());
-  return on_grass(shaded_by_shrubs(illuminate_(clear), clear, window), clear, window, in_sight);
+  return on_grass(shaded_by_shrubs(illuminate_(clear), clear, ground, window), clear, window,
+                  in_sight);
 }
 
 struct LitGround::LevelLook {
@@ -354,7 +355,7 @@ std::vector<place::View> LitGround::views_of_pictures(const SnowyGround& ground,
 void LitGround::show(const SnowyGround& ground, ColourMap& light, const SkyRadiance& sky,
                      landscape::Landscape& landscape) const {
   light = shaded_by_shrubs(
-      std::move(light), ground.light(),
+      std::move(light), ground.light(), ground,
       place::is_large(scene_) ? place::whole_grid(scene_) : place::window_grid(scene_));
   const std::vector<GroundGrid> details = place::detail_grids(scene_, landscape.camera);
   const std::vector<place::View> pictures = views_of_pictures(ground, details, landscape);
@@ -369,7 +370,6 @@ void LitGround::show(const SnowyGround& ground, ColourMap& light, const SkyRadia
     around.emplace(land_around(LevelLook(*this, ground, light, grass_light, landscape.camera)));
   const std::unique_ptr<const LakeSurface> lakes =
       site_.water ? lake_surface(ground, light, grass_light, *around, sky, landscape) : nullptr;
-  // Maps are large: each goes before the next one is made.
   ColourMap radiance = product(ground.reflectance(under_grass_), light);
   add_hot_spot(ground.bare(), ground.light(), ground.growth(), pictures.front(), radiance);
   landscape.ground = painted(std::move(radiance), ground.growth(), light, grass_light, lakes.get(),
@@ -379,7 +379,10 @@ void LitGround::show(const SnowyGround& ground, ColourMap& light, const SkyRadia
         detail(ground, details[i], pictures[i + 1], lakes.get(), landscape.ground));
 
   if (sees_around) show_land_around(*around, lakes.get(), landscape);
-  if (place::is_large(scene_)) grass_light = light_in_window(ground, view_.over(site_.terrain));
+  if (place::is_large(scene_)) {
+    grass_light = {};
+    grass_light = light_in_window(ground, view_.over(site_.terrain));
+  }
   landscape.light =
       product(grass_light,
               meadow::weathering_tint(scene_, *site_.withering, now_.frame, choices_, now_.snow,

@@ -66,7 +66,7 @@ class LitGround {
   /// The light without what shrubs keep off, at least as fine as `grid` where they do. `clear`:
   /// under a clear sky, on the light's own grid.
   ColourMap shaded_by_shrubs(ColourMap light, const terrain::GroundLight& clear,
-                             const GroundGrid& grid) const;
+                             const SnowyGround& ground, const GroundGrid& grid) const;
   /// `light`: the frame's; `clear`: under a clear sky, on the same square.
   ColourMap on_grass(const ColourMap& light, const terrain::GroundLight& clear,
                      const GroundGrid& grid, const place::View& view) const;

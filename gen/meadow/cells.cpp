@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -98,7 +99,13 @@ double above_middle_m(const scene::Scene& scene) {
 }  // namespace
 
 double cell_reach_m(const scene::Scene& scene) {
-  return 1.75 * scene.grass.patch_m + above_middle_m(scene);
+  // A shrub's middle is anywhere in its cell.
+  constexpr double cells_of_shrubs = 0.5 * std::numbers::sqrt2 * (1.0 + largest_shrub);
+  constexpr double cells_of_grass = 1.75;
+  const double cells = std::ranges::any_of(scene::species_of(scene), scene::is_shrub)
+                           ? cells_of_shrubs
+                           : cells_of_grass;
+  return cells * scene.grass.patch_m + above_middle_m(scene);
 }
 
 namespace {

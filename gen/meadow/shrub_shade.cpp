@@ -101,8 +101,8 @@ glm::dvec2 ShrubShade::Placed::between_m(double y_m) const {
           high_m.x + std::max(first * falls_m.x, last * falls_m.x)};
 }
 
-std::optional<FactorMap> ShrubShade::sunlit(const Heightfield& terrain,
-                                            const GroundGrid& grid) const {
+std::optional<FactorMap> ShrubShade::sunlit(const Heightfield& terrain, const GroundGrid& grid,
+                                            const terrain::SnowDepth& snow_m) const {
   const double shown = shown_fraction(patch_m_, grid.step_m());
   if (placed_.empty() || shown <= 0.0) return std::nullopt;
   std::vector<std::vector<const Placed*>> of_rows(static_cast<std::size_t>(grid.samples));
@@ -113,6 +113,11 @@ std::optional<FactorMap> ShrubShade::sunlit(const Heightfield& terrain,
     for (int row = rows[0]; row <= rows[1]; ++row)
       of_rows[static_cast<std::size_t>(row)].push_back(&placed);
   }
+  const auto lit_m = [&](const glm::dvec2& at_m) {
+    const double half_up_m = 0.5 * grass_m_;
+    return place::above_ground(terrain, at_m,
+                               snow_m ? std::max(half_up_m, snow_m(at_m)) : half_up_m);
+  };
   FactorMap sunlit(grid.samples, grid.square, 1.0F);
   parallel_for(of_rows.size(), [&](std::size_t row) {
     const int j = static_cast<int>(row);
@@ -121,16 +126,14 @@ std::optional<FactorMap> ShrubShade::sunlit(const Heightfield& terrain,
       const glm::ivec2 columns =
           samples_between(between_m[0], between_m[1], grid.square.corner_m.x, grid);
       for (int i = columns[0]; i <= columns[1]; ++i)
-        sunlit.at(i, j) *= passed(*placed, terrain, sunlit.place_m(i, j), shown);
+        sunlit.at(i, j) *= passed(*placed, lit_m(sunlit.place_m(i, j)), shown);
     }
   });
   return sunlit;
 }
 
-float ShrubShade::passed(const Placed& placed, const Heightfield& terrain, const glm::dvec2& at_m,
-                         double shown) const {
-  const glm::dvec3 place_m = place::above_ground(terrain, at_m, 0.5 * grass_m_);
-  const glm::dvec3 start_m(placed.cell_from_world * glm::dvec4(place_m, 1.0));
+float ShrubShade::passed(const Placed& placed, const glm::dvec3& at_m, double shown) const {
+  const glm::dvec3 start_m(placed.cell_from_world * glm::dvec4(at_m, 1.0));
   const double depth = placed.cast * placed.shrubs->optical_depth(start_m, placed.along);
   return static_cast<float>(math::exp(-shown * depth));
 }

@@ -10,6 +10,7 @@
 #include "grass/geometry/crown.h"
 #include "meadow/cells.h"
 #include "scene/scene.h"
+#include "terrain/surface.h"
 
 namespace wold::meadow {
 
@@ -25,9 +26,11 @@ class ShrubShade {
   ShrubShade(const ShrubShade&) = delete;  // what is placed refers to patches
   ShrubShade& operator=(const ShrubShade&) = delete;
 
-  /// Which part of the sun's light comes through half-way up the grass: 1 where there is no shade.
-  /// Finer than a map shows it, it fades. Nothing where no shade is.
-  std::optional<FactorMap> sunlit(const Heightfield& terrain, const GroundGrid& grid) const;
+  /// Which part of the sun's light comes through half-way up the grass, or to the snow where that
+  /// is deeper: 1 where there is no shade. Finer than a map shows it, it fades. Nothing where no
+  /// shade is. `terrain`: without snow; `snow_m`: how deep that lies at a place; empty: none.
+  std::optional<FactorMap> sunlit(const Heightfield& terrain, const GroundGrid& grid,
+                                  const terrain::SnowDepth& snow_m = {}) const;
 
  private:
   /// Those of a patch, in cell space.
@@ -54,8 +57,7 @@ class ShrubShade {
   };
 
   void add(const Shrubs& shrubs, const BesideCell& beside);
-  float passed(const Placed& placed, const Heightfield& terrain, const glm::dvec2& at_m,
-               double shown) const;
+  float passed(const Placed& placed, const glm::dvec3& at_m, double shown) const;
 
   glm::dvec3 to_sun_;
   double patch_m_, grass_m_;

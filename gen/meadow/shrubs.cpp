@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/elementary.h"
 #include "meadow/cell_uniform.h"
 
 namespace wold::meadow {
@@ -10,7 +11,7 @@ ShrubPlace shrub_place(const scene::Scene& scene, const place::CellWindow& windo
                        const glm::ivec2& cell) {
   const auto drawn = [&](const char* purpose) { return cell_uniform(scene.seed, cell, purpose); };
   ShrubPlace place;
-  place.size = std::lerp(smallest_shrub, largest_shrub, drawn("shrub size"));
+  place.size = smallest_shrub * math::pow(largest_shrub / smallest_shrub, drawn("shrub size"));
   const glm::dvec2 from_corner(cell - window.first);
   const double reach = 0.5 * place.size;  // of its patch, in cells
   const double last = window.per_side - reach;

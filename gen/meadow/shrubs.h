@@ -13,9 +13,10 @@ struct ShrubPlace {
   double size = 1.0;        ///< over the patch's own, in all directions
 };
 
-/// The smallest and the largest ShrubPlace::size. Shrubs cover as much ground in the mean as if all
-/// had a size of 1.
-inline constexpr double smallest_shrub = 0.7, largest_shrub = 1.25;
+/// The smallest and the largest ShrubPlace::size, whose logarithms are even between them: small
+/// ones are many, as where shrubs of all ages stand. Shrubs cover as much ground in the mean as if
+/// all had a size of 1.
+inline constexpr double smallest_shrub = 0.45, largest_shrub = 1.68;
 
 /// Anywhere in the cell is their middle, keyed by it: shrubs in rows would look planted. All of
 /// their patch lies on the window.

@@ -47,15 +47,15 @@ const KeyNames& keys_of_plants() {
 }  // namespace
 
 Species bushes(const Scene& scene) {
-  Species bushes = grass_of(scene, "bushes", 6.0);
+  Species bushes = grass_of(scene, "bushes", 20.0);
   bushes.habitat.cover = 0.12;
   bushes.habitat.feature_m = 2.3;
   bushes.habitat.steepest_deg = 45.0;
   Plant& plant = bushes.plant;
   plant.crown_m = 0.45;
-  plant.height_m = 0.035;
+  plant.height_m = 0.02;
   plant.height_spread = 0.35;
-  plant.width_m = 0.012;
+  plant.width_m = 0.007;
   plant.lean_deg = 40.0;
   plant.lean_spread_deg = 15.0;
   plant.bend = 0.4;

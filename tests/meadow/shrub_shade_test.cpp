@@ -131,6 +131,23 @@ TEST(ShrubShade, IsThatOfWhatIsShownOfThem) {
   EXPECT_GT(darkest(1.0, 2.5), 0.95F);  // at sunset it fades
 }
 
+// Snow that buries shrubs takes their shade with them.
+TEST(ShrubShade, FallsOnTheSnowThatLiesAroundThem) {
+  const scene::Scene scene = with_shrubs();
+  const Heightfield level = ridge(0.0, 0.0);
+  const ShrubShade shade(scene, std::vector{shrubs(scene, level, 1.0)}, sun_at(25.0));
+  const auto shaded = [&](double depth_m) {
+    const auto sunlit = shade.sunlit(level, {{.size_m = terrain_m}, 201},
+                                     [&](const glm::dvec2&) { return depth_m; });
+    return std::ranges::count_if(sunlit->values(), [](float f) { return f < 0.98F; });
+  };
+  const auto half_grass_m = 0.5 * scene::mean_grass(scene).height_m;
+  EXPECT_GT(shaded(0.0), 30);
+  EXPECT_EQ(shaded(half_grass_m), shaded(0.0));
+  EXPECT_LT(shaded(0.5 * scene.species[1].plant.crown_m), 0.8 * shaded(0.0));
+  EXPECT_EQ(shaded(scene.species[1].plant.crown_m), 0);
+}
+
 TEST(ShrubShade, IsNoneOfWhatStandsOnItsCellOrWithoutASun) {
   const scene::Scene scene = with_shrubs();
   const Heightfield level = ridge(0.0, 0.0);
