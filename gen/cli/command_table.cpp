@@ -155,12 +155,12 @@ void add_job_options(CLI::App& app, RenderArguments& arguments) {
 
 /// `has_pictures`: whether the command makes pictures, which may stay alone.
 CLI::Option* add_keep(CLI::App& app, work::Keep& keep, bool has_pictures) {
-  std::vector<std::string> words = {"all", "scenes"};
+  std::vector<std::string> words(work::keep_words.begin(), work::keep_words.end());
   std::string doc = "what stays: all; scenes, without the texels that scene files are made from";
-  if (has_pictures) {
-    words.emplace_back("pictures");
-    doc += "; or pictures, without scene files, either";
-  }
+  if (has_pictures)
+    doc += "; or pictures, without either";
+  else
+    words.resize(static_cast<std::size_t>(work::Keep::pictures));
   return app
       .add_option_function<std::string>(
           "--keep",
@@ -235,7 +235,7 @@ Action declare_plan(CLI::App& app) {
       add_form("--openjd", PlanForm::openjd, "as a job template of Open Job Description");
   json->excludes(why)->excludes(openjd);
   why->excludes(openjd);
-  add_keep(app, arguments->options.keep, /*has_pictures=*/true)->needs(openjd);
+  add_keep(app, arguments->options.keep, /*has_pictures=*/true);
   return [arguments, form] { return run_plan(resolved(*arguments), *form); };
 }
 

@@ -134,6 +134,12 @@ std::string read_file(const fs::path& path) {
   return bytes;
 }
 
+void remove_file(const fs::path& path) {
+  if (::unlink(path.c_str()) == 0) return;
+  if (errno == ENOENT || errno == ENOTDIR || errno == EISDIR) return;
+  throw FileError(fmt::format("cannot remove {}: {}", path.string(), reason(errno)));
+}
+
 void remove_empty_folder(const fs::path& folder) { ::rmdir(folder.c_str()); }
 
 void update_file(const fs::path& path, std::string_view bytes) {

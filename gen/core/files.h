@@ -31,6 +31,10 @@ void write_file_by_path(const std::filesystem::path& path,
 /// network file systems, where a replaced file is lost to them. Throws FileError.
 void update_file(const std::filesystem::path& path, std::string_view bytes);
 
+/// Removes a file or a link; a folder under that name stays, and where nothing is nothing is done.
+/// Throws FileError.
+void remove_file(const std::filesystem::path& path);
+
 /// Removes an empty folder; a file, a link or a folder in which something is stays.
 void remove_empty_folder(const std::filesystem::path& folder);
 

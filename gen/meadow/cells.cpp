@@ -89,9 +89,10 @@ double above_middle_m(const scene::Scene& scene) {
   double max_m = 0.0;
   for (const scene::Species& species : scene::species_of(scene)) {
     const scene::Plant& plant = species.plant;
-    const double higher_m = largest_shrub * plant.crown_m + 0.5 * (plant.height_m - mean_m);
-    max_m =
-        std::max(max_m, plant.height_m * std::max(1.5, 0.5 + 2.2 * plant.height_spread) + higher_m);
+    const double size = scene::is_shrub(species) ? largest_shrub : 1.0;
+    const double higher_m = size * plant.crown_m + 0.5 * (plant.height_m - mean_m);
+    const double blade_m = plant.height_m * std::max(1.5, 0.5 + 2.2 * plant.height_spread);
+    max_m = std::max(max_m, size * blade_m + higher_m);
   }
   return max_m;
 }
@@ -275,9 +276,12 @@ class CellChooser {
     const glm::dvec3 middle_m = middle_of(grass_, terrain_, cell);
     const Grown grown = grown_in(growth_, cell, scene_.grass.patch_m);
     if (grown.max <= 0.0F || !sight_.may_see(middle_m)) return;
-    CellChoice choice = choose_cell(scene_, cell, texel, key_frames_,
-                                    withering_.at(glm::dvec2(middle_m), now_.frame), showing_,
-                                    sight_.pixels(middle_m));
+    const double weathering = withering_.at(glm::dvec2(middle_m), now_.frame);
+    const auto of_size = [&](double size) {
+      return choose_cell(scene_, cell, texel, key_frames_, weathering, showing_,
+                         sight_.pixels(middle_m) * size);
+    };
+    const CellChoice choice = of_size(1.0);
     if (choice.blades && cell_uniform(scene_.seed, cell, "grown") >= double{grown.mean}) return;
     const int mixture = mixtures_.at(glm::dvec2(middle_m));
     const MixtureFacts& facts = mixture_facts_[static_cast<std::size_t>(mixture)];
@@ -287,8 +291,9 @@ class CellChooser {
     const double grown_there{
         growth_.sample(middle_m.x + place.shift_m.x, middle_m.y + place.shift_m.y)};
     if (cell_uniform(scene_.seed, cell, "shrub grown") >= grown_there) return;
-    const double standing = choice.blades ? 1.0 : grown_there * (1.0 - sight_.far(middle_m));
-    row.push_back(beside_cell(choice, mixture, place, standing));
+    const CellChoice shrub = of_size(place.size);
+    const double standing = shrub.blades ? 1.0 : grown_there * (1.0 - sight_.far(middle_m));
+    row.push_back(beside_cell(shrub, mixture, place, standing));
   }
 
  private:

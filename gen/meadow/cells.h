@@ -61,7 +61,7 @@ int turns_of_lod(int voxels_per_side);
 /// How many of them cells of a scene use of a level: a coat has one nap.
 int turns_of_lod(const scene::Scene& scene, int lod);
 
-/// How far from the middle of a cell, on the ground, its grass may reach, and half a cell more.
+/// How far from the middle of a cell, on the ground, what stands on it and beside it may reach.
 double cell_reach_m(const scene::Scene& scene);
 
 /// A square on the ground, in metres, beyond which the grass of cells does not reach; of one cell
@@ -78,11 +78,11 @@ Square square_of_cells(const scene::Scene& scene, std::span<const CellChoice> ce
 /// snow and light are those below or above the cell's weathering and the frame's snow and light, in
 /// the mean as much as these; variants pass from one to the next one after another, so that few
 /// pairs of variant and state are seen at once. The level is the coarsest whose voxels cover at
-/// most grass.pixels_per_voxel, with a keyed tenth of jitter, so that no ring shows where levels
-/// change. A cell has as many parts as ground_tolerance_m asks for; shrubs, whose feet grass hides,
-/// as five times that. Only `lod` (and with it the turns allowed), `parts` and whether a cell is
-/// listed depend on the camera. Cells are drawn as render.grass asks: with "auto" as blades where
-/// even the finest level is too coarse.
+/// most grass.pixels_per_voxel, of larger shrubs as of others, with a keyed tenth of jitter, so
+/// that no ring shows where levels change. A cell has as many parts as ground_tolerance_m asks for;
+/// shrubs, whose feet grass hides, as five times that. Only `lod` (and with it the turns allowed),
+/// `parts` and whether a cell is listed depend on the camera. Cells are drawn as render.grass asks:
+/// with "auto" as blades where even the finest level is too coarse.
 std::vector<CellChoice> choose_cells(const scene::Scene& scene, const Heightfield& terrain,
                                      const FactorMap& growth, const place::MixtureField& mixtures,
                                      const place::Withering& withering, const FrameGrass& now);

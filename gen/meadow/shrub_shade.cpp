@@ -85,7 +85,8 @@ void ShrubShade::add(const Shrubs& shrubs, const BesideCell& beside) {
   };
   const glm::dvec2 corner_m = in_world({0.0, 0.0}, 1.0),
                    other_m = in_world(glm::dvec2(patch_m_), 1.0);
-  placed_.push_back({&shrubs, cell_from_world, along, cast, glm::min(corner_m, other_m),
+  const double size_m = patch_m_ * glm::length(glm::dvec3(world_from_cell[0]));
+  placed_.push_back({&shrubs, cell_from_world, along, size_m, cast, glm::min(corner_m, other_m),
                      glm::max(corner_m, other_m),
                      in_world(-farther * shrubs.height_m / along.z * glm::dvec2(along), 0.0)});
 }
@@ -103,8 +104,10 @@ glm::dvec2 ShrubShade::Placed::between_m(double y_m) const {
 
 std::optional<FactorMap> ShrubShade::sunlit(const Heightfield& terrain, const GroundGrid& grid,
                                             const terrain::SnowDepth& snow_m) const {
-  const double shown = shown_fraction(patch_m_, grid.step_m());
-  if (placed_.empty() || shown <= 0.0) return std::nullopt;
+  const auto is_shown = [&](const Placed& placed) {
+    return shown_fraction(placed.size_m, grid.step_m()) > 0.0;
+  };
+  if (std::ranges::none_of(placed_, is_shown)) return std::nullopt;
   std::vector<std::vector<const Placed*>> of_rows(static_cast<std::size_t>(grid.samples));
   for (const Placed& placed : placed_) {
     const glm::ivec2 rows = samples_between(placed.low_m.y + std::min(0.0, placed.falls_m.y),
@@ -126,16 +129,16 @@ std::optional<FactorMap> ShrubShade::sunlit(const Heightfield& terrain, const Gr
       const glm::ivec2 columns =
           samples_between(between_m[0], between_m[1], grid.square.corner_m.x, grid);
       for (int i = columns[0]; i <= columns[1]; ++i)
-        sunlit.at(i, j) *= passed(*placed, lit_m(sunlit.place_m(i, j)), shown);
+        sunlit.at(i, j) *= passed(*placed, lit_m(sunlit.place_m(i, j)), grid.step_m());
     }
   });
   return sunlit;
 }
 
-float ShrubShade::passed(const Placed& placed, const glm::dvec3& at_m, double shown) const {
+float ShrubShade::passed(const Placed& placed, const glm::dvec3& at_m, double step_m) const {
   const glm::dvec3 start_m(placed.cell_from_world * glm::dvec4(at_m, 1.0));
   const double depth = placed.cast * placed.shrubs->optical_depth(start_m, placed.along);
-  return static_cast<float>(math::exp(-shown * depth));
+  return static_cast<float>(math::exp(-shown_fraction(placed.size_m, step_m) * depth));
 }
 
 }  // namespace wold::meadow

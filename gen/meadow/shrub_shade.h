@@ -51,13 +51,14 @@ class ShrubShade {
     const Shrubs* shrubs;
     glm::dmat4 cell_from_world;
     glm::dvec3 along;          ///< a metre towards the sun, in cell space
+    double size_m;             ///< of their patch
     double cast;               ///< the fraction of their optical depth that counts
     glm::dvec2 low_m, high_m;  ///< of the ground under them
     glm::dvec2 falls_m;        ///< how far from it the shade of their tops may lie
   };
 
   void add(const Shrubs& shrubs, const BesideCell& beside);
-  float passed(const Placed& placed, const glm::dvec3& at_m, double shown) const;
+  float passed(const Placed& placed, const glm::dvec3& at_m, double step_m) const;
 
   glm::dvec3 to_sun_;
   double patch_m_, grass_m_;

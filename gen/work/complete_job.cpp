@@ -24,7 +24,6 @@ void complete_job(const Job& job, const std::vector<StageTasks>& stages, Progres
   remove_empty_folder(job.out / "snow");  // where scratch folders were
   Work work(job, &renderers);
   do_tasks(job, work, stages, progress);
-  if (job.keep == Keep::pictures) work.remove_scenes(job.frames);
   if (job.keep != Keep::all) work.remove_texels();
   work.finish();
 }

@@ -18,21 +18,24 @@ double megabytes(double bytes) { return std::ceil(bytes / 1e6); }
 
 }  // namespace
 
-double bytes_at_once(const Job& job, const Stage& stage, std::size_t tasks, const Estimate& each) {
-  const std::size_t at_once =
-      stage == Stage::scenes ? frames_at_once(job, tasks, each.disk_bytes) : tasks;
-  return static_cast<double>(at_once) * each.disk_bytes;
+double bytes_at_once(const Job& job, const Stage& stage, std::size_t tasks, const Estimate& each,
+                     Work& work) {
+  const double all = static_cast<double>(tasks) * each.disk_bytes;
+  if (stage != Stage::scenes || job.keep != Keep::pictures) return all;
+  return std::min(all, bytes_in_batches(scene_bytes(job, work), tasks));
 }
 
 double missing_bytes(const Job& job, const std::vector<StageTasks>& stages, Work& work) {
   double bytes = 0.0;
   for (const StageTasks& stage : stages) {
     const auto missing = std::ranges::count_if(stage.indices, [&](int index) {
-      return !work.records().read({stage.stage, index}).has_value();
+      const Task task{stage.stage, index};
+      const auto record = work.records().read(task);
+      return !record || (record->removed && work.verdict(task).need != Need::no);
     });
     if (missing > 0)
       bytes += bytes_at_once(job, stage.stage, static_cast<std::size_t>(missing),
-                             estimate(job, stage, work));
+                             estimate(job, stage, work), work);
   }
   return bytes;
 }

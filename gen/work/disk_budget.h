@@ -11,10 +11,12 @@
 namespace wold::work {
 
 /// What of so many tasks' files is there at the same time: those of all, but where scene files do
-/// not stay. `each`: the estimate of one.
-double bytes_at_once(const Job& job, const Stage& stage, std::size_t tasks, const Estimate& each);
+/// not stay. `each`: the estimate of one. Throws what FilmDemand does.
+double bytes_at_once(const Job& job, const Stage& stage, std::size_t tasks, const Estimate& each,
+                     Work& work);
 
-/// The most that files of the stages' tasks that were never done take at the same time.
+/// The most that files which are not there take at the same time: those of the stages' tasks that
+/// were never done, and those that were removed and are needed again.
 double missing_bytes(const Job& job, const std::vector<StageTasks>& stages, Work& work);
 
 /// What this process may still write where a folder is or would be made; nothing when the system

@@ -26,6 +26,12 @@ std::vector<Task> needed(Work& work, const StageTasks& stage) {
   return tasks;
 }
 
+/// A part of a film that is done by itself.
+struct Part {
+  std::string name = "";     ///< ", batch 3 of 25" in headings; empty: the whole
+  bool is_followed = false;  ///< by one whose scene files are made, too
+};
+
 /// Runs tasks under one heading; `in_order(count, body)` calls the body for each.
 template <class InOrder>
 void run_all(Work& work, const std::vector<Task>& tasks, const std::string& heading,
@@ -57,12 +63,16 @@ void make_texels(const Job& job, Work& work, const StageTasks& stage,
           });
 }
 
-std::size_t pictures_at_once(const Job& job, double bytes_each) {
+std::size_t pictures_by_threads(const Job& job) {
   // Reading the scene takes a renderer one thread, and small pictures do not fill many.
   constexpr int threads_each = 4;
-  const int by_threads = threads_of(job) / threads_each;
+  return static_cast<std::size_t>(std::max(1, threads_of(job) / threads_each));
+}
+
+std::size_t pictures_at_once(const Job& job, double bytes_each) {
+  const auto by_threads = static_cast<double>(pictures_by_threads(job));
   const double by_memory = memory_for_renderers(job, 1) / bytes_each;
-  return static_cast<std::size_t>(std::max(1.0, std::min<double>(by_threads, by_memory)));
+  return static_cast<std::size_t>(std::max(1.0, std::min(by_threads, by_memory)));
 }
 
 /// What each of so many renderers may take; what is left is this process's.
@@ -76,39 +86,48 @@ RendererLimits renderer_limits(const Job& job, std::size_t at_once) {
   return limits;
 }
 
+/// Whether as many renderers as there are threads for fit beside what scene files are made with.
+bool fit_beside_film(const Job& job, std::size_t pictures, double bytes_each) {
+  const std::size_t at_once = std::min(pictures, pictures_by_threads(job));
+  return job.memory_bytes <= 0.0 &&
+         memory_for_renderers(job, at_once) >= static_cast<double>(at_once) * bytes_each;
+}
+
 void make_pictures(const Job& job, Work& work, std::vector<Task> tasks, double bytes_each,
-                   const std::string& heading, Progress& progress) {
+                   const Part& part, Progress& progress) {
   std::stable_sort(tasks.begin(), tasks.end(),
                    [](const Task& a, const Task& b) { return a.index < b.index; });
   if (tasks.empty()) return;
-  work.forget_film();
+  if (!part.is_followed || !fit_beside_film(job, tasks.size(), bytes_each)) work.forget_film();
   const std::size_t at_once = std::min(tasks.size(), pictures_at_once(job, bytes_each));
-  run_all(work, tasks, heading, renderer_limits(job, at_once), progress,
+  run_all(work, tasks, "pictures" + part.name, renderer_limits(job, at_once), progress,
           [&](std::size_t count, const std::function<void(std::size_t)>& body) {
             run_at_once(count, at_once, body);
           });
 }
 
-/// Stage by stage, pictures of all renderers together. `which` says in headings of what frames.
-void do_stages(const Job& job, Work& work, const std::vector<StageTasks>& stages,
-               const std::string& which, Progress& progress) {
+/// Stage by stage, pictures of all renderers together.
+void do_stages(const Job& job, Work& work, const std::vector<StageTasks>& stages, const Part& part,
+               Progress& progress) {
   if (job.memory_bytes > 0.0) limit_own_memory(job.memory_bytes);
   std::vector<Task> pictures;
-  double bytes_each = 1.0;
   for (const StageTasks& stage : stages) {
     const std::vector<Task> tasks = needed(work, stage);
     if (makes_pictures(stage.stage)) {
       pictures.insert(pictures.end(), tasks.begin(), tasks.end());
-      if (stage.indices.size() > 1)
-        bytes_each = std::max(bytes_each, memory_bytes(job, stage, work));
     } else if (stage.stage == Stage::texels) {
       make_texels(job, work, stage, tasks, progress);
     } else {
       const ThreadLimit limit(scene_threads(job));
-      run_all(work, tasks, std::string(name_of(stage.stage)) + which, {}, progress, one_by_one);
+      run_all(work, tasks, std::string(name_of(stage.stage)) + part.name, {}, progress, one_by_one);
     }
   }
-  make_pictures(job, work, pictures, bytes_each, "pictures" + which, progress);
+  double bytes_each = 1.0;
+  if (pictures.size() > 1 || part.is_followed)
+    for (const StageTasks& stage : stages)
+      if (makes_pictures(stage.stage))
+        bytes_each = std::max(bytes_each, memory_bytes(job, stage, work));
+  make_pictures(job, work, pictures, bytes_each, part, progress);
 }
 
 /// Those of the stages' tasks that `is_wanted`, without stages of which nothing is.
@@ -128,8 +147,7 @@ std::vector<int> frames_to_do(Work& work, const std::vector<StageTasks>& stages)
   return {frames.begin(), frames.end()};
 }
 
-/// What lasts first, then scene files and their pictures batch by batch. A batch's scene files go
-/// when those of the next are there.
+/// What all scene files are made from first, then they and their pictures, batch by batch.
 void do_in_batches(const Job& job, Work& work, const std::vector<StageTasks>& stages,
                    Progress& progress) {
   const auto of_step = [&](Step first, Step last) {
@@ -137,24 +155,23 @@ void do_in_batches(const Job& job, Work& work, const std::vector<StageTasks>& st
       return first <= task.stage.step && task.stage.step <= last;
     });
   };
-  do_stages(job, work, of_step(Step::texels, Step::passes), "", progress);
+  do_stages(job, work, of_step(Step::texels, Step::passes), {}, progress);
   work.remove_scenes(job.frames);
   const std::vector<StageTasks> scenes = of_step(Step::scenes, Step::scenes);
   const std::vector<StageTasks> pictures = of_step(Step::pictures, Step::pictures);
   const std::vector<int> to_do = frames_to_do(work, of_step(Step::scenes, Step::pictures));
   if (to_do.empty()) return;
-  const double bytes_each = estimate(job, scenes.front(), work).disk_bytes;
-  std::vector<int> before;
-  for (const std::vector<int>& frames : batches_of(to_do, bytes_each)) {
+  const auto batches = batches_of(to_do, scene_bytes(job, work).own);
+  for (std::size_t i = 0; i < batches.size(); ++i) {
     const auto is_in_batch = [&](const Task& task) {
-      return std::ranges::binary_search(frames, task.index);
+      return std::ranges::binary_search(batches[i], task.index);
     };
-    const std::string which = fmt::format(" of frames {}", ranges_text(frames));
-    do_stages(job, work, of_stages(scenes, is_in_batch), which, progress);
-    work.remove_scenes(before);
-    do_stages(job, work, of_stages(pictures, is_in_batch), which, progress);
-    before = frames;
+    const Part part{fmt::format(", batch {} of {}", i + 1, batches.size()), i + 1 < batches.size()};
+    do_stages(job, work, of_stages(scenes, is_in_batch), part, progress);
+    if (i > 0) work.remove_scenes(batches[i - 1]);
+    do_stages(job, work, of_stages(pictures, is_in_batch), part, progress);
   }
+  work.remove_scenes(batches.back());
 }
 
 bool has_pictures_to_make(Work& work, const StageTasks& stage) {
@@ -179,7 +196,7 @@ void do_tasks(const Job& job, Work& work, const std::vector<StageTasks>& stages,
   if (job.keep == Keep::pictures)
     do_in_batches(job, work, stages, progress);
   else
-    do_stages(job, work, stages, "", progress);
+    do_stages(job, work, stages, {}, progress);
 }
 
 }  // namespace wold::work

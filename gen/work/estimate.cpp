@@ -53,10 +53,18 @@ double landscape_seconds(const scene::Scene& scene) {
   return scene_seconds + snow_seconds + ground_seconds(scene);
 }
 
+SceneBytes scene_bytes_of(const Job& job, const film::FilmDemand& demand) {
+  SceneBytes all;
+  for (const exporter::Exporter* one : job.exporters) {
+    const SceneBytes bytes = scene_bytes(job.scene, one->files, demand);
+    all.shared += bytes.shared;
+    all.own += bytes.own;
+  }
+  return all;
+}
+
 Estimate scenes(const Job& job, const StageTasks& stage, const film::FilmDemand& demand) {
-  double bytes = 0.0;
-  for (const exporter::Exporter* one : job.exporters)
-    bytes += scene_bytes(job.scene, one->files, demand, stage.indices.size());
+  const double bytes = scene_bytes_of(job, demand).of(stage.indices.size());
   const double seconds = landscape_seconds(job.scene) + scene_file_seconds * each(bytes, stage);
   return {seconds, scene_memory_bytes(job, demand), each(bytes, stage)};
 }
@@ -148,6 +156,8 @@ Estimate estimate(const Job& job, const StageTasks& stage, Work& work) {
   }
   return result;
 }
+
+SceneBytes scene_bytes(const Job& job, Work& work) { return scene_bytes_of(job, work.demand()); }
 
 double memory_bytes(const Job& job, const StageTasks& stage, Work& work) {
   if (stage.stage == Stage::texels) return texel_memory_bytes(job);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "work/file_sizes.h"
 #include "work/tasks.h"
 #include "work/work.h"
 
@@ -17,6 +18,9 @@ struct Estimate {
 /// from what tasks of the same stage and scene took, where some have been done. Throws what
 /// FilmDemand does.
 Estimate estimate(const Job& job, const StageTasks& stage, Work& work);
+
+/// All scene files of the job. Throws what FilmDemand does.
+SceneBytes scene_bytes(const Job& job, Work& work);
 
 /// Estimate::memory_bytes alone, which for all but pictures asks for no demand.
 double memory_bytes(const Job& job, const StageTasks& stage, Work& work);

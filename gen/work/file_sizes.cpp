@@ -214,8 +214,8 @@ double cloud_picture_bytes(const scene::Scene& scene) {
   return 2e6 * static_cast<double>(scene.clouds.size());
 }
 
-double scene_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
-                   const film::FilmDemand& demand, std::size_t frames) {
+SceneBytes scene_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
+                       const film::FilmDemand& demand) {
   const bool some_is_bare = std::ranges::any_of(
       demand.frames(), [&](const auto& one) { return !has_own_terrain(scene, one.second); });
   double shared = volumes_bytes(scene, costs, demand);
@@ -224,8 +224,7 @@ double scene_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
     shared += costs.shared_blade * static_cast<double>(scene::drawn_of(scene, variant));
   double looked_at = 0.0;
   for (const auto& [frame, shown] : demand.frames()) looked_at += frame_bytes(scene, costs, shown);
-  return shared +
-         looked_at * static_cast<double>(frames) / static_cast<double>(demand.frames().size());
+  return {shared, looked_at / static_cast<double>(demand.frames().size())};
 }
 
 double pass_bytes(const scene::Scene& scene, std::span<const passes::Pass> passes) {

@@ -65,9 +65,16 @@ double texel_bytes(const scene::Scene& scene, const film::FilmDemand& demand, bo
 /// All of DIR/clouds.
 double cloud_picture_bytes(const scene::Scene& scene);
 
-/// The folder of an exporter with `frames` frames.
-double scene_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
-                   const film::FilmDemand& demand, std::size_t frames);
+/// Scene files: what frames share, once, and what a frame has of its own in the mean.
+struct SceneBytes {
+  double shared = 0.0, own = 0.0;
+
+  double of(std::size_t frames) const { return shared + own * static_cast<double>(frames); }
+};
+
+/// The folder of an exporter.
+SceneBytes scene_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,
+                       const film::FilmDemand& demand);
 
 /// The passes of one frame.
 double pass_bytes(const scene::Scene& scene, std::span<const passes::Pass> passes);

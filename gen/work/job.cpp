@@ -41,10 +41,10 @@ std::vector<passes::Pass> wanted_passes(const std::string& names, const scene::S
 void require_pictures(const exporter::Exporters& exporters) {
   for (const exporter::Exporter* one : exporters)
     if (!one->renderer)
-      throw InputError(
-          fmt::format("--keep: found pictures, expected scenes or all with render.renderer \"{}\", "
-                      "whose scene files wold makes no pictures of",
-                      one->name));
+      throw InputError(fmt::format(
+          "--keep: found {}, expected {} or {} with render.renderer \"{}\", whose scene "
+          "files wold makes no pictures of",
+          word_of(Keep::pictures), word_of(Keep::scenes), word_of(Keep::all), one->name));
 }
 
 }  // namespace

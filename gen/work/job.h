@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/error.h"
@@ -20,8 +22,13 @@ namespace wold::work {
 using ChosenPrograms = std::map<std::string, std::string, std::less<>>;
 
 /// What of an output folder stays when all is done: everything; scene files and pictures without
-/// the texels that scene files are made from; or pictures without the scene files that they show.
+/// the texels that scene files are made from; or pictures without scene files and texels.
 enum class Keep { all, scenes, pictures };
+
+/// "all", "scenes", "pictures", in the order of Keep.
+inline constexpr std::array<std::string_view, 3> keep_words = {"all", "scenes", "pictures"};
+
+inline std::string_view word_of(Keep keep) { return keep_words[static_cast<std::size_t>(keep)]; }
 
 /// What `render`, `generate`, `plan` and `task` are asked for.
 struct RenderOptions {
@@ -47,7 +54,7 @@ struct Job : film::Request {
   int threads = 0;            ///< 0: all processors
   double memory_bytes = 0.0;  ///< that all may take together; 0: the machine's, and no limit is set
   Keep keep = Keep::all;
-  bool has_pictures = true;    ///< whether renderers are to make some; else scene files are wanted
+  bool has_pictures = true;    ///< whether pictures are what is wanted of scene files
   bool is_blur_alone = false;  ///< whether passes are for film.shutter alone: files of all do, too
   std::vector<Problem> text_warnings;  ///< of scene::read_located_scene()
 };

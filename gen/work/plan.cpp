@@ -166,6 +166,8 @@ std::vector<StagePlan> make_plan(const Job& job) {
       if (group.verdict.need == Need::yes) stage.runs += group.indices.size();
       if (group.verdict.need == Need::perhaps) stage.perhaps += group.indices.size();
     }
+    stage.disk_bytes =
+        bytes_at_once(job, tasks.stage, stage.runs + stage.perhaps, stage.each, work);
     plan.push_back(std::move(stage));
   }
   return plan;
@@ -180,7 +182,7 @@ std::string total_text(const Job& job, const std::vector<StagePlan>& plan) {
     const auto tasks = static_cast<double>(stage.runs + stage.perhaps);
     if (tasks == 0.0) continue;
     seconds += tasks * stage.each.seconds;
-    disk_bytes += bytes_at_once(job, stage.tasks.stage, stage.runs + stage.perhaps, stage.each);
+    disk_bytes += stage.disk_bytes;
     memory_bytes = std::max(memory_bytes, stage.each.memory_bytes);
   }
   if (seconds == 0.0) return {};
@@ -234,8 +236,7 @@ std::string plan_openjd(const RenderOptions& options, const Job& job,
   // Finds everything there and lists it in manifest.json.
   std::vector<std::string> last_command = {"render", "{{Param.Scene}}"};
   if (options.keep != Keep::all)
-    last_command.insert(last_command.end(),
-                        {"--keep", options.keep == Keep::scenes ? "scenes" : "pictures"});
+    last_command.insert(last_command.end(), {"--keep", std::string(word_of(options.keep))});
   steps.push_back(step_json("manifest", last_command, with));
   steps.back()["dependencies"] = dependencies_json(last);
   const Json json = {

@@ -21,6 +21,7 @@ struct StagePlan {
   std::vector<TaskGroup> groups;  ///< in the order of their first tasks
   std::size_t runs = 0;           ///< tasks that are needed
   std::size_t perhaps = 0;        ///< tasks that may turn out to be
+  double disk_bytes = 0.0;        ///< of all these, as far as they are there at the same time
 };
 
 /// The verdict on every task of a job, without doing or writing anything.

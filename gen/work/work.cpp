@@ -77,6 +77,19 @@ bool may_make(const Stage& stage, const fs::path& name) {
   return false;
 }
 
+/// Whether a frame's scene files may have that name.
+bool may_make_of_frame(const Job& job, int frame, const fs::path& name) {
+  const fs::path folder = name.parent_path();
+  return std::ranges::any_of(job.exporters, [&](const exporter::Exporter* one) {
+    const auto is_folder = [&](const fs::path& below) {
+      return folder == fs::path(one->name) / below;
+    };
+    return is_folder(fs::path("data") / fmt::format("frame_{:04}", frame)) ||
+           std::ranges::any_of(one->shared_folders, is_folder) ||
+           (folder.empty() && exporter::writes(*one, name.string()));
+  });
+}
+
 /// "camera.eye, camera.target and 3 more"
 std::string listed(const std::vector<std::string>& keys) {
   constexpr std::size_t max = 4;
@@ -138,7 +151,9 @@ bool Work::are_texels_read() {
       return verdict({stage, frame}).need == Need::no;
     });
   };
-  return is_done(Stage::scenes) && (job_.passes.empty() || is_done(Stage::passes));
+  if (!texels_are_read_)
+    texels_are_read_ = is_done(Stage::scenes) && (job_.passes.empty() || is_done(Stage::passes));
+  return *texels_are_read_;
 }
 
 /// Whether nobody needs the frame's scene files any more. Never where they are what is wanted: by
@@ -153,8 +168,8 @@ bool Work::are_pictures_made(int frame) {
 /// Whether pictures are to be made of the frame's scene files as they are, or were when removed.
 bool Work::are_scenes_right(int frame) {
   const Task scenes = {Stage::scenes, frame};
-  if (const auto known = scenes_.find(frame); known != scenes_.end())
-    if (known->second.need == Need::no) return true;
+  const auto known = scenes_.find(frame);  // spares a read
+  if (known != scenes_.end() && known->second.need == Need::no) return true;
   if (const auto record = records_.read(scenes); record && record->removed)
     return is_made_from_this(scenes, *record);
   return verdict(scenes).need == Need::no;
@@ -262,6 +277,7 @@ void Work::prepare(const Stage& stage, Progress& progress) {
 
 void Work::remove_scenes(std::span<const int> frames) {
   if (!shared_) shared_.emplace(records_);
+  const std::lock_guard lock(mutex_);
   for (const int frame : frames) {
     const Task scenes = {Stage::scenes, frame};
     if (verdict(scenes).need != Need::no || !are_pictures_made(frame)) continue;
@@ -277,23 +293,33 @@ void Work::remove_texels() {
       for (const int index : stage.indices) remove_outputs({stage.stage, index});
 }
 
+/// They go in the order of their names: where the last is gone, all are.
 void Work::remove_outputs(const Task& task) {
   auto record = records_.read(task);
   if (!record) return;
-  if (!record->removed) {
+  const bool was_removed = record->removed;
+  if (!was_removed) {
     record->removed = true;
     write_record(task, *record);
   }
-  std::set<fs::path> folders;  // relative
-  for (const auto& [name, state] : record->outputs) {
-    const fs::path file = fs::path(name).lexically_normal();
-    const bool is_shared = task.stage == Stage::scenes && shared_->is_used(name);
-    if (is_shared || !may_make(task.stage, file)) continue;
-    fs::remove(job_.out / file);
+  std::vector<fs::path> files;  // relative
+  for (const auto& [name, state] : record->outputs)
+    if (may_remove(task, name)) files.push_back(fs::path(name).lexically_normal());
+  if (files.empty() || (was_removed && !fs::exists(job_.out / files.back()))) return;
+  std::set<fs::path> folders;
+  for (const fs::path& file : files) {
+    remove_file(job_.out / file);
     folders.insert(file.parent_path());
   }
   for (fs::path folder : folders)
     for (; !folder.empty(); folder = folder.parent_path()) remove_empty_folder(job_.out / folder);
+}
+
+/// Whether a file of that name is the task's alone.
+bool Work::may_remove(const Task& task, const std::string& name) {
+  const fs::path file = fs::path(name).lexically_normal();
+  if (task.stage != Stage::scenes) return may_make(task.stage, file);
+  return !shared_->is_used(name) && may_make_of_frame(job_, task.index, file);
 }
 
 /// In place of the one that there may be.
@@ -329,8 +355,9 @@ void Work::run(const Task& task, const RendererLimits& limits, Progress& progres
     record.outputs[name] = states_.of(name);
   }
   write_record(task, record);
-  if (task.stage != Stage::scenes) return;
   const std::lock_guard lock(mutex_);
+  texels_are_read_.reset();
+  if (task.stage != Stage::scenes) return;
   scenes_.erase(task.index);
   scene_hashes_.erase(task.index);
 }

@@ -64,10 +64,10 @@ class Work {
   /// task depends on has not been done, RendererError and InterruptedError.
   void run(const Task& task, const RendererLimits& limits, Progress& progress);
 
-  /// Removes the files of these frames' scenes whose pictures are all made, but those that scenes
-  /// of other frames share. Their tasks then count as done for as long as those of their pictures
-  /// are. Records say so first, as in remove_texels(). For a process that has the folder to itself.
-  /// Throws FileError.
+  /// Removes the scene files of those of the frames whose pictures are all made, but what scenes of
+  /// other frames share. Their tasks then count as done for as long as those of their pictures are,
+  /// for jobs that want pictures. Records say so first, as in remove_texels(). For a process that
+  /// has the folder to itself. Throws FileError.
   void remove_scenes(std::span<const int> frames);
 
   /// Removes the files of the job's texels, which no task needs as long as all scene files are
@@ -112,6 +112,7 @@ class Work {
   Made make_picture(const Task& task, const RendererLimits& limits, Progress& progress);
   void remove_damaged(const Task& task);
   void remove_outputs(const Task& task);
+  bool may_remove(const Task& task, const std::string& name);
   void write_record(const Task& task, const TaskRecord& record);
   film::FilmPipeline& film();
 
@@ -123,9 +124,10 @@ class Work {
   std::map<std::string_view, std::string> programs_;  ///< hash, by exporter with a renderer
   FileStates states_;
   TaskRecords records_;
-  std::recursive_mutex mutex_;                  ///< of the three that follow
+  std::recursive_mutex mutex_;                  ///< of the four that follow
   std::map<int, Verdict> scenes_;               ///< verdicts, by frame
   std::map<int, SceneHashes> scene_hashes_;     ///< by frame
+  std::optional<bool> texels_are_read_;         ///< until a task is run
   std::map<std::string, std::string> changes_;  ///< since facts of that hash, in words
   std::optional<SharedFiles> shared_;           ///< from remove_scenes() on
   std::optional<place::GrowingGround> land_;    ///< from demand() on, until film() takes it

@@ -161,6 +161,7 @@ def main() -> None:
             " --wold PROGRAM"
         )
     question = [arguments.wold, "plan", arguments.scene, "--json", "--out", arguments.out]
+    question += ["--keep", arguments.keep]
     plan = json.loads(output_of(*question, *options))
     submission = Submission(arguments, options)
     jobs: dict[str, str] = {}

@@ -5,7 +5,9 @@
 
 #include "core/files.h"
 #include "core/image.h"
+#include "film/exporters.h"
 #include "small_film.h"
+#include "work/complete_job.h"
 
 /// From the scene file to the folders of the renderers and back again: what is made twice is the
 /// same, and what is there already is kept.
@@ -246,10 +248,17 @@ TEST_F(Resume, TexelsThatAKilledProcessWasRemovingAreRemoved) {
 }
 
 TEST_F(Resume, PicturesAloneAreThoseOfScenesThatStay) {
-  EXPECT_EQ(rendered(), "1 2 ");
+  const auto source_of = [&](int frame) {
+    const auto record = nlohmann::json::parse(
+        read_file(folder_ / fmt::format("out/tasks/blender_{:04}.json", frame)));
+    return record.at("source").get<std::string>();
+  };
+  EXPECT_EQ(rendered("--passes depth"), "1 2 ");
   auto wanted = contents("out");
+  const std::string source = source_of(2);
   fs::remove_all(folder_ / "out");
-  EXPECT_EQ(rendered("--keep pictures"), "1 2 ");
+  EXPECT_EQ(rendered("--passes depth --keep pictures"), "1 2 ");
+  EXPECT_EQ(source_of(2), source) << "shows the same scene files";
   EXPECT_FALSE(fs::exists(folder_ / "out/texels"));
   EXPECT_FALSE(fs::exists(folder_ / "out/blender/data"));
   std::erase_if(wanted, [](const auto& file) {
@@ -266,24 +275,34 @@ TEST_F(Resume, PicturesAloneAreThoseOfScenesThatStay) {
     EXPECT_THAT(plan, HasSubstr("  " + stage + " 0 of 2 to do;"));
 }
 
-// The record of the first frame says that its files are large: four take more than a gigabyte.
+/// Blender's, whose scene files are said to be so large that four frames take more than a gigabyte.
+const exporter::Exporter& heavy_exporter() {
+  static const exporter::Exporter heavy = [] {
+    exporter::Exporter blender = *exporter::find_exporter(film::exporters(), "blender");
+    blender.files.frame = 300e6;
+    return blender;
+  }();
+  return heavy;
+}
+
 TEST_F(Resume, SceneFilesThatWereShownGoWhileOthersAreMade) {
-  const std::string nine_frames = " --set 'ageing.frames=[1, 0, 1, 0, 1, 0, 1, 0, 1]'";
-  EXPECT_EQ(rendered("--frames 1" + nine_frames), "1 ");
-  const fs::path path = folder_ / "out/tasks/scenes_0001.json";
-  auto record = nlohmann::json::parse(read_file(path));
-  record["outputs"]["blender/data/frame_0001/frame.json"][0] = 300000000;
-  write_file(path, record.dump());
-  const std::string blender = blender_played_by(
-      fmt::format("cp $good \"$out\"; ls '{}' | grep -c frame_ >>'{}'",
-                  (folder_ / "out/blender/data").string(), (folder_ / "there").string()));
-  const Result result =
-      wold("render small.toml --quiet --renderer blender --keep pictures --out out" + nine_frames,
-           blender);
-  ASSERT_EQ(result.code, 0) << result.err;
-  EXPECT_EQ(calls(), "2 3 4 5 6 7 8 9 ");
-  EXPECT_EQ(read_file(folder_ / "there"), "4\n4\n4\n4\n4\n4\n4\n1\n");
+  blender_played_by(fmt::format("cp $good \"$out\"; ls '{}' | grep -c frame_ >>'{}'",
+                                (folder_ / "out/blender/data").string(),
+                                (folder_ / "there").string()));
+  work::RenderOptions options;
+  options.scene = folder_ / "small.toml";
+  options.out = folder_ / "out";
+  options.overrides = {"ageing.frames=[1, 0, 1, 0, 1, 0, 1, 0, 1]", "render.renderer=\"blender\""};
+  options.programs = {{"blender", (folder_ / "fake.sh").string()}};
+  options.keep = work::Keep::pictures;
+  work::Job job = work::plan_job(options);
+  job.exporters = {&heavy_exporter()};
+  SilentProgress progress;
+  work::complete_job(job, work::stages_of(job), progress);
+  EXPECT_EQ(calls(), "1 2 3 4 5 6 7 8 9 ");
+  EXPECT_EQ(read_file(folder_ / "there"), "3\n3\n3\n3\n3\n3\n3\n3\n3\n");
   EXPECT_FALSE(fs::exists(folder_ / "out/blender/data"));
+  EXPECT_FALSE(fs::exists(folder_ / "out/texels"));
 }
 
 TEST_F(Resume, APictureThatIsMissedComesBackWithoutItsSceneFiles) {
@@ -309,12 +328,31 @@ TEST_F(Resume, SceneFilesThatAKilledProcessWasRemovingAreRemoved) {
   rendered();
   const auto all = contents("out/blender/data");
   rendered("--keep pictures");
-  fs::create_directories(folder_ / "out/blender/data/frame_0002");
-  for (const auto& [name, hash] : all)
-    if (name.starts_with("frame_0002")) write("out/blender/data/" + name, "half of them are left");
+  for (const auto& [name, hash] : all) {
+    if (name < "frame_0002") continue;  // in their order
+    fs::create_directories((folder_ / "out/blender/data" / name).parent_path());
+    write("out/blender/data/" + name, "half of them are left");
+  }
   EXPECT_EQ(rendered(), "");
   EXPECT_EQ(rendered("--keep pictures"), "");
   EXPECT_FALSE(fs::exists(folder_ / "out/blender/data"));
+}
+
+// Its record says that it has files which it does not make.
+TEST_F(Resume, ARecordOfSceneFilesCannotHaveOthersRemoved) {
+  rendered();
+  const fs::path path = folder_ / "out/tasks/scenes_0001.json";
+  auto record = nlohmann::json::parse(read_file(path));
+  write("out/blender/mine.blend", "a user's");
+  for (const char* name : {"blender/mine.blend", "frames/blender/0002.png", "scene.toml"})
+    record["outputs"][name] = {8, 0, content_hash("a user's")};
+  write_file(path, record.dump());
+  write("out/frames/blender/0002.png", "a user's");
+  write("out/scene.toml", "a user's");
+  rendered("--frames 1 --keep pictures");
+  EXPECT_FALSE(fs::exists(folder_ / "out/blender/data/frame_0001"));
+  EXPECT_TRUE(fs::exists(folder_ / "out/blender/mine.blend"));
+  EXPECT_TRUE(fs::exists(folder_ / "out/frames/blender/0002.png"));
 }
 
 TEST_F(Resume, SceneFilesThatAreAskedForComeBack) {

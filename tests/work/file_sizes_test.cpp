@@ -83,7 +83,7 @@ TEST(SceneBytes, CountATerrainForEachSnow) {
   const auto terrains = [&](const std::vector<int>& frames) {
     request.frames = frames;
     const film::FilmDemand demand(request, place::growing_ground(scene));
-    return scene_bytes(scene, one_a_sample, demand, frames.size()) / (33 * 33);
+    return scene_bytes(scene, one_a_sample, demand).of(frames.size()) / (33 * 33);
   };
   EXPECT_DOUBLE_EQ(terrains({1}), 1.0);
   EXPECT_DOUBLE_EQ(terrains({1, 2, 3}), 3.0) << "bare, and two under snow";

@@ -3,6 +3,7 @@
 #include "film/exporters.h"
 #include "support/file_only_exporter.h"
 #include "support/temporary_folder.h"
+#include "work/batches.h"
 #include "work/disk_budget.h"
 #include "work/do_tasks.h"
 #include "work/folder_lock.h"
@@ -80,18 +81,16 @@ TEST(Stages, OfAnExporterWithoutARendererAreDoneWithItsFiles) {
   for (const StagePlan& stage : make_plan(job)) EXPECT_EQ(stage.runs + stage.perhaps, 0U);
 }
 
-// They are there for two batches at a time.
-TEST(Stages, WhoseSceneFilesGoTakeNoMoreDiskInALongFilm) {
-  Job job = job_of({&test::file_only_exporter()});
-  const Estimate each{.disk_bytes = 50e6};
-  const auto gigabytes = [&](const Stage& stage, std::size_t tasks) {
-    return bytes_at_once(job, stage, tasks, each) / 1e9;
-  };
-  EXPECT_DOUBLE_EQ(gigabytes(Stage::scenes, 1000), 50.0);
-  job.keep = Keep::pictures;
-  EXPECT_DOUBLE_EQ(gigabytes(Stage::scenes, 1000), 2.0);
-  EXPECT_DOUBLE_EQ(gigabytes(Stage::scenes, 10), 0.5);
-  EXPECT_DOUBLE_EQ(gigabytes(Stage::passes, 1000), 50.0);
+TEST(Stages, AreDoneInBatchesOfAGigabyteOfSceneFiles) {
+  const std::vector<int> frames = {1, 2, 3, 5, 7, 8, 9, 10, 11};
+  const std::vector<std::vector<int>> whole = {frames};
+  EXPECT_EQ(batches_of(frames, 1e3), whole);
+  const std::vector<std::vector<int>> halves = {{1, 2, 3, 5}, {7, 8, 9, 10, 11}};
+  EXPECT_EQ(batches_of(frames, 150e6), halves);
+  EXPECT_EQ(batches_of(frames, 9e9).size(), 3U) << "four frames at once, however large";
+  EXPECT_TRUE(batches_of({}, 1e3).empty());
+  EXPECT_DOUBLE_EQ(bytes_in_batches({.shared = 3e9, .own = 50e6}, 1000), 5e9);
+  EXPECT_DOUBLE_EQ(bytes_in_batches({.shared = 3e9, .own = 50e6}, 10), 3.5e9);
 }
 
 // Its last job waits for all that nothing else waits for.
