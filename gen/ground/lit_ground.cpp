@@ -19,9 +19,16 @@
 #include "place/ground_grids.h"
 #include "place/ground_views.h"
 #include "scene/calendar.h"
+#include "scene/species.h"
 
 namespace wold::ground {
 namespace {
+
+/// A patch of all that grows, but for shrubs that stand here and there: evergreen ones would give
+/// withered grass the tint of what they lack.
+int patch_of_grass(const scene::Scene& scene) {
+  return scene::patch_number(scene, scene::without_shrubs(scene, 0), 0);
+}
 
 /// Mean colour of the meadow's grass by weathering degree, under `snow` and what the cells show.
 meadow::GrassColour grass_colour(const grass::WitheringPatch& patch,
@@ -114,7 +121,7 @@ LitGround::LitGround(const scene::Scene& scene, const place::Site& site,
       view_(landscape.camera, landscape.width_px, landscape.height_px),
       haze_(site.day, landscape.camera.eye_m),
       model_(scene),
-      patch_(scene, model_, /*variant=*/0),
+      patch_(scene, model_, patch_of_grass(scene)),
       lean_light_(
           lean_light(scene, site, now.frame, patch_.at(landscape.weathering, now.snow), model_)),
       under_grass_(grass::light_under_grass(patch_.at(landscape.weathering, now.snow), model_,

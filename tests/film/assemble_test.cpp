@@ -2,14 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <set>
 
+#include "core/statistics.h"
 #include "film/exporters.h"
 #include "meadow/tint.h"
 #include "phenology/film_season.h"
 #include "scene/key_frames.h"
+#include "scene/species.h"
 #include "sky/exposure.h"
 #include "support/film_parts.h"
 #include "support/grown.h"
@@ -286,6 +289,36 @@ TEST(WeatheringTint, RestoresTheWantedColour) {
   const ColourMap light = product(ColourMap(5, 8.0, glm::vec3(2.0F)), tint);
   EXPECT_EQ(light.samples(), tint.samples());
   EXPECT_EQ(light.at(40, 40), tint.at(40, 40) * 2.0F);
+}
+
+/// How red the light on the grass of the last frame is, beside green: where it is least, in the
+/// mean and where it is most.
+std::array<float, 3> redness(const scene::Scene& scene) {
+  constexpr int frame = 3;
+  const place::Site site = test::site_of(scene);
+  const meadow::FrameGrass now = test::grass_of(scene, frame);
+  const std::vector<meadow::CellChoice> choices =
+      meadow::choose_cells(scene, site.terrain, site.growth, *site.mixtures, *site.withering, now);
+  const ColourMap light = assemble(scene, site, now, choices, test::no_grass(), needs_of({})).light;
+  std::vector<float> red;
+  for (const glm::vec3& value : light.values()) red.push_back(value.r / value.g);
+  std::ranges::sort(red);
+  return {red[red.size() / 50], static_cast<float>(mean(red)), red[red.size() - red.size() / 50]};
+}
+
+// Evergreen shrubs are not what grass withers like, nor what light reaches it through.
+TEST(Assemble, ShrubsThatGrowNowhereDoNotColourGrass) {
+  scene::Scene scene = small_meadow();
+  const std::array<float, 3> alone = redness(scene);
+  scene.species = {scene::species_of(scene).front(), scene::species_of(scene).front()};
+  scene::Species& shrub = scene.species[1];
+  shrub.name = "shrub";
+  shrub.share = 20.0;
+  shrub.habitat.steepest_deg = 0.0;
+  shrub.plant.crown_m = 0.4;
+  shrub.plant.mingle = {{"evergreen", {}}};
+  const std::array<float, 3> beside = redness(scene);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(beside[k], alone[k], 0.025F) << k;
 }
 
 TEST(LeafAreaIndex, IsThatOfTaperingBlades) {
