@@ -166,7 +166,9 @@ void do_in_batches(const Job& job, Work& work, const std::vector<StageTasks>& st
     const auto is_in_batch = [&](const Task& task) {
       return std::ranges::binary_search(batches[i], task.index);
     };
-    const Part part{fmt::format(", batch {} of {}", i + 1, batches.size()), i + 1 < batches.size()};
+    const std::string name =
+        batches.size() > 1 ? fmt::format(", batch {} of {}", i + 1, batches.size()) : "";
+    const Part part{name, i + 1 < batches.size()};
     do_stages(job, work, of_stages(scenes, is_in_batch), part, progress);
     if (i > 0) work.remove_scenes(batches[i - 1]);
     do_stages(job, work, of_stages(pictures, is_in_batch), part, progress);
