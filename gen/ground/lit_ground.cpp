@@ -387,7 +387,7 @@ void LitGround::show(const SnowyGround& ground, ColourMap& light, const SkyRadia
 
   if (sees_around) show_land_around(*around, lakes.get(), landscape);
   if (place::is_large(scene_)) {
-    grass_light = {};
+    grass_light = {};  // goes before the next one is made
     grass_light = light_in_window(ground, view_.over(site_.terrain));
   }
   landscape.light =

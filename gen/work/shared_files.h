@@ -15,6 +15,7 @@ class SharedFiles {
   /// files were removed count none.
   explicit SharedFiles(const TaskRecords& records);
 
+  /// Of a record that is written, and of one that is replaced.
   void add(const TaskRecord& frame);
   void take_away(const TaskRecord& frame);
 

@@ -35,15 +35,22 @@ std::vector<StageTasks> stages_of(const Job& job) {
   return stages;
 }
 
+std::vector<fs::path> folders_of_scene(const Job& job, int frame) {
+  std::vector<fs::path> folders;
+  for (const exporter::Exporter* one : job.exporters) {
+    const fs::path own = one->name;
+    folders.push_back(own / "data" / fmt::format("frame_{:04}", frame));
+    for (const std::string& shared : one->shared_folders) folders.push_back(own / shared);
+  }
+  return folders;
+}
+
 std::vector<fs::path> folders_written(const Job& job, const Task& task) {
   std::vector<fs::path> folders = {"tasks", "snow", "texels", "clouds", "passes", "logs"};
   if (const exporter::Exporter* shown = task.stage.exporter)
     folders.push_back(fs::path("frames") / shown->name);
-  for (const exporter::Exporter* one : job.exporters) {
-    const fs::path own = one->name;
-    folders.push_back(own / "data" / fmt::format("frame_{:04}", task.index));
-    for (const std::string& shared : one->shared_folders) folders.push_back(own / shared);
-  }
+  const std::vector<fs::path> of_scene = folders_of_scene(job, task.index);
+  folders.insert(folders.end(), of_scene.begin(), of_scene.end());
   return folders;
 }
 

@@ -57,6 +57,10 @@ struct StageTasks {
 /// The whole work of a job, in an order in which it can be done.
 std::vector<StageTasks> stages_of(const Job& job);
 
+/// The folders in which a frame's scene files lie, relative to the output folder. Some have other
+/// frames' files, too.
+std::vector<std::filesystem::path> folders_of_scene(const Job& job, int frame);
+
 /// The folders that a task writes to, relative to the output folder. Their number does not grow
 /// with the film.
 std::vector<std::filesystem::path> folders_written(const Job& job, const Task& task);

@@ -77,17 +77,13 @@ bool may_make(const Stage& stage, const fs::path& name) {
   return false;
 }
 
-/// Whether a frame's scene files may have that name.
-bool may_make_of_frame(const Job& job, int frame, const fs::path& name) {
-  const fs::path folder = name.parent_path();
-  return std::ranges::any_of(job.exporters, [&](const exporter::Exporter* one) {
-    const auto is_folder = [&](const fs::path& below) {
-      return folder == fs::path(one->name) / below;
-    };
-    return is_folder(fs::path("data") / fmt::format("frame_{:04}", frame)) ||
-           std::ranges::any_of(one->shared_folders, is_folder) ||
-           (folder.empty() && exporter::writes(*one, name.string()));
-  });
+/// The files of a record that such a task makes, relative to the output folder.
+std::vector<fs::path> files_of(const Task& task, const TaskRecord& record) {
+  std::vector<fs::path> files;
+  for (const auto& [name, state] : record.outputs)
+    if (const fs::path file = fs::path(name).lexically_normal(); may_make(task.stage, file))
+      files.push_back(file);
+  return files;
 }
 
 /// "camera.eye, camera.target and 3 more"
@@ -152,7 +148,8 @@ bool Work::are_texels_read() {
     });
   };
   if (!texels_are_read_)
-    texels_are_read_ = is_done(Stage::scenes) && (job_.passes.empty() || is_done(Stage::passes));
+    texels_are_read_ = (job_.exporters.empty() || is_done(Stage::scenes)) &&
+                       (job_.passes.empty() || is_done(Stage::passes));
   return *texels_are_read_;
 }
 
@@ -302,9 +299,8 @@ void Work::remove_outputs(const Task& task) {
     record->removed = true;
     write_record(task, *record);
   }
-  std::vector<fs::path> files;  // relative
-  for (const auto& [name, state] : record->outputs)
-    if (may_remove(task, name)) files.push_back(fs::path(name).lexically_normal());
+  const std::vector<fs::path> files =
+      task.stage == Stage::scenes ? own_scene_files(task.index, *record) : files_of(task, *record);
   if (files.empty() || (was_removed && !fs::exists(job_.out / files.back()))) return;
   std::set<fs::path> folders;
   for (const fs::path& file : files) {
@@ -315,11 +311,23 @@ void Work::remove_outputs(const Task& task) {
     for (; !folder.empty(); folder = folder.parent_path()) remove_empty_folder(job_.out / folder);
 }
 
-/// Whether a file of that name is the task's alone.
-bool Work::may_remove(const Task& task, const std::string& name) {
-  const fs::path file = fs::path(name).lexically_normal();
-  if (task.stage != Stage::scenes) return may_make(task.stage, file);
-  return !shared_->is_used(name) && may_make_of_frame(job_, task.index, file);
+/// Those of a frame's scene files that no other frame shares.
+std::vector<fs::path> Work::own_scene_files(int frame, const TaskRecord& record) const {
+  const std::vector<fs::path> folders = folders_of_scene(job_, frame);
+  const auto may_be_there = [&](const fs::path& file) {
+    const fs::path folder = file.parent_path();
+    return folder.empty() ? std::ranges::any_of(job_.exporters,
+                                                [&](const exporter::Exporter* one) {
+                                                  return exporter::writes(*one, file.string());
+                                                })
+                          : std::ranges::count(folders, folder) > 0;
+  };
+  std::vector<fs::path> files;
+  for (const auto& [name, state] : record.outputs)
+    if (const fs::path file = fs::path(name).lexically_normal();
+        may_be_there(file) && !shared_->is_used(name))
+      files.push_back(file);
+  return files;
 }
 
 /// In place of the one that there may be.

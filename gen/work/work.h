@@ -112,7 +112,7 @@ class Work {
   Made make_picture(const Task& task, const RendererLimits& limits, Progress& progress);
   void remove_damaged(const Task& task);
   void remove_outputs(const Task& task);
-  bool may_remove(const Task& task, const std::string& name);
+  std::vector<std::filesystem::path> own_scene_files(int frame, const TaskRecord& record) const;
   void write_record(const Task& task, const TaskRecord& record);
   film::FilmPipeline& film();
 

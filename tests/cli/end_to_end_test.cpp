@@ -8,6 +8,7 @@
 #include "film/exporters.h"
 #include "small_film.h"
 #include "work/complete_job.h"
+#include "work/disk_budget.h"
 
 /// From the scene file to the folders of the renderers and back again: what is made twice is the
 /// same, and what is there already is kept.
@@ -303,6 +304,13 @@ TEST_F(Resume, SceneFilesThatWereShownGoWhileOthersAreMade) {
   EXPECT_EQ(read_file(folder_ / "there"), "3\n3\n3\n3\n3\n3\n3\n3\n3\n");
   EXPECT_FALSE(fs::exists(folder_ / "out/blender/data"));
   EXPECT_FALSE(fs::exists(folder_ / "out/texels"));
+  const auto wanted_bytes = [&] {
+    work::Work work(job);
+    return work::missing_bytes(job, work::stages_of(job), work);
+  };
+  EXPECT_EQ(wanted_bytes(), 0.0);
+  job.has_pictures = false;
+  EXPECT_GT(wanted_bytes(), 0.0) << "of disk, for scene files that come back";
 }
 
 TEST_F(Resume, APictureThatIsMissedComesBackWithoutItsSceneFiles) {
@@ -318,7 +326,7 @@ TEST_F(Resume, APictureThatIsMissedComesBackWithoutItsSceneFiles) {
 
 TEST_F(Resume, SceneFilesThatOthersShareStay) {
   rendered("--frames 1 --set 'ageing.frames=[0.1, 0.1]'");
-  auto wanted = contents("out/blender");
+  const auto wanted = contents("out/blender");
   EXPECT_EQ(rendered("--frames 2 --keep pictures --set 'ageing.frames=[0.1, 0.1]'"), "2 ");
   EXPECT_THAT(different(contents("out/blender"), wanted), IsEmpty());
 }
@@ -344,11 +352,10 @@ TEST_F(Resume, ARecordOfSceneFilesCannotHaveOthersRemoved) {
   const fs::path path = folder_ / "out/tasks/scenes_0001.json";
   auto record = nlohmann::json::parse(read_file(path));
   write("out/blender/mine.blend", "a user's");
-  for (const char* name : {"blender/mine.blend", "frames/blender/0002.png", "scene.toml"})
+  for (const char* name : {"blender/mine.blend", "frames/blender/0002.png"})
     record["outputs"][name] = {8, 0, content_hash("a user's")};
   write_file(path, record.dump());
   write("out/frames/blender/0002.png", "a user's");
-  write("out/scene.toml", "a user's");
   rendered("--frames 1 --keep pictures");
   EXPECT_FALSE(fs::exists(folder_ / "out/blender/data/frame_0001"));
   EXPECT_TRUE(fs::exists(folder_ / "out/blender/mine.blend"));
@@ -364,6 +371,17 @@ TEST_F(Resume, SceneFilesThatAreAskedForComeBack) {
   EXPECT_EQ(wold(generate).code, 0);
   EXPECT_THAT(different(contents("out"), wanted), IsEmpty());
   EXPECT_EQ(rendered(), "") << "pictures of the same scene files stay";
+}
+
+TEST_F(Resume, PassesThatAreDoneNeedNoTexels) {
+  const std::string passes = "passes small.toml --quiet --passes depth --out out --keep scenes";
+  EXPECT_EQ(wold(passes).code, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "out/texels"));
+  const auto before = times("out/passes");
+  EXPECT_EQ(wold(passes).code, 0);
+  EXPECT_THAT(different(times("out/passes"), before), IsEmpty());
+  EXPECT_THAT(wold("passes small.toml --passes depth --out out --dry-run").out,
+              HasSubstr("texels  0 of 2 to do;"));
 }
 
 TEST_F(Resume, PicturesAloneStayOfWhatHasSome) {

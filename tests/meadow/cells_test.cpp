@@ -364,6 +364,30 @@ TEST(Cells, StandForTheMixtureAtTheirMiddle) {
   EXPECT_EQ(static_cast<int>(variants.size()), scene::patch_count(scene));
 }
 
+// Voxels are to cover as many pixels in a large shrub as in what stands around it.
+TEST(Cells, LargeShrubsAreFiner) {
+  scene::Scene scene = from_above();
+  scene.grass.lods = {126, 62, 30};
+  scene.species.resize(2);
+  scene.species[1].plant.crown_m = 0.4;
+  scene.species[1].habitat.cover = 0.4;
+  int others = 0;
+  for (const double pixels : {0.2, 0.4, 0.8, 1.6}) {
+    scene.grass.pixels_per_voxel = pixels;
+    int lod_around = 0;
+    for (const CellChoice& choice : choices_of(scene)) {
+      if (!choice.beside_cell) {
+        lod_around = choice.lod;  // is listed first
+        continue;
+      }
+      const double size = glm::length(glm::dvec2(choice.beside_cell->world_from_patch[0]));
+      EXPECT_TRUE(size > 1.0 ? choice.lod <= lod_around : choice.lod >= lod_around) << size;
+      others += choice.lod != lod_around;
+    }
+  }
+  EXPECT_GT(others, 20);
+}
+
 // What grows around shrubs stands on their cell, and they beside it: anywhere in it, in sizes of
 // their own, whole on the terrain.
 TEST(Cells, HaveTheirShrubsBesideThem) {

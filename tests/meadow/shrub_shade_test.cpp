@@ -131,6 +131,20 @@ TEST(ShrubShade, IsThatOfWhatIsShownOfThem) {
   EXPECT_GT(darkest(1.0, 2.5), 0.95F);  // at sunset it fades
 }
 
+TEST(ShrubShade, IsFineInSmallShrubs) {
+  const scene::Scene scene = with_shrubs();
+  const Heightfield level = ridge(0.0, 0.0);
+  const double step_m = 1.2 * scene.grass.patch_m;
+  const GroundGrid coarse{{.size_m = 10.0 * step_m}, 11};
+  const auto is_shown = [&](double size) {
+    return ShrubShade(scene, std::vector{shrubs(scene, level, size)}, sun_at(20.0))
+        .sunlit(level, coarse)
+        .has_value();
+  };
+  EXPECT_TRUE(is_shown(1.0));
+  EXPECT_FALSE(is_shown(0.5));
+}
+
 // Snow that buries shrubs takes their shade with them.
 TEST(ShrubShade, FallsOnTheSnowThatLiesAroundThem) {
   const scene::Scene scene = with_shrubs();
