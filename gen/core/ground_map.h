@@ -122,6 +122,21 @@ GroundMap<T, Meaning> product(const GroundMap<T, Meaning>& map,
   return result;
 }
 
+/// The same; takes no memory where `map` has enough samples.
+template <class T, class Meaning, class Factor, class FactorMeaning>
+GroundMap<T, Meaning> product(GroundMap<T, Meaning>&& map,
+                              const GroundMap<Factor, FactorMeaning>& factor) {
+  if (map.samples() < factor.samples()) return product(std::as_const(map), factor);
+  parallel_for(static_cast<std::size_t>(map.samples()), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int i = 0; i < map.samples(); ++i) {
+      const glm::dvec2 at_m = map.place_m(i, j);
+      map.at(i, j) *= factor.sample(at_m.x, at_m.y);
+    }
+  });
+  return std::move(map);
+}
+
 /// One pass of the binomial filter 1 2 1 along both axes; the border keeps its value beyond itself.
 template <class T, class Meaning>
 void smooth(GroundMap<T, Meaning>& map) {

@@ -147,23 +147,26 @@ ColourMap LitGround::shaded_by_shrubs(ColourMap light, const terrain::GroundLigh
   });
 }
 
-ColourMap LitGround::on_grass(const ColourMap& light, const terrain::GroundLight& clear,
+ColourMap LitGround::on_grass(ColourMap light, const terrain::GroundLight& clear,
                               const GroundGrid& grid, const place::View& view) const {
   // Maps are large: each goes before the next one is made.
-  ColourMap on_grass = product(
-      light, place::is_large(scene_) || site_.sketch
-                 ? meadow::lean_light_map(lean_light_, now_.wind_lean, site_.terrain, view,
-                                          lean_light_grid(grid, site_.sketch))
-                 : meadow::lean_light_map(lean_light_, now_.wind_lean, site_.terrain, view));
+  const GroundGrid own{light.square(), light.samples()};
+  ColourMap on_grass =
+      product(std::move(light),
+              place::is_large(scene_) || site_.sketch
+                  ? meadow::lean_light_map(lean_light_, now_.wind_lean, site_.terrain, view,
+                                           lean_light_grid(grid, site_.sketch))
+                  : meadow::lean_light_map(lean_light_, now_.wind_lean, site_.terrain, view));
   if (place::is_large(scene_) && scene_.grass.unevenness > 0.0) {
     const meadow::Sward sward(scene_, GroundGrid{clear.sun.square(), clear.sun.samples()}.step_m());
-    on_grass = product(on_grass, meadow::sward_light_map(sward, clear, site_.day.sun_direction(),
-                                                         site_.terrain, view));
+    on_grass = product(
+        std::move(on_grass),
+        meadow::sward_light_map(sward, clear, site_.day.sun_direction(), site_.terrain, view));
   }
   if (!pigment_spread_) return on_grass;
-  return product(
-      on_grass, meadow::pigment_spread_map(*pigment_spread_, *site_.withering, now_.frame,
-                                           site_.terrain, view, {light.square(), light.samples()}));
+  return product(std::move(on_grass),
+                 meadow::pigment_spread_map(*pigment_spread_, *site_.withering, now_.frame,
+                                            site_.terrain, view, own));
 }
 
 void LitGround::add_hot_spot(const ColourMap& bare, const terrain::GroundLight& clear,
@@ -390,15 +393,16 @@ void LitGround::show(const SnowyGround& ground, ColourMap& light, const SkyRadia
     grass_light = {};  // goes before the next one is made
     grass_light = light_in_window(ground, view_.over(site_.terrain));
   }
+  if (meadow_) {
+    const ColourMap veil = veil_of_grass(grass_light, site_.terrain, view_, *meadow_, haze_);
+    grass_light = product(std::move(grass_light), veil);
+  }
   landscape.light =
-      product(grass_light,
+      product(std::move(grass_light),
               meadow::weathering_tint(scene_, *site_.withering, now_.frame, choices_, now_.snow,
                                       grass_colour(patch_, model_, now_.snow, choices_)));
   landscape.extinction_factor = ground.extinction_factor(
       meadow::grass_extinction_factor(scene_, site_.terrain, place::growth_of_cells(site_), view_));
-  if (meadow_)
-    landscape.light =
-        product(landscape.light, veil_of_grass(grass_light, site_.terrain, view_, *meadow_, haze_));
   if (!place::is_large(scene_) || choices_.empty()) return;
   const Square shown = meadow::square_of_cells(scene_, choices_);
   landscape.light = cropped(landscape.light, shown);

@@ -68,8 +68,8 @@ class LitGround {
   ColourMap shaded_by_shrubs(ColourMap light, const terrain::GroundLight& clear,
                              const SnowyGround& ground, const GroundGrid& grid) const;
   /// `light`: the frame's; `clear`: under a clear sky, on the same square.
-  ColourMap on_grass(const ColourMap& light, const terrain::GroundLight& clear,
-                     const GroundGrid& grid, const place::View& view) const;
+  ColourMap on_grass(ColourMap light, const terrain::GroundLight& clear, const GroundGrid& grid,
+                     const place::View& view) const;
   /// Adds to the ground's radiance what is more sunlit of it between blades where it is seen than
   /// elsewhere. `bare`: reflectance of what is no snow; `clear`: the light under a clear sky.
   void add_hot_spot(const ColourMap& bare, const terrain::GroundLight& clear,
