@@ -138,7 +138,7 @@ ColourMap LitGround::shaded_by_shrubs(ColourMap light, const terrain::GroundLigh
                                       const SnowyGround& ground, const GroundGrid& grid) const {
   const GroundGrid own{light.square(), light.samples()};
   const std::optional<FactorMap> sunlit = shrub_shade_.sunlit(
-      site_.terrain, grid.samples > own.samples ? grid : own, ground.snow_depth());
+      site_.terrain, grid.samples > own.samples ? grid : own, ground.layer().depth_m);
   if (!sunlit) return light;
   const ColourMap sun = illuminate_(sun_of(clear));
   return filled<ColourMap>({sunlit->square(), sunlit->samples()}, [&](const glm::dvec2& at_m) {
@@ -201,8 +201,8 @@ landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const Groun
   const double margin_m = place::margin_in_view_m(view, grid.step_m());
   const RowParts made =
       place::rows_in_view(grid, site_.terrain, view, margin_m + 2.0 * grid.step_m());
-  const auto [part, bare] = ground.covered(
-      place::ground_part(scene_, site_, grid, made, ground.snow_depth()), under_grass_);
+  const auto [part, bare] =
+      ground.covered(place::ground_part(scene_, site_, grid, made, ground.layer()), under_grass_);
   const ColourMap light = shaded_by_shrubs(illuminate_(part.light), part.light, ground, grid);
   ColourMap radiance = product(part.reflectance, light);
   add_hot_spot(bare, part.light, part.growth, view, radiance);
@@ -219,7 +219,7 @@ ColourMap LitGround::light_in_window(const SnowyGround& ground, const place::Vie
   // Under all of a cell that reaches into the picture.
   const RowParts lit =
       place::rows_in_view(window, site_.terrain, in_sight, 2.0 * meadow::cell_reach_m(scene_));
-  const terrain::GroundLight clear = place::light_on(site_, window, lit, ground.snow_depth());
+  const terrain::GroundLight clear = place::light_on(site_, window, lit, ground.layer());
   return on_grass(shaded_by_shrubs(illuminate_(clear), clear, ground, window), clear, window,
                   in_sight);
 }
@@ -353,7 +353,7 @@ std::vector<place::View> LitGround::views_of_pictures(const SnowyGround& ground,
   const bool coarse_light = site_.sketch || !site_.is_uneven();
   if (coarse_light) return std::vector(details.size() + 1, in_sight);
   const landscape::RaisedGround& boulders = landscape.boulders;
-  const bool snowed = static_cast<bool>(ground.snow_depth());
+  const bool snowed = static_cast<bool>(ground.layer());
   const auto stands = [&](const Square& square) {
     return snowed || std::ranges::any_of(boulders.points_m, [&](const glm::vec3& point_m) {
              return square.contains(glm::dvec2(boulders.origin_m) + glm::dvec2(point_m));

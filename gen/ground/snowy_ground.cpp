@@ -180,6 +180,7 @@ void SnowyGround::lay_about_the_camera(int frame) {
   lying_ = std::move(lying);
   snow_line_.emplace(site_.terrain, scene_.snow_cover.feature_m, scene_.seed);
   albedo_ = lying_->albedo();
+  carve(frame);
   white_ = white(place::whole_grid(scene_), site_.ledges);
   parallel_for(static_cast<std::size_t>(surface_.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
@@ -200,8 +201,9 @@ void SnowyGround::lay_everywhere(int frame) {
   keep_from_water(*white_);
   clear_steep_sides(*white_);
   if (is_paper(scene_)) return;  // the ground's shape stays
+  carve(frame);
   surface_ = snow_surface(scene_, site_.terrain, depth_m_, *white_);
-  light_ = place::whole_light(site_, surface_, snow_depth());
+  light_ = place::whole_light(site_, surface_, layer());
 }
 
 void SnowyGround::keep_from_water(FactorMap& snow) const {
@@ -216,8 +218,7 @@ void SnowyGround::keep_from_water(FactorMap& snow) const {
 void SnowyGround::clear_steep_sides(FactorMap& white) const {
   constexpr double held_deg = 48.0, steepest_deg = 64.0;  // about as steep as terrain::ledges()
   if (!site_.boulders) return;
-  const terrain::Surface surface =
-      site_.surface({white.square(), white.samples()}, {}, snow_depth());
+  const terrain::Surface surface = site_.surface({white.square(), white.samples()}, {}, layer());
   parallel_for(static_cast<std::size_t>(white.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < white.samples(); ++i) {
@@ -281,9 +282,28 @@ float SnowyGround::depth_m(const glm::dvec2& at_m) const {
   return is_bare() ? 0.0F : depth_m_.sample(at_m.x, at_m.y);
 }
 
-terrain::SnowDepth SnowyGround::snow_depth() const {
+terrain::SnowLayer SnowyGround::layer() const {
   if (is_bare()) return {};
-  return [this](const glm::dvec2& at_m) { return double{depth_m(at_m)}; };
+  terrain::SnowLayer snow{[this](const glm::dvec2& at_m) { return double{depth_m(at_m)}; }, {}};
+  if (bedforms_)
+    snow.carved = [this](const glm::dvec2& at_m, double step_m) { return carved(at_m, step_m); };
+  return snow;
+}
+
+void SnowyGround::carve(int frame) {
+  constexpr double usual_drifting = 0.5;
+  const scene::SnowCover& cover = scene_.snow_cover;
+  carved_ = cover.drifting / usual_drifting *
+            snow::shaped_by_wind(*site_.weather, scene::time_s(scene_, frame),
+                                 mean(site_.terrain.values()), cover.initial_mm > 0.0);
+  if (carved_ > 0.0) bedforms_.emplace(snow::shaping_heading_deg(*site_.weather), scene_.seed);
+}
+
+/// Wind carves thin snow less deeply.
+glm::dvec2 SnowyGround::carved(const glm::dvec2& at_m, double step_m) const {
+  constexpr double deep_m = 0.3;
+  const double depth = std::min(double{depth_m(at_m)} / deep_m, 1.0);
+  return depth > 0.0 ? carved_ * depth * bedforms_->ascent(at_m, step_m) : glm::dvec2(0.0);
 }
 
 float SnowyGround::white_fraction(const glm::dvec2& at_m) const {

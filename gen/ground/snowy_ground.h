@@ -7,6 +7,7 @@
 #include "ground/lying_snow.h"
 #include "place/site.h"
 #include "scene/scene.h"
+#include "snow/bedforms.h"
 #include "snow/snow_line.h"
 
 namespace wold::ground {
@@ -55,8 +56,8 @@ class SnowyGround {
 
   /// Depth of the snow at a place, metres.
   float depth_m(const glm::dvec2& at_m) const;
-  /// depth_m() as a function, which this has to outlive; empty without snow.
-  terrain::SnowDepth snow_depth() const;
+  /// The snow by place, which this has to outlive; none where all is bare.
+  terrain::SnowLayer layer() const;
   /// Fraction of the ground there that is white.
   float white_fraction(const glm::dvec2& at_m) const;
   /// Fraction of water at a place that ice covers: all of it from 5 cm of ice on.
@@ -74,6 +75,8 @@ class SnowyGround {
   bool is_bare() const { return !white_; }
   void lay_everywhere(int frame);
   void lay_about_the_camera(int frame);
+  void carve(int frame);
+  glm::dvec2 carved(const glm::dvec2& at_m, double step_m) const;
   /// How much of what falls there stays, in [0, 1]: none of it in water.
   float holds_snow(const glm::dvec2& at_m, double step_m) const;
   void keep_from_water(FactorMap& snow) const;
@@ -102,6 +105,8 @@ class SnowyGround {
   FactorMap depth_m_;                          ///< where `lying_` is none
   std::optional<LyingSnow> lying_;             ///< on a large terrain
   std::optional<snow::SnowLine> snow_line_;    ///< with it
+  std::optional<snow::Bedforms> bedforms_;     ///< where wind has carved the snow
+  double carved_ = 0.0;                        ///< how far, over what bedforms_ have
   float albedo_ = 0.9F;
   std::vector<double> ice_m_;  ///< of lakes, from the lowest height of the terrain to the highest
   double lowest_m_ = 0.0, highest_m_ = 0.0;  ///< these heights

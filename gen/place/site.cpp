@@ -252,31 +252,31 @@ GroundGrid light_grid(const Heightfield& terrain, const GroundGrid& grid,
 }
 
 GroundPart ground_part(const scene::Scene& scene, const Site& site, const GroundGrid& grid,
-                       RowParts parts, const terrain::SnowDepth& snow_m) {
-  const terrain::Surface surface = site.surface(grid, std::move(parts), snow_m);
+                       RowParts parts, const terrain::SnowLayer& lying) {
+  const terrain::Surface surface = site.surface(grid, std::move(parts), lying);
   GroundPart part = lit_part(scene, site, surface, grid, growth_map(scene, surface));
   part.ledges = ledges(scene, site.snow.get(), surface, part.growth);
   return part;
 }
 
 terrain::Surface Site::surface(const GroundGrid& grid, RowParts parts,
-                               const terrain::SnowDepth& snow_m) const {
+                               const terrain::SnowLayer& lying) const {
   return {terrain,
           finer.get(),
           grid,
           {water.get(), cover.get(), scree.get(), photo.get(), boulders.get(), paths.get(),
            grazing_steps.get()},
           std::move(parts),
-          snow_m};
+          lying};
 }
 
 terrain::GroundLight light_on(const Site& site, const GroundGrid& grid, RowParts parts,
-                              const terrain::SnowDepth& snow_m) {
-  return lit(site, site.surface(grid, std::move(parts), snow_m), grid);
+                              const terrain::SnowLayer& lying) {
+  return lit(site, site.surface(grid, std::move(parts), lying), grid);
 }
 
 terrain::GroundLight whole_light(const Site& site, const Heightfield& surface,
-                                 const terrain::SnowDepth& snow_m) {
+                                 const terrain::SnowLayer& lying) {
   constexpr double step_m = 0.05;
   constexpr int most = 1025;
   const terrain::LandShadow* shadow = site.land_shadow.get();
@@ -284,9 +284,9 @@ terrain::GroundLight whole_light(const Site& site, const Heightfield& surface,
     return terrain::ground_light(surface, site.day, {surface.square(), site.sketch->light_samples},
                                  shadow);
   terrain::GroundLight light = terrain::ground_light(surface, site.day, shadow);
-  if (!site.is_uneven()) return light;
+  if (!site.is_uneven() && !lying.carved) return light;
   const GroundGrid grid{surface.square(), std::min(map_samples(surface.size_m(), step_m), most)};
-  return site.surface(grid, {}, snow_m).lit(std::move(light), site.day.sun_direction());
+  return site.surface(grid, {}, lying).lit(std::move(light), site.day.sun_direction());
 }
 
 const FactorMap& growth_of_cells(const Site& site) {

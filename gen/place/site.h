@@ -92,7 +92,7 @@ struct Site {
   /// The ground on a grid, or the parts of its rows that count, under snow; the site has to outlive
   /// it.
   terrain::Surface surface(const GroundGrid& grid, RowParts parts = {},
-                           const terrain::SnowDepth& snow_m = {}) const;
+                           const terrain::SnowLayer& lying = {}) const;
 };
 
 /// Maps of a large terrain have as many samples as its pictures need; its snow is kept in tiled
@@ -118,20 +118,20 @@ Site site_of_frame(const scene::Scene& scene, const Site& site, int frame);
 /// The light of a site's day on all of the ground of a terrain that is not large. `surface`: its
 /// heights with the snow on it, which is so deep.
 terrain::GroundLight whole_light(const Site& site, const Heightfield& surface,
-                                 const terrain::SnowDepth& snow_m = {});
+                                 const terrain::SnowLayer& lying = {});
 
 /// Growth where cells are laid.
 const FactorMap& growth_of_cells(const Site& site);
 
 /// A part of a site's ground, of whose rows `parts` count: elsewhere nothing grows, and it is dark.
-/// Its light is on the light_grid(), or as fine as the relief below the terrain's steps. `snow_m`
+/// Its light is on the light_grid(), or as fine as the relief below the terrain's steps. `lying`
 /// buries boulders.
 GroundPart ground_part(const scene::Scene& scene, const Site& site, const GroundGrid& grid,
-                       RowParts parts, const terrain::SnowDepth& snow_m = {});
+                       RowParts parts, const terrain::SnowLayer& lying = {});
 
 /// The light of a clear sky on such a part of a site's ground.
 terrain::GroundLight light_on(const Site& site, const GroundGrid& grid, RowParts parts,
-                              const terrain::SnowDepth& snow_m);
+                              const terrain::SnowLayer& lying);
 
 /// The grid of the light on a part of the ground: as fine as `grid` or, where that is finer, as the
 /// terrain; of a sketch no finer than it says.

@@ -5,6 +5,7 @@
 #include "core/mesh_height.h"
 #include "core/pinhole.h"
 #include "scene/species.h"
+#include "snow/cover.h"
 
 namespace wold::place {
 
@@ -20,6 +21,20 @@ glm::dvec3 on_the_way(const Heightfield& terrain, const glm::dvec3& from_m,
                       const std::vector<double>& end, double time) {
   if (end.empty()) return from_m;
   return glm::mix(from_m, above_mesh(terrain, {end[0], end[1]}, end[2]), time);
+}
+
+/// Whoever has a camera so high over the ground keeps half of that over the snow that lies there
+/// when the weather begins. It does not follow snow that falls and melts: nobody moves it.
+scene::Camera on_snow(const scene::Scene& scene, scene::Camera camera) {
+  constexpr double over_snow = 0.5;
+  if (scene.snow_cover.cover != scene::CoverModel::depth) return camera;
+  const double snow_m = snow::first_pack(scene).depth_m;
+  const auto raise = [&](double& height_m) {
+    height_m = std::max(height_m, snow_m + over_snow * height_m);
+  };
+  raise(camera.eye_height_m);
+  if (!camera.eye_end.empty()) raise(camera.eye_end[2]);
+  return camera;
 }
 
 }  // namespace
@@ -41,7 +56,7 @@ landscape::Camera resolved_camera(const scene::Camera& camera, const Heightfield
 
 landscape::Camera camera_of_frame(const scene::Scene& scene, const Heightfield& terrain,
                                   int frame) {
-  return resolved_camera(scene::camera_of(scene, frame), terrain,
+  return resolved_camera(on_snow(scene, scene::camera_of(scene, frame)), terrain,
                          scene::way_of_frame(scene, frame));
 }
 
@@ -49,7 +64,7 @@ glm::dvec3 eye_direction(const scene::Scene& scene, const Heightfield& terrain,
                          const scene::Take& take) {
   const int middle = take.first + take.count / 2;
   const landscape::Camera camera =
-      resolved_camera(scene::camera_of(scene, middle), terrain, /*time=*/0.5);
+      resolved_camera(on_snow(scene, scene::camera_of(scene, middle)), terrain, /*time=*/0.5);
   return glm::normalize(camera.eye_m - camera.target_m);
 }
 

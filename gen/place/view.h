@@ -21,7 +21,7 @@ glm::dvec3 above_ground(const Heightfield& terrain, const glm::dvec2& at_m, doub
 landscape::Camera resolved_camera(const scene::Camera& camera, const Heightfield& terrain,
                                   double time);
 
-/// That of a frame (from 1): its shot's, or the scene's.
+/// That of a frame (from 1): its shot's, or the scene's; over the snow that lies there at first.
 landscape::Camera camera_of_frame(const scene::Scene& scene, const Heightfield& terrain, int frame);
 
 /// Unit direction to the eye that highlights are baked for in a take: where the camera of its

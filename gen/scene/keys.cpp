@@ -236,7 +236,9 @@ std::vector<Key> camera_keys() {
       bound(list(Kind::numbers, "camera.eye", "m", {0, 200000}, pair,
                  "Where the camera stands: east and north, inside the terrain."),
             FIELD(camera.eye_m)),
-      bound(number("camera.eye_height", "m", {0.01, 10000}, "Height of the eye above the ground."),
+      bound(number("camera.eye_height", "m", {0.01, 10000},
+                   "Height of the eye above the ground; at least half of it over the snow that "
+                   "lies at first."),
             FIELD(camera.eye_height_m)),
       bound(list(Kind::numbers, "camera.target", "m", {0, 200000}, pair,
                  "Where it looks: east and north, inside the terrain."),

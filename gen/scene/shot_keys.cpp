@@ -47,7 +47,9 @@ std::vector<Key> shot_camera_keys(std::size_t item) {
       bound(list(Kind::numbers, "shots.eye", "m", {0, 200000}, pair,
                  "As camera.eye, and so are the keys below; without them [camera] says it."),
             ITEM_FIELD(camera.eye_m)),
-      bound(number("shots.eye_height", "m", {0.01, 10000}, "Height of the eye above the ground."),
+      bound(number("shots.eye_height", "m", {0.01, 10000},
+                   "Height of the eye above the ground; at least half of it over the snow that "
+                   "lies at first."),
             ITEM_FIELD(camera.eye_height_m)),
       bound(list(Kind::numbers, "shots.target", "m", {0, 200000}, pair,
                  "Where the camera looks: east and north, inside the terrain."),

@@ -77,11 +77,13 @@ std::vector<Key> snow_cover_keys() {
                "or none."),
           FIELD(snow_cover.cover)),
       bound(number("snow_cover.initial", "mm", {0, 5000},
-                   "Water of the snow that lies when the weather begins."),
+                   "Water of the snow that lies when the weather begins: 10 mm are 7 cm, 100 mm 43 "
+                   "cm, 300 mm 1 m."),
             FIELD(snow_cover.initial_mm)),
-      bound(number("snow_cover.drifting", "", {0, 1},
-                   "How much the wind moves snow into the lee: 0 not at all."),
-            FIELD(snow_cover.drifting)),
+      bound(
+          number("snow_cover.drifting", "", {0, 1},
+                 "How much the wind moves snow into the lee and carves its surface: 0 not at all."),
+          FIELD(snow_cover.drifting)),
       bound(number("snow_cover.blowing", "", {0, 10},
                    "How much of it storms lift into the air over the ground, times what has been "
                    "measured: 0 none."),

@@ -58,9 +58,7 @@ SnowClock snow_clock(bool is_season) {
 }
 
 Snowpack first_pack(const scene::SnowCoverPart& part) {
-  const double water_mm = part.cover.initial_mm;
-  if (!part.is_season) return fresh_pack(water_mm);
-  const snowpack::SnowState snow = snowpack::fresh_snow(water_mm);
+  const snowpack::SnowState snow = snowpack::lain_snow(part.cover.initial_mm);
   return {snow.water_mm, snow.depth_m, snow.age};
 }
 

@@ -26,7 +26,7 @@ struct SnowClock {
 /// Every hour; in a season those of snowpack::snow_on_ground().
 SnowClock snow_clock(bool is_season);
 
-/// snow_cover.initial, fresh.
+/// snow_cover.initial, snowpack::lain_snow().
 Snowpack first_pack(const scene::SnowCoverPart& part);
 
 /// The snow on a scene's ground over time: by degree-days, in a season by the heat that it gets, so

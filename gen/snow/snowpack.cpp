@@ -35,10 +35,6 @@ double fresh_density_kg_m3(double temperature_c) {
   return std::min(120.0, 67.92 + 51.25 * math::exp(temperature_c / 2.59));
 }
 
-Snowpack fresh_pack(double water_mm) {
-  return {water_mm, water_mm / fresh_density_kg_m3(0.0), 0.0};
-}
-
 PackStep pack_step(const WeatherMoment& weather, double height_m, double hours,
                    double melt_mm_per_day) {
   const double temperature_c = weather.temperature_c - lapse_k_per_m * height_m;

@@ -27,9 +27,6 @@ struct PackStep {
 /// 1998, Measurements and modelling of snow interception in the boreal forest).
 double fresh_density_kg_m3(double temperature_c);
 
-/// Snow of so much water that has just fallen at 0 degrees Celsius.
-Snowpack fresh_pack(double water_mm);
-
 /// A step of `hours` >= 0 under `weather`, at a height above the terrain's zero; melt_mm_per_day is
 /// the degree-day factor.
 PackStep pack_step(const WeatherMoment& weather, double height_m, double hours,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/elementary.h"
 #include "snowpack/decay.h"
 
 namespace wold::snowpack {
@@ -105,9 +106,15 @@ inline SnowStep snow_step(const SnowForcing& air, double hours,
           .seconds = seconds};
 }
 
-/// Fresh snow of so much water at 0 degrees.
-inline SnowState fresh_snow(double water_mm) {
-  return {.water_mm = water_mm, .depth_m = water_mm / fresh_kg_m3(0.0)};
+/// Snow of so much water that lies when the weather begins. Its own weight has packed it: little is
+/// as it fell at 0 degrees, and much tends to the 300 kg/m3 of a winter's snow (alpine snow has 220
+/// and more, [Sturm2010]). By how much water is a modelling choice.
+inline SnowState lain_snow(double water_mm) {
+  constexpr double packed_kg_m3 = 300.0, packing_mm = 100.0;
+  const double fallen_kg_m3 = fresh_kg_m3(0.0);
+  const double density_kg_m3 =
+      packed_kg_m3 - (packed_kg_m3 - fallen_kg_m3) * math::exp(-water_mm / packing_mm);
+  return {.water_mm = water_mm, .depth_m = water_mm / density_kg_m3};
 }
 
 /// The sun's heat on ground that rises so much per metre to the east and to the north: direct light

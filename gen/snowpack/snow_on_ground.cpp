@@ -24,7 +24,7 @@ std::vector<SnowOnGround> snow_on_ground(std::span<const weather::Day> days,
                                          const SnowParameters& snow, double first_mm) {
   constexpr double level_latitude_deg = 0.0;  // the level does not ask from where the sun shines
   std::vector<SnowOnGround> mornings;
-  SnowLayer layer(snow, fresh_snow(first_mm));
+  SnowLayer layer(snow, lain_snow(first_mm));
   for (std::size_t i = 0; i < days.size(); ++i) {
     mornings.push_back({layer.depth_m(), layer.water_mm()});
     const weather::Day& next = days[std::min(i + 1, days.size() - 1)];

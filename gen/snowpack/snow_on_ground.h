@@ -15,7 +15,7 @@ struct SnowOnGround {
 };
 
 /// The snow of each day as observers find it: at six in the morning, before what falls on that day.
-/// In the first there is fresh snow of `first_mm`. A SnowLayer in the days' DailyForcing, in steps
+/// In the first there is lain_snow() of `first_mm`. A SnowLayer in the days' DailyForcing, in steps
 /// of three hours.
 std::vector<SnowOnGround> snow_on_ground(std::span<const weather::Day> days,
                                          const SnowParameters& snow = {}, double first_mm = 0.0);

@@ -56,11 +56,20 @@ std::size_t shown_octaves(const FinerRelief::Weights& weights) {
   return count;
 }
 
-/// Of waves' heights, by soil that creeps as in crept().
-double left_by_creep(double wave_m) {
-  constexpr double length2_m2 = 0.1;
+/// Of waves' heights, where what there is within some length counts with a Gaussian's weight.
+double left_by_smoothing(double wave_m, double length2_m2) {
   const double turns_per_m = 2.0 * std::numbers::pi / wave_m;
   return math::exp(-turns_per_m * turns_per_m * length2_m2);
+}
+
+/// Of waves' heights, by soil that creeps as in crept().
+double left_by_creep(double wave_m) { return left_by_smoothing(wave_m, 0.1); }
+
+/// Of waves' heights, on snow that lies on them: it hides what is shorter than some times its
+/// depth.
+double left_on_snow(double wave_m, double depth_m) {
+  constexpr double smoothed = 0.6;  // depths
+  return left_by_smoothing(wave_m, smoothed * depth_m * depth_m);
 }
 
 }  // namespace
@@ -122,10 +131,19 @@ void FinerRelief::add_octave(State& state, const glm::dvec2& at_m, std::size_t k
   state.deviation_m *= math::exp2(-(hurst_ + state.excess));
 }
 
+void FinerRelief::add_octaves(State& state, const glm::dvec2& at_m, const Octaves& octaves,
+                              const Weights& weights, const SnowDepth& snow_m) const {
+  const double depth_m = snow_m ? snow_m(at_m) : 0.0;
+  for (std::size_t k = octaves.first; k < octaves.last; ++k) {
+    const double left =
+        depth_m > 0.0 ? left_on_snow(octaves_[k].feature_m / feature_of_waves, depth_m) : 1.0;
+    add_octave(state, at_m, k, weights[k] * left);
+  }
+}
+
 FinerRelief::Bump FinerRelief::at(const glm::dvec2& at_m, const Weights& weights) const {
   State state = first_state(at_m);
-  const std::size_t count = shown_octaves(weights);
-  for (std::size_t k = 0; k < count; ++k) add_octave(state, at_m, k, weights[k]);
+  add_octaves(state, at_m, {0, shown_octaves(weights)}, weights, {});
   state.shown.deviation_m = std::sqrt(state.shown.deviation_m);
   return state.shown;
 }
@@ -138,7 +156,8 @@ FinerRelief::State FinerRelief::States::at(const glm::dvec2& at_m) const {
 
 template <class Visit>
 void FinerRelief::visit_states(const GroundGrid& grid, const Weights& weights, std::size_t count,
-                               const RowParts& parts, const Visit& visit) const {
+                               const RowParts& parts, const SnowDepth& snow_m,
+                               const Visit& visit) const {
   constexpr int apart = 4;
   constexpr double min_feature_steps = 4.0 * apart;
   std::size_t large = 0;
@@ -147,40 +166,43 @@ void FinerRelief::visit_states(const GroundGrid& grid, const Weights& weights, s
   if (large > 0) {
     const int samples = (grid.samples + apart - 2) / apart + 1;
     const Square square{grid.square.corner_m, (samples - 1) * apart * grid.step_m()};
-    coarse = states({square, samples}, weights, large);
+    coarse = states({square, samples}, weights, large, snow_m);
   }
   parallel_for(static_cast<std::size_t>(grid.samples), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     visit_row(parts[row], [&](int i) {
       const glm::dvec2 at_m = grid.square.corner_m + glm::dvec2(i, j) * grid.step_m();
       State state = coarse ? coarse->at(at_m) : first_state(at_m);
-      for (std::size_t k = large; k < count; ++k) add_octave(state, at_m, k, weights[k]);
+      add_octaves(state, at_m, {large, count}, weights, snow_m);
       visit(i, j, state);
     });
   });
 }
 
 FinerRelief::States FinerRelief::states(const GroundGrid& grid, const Weights& weights,
-                                        std::size_t count) const {
+                                        std::size_t count, const SnowDepth& snow_m) const {
   States states{GroundMap<glm::vec4>(grid.samples, grid.square),
                 GroundMap<glm::vec4>(grid.samples, grid.square)};
-  visit_states(
-      grid, weights, count, whole_rows(grid.samples), [&](int i, int j, const State& state) {
-        states.slopes.at(i, j) =
-            glm::vec4(glm::vec2(state.shown.gradient), glm::vec2(state.ascent));
-        states.heights.at(i, j) = glm::vec4(glm::dvec4(
-            state.shown.height_m, state.shown.deviation_m, state.deviation_m, state.excess));
-      });
+  visit_states(grid, weights, count, whole_rows(grid.samples), snow_m,
+               [&](int i, int j, const State& state) {
+                 states.slopes.at(i, j) =
+                     glm::vec4(glm::vec2(state.shown.gradient), glm::vec2(state.ascent));
+                 states.heights.at(i, j) =
+                     glm::vec4(glm::dvec4(state.shown.height_m, state.shown.deviation_m,
+                                          state.deviation_m, state.excess));
+               });
   return states;
 }
 
 GroundMap<FinerRelief::Bump> FinerRelief::on_grid(const GroundGrid& grid, const Weights& weights,
-                                                  const RowParts& parts) const {
+                                                  const RowParts& parts,
+                                                  const SnowDepth& snow_m) const {
   GroundMap<Bump> bumps(grid.samples, grid.square);
-  visit_states(grid, weights, shown_octaves(weights), parts, [&](int i, int j, const State& state) {
-    bumps.at(i, j) = state.shown;
-    bumps.at(i, j).deviation_m = std::sqrt(state.shown.deviation_m);
-  });
+  visit_states(grid, weights, shown_octaves(weights), parts, snow_m,
+               [&](int i, int j, const State& state) {
+                 bumps.at(i, j) = state.shown;
+                 bumps.at(i, j).deviation_m = std::sqrt(state.shown.deviation_m);
+               });
   return bumps;
 }
 

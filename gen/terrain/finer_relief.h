@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -9,6 +10,9 @@
 #include "terrain/roughness.h"
 
 namespace wold::terrain {
+
+/// Depth of snow at a place, metres.
+using SnowDepth = std::function<double(const glm::dvec2& at_m)>;
 
 /// The ground below the cells of a map of heights, as its roughness says: smooth
 /// where that map is smooth, rough where it is rough. Octaves of gradient
@@ -42,8 +46,9 @@ class FinerRelief {
 
   /// The same at the places of a grid that count, others have none: large octaves are evaluated at
   /// fewer places and interpolated between them, true to some 7 % of the least of them.
-  GroundMap<Bump> on_grid(const GroundGrid& grid, const Weights& weights,
-                          const RowParts& parts) const;
+  /// `snow_m`: fills hollows, the more the shorter the waves; empty: none does.
+  GroundMap<Bump> on_grid(const GroundGrid& grid, const Weights& weights, const RowParts& parts,
+                          const SnowDepth& snow_m = {}) const;
 
  private:
   /// Of a place, after some octaves.
@@ -62,12 +67,19 @@ class FinerRelief {
 
   State first_state(const glm::dvec2& at_m) const;
   void add_octave(State& state, const glm::dvec2& at_m, std::size_t k, double weight) const;
+  /// Octaves from the first to before the last.
+  struct Octaves {
+    std::size_t first, last;
+  };
+  void add_octaves(State& state, const glm::dvec2& at_m, const Octaves& octaves,
+                   const Weights& weights, const SnowDepth& snow_m) const;
   /// After the first `count` octaves.
-  States states(const GroundGrid& grid, const Weights& weights, std::size_t count) const;
+  States states(const GroundGrid& grid, const Weights& weights, std::size_t count,
+                const SnowDepth& snow_m) const;
   /// visit(i, j, state after `count` octaves), in parallel, of the places that count.
   template <class Visit>
   void visit_states(const GroundGrid& grid, const Weights& weights, std::size_t count,
-                    const RowParts& parts, const Visit& visit) const;
+                    const RowParts& parts, const SnowDepth& snow_m, const Visit& visit) const;
 
   struct Octave {
     double feature_m;

@@ -28,22 +28,26 @@ double more_sky(const glm::dvec3& face, const glm::dvec3& ground) {
 }  // namespace
 
 Surface::Surface(const Heightfield& heights_m, const FinerRelief* finer, const GroundGrid& grid,
-                 const KnownGround& known, RowParts parts, const SnowDepth& snow_m)
+                 const KnownGround& known, RowParts parts, const SnowLayer& snow)
     : heights_m_(heights_m),
+      finer_(grid.step_m() < heights_m.step_m() ? finer : nullptr),
       grid_(grid),
       known_(known),
       parts_(parts.empty() ? whole_rows(grid.samples) : std::move(parts)),
-      snow_m_(snow_m) {
+      snow_(snow) {
   if (known.scree != nullptr) scree_.emplace(*known.scree, grid.step_m());
-  if (finer != nullptr && grid.step_m() < heights_m.step_m()) add_relief(*finer);
+  if (finer_ != nullptr) add_relief();
   if (known.grazing_steps != nullptr) add_grazing_steps();
   if (known.paths != nullptr) add_paths();
   if (known.boulders != nullptr) add_boulders();
 }
 
-void Surface::add_relief(const FinerRelief& finer) {
-  const FinerRelief::Weights weights = finer.shown_below(heights_m_.step_m(), grid_.step_m());
-  const GroundMap<FinerRelief::Bump> bumps = finer.on_grid(grid_, weights, parts_);
+FinerRelief::Weights Surface::weights_of_finer() const {
+  return finer_->shown_below(heights_m_.step_m(), grid_.step_m());
+}
+
+void Surface::add_relief() {
+  const GroundMap<FinerRelief::Bump> bumps = finer_->on_grid(grid_, weights_of_finer(), parts_);
   bumps_.emplace(grid_.samples, grid_.square);
   for (std::size_t k = 0; k < bumps.values().size(); ++k) {
     const FinerRelief::Bump& bump = bumps.values()[k];
@@ -55,7 +59,7 @@ void Surface::add_relief(const FinerRelief& finer) {
 
 double Surface::seen_of_feet(int i, int j) const {
   constexpr double buried_m = 0.3;
-  const double snow_m = snow_m_ ? snow_m_(place_m(i, j)) : 0.0;
+  const double snow_m = snow_.depth_at(place_m(i, j));
   return (1.0 - glm::smoothstep(0.0, buried_m, snow_m)) * (1.0 - water(i, j));
 }
 
@@ -120,7 +124,7 @@ void Surface::add_boulders() {
 
 NearbyBoulders::Rise Surface::rise_of_boulder(int i, int j) const {
   const glm::dvec2 at_m = place_m(i, j);
-  return boulders_->at(at_m, snow_m_ ? snow_m_(at_m) : 0.0);
+  return boulders_->at(at_m, snow_.depth_at(at_m));
 }
 
 NearbyBoulders::Rise Surface::boulder(int i, int j) const {
@@ -178,17 +182,38 @@ glm::dvec3 Surface::up(int i, int j) const {
   return glm::normalize(glm::dvec3(-ascent, 1.0));
 }
 
+/// Snow on water is as level as that.
+std::optional<GroundMap<glm::vec2>> Surface::ascent_of_snow() const {
+  if (!snow_ || (finer_ == nullptr && !snow_.carved)) return std::nullopt;
+  GroundMap<glm::vec2> ascent(grid_.samples, grid_.square);
+  if (finer_ != nullptr) {
+    const FinerRelief::Weights weights = weights_of_finer();
+    const auto above = finer_->on_grid(grid_, weights, parts_, snow_.depth_m);
+    const auto below = finer_->on_grid(grid_, weights, parts_);
+    for (std::size_t k = 0; k < ascent.values().size(); ++k)
+      ascent.values()[k] = glm::vec2(above.values()[k].gradient - below.values()[k].gradient);
+  }
+  parallel_for(static_cast<std::size_t>(grid_.samples), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    visit_row(part(j), [&](int i) {
+      glm::vec2& here = ascent.at(i, j);
+      if (finer_ != nullptr) here *= static_cast<float>(1.0 - water(i, j));
+      if (snow_.carved) here += glm::vec2(snow_.carved(place_m(i, j), grid_.step_m()));
+    });
+  });
+  return ascent;
+}
+
 /// With the steps of herds, where no path crosses them.
-glm::dvec3 Surface::lit_face(int i, int j) const {
+glm::dvec3 Surface::lit_face(int i, int j, const glm::vec2& ascent_of_snow) const {
   const glm::dvec3 face = up(i, j);
-  if (!grazed_) return face;
-  const double off_path = 1.0 - trodden_.at(i, j).bare;
-  const glm::dvec2 steps = off_path * glm::dvec2(grazed_->at(i, j).gradient);
-  return glm::normalize(face / face.z - glm::dvec3(steps, 0.0));
+  glm::dvec2 more(ascent_of_snow);
+  if (grazed_) more += (1.0 - trodden_.at(i, j).bare) * glm::dvec2(grazed_->at(i, j).gradient);
+  return more == glm::dvec2(0.0) ? face : glm::normalize(face / face.z - glm::dvec3(more, 0.0));
 }
 
 bool Surface::is_even(int i, int j) const {
-  return !bumps_ && grazed_->at(i, j).gradient == glm::vec2(0.0F);
+  return !bumps_ && (!grazed_ || grazed_->at(i, j).gradient == glm::vec2(0.0F));
 }
 
 double Surface::slope_deg(int i, int j) const {
@@ -200,23 +225,25 @@ double Surface::exposure(int i, int j) const {
 }
 
 GroundLight Surface::lit(GroundLight on_heights, const glm::dvec3& to_sun) const {
-  if (!bumps_ && !grazed_) return on_heights;
+  const std::optional<GroundMap<glm::vec2>> snow = ascent_of_snow();
+  if (!bumps_ && !grazed_ && !snow) return on_heights;
   const ColourMap dark(grid_.samples, grid_.square);
   GroundLight light{dark, dark, FactorMap(grid_.samples, grid_.square)};
   parallel_for(static_cast<std::size_t>(grid_.samples), [&](std::size_t row) {
     const int j = static_cast<int>(row);
     visit_row(part(j), [&](int i) {
       const glm::dvec2 at_m = place_m(i, j);
-      if (is_even(i, j)) {
+      const glm::vec2 of_snow = snow ? snow->at(i, j) : glm::vec2(0.0F);
+      if (is_even(i, j) && of_snow == glm::vec2(0.0F)) {
         light.sun.at(i, j) = on_heights.sun.sample(at_m.x, at_m.y);
         light.sky.at(i, j) = on_heights.sky.sample(at_m.x, at_m.y);
         light.overcast.at(i, j) = on_heights.overcast.sample(at_m.x, at_m.y);
         return;
       }
-      const glm::dvec3 ground = normal(heights_m_, at_m.x, at_m.y), face = lit_face(i, j);
+      const glm::dvec3 ground = normal(heights_m_, at_m.x, at_m.y), face = lit_face(i, j, of_snow);
       const Boulder::Light left =
           boulders_ ? boulders_->light_beside(at_m, to_sun, -glm::dvec2(ground) / ground.z,
-                                              snow_m_ ? snow_m_(at_m) : 0.0)
+                                              snow_.depth_at(at_m))
                     : Boulder::Light{};
       const auto sky = static_cast<float>(more_sky(face, ground) * left.sky);
       light.sun.at(i, j) = on_heights.sun.sample(at_m.x, at_m.y) *

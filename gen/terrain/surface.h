@@ -30,8 +30,18 @@ struct KnownGround {
   const GrazingSteps* grazing_steps = nullptr;
 };
 
-/// Depth in metres at a place.
-using SnowDepth = std::function<double(const glm::dvec2& at_m)>;
+/// Snow that lies on the ground. Functions have to outlive what uses them.
+struct SnowLayer {
+  /// Empty where none lies.
+  SnowDepth depth_m;
+  /// Steepest ascent of what wind has carved into its surface, as a map with that step shows it;
+  /// empty where it has carved nothing.
+  std::function<glm::dvec2(const glm::dvec2& at_m, double step_m)> carved;
+
+  explicit operator bool() const { return static_cast<bool>(depth_m); }
+  /// At a place, 0 where none lies.
+  double depth_at(const glm::dvec2& at_m) const { return depth_m ? depth_m(at_m) : 0.0; }
+};
 
 /// The ground's surface on a grid, as finely as its step shows it: heights, and the relief below
 /// their samples where there is some.
@@ -39,10 +49,10 @@ class Surface {
  public:
   /// The heights and what is known have to outlive it. `parts`: of the grid's rows, what counts;
   /// empty: all. Nothing is known of other places.
-  /// `snow_m`: how deep snow lies on the ground at a place, which buries boulders, and evens out
-  /// paths and grazing steps; empty: none.
+  /// `snow`: buries boulders, evens out paths and grazing steps, and in light what is finer than
+  /// the heights.
   Surface(const Heightfield& heights_m, const FinerRelief* finer, const GroundGrid& grid,
-          const KnownGround& known = {}, RowParts parts = {}, const SnowDepth& snow_m = {});
+          const KnownGround& known = {}, RowParts parts = {}, const SnowLayer& snow = {});
 
   const GroundGrid& grid() const { return grid_; }
   /// What counts of row `j`.
@@ -96,19 +106,23 @@ class Surface {
   };
 
   void level_water();
-  void add_relief(const FinerRelief& finer);
+  void add_relief();
+  FinerRelief::Weights weights_of_finer() const;
   void add_boulders();
   void add_paths();
   void add_grazing_steps();
   Grazed grazed(int i, int j) const;
   /// How much of what feet have made is seen: snow evens it out, and water is level.
   double seen_of_feet(int i, int j) const;
-  glm::dvec3 lit_face(int i, int j) const;
-  /// Whether light falls on it as on the heights, where herds are all that makes it uneven.
+  /// Steepest ascent of the snow's surface over that of the ground below; none where nothing is.
+  std::optional<GroundMap<glm::vec2>> ascent_of_snow() const;
+  glm::dvec3 lit_face(int i, int j, const glm::vec2& ascent_of_snow) const;
+  /// Whether light falls on it as on the heights, without snow.
   bool is_even(int i, int j) const;
   NearbyBoulders::Rise rise_of_boulder(int i, int j) const;
 
   const Heightfield& heights_m_;
+  const FinerRelief* finer_;  ///< null where the grid shows none
   GroundGrid grid_;
   KnownGround known_;
   RowParts parts_;
@@ -117,7 +131,7 @@ class Surface {
   std::optional<Scree::Patches> scree_;
   std::optional<NearbyBoulders> boulders_;
   TroddenPlaces trodden_;
-  SnowDepth snow_m_;
+  SnowLayer snow_;
 };
 
 }  // namespace wold::terrain

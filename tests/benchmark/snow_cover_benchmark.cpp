@@ -83,7 +83,7 @@ void advance_a_day(benchmark::State& state) {
   WeatherMoment weather = snowing(0.0);
   if (in_season) weather.sky = snowpack::SkyForcing{.phase_c = -1.0, .sun_w_m2 = 90.0};
   const int step_h = in_season ? snowpack::snow_step_h : 1;
-  SnowpackField packs(terrain.values().size(), fresh_pack(50.0));
+  SnowpackField packs(terrain.values().size(), {50.0, 0.25, 0.0});
   for (auto _ : state)
     for (int hour = 0; hour < 24; hour += step_h)
       advance(packs, classes, classes.step(weather, step_h, 3.0), drift.values(), rise);

@@ -114,9 +114,9 @@ struct Pasture {
       for (int i = 0; i < 33; ++i) number.at(i, j) = 1;
     return number;
   }
-  Surface surface(const Heightfield& ground_m, const SnowDepth& snow_m = {}) const {
+  Surface surface(const Heightfield& ground_m, const SnowLayer& snow = {}) const {
     return {ground_m, nullptr, {{.size_m = 32.0}, 321}, {.cover = &cover, .grazing_steps = &steps},
-            {},       snow_m};
+            {},       snow};
   }
   /// What is seen of the sun, which stands in the west, over what a slope without steps shows.
   static GroundLight lit(const Surface& surface) {
@@ -150,7 +150,7 @@ TEST(GrazingSteps, MakeASurfaceBareOnItsTreadsAndUnevenInLight) {
 TEST(GrazingSteps, AreEvenedOutBySnow) {
   const Pasture pasture;
   const GroundLight light =
-      Pasture::lit(pasture.surface(pasture.heights_m, [](const glm::dvec2&) { return 0.5; }));
+      Pasture::lit(pasture.surface(pasture.heights_m, {[](const glm::dvec2&) { return 0.5; }, {}}));
   for (int i = 10; i < 310; ++i) EXPECT_NEAR(light.sun.at(i, 60).g, 1.0F, 1e-4F);
 }
 
