@@ -110,7 +110,7 @@ TEST(SnowyGround, RisesByTheDepth) {
 
 // Snow smooths what is smaller than it is deep: the surface bends less than the ground.
 TEST(SnowyGround, LiesSmooth) {
-  const scene::Scene scene = snowed_in(60.0);
+  const scene::Scene scene = snowed_in(130.0);
   const place::Site site = test::site_of(scene);
   const SnowyGround ground(scene, site, 1);
   const auto bends = [](const Heightfield& map) {
@@ -221,6 +221,29 @@ TEST(SnowyGround, LiesOnBouldersButNotOnTheirSides) {
   EXPECT_GT(tops, 200);
   ASSERT_GT(sides, 200);
   EXPECT_LT(white_on_sides / sides, 0.1);
+}
+
+// Of light on snow half a metre deep, whose surface is as level as the ground.
+TEST(SnowyGround, IsUnevenInLightWhereWindHasCarvedIt) {
+  const auto unevenness = [](double drifting, double water_mm) {
+    scene::Scene scene = snowed_in(water_mm);
+    scene.terrain.hill_height_m = 0.0;
+    scene.terrain.relief_m = 0.0;
+    scene.snow_cover.drifting = drifting;
+    const place::Site site = test::site_of(scene);
+    const SnowyGround ground(scene, site, 1);
+    double sum = 0.0, sum2 = 0.0;
+    const auto count = static_cast<double>(ground.light().sun.values().size());
+    for (const glm::vec3& sun : ground.light().sun.values()) {
+      sum += double{sun.g} / count;
+      sum2 += double{sun.g} * double{sun.g} / count;
+    }
+    return std::sqrt(std::max(sum2 / (sum * sum) - 1.0, 0.0));
+  };
+  const double without = unevenness(0.0, 120.0), deep = unevenness(0.5, 120.0);
+  EXPECT_GT(deep, without + 0.03);
+  EXPECT_GT(unevenness(1.0, 120.0), deep + 0.02);
+  EXPECT_LT(unevenness(0.5, 12.0), without + 0.7 * (deep - without));
 }
 
 }  // namespace

@@ -56,6 +56,26 @@ TEST(Camera, StandsOverTheMesh) {
   EXPECT_NEAR(resolved_camera(camera, terrain, 0.0).target_m.z, 14.0, 1e-6);
 }
 
+TEST(Camera, KeepsHalfOfItsHeightOverSnowThatLiesAtFirst) {
+  const Heightfield level(2, 30.0);
+  scene::Scene scene;
+  scene.terrain.size_m = 30.0;
+  scene.camera.eye_m = scene.camera.target_m = {10.0, 10.0};
+  scene.camera.eye_height_m = 1.7;
+  const auto eye_m = [&](double water_mm) {
+    scene.snow_cover.initial_mm = water_mm;
+    return camera_of_frame(scene, level, 1).eye_m.z;
+  };
+  EXPECT_NEAR(eye_m(0.0), 1.7, 1e-9);
+  EXPECT_NEAR(eye_m(100.0), 1.7, 1e-9);  // 0.43 m
+  EXPECT_NEAR(eye_m(300.0), 1.03 + 0.85, 0.01);
+  scene.camera.eye_end = {20.0, 10.0, 0.4};
+  scene.ageing.frames = {0.0, 0.0};
+  EXPECT_NEAR(camera_of_frame(scene, level, 2).eye_m.z, 1.03 + 0.2, 0.01);
+  scene.snow_cover.cover = scene::CoverModel::paper;  // has no depth
+  EXPECT_NEAR(eye_m(300.0), 1.7, 1e-9);
+}
+
 TEST(View, IsNotAskedForAllGround) {
   const Square square{{-1.0, 4.0}, 3.0};
   const View view = View({{0, 0, 0}, {0, 10, 0}, 90.0}, 200, 100).outside(square).reaching(0.5);

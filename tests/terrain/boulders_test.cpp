@@ -287,7 +287,7 @@ TEST(Boulders, AreBuriedBySnow) {
   const GroundGrid grid{{{200.0, 200.0}, 50.0}, 501};
   const auto cover_under = [&](double snow_m) {
     const Surface surface(plane, nullptr, grid, known, {},
-                          [snow_m](const glm::dvec2&) { return snow_m; });
+                          {[snow_m](const glm::dvec2&) { return snow_m; }, {}});
     double sum = 0.0;
     for (int j = 0; j < grid.samples; ++j)
       for (int i = 0; i < grid.samples; ++i) {
@@ -302,7 +302,7 @@ TEST(Boulders, AreBuriedBySnow) {
   EXPECT_GT(cover_under(0.0), 1.5 * cover_under(0.3));
   EXPECT_GT(cover_under(0.3), 0.0);
   EXPECT_EQ(cover_under(3.5), 0.0);
-  const Surface deep(plane, nullptr, grid, known, {}, [](const glm::dvec2&) { return 3.5; });
+  const Surface deep(plane, nullptr, grid, known, {}, {[](const glm::dvec2&) { return 3.5; }, {}});
   const ColourMap one(2, grid.square, glm::vec3(1.0F));
   const GroundLight light =
       deep.lit({one, one, FactorMap(2, grid.square, 1.0F)}, glm::normalize(glm::dvec3(1, 0, 0.3)));

@@ -51,6 +51,23 @@ class FinerReliefTest : public testing::Test {
   FinerRelief relief_{ground_, measured_roughness(ground_, Held::exactly), 0.9, 4};
 };
 
+// Under 2 m of it are waves of some metres gone, those of a hundred are not.
+TEST_F(FinerReliefTest, IsFilledUpBySnowWhereItsWavesAreShort) {
+  const auto slope2 = [&](double step_m, double coarse_step_m, double depth_m) {
+    const GroundGrid grid{{{900.0, 1100.0}, 256 * step_m}, 257};
+    const auto snow_m = [depth_m](const glm::dvec2&) { return depth_m; };
+    const auto map = relief_.on_grid(grid, relief_.shown_below(coarse_step_m, step_m),
+                                     whole_rows(grid.samples), snow_m);
+    double sum = 0.0;
+    for (const FinerRelief::Bump& bump : map.values())
+      sum += glm::dot(bump.gradient, bump.gradient);
+    return sum;
+  };
+  EXPECT_LT(slope2(0.25, 2.0, 2.0), 0.2 * slope2(0.25, 2.0, 0.0));
+  EXPECT_GT(slope2(8.0, 120.0, 2.0), 0.8 * slope2(8.0, 120.0, 0.0));
+  EXPECT_LT(slope2(0.25, 2.0, 2.0), slope2(0.25, 2.0, 0.3));
+}
+
 // The same whatever asks: a place, or a grid which evaluates large octaves at few places.
 TEST_F(FinerReliefTest, IsTheSameOnAGrid) {
   const GroundGrid grid{{{900.0, 1100.0}, 64.0}, 257};
@@ -121,6 +138,24 @@ TEST_F(FinerReliefTest, LightOnItsSurfaceIsTheGroundsOnTheMean) {
   }
   EXPECT_NEAR(sun, 0.8, 0.05);
   EXPECT_GT(spread, 0.02);
+}
+
+// What is carved turns level ground by its slope; where nothing is, light is the ground's.
+TEST(Surface, IsLitAsItsSnowIsCarved) {
+  const Heightfield level(2, 64.0);
+  const GroundGrid grid{{.size_m = 64.0}, 65};
+  const auto carved = [](const glm::dvec2& at_m, double step_m) {
+    return at_m.x > 32.0 ? glm::dvec2(-0.5 * step_m, 0.0) : glm::dvec2(0.0);
+  };
+  const Surface surface(level, nullptr, grid, {}, {},
+                        {[](const glm::dvec2&) { return 1.0; }, carved});
+  const ColourMap one(2, grid.square, glm::vec3(1.0F));
+  const GroundLight light =
+      surface.lit({one, one, FactorMap(2, grid.square, 1.0F)}, {0.6, 0.0, 0.8});
+  EXPECT_EQ(light.sun.at(10, 30).g, 1.0F);
+  const double faces_sun = (0.8 + 0.5 * 0.6) / std::sqrt(1.25);
+  EXPECT_NEAR(light.sun.at(50, 30).g, faces_sun / 0.8, 1e-4);
+  EXPECT_EQ(surface.slope_deg(50, 30), 0.0);  // the ground's
 }
 
 }  // namespace

@@ -187,7 +187,7 @@ TEST(Paths, AreEvenedOutBySnow) {
   const Paths paths(slope, {straight(1.2)}, 1, nullptr);
   const GroundGrid grid{{{45.0, 45.0}, 10.0}, 501};
   const Surface surface(slope, nullptr, grid, {.paths = &paths}, {},
-                        [](const glm::dvec2&) { return 0.5; });
+                        {[](const glm::dvec2&) { return 0.5; }, {}});
   for (int j = 0; j < grid.samples; ++j)
     EXPECT_NEAR(surface.slope_deg(250, j), std::atan(0.3) * degrees, 0.01);
 }
