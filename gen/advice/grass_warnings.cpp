@@ -43,7 +43,8 @@ Pose pose_at(const scene::Scene& scene, const scene::Camera& camera, double time
 
 std::vector<Pose> poses(const scene::Scene& scene) {
   std::vector<Pose> all;
-  for (const scene::Camera& camera : scene::cameras_of(scene)) {
+  for (const scene::Camera& on_ground : scene::cameras_of(scene)) {
+    const scene::Camera camera = place::on_snow(scene, on_ground);
     const bool moves = !camera.eye_end.empty() || !camera.target_end.empty();
     for (const double time : {0.0, 0.5, 1.0})
       if (moves || time == 0.0) all.push_back(pose_at(scene, camera, time));

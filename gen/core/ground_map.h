@@ -122,7 +122,7 @@ GroundMap<T, Meaning> product(const GroundMap<T, Meaning>& map,
   return result;
 }
 
-/// The same; takes no memory where `map` has enough samples.
+/// The same, in place where `map` has enough samples: it takes its values as they are.
 template <class T, class Meaning, class Factor, class FactorMeaning>
 GroundMap<T, Meaning> product(GroundMap<T, Meaning>&& map,
                               const GroundMap<Factor, FactorMeaning>& factor) {

@@ -171,7 +171,8 @@ template <class Illuminate>
 FactorMap sunlit_fraction(const ground::SnowyGround& ground, const landscape::Daylight& day,
                           const Illuminate& illuminate) {
   constexpr double flattest_cosine = 1e-3;
-  const terrain::GroundLight& clear = ground.light();
+  const std::optional<terrain::GroundLight> uncarved = ground.uncarved_light();
+  const terrain::GroundLight& clear = uncarved ? *uncarved : ground.light();
   const int samples = clear.sun.samples();
   const ColourMap dark(samples, clear.sun.square(), glm::vec3(0.0F));
   const ColourMap by_sun = illuminate(

@@ -301,6 +301,7 @@ std::unique_ptr<const LakeSurface> LitGround::lake_surface(
         grid, [&](const glm::dvec2& at_m) { return around.near_radiance(at_m, grid.step_m()); });
   };
   constexpr int samples_of_square = 513;
+  const std::optional<terrain::GroundLight> uncarved = ground.uncarved_light();
   OverLakes over{{*site_.surroundings, landscape.terrain, *site_.water, camera.eye_m,
                   panorama(camera, landscape.width_px, landscape.height_px)},
                  {filled<ColourMap>({square, samples_of_square},
@@ -310,7 +311,7 @@ std::unique_ptr<const LakeSurface> LitGround::lake_surface(
                   of_around(3.0 * square.size_m),
                   of_around(square.size_m + 2.0 * site_.surroundings->reach_m())},
                  sky,
-                 sun_alone(ground.light()),
+                 sun_alone(uncarved ? *uncarved : ground.light()),
                  camera.eye_m};
   return std::make_unique<const LakeSurface>(site_, ground, scene::time_s(scene_, now_.frame),
                                              scene_.seed, std::move(over));
@@ -350,7 +351,7 @@ std::vector<place::View> LitGround::views_of_pictures(const SnowyGround& ground,
                                                       const landscape::Landscape& landscape) const {
   if (details.empty()) return {view_};
   const place::View in_sight = view_.over(landscape.terrain);
-  const bool coarse_light = site_.sketch || !site_.is_uneven();
+  const bool coarse_light = site_.sketch || (!site_.is_uneven() && !ground.layer().carved);
   if (coarse_light) return std::vector(details.size() + 1, in_sight);
   const landscape::RaisedGround& boulders = landscape.boulders;
   const bool snowed = static_cast<bool>(ground.layer());

@@ -187,6 +187,9 @@ void SnowyGround::lay_about_the_camera(int frame) {
     for (int i = 0; i < surface_.samples(); ++i)
       surface_.at(i, j) += depth_m(surface_.place_m(i, j));
   });
+  // Else the squares before the camera alone would show what snow hides and wind carves.
+  if (!site_.sketch && snow::Bedforms::is_shown(place::whole_grid(scene_).step_m()))
+    light_ = place::light_in_frame(scene_, site_, frame, layer());
 }
 
 void SnowyGround::lay_everywhere(int frame) {
@@ -231,6 +234,11 @@ void SnowyGround::clear_steep_sides(FactorMap& white) const {
 }
 
 const terrain::GroundLight& SnowyGround::light() const { return light_ ? *light_ : site_.light; }
+
+std::optional<terrain::GroundLight> SnowyGround::uncarved_light() const {
+  if (!light_ || !bedforms_) return std::nullopt;
+  return lying_ ? site_.light : place::whole_light(site_, surface_, {layer().depth_m, {}});
+}
 
 void SnowyGround::freeze_water(int frame) {
   constexpr int heights = 9;
@@ -299,11 +307,15 @@ void SnowyGround::carve(int frame) {
   if (carved_ > 0.0) bedforms_.emplace(snow::shaping_heading_deg(*site_.weather), scene_.seed);
 }
 
-/// Wind carves thin snow less deeply.
+/// Wind carves thin snow less deeply, and none in which grass stands.
 glm::dvec2 SnowyGround::carved(const glm::dvec2& at_m, double step_m) const {
   constexpr double deep_m = 0.3;
+  if (!snow::Bedforms::is_shown(step_m)) return glm::dvec2(0.0);
+  const float grown = grass_above(at_m) * site_.growth.sample(at_m.x, at_m.y);
+  const double open = std::max(1.0 - 2.0 * double{grown}, 0.0);
   const double depth = std::min(double{depth_m(at_m)} / deep_m, 1.0);
-  return depth > 0.0 ? carved_ * depth * bedforms_->ascent(at_m, step_m) : glm::dvec2(0.0);
+  const double fraction = carved_ * depth * open;
+  return fraction > 0.0 ? fraction * bedforms_->ascent(at_m, step_m) : glm::dvec2(0.0);
 }
 
 float SnowyGround::white_fraction(const glm::dvec2& at_m) const {

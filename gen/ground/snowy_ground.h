@@ -25,6 +25,8 @@ class SnowyGround {
 
   /// Sun and sky on that surface.
   const terrain::GroundLight& light() const;
+  /// The same without what wind has carved; none where that is light().
+  std::optional<terrain::GroundLight> uncarved_light() const;
 
   /// What the surface makes of the light that falls on it, radiance over irradiance: bare ground as
   /// Site has it, darker where rain has wetted it, and snow, darker where grass still stands over

@@ -275,6 +275,22 @@ terrain::GroundLight light_on(const Site& site, const GroundGrid& grid, RowParts
   return lit(site, site.surface(grid, std::move(parts), lying), grid);
 }
 
+terrain::GroundLight light_in_frame(const scene::Scene& scene, const Site& site, int frame,
+                                    const terrain::SnowLayer& lying) {
+  const GroundGrid grid = whole_grid(scene);
+  const View view = view_of_frame(scene, site.terrain, frame);
+  const auto seen = [&](double more_steps) {
+    const double step_m = grid.step_m();
+    return rows_in_view(grid, site.terrain, view,
+                        margin_in_view_m(view, step_m) + more_steps * step_m);
+  };
+  const terrain::GroundLight light = lit(site, site.surface(grid, seen(2.0), lying), grid);
+  const RowParts in_view = seen(0.0);
+  return {filled_up(light.sun, in_view, site.light.sun),
+          filled_up(light.sky, in_view, site.light.sky),
+          filled_up(light.overcast, in_view, site.light.overcast)};
+}
+
 terrain::GroundLight whole_light(const Site& site, const Heightfield& surface,
                                  const terrain::SnowLayer& lying) {
   constexpr double step_m = 0.05;

@@ -125,13 +125,18 @@ const FactorMap& growth_of_cells(const Site& site);
 
 /// A part of a site's ground, of whose rows `parts` count: elsewhere nothing grows, and it is dark.
 /// Its light is on the light_grid(), or as fine as the relief below the terrain's steps. `lying`
-/// buries boulders.
+/// buries boulders, hides relief and is carved itself.
 GroundPart ground_part(const scene::Scene& scene, const Site& site, const GroundGrid& grid,
                        RowParts parts, const terrain::SnowLayer& lying = {});
 
 /// The light of a clear sky on such a part of a site's ground.
 terrain::GroundLight light_on(const Site& site, const GroundGrid& grid, RowParts parts,
                               const terrain::SnowLayer& lying);
+
+/// The same on all of a large terrain where a frame (from 1) shows it, as finely as whole_grid();
+/// elsewhere the site's.
+terrain::GroundLight light_in_frame(const scene::Scene& scene, const Site& site, int frame,
+                                    const terrain::SnowLayer& lying);
 
 /// The grid of the light on a part of the ground: as fine as `grid` or, where that is finer, as the
 /// terrain; of a sketch no finer than it says.

@@ -5,7 +5,7 @@
 #include "core/mesh_height.h"
 #include "core/pinhole.h"
 #include "scene/species.h"
-#include "snow/cover.h"
+#include "snowpack/snow_layer.h"
 
 namespace wold::place {
 
@@ -23,24 +23,26 @@ glm::dvec3 on_the_way(const Heightfield& terrain, const glm::dvec3& from_m,
   return glm::mix(from_m, above_mesh(terrain, {end[0], end[1]}, end[2]), time);
 }
 
-/// Whoever has a camera so high over the ground keeps half of that over the snow that lies there
-/// when the weather begins. It does not follow snow that falls and melts: nobody moves it.
-scene::Camera on_snow(const scene::Scene& scene, scene::Camera camera) {
-  constexpr double over_snow = 0.5;
-  if (scene.snow_cover.cover != scene::CoverModel::depth) return camera;
-  const double snow_m = snow::first_pack(scene).depth_m;
-  const auto raise = [&](double& height_m) {
-    height_m = std::max(height_m, snow_m + over_snow * height_m);
-  };
-  raise(camera.eye_height_m);
-  if (!camera.eye_end.empty()) raise(camera.eye_end[2]);
-  return camera;
-}
-
 }  // namespace
 
 glm::dvec3 above_ground(const Heightfield& terrain, const glm::dvec2& at_m, double height_m) {
   return {at_m, terrain.sample(at_m.x, at_m.y) + height_m};
+}
+
+scene::Camera on_snow(const scene::Scene& scene, scene::Camera camera) {
+  constexpr double over_snow = 0.5;
+  if (scene.snow_cover.cover != scene::CoverModel::depth) return camera;
+  const double snow_m = snowpack::lain_snow(scene.snow_cover.initial_mm).depth_m;
+  const auto raised_by = [&](double eye_m) {
+    return std::max(snow_m - (1.0 - over_snow) * eye_m, 0.0);
+  };
+  const double by_m = raised_by(camera.eye_height_m);
+  const double at_end_m = camera.eye_end.empty() ? by_m : raised_by(camera.eye_end[2]);
+  camera.eye_height_m += by_m;
+  camera.target_height_m += by_m;
+  if (!camera.eye_end.empty()) camera.eye_end[2] += at_end_m;
+  if (!camera.target_end.empty()) camera.target_end[2] += at_end_m;
+  return camera;
 }
 
 landscape::Camera resolved_camera(const scene::Camera& camera, const Heightfield& terrain,

@@ -21,6 +21,11 @@ glm::dvec3 above_ground(const Heightfield& terrain, const glm::dvec2& at_m, doub
 landscape::Camera resolved_camera(const scene::Camera& camera, const Heightfield& terrain,
                                   double time);
 
+/// A camera over the snow that lies when the weather begins: at least half of the eye's height is
+/// above that, and what it looks at is raised as much. It does not follow snow that falls and
+/// melts: nobody moves it.
+scene::Camera on_snow(const scene::Scene& scene, scene::Camera camera);
+
 /// That of a frame (from 1): its shot's, or the scene's; over the snow that lies there at first.
 landscape::Camera camera_of_frame(const scene::Scene& scene, const Heightfield& terrain, int frame);
 

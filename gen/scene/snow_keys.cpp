@@ -77,7 +77,7 @@ std::vector<Key> snow_cover_keys() {
                "or none."),
           FIELD(snow_cover.cover)),
       bound(number("snow_cover.initial", "mm", {0, 5000},
-                   "Water of the snow that lies when the weather begins: 10 mm are 7 cm, 100 mm 43 "
+                   "Water of the snow that lies when the weather begins: 10 mm are 8 cm, 100 mm 44 "
                    "cm, 300 mm 1 m."),
             FIELD(snow_cover.initial_mm)),
       bound(

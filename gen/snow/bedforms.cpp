@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "core/angle.h"
 #include "core/elementary.h"
@@ -12,7 +13,8 @@ namespace wold::snow {
 namespace {
 
 constexpr double hour_s = 3600.0;
-constexpr double places_m = 14.0;  // size of the places where one form prevails
+constexpr double places_m = 14.0;          // size of the places where one form prevails
+constexpr glm::dvec2 largest_m(5.0, 9.0);  // forms, along the wind and across it
 
 std::uint64_t key(std::uint64_t seed, std::string_view what) {
   return random_bits({seed, key_of("snow cover"), 0, key_of(what)});
@@ -28,8 +30,9 @@ double shaped_at_last(double wind_m_s) {
 double shaped_after(double shaped, const WeatherMoment& weather, double height_m, double hours) {
   constexpr double shaping_h = 3.0, levelling_h = 24.0;
   constexpr double buried_mm = 10.0;  // of water, in a decimetre of fresh snow
+  if (weather.temperature_c > lapse_k_per_m * height_m)
+    return shaped * math::exp(-hours / levelling_h);
   shaped *= math::exp(-snow_mm_h(weather, height_m) * hours / buried_mm);
-  if (weather.temperature_c > lapse_k_per_m * height_m) shaped *= math::exp(-hours / levelling_h);
   const double at_last = shaped_at_last(weather.wind_speed_m_s);
   return shaped + std::max(at_last - shaped, 0.0) * (1.0 - math::exp(-hours / shaping_h));
 }
@@ -38,9 +41,12 @@ double shaped_after(double shaped, const WeatherMoment& weather, double height_m
 
 double shaped_by_wind(const Weather& weather, double time_s, double height_m, bool lain) {
   double shaped = lain ? 1.0 : 0.0;
+  bool lies = lain;
   for (double at_s = -weather.earlier_s(); at_s < time_s; at_s += hour_s) {
     const double passed_s = std::min(hour_s, time_s - at_s);
-    shaped = shaped_after(shaped, weather.at(at_s + 0.5 * passed_s), height_m, passed_s / hour_s);
+    const WeatherMoment now = weather.at(at_s + 0.5 * passed_s);
+    lies = lies || snow_mm_h(now, height_m) > 0.0;
+    if (lies) shaped = shaped_after(shaped, now, height_m, passed_s / hour_s);
   }
   return shaped;
 }
@@ -54,7 +60,7 @@ double shaping_heading_deg(const Weather& weather) {
 Bedforms::Bedforms(double heading_deg, std::uint64_t seed)
     : axes_(heading_deg),
       sastrugi_(octaves(key(seed, "sastrugi"), {2.4, 0.7}, 0.03, 5)),
-      waves_(octaves(key(seed, "snow waves"), {5.0, 9.0}, 0.035, 2)),
+      waves_(octaves(key(seed, "snow waves"), largest_m, 0.035, 2)),
       ripples_(octaves(key(seed, "ripples"), {0.13, 0.9}, 0.002, 2)),
       crust_(octaves(key(seed, "wind crust"), {0.16, 0.1}, 0.0006, 4)),
       carved_{key(seed, "carved"), 3, 0.5},
@@ -102,13 +108,17 @@ glm::dvec2 Bedforms::ridges(const Form& form, const glm::dvec2& wind_m, double s
   return ascent * std::min(1.0 / std::max(1.0 - undercut * ascent.x, 1e-3), steepest);
 }
 
+bool Bedforms::is_shown(double step_m) { return shown_fraction(largest_m.x, step_m) > 0.0; }
+
 glm::dvec2 Bedforms::ascent(const glm::dvec2& at_m, double step_m) const {
+  if (!is_shown(step_m)) return glm::dvec2(0.0);
   const glm::dvec2 wind_m(glm::dot(at_m, axes_.along), glm::dot(at_m, axes_.right));
   const double carved = glm::smoothstep(-0.8, 0.9, carved_.at(at_m / places_m));
   const double rippled = glm::smoothstep(0.0, 1.2, rippled_.at(at_m / places_m)) * (1.0 - carved);
-  const glm::dvec2 ascent =
-      carved * ridges(sastrugi_, wind_m, step_m) + relief(waves_, wind_m, step_m).gradient +
-      rippled * relief(ripples_, wind_m, step_m).gradient + relief(crust_, wind_m, step_m).gradient;
+  glm::dvec2 ascent =
+      relief(waves_, wind_m, step_m).gradient + relief(crust_, wind_m, step_m).gradient;
+  if (carved > 0.0) ascent += carved * ridges(sastrugi_, wind_m, step_m);
+  if (rippled > 0.0) ascent += rippled * relief(ripples_, wind_m, step_m).gradient;
   return axes_.on_ground(ascent);
 }
 

@@ -11,8 +11,9 @@
 namespace wold::snow {
 
 /// How far wind has shaped the surface of the snow at a height above the terrain's zero: 0 smooth,
-/// 1 as far as it can. Wind from 6.4 m/s on shapes it ([Kochanski2019]), within some hours; snow
-/// that falls buries what was there, and thaw levels it. How fast are modelling choices.
+/// 1 as far as it can. Wind from 6.4 m/s on shapes it while it is cold ([Kochanski2019]), within
+/// some hours; snow that falls buries what was there, and thaw levels it. How fast are modelling
+/// choices.
 /// `lain`: whether snow lies when the weather begins; the winds of its winter have shaped that.
 double shaped_by_wind(const Weather& weather, double time_s, double height_m, bool lain);
 
@@ -28,6 +29,9 @@ class Bedforms {
  public:
   /// `heading_deg`: where the wind blows to, clockwise from north.
   Bedforms(double heading_deg, std::uint64_t seed);
+
+  /// Whether a map with that step shows any.
+  static bool is_shown(double step_m);
 
   /// Steepest ascent of a surface that the wind has shaped as far as it can, as a map with that
   /// step shows it.

@@ -65,11 +65,10 @@ double left_by_smoothing(double wave_m, double length2_m2) {
 /// Of waves' heights, by soil that creeps as in crept().
 double left_by_creep(double wave_m) { return left_by_smoothing(wave_m, 0.1); }
 
-/// Of waves' heights, on snow that lies on them: it hides what is shorter than some times its
-/// depth.
-double left_on_snow(double wave_m, double depth_m) {
-  constexpr double smoothed = 0.6;  // depths
-  return left_by_smoothing(wave_m, smoothed * depth_m * depth_m);
+/// Of waves' heights, what snow on them hides: those that are shorter than some times its depth.
+double hidden_by_snow(double wave_m, double depth_m) {
+  constexpr double smoothed = 0.6;  // squares of the depth
+  return 1.0 - left_by_smoothing(wave_m, smoothed * depth_m * depth_m);
 }
 
 }  // namespace
@@ -135,9 +134,8 @@ void FinerRelief::add_octaves(State& state, const glm::dvec2& at_m, const Octave
                               const Weights& weights, const SnowDepth& snow_m) const {
   const double depth_m = snow_m ? snow_m(at_m) : 0.0;
   for (std::size_t k = octaves.first; k < octaves.last; ++k) {
-    const double left =
-        depth_m > 0.0 ? left_on_snow(octaves_[k].feature_m / feature_of_waves, depth_m) : 1.0;
-    add_octave(state, at_m, k, weights[k] * left);
+    const double wave_m = octaves_[k].feature_m / feature_of_waves;
+    add_octave(state, at_m, k, weights[k] * (snow_m ? hidden_by_snow(wave_m, depth_m) : 1.0));
   }
 }
 
@@ -195,15 +193,24 @@ FinerRelief::States FinerRelief::states(const GroundGrid& grid, const Weights& w
 }
 
 GroundMap<FinerRelief::Bump> FinerRelief::on_grid(const GroundGrid& grid, const Weights& weights,
-                                                  const RowParts& parts,
-                                                  const SnowDepth& snow_m) const {
+                                                  const RowParts& parts) const {
   GroundMap<Bump> bumps(grid.samples, grid.square);
-  visit_states(grid, weights, shown_octaves(weights), parts, snow_m,
+  visit_states(grid, weights, shown_octaves(weights), parts, /*snow_m=*/{},
                [&](int i, int j, const State& state) {
                  bumps.at(i, j) = state.shown;
                  bumps.at(i, j).deviation_m = std::sqrt(state.shown.deviation_m);
                });
   return bumps;
+}
+
+GroundMap<glm::vec2> FinerRelief::hidden_by(const SnowDepth& snow_m, const GroundGrid& grid,
+                                            const Weights& weights, const RowParts& parts) const {
+  GroundMap<glm::vec2> gradient(grid.samples, grid.square);
+  visit_states(grid, weights, shown_octaves(weights), parts, snow_m,
+               [&](int i, int j, const State& state) {
+                 gradient.at(i, j) = glm::vec2(state.shown.gradient);
+               });
+  return gradient;
 }
 
 }  // namespace wold::terrain

@@ -46,9 +46,12 @@ class FinerRelief {
 
   /// The same at the places of a grid that count, others have none: large octaves are evaluated at
   /// fewer places and interpolated between them, true to some 7 % of the least of them.
-  /// `snow_m`: fills hollows, the more the shorter the waves; empty: none does.
-  GroundMap<Bump> on_grid(const GroundGrid& grid, const Weights& weights, const RowParts& parts,
-                          const SnowDepth& snow_m = {}) const;
+  GroundMap<Bump> on_grid(const GroundGrid& grid, const Weights& weights,
+                          const RowParts& parts) const;
+  /// Of the same, the gradient of what snow on it hides: the more of a wave, the shorter it is and
+  /// the deeper the snow.
+  GroundMap<glm::vec2> hidden_by(const SnowDepth& snow_m, const GroundGrid& grid,
+                                 const Weights& weights, const RowParts& parts) const;
 
  private:
   /// Of a place, after some octaves.
@@ -71,6 +74,7 @@ class FinerRelief {
   struct Octaves {
     std::size_t first, last;
   };
+  /// With `snow_m` what snow hides of them, without all of them.
   void add_octaves(State& state, const glm::dvec2& at_m, const Octaves& octaves,
                    const Weights& weights, const SnowDepth& snow_m) const;
   /// After the first `count` octaves.

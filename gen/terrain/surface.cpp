@@ -13,11 +13,13 @@
 namespace wold::terrain {
 namespace {
 
-/// How much more of the sun's light falls on a face than on the ground it belongs to. Grazing light
-/// makes no face much brighter than one that the sun meets.
+/// How much more of the sun's light falls on a face than on the ground it belongs to: 1 where it
+/// faces the same way. Grazing light makes no face much brighter than one that the sun meets.
 double more_sun(const glm::dvec3& face, const glm::dvec3& ground, const glm::dvec3& to_sun) {
   constexpr double least = 0.15;
-  return std::max(0.0, glm::dot(face, to_sun)) / std::max(least, glm::dot(ground, to_sun));
+  const double on_ground = glm::dot(ground, to_sun);
+  const double more = glm::dot(face, to_sun) - on_ground;
+  return std::max(0.0, 1.0 + more / std::max(least, on_ground));
 }
 
 /// The same of the sky's, which is as bright everywhere.
@@ -182,16 +184,19 @@ glm::dvec3 Surface::up(int i, int j) const {
   return glm::normalize(glm::dvec3(-ascent, 1.0));
 }
 
-/// Snow on water is as level as that.
+double Surface::holds_snow(int i, int j) const {
+  constexpr double held_deg = 48.0, steepest_deg = 64.0;  // about as steep as ledges()
+  return 1.0 - glm::smoothstep(held_deg, steepest_deg, slope_deg(i, j));
+}
+
+/// Snow on water is as level as that; walls and the sides of boulders have none.
 std::optional<GroundMap<glm::vec2>> Surface::ascent_of_snow() const {
   if (!snow_ || (finer_ == nullptr && !snow_.carved)) return std::nullopt;
   GroundMap<glm::vec2> ascent(grid_.samples, grid_.square);
   if (finer_ != nullptr) {
-    const FinerRelief::Weights weights = weights_of_finer();
-    const auto above = finer_->on_grid(grid_, weights, parts_, snow_.depth_m);
-    const auto below = finer_->on_grid(grid_, weights, parts_);
+    const auto hidden = finer_->hidden_by(snow_.depth_m, grid_, weights_of_finer(), parts_);
     for (std::size_t k = 0; k < ascent.values().size(); ++k)
-      ascent.values()[k] = glm::vec2(above.values()[k].gradient - below.values()[k].gradient);
+      ascent.values()[k] = -hidden.values()[k];
   }
   parallel_for(static_cast<std::size_t>(grid_.samples), [&](std::size_t row) {
     const int j = static_cast<int>(row);
@@ -199,6 +204,7 @@ std::optional<GroundMap<glm::vec2>> Surface::ascent_of_snow() const {
       glm::vec2& here = ascent.at(i, j);
       if (finer_ != nullptr) here *= static_cast<float>(1.0 - water(i, j));
       if (snow_.carved) here += glm::vec2(snow_.carved(place_m(i, j), grid_.step_m()));
+      if (here != glm::vec2(0.0F)) here *= static_cast<float>(holds_snow(i, j));
     });
   });
   return ascent;

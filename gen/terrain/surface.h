@@ -89,7 +89,7 @@ class Surface {
 
   /// A light on the heights, as it falls on this surface: the sun by Lambert's law, the sky by how
   /// much of it the surface faces, with the shade of boulders. The light itself where nothing is
-  /// finer than the heights; none at places that do not count.
+  /// finer than the heights and no snow is carved; none at places that do not count.
   GroundLight lit(GroundLight on_heights, const glm::dvec3& to_sun) const;
 
  private:
@@ -114,6 +114,8 @@ class Surface {
   Grazed grazed(int i, int j) const;
   /// How much of what feet have made is seen: snow evens it out, and water is level.
   double seen_of_feet(int i, int j) const;
+  /// How much of the snow that lies about it stays on so steep a place, in [0, 1].
+  double holds_snow(int i, int j) const;
   /// Steepest ascent of the snow's surface over that of the ground below; none where nothing is.
   std::optional<GroundMap<glm::vec2>> ascent_of_snow() const;
   glm::dvec3 lit_face(int i, int j, const glm::vec2& ascent_of_snow) const;

@@ -25,8 +25,8 @@ Weather steady(double temperature_c, double wind_m_s, double precipitation_mm_h 
 // Kochanski 2020: snow is only flat in winds below 6.4 m/s.
 TEST(ShapedByWind, IsSnowInStrongWindAlone) {
   EXPECT_EQ(shaped_by_wind(steady(-5.0, 6.0), day_s, 0.0, /*lain=*/false), 0.0);
-  EXPECT_GT(shaped_by_wind(steady(-5.0, 12.0), day_s, 0.0, /*lain=*/false), 0.95);
-  EXPECT_LT(shaped_by_wind(steady(-5.0, 12.0), day_s / 24.0, 0.0, /*lain=*/false), 0.5);
+  EXPECT_GT(shaped_by_wind(steady(-5.0, 12.0, 0.01), day_s, 0.0, /*lain=*/false), 0.95);
+  EXPECT_LT(shaped_by_wind(steady(-5.0, 12.0, 0.01), day_s / 24.0, 0.0, /*lain=*/false), 0.5);
 }
 
 TEST(ShapedByWind, LastsUntilItIsBuriedOrThaws) {
@@ -34,11 +34,23 @@ TEST(ShapedByWind, LastsUntilItIsBuriedOrThaws) {
   EXPECT_LT(shaped_by_wind(steady(-5.0, 2.0, 1.5), day_s, 0.0, /*lain=*/true), 0.1);
   EXPECT_LT(shaped_by_wind(steady(4.0, 2.0), 3.0 * day_s, 0.0, /*lain=*/true), 0.1);
   EXPECT_EQ(shaped_by_wind(steady(4.0, 2.0), 3.0 * day_s, 2000.0, /*lain=*/true), 1.0);
+  EXPECT_LT(shaped_by_wind(steady(5.0, 14.0), 3.0 * day_s, 0.0, /*lain=*/true), 0.1);
+}
+
+// Nor is ground that no snow has fallen on.
+TEST(ShapedByWind, IsNoBareGround) {
+  const test::TemporaryFolder folder("bare_ground");
+  scene::Scene scene;
+  scene.weather.table = (folder.path() / "table.csv").string();
+  write_file(scene.weather.table,
+             "hours,temperature_c,wind_speed_m_s,precipitation_mm_h\n0,-5,14,0\n20,-5,14,0\n"
+             "21,-5,1,0\n22,-5,1,0.4\n30,-5,1,0.4\n");
+  EXPECT_LT(shaped_by_wind(Weather(scene, nullptr), 30.0 * 3600.0, 0.0, /*lain=*/false), 0.01);
 }
 
 // Else it would begin anew with each frame.
 TEST(ShapedByWind, DoesNotDependOnWhatIsAskedBefore) {
-  const Weather weather = steady(-5.0, 9.0);
+  const Weather weather = steady(-5.0, 9.0, 0.01);
   const double once = shaped_by_wind(weather, 5.0 * 3600.0, 0.0, /*lain=*/false);
   EXPECT_GT(once, shaped_by_wind(weather, 4.5 * 3600.0, 0.0, /*lain=*/false));
   EXPECT_LT(once, shaped_by_wind(weather, 5.5 * 3600.0, 0.0, /*lain=*/false));

@@ -51,21 +51,26 @@ class FinerReliefTest : public testing::Test {
   FinerRelief relief_{ground_, measured_roughness(ground_, Held::exactly), 0.9, 4};
 };
 
-// Under 2 m of it are waves of some metres gone, those of a hundred are not.
-TEST_F(FinerReliefTest, IsFilledUpBySnowWhereItsWavesAreShort) {
-  const auto slope2 = [&](double step_m, double coarse_step_m, double depth_m) {
+// Under 2 m of it waves of some metres are hidden, those of a hundred are not.
+TEST_F(FinerReliefTest, IsHiddenBySnowWhereItsWavesAreShort) {
+  const auto hidden = [&](double step_m, double coarse_step_m, double depth_m) {
     const GroundGrid grid{{{900.0, 1100.0}, 256 * step_m}, 257};
+    const FinerRelief::Weights weights = relief_.shown_below(coarse_step_m, step_m);
+    const RowParts all = whole_rows(grid.samples);
     const auto snow_m = [depth_m](const glm::dvec2&) { return depth_m; };
-    const auto map = relief_.on_grid(grid, relief_.shown_below(coarse_step_m, step_m),
-                                     whole_rows(grid.samples), snow_m);
-    double sum = 0.0;
-    for (const FinerRelief::Bump& bump : map.values())
-      sum += glm::dot(bump.gradient, bump.gradient);
-    return sum;
+    const GroundMap<glm::vec2> under_snow = relief_.hidden_by(snow_m, grid, weights, all);
+    const GroundMap<FinerRelief::Bump> bare = relief_.on_grid(grid, weights, all);
+    double hidden2 = 0.0, bare2 = 0.0;
+    for (const glm::dvec2 slope : under_snow.values()) hidden2 += glm::dot(slope, slope);
+    for (const FinerRelief::Bump& bump : bare.values())
+      bare2 += glm::dot(bump.gradient, bump.gradient);
+    return std::sqrt(hidden2 / bare2);
   };
-  EXPECT_LT(slope2(0.25, 2.0, 2.0), 0.2 * slope2(0.25, 2.0, 0.0));
-  EXPECT_GT(slope2(8.0, 120.0, 2.0), 0.8 * slope2(8.0, 120.0, 0.0));
-  EXPECT_LT(slope2(0.25, 2.0, 2.0), slope2(0.25, 2.0, 0.3));
+  EXPECT_GT(hidden(0.25, 2.0, 2.0), 0.95);
+  EXPECT_LE(hidden(0.25, 2.0, 2.0), 1.0);
+  EXPECT_LT(hidden(8.0, 120.0, 2.0), 0.2);
+  EXPECT_LT(hidden(0.25, 2.0, 0.2), 0.6);
+  EXPECT_EQ(hidden(0.25, 2.0, 0.0), 0.0);
 }
 
 // The same whatever asks: a place, or a grid which evaluates large octaves at few places.
@@ -138,6 +143,37 @@ TEST_F(FinerReliefTest, LightOnItsSurfaceIsTheGroundsOnTheMean) {
   }
   EXPECT_NEAR(sun, 0.8, 0.05);
   EXPECT_GT(spread, 0.02);
+}
+
+// Deep snow is lit as what is level, not as the waves below it.
+TEST_F(FinerReliefTest, ShowsNothingInLightUnderDeepSnow) {
+  const Heightfield level(65, 2560.0);
+  const GroundGrid grid{{{1000.0, 1000.0}, 25.6}, 257};
+  const auto unevenness = [&](double depth_m) {
+    const Surface surface(level, &relief_, grid, {}, {},
+                          {[depth_m](const glm::dvec2&) { return depth_m; }, {}});
+    const ColourMap one(2, grid.square, glm::vec3(1.0F));
+    const GroundLight light =
+        surface.lit({one, one, FactorMap(2, grid.square, 1.0F)}, {0.6, 0.0, 0.8});
+    double sum2 = 0.0;
+    for (const glm::vec3& sun : light.sun.values()) sum2 += (sun.g - 1.0F) * (sun.g - 1.0F);
+    return std::sqrt(sum2 / static_cast<double>(light.sun.values().size()));
+  };
+  EXPECT_LT(unevenness(30.0), 0.2 * unevenness(0.0));
+  EXPECT_LT(unevenness(0.5), unevenness(0.0));
+}
+
+// However low the sun is: it faces it as the ground does.
+TEST(Surface, IsLitAsTheGroundWhereItIsHardlyCarved) {
+  const Heightfield level(2, 64.0);
+  const GroundGrid grid{{.size_m = 64.0}, 65};
+  const auto carved = [](const glm::dvec2&, double) { return glm::dvec2(1e-5, 0.0); };
+  const Surface surface(level, nullptr, grid, {}, {},
+                        {[](const glm::dvec2&) { return 1.0; }, carved});
+  const ColourMap one(2, grid.square, glm::vec3(1.0F));
+  const GroundLight light = surface.lit({one, one, FactorMap(2, grid.square, 1.0F)},
+                                        glm::normalize(glm::dvec3(1.0, 0.0, 0.05)));
+  EXPECT_NEAR(light.sun.at(30, 30).g, 1.0, 1e-3);
 }
 
 // What is carved turns level ground by its slope; where nothing is, light is the ground's.
