@@ -160,6 +160,15 @@ fs::path shipped_file(std::string_view relative) {
   throw FileError(fmt::format("{} is missing; looked for it at{}", relative, looked));
 }
 
+fs::path shipped_library(std::string_view name) {
+  std::error_code ignored;
+  for (const fs::path& folder : shipped_folders()) {
+    const fs::path library = folder / fmt::format("lib/libwold_{}.so", name);
+    if (fs::is_regular_file(library, ignored)) return library;
+  }
+  return {};
+}
+
 fs::path bundled_folder(std::string_view relative) {
   std::error_code ignored;
   const fs::path folder = shipped_folders().front() / relative;

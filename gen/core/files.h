@@ -57,6 +57,10 @@ std::string content_hash(std::string_view bytes);
 /// its build folder, and in that. Throws FileError that says where it looked.
 std::filesystem::path shipped_file(std::string_view relative);
 
+/// A library that ships to be preloaded into a renderer, by its name without "libwold_"; empty
+/// where there is none, as in sanitized builds.
+std::filesystem::path shipped_library(std::string_view name);
+
 /// A folder that ships in some installations alone: "examples" in all but a build's own folder, and
 /// in packages which bring their libraries along the libraries' files, such as "proj". Empty where
 /// there is none.

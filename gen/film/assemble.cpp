@@ -132,15 +132,16 @@ double dusk(const scene::Scene& scene, int frame) {
                                           elevation_deg(scene::sun_on_way(scene, take, 1.0))));
 }
 
-/// A film in which it may snow is exposed for snow all through; a season is so long that the camera
-/// follows the ground as it whitens, and the `light` on it as clouds and snowfall hide the sun.
+/// The camera follows the ground as it whitens, and the `light` on it as clouds and snowfall hide
+/// the sun. A film in which it may snow is exposed for snow before that, too; a season is too long
+/// for it.
 double gain(const scene::Scene& scene, const light::Daylight& day,
             const ground::SnowyGround& ground, const ColourMap& light) {
-  const double for_bare = sky::metered_gain(day, bare_subject(scene));
-  if (scene::is_season(scene))
-    return std::lerp(for_bare, sky::snow_gain(day, light), ground.white_fraction());
-  const bool for_snow = scene::may_lie(scene) || scene::may_snow(scene);
-  return for_snow ? sky::metered_gain(day, sky::Subject::snow) : for_bare;
+  const bool for_snow =
+      !scene::is_season(scene) && (scene::may_lie(scene) || scene::may_snow(scene));
+  const double for_bare =
+      sky::metered_gain(day, for_snow ? sky::Subject::snow : bare_subject(scene));
+  return std::lerp(for_bare, sky::snow_gain(day, light), ground.white_fraction());
 }
 
 /// What it leaves where it looks towards a low sun, as far as that is `open`, from 0 to 1: none

@@ -27,21 +27,23 @@ std::string quoted(const std::string& path) {
   return fmt::format("{}{}{}", quote, path, quote);
 }
 
+/// Starts POV-Ray with a stack that is deep enough (preload/deep_stack.cpp); nothing where that
+/// library is not, or lies where the loader cannot find it.
+std::vector<std::string> with_deep_stack() {
+  const std::string library = shipped_library("deep_stack").string();
+  if (library.empty() || library.find_first_of(" :") != std::string::npos) return {};
+  return {"/usr/bin/env", "LD_PRELOAD=" + library};
+}
+
 /// Antialiasing stands in the folder's povray.ini, which POV-Ray reads where it is started. Names
 /// are relative to there: above may be folders whose names no quoting saves.
 render::Command command(const render::Job& job, const fs::path& output) {
-  std::vector<std::string> arguments = {
-      job.program.found.path.string(),
-      "+Iscene.pov",
-      "+L.",
-      fmt::format("Declare=FRAME={}", job.frame),
-      "+O" + quoted(fs::relative(output, job.scene_folder).string()),
-      "+FN8",
-      fmt::format("+W{}", job.size_px.x),
-      fmt::format("+H{}", job.size_px.y),
-      "-D",
-      "-P",
-      "+V"};
+  std::vector<std::string> arguments = with_deep_stack();
+  arguments.insert(arguments.end(), {job.program.found.path.string(), "+Iscene.pov", "+L.",
+                                     fmt::format("Declare=FRAME={}", job.frame),
+                                     "+O" + quoted(fs::relative(output, job.scene_folder).string()),
+                                     "+FN8", fmt::format("+W{}", job.size_px.x),
+                                     fmt::format("+H{}", job.size_px.y), "-D", "-P", "+V"});
   if (job.threads > 0) arguments.push_back(fmt::format("+WT{}", job.threads));
   return {std::move(arguments), fs::absolute(job.scene_folder)};
 }

@@ -35,37 +35,24 @@ void reset_signals() {
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-/// Stack of each thread of a program. POV-Ray takes some 80 KB of it for each surface of a volume
-/// that a ray passes: 8 MiB, the usual limit, end at a hundred, and a meadow has more.
-constexpr rlim_t stack_bytes = 32U << 20U;
-
-/// 0: what this program has itself. Stacks count whole, although most is never touched.
+/// 0: what this program has itself.
 rlimit data_limit(double memory_bytes) {
   rlimit limit{};
   ::getrlimit(RLIMIT_DATA, &limit);
-  const double stacks_bytes = 1.0 * stack_bytes * std::thread::hardware_concurrency();
   if (memory_bytes > 0.0)
-    limit.rlim_cur = std::min(static_cast<rlim_t>(memory_bytes + stacks_bytes), limit.rlim_max);
-  return limit;
-}
-
-rlimit stack_limit() {
-  rlimit limit{};
-  ::getrlimit(RLIMIT_STACK, &limit);
-  limit.rlim_cur = std::min(stack_bytes, limit.rlim_max);
+    limit.rlim_cur = std::min(static_cast<rlim_t>(memory_bytes), limit.rlim_max);
   return limit;
 }
 
 /// The child's side of a fork: becomes the program, in a group of its own that goes with the thread
 /// that started it, or writes errno to `failure`. Only what is safe while other threads hold locks.
-[[noreturn]] void become(char* const* arguments, const char* folder, const rlimit& data,
-                         const rlimit& stack, int output, int failure, pid_t parent) {
+[[noreturn]] void become(char* const* arguments, const char* folder, const rlimit& data, int output,
+                         int failure, pid_t parent) {
   ::setpgid(0, 0);
   reset_signals();
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(127);  // it was killed before it could be watched
   ::setrlimit(RLIMIT_DATA, &data);
-  ::setrlimit(RLIMIT_STACK, &stack);
   const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   if (::chdir(folder) == 0 && ::dup2(nothing, STDIN_FILENO) >= 0 &&
       ::dup2(output, STDOUT_FILENO) >= 0 && ::dup2(output, STDERR_FILENO) >= 0)
@@ -109,12 +96,11 @@ Process::Process(const std::vector<std::string>& arguments, const std::filesyste
   const Pipe output = make_pipe();
   const Pipe failure = make_pipe();
   const std::vector<char*> pointers = c_arguments(arguments);
-  const rlimit data = data_limit(memory_bytes), stack = stack_limit();
+  const rlimit data = data_limit(memory_bytes);
   const pid_t parent = ::getpid();
   group_ = ::fork();
   int error = group_ < 0 ? errno : 0;
-  if (group_ == 0)
-    become(pointers.data(), folder.c_str(), data, stack, output.in, failure.in, parent);
+  if (group_ == 0) become(pointers.data(), folder.c_str(), data, output.in, failure.in, parent);
   ::close(output.in);
   ::close(failure.in);
   output_ = output.out;
