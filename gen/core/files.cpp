@@ -162,10 +162,10 @@ fs::path shipped_file(std::string_view relative) {
 
 fs::path shipped_library(std::string_view name) {
   std::error_code ignored;
-  for (const fs::path& folder : shipped_folders()) {
-    const fs::path library = folder / fmt::format("lib/libwold_{}.so", name);
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+  const std::string file = fmt::format("lib/wold/libwold_{}.so", name);
+  for (const fs::path& library : {(program / ".." / file).lexically_normal(), program / file})
     if (fs::is_regular_file(library, ignored)) return library;
-  }
   return {};
 }
 

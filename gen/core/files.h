@@ -57,8 +57,9 @@ std::string content_hash(std::string_view bytes);
 /// its build folder, and in that. Throws FileError that says where it looked.
 std::filesystem::path shipped_file(std::string_view relative);
 
-/// A library that ships to be preloaded into a renderer, by its name without "libwold_"; empty
-/// where there is none, as in sanitized builds.
+/// A library that ships to be preloaded into a renderer, by its name without "libwold_": where an
+/// installation has it (../lib/wold from the program), or in the build folder. Empty where there is
+/// none, as in sanitized builds.
 std::filesystem::path shipped_library(std::string_view name);
 
 /// A folder that ships in some installations alone: "examples" in all but a build's own folder, and

@@ -28,8 +28,10 @@ std::string quoted(const std::string& path) {
 }
 
 /// Starts POV-Ray with a stack that is deep enough (preload/deep_stack.cpp); nothing where that
-/// library is not, or lies where the loader cannot find it.
-std::vector<std::string> with_deep_stack() {
+/// library is not, or lies where the loader cannot find it. Stacks count whole against a limit of
+/// memory, and POV-Ray hangs when it gets none: with a limit they stay as they are.
+std::vector<std::string> with_deep_stack(const render::Job& job) {
+  if (job.memory_bytes > 0.0) return {};
   const std::string library = shipped_library("deep_stack").string();
   if (library.empty() || library.find_first_of(" :") != std::string::npos) return {};
   return {"/usr/bin/env", "LD_PRELOAD=" + library};
@@ -38,7 +40,7 @@ std::vector<std::string> with_deep_stack() {
 /// Antialiasing stands in the folder's povray.ini, which POV-Ray reads where it is started. Names
 /// are relative to there: above may be folders whose names no quoting saves.
 render::Command command(const render::Job& job, const fs::path& output) {
-  std::vector<std::string> arguments = with_deep_stack();
+  std::vector<std::string> arguments = with_deep_stack(job);
   arguments.insert(arguments.end(), {job.program.found.path.string(), "+Iscene.pov", "+L.",
                                      fmt::format("Declare=FRAME={}", job.frame),
                                      "+O" + quoted(fs::relative(output, job.scene_folder).string()),

@@ -8,6 +8,7 @@
 #include "povray/renderer.h"
 #include "render/command.h"
 #include "render/job.h"
+#include "support/sanitized.h"
 
 namespace wold::povray {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 // it: POV-Ray 3.7 takes so much for volumes of df3 files in sight of a wide picture.
 TEST(DeepStack, IsGivenToThreadsThatAskForLess) {
   const std::string library = shipped_library("deep_stack").string();
-  if (library.empty()) GTEST_SKIP() << "sanitized builds have none";
+  if (test::sanitized) GTEST_SKIP() << "sanitized builds have none";
   void* loaded = ::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
   ASSERT_NE(loaded, nullptr) << ::dlerror();
   using SetStackSize = int (*)(pthread_attr_t*, std::size_t);
@@ -39,7 +40,7 @@ TEST(DeepStack, IsGivenToThreadsThatAskForLess) {
 
 TEST(DeepStack, IsPreloadedIntoPovRay) {
   const std::string library = shipped_library("deep_stack").string();
-  if (library.empty()) GTEST_SKIP() << "sanitized builds have none";
+  if (test::sanitized) GTEST_SKIP() << "sanitized builds have none";
   render::Job job;
   job.program.found.path = "/usr/bin/povray";
   job.scene_folder = "/tmp";
@@ -47,6 +48,8 @@ TEST(DeepStack, IsPreloadedIntoPovRay) {
   ASSERT_GT(arguments.size(), 3U);
   EXPECT_EQ(arguments[1], "LD_PRELOAD=" + library);
   EXPECT_EQ(arguments[2], "/usr/bin/povray");
+  job.memory_bytes = 1e9;  // stacks of threads would count
+  EXPECT_EQ(renderer().command(job, "/tmp/picture.png").arguments.front(), "/usr/bin/povray");
 }
 
 }  // namespace

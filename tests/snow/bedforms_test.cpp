@@ -24,7 +24,7 @@ Weather steady(double temperature_c, double wind_m_s, double precipitation_mm_h 
 
 // Kochanski 2020: snow is only flat in winds below 6.4 m/s.
 TEST(ShapedByWind, IsSnowInStrongWindAlone) {
-  EXPECT_EQ(shaped_by_wind(steady(-5.0, 6.0), day_s, 0.0, /*lain=*/false), 0.0);
+  EXPECT_EQ(shaped_by_wind(steady(-5.0, 6.0, 0.01), day_s, 0.0, /*lain=*/false), 0.0);
   EXPECT_GT(shaped_by_wind(steady(-5.0, 12.0, 0.01), day_s, 0.0, /*lain=*/false), 0.95);
   EXPECT_LT(shaped_by_wind(steady(-5.0, 12.0, 0.01), day_s / 24.0, 0.0, /*lain=*/false), 0.5);
 }
