@@ -219,7 +219,6 @@ void SnowyGround::keep_from_water(FactorMap& snow) const {
 }
 
 void SnowyGround::clear_steep_sides(FactorMap& white) const {
-  constexpr double held_deg = 48.0, steepest_deg = 64.0;  // about as steep as terrain::ledges()
   if (!site_.boulders) return;
   const terrain::Surface surface = site_.surface({white.square(), white.samples()}, {}, layer());
   parallel_for(static_cast<std::size_t>(white.samples()), [&](std::size_t row) {
@@ -227,7 +226,7 @@ void SnowyGround::clear_steep_sides(FactorMap& white) const {
     for (int i = 0; i < white.samples(); ++i) {
       const double cover = surface.boulder(i, j).cover;
       if (cover <= 0.0) continue;
-      const double steep = glm::smoothstep(held_deg, steepest_deg, surface.slope_deg(i, j));
+      const double steep = 1.0 - surface.holds_snow(i, j);
       white.at(i, j) *= static_cast<float>(1.0 - cover * steep);
     }
   });
@@ -290,9 +289,9 @@ float SnowyGround::depth_m(const glm::dvec2& at_m) const {
   return is_bare() ? 0.0F : depth_m_.sample(at_m.x, at_m.y);
 }
 
-terrain::SnowLayer SnowyGround::layer() const {
+terrain::SnowSurface SnowyGround::layer() const {
   if (is_bare()) return {};
-  terrain::SnowLayer snow{[this](const glm::dvec2& at_m) { return double{depth_m(at_m)}; }, {}};
+  terrain::SnowSurface snow{[this](const glm::dvec2& at_m) { return double{depth_m(at_m)}; }, {}};
   if (bedforms_)
     snow.carved = [this](const glm::dvec2& at_m, double step_m) { return carved(at_m, step_m); };
   return snow;

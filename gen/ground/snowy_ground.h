@@ -59,7 +59,7 @@ class SnowyGround {
   /// Depth of the snow at a place, metres.
   float depth_m(const glm::dvec2& at_m) const;
   /// The snow by place, which this has to outlive; none where all is bare.
-  terrain::SnowLayer layer() const;
+  terrain::SnowSurface layer() const;
   /// Fraction of the ground there that is white.
   float white_fraction(const glm::dvec2& at_m) const;
   /// Fraction of water at a place that ice covers: all of it from 5 cm of ice on.

@@ -92,6 +92,14 @@ std::optional<GroundGrid> grid_of_ground(const scene::Scene& scene, const Height
   return std::nullopt;
 }
 
+/// Rows of a grid that views show, and some steps about them.
+RowParts rows_seen(const GroundGrid& grid, const Site& site, const std::vector<View>& views,
+                   double more_steps) {
+  const double step_m = grid.step_m();
+  return rows_in_view(grid, site.terrain, views,
+                      margin_in_view_m(views.front(), step_m) + more_steps * step_m);
+}
+
 /// The ground of a large terrain in the light of a day: as its picture needs it where a frame, or
 /// any of the film without one, shows it. Elsewhere, where it only lights and is mirrored, every
 /// fourth sample along both axes says what lies between: on the mean the same.
@@ -102,11 +110,7 @@ GroundPart large_ground(const scene::Scene& scene, const Site& site, std::option
   const std::vector<View> views = frame ? std::vector{view_of_frame(scene, site.terrain, *frame)}
                                         : views_of_film(scene, site.terrain);
   if (views.empty()) return lit_part(scene, site, site.surface(fine), fine, std::move(growth));
-  const auto seen = [&](double more_steps) {
-    const double step_m = fine.step_m();
-    return rows_in_view(fine, site.terrain, views,
-                        margin_in_view_m(views.front(), step_m) + more_steps * step_m);
-  };
+  const auto seen = [&](double more_steps) { return rows_seen(fine, site, views, more_steps); };
   const GroundGrid coarse{fine.square, (fine.samples - 1) / coarser + 1};
   const GroundPart all =
       lit_part(scene, site, site.surface(fine, lattice(fine, coarse)), coarse, growth);
@@ -252,7 +256,7 @@ GroundGrid light_grid(const Heightfield& terrain, const GroundGrid& grid,
 }
 
 GroundPart ground_part(const scene::Scene& scene, const Site& site, const GroundGrid& grid,
-                       RowParts parts, const terrain::SnowLayer& lying) {
+                       RowParts parts, const terrain::SnowSurface& lying) {
   const terrain::Surface surface = site.surface(grid, std::move(parts), lying);
   GroundPart part = lit_part(scene, site, surface, grid, growth_map(scene, surface));
   part.ledges = ledges(scene, site.snow.get(), surface, part.growth);
@@ -260,7 +264,7 @@ GroundPart ground_part(const scene::Scene& scene, const Site& site, const Ground
 }
 
 terrain::Surface Site::surface(const GroundGrid& grid, RowParts parts,
-                               const terrain::SnowLayer& lying) const {
+                               const terrain::SnowSurface& lying) const {
   return {terrain,
           finer.get(),
           grid,
@@ -271,28 +275,24 @@ terrain::Surface Site::surface(const GroundGrid& grid, RowParts parts,
 }
 
 terrain::GroundLight light_on(const Site& site, const GroundGrid& grid, RowParts parts,
-                              const terrain::SnowLayer& lying) {
+                              const terrain::SnowSurface& lying) {
   return lit(site, site.surface(grid, std::move(parts), lying), grid);
 }
 
 terrain::GroundLight light_in_frame(const scene::Scene& scene, const Site& site, int frame,
-                                    const terrain::SnowLayer& lying) {
+                                    const terrain::SnowSurface& lying) {
   const GroundGrid grid = whole_grid(scene);
-  const View view = view_of_frame(scene, site.terrain, frame);
-  const auto seen = [&](double more_steps) {
-    const double step_m = grid.step_m();
-    return rows_in_view(grid, site.terrain, view,
-                        margin_in_view_m(view, step_m) + more_steps * step_m);
-  };
-  const terrain::GroundLight light = lit(site, site.surface(grid, seen(2.0), lying), grid);
-  const RowParts in_view = seen(0.0);
+  const std::vector<View> views = {view_of_frame(scene, site.terrain, frame)};
+  const terrain::GroundLight light =
+      lit(site, site.surface(grid, rows_seen(grid, site, views, 2.0), lying), grid);
+  const RowParts in_view = rows_seen(grid, site, views, 0.0);
   return {filled_up(light.sun, in_view, site.light.sun),
           filled_up(light.sky, in_view, site.light.sky),
           filled_up(light.overcast, in_view, site.light.overcast)};
 }
 
 terrain::GroundLight whole_light(const Site& site, const Heightfield& surface,
-                                 const terrain::SnowLayer& lying) {
+                                 const terrain::SnowSurface& lying) {
   constexpr double step_m = 0.05;
   constexpr int most = 1025;
   const terrain::LandShadow* shadow = site.land_shadow.get();

@@ -92,7 +92,7 @@ struct Site {
   /// The ground on a grid, or the parts of its rows that count, under snow; the site has to outlive
   /// it.
   terrain::Surface surface(const GroundGrid& grid, RowParts parts = {},
-                           const terrain::SnowLayer& lying = {}) const;
+                           const terrain::SnowSurface& lying = {}) const;
 };
 
 /// Maps of a large terrain have as many samples as its pictures need; its snow is kept in tiled
@@ -118,7 +118,7 @@ Site site_of_frame(const scene::Scene& scene, const Site& site, int frame);
 /// The light of a site's day on all of the ground of a terrain that is not large. `surface`: its
 /// heights with the snow on it, which is so deep.
 terrain::GroundLight whole_light(const Site& site, const Heightfield& surface,
-                                 const terrain::SnowLayer& lying = {});
+                                 const terrain::SnowSurface& lying = {});
 
 /// Growth where cells are laid.
 const FactorMap& growth_of_cells(const Site& site);
@@ -127,16 +127,16 @@ const FactorMap& growth_of_cells(const Site& site);
 /// Its light is on the light_grid(), or as fine as the relief below the terrain's steps. `lying`
 /// buries boulders, hides relief and is carved itself.
 GroundPart ground_part(const scene::Scene& scene, const Site& site, const GroundGrid& grid,
-                       RowParts parts, const terrain::SnowLayer& lying = {});
+                       RowParts parts, const terrain::SnowSurface& lying = {});
 
 /// The light of a clear sky on such a part of a site's ground.
 terrain::GroundLight light_on(const Site& site, const GroundGrid& grid, RowParts parts,
-                              const terrain::SnowLayer& lying);
+                              const terrain::SnowSurface& lying);
 
 /// The same on all of a large terrain where a frame (from 1) shows it, as finely as whole_grid();
 /// elsewhere the site's.
 terrain::GroundLight light_in_frame(const scene::Scene& scene, const Site& site, int frame,
-                                    const terrain::SnowLayer& lying);
+                                    const terrain::SnowSurface& lying);
 
 /// The grid of the light on a part of the ground: as fine as `grid` or, where that is finer, as the
 /// terrain; of a sketch no finer than it says.

@@ -30,7 +30,7 @@ double more_sky(const glm::dvec3& face, const glm::dvec3& ground) {
 }  // namespace
 
 Surface::Surface(const Heightfield& heights_m, const FinerRelief* finer, const GroundGrid& grid,
-                 const KnownGround& known, RowParts parts, const SnowLayer& snow)
+                 const KnownGround& known, RowParts parts, const SnowSurface& snow)
     : heights_m_(heights_m),
       finer_(grid.step_m() < heights_m.step_m() ? finer : nullptr),
       grid_(grid),

@@ -31,7 +31,7 @@ struct KnownGround {
 };
 
 /// Snow that lies on the ground. Functions have to outlive what uses them.
-struct SnowLayer {
+struct SnowSurface {
   /// Empty where none lies.
   SnowDepth depth_m;
   /// Steepest ascent of what wind has carved into its surface, as a map with that step shows it;
@@ -52,7 +52,7 @@ class Surface {
   /// `snow`: buries boulders, evens out paths and grazing steps, and in light what is finer than
   /// the heights.
   Surface(const Heightfield& heights_m, const FinerRelief* finer, const GroundGrid& grid,
-          const KnownGround& known = {}, RowParts parts = {}, const SnowLayer& snow = {});
+          const KnownGround& known = {}, RowParts parts = {}, const SnowSurface& snow = {});
 
   const GroundGrid& grid() const { return grid_; }
   /// What counts of row `j`.
@@ -67,6 +67,8 @@ class Surface {
   glm::dvec3 up(int i, int j) const;
   /// Angle with the horizontal, degrees.
   double slope_deg(int i, int j) const;
+  /// How much of the snow that lies about it stays on so steep a place, in [0, 1].
+  double holds_snow(int i, int j) const;
   /// How far the place stands out of the ground that the heights show, in standard deviations:
   /// spurs are above 0, gullies below; of a normal distribution. 0 where there is no relief.
   double exposure(int i, int j) const;
@@ -114,8 +116,6 @@ class Surface {
   Grazed grazed(int i, int j) const;
   /// How much of what feet have made is seen: snow evens it out, and water is level.
   double seen_of_feet(int i, int j) const;
-  /// How much of the snow that lies about it stays on so steep a place, in [0, 1].
-  double holds_snow(int i, int j) const;
   /// Steepest ascent of the snow's surface over that of the ground below; none where nothing is.
   std::optional<GroundMap<glm::vec2>> ascent_of_snow() const;
   glm::dvec3 lit_face(int i, int j, const glm::vec2& ascent_of_snow) const;
@@ -133,7 +133,7 @@ class Surface {
   std::optional<Scree::Patches> scree_;
   std::optional<NearbyBoulders> boulders_;
   TroddenPlaces trodden_;
-  SnowLayer snow_;
+  SnowSurface snow_;
 };
 
 }  // namespace wold::terrain

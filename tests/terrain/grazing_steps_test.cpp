@@ -114,7 +114,7 @@ struct Pasture {
       for (int i = 0; i < 33; ++i) number.at(i, j) = 1;
     return number;
   }
-  Surface surface(const Heightfield& ground_m, const SnowLayer& snow = {}) const {
+  Surface surface(const Heightfield& ground_m, const SnowSurface& snow = {}) const {
     return {ground_m, nullptr, {{.size_m = 32.0}, 321}, {.cover = &cover, .grazing_steps = &steps},
             {},       snow};
   }
