@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "landscape/footprint.h"
+
 namespace wold::expectation {
 
 /// Which cells, or parts of them, stand where on the ground: of landscape::Cell or BladeCell.
@@ -16,11 +18,8 @@ class CellFinder {
   CellFinder(const std::vector<Instance>& cells, double side_m) : side_m_(side_m) {
     places_.reserve(cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      const auto corner_m = [&](const glm::dvec2& fraction) {
-        return glm::dvec2(cells[i].world_from_cell * glm::dvec4(fraction * side_m, 0.0, 1.0));
-      };
-      const glm::dvec2 one_m = corner_m(cells[i].part.low), other_m = corner_m(cells[i].part.high);
-      add({{}, glm::min(one_m, other_m), glm::max(one_m, other_m), static_cast<int>(i)});
+      const Instance& cell = cells[i];
+      add({{}, {cell.world_from_cell, cell.part, side_m}, static_cast<int>(i)});
     }
     std::ranges::stable_sort(places_, {}, &Place::square);
   }
@@ -32,16 +31,14 @@ class CellFinder {
     const Square square = square_of(at_m);
     for (auto place = std::ranges::lower_bound(places_, square, {}, &Place::square);
          place != places_.end() && place->square == square; ++place)
-      if (glm::all(glm::greaterThanEqual(at_m, place->low_m)) &&
-          glm::all(glm::lessThan(at_m, place->high_m)))
-        visit(place->cell);
+      if (place->footprint.contains(at_m)) visit(place->cell);
   }
 
  private:
   using Square = std::pair<int, int>;  ///< as large as a patch
   struct Place {
     Square square;
-    glm::dvec2 low_m, high_m;
+    landscape::Footprint footprint;
     int cell;
   };
 
@@ -53,8 +50,8 @@ class CellFinder {
   /// To each square that it reaches into.
   void add(Place place) {
     const double within_m = 1e-6 * side_m_;  // borders do not count for the next square
-    const auto [west, south] = square_of(place.low_m + within_m);
-    const auto [east, north] = square_of(place.high_m - within_m);
+    const auto [west, south] = square_of(place.footprint.south_west_m() + within_m);
+    const auto [east, north] = square_of(place.footprint.north_east_m() - within_m);
     for (int j = south; j <= north; ++j)
       for (int i = west; i <= east; ++i) {
         place.square = {i, j};

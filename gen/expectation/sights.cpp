@@ -9,6 +9,7 @@
 #include "core/parallel.h"
 #include "expectation/blades_appearance.h"
 #include "expectation/passages.h"
+#include "landscape/cell_parts.h"
 #include "landscape/tiled_volume.h"
 
 namespace wold::expectation {
@@ -161,7 +162,7 @@ template <class Instance>
 double largest_size(const std::vector<Instance>& cells) {
   double largest = 1.0;
   for (const Instance& cell : cells)
-    largest = std::max(largest, glm::length(glm::dvec2(cell.world_from_cell[0])));
+    largest = std::max(largest, landscape::size_of(cell.world_from_cell));
   return largest;
 }
 

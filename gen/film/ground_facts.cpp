@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "ground/lit_ground.h"
+#include "meadow/cell_lattice.h"
 #include "meadow/far_field.h"
 #include "place/air.h"
 #include "place/cell_window.h"
@@ -68,10 +69,10 @@ class MoreLean {
       : now_(now),
         is_last_(now.frame == scene::take_of(scene, now.frame).last()),
         other_(meadow::frame_grass(scene, site, is_last_ ? now.frame - 1 : now.frame + 1)),
-        patch_m_(scene.grass.patch_m) {}
+        lattice_(scene) {}
 
   glm::dvec2 at(const glm::ivec2& cell) const {
-    const glm::dvec2 middle_m = (glm::dvec2(cell) + 0.5) * patch_m_;
+    const glm::dvec2 middle_m = lattice_.middle_m(cell);
     const glm::dvec2 more = other_.wind_lean.lean(middle_m) - now_.wind_lean.lean(middle_m);
     return is_last_ ? -more : more;
   }
@@ -80,7 +81,7 @@ class MoreLean {
   const meadow::FrameGrass& now_;
   bool is_last_;
   meadow::FrameGrass other_;
-  double patch_m_;
+  meadow::CellLattice lattice_;
 };
 
 /// The meadow as it is painted on the ground, and what it is painted by.

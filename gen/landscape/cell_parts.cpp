@@ -22,21 +22,33 @@ struct Plane {
   glm::dvec2 rise{0.0};
 };
 
-/// Of the patch.
-glm::dvec2 middle_m(const CellPose& pose, double patch_m) {
-  return (glm::dvec2(pose.cell) + 0.5) * patch_m + pose.shift_m;
-}
+/// Where the axes of a cell point to, as long as it stretches them.
+struct Axes {
+  explicit Axes(const CellPose& pose) {
+    const auto placed = [&](const glm::dvec2& direction) {
+      return pose.size *
+             glm::dvec2(direction.x, pose.north * direction.y + pose.shear * direction.x);
+    };
+    x = placed(east_of(pose.turn));
+    y = placed(left_of(east_of(pose.turn)));
+  }
 
-/// The ground that a part covers.
+  glm::dvec2 x, y;
+};
+
+/// The ground that a part covers; of a sheared one, the rectangle around it.
 Rectangle ground_of(const Part& part, double patch_m, const CellPose& pose) {
-  const glm::dvec2 centre_m = middle_m(pose, patch_m);
-  const glm::dvec2 east = east_of(pose.turn);
-  const auto place_m = [&](const glm::dvec2& fraction) {
-    const glm::dvec2 from_centre_m = (fraction - 0.5) * pose.size * patch_m;
-    return centre_m + from_centre_m.x * east + from_centre_m.y * left_of(east);
+  const Axes axes(pose);
+  const auto from_middle_m = [&](double x, double y) {
+    return patch_m * ((x - 0.5) * axes.x + (y - 0.5) * axes.y);
   };
-  const glm::dvec2 a = place_m(part.low), b = place_m(part.high);
-  return {glm::min(a, b), glm::max(a, b)};
+  const glm::dvec2 a = from_middle_m(part.low.x, part.low.y);
+  const glm::dvec2 b = from_middle_m(part.high.x, part.low.y);
+  const glm::dvec2 c = from_middle_m(part.high.x, part.high.y);
+  const glm::dvec2 d = from_middle_m(part.low.x, part.high.y);
+  const glm::dvec2 centre_m = middle_m(pose, patch_m);
+  return {centre_m + glm::min(glm::min(a, b), glm::min(c, d)),
+          centre_m + glm::max(glm::max(a, b), glm::max(c, d))};
 }
 
 /// How the ground rises, by least squares over places spread evenly.
@@ -111,19 +123,27 @@ glm::dvec2 east_of(int turn) {
 
 glm::dvec2 left_of(const glm::dvec2& direction) { return {-direction.y, direction.x}; }
 
+glm::dvec2 middle_m(const CellPose& pose, double patch_m) {
+  return (glm::dvec2(pose.cell) + 0.5) * patch_m + pose.shift_m;
+}
+
+double size_of(const glm::dmat4& world_from_cell) {
+  return std::sqrt(std::abs(glm::determinant(glm::dmat2(world_from_cell))));
+}
+
 GroundFit fit_to_ground(const Heightfield& terrain, double patch_m, const CellPose& pose,
                         const Part& part) {
   const Rectangle ground = ground_of(part, patch_m, pose);
   const auto [plane, deviation_m] = plane_under(terrain, ground);
   const glm::dvec2& rise = plane.rise;
   const glm::dvec2 lean = pose.size * pose.lean;
-  const glm::dvec2 east = pose.size * east_of(pose.turn);
-  const glm::dvec2 north = left_of(east);
-  const glm::dvec2 origin_m = middle_m(pose, patch_m) - (east + north) * (patch_m / 2.0);
+  const Axes axes(pose);
+  const glm::dvec2 origin_m = middle_m(pose, patch_m) - (axes.x + axes.y) * (patch_m / 2.0);
   const double z_m = plane.height_m + glm::dot(rise, origin_m - ground.centre_m());
-  return {{glm::dvec4(east, glm::dot(rise, east), 0), glm::dvec4(north, glm::dot(rise, north), 0),
-           glm::dvec4(lean, pose.size + glm::dot(rise, lean), 0), glm::dvec4(origin_m, z_m, 1)},
-          deviation_m};
+  return {
+      {glm::dvec4(axes.x, glm::dot(rise, axes.x), 0), glm::dvec4(axes.y, glm::dot(rise, axes.y), 0),
+       glm::dvec4(lean, pose.size + glm::dot(rise, lean), 0), glm::dvec4(origin_m, z_m, 1)},
+      deviation_m};
 }
 
 std::vector<PlacedPart> parts_on_ground(const Heightfield& terrain, double patch_m,

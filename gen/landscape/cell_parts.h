@@ -16,13 +16,21 @@ struct CellPose {
   glm::dvec2 lean{0.0};     ///< of what stands on it, along the ground (see meadow::WindLean)
   glm::dvec2 shift_m{0.0};  ///< of the patch's middle from the cell's, east and north
   double size = 1.0;        ///< over the patch's own, in all directions
+  double north = 1.0;       ///< its extent to the north over that to the east
+  double shear = 0.0;       ///< of the turned patch, to the north for each metre to the east
 };
+
+/// Where the middle of the patch is on the ground; `patch_m`: its side.
+glm::dvec2 middle_m(const CellPose& pose, double patch_m);
 
 /// Where x of a cell points to after so many quarter-turns.
 glm::dvec2 east_of(int turn);
 
 /// A quarter-turn counter-clockwise, seen from above: from a cell's x to its y.
 glm::dvec2 left_of(const glm::dvec2& direction);
+
+/// How large what stands on a cell is, over its patch, by the cell's Cell::world_from_cell.
+double size_of(const glm::dmat4& world_from_cell);
 
 /// A part of a cell where it stands.
 struct PlacedPart {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "meadow/cell_lattice.h"
 #include "place/air.h"
 #include "place/view.h"
 #include "scene/species.h"
@@ -9,18 +10,16 @@
 namespace wold::meadow {
 namespace {
 
-/// How large an unturned cell is, over its patch.
-double size_of(const landscape::PlacedPart& part) { return part.world_from_cell[0].x; }
-
+/// In cell space, as blades bend.
 glm::dvec2 lean_of(const landscape::PlacedPart& part) {
-  return glm::dvec2(part.world_from_cell[2]) / size_of(part);
+  const glm::dmat4& world_from_cell = part.world_from_cell;
+  return glm::inverse(glm::dmat2(world_from_cell)) * glm::dvec2(world_from_cell[2]);
 }
 
-/// A part of an unturned cell that leans by so much less.
+/// A part of a cell that leans by so much less.
 void straighten(const glm::dvec2& less, landscape::PlacedPart& part) {
   glm::dmat4& world_from_cell = part.world_from_cell;
-  const glm::dvec2 rise(world_from_cell[0].z, world_from_cell[1].z);  // over the cell's own metres
-  world_from_cell[2] -= glm::dvec4(size_of(part) * less, glm::dot(rise, less), 0.0);
+  world_from_cell[2] -= less.x * world_from_cell[0] + less.y * world_from_cell[1];
 }
 
 bool are_blades(const scene::Scene& scene) {
@@ -46,9 +45,10 @@ void bend_blades(const scene::Scene& scene, const Heightfield& terrain, int fram
   const place::View view(place::camera_of_frame(scene, terrain, frame), scene.render.size_px[0],
                          scene.render.size_px[1]);
   const double height_m = scene::mean_grass(scene).height_m;
+  const CellLattice lattice(scene);
   for (CellChoice& cell : cells) {
     if (!cell.blades) continue;
-    const glm::dvec2 middle_m = (glm::dvec2(cell.cell) + 0.5) * scene.grass.patch_m;
+    const glm::dvec2 middle_m = lattice.middle_m(cell.cell);
     const int apart = steps_apart(
         height_m, view.pixels(1.0, place::above_ground(terrain, middle_m, 0.5 * height_m)));
     if (apart == 0) continue;

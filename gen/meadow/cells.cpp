@@ -9,6 +9,7 @@
 
 #include "core/noise.h"
 #include "core/parallel.h"
+#include "meadow/cell_lattice.h"
 #include "meadow/cell_texels.h"
 #include "meadow/cell_uniform.h"
 #include "meadow/far_field.h"
@@ -22,10 +23,6 @@
 
 namespace wold::meadow {
 namespace {
-
-glm::dvec2 centre_m(const glm::ivec2& cell, double patch_m) {
-  return (glm::dvec2(cell) + 0.5) * patch_m;
-}
 
 /// What cells are dithered in, each in an order of its own.
 enum class Dither { key_frame, snow, light };
@@ -75,12 +72,6 @@ bool choose_blades(const scene::Scene& scene, double pixels_per_m) {
   if (scene.render.grass == scene::GrassForm::automatic)
     return !is_fine_enough(scene.grass, 0, pixels_per_m);
   return scene.render.grass != scene::GrassForm::texels;
-}
-
-/// Middle of the grass on a cell.
-glm::dvec3 middle_of(const scene::Grass& grass, const Heightfield& terrain,
-                     const glm::ivec2& cell) {
-  return place::above_ground(terrain, centre_m(cell, grass.patch_m), grass.height_m / 2.0);
 }
 
 /// How far above the middle of the grass on a cell the highest blades may reach.
@@ -154,12 +145,12 @@ struct Grown {
   float mean = 0.0F;
 };
 
-Grown grown_in(const FactorMap& growth, const glm::ivec2& cell, double patch_m) {
+Grown grown_in(const FactorMap& growth, const CellLattice& lattice, const glm::ivec2& cell) {
   constexpr int steps = 6;
   Grown grown;
   for (int j = 0; j <= steps; ++j)
     for (int i = 0; i <= steps; ++i) {
-      const glm::dvec2 at_m = (glm::dvec2(cell) + glm::dvec2(i, j) / (1.0 * steps)) * patch_m;
+      const glm::dvec2 at_m = lattice.place_m(cell, glm::dvec2(i, j) / (1.0 * steps));
       const float here = growth.sample(at_m.x, at_m.y);
       grown.max = std::max(grown.max, here);
       grown.mean += here / ((steps + 1) * (steps + 1));
@@ -219,12 +210,13 @@ int voxels_of(const scene::Scene& scene, const CellChoice& choice) {
 
 glm::dmat4 reach_to_neighbours(const WindLean& wind_lean, double patch_m,
                                const landscape::CellPose& pose, double height_m) {
-  const glm::dvec2 here_m = centre_m(pose.cell, patch_m);
+  const glm::dvec2 here_m = landscape::middle_m(pose, patch_m);
   const glm::dvec2& own = pose.lean;
   glm::dvec2 low_m, high_m;  // beyond the square's sides
   for (int axis = 0; axis < 2; ++axis) {
     glm::dvec2 step_m(0.0);
     step_m[axis] = patch_m;
+    step_m.y += pose.shear * step_m.x;
     const double low = wind_lean.lean(here_m - step_m)[axis];
     const double high = wind_lean.lean(here_m + step_m)[axis];
     low_m[axis] = 0.5 * height_m * std::max(0.0, own[axis] - low);
@@ -262,6 +254,7 @@ class CellChooser {
         withering_(withering),
         now_(now),
         window_(scene),
+        lattice_(scene),
         grass_(scene::mean_grass(scene)),
         sight_(scene, terrain, place::camera_of_frame(scene, terrain, now.frame)),
         key_frames_(scene::key_frames(scene)),
@@ -273,8 +266,9 @@ class CellChooser {
   /// Adds what stands on a cell, if anything does that can be seen. Shrubs stand beside their cell,
   /// which has the grass that grows around them.
   void add(const glm::ivec2& cell, const CellTexel& texel, std::vector<CellChoice>& row) const {
-    const glm::dvec3 middle_m = middle_of(grass_, terrain_, cell);
-    const Grown grown = grown_in(growth_, cell, scene_.grass.patch_m);
+    const glm::dvec3 middle_m =
+        place::above_ground(terrain_, lattice_.middle_m(cell), grass_.height_m / 2.0);
+    const Grown grown = grown_in(growth_, lattice_, cell);
     if (grown.max <= 0.0F || !sight_.may_see(middle_m)) return;
     const double weathering = withering_.at(glm::dvec2(middle_m), now_.frame);
     const auto of_size = [&](double size) {
@@ -288,8 +282,9 @@ class CellChooser {
     if (facts.around) row.push_back(on_cell(choice, *facts.around));
     if (!facts.has_shrubs) return;
     const ShrubPlace place = shrub_place(scene_, window_, cell);
-    const double grown_there{
-        growth_.sample(middle_m.x + place.shift_m.x, middle_m.y + place.shift_m.y)};
+    const glm::dvec2 shrub_m =
+        landscape::middle_m({.cell = cell, .shift_m = place.shift_m}, scene_.grass.patch_m);
+    const double grown_there{growth_.sample(shrub_m.x, shrub_m.y)};
     if (cell_uniform(scene_.seed, cell, "shrub grown") >= grown_there) return;
     const CellChoice shrub = of_size(place.size);
     const double standing = shrub.blades ? 1.0 : grown_there * (1.0 - sight_.far(middle_m));
@@ -300,7 +295,8 @@ class CellChooser {
   /// The choice with the patch of a mixture on its cell.
   CellChoice on_cell(CellChoice choice, int mixture) const {
     choice.variant = scene::patch_number(scene_, mixture, choice.variant);
-    const landscape::CellPose pose = pose_of(choice, mixture);
+    landscape::CellPose pose = pose_of(choice, mixture);
+    lattice_.lay(pose);
     choice.parts = landscape::parts_on_ground(ground(), scene_.grass.patch_m, pose,
                                               voxels_of(scene_, choice), ground_tolerance_m);
     // Half-way up, so that they show as much too little above as too much below: along a line of
@@ -327,7 +323,7 @@ class CellChooser {
   }
 
   landscape::CellPose pose_of(const CellChoice& choice, int mixture) const {
-    const glm::dvec2 lean = now_.wind_lean.lean(centre_m(choice.cell, scene_.grass.patch_m));
+    const glm::dvec2 lean = now_.wind_lean.lean(lattice_.middle_m(choice.cell));
     return {choice.cell, choice.turn,
             mixture_facts_[static_cast<std::size_t>(mixture)].leaning * lean};
   }
@@ -342,6 +338,7 @@ class CellChooser {
   const place::Withering& withering_;
   const FrameGrass& now_;
   place::CellWindow window_;
+  CellLattice lattice_;
   scene::Grass grass_;  ///< in the mean of all species
   Sight sight_;
   std::optional<Heightfield> mesh_;  ///< of a large terrain's ground, as it is drawn
@@ -359,7 +356,7 @@ Square square_of_cells(const scene::Scene& scene, std::span<const CellChoice> ce
     high = glm::max(high, choice.cell);
   }
   const glm::ivec2 count = high - low + 1;
-  const double reach_m = cell_reach_m(scene);
+  const double reach_m = cell_reach_m(scene) + CellLattice::max_shift * scene.grass.patch_m;
   return {glm::dvec2(low) * scene.grass.patch_m - reach_m,
           std::max(count.x, count.y) * scene.grass.patch_m + 2.0 * reach_m};
 }

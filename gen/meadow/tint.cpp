@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/parallel.h"
+#include "meadow/cell_lattice.h"
 #include "place/ground_grids.h"
 #include "scene/key_frames.h"
 
@@ -35,6 +36,7 @@ ColourMap weathering_tint(const scene::Scene& scene, const place::Withering& wit
                           std::span<const CellChoice> choices, double snow,
                           const GrassColour& colour) {
   const place::CellWindow window(scene);
+  const CellLattice lattice(scene);
   const std::vector<const CellChoice*> cells = shown_cells(choices, window);
   const std::vector<double> degrees = scene::key_frames(scene);
   const GroundGrid grid = place::tint_grid(scene);
@@ -43,8 +45,8 @@ ColourMap weathering_tint(const scene::Scene& scene, const place::Withering& wit
     const int j = static_cast<int>(row);
     for (int i = 0; i < tint.samples(); ++i) {
       const glm::dvec2 at_m = tint.place_m(i, j);
-      const glm::ivec2 cell = glm::clamp(glm::ivec2(at_m / scene.grass.patch_m), window.first,
-                                         window.first + window.per_side - 1);
+      const glm::ivec2 cell =
+          glm::clamp(lattice.cell_at(at_m), window.first, window.first + window.per_side - 1);
       const CellChoice* choice = cells[place_of(cell, window)];
       if (choice == nullptr) continue;
       const glm::vec3 shown = colour(degrees[static_cast<std::size_t>(choice->key_frame)],

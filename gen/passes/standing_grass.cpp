@@ -33,6 +33,16 @@ void clip(double low, double high, double start, double along, double& from_m, d
   clip((low - start) / along, (high - start) / along, from_m, to_m);
 }
 
+/// The same for the sides of a footprint.
+void clip(const landscape::Footprint& footprint, const glm::dvec3& eye_m,
+          const glm::dvec3& direction, double& from_m, double& to_m) {
+  const glm::dvec2 start_m = footprint.sheared_back(glm::dvec2(eye_m));
+  const glm::dvec2 along = footprint.sheared_back(glm::dvec2(direction));
+  for (int axis = 0; axis < 2; ++axis)
+    clip(footprint.low_m()[axis], footprint.high_m()[axis], start_m[axis], along[axis], from_m,
+         to_m);
+}
+
 /// Goes along a ray from voxel to voxel ([Amanatides1987]) of a volume that repeats itself
 /// along x and y.
 class VoxelWalk {
@@ -79,11 +89,19 @@ class VoxelWalk {
   glm::dvec3 each_m_{0.0}, next_m_{0.0};  ///< metres along the ray, by axis
 };
 
-/// A stand that a ray meets, by its number; from where on.
+/// A stand that a ray meets, by its number; from where to where.
 struct Met {
-  double first_m;
+  double first_m, last_m;
   std::size_t stand;
 };
+
+/// Whether some share a place; `met` rises by where they begin.
+bool overlap(std::span<const Met> met) {
+  constexpr double rounding_m = 1e-6;
+  return std::ranges::adjacent_find(met, [](const Met& one, const Met& next) {
+           return next.first_m < one.last_m - rounding_m;
+         }) != met.end();
+}
 
 /// Makes one veil of those from `first` on that are of the same cell, where the first of them is.
 void unite_veils(std::ptrdiff_t first, std::vector<Veil>& veils) {
@@ -134,14 +152,11 @@ void StandingGrass::add_volumes() {
 void StandingGrass::add_stands() {
   for (std::size_t i = 0; i < landscape_.cells.size(); ++i) {
     const landscape::Cell& cell = landscape_.cells[i];
-    const auto corner_m = [&](const glm::dvec2& fraction) {
-      const glm::dvec4 at_m(fraction * landscape_.patch_m, 0.0, 1.0);
-      return glm::dvec2(cell.world_from_cell * at_m);
-    };
-    const glm::dvec2 one_m = corner_m(cell.part.low), other_m = corner_m(cell.part.high);
     const landscape::Volume& volume = landscape_.volumes[static_cast<std::size_t>(cell.volume)];
-    add_to_squares({static_cast<int>(i), glm::ivec2(0), glm::inverse(cell.world_from_cell),
-                    glm::min(one_m, other_m), glm::max(one_m, other_m),
+    add_to_squares({static_cast<int>(i),
+                    glm::ivec2(0),
+                    glm::inverse(cell.world_from_cell),
+                    {cell.world_from_cell, cell.part, landscape_.patch_m},
                     volume.voxels.z * volume.voxel_m,
                     density_of_volume_[static_cast<std::size_t>(cell.volume)]});
   }
@@ -149,8 +164,8 @@ void StandingGrass::add_stands() {
 
 void StandingGrass::add_to_squares(Stand stand) {
   const double side_m = landscape_.patch_m, within_m = 1e-6 * side_m;
-  const glm::ivec2 first(glm::floor((stand.low_m + within_m) / side_m));
-  const glm::ivec2 last(glm::floor((stand.high_m - within_m) / side_m));
+  const glm::ivec2 first(glm::floor((stand.footprint.south_west_m() + within_m) / side_m));
+  const glm::ivec2 last(glm::floor((stand.footprint.north_east_m() - within_m) / side_m));
   for (stand.square.y = first.y; stand.square.y <= last.y; ++stand.square.y)
     for (stand.square.x = first.x; stand.square.x <= last.x; ++stand.square.x)
       stands_.push_back(stand);
@@ -174,22 +189,20 @@ void StandingGrass::lay_out() {
                    [&](const Stand& a, const Stand& b) { return number(a) < number(b); });
   for (std::size_t i = 0; i < stands_.size(); ++i) {
     Square& square = grid_[number(stands_[i])];
-    if (square.end == 0) square = {i, i, infinite, -infinite, 0.0};
+    if (square.end == 0) square = {i, i, infinite, -infinite};
     square.end = i + 1;
-    // In world space the lower and the upper side of what stands over a rectangle are planes.
+    // In world space the lower and the upper side of what stands over a footprint are planes.
     const glm::dmat4& from_world = stands_[i].cell_from_world;
+    const glm::dvec2 low_m = stands_[i].footprint.south_west_m();
+    const glm::dvec2 high_m = stands_[i].footprint.north_east_m();
     for (const double height_m : {0.0, stands_[i].height_m})
-      for (const double x_m : {stands_[i].low_m.x, stands_[i].high_m.x})
-        for (const double y_m : {stands_[i].low_m.y, stands_[i].high_m.y}) {
+      for (const double x_m : {low_m.x, high_m.x})
+        for (const double y_m : {low_m.y, high_m.y}) {
           const double above = (from_world * glm::dvec4(x_m, y_m, 0.0, 1.0)).z;
           const double z_m = (height_m - above) / from_world[2].z;
           square.low_m = std::min(square.low_m, z_m);
           square.high_m = std::max(square.high_m, z_m);
         }
-    const glm::dvec2 corner(stands_[i].square);
-    const glm::dvec2 sides = glm::min(stands_[i].high_m / landscape_.patch_m, corner + 1.0) -
-                             glm::max(stands_[i].low_m / landscape_.patch_m, corner);
-    square.covered += sides.x * sides.y;
   }
 }
 
@@ -235,15 +248,13 @@ bool StandingGrass::cross_square(const Square& square, Way& way, double from_m, 
   if (square.first == square.end) return true;
   clip(square.low_m, square.high_m, way.eye_m.z, way.direction.z, from_m, to_m);
   if (!(from_m < to_m)) return true;
-  // The nearest first. A cell has 64 parts at most, and shrubs of nine cells may reach into it.
-  std::array<Met, 10 * 64> all_met;
+  // The nearest first. A cell has 64 parts at most; four cells and shrubs of nine reach into it.
+  std::array<Met, 13 * 64> all_met;
   std::size_t count = 0;
   for (std::size_t i = square.first; i < square.end && count < all_met.size(); ++i) {
     double first_m = from_m, last_m = to_m;
-    for (int axis = 0; axis < 2; ++axis)
-      clip(stands_[i].low_m[axis], stands_[i].high_m[axis], way.eye_m[axis], way.direction[axis],
-           first_m, last_m);
-    if (first_m < last_m) all_met[count++] = {first_m, i};
+    clip(stands_[i].footprint, way.eye_m, way.direction, first_m, last_m);
+    if (first_m < last_m) all_met[count++] = {first_m, last_m, i};
   }
   const std::span met(all_met.data(), count);
   std::ranges::sort(met, std::less(),
@@ -253,8 +264,7 @@ bool StandingGrass::cross_square(const Square& square, Way& way, double from_m, 
       return cross(stands_[one.stand], way, first_m, last_m, sight);
     });
   };
-  constexpr double rounding = 1e-6;
-  if (square.covered <= 1.0 + rounding) return cross_all(from_m, to_m);
+  if (!overlap(met)) return cross_all(from_m, to_m);
   // What stands in one place is crossed together, slice by slice.
   const double slice_m = densities_[stands_[square.first].density].voxel_m;
   const auto slices = static_cast<int>(std::ceil((to_m - from_m) / slice_m));
@@ -269,8 +279,7 @@ bool StandingGrass::cross_square(const Square& square, Way& way, double from_m, 
 
 bool StandingGrass::cross(const Stand& stand, Way& way, double from_m, double to_m,
                           GrassSight& sight) const {
-  for (int axis = 0; axis < 2; ++axis)
-    clip(stand.low_m[axis], stand.high_m[axis], way.eye_m[axis], way.direction[axis], from_m, to_m);
+  clip(stand.footprint, way.eye_m, way.direction, from_m, to_m);
   const glm::dvec3 start_m = glm::dvec3(stand.cell_from_world * glm::dvec4(way.eye_m, 1.0));
   const glm::dvec3 along = glm::dmat3(stand.cell_from_world) * way.direction;
   clip(0.0, stand.height_m, start_m.z, along.z, from_m, to_m);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "landscape/footprint.h"
 #include "landscape/landscape.h"
 
 namespace wold::passes {
@@ -24,8 +25,8 @@ struct GrassSight {
   double optical_depth = 0.0;  ///< of all the way
 };
 
-/// The grass that stands as volumes, as renderers show it: over the square of each cell, or part of
-/// a cell, the volume that repeats itself, voxel by voxel.
+/// The grass that stands as volumes, as renderers show it: over the footprint of each cell, or part
+/// of a cell, the volume that repeats itself, voxel by voxel.
 class StandingGrass {
  public:
   /// Reads the volumes' density, 4 bytes a voxel. `landscape` has to outlive it. Throws FileError.
@@ -42,9 +43,9 @@ class StandingGrass {
     int cell = 0;
     glm::ivec2 square{0};
     glm::dmat4 cell_from_world{1.0};
-    glm::dvec2 low_m{0.0}, high_m{0.0};  ///< on the ground
-    double height_m = 0.0;               ///< in cell space
-    std::size_t density = 0;             ///< index into densities_
+    landscape::Footprint footprint;
+    double height_m = 0.0;    ///< in cell space
+    std::size_t density = 0;  ///< index into densities_
   };
   struct Density {
     glm::ivec3 voxels{0};
@@ -55,7 +56,6 @@ class StandingGrass {
   struct Square {
     std::size_t first = 0, end = 0;  ///< indices into stands_
     double low_m = 0.0, high_m = 0.0;
-    double covered = 0.0;  ///< all that each of them covers of it; over 1 some share a place
   };
   struct Way;
 

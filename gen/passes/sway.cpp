@@ -1,8 +1,18 @@
 #include "passes/sway.h"
 
 #include "core/parallel.h"
+#include "landscape/cell_parts.h"
 
 namespace wold::passes {
+namespace {
+
+/// How the plane rises on which a cell stands, metres to each metre east and north.
+glm::dvec2 rise_of(const glm::dmat4& world_from_cell) {
+  return glm::dvec2(world_from_cell[0].z, world_from_cell[1].z) *
+         glm::inverse(glm::dmat2(world_from_cell));
+}
+
+}  // namespace
 
 template <class Cells>
 std::vector<Sway::Shear> Sway::shears(const Cells& cells, const GroundFacts& facts) {
@@ -11,11 +21,8 @@ std::vector<Sway::Shear> Sway::shears(const Cells& cells, const GroundFacts& fac
   parallel_for_blocks(cells.size(), [&](std::size_t i) {
     const glm::dmat4& placed = cells[i].world_from_cell;
     const glm::dvec2 more = facts.more_lean(cells[i].origin.cell);
-    // Cells are turned about the vertical: how the ground rises to the east and north.
-    const double size = glm::length(glm::dvec2(placed[0]));
-    const glm::dvec2 rise =
-        (placed[0].z * glm::dvec2(placed[0]) + placed[1].z * glm::dvec2(placed[1])) / (size * size);
-    shears[i] = {glm::inverse(placed), size * glm::dvec3(more, glm::dot(rise, more))};
+    shears[i] = {glm::inverse(placed),
+                 landscape::size_of(placed) * glm::dvec3(more, glm::dot(rise_of(placed), more))};
   });
   return shears;
 }

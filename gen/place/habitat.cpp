@@ -99,6 +99,16 @@ constexpr int max_octaves_of_groups = 6;
 constexpr double smallest_group = 4.0;  // over the size of tufts
 constexpr double by_group = 0.6;        // variance, a modelling choice
 
+/// So many that the smallest tufts are hardly larger than cells: patches with smooth borders look
+/// painted, like camouflage.
+int octaves_of_tufts(double feature_m, double cell_m) {
+  constexpr double smallest_cells = 1.5;
+  constexpr int min = 2, max = 8;
+  int octaves = min;
+  while (octaves < max && std::ldexp(feature_m, -octaves) >= smallest_cells * cell_m) ++octaves;
+  return octaves;
+}
+
 }  // namespace
 
 double Tufts::at(const glm::dvec2& at_m) const {
@@ -131,8 +141,9 @@ Habitats::Habitats(const scene::Scene& scene, const Heightfield& terrain)
     const auto key = [&](std::string_view what) {
       return random_bits({scene.seed, key_of("species"), i, key_of(what)});
     };
-    // Smooth: cells are of one mixture, and one of another amid them shows its square.
-    Tufts tufts(Fbm(key("tufts"), /*octaves=*/2, /*hurst=*/0.9), habitat.feature_m);
+    Tufts tufts(Fbm(key("tufts"), octaves_of_tufts(habitat.feature_m, scene.grass.patch_m),
+                    /*hurst=*/0.6),
+                habitat.feature_m);
     // So large that a terrain has many: all over it species stand on the share that their cover
     // says.
     constexpr double largest_group = 0.03;

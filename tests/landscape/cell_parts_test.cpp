@@ -9,6 +9,7 @@
 #include "core/parallel.h"
 #include "core/random.h"
 #include "meadow/blade_parts.h"
+#include "meadow/cell_lattice.h"
 #include "meadow/cells.h"
 #include "place/growth.h"
 #include "scene/parse.h"
@@ -70,6 +71,27 @@ TEST(FitToGround, ShiftsAndScales) {
     EXPECT_NEAR(at_m.z, slope.sample(at_m.x, at_m.y), 1e-6);
     EXPECT_NEAR(std::abs(at_m.x - middle_m.x), 1.3 * patch_m / 2, 1e-12);
     EXPECT_NEAR(std::abs(at_m.y - middle_m.y), 1.3 * patch_m / 2, 1e-12);
+  }
+}
+
+// A footprint with two sides to the north that lies on the slope, whichever way the patch is
+// turned.
+TEST(FitToGround, ShearsTheTurnedPatch) {
+  const Heightfield slope =
+      ground([](const glm::dvec2& at_m) { return 0.3 * at_m.x - 0.7 * at_m.y; });
+  for (int turn = 0; turn < 4; ++turn) {
+    const CellPose pose = {{5, 7}, turn, {0.2, 0.1}, {0.1, -0.3}, 1.3, 0.9, 0.25};
+    const GroundFit fit = fit_to_ground(slope, patch_m, pose, whole);
+    EXPECT_NEAR(size_of(fit.world_from_cell), 1.3 * std::sqrt(0.9), 1e-12);
+    EXPECT_LT(fit.deviation_m, 1e-6);
+    const glm::dvec2 centre_m = middle_m(pose, patch_m);
+    for (const glm::dvec2 corner : {glm::dvec2(0, 0), {1, 0}, {0, 1}, {1, 1}}) {
+      const glm::dvec4 at_m = fit.world_from_cell * glm::dvec4(corner * patch_m, 0, 1);
+      const glm::dvec2 off_m = glm::dvec2(at_m) - centre_m;
+      EXPECT_NEAR(at_m.z, slope.sample(at_m.x, at_m.y), 1e-6);
+      EXPECT_NEAR(std::abs(off_m.x), 1.3 * patch_m / 2, 1e-12);
+      EXPECT_NEAR(std::abs(off_m.y - 0.25 * off_m.x), 1.3 * 0.9 * patch_m / 2, 1e-12);
+    }
   }
 }
 
@@ -170,7 +192,7 @@ TEST(PartsOnGround, FollowTheGroundOfTheExamples) {
   for (const char* name : {"examples/hillside.toml", "tests/data/small_mountain.toml"}) {
     const Example in = example(name);
     ASSERT_GT(in.cells.size(), 1000U);
-    std::size_t parts = 0;
+    std::size_t parts = 0, elsewhere = 0;
     double worst_m = 0.0;
     for (const meadow::CellChoice& cell : in.cells)
       for (const PlacedPart& placed : cell.parts)
@@ -181,10 +203,14 @@ TEST(PartsOnGround, FollowTheGroundOfTheExamples) {
           const glm::dvec4 at_m = placed.world_from_cell * glm::dvec4(in_cell_m, 0.0, 1.0);
           const double off_m = std::abs(at_m.z - in.terrain.sample(at_m.x, at_m.y));
           EXPECT_LE(off_m, 0.01 + 1e-5) << name << ", part " << parts;
-          EXPECT_EQ(glm::ivec2(glm::floor(glm::dvec2(at_m) / in.scene.grass.patch_m)), cell.cell);
+          // Where rows of cells are bent it is the next one's.
+          const glm::dvec2 place = meadow::CellLattice(in.scene).cell_at(glm::dvec2(at_m));
+          EXPECT_LE(glm::distance(place, glm::dvec2(cell.cell)), 1.5);
+          elsewhere += place != glm::dvec2(cell.cell);
           worst_m = std::max(worst_m, off_m);
         }
     EXPECT_GT(parts, in.cells.size()) << name;
+    EXPECT_LT(static_cast<double>(elsewhere) / (25.0 * static_cast<double>(parts)), 0.01) << name;
     RecordProperty(name, std::to_string(worst_m));
   }
 }
@@ -217,6 +243,8 @@ TEST(PartsOnGround, EvenGroundHasNone) {
                            test::withering_of(scene, plain), test::grass_of(scene, 1));
   ASSERT_GT(cells.size(), 100U);
   for (const meadow::CellChoice& cell : cells) {
+    const glm::ivec2 from_border = glm::min(cell.cell, 19 - cell.cell);
+    if (std::min(from_border.x, from_border.y) < 1) continue;  // may stand beyond the plain
     ASSERT_EQ(cell.parts.size(), 1U);
     EXPECT_TRUE(cell.parts.front().part.is_whole());
   }

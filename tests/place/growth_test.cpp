@@ -127,7 +127,7 @@ TEST(Growth, DecidesWhichCellsStand) {
   for (const meadow::CellChoice& choice :
        meadow::choose_cells(scene, ground, growth, test::mixtures_of(scene, ground),
                             test::withering_of(scene, ground), test::grass_of(scene, 1)))
-    EXPECT_GE(choice.cell.x, 29);
+    EXPECT_GE(choice.cell.x, 28);  // rows begin up to half a cell to either side
   const double texels = static_cast<double>(
       meadow::choose_cells(scene, ground, growth, test::mixtures_of(scene, ground),
                            test::withering_of(scene, ground), test::grass_of(scene, 1))
