@@ -131,7 +131,9 @@ class Speakers {
     for (const int number : used) speaker_.emplace(number, nearest(chosen, number));
   }
 
-  const landscape::TiledVolume& of(int volume) const { return volumes_.at(speaker_.at(volume)); }
+  const landscape::TiledVolume& of(int volume) const { return volumes_.at(number(volume)); }
+  /// Of the one that speaks for a volume.
+  int number(int volume) const { return speaker_.at(volume); }
 
  private:
   std::map<int, landscape::TiledVolume> volumes_;
@@ -152,6 +154,22 @@ std::size_t patches_met(const landscape::Landscape& landscape, const std::vector
   return squares.size();
 }
 
+/// The fraction of all passages through volumes for which one of the same patch speaks.
+double own_fraction(const landscape::Landscape& landscape, const Ways& ways,
+                    const Speakers& speakers) {
+  std::map<int, int> patch_of_volume;
+  for (const landscape::Cell& cell : landscape.cells)
+    patch_of_volume.try_emplace(cell.volume, cell.origin.patch);
+  std::size_t all = 0, own = 0;
+  for (const std::vector<Passage>& way : ways)
+    for (const Passage& passage : way) {
+      const int volume = landscape.cells[static_cast<std::size_t>(passage.cell)].volume;
+      ++all;
+      own += patch_of_volume.at(volume) == patch_of_volume.at(speakers.number(volume)) ? 1 : 0;
+    }
+  return all == 0 ? 1.0 : static_cast<double>(own) / static_cast<double>(all);
+}
+
 BladesAppearance look_of(const landscape::Landscape& landscape, const landscape::BladeCell& cell) {
   const glm::dvec2 side_m = (cell.part.high - cell.part.low) * landscape.patch_m;
   return {*landscape.blade_meshes[static_cast<std::size_t>(cell.mesh)].tubes, side_m.x * side_m.y};
@@ -168,7 +186,7 @@ double largest_size(const std::vector<Instance>& cells) {
 
 }  // namespace
 
-std::size_t look_at_grass(const landscape::Landscape& landscape, std::vector<Sight>& sights) {
+GrassKnowledge look_at_grass(const landscape::Landscape& landscape, std::vector<Sight>& sights) {
   double canopy_m = 1e-3;
   const auto height_m = [](const landscape::Volume& volume) {
     return volume.voxels.z * volume.voxel_m;
@@ -194,7 +212,7 @@ std::size_t look_at_grass(const landscape::Landscape& landscape, std::vector<Sig
     };
     sights[i].grass = seen_through(landscape, landscape.cells, sights[i], ways[i], look);
   });
-  return patches_met(landscape, sights, ways);
+  return {patches_met(landscape, sights, ways), own_fraction(landscape, ways, speakers)};
 }
 
 void look_at_blades(const landscape::Landscape& landscape, std::vector<Sight>& sights) {

@@ -21,9 +21,15 @@ struct Sight {
   SeenBox clouds;
 };
 
-/// Fills in the volumes that sights go through on their way down to the ground. Returns on how many
-/// patches of the ground they stand. Throws FileError when a volume cannot be read.
-std::size_t look_at_grass(const landscape::Landscape& landscape, std::vector<Sight>& sights);
+/// How well the look of grass is known.
+struct GrassKnowledge {
+  std::size_t patches = 0;    ///< on so many patches of the ground stands what is seen
+  double own_fraction = 1.0;  ///< of what is seen, that which looks as a volume of its own plants
+};
+
+/// Fills in the volumes that sights go through on their way down to the ground. Throws FileError
+/// when a volume cannot be read.
+GrassKnowledge look_at_grass(const landscape::Landscape& landscape, std::vector<Sight>& sights);
 
 /// Fills in the blades that sights go through on their way down to the ground.
 void look_at_blades(const landscape::Landscape& landscape, std::vector<Sight>& sights);

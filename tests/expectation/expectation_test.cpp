@@ -168,6 +168,25 @@ TEST(Expectation, AllKindsOfGrassAreSeenHoweverManyThereAre) {
   EXPECT_GT(checked, 50);
 }
 
+// Where a few volumes speak for plants of other patches, less of them is asked for.
+TEST(Expectation, AsksForLessWhereOtherPlantsSpeak) {
+  const test::TemporaryFolder folder("expectation_speakers");
+  test::ConstantMeadow shape = fog;
+  shape.cells_per_side = 12;
+  landscape::Landscape meadow = test::constant_meadow(shape, folder.path());
+  std::ranges::fill(meadow.terrain.values(), 0.0F);
+  meadow.volumes.resize(144, meadow.volumes.front());
+  meadow.cells.clear();
+  meadow.blade_cells.clear();
+  for (int i = 0; i < 144; ++i)
+    meadow.cells.push_back(
+        {glm::translate(glm::dmat4(1.0), {0.5 * (i / 12), 0.5 * (i % 12), 0.0}), i});
+  meadow.camera = {{3.0, 2.9999, 9.0}, {3.0, 3.0, 0.0}, 60.0};
+  const double of_one_patch = expected_picture(meadow).things.at(0).min_fraction;
+  for (landscape::Cell& cell : meadow.cells) cell.origin.patch = cell.volume;
+  EXPECT_LT(expected_picture(meadow).things.at(0).min_fraction, 0.7 * of_one_patch);
+}
+
 // Of the meadow only the eastern half has cells.
 TEST(Expectation, OnlyWhereCellsStandIsGrass) {
   const test::TemporaryFolder folder("expectation_half");
