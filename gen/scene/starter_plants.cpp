@@ -59,11 +59,12 @@ Species bushes(const Scene& scene) {
   plant.lean_deg = 40.0;
   plant.lean_spread_deg = 15.0;
   plant.bend = 0.4;
-  plant.mingle = {{"evergreen", {}}};
+  // A green that no leaf had lost looked painted among straw.
+  plant.mingle = {{"evergreen", {}}, {"evergreen", {}}, {"evergreen", {}}, {"late", {}}};
   Physiology& physiology = bushes.physiology;
   physiology.droop = 0.4;
-  physiology.litter = 0.06;
-  physiology.fresh_spread = 0.08;
+  physiology.litter = 0.2;
+  physiology.fresh_spread = 0.2;
   physiology.chlorophyll_ug_cm2 = 45.0;
   physiology.carotenoid_ug_cm2 = 11.0;
   return bushes;
