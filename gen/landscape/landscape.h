@@ -62,11 +62,11 @@ struct CellOrigin {
 /// An instance of a volume, or of a part of it. Cell space: metres, [0, patch] x [0, patch] x
 /// [0, height]; world_from_cell turns it by quarter-turns about the patch's centre, shears it to a
 /// parallelogram with two sides to the north (see Footprint), leans it over with the wind, shears z
-/// to the terrain and moves it. Shrubs have sizes of their own and may
-/// stand over other cells; densities are per metre of the world, whatever the size. The parts of
-/// one cell differ in how they lie on the ground, not in what they show of it. Where neighbours
-/// lean away from each other there is a gap between them: renderers show the volume, which repeats
-/// itself, upright over its footprint, or, if they cannot, stretched in cell space by `reach`.
+/// to the terrain and moves it. Shrubs have sizes of their own and may stand over other cells;
+/// densities are per metre of the world, whatever the size. The parts of one cell differ in how
+/// they lie on the ground, not in what they show of it. Where neighbours lean away from each other
+/// there is a gap between them: renderers show the volume, which repeats itself, upright over its
+/// footprint, or, if they cannot, stretched in cell space by `reach`.
 struct Cell {
   glm::dmat4 world_from_cell;
   int volume = 0;  ///< index into Landscape::volumes

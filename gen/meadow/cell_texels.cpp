@@ -1,8 +1,10 @@
 #include "meadow/cell_texels.h"
 
 #include <algorithm>
+#include <array>
 #include <glm/glm.hpp>
 
+#include "meadow/cell_lattice.h"
 #include "meadow/cell_uniform.h"
 
 namespace wold::meadow {
@@ -36,17 +38,31 @@ CellTexel unlike(const std::vector<CellTexel>& neighbours, int variants, double 
   return best[static_cast<std::size_t>(uniform * static_cast<double>(best.size()))];
 }
 
+/// The cells of a row on which the southern side of a cell of the next row lies: one or two.
+std::array<glm::ivec2, 2> cells_below(const CellLattice& lattice, const glm::ivec2& cell) {
+  constexpr double into_the_row = -0.1;
+  const auto below = [&](double east) {
+    return glm::ivec2(lattice.cell_at(lattice.place_m(cell, {east, into_the_row})).x, cell.y - 1);
+  };
+  return {below(0.25), below(0.75)};
+}
+
 }  // namespace
 
 std::vector<CellTexel> choose_texels(const scene::Scene& scene, const place::CellWindow& window) {
+  const CellLattice lattice(scene);
   const int per_side = window.per_side;
   std::vector<CellTexel> texels;
   for (int j = 0; j < per_side; ++j)
     for (int i = 0; i < per_side; ++i) {
+      const glm::ivec2 cell = window.first + glm::ivec2(i, j);
       std::vector<CellTexel> neighbours;
       if (i > 0) neighbours.push_back(texels.back());
-      if (j > 0) neighbours.push_back(texels[texels.size() - static_cast<std::size_t>(per_side)]);
-      const glm::ivec2 cell = window.first + glm::ivec2(i, j);
+      for (const glm::ivec2& below : cells_below(lattice, cell)) {
+        const glm::ivec2 at = below - window.first;
+        if (at.y >= 0 && at.x >= 0 && at.x < per_side)
+          neighbours.push_back(texels[static_cast<std::size_t>(at.y * per_side + at.x)]);
+      }
       texels.push_back(
           unlike(neighbours, scene.grass.variants, cell_uniform(scene.seed, cell, "texel")));
     }

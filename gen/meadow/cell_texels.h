@@ -13,8 +13,9 @@ struct CellTexel {
   int turn = 0;     ///< quarter-turns counter-clockwise, seen from above, from 0 to 3
 };
 
-/// Those of every cell of the window, row by row from the south-west corner. Each looks at its left
-/// and lower neighbours and is one of those that look least like them, by keyed choice.
+/// Those of every cell of the window, row by row from the south-west corner. Each looks at its
+/// western neighbour and at those on which its southern side lies, and is one of those that look
+/// least like them, by keyed choice.
 std::vector<CellTexel> choose_texels(const scene::Scene& scene, const place::CellWindow& window);
 
 }  // namespace wold::meadow
