@@ -49,14 +49,10 @@ class CellFinder {
 
   /// To each square that it reaches into.
   void add(Place place) {
-    const double within_m = 1e-6 * side_m_;  // borders do not count for the next square
-    const auto [west, south] = square_of(place.footprint.south_west_m() + within_m);
-    const auto [east, north] = square_of(place.footprint.north_east_m() - within_m);
-    for (int j = south; j <= north; ++j)
-      for (int i = west; i <= east; ++i) {
-        place.square = {i, j};
-        places_.push_back(place);
-      }
+    place.footprint.each_square(side_m_, [&](const glm::ivec2& square) {
+      place.square = {square.x, square.y};
+      places_.push_back(place);
+    });
   }
 
   double side_m_;

@@ -24,7 +24,7 @@ struct Sight {
 /// How well the look of grass is known.
 struct GrassKnowledge {
   std::size_t patches = 0;    ///< on so many patches of the ground stands what is seen
-  double own_fraction = 1.0;  ///< of what is seen, that which looks as a volume of its own plants
+  double own_fraction = 1.0;  ///< of passages, those for which a volume of the same patch speaks
 };
 
 /// Fills in the volumes that sights go through on their way down to the ground. Throws FileError

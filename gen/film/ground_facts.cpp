@@ -72,7 +72,7 @@ class MoreLean {
         lattice_(scene) {}
 
   glm::dvec2 at(const glm::ivec2& cell) const {
-    const glm::dvec2 middle_m = lattice_.middle_m(cell);
+    const glm::dvec2 middle_m = lattice_.ground(cell).middle_m;
     const glm::dvec2 more = other_.wind_lean.lean(middle_m) - now_.wind_lean.lean(middle_m);
     return is_last_ ? -more : more;
   }

@@ -27,7 +27,7 @@ struct Axes {
   explicit Axes(const CellPose& pose) {
     const auto placed = [&](const glm::dvec2& direction) {
       return pose.size *
-             glm::dvec2(direction.x, pose.north * direction.y + pose.shear * direction.x);
+             glm::dvec2(direction.x, pose.north_stretch * direction.y + pose.shear * direction.x);
     };
     x = placed(east_of(pose.turn));
     y = placed(left_of(east_of(pose.turn)));

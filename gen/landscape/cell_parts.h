@@ -11,13 +11,13 @@ namespace wold::landscape {
 
 /// Where a cell of the terrain is and how its patch stands there.
 struct CellPose {
-  glm::ivec2 cell{0};       ///< column (east) and row (north), from 0
-  int turn = 0;             ///< quarter-turns counter-clockwise, seen from above
-  glm::dvec2 lean{0.0};     ///< of what stands on it, along the ground (see meadow::WindLean)
-  glm::dvec2 shift_m{0.0};  ///< of the patch's middle from the cell's, east and north
-  double size = 1.0;        ///< over the patch's own, in all directions
-  double north = 1.0;       ///< its extent to the north over that to the east
-  double shear = 0.0;       ///< of the turned patch, to the north for each metre to the east
+  glm::ivec2 cell{0};          ///< column (east) and row (north), from 0
+  int turn = 0;                ///< quarter-turns counter-clockwise, seen from above
+  glm::dvec2 lean{0.0};        ///< of what stands on it, along the ground (see meadow::WindLean)
+  glm::dvec2 shift_m{0.0};     ///< of the patch's middle from that of the square at `cell`
+  double size = 1.0;           ///< over the patch's own, in all directions
+  double north_stretch = 1.0;  ///< its extent to the north over that to the east
+  double shear = 0.0;          ///< of the turned patch, to the north for each metre to the east
 };
 
 /// Where the middle of the patch is on the ground; `patch_m`: its side.
@@ -46,7 +46,8 @@ struct GroundFit {
 
 /// The plane rises as the ground does by least squares, and lies as far below the ground at one
 /// place as above it at another. The deviation is exact: the ground is bilinear between its
-/// samples, so it leaves a plane farthest at them or on the part's border.
+/// samples, so it leaves a plane farthest at them or on the part's border. Of a sheared part it is
+/// that of the rectangle around it.
 GroundFit fit_to_ground(const Heightfield& terrain, double patch_m, const CellPose& pose,
                         const Part& part);
 

@@ -48,7 +48,7 @@ void bend_blades(const scene::Scene& scene, const Heightfield& terrain, int fram
   const CellLattice lattice(scene);
   for (CellChoice& cell : cells) {
     if (!cell.blades) continue;
-    const glm::dvec2 middle_m = lattice.middle_m(cell.cell);
+    const glm::dvec2 middle_m = lattice.ground(cell.cell).middle_m;
     const int apart = steps_apart(
         height_m, view.pixels(1.0, place::above_ground(terrain, middle_m, 0.5 * height_m)));
     if (apart == 0) continue;

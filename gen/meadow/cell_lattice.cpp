@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/random.h"
+#include "place/cell_window.h"
 #include "scene/species.h"
 
 namespace wold::meadow {
@@ -12,8 +13,8 @@ namespace {
 /// 0.134 at most, and gaps between straight pieces small.
 constexpr double wave_cells = 14.0;
 
-/// Rows bend, so straight pieces of two rows would cross by so much of a cell's side at most: they
-/// keep apart. In a renderer each sliver of two cells costs as much as a cell.
+/// What patches of two rows leave free between them, in sides of cells: as much as straight pieces
+/// would cross at most. In a renderer each sliver of two cells costs as much as a cell.
 constexpr double between_rows = 0.004;
 
 /// In [-1/2, 1/2).
@@ -28,7 +29,8 @@ CellLattice::CellLattice(const scene::Scene& scene)
     : patch_m_(scene.grass.patch_m),
       rows_(random_bits({scene.seed, key_of("cell"), key_of("rows")})),
       waves_(random_bits({scene.seed, key_of("cell"), key_of("waves")})),
-      are_squares_(scene::has_hair(scene)) {}
+      are_squares_(scene::has_hair(scene) || !scene.grass.from_texel.empty() ||
+                   place::cells_per_side(scene) == 1) {}
 
 double CellLattice::row_begins_m(int row) const {
   return are_squares_ ? 0.0 : patch_m_ * drawn(rows_, row);
@@ -45,26 +47,18 @@ CellLattice::Wave CellLattice::wave(double x_m) const {
           rise * 30.0 * t * t * (1.0 - t) * (1.0 - t) / wave_cells};
 }
 
-glm::dvec2 CellLattice::shift_m(const glm::ivec2& cell) const {
-  const double east_m = row_begins_m(cell.y);
-  return {east_m, patch_m_ * wave((cell.x + 0.5) * patch_m_ + east_m).height};
+CellGround CellLattice::ground(const glm::ivec2& cell) const {
+  const double x_m = (cell.x + 0.5) * patch_m_ + row_begins_m(cell.y);
+  const Wave here = wave(x_m);
+  return {{x_m, (cell.y + 0.5 + here.height) * patch_m_}, patch_m_, here.slope};
 }
 
-double CellLattice::shear(const glm::ivec2& cell) const {
-  return wave((cell.x + 0.5) * patch_m_ + row_begins_m(cell.y)).slope;
-}
-
-void CellLattice::lay(landscape::CellPose& pose) const {
+void CellLattice::place_patch(landscape::CellPose& pose) const {
   if (are_squares_) return;
-  pose.shift_m = shift_m(pose.cell);
-  pose.shear = shear(pose.cell);
-  pose.north = 1.0 - between_rows;
-}
-
-glm::dvec2 CellLattice::place_m(const glm::ivec2& cell, const glm::dvec2& fraction) const {
-  const glm::dvec2 from_middle_m = (fraction - 0.5) * patch_m_;
-  return (glm::dvec2(cell) + 0.5) * patch_m_ + shift_m(cell) + from_middle_m +
-         glm::dvec2(0.0, shear(cell) * from_middle_m.x);
+  const CellGround here = ground(pose.cell);
+  pose.shift_m = here.middle_m - (glm::dvec2(pose.cell) + 0.5) * patch_m_;
+  pose.shear = here.shear;
+  pose.north_stretch = 1.0 - between_rows;
 }
 
 glm::ivec2 CellLattice::cell_at(const glm::dvec2& at_m) const {

@@ -8,26 +8,37 @@
 
 namespace wold::meadow {
 
+/// The ground of a cell: a parallelogram with two sides to the north.
+struct CellGround {
+  glm::dvec2 middle_m{0.0};
+  double side_m = 0.0;  ///< its extent to the east and to the north
+  double shear = 0.0;   ///< of the other sides, to the north for each metre to the east
+
+  /// A place given by fractions of the sides from the south-western corner, metres.
+  glm::dvec2 place_m(const glm::dvec2& fraction) const {
+    const glm::dvec2 from_middle_m = (fraction - 0.5) * side_m;
+    return middle_m + from_middle_m + glm::dvec2(0.0, shear * from_middle_m.x);
+  }
+};
+
 /// Where the cells of a meadow stand on the ground, keyed. On squares side by side the same few
 /// patches make straight rows, and one sees each of their plants again and again along a row. So
-/// each row of cells begins elsewhere, like bricks, and rows are wavy lines: in place of squares
-/// cells are parallelograms with two sides to the north, which cover the ground all the same. The
-/// cells of a coat are squares, since its patches go on in each other.
+/// each row of cells begins elsewhere, like bricks, and rows are wavy lines. Straight pieces of two
+/// rows that bend do not fit: patches leave 0.4 % of a side free between them. At the terrain's
+/// borders a row begins and ends up to half a cell inside or outside. Cells are squares where
+/// patches go on in each other, those of a coat or of grass.from_texel, and where there is but one.
 class CellLattice {
  public:
   static constexpr double max_shift = 0.5;  ///< of a cell along each axis, in sides of cells
 
   explicit CellLattice(const scene::Scene& scene);
 
-  /// Shifts and shears a patch to its cell.
-  void lay(landscape::CellPose& pose) const;
+  CellGround ground(const glm::ivec2& cell) const;
 
-  glm::dvec2 middle_m(const glm::ivec2& cell) const { return place_m(cell, glm::dvec2(0.5)); }
+  /// Shifts and shears a patch that stands on its cell.
+  void place_patch(landscape::CellPose& pose) const;
 
-  /// A place on a cell, given as fractions of its sides from its south-western corner, metres.
-  glm::dvec2 place_m(const glm::ivec2& cell, const glm::dvec2& fraction) const;
-
-  /// The cell on which a place is, or where rows bend a millimetre or two from it.
+  /// The cell on which a place is, but for a hundredth of a side where rows bend.
   glm::ivec2 cell_at(const glm::dvec2& at_m) const;
 
  private:
@@ -39,9 +50,6 @@ class CellLattice {
 
   double row_begins_m(int row) const;
   Wave wave(double x_m) const;
-  /// Of a cell's middle, from where it would be on squares.
-  glm::dvec2 shift_m(const glm::ivec2& cell) const;
-  double shear(const glm::ivec2& cell) const;
 
   double patch_m_;
   std::uint64_t rows_, waves_;  ///< keys

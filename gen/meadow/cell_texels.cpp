@@ -1,7 +1,6 @@
 #include "meadow/cell_texels.h"
 
 #include <algorithm>
-#include <array>
 #include <glm/glm.hpp>
 
 #include "meadow/cell_lattice.h"
@@ -38,19 +37,25 @@ CellTexel unlike(const std::vector<CellTexel>& neighbours, int variants, double 
   return best[static_cast<std::size_t>(uniform * static_cast<double>(best.size()))];
 }
 
-/// The cells of a row on which the southern side of a cell of the next row lies: one or two.
-std::array<glm::ivec2, 2> cells_below(const CellLattice& lattice, const glm::ivec2& cell) {
+/// The cells of a row on which the southern side of a cell of the next row lies, but for a fraction
+/// of that side at its ends: one or two.
+std::vector<glm::ivec2> cells_below(const CellLattice& lattice, const glm::ivec2& cell,
+                                    double ends) {
   constexpr double into_the_row = -0.1;
+  const CellGround ground = lattice.ground(cell);
   const auto below = [&](double east) {
-    return glm::ivec2(lattice.cell_at(lattice.place_m(cell, {east, into_the_row})).x, cell.y - 1);
+    return glm::ivec2(lattice.cell_at(ground.place_m({east, into_the_row})).x, cell.y - 1);
   };
-  return {below(0.25), below(0.75)};
+  const glm::ivec2 western = below(ends), eastern = below(1.0 - ends);
+  return western == eastern ? std::vector{western} : std::vector{western, eastern};
 }
 
 }  // namespace
 
 std::vector<CellTexel> choose_texels(const scene::Scene& scene, const place::CellWindow& window) {
   const CellLattice lattice(scene);
+  // Two variants cannot differ from three neighbours: along a row one would see it most.
+  const double ends = scene.grass.variants < 3 ? 0.25 : 0.02;
   const int per_side = window.per_side;
   std::vector<CellTexel> texels;
   for (int j = 0; j < per_side; ++j)
@@ -58,7 +63,7 @@ std::vector<CellTexel> choose_texels(const scene::Scene& scene, const place::Cel
       const glm::ivec2 cell = window.first + glm::ivec2(i, j);
       std::vector<CellTexel> neighbours;
       if (i > 0) neighbours.push_back(texels.back());
-      for (const glm::ivec2& below : cells_below(lattice, cell)) {
+      for (const glm::ivec2& below : cells_below(lattice, cell, ends)) {
         const glm::ivec2 at = below - window.first;
         if (at.y >= 0 && at.x >= 0 && at.x < per_side)
           neighbours.push_back(texels[static_cast<std::size_t>(at.y * per_side + at.x)]);

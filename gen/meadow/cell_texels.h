@@ -14,8 +14,8 @@ struct CellTexel {
 };
 
 /// Those of every cell of the window, row by row from the south-west corner. Each looks at its
-/// western neighbour and at those on which its southern side lies, and is one of those that look
-/// least like them, by keyed choice.
+/// western neighbour and at those on which its southern side lies, but for its ends, and is one of
+/// those that look least like them, by keyed choice.
 std::vector<CellTexel> choose_texels(const scene::Scene& scene, const place::CellWindow& window);
 
 }  // namespace wold::meadow

@@ -91,8 +91,9 @@ double above_middle_m(const scene::Scene& scene) {
 }  // namespace
 
 double cell_reach_m(const scene::Scene& scene) {
-  // A shrub's middle is anywhere in its cell.
-  constexpr double cells_of_shrubs = 0.5 * std::numbers::sqrt2 * (1.0 + largest_shrub);
+  // A shrub's middle is anywhere in its cell, whose corners are so far from its own at most.
+  constexpr double to_corner = 0.76;
+  constexpr double cells_of_shrubs = to_corner + 0.5 * std::numbers::sqrt2 * largest_shrub;
   constexpr double cells_of_grass = 1.75;
   const double cells = std::ranges::any_of(scene::species_of(scene), scene::is_shrub)
                            ? cells_of_shrubs
@@ -145,12 +146,12 @@ struct Grown {
   float mean = 0.0F;
 };
 
-Grown grown_in(const FactorMap& growth, const CellLattice& lattice, const glm::ivec2& cell) {
+Grown grown_in(const FactorMap& growth, const CellGround& cell) {
   constexpr int steps = 6;
   Grown grown;
   for (int j = 0; j <= steps; ++j)
     for (int i = 0; i <= steps; ++i) {
-      const glm::dvec2 at_m = lattice.place_m(cell, glm::dvec2(i, j) / (1.0 * steps));
+      const glm::dvec2 at_m = cell.place_m(glm::dvec2(i, j) / (1.0 * steps));
       const float here = growth.sample(at_m.x, at_m.y);
       grown.max = std::max(grown.max, here);
       grown.mean += here / ((steps + 1) * (steps + 1));
@@ -212,7 +213,7 @@ glm::dmat4 reach_to_neighbours(const WindLean& wind_lean, double patch_m,
                                const landscape::CellPose& pose, double height_m) {
   const glm::dvec2 here_m = landscape::middle_m(pose, patch_m);
   const glm::dvec2& own = pose.lean;
-  glm::dvec2 low_m, high_m;  // beyond the square's sides
+  glm::dvec2 low_m, high_m;  // beyond the cell's sides
   for (int axis = 0; axis < 2; ++axis) {
     glm::dvec2 step_m(0.0);
     step_m[axis] = patch_m;
@@ -266,9 +267,10 @@ class CellChooser {
   /// Adds what stands on a cell, if anything does that can be seen. Shrubs stand beside their cell,
   /// which has the grass that grows around them.
   void add(const glm::ivec2& cell, const CellTexel& texel, std::vector<CellChoice>& row) const {
+    const CellGround ground = lattice_.ground(cell);
     const glm::dvec3 middle_m =
-        place::above_ground(terrain_, lattice_.middle_m(cell), grass_.height_m / 2.0);
-    const Grown grown = grown_in(growth_, lattice_, cell);
+        place::above_ground(terrain_, ground.middle_m, grass_.height_m / 2.0);
+    const Grown grown = grown_in(growth_, ground);
     if (grown.max <= 0.0F || !sight_.may_see(middle_m)) return;
     const double weathering = withering_.at(glm::dvec2(middle_m), now_.frame);
     const auto of_size = [&](double size) {
@@ -281,7 +283,7 @@ class CellChooser {
     const MixtureFacts& facts = mixture_facts_[static_cast<std::size_t>(mixture)];
     if (facts.around) row.push_back(on_cell(choice, *facts.around));
     if (!facts.has_shrubs) return;
-    const ShrubPlace place = shrub_place(scene_, window_, cell);
+    const ShrubPlace place = shrub_place(scene_, window_, lattice_, cell);
     const glm::dvec2 shrub_m =
         landscape::middle_m({.cell = cell, .shift_m = place.shift_m}, scene_.grass.patch_m);
     const double grown_there{growth_.sample(shrub_m.x, shrub_m.y)};
@@ -296,7 +298,7 @@ class CellChooser {
   CellChoice on_cell(CellChoice choice, int mixture) const {
     choice.variant = scene::patch_number(scene_, mixture, choice.variant);
     landscape::CellPose pose = pose_of(choice, mixture);
-    lattice_.lay(pose);
+    lattice_.place_patch(pose);
     choice.parts = landscape::parts_on_ground(ground(), scene_.grass.patch_m, pose,
                                               voxels_of(scene_, choice), ground_tolerance_m);
     // Half-way up, so that they show as much too little above as too much below: along a line of
@@ -323,7 +325,7 @@ class CellChooser {
   }
 
   landscape::CellPose pose_of(const CellChoice& choice, int mixture) const {
-    const glm::dvec2 lean = now_.wind_lean.lean(lattice_.middle_m(choice.cell));
+    const glm::dvec2 lean = now_.wind_lean.lean(lattice_.ground(choice.cell).middle_m);
     return {choice.cell, choice.turn,
             mixture_facts_[static_cast<std::size_t>(mixture)].leaning * lean};
   }

@@ -48,7 +48,7 @@ struct CellChoice {
 constexpr double ground_tolerance_m = 0.01;
 
 /// Cell::reach of a cell that meets its neighbours `height_m` above the ground: where they lean
-/// away from each other both reach half as far beyond their squares as the gap between them is wide
+/// away from each other both reach half as far beyond their cells as the gap between them is wide
 /// there.
 glm::dmat4 reach_to_neighbours(const WindLean& wind_lean, double patch_m,
                                const landscape::CellPose& pose, double height_m);

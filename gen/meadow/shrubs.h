@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 
+#include "meadow/cell_lattice.h"
 #include "place/cell_window.h"
 #include "scene/scene.h"
 
@@ -9,7 +10,7 @@ namespace wold::meadow {
 
 /// Where the shrubs of a cell stand, and how large they are.
 struct ShrubPlace {
-  glm::dvec2 shift_m{0.0};  ///< of their patch's middle from the cell's, east and north
+  glm::dvec2 shift_m{0.0};  ///< see CellPose
   double size = 1.0;        ///< over the patch's own, in all directions
 };
 
@@ -21,6 +22,6 @@ inline constexpr double smallest_shrub = 0.45, largest_shrub = 1.68;
 /// Anywhere in the cell is their middle, keyed by it: shrubs in rows would look planted. All of
 /// their patch lies on the window.
 ShrubPlace shrub_place(const scene::Scene& scene, const place::CellWindow& window,
-                       const glm::ivec2& cell);
+                       const CellLattice& lattice, const glm::ivec2& cell);
 
 }  // namespace wold::meadow

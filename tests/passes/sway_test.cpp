@@ -8,11 +8,13 @@ namespace {
 using landscape::Landscape;
 
 /// As grass stands on ground that rises by `rise` to the east and north: a quarter-turn about the
-/// middle of a patch of half a metre, leaning over, as large as `size` says.
+/// middle of a patch of half a metre, sheared and narrowed as rows want it, leaning over, as large
+/// as `size` says.
 glm::dmat4 placed(const glm::dvec2& lean, const glm::dvec2& rise, double size = 1.0) {
   glm::dmat4 world_from_cell(1.0);
-  world_from_cell[0] = {0.0, 1.0, rise.y, 0.0};
-  world_from_cell[1] = {-1.0, 0.0, -rise.x, 0.0};
+  constexpr double shear = 0.2, across = 0.8;  // its area stays
+  world_from_cell[0] = across * glm::dvec4(0.0, 1.0, rise.y, 0.0);
+  world_from_cell[1] = glm::dvec4(-1.0, -shear, -rise.x - shear * rise.y, 0.0) / across;
   world_from_cell[2] = {lean.x, lean.y, 1.0 + glm::dot(rise, lean), 0.0};
   for (int axis = 0; axis < 3; ++axis) world_from_cell[axis] *= size;
   world_from_cell[3] = {7.5, 3.0, 1.25, 1.0};

@@ -178,6 +178,25 @@ TEST(MixtureField, SomethingStandsWhereNothingIsLikely) {
   EXPECT_NEAR(first, second, 0.1);
 }
 
+/// How often what grows changes on the way across the square in steps of `step_m`, on many ways.
+int changes(const MixtureField& field, double step_m) {
+  int count = 0;
+  for (int way = 0; way < 100; ++way)
+    for (double x = step_m; x < 60.0; x += step_m)
+      count += field.at({x, 0.6 * way}) != field.at({x - step_m, 0.6 * way});
+  return count;
+}
+
+// Smooth borders of large patches looked like camouflage: the finer one looks, the more there is of
+// a ragged one.
+TEST(MixtureField, PatchesHaveRaggedBorders) {
+  scene::Scene scene = two_species();
+  scene.species[1].habitat.cover = 0.45;
+  scene.species[1].habitat.feature_m = 30.0;
+  const MixtureField field(scene, plane(0.0));
+  EXPECT_GT(changes(field, 0.6), 2 * changes(field, 6.0));
+}
+
 TEST(MixtureField, PatchesOfTwoSpeciesAreNotTheSame) {
   scene::Scene scene = two_species();
   scene.species.resize(3);
