@@ -16,10 +16,14 @@ class CellFinder {
  public:
   /// `side_m`: of a patch, above 0.
   CellFinder(const std::vector<Instance>& cells, double side_m) : side_m_(side_m) {
-    places_.reserve(cells.size());
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      const Instance& cell = cells[i];
-      add({{}, {cell.world_from_cell, cell.part, side_m}, static_cast<int>(i)});
+    footprints_.reserve(cells.size());
+    places_.reserve(most_squares * cells.size());
+    for (const Instance& cell : cells) {
+      const auto number = static_cast<int>(footprints_.size());
+      footprints_.emplace_back(cell.world_from_cell, cell.part, side_m);
+      footprints_.back().each_square(side_m, [&](const glm::ivec2& square) {
+        places_.push_back({{square.x, square.y}, number});
+      });
     }
     std::ranges::stable_sort(places_, {}, &Place::square);
   }
@@ -31,32 +35,25 @@ class CellFinder {
     const Square square = square_of(at_m);
     for (auto place = std::ranges::lower_bound(places_, square, {}, &Place::square);
          place != places_.end() && place->square == square; ++place)
-      if (place->footprint.contains(at_m)) visit(place->cell);
+      if (footprints_[static_cast<std::size_t>(place->cell)].contains(at_m)) visit(place->cell);
   }
 
  private:
   using Square = std::pair<int, int>;  ///< as large as a patch
   struct Place {
     Square square;
-    landscape::Footprint footprint;
     int cell;
   };
+  static constexpr std::size_t most_squares = 5;  ///< that cells reach into, in the mean
 
   Square square_of(const glm::dvec2& at_m) const {
     return {static_cast<int>(std::floor(at_m.x / side_m_)),
             static_cast<int>(std::floor(at_m.y / side_m_))};
   }
 
-  /// To each square that it reaches into.
-  void add(Place place) {
-    place.footprint.each_square(side_m_, [&](const glm::ivec2& square) {
-      place.square = {square.x, square.y};
-      places_.push_back(place);
-    });
-  }
-
   double side_m_;
-  std::vector<Place> places_;
+  std::vector<landscape::Footprint> footprints_;  ///< by cell
+  std::vector<Place> places_;                     ///< each cell in each square it reaches into
 };
 
 }  // namespace wold::expectation

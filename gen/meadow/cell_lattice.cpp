@@ -32,9 +32,7 @@ CellLattice::CellLattice(const scene::Scene& scene)
       are_squares_(scene::has_hair(scene) || !scene.grass.from_texel.empty() ||
                    place::cells_per_side(scene) == 1) {}
 
-double CellLattice::row_begins_m(int row) const {
-  return are_squares_ ? 0.0 : patch_m_ * drawn(rows_, row);
-}
+double CellLattice::row_shift(int row) const { return are_squares_ ? 0.0 : drawn(rows_, row); }
 
 CellLattice::Wave CellLattice::wave(double x_m) const {
   if (are_squares_) return {};
@@ -48,7 +46,7 @@ CellLattice::Wave CellLattice::wave(double x_m) const {
 }
 
 CellGround CellLattice::ground(const glm::ivec2& cell) const {
-  const double x_m = (cell.x + 0.5) * patch_m_ + row_begins_m(cell.y);
+  const double x_m = (cell.x + 0.5 + row_shift(cell.y)) * patch_m_;
   const Wave here = wave(x_m);
   return {{x_m, (cell.y + 0.5 + here.height) * patch_m_}, patch_m_, here.slope};
 }
@@ -64,7 +62,7 @@ void CellLattice::place_patch(landscape::CellPose& pose) const {
 glm::ivec2 CellLattice::cell_at(const glm::dvec2& at_m) const {
   const double straight_m = at_m.y - patch_m_ * wave(at_m.x).height;
   const auto row = static_cast<int>(std::floor(straight_m / patch_m_));
-  return {static_cast<int>(std::floor((at_m.x - row_begins_m(row)) / patch_m_)), row};
+  return {static_cast<int>(std::floor(at_m.x / patch_m_ - row_shift(row))), row};
 }
 
 }  // namespace wold::meadow

@@ -35,6 +35,9 @@ class CellLattice {
 
   CellGround ground(const glm::ivec2& cell) const;
 
+  /// How far to the east of where a row of squares would a row begins, in sides of cells.
+  double row_shift(int row) const;
+
   /// Shifts and shears a patch that stands on its cell.
   void place_patch(landscape::CellPose& pose) const;
 
@@ -48,7 +51,6 @@ class CellLattice {
     double slope = 0.0;
   };
 
-  double row_begins_m(int row) const;
   Wave wave(double x_m) const;
 
   double patch_m_;

@@ -1,6 +1,7 @@
 #include "meadow/cell_texels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/glm.hpp>
 
 #include "meadow/cell_lattice.h"
@@ -37,16 +38,12 @@ CellTexel unlike(const std::vector<CellTexel>& neighbours, int variants, double 
   return best[static_cast<std::size_t>(uniform * static_cast<double>(best.size()))];
 }
 
-/// The cells of a row on which the southern side of a cell of the next row lies, but for a fraction
-/// of that side at its ends: one or two.
-std::vector<glm::ivec2> cells_below(const CellLattice& lattice, const glm::ivec2& cell,
-                                    double ends) {
-  constexpr double into_the_row = -0.1;
-  const CellGround ground = lattice.ground(cell);
-  const auto below = [&](double east) {
-    return glm::ivec2(lattice.cell_at(ground.place_m({east, into_the_row})).x, cell.y - 1);
-  };
-  const glm::ivec2 western = below(ends), eastern = below(1.0 - ends);
+/// By how many columns those cells of a row lie to the east of a cell of the next row on which its
+/// southern side lies, but for a fraction of that side at its ends: one or two.
+std::vector<int> columns_below(const CellLattice& lattice, int row, double ends) {
+  const double shift = lattice.row_shift(row) - lattice.row_shift(row - 1);
+  const auto below = [&](double east) { return static_cast<int>(std::floor(shift + east)); };
+  const int western = below(ends), eastern = below(1.0 - ends);
   return western == eastern ? std::vector{western} : std::vector{western, eastern};
 }
 
@@ -58,19 +55,22 @@ std::vector<CellTexel> choose_texels(const scene::Scene& scene, const place::Cel
   const double ends = scene.grass.variants < 3 ? 0.25 : 0.02;
   const int per_side = window.per_side;
   std::vector<CellTexel> texels;
-  for (int j = 0; j < per_side; ++j)
+  texels.reserve(static_cast<std::size_t>(per_side) * static_cast<std::size_t>(per_side));
+  for (int j = 0; j < per_side; ++j) {
+    const std::vector<int> columns = columns_below(lattice, window.first.y + j, ends);
     for (int i = 0; i < per_side; ++i) {
-      const glm::ivec2 cell = window.first + glm::ivec2(i, j);
       std::vector<CellTexel> neighbours;
       if (i > 0) neighbours.push_back(texels.back());
-      for (const glm::ivec2& below : cells_below(lattice, cell, ends)) {
-        const glm::ivec2 at = below - window.first;
-        if (at.y >= 0 && at.x >= 0 && at.x < per_side)
-          neighbours.push_back(texels[static_cast<std::size_t>(at.y * per_side + at.x)]);
+      for (const int column : columns) {
+        const int below = i + column;
+        if (j > 0 && below >= 0 && below < per_side)
+          neighbours.push_back(texels[static_cast<std::size_t>((j - 1) * per_side + below)]);
       }
+      const glm::ivec2 cell = window.first + glm::ivec2(i, j);
       texels.push_back(
           unlike(neighbours, scene.grass.variants, cell_uniform(scene.seed, cell, "texel")));
     }
+  }
   return texels;
 }
 
