@@ -17,7 +17,7 @@ class CellFinder {
   /// `side_m`: of a patch, above 0.
   CellFinder(const std::vector<Instance>& cells, double side_m) : side_m_(side_m) {
     footprints_.reserve(cells.size());
-    places_.reserve(most_squares * cells.size());
+    places_.reserve(squares_of_cell * cells.size());
     for (const Instance& cell : cells) {
       const auto number = static_cast<int>(footprints_.size());
       footprints_.emplace_back(cell.world_from_cell, cell.part, side_m);
@@ -44,7 +44,7 @@ class CellFinder {
     Square square;
     int cell;
   };
-  static constexpr std::size_t most_squares = 5;  ///< that cells reach into, in the mean
+  static constexpr std::size_t squares_of_cell = 5;  ///< that it reaches into, hardly more
 
   Square square_of(const glm::dvec2& at_m) const {
     return {static_cast<int>(std::floor(at_m.x / side_m_)),

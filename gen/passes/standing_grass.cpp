@@ -153,46 +153,42 @@ void StandingGrass::add_stands() {
   for (std::size_t i = 0; i < landscape_.cells.size(); ++i) {
     const landscape::Cell& cell = landscape_.cells[i];
     const landscape::Volume& volume = landscape_.volumes[static_cast<std::size_t>(cell.volume)];
-    add_to_squares({static_cast<int>(i),
-                    glm::ivec2(0),
-                    glm::inverse(cell.world_from_cell),
-                    {cell.world_from_cell, cell.part, landscape_.patch_m},
-                    volume.voxels.z * volume.voxel_m,
-                    density_of_volume_[static_cast<std::size_t>(cell.volume)]});
+    const auto number = static_cast<int>(i);
+    stands_.push_back({number,
+                       glm::inverse(cell.world_from_cell),
+                       {cell.world_from_cell, cell.part, landscape_.patch_m},
+                       volume.voxels.z * volume.voxel_m,
+                       density_of_volume_[static_cast<std::size_t>(cell.volume)]});
+    stands_.back().footprint.each_square(landscape_.patch_m, [&](const glm::ivec2& square) {
+      on_squares_.push_back({square, number});
+    });
   }
-}
-
-void StandingGrass::add_to_squares(Stand stand) {
-  stand.footprint.each_square(landscape_.patch_m, [&](const glm::ivec2& square) {
-    stand.square = square;
-    stands_.push_back(stand);
-  });
 }
 
 /// Sorts what stands into the squares of a grid.
 void StandingGrass::lay_out() {
-  glm::ivec2 last = first_square_ = stands_.front().square;
-  for (const Stand& stand : stands_) {
-    first_square_ = glm::min(first_square_, stand.square);
-    last = glm::max(last, stand.square);
+  glm::ivec2 last = first_square_ = on_squares_.front().square;
+  for (const OnSquare& one : on_squares_) {
+    first_square_ = glm::min(first_square_, one.square);
+    last = glm::max(last, one.square);
   }
   squares_ = last - first_square_ + 1;
   grid_.resize(static_cast<std::size_t>(squares_.x) * static_cast<std::size_t>(squares_.y));
-  const auto number = [&](const Stand& stand) {
-    const glm::ivec2 at = stand.square - first_square_;
+  const auto number = [&](const OnSquare& one) {
+    const glm::ivec2 at = one.square - first_square_;
     return static_cast<std::size_t>(at.y) * static_cast<std::size_t>(squares_.x) +
            static_cast<std::size_t>(at.x);
   };
-  std::stable_sort(stands_.begin(), stands_.end(),
-                   [&](const Stand& a, const Stand& b) { return number(a) < number(b); });
-  for (std::size_t i = 0; i < stands_.size(); ++i) {
-    Square& square = grid_[number(stands_[i])];
+  std::ranges::stable_sort(on_squares_, {}, number);
+  for (std::size_t i = 0; i < on_squares_.size(); ++i) {
+    const Stand& stand = stands_[static_cast<std::size_t>(on_squares_[i].stand)];
+    Square& square = grid_[number(on_squares_[i])];
     if (square.end == 0) square = {i, i, infinite, -infinite};
     square.end = i + 1;
     // In world space the lower and the upper side of what stands over a footprint are planes.
-    const glm::dmat4& from_world = stands_[i].cell_from_world;
-    const auto [low_m, high_m] = stands_[i].footprint.bounds_m();
-    for (const double height_m : {0.0, stands_[i].height_m})
+    const glm::dmat4& from_world = stand.cell_from_world;
+    const auto [low_m, high_m] = stand.footprint.bounds_m();
+    for (const double height_m : {0.0, stand.height_m})
       for (const double x_m : {low_m.x, high_m.x})
         for (const double y_m : {low_m.y, high_m.y}) {
           const double above = (from_world * glm::dvec4(x_m, y_m, 0.0, 1.0)).z;
@@ -249,9 +245,10 @@ bool StandingGrass::cross_square(const Square& square, Way& way, double from_m, 
   std::array<Met, 15 * 64> all_met;
   std::size_t count = 0;
   for (std::size_t i = square.first; i < square.end && count < all_met.size(); ++i) {
+    const auto stand = static_cast<std::size_t>(on_squares_[i].stand);
     double first_m = from_m, last_m = to_m;
-    clip(stands_[i].footprint, way.eye_m, way.direction, first_m, last_m);
-    if (first_m < last_m) all_met[count++] = {first_m, last_m, i};
+    clip(stands_[stand].footprint, way.eye_m, way.direction, first_m, last_m);
+    if (first_m < last_m) all_met[count++] = {first_m, last_m, stand};
   }
   const std::span met(all_met.data(), count);
   std::ranges::sort(met, std::less(),
@@ -263,7 +260,8 @@ bool StandingGrass::cross_square(const Square& square, Way& way, double from_m, 
   };
   if (!overlap(met)) return cross_all(from_m, to_m);
   // What stands in one place is crossed together, slice by slice.
-  const double slice_m = densities_[stands_[square.first].density].voxel_m;
+  const auto first = static_cast<std::size_t>(on_squares_[square.first].stand);
+  const double slice_m = densities_[stands_[first].density].voxel_m;
   const auto slices = static_cast<int>(std::ceil((to_m - from_m) / slice_m));
   const auto first_veil = static_cast<std::ptrdiff_t>(sight.veils.size());
   bool goes_on = true;

@@ -38,31 +38,33 @@ class StandingGrass {
             GrassSight& sight) const;
 
  private:
-  /// A part of a cell where it stands, as far as one square of the grid sees it.
+  /// A part of a cell where it stands.
   struct Stand {
     int cell = 0;
-    glm::ivec2 square{0};
     glm::dmat4 cell_from_world{1.0};
     landscape::Footprint footprint;
     double height_m = 0.0;    ///< in cell space
     std::size_t density = 0;  ///< index into densities_
+  };
+  /// A stand on one of the squares that it reaches into.
+  struct OnSquare {
+    glm::ivec2 square{0};
+    int stand = 0;  ///< index into stands_
   };
   struct Density {
     glm::ivec3 voxels{0};
     double voxel_m = 0.0;
     std::vector<float> extinction_per_m;
   };
-  /// What stands on a square of the grid of cells.
+  /// What stands on a square, as large as a patch, of a grid.
   struct Square {
-    std::size_t first = 0, end = 0;  ///< indices into stands_
-    double low_m = 0.0, high_m = 0.0;
+    std::size_t first = 0, end = 0;    ///< indices into on_squares_
+    double low_m = 0.0, high_m = 0.0;  ///< heights in the world
   };
   struct Way;
 
   void add_volumes();
   void add_stands();
-  /// To each square that it reaches into.
-  void add_to_squares(Stand stand);
   void lay_out();
   /// Whether the ray goes on.
   bool cross_square(const Square& square, Way& way, double from_m, double to_m,
@@ -72,7 +74,8 @@ class StandingGrass {
   const landscape::Landscape& landscape_;
   std::vector<Density> densities_;
   std::vector<std::size_t> density_of_volume_;
-  std::vector<Stand> stands_;  ///< square by square
+  std::vector<Stand> stands_;         ///< cell by cell
+  std::vector<OnSquare> on_squares_;  ///< square by square
   glm::ivec2 first_square_{0}, squares_{0};
   std::vector<Square> grid_;  ///< row by row
 };

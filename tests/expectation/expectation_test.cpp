@@ -68,6 +68,28 @@ TEST(Expectation, GrassFollowsBeerAndLambert) {
   expect_meadow(level_meadow(folder.path()), [](double sine) { return through(height_m, sine); });
 }
 
+// Rows that each begin elsewhere and rise to the east cover the ground as squares do.
+TEST(Expectation, ShearedRowsHideAsSquaresDo) {
+  const test::TemporaryFolder folder("expectation_rows");
+  landscape::Landscape meadow = level_meadow(folder.path());
+  meadow.cells.clear();
+  constexpr double shear = 0.15;
+  for (int row = -6; row < 12; ++row)
+    for (int column = -6; column < 12; ++column) {
+      const double east_m = 0.5 * column + 0.07 * row;
+      const glm::dvec4 corner_m(east_m, 0.5 * row + shear * east_m, 0.0, 1.0);
+      glm::dmat4 placed(glm::dvec4(1.0, shear, 0.0, 0.0), {0, 1, 0, 0}, {0, 0, 1, 0}, corner_m);
+      if (column % 2 == 0) {  // turned by a quarter
+        const glm::dvec4 west = -placed[0];
+        placed[3] += 0.5 * placed[0];
+        placed[0] = placed[1];
+        placed[1] = west;
+      }
+      meadow.cells.push_back({placed, 0});
+    }
+  expect_meadow(meadow, [](double sine) { return through(height_m, sine); });
+}
+
 // As shrubs and the grass around them.
 TEST(Expectation, WhatStandsOnOnePlaceHidesTogether) {
   const test::TemporaryFolder folder("expectation_together");
@@ -135,6 +157,16 @@ TEST(Expectation, FogDimsWhatIsSeen) {
   }
 }
 
+/// 12 x 12 cells, each of its own volume, seen from above.
+void lay_all_volumes(landscape::Landscape& meadow) {
+  meadow.cells.clear();
+  meadow.blade_cells.clear();
+  for (int i = 0; i < 144; ++i)
+    meadow.cells.push_back(
+        {glm::translate(glm::dmat4(1.0), {0.5 * (i / 12), 0.5 * (i % 12), 0.0}), i});
+  meadow.camera = {{3.0, 2.9999, 9.0}, {3.0, 3.0, 0.0}, 60.0};
+}
+
 // More volumes than are looked at, half of them of thick grass, half of thin: each half is seen as
 // it is.
 TEST(Expectation, AllKindsOfGrassAreSeenHoweverManyThereAre) {
@@ -147,12 +179,7 @@ TEST(Expectation, AllKindsOfGrassAreSeenHoweverManyThereAre) {
   const landscape::Landscape thin = test::constant_meadow(shape, folder.path() / "thin");
   meadow.volumes.resize(72, meadow.volumes.front());
   meadow.volumes.resize(144, thin.volumes.front());
-  meadow.cells.clear();
-  meadow.blade_cells.clear();
-  for (int i = 0; i < 144; ++i)
-    meadow.cells.push_back(
-        {glm::translate(glm::dmat4(1.0), {0.5 * (i / 12), 0.5 * (i % 12), 0.0}), i});
-  meadow.camera = {{3.0, 2.9999, 9.0}, {3.0, 3.0, 0.0}, 60.0};
+  lay_all_volumes(meadow);
   const ExpectedPicture expected = expected_picture(meadow);
   ASSERT_EQ(expected.things.size(), 1U);
   int checked = 0;
@@ -176,12 +203,7 @@ TEST(Expectation, AsksForLessWhereOtherPlantsSpeak) {
   landscape::Landscape meadow = test::constant_meadow(shape, folder.path());
   std::ranges::fill(meadow.terrain.values(), 0.0F);
   meadow.volumes.resize(144, meadow.volumes.front());
-  meadow.cells.clear();
-  meadow.blade_cells.clear();
-  for (int i = 0; i < 144; ++i)
-    meadow.cells.push_back(
-        {glm::translate(glm::dmat4(1.0), {0.5 * (i / 12), 0.5 * (i % 12), 0.0}), i});
-  meadow.camera = {{3.0, 2.9999, 9.0}, {3.0, 3.0, 0.0}, 60.0};
+  lay_all_volumes(meadow);
   const double of_one_patch = expected_picture(meadow).things.at(0).min_fraction;
   for (landscape::Cell& cell : meadow.cells) cell.origin.patch = cell.volume;
   EXPECT_EQ(of_one_patch, 0.88);
