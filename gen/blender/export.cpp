@@ -63,24 +63,26 @@ std::vector<fs::path> shared_files(const Landscape& landscape,
 }
 
 /// Writes the volumes that are shown; entries in order of their numbers.
-std::vector<VolumeEntry> write_volumes(const Landscape& landscape, const ShownVolumes& shown,
+std::vector<VolumeEntry> write_volumes(const Landscape& landscape,
+                                       const std::vector<ShownVolume>& shown,
                                        const fs::path& folder) {
   const std::vector<double> distances_m = nearest_m(landscape);
   const auto file_of = [&](std::size_t volume) {
     return folder / (landscape.volumes[volume].name + ".vdb");
   };
   std::set<std::size_t> used;
-  for (const ShownVolume& each : shown.all()) used.insert(each.volume);
+  for (const ShownVolume& each : shown) used.insert(each.volume);
   const std::vector<std::size_t> todo(used.begin(), used.end());
   std::vector<ColourPicture> colours(landscape.volumes.size());
   parallel_for(todo.size(), [&](std::size_t i) {
     colours[todo[i]] = write_volume(file_of(todo[i]), landscape.volumes[todo[i]]);
   });
   std::vector<VolumeEntry> entries;
-  for (const ShownVolume& each : shown.all()) {
+  for (const ShownVolume& each : shown) {
     const double voxel_m = landscape.volumes[each.volume].voxel_m;
     entries.push_back({file_of(each.volume), colours[each.volume], voxel_m,
-                       step_voxels(landscape, voxel_m, distances_m[each.volume]), each.quarter});
+                       step_voxels(landscape, voxel_m, distances_m[each.volume]), each.quarter,
+                       each.light_map});
   }
   return entries;
 }
@@ -96,8 +98,8 @@ std::vector<fs::path> export_frame(const Landscape& landscape, const fs::path& f
   if (!landscape.blade_meshes.empty()) make_folder(blades_folder);
   parallel_for(landscape.blade_meshes.size(),
                [&](std::size_t i) { write_blades(landscape.blade_meshes[i], blades_folder); });
-  const ShownVolumes shown(landscape);
-  const std::vector<VolumeEntry> entries = write_volumes(landscape, shown, volume_folder);
+  const EachOnce<ShownVolume> shown = shown_volumes(landscape);
+  const std::vector<VolumeEntry> entries = write_volumes(landscape, shown.all(), volume_folder);
   write_expected_picture(frame_folder / "expected.json", expectation::expected_picture(landscape));
   std::vector<fs::path> files =
       write_frame_data(landscape, frame_folder, entries, shown.picks(), folder / "data");

@@ -7,21 +7,28 @@
 
 #include "blender/arrays.h"
 #include "blender/placement.h"
+#include "blender/shown_volumes.h"
 #include "blender/volume_file.h"
 #include "core/files.h"
 #include "core/image.h"
 #include "core/random.h"
 #include "core/rough_picture.h"
+#include "landscape/light_on_grass.h"
 
 namespace wold::blender {
 namespace {
 
 /// Of the folder; templates/blender/wold_blender/frame_data.py reads no other.
-constexpr int format = 7, format_with_boulders = 8;
+constexpr int format = 7, format_with_boulders = 8, format_with_light_details = 9;
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using landscape::Landscape;
+
+int format_of(const Landscape& landscape) {
+  if (!landscape.light_details.empty()) return format_with_light_details;
+  return landscape.boulders.triangles.empty() ? format : format_with_boulders;
+}
 
 Json json_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
@@ -119,11 +126,26 @@ Json write_ground_details(const Landscape& landscape, const fs::path& folder) {
 }
 
 /// The light on the volumes with how much of them stands as its fourth channel: one look-up.
-Json write_standing_light(const Landscape& landscape, const fs::path& folder) {
-  const ColourMap light = product(landscape.light, landscape.extinction_factor);
-  const FactorMap extinction_factor =
-      product(landscape.extinction_factor, FactorMap(light.samples(), light.square(), 1.0F));
-  return write_light_map(light, folder, "standing_light.exr", &extinction_factor);
+Json write_standing_light(const Landscape& landscape, const fs::path& folder, int number,
+                          const char* name) {
+  const FactorMap standing = landscape::standing_fraction(landscape, number);
+  return write_light_map(landscape::standing_light(landscape, number), folder, name, &standing);
+}
+
+/// The finer maps of the light on blades and on volumes, coarse to fine.
+Json write_light_details(const Landscape& landscape, const fs::path& folder) {
+  const auto light = [](int number) { return fmt::format("light_{}.exr", number); };
+  const auto standing = [](int number) { return fmt::format("standing_light_{}.exr", number); };
+  const int count = landscape::count_light_maps(landscape);
+  for (int stale = count; fs::remove(folder / standing(stale)); ++stale)
+    fs::remove(folder / light(stale));
+  Json list = Json::array();
+  for (int number = 1; number < count; ++number)
+    list.push_back({{"light", write_light_map(landscape::light_map(landscape, number), folder,
+                                              light(number).c_str())},
+                    {"standing_light",
+                     write_standing_light(landscape, folder, number, standing(number).c_str())}});
+  return list;
 }
 
 /// Null under a clear sky.
@@ -279,13 +301,11 @@ Json write_cells(const Landscape& landscape, const fs::path& folder,
   return cells;
 }
 
-Json write_blade_cells(const Landscape& landscape, const fs::path& folder) {
+Json write_blade_cells(const Landscape& landscape, const fs::path& folder,
+                       const std::vector<int>& picks) {
   std::vector<Placement> placements;
-  std::vector<int> picks;
-  for (const landscape::BladeCell& cell : landscape.blade_cells) {
+  for (const landscape::BladeCell& cell : landscape.blade_cells)
     placements.push_back(placement_of(cell.world_from_cell));
-    picks.push_back(cell.mesh);
-  }
   return write_instances(placements, picks, folder, "blade_");
 }
 
@@ -307,16 +327,21 @@ Json volumes_json(const std::vector<VolumeEntry>& volumes, const fs::path& folde
                     {"colours", colours_json(volume, folder)},
                     {"voxel_m", volume.voxel_m},
                     {"step_voxels", volume.step_voxels},
-                    {"quarter", volume.quarter ? Json(*volume.quarter) : Json(nullptr)}});
+                    {"quarter", volume.quarter ? Json(*volume.quarter) : Json(nullptr)},
+                    {"light_map", volume.light_map}});
   return list;
 }
 
-Json blades_json(const Landscape& landscape, const fs::path& blades, const fs::path& folder) {
+Json blades_json(const Landscape& landscape, const std::vector<ShownBlades>& shown,
+                 const fs::path& blades, const fs::path& folder) {
   Json list = Json::array();
-  for (const landscape::BladeMesh& mesh : landscape.blade_meshes)
+  for (const ShownBlades& each : shown) {
+    const landscape::BladeMesh& mesh = landscape.blade_meshes[static_cast<std::size_t>(each.mesh)];
     list.push_back({{"file", (blades / mesh.name).lexically_relative(folder).generic_string()},
                     {"vertices", mesh.tubes->vertices_m.size()},
-                    {"quads", quad_corners(*mesh.tubes).size() / 4}});
+                    {"quads", quad_corners(*mesh.tubes).size() / 4},
+                    {"light_map", each.light_map}});
+  }
   return list;
 }
 
@@ -338,30 +363,33 @@ std::vector<fs::path> write_frame_data(const Landscape& landscape, const fs::pat
                                        const fs::path& shared_folder) {
   write_image(folder / "sky.exr", landscape.sky, PixelFormat::half);
   const bool has_boulders = !landscape.boulders.triangles.empty();
-  Json frame = {{"format", has_boulders ? format_with_boulders : format},
-                {"frame", landscape.frame},
-                {"weathering", landscape.weathering},
-                {"time_s", landscape.time_s},
-                {"daylight", daylight_json(landscape.daylight)},
-                {"size_px", {landscape.width_px, landscape.height_px}},
-                {"samples", landscape.samples},
-                {"exposure_gain", landscape.exposure_gain},
-                {"camera", camera_json(landscape.camera)},
-                {"terrain", write_terrain(landscape, folder)},
-                {"light", write_light_map(landscape.light, folder, "light.exr")},
-                {"standing_light", write_standing_light(landscape, folder)},
-                {"ground", write_ground_map(landscape.ground, folder, "ground.exr")},
-                {"ground_details", write_ground_details(landscape, folder)},
-                {"sky", "sky.exr"},
-                {"clouds", write_clouds(landscape, folder)},
-                {"backdrop", write_backdrop(landscape, folder)},
-                {"cells", write_cells(landscape, folder, picks)},
-                {"volumes", volumes_json(volumes, folder)},
-                {"density_unit_per_m", density_unit_per_m},
-                {"blade_cells", write_blade_cells(landscape, folder)},
-                {"blades", blades_json(landscape, shared_folder / "blades", folder)},
-                {"flakes", write_flakes(landscape, folder, shared_folder / "flakes")},
-                {"fog", fog_json(landscape.fog)}};
+  const EachOnce<ShownBlades> blades = shown_blades(landscape);
+  Json frame = {
+      {"format", format_of(landscape)},
+      {"frame", landscape.frame},
+      {"weathering", landscape.weathering},
+      {"time_s", landscape.time_s},
+      {"daylight", daylight_json(landscape.daylight)},
+      {"size_px", {landscape.width_px, landscape.height_px}},
+      {"samples", landscape.samples},
+      {"exposure_gain", landscape.exposure_gain},
+      {"camera", camera_json(landscape.camera)},
+      {"terrain", write_terrain(landscape, folder)},
+      {"light", write_light_map(landscape.light, folder, "light.exr")},
+      {"standing_light", write_standing_light(landscape, folder, 0, "standing_light.exr")},
+      {"light_details", write_light_details(landscape, folder)},
+      {"ground", write_ground_map(landscape.ground, folder, "ground.exr")},
+      {"ground_details", write_ground_details(landscape, folder)},
+      {"sky", "sky.exr"},
+      {"clouds", write_clouds(landscape, folder)},
+      {"backdrop", write_backdrop(landscape, folder)},
+      {"cells", write_cells(landscape, folder, picks)},
+      {"volumes", volumes_json(volumes, folder)},
+      {"density_unit_per_m", density_unit_per_m},
+      {"blade_cells", write_blade_cells(landscape, folder, blades.picks())},
+      {"blades", blades_json(landscape, blades.all(), shared_folder / "blades", folder)},
+      {"flakes", write_flakes(landscape, folder, shared_folder / "flakes")},
+      {"fog", fog_json(landscape.fog)}};
   if (has_boulders) frame["boulders"] = write_boulders(landscape.boulders, folder);
   write_file(folder / "frame.json", frame.dump(2) + "\n");
   std::vector<fs::path> files = {folder / "frame.json"};

@@ -15,7 +15,8 @@ struct VolumeEntry {
   ColourPicture colours;       ///< of its colour_file()
   double voxel_m = 0.0;        ///< side of its voxels
   double step_voxels = 1.0;    ///< length of a ray's step
-  std::optional<int> quarter;  ///< see ShownVolume
+  std::optional<int> quarter;  ///< this and light_map: see ShownVolume
+  int light_map = 0;
 };
 
 /// Writes a frame's arrays, pictures and frame.json into `folder`. `volumes` are the ones in use
@@ -37,6 +38,8 @@ struct VolumeEntry {
 ///   flake_pictures.i32     1 per flake: index of its picture
 ///   flake_opacities.f32    1 per flake
 ///   light.exr, ground.exr  samples x samples on the corners of the terrain, north at the top
+///   standing_light.exr     light.exr times how much stands, which is the fourth channel
+///   light_1.exr, standing_light_1.exr   finer ones near the eye, likewise on their corners
 ///   ground_detail_1.exr    finer pictures of parts of the ground, likewise on their corners; the
 ///                          fourth channel says how much of them is seen
 ///   sky.exr                as landscape::Landscape::sky

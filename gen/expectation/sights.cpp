@@ -10,6 +10,7 @@
 #include "expectation/blades_appearance.h"
 #include "expectation/passages.h"
 #include "landscape/cell_parts.h"
+#include "landscape/light_on_grass.h"
 #include "landscape/tiled_volume.h"
 
 namespace wold::expectation {
@@ -44,7 +45,7 @@ landscape::PatchRay from_top(landscape::PatchRay ray, double top_m, double patch
 
 /// The light there on what glows by itself.
 glm::dvec3 light_at(const landscape::Landscape& landscape, const glm::dvec2& at_m) {
-  return glm::dvec3(landscape.light.sample(at_m.x, at_m.y));
+  return glm::dvec3(landscape::light_on_grass(landscape, at_m));
 }
 
 /// What stands in the way, one thing behind the other; look(cell, ray, place): how each looks in a

@@ -12,6 +12,7 @@
 #include "grass/optics/light_under_grass.h"
 #include "grass/texel/fibres.h"
 #include "meadow/film_lights.h"
+#include "meadow/light_grids.h"
 #include "meadow/sward.h"
 #include "meadow/tint.h"
 #include "place/cell_window.h"
@@ -214,14 +215,42 @@ landscape::GroundDetail LitGround::detail(const SnowyGround& ground, const Groun
           grid.square.corner_m};
 }
 
-ColourMap LitGround::light_in_window(const SnowyGround& ground, const place::View& in_sight) const {
-  const GroundGrid window = place::window_grid(scene_);
+ColourMap LitGround::light_on_cells(const SnowyGround& ground, const GroundGrid& grid,
+                                    const place::View& in_sight) const {
   // Under all of a cell that reaches into the picture.
   const RowParts lit =
-      place::rows_in_view(window, site_.terrain, in_sight, 2.0 * meadow::cell_reach_m(scene_));
-  const terrain::GroundLight clear = place::light_on(site_, window, lit, ground.layer());
-  return on_grass(shaded_by_shrubs(illuminate_(clear), clear, ground, window), clear, window,
-                  in_sight);
+      place::rows_in_view(grid, site_.terrain, in_sight, 2.0 * meadow::cell_reach_m(scene_));
+  const terrain::GroundLight clear = place::light_on(site_, grid, lit, ground.layer());
+  return on_grass(shaded_by_shrubs(illuminate_(clear), clear, ground, grid), clear, grid, in_sight);
+}
+
+ColourMap LitGround::veiled_and_tinted(ColourMap grass_light, const GroundGrid& tint_grid) const {
+  if (meadow_) {
+    const ColourMap veil = veil_of_grass(grass_light, site_.terrain, view_, *meadow_, haze_);
+    grass_light = product(std::move(grass_light), veil);
+  }
+  return product(
+      std::move(grass_light),
+      meadow::weathering_tint(scene_, *site_.withering, now_.frame, choices_, now_.snow,
+                              grass_colour(patch_, model_, now_.snow, choices_), tint_grid));
+}
+
+void LitGround::show_light_on_grass(const SnowyGround& ground, ColourMap grass_light,
+                                    landscape::Landscape& landscape) const {
+  const bool is_large = place::is_large(scene_);
+  const place::View in_sight = view_.over(site_.terrain);
+  if (is_large) {
+    grass_light = {};  // goes before the next one is made
+    grass_light = light_on_cells(ground, place::window_grid(scene_), in_sight);
+  }
+  landscape.light = veiled_and_tinted(std::move(grass_light), place::tint_grid(scene_));
+  if (!is_large || choices_.empty()) return;
+  landscape.light = cropped(landscape.light, meadow::square_of_cells(scene_, choices_));
+  if (site_.sketch) return;
+  for (const GroundGrid& grid :
+       meadow::light_detail_grids(scene_, choices_, glm::dvec2(landscape.camera.eye_m)))
+    landscape.light_details.push_back(
+        veiled_and_tinted(light_on_cells(ground, grid, in_sight), grid));
 }
 
 struct LitGround::LevelLook {
@@ -390,24 +419,12 @@ void LitGround::show(const SnowyGround& ground, ColourMap& light, const SkyRadia
         detail(ground, details[i], pictures[i + 1], lakes.get(), landscape.ground));
 
   if (sees_around) show_land_around(*around, lakes.get(), landscape);
-  if (place::is_large(scene_)) {
-    grass_light = {};  // goes before the next one is made
-    grass_light = light_in_window(ground, view_.over(site_.terrain));
-  }
-  if (meadow_) {
-    const ColourMap veil = veil_of_grass(grass_light, site_.terrain, view_, *meadow_, haze_);
-    grass_light = product(std::move(grass_light), veil);
-  }
-  landscape.light =
-      product(std::move(grass_light),
-              meadow::weathering_tint(scene_, *site_.withering, now_.frame, choices_, now_.snow,
-                                      grass_colour(patch_, model_, now_.snow, choices_)));
+  show_light_on_grass(ground, std::move(grass_light), landscape);
   landscape.extinction_factor = ground.extinction_factor(
       meadow::grass_extinction_factor(scene_, site_.terrain, place::growth_of_cells(site_), view_));
   if (!place::is_large(scene_) || choices_.empty()) return;
-  const Square shown = meadow::square_of_cells(scene_, choices_);
-  landscape.light = cropped(landscape.light, shown);
-  landscape.extinction_factor = cropped(landscape.extinction_factor, shown);
+  landscape.extinction_factor =
+      cropped(landscape.extinction_factor, meadow::square_of_cells(scene_, choices_));
 }
 
 bool sees_land_around(const place::Site& site, const landscape::Camera& camera,

@@ -98,11 +98,18 @@ class LitGround {
                         double step_m) const;
   void show_land_around(const LandAround& around, const LakeSurface* lakes,
                         landscape::Landscape& landscape) const;
-  /// On the grass of a large terrain's window of cells.
   std::vector<place::View> views_of_pictures(const SnowyGround& ground,
                                              const std::vector<GroundGrid>& details,
                                              const landscape::Landscape& landscape) const;
-  ColourMap light_in_window(const SnowyGround& ground, const place::View& in_sight) const;
+  /// On the grass of a part of a large terrain, on which cells stand.
+  ColourMap light_on_cells(const SnowyGround& ground, const GroundGrid& grid,
+                           const place::View& in_sight) const;
+  /// The same behind the haze, for cells that show one key frame each.
+  ColourMap veiled_and_tinted(ColourMap grass_light, const GroundGrid& tint_grid) const;
+  /// `grass_light`: what shines on all of the ground's grass; on a large terrain it is made anew,
+  /// where cells are.
+  void show_light_on_grass(const SnowyGround& ground, ColourMap grass_light,
+                           landscape::Landscape& landscape) const;
 
   const scene::Scene& scene_;
   const place::Site& site_;

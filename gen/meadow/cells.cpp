@@ -357,6 +357,10 @@ Square square_of_cells(const scene::Scene& scene, std::span<const CellChoice> ce
     low = glm::min(low, choice.cell);
     high = glm::max(high, choice.cell);
   }
+  return square_of_cells(scene, low, high);
+}
+
+Square square_of_cells(const scene::Scene& scene, const glm::ivec2& low, const glm::ivec2& high) {
   const glm::ivec2 count = high - low + 1;
   const double reach_m = cell_reach_m(scene) + CellLattice::max_shift * scene.grass.patch_m;
   return {glm::dvec2(low) * scene.grass.patch_m - reach_m,

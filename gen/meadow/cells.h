@@ -67,6 +67,8 @@ double cell_reach_m(const scene::Scene& scene);
 /// A square on the ground, in metres, beyond which the grass of cells does not reach; of one cell
 /// at least.
 Square square_of_cells(const scene::Scene& scene, std::span<const CellChoice> cells);
+/// The same of all cells from the south-western `low` to the north-eastern `high`.
+Square square_of_cells(const scene::Scene& scene, const glm::ivec2& low, const glm::ivec2& high);
 
 /// Every cell with grass that can be seen, row by row: in the CellWindow, inside the picture, not
 /// behind a hill, not so far that far_fraction() paints it. `growth` is growth_map()'s; where it is

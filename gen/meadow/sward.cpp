@@ -14,7 +14,7 @@ namespace wold::meadow {
 namespace {
 
 constexpr double largest_m = 6.0;
-constexpr std::size_t octave_count = 5;
+constexpr std::size_t octave_count = 6;
 
 /// Standard deviation of the logarithm of how rough places are.
 constexpr double rough_spread = 0.4;

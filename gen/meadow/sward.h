@@ -12,7 +12,7 @@
 
 namespace wold::meadow {
 
-/// The uneven top of a wide meadow: tussocks and hollows from 6 m down to 40 cm. Each size has the
+/// The uneven top of a wide meadow: tussocks and hollows from 6 m down to 20 cm. Each size has the
 /// same variance. So most of it is finer than 2 m, as on grazed swards [Hutchings1991]. Some
 /// places are rough and others smooth, as herds graze patches. Heights are about the grass's, with
 /// grass.unevenness as their standard deviation over it on the mean of all places.

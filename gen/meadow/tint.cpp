@@ -6,7 +6,7 @@
 
 #include "core/parallel.h"
 #include "meadow/cell_lattice.h"
-#include "place/ground_grids.h"
+#include "place/cell_window.h"
 #include "scene/key_frames.h"
 
 namespace wold::meadow {
@@ -34,12 +34,11 @@ std::vector<const CellChoice*> shown_cells(std::span<const CellChoice> choices,
 
 ColourMap weathering_tint(const scene::Scene& scene, const place::Withering& withering, int frame,
                           std::span<const CellChoice> choices, double snow,
-                          const GrassColour& colour) {
+                          const GrassColour& colour, const GroundGrid& grid) {
   const place::CellWindow window(scene);
   const CellLattice lattice(scene);
   const std::vector<const CellChoice*> cells = shown_cells(choices, window);
   const std::vector<double> degrees = scene::key_frames(scene);
-  const GroundGrid grid = place::tint_grid(scene);
   ColourMap tint(grid.samples, grid.square, glm::vec3(1.0F));
   parallel_for(static_cast<std::size_t>(tint.samples()), [&](std::size_t row) {
     const int j = static_cast<int>(row);

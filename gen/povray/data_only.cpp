@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 3> directives = {"declare", "local", "ver
 
 /// What stands in files of data: nothing that reads, writes, includes or makes a string, and none
 /// of the scene program's own names of files and folders.
-constexpr std::array<std::string_view, 60> words = {
+constexpr std::array<std::string_view, 61> words = {
     "Wold_backdrop_corner_m",
     "Wold_backdrop_right_m",
     "Wold_backdrop_up_m",
@@ -54,6 +54,7 @@ constexpr std::array<std::string_view, 60> words = {
     "Wold_ground_samples",
     "Wold_ground_step_m",
     "Wold_light_corner_m",
+    "Wold_light_detail",
     "Wold_light_max",
     "Wold_light_samples",
     "Wold_light_step_m",

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <ostream>
@@ -12,6 +13,7 @@
 #include "core/files.h"
 #include "core/parallel.h"
 #include "expectation/expectation.h"
+#include "landscape/light_on_grass.h"
 #include "povray/blade_files.h"
 #include "povray/flake_files.h"
 #include "povray/ground_files.h"
@@ -61,17 +63,32 @@ std::string map_text(const char* name, const Map& map, const Scale& scale) {
       name, map.samples(), number(map.step_m()), vector(glm::dvec3(map.corner_m(), 0.0)), scale);
 }
 
+/// Where the maps after the first are.
+std::string light_details_text(const std::vector<ColourMap>& maps) {
+  if (maps.size() < 2) return {};
+  std::string text = fmt::format("#declare Wold_light_detail = array[{}][4] {{\n", maps.size() - 1);
+  for (std::size_t i = 1; i < maps.size(); ++i)
+    text += fmt::format("  {{ {}, {}, {}, {} }},\n", number(maps[i].corner_m().x),
+                        number(maps[i].corner_m().y), maps[i].samples(), number(maps[i].step_m()));
+  return text + "}  // finer light, coarse to fine: west and south edge, samples, step: metres\n";
+}
+
 /// Writes the maps that multiply the grass and says so: extinction and light of the volumes, and,
 /// where there are any, the light on blades, which stand or do not.
 std::string write_grass_maps(const landscape::Landscape& scene, const fs::path& folder) {
-  const auto light_text = [&](const char* name, const ColourMap& light) {
-    return map_text(name, light, vector(write_light(light, folder, name)));
+  std::vector<ColourMap> standing, light;
+  for (int number = 0; number < landscape::count_light_maps(scene); ++number) {
+    standing.push_back(continued(landscape::standing_light(scene, number)));
+    light.push_back(continued(landscape::light_map(scene, number)));
+  }
+  const auto light_text = [&](const char* name, const std::vector<ColourMap>& maps) {
+    return map_text(name, maps.front(), vector(write_light(maps, folder, name)));
   };
   const FactorMap extinction_factor = continued(scene.extinction_factor);
   std::string text = map_text("standing", extinction_factor,
                               number(write_factor(extinction_factor, folder / "standing.df3"))) +
-                     light_text("light", continued(product(scene.light, scene.extinction_factor)));
-  if (!scene.blade_meshes.empty()) text += light_text("blade_light", continued(scene.light));
+                     light_text("light", standing) + light_details_text(standing);
+  if (!scene.blade_meshes.empty()) text += light_text("blade_light", light);
   return text;
 }
 
@@ -177,21 +194,28 @@ void write_cells(std::ostream& out, const landscape::Landscape& scene,
                  const std::map<int, int>& used) {
   out << fmt::format("{},\n", scene.cells.size());
   for (const landscape::Cell& cell : scene.cells)
-    out << fmt::format("{}, {}, {}, {},\n", used.at(cell.volume), place_text(cell.world_from_cell),
-                       vector(glm::dvec3(cell.part.low, 0.0)),
+    out << fmt::format("{}, {}, {}, {}, {},\n", used.at(cell.volume),
+                       landscape::light_map_of(scene, cell.world_from_cell),
+                       place_text(cell.world_from_cell), vector(glm::dvec3(cell.part.low, 0.0)),
                        vector(glm::dvec3(cell.part.high, 0.0)));
   out << fmt::format("{},\n", scene.blade_cells.size());
   for (const landscape::BladeCell& cell : scene.blade_cells)
-    out << fmt::format("{}, {},\n", cell.mesh, place_text(cell.world_from_cell));
+    out << fmt::format("{}, {}, {},\n", cell.mesh,
+                       landscape::light_map_of(scene, cell.world_from_cell),
+                       place_text(cell.world_from_cell));
 }
 
 /// The frame's own files.
 std::vector<fs::path> frame_files(const landscape::Landscape& scene, const fs::path& frame) {
-  std::vector<std::string> names = {"frame.inc",   "cells.txt",    "volumes.inc",  "clouds.inc",
-                                    "sky.exr",     "ground.exr",   "light_r.df3",  "light_g.df3",
-                                    "light_b.df3", "standing.df3", "expected.json"};
-  if (!scene.blade_meshes.empty())
-    names.insert(names.end(), {"blade_light_r.df3", "blade_light_g.df3", "blade_light_b.df3"});
+  std::vector<std::string> names = {"frame.inc", "cells.txt",  "volumes.inc",  "clouds.inc",
+                                    "sky.exr",   "ground.exr", "standing.df3", "expected.json"};
+  for (int number = 0; number < landscape::count_light_maps(scene); ++number) {
+    std::ranges::copy(light_files("light", static_cast<std::size_t>(number)),
+                      std::back_inserter(names));
+    if (!scene.blade_meshes.empty())
+      std::ranges::copy(light_files("blade_light", static_cast<std::size_t>(number)),
+                        std::back_inserter(names));
+  }
   if (scene.backdrop) names.emplace_back("backdrop.exr");
   if (!scene.flakes.flakes.empty()) names.emplace_back("flakes.inc");
   for (std::size_t i = 1; i <= scene.ground_details.size(); ++i)

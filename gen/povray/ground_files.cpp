@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <limits>
 #include <ostream>
@@ -58,6 +57,31 @@ std::string write_mesh(std::string text, std::string_view stem, const fs::path& 
   return name;
 }
 
+constexpr float smallest_scale = std::numeric_limits<float>::min();
+
+void write_slice(const FactorMap& factor, float largest, const fs::path& path) {
+  write_file(path, [&](std::ostream& out) {
+    write_df3(out, {factor.samples(), factor.samples(), 1}, factor.values(), largest, 16);
+  });
+}
+
+FactorMap channel_of(const ColourMap& map, int c) {
+  FactorMap channel(map.samples(), map.square());
+  std::ranges::transform(map.values(), channel.values().begin(),
+                         [c](const glm::vec3& value) { return value[c]; });
+  return channel;
+}
+
+/// The maps from that number on.
+void remove_light(const fs::path& folder, const std::string& stem, std::size_t number) {
+  bool removed = true;
+  for (; removed; ++number) {
+    removed = false;
+    for (const std::string& name : light_files(stem, number))
+      removed = fs::remove(folder / name) || removed;
+  }
+}
+
 }  // namespace
 
 std::string write_terrain(const Heightfield& terrain, const fs::path& folder) {
@@ -81,25 +105,30 @@ std::string write_boulders(const landscape::RaisedGround& boulders, const fs::pa
 }
 
 float write_factor(const FactorMap& factor, const fs::path& path) {
-  const float largest = std::max(*std::max_element(factor.values().begin(), factor.values().end()),
-                                 std::numeric_limits<float>::min());
-  write_file(path, [&](std::ostream& out) {
-    write_df3(out, {factor.samples(), factor.samples(), 1}, factor.values(), largest, 16);
-  });
+  const float largest =
+      std::max(*std::max_element(factor.values().begin(), factor.values().end()), smallest_scale);
+  write_slice(factor, largest, path);
   return largest;
 }
 
-glm::vec3 write_light(const ColourMap& light, const fs::path& folder, const std::string& stem) {
-  constexpr std::array<char, 3> suffixes = {'r', 'g', 'b'};
-  glm::vec3 scale;
-  FactorMap channel(light.samples(), light.square());
-  for (int c = 0; c < 3; ++c) {
-    std::transform(light.values().begin(), light.values().end(), channel.values().begin(),
-                   [c](const glm::vec3& value) { return value[c]; });
-    scale[c] = write_factor(
-        channel, folder / fmt::format("{}_{}.df3", stem, suffixes[static_cast<std::size_t>(c)]));
+std::vector<std::string> light_files(const std::string& stem, std::size_t number) {
+  const std::string of_map = number == 0 ? stem : fmt::format("{}_{}", stem, number);
+  return {of_map + "_r.df3", of_map + "_g.df3", of_map + "_b.df3"};
+}
+
+glm::vec3 write_light(std::span<const ColourMap> maps, const fs::path& folder,
+                      const std::string& stem) {
+  glm::vec3 largest(smallest_scale);
+  for (const ColourMap& map : maps)
+    for (const glm::vec3& light : map.values()) largest = glm::max(largest, light);
+  for (std::size_t number = 0; number < maps.size(); ++number) {
+    const std::vector<std::string> names = light_files(stem, number);
+    for (int c = 0; c < 3; ++c)
+      write_slice(channel_of(maps[number], c), largest[c],
+                  folder / names[static_cast<std::size_t>(c)]);
   }
-  return scale;
+  remove_light(folder, stem, maps.size());
+  return largest;
 }
 
 void write_map_picture(const ColourMap& map, const fs::path& path) {

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "core/ground_map.h"
 #include "landscape/landscape.h"
@@ -42,10 +44,15 @@ GroundMap<T, Meaning> continued(const GroundMap<T, Meaning>& map) {
 /// Returns the value of the largest integer. Throws FileError.
 float write_factor(const FactorMap& factor, const std::filesystem::path& path);
 
-/// Writes the light on the grass as <stem>_r.df3, <stem>_g.df3, <stem>_b.df3, each like
-/// write_factor(). Returns the value of the largest integer for each channel. Throws FileError.
-glm::vec3 write_light(const ColourMap& light, const std::filesystem::path& folder,
+/// Writes maps of the light on the grass, coarse to fine, each like write_factor(): the first as
+/// <stem>_r.df3, <stem>_g.df3 and <stem>_b.df3, the others as <stem>_1_r.df3 and so on. Removes
+/// those of an earlier run. Returns the value of the largest integer for each channel, which all
+/// maps share. Throws FileError.
+glm::vec3 write_light(std::span<const ColourMap> maps, const std::filesystem::path& folder,
                       const std::string& stem);
+
+/// The names of the files that write_light() writes of the map of that number, from 0.
+std::vector<std::string> light_files(const std::string& stem, std::size_t number);
 
 /// Writes the finer pictures of the ground as ground_detail_1.exr and so on, like
 /// write_map_picture(), and removes those of an earlier run. Returns what frame.inc says of them:

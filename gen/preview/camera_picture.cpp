@@ -7,6 +7,7 @@
 #include "core/colour.h"
 #include "core/elementary.h"
 #include "core/parallel.h"
+#include "landscape/light_on_grass.h"
 #include "preview/flakes.h"
 #include "preview/ground_and_sky.h"
 #include "preview/tubes.h"
@@ -19,7 +20,7 @@ constexpr int finer = 2;  // pixels of a canvas along one of the picture
 void paint_grass(const landscape::Landscape& landscape, const landscape::Perspective& perspective,
                  Canvas& canvas) {
   const LightAt light = [&](const glm::dvec3& at_m) {
-    return landscape.light.sample(at_m.x, at_m.y);
+    return landscape::light_on_grass(landscape, glm::dvec2(at_m));
   };
   for (const landscape::BladeCell& cell : landscape.blade_cells)
     paint_tubes(*landscape.blade_meshes[static_cast<std::size_t>(cell.mesh)].tubes,

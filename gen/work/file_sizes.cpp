@@ -7,6 +7,7 @@
 
 #include "core/elementary.h"
 #include "meadow/cells.h"
+#include "meadow/light_grids.h"
 #include "place/cell_window.h"
 #include "place/ground_grids.h"
 #include "scene/key_frames.h"
@@ -54,14 +55,23 @@ bool has_own_terrain(const scene::Scene& scene, const film::FrameDemand& shown) 
   return shown.has_snow && scene.snow_cover.cover == scene::CoverModel::depth;
 }
 
+/// Of the finer maps of the light near the eye, which looks over about half of what they reach.
+double light_detail_samples(const scene::Scene& scene, double cells_across_m) {
+  double samples = 0.0;
+  for (const double step_m : meadow::light_detail_steps_m(scene))
+    samples += squared(std::min(cells_across_m / step_m, meadow::light_detail_reach_steps));
+  return samples;
+}
+
 /// Of the largest of the maps that multiply the grass, which the others are brought to. On a large
-/// terrain they are where cells are.
+/// terrain they are where cells are, and there are finer ones.
 double light_samples(const scene::Scene& scene, const film::FrameDemand& shown) {
   const GroundGrid tint = place::tint_grid(scene);
   if (!place::is_large(scene)) return squared(tint.samples);
   const int samples = std::max(tint.samples, place::window_grid(scene).samples);
   const bool has_cells = shown.across_m > 0.0;
-  return squared(samples * (has_cells ? std::min(1.0, shown.across_m / tint.square.size_m) : 1.0));
+  return squared(samples * (has_cells ? std::min(1.0, shown.across_m / tint.square.size_m) : 1.0)) +
+         light_detail_samples(scene, shown.across_m);
 }
 
 double volume_bytes(const scene::Scene& scene, const exporter::FileCosts& costs,

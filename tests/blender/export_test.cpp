@@ -326,6 +326,27 @@ TEST_F(BlenderExport, MissingVolumeIsAFileError) {
   EXPECT_FALSE(fs::exists(folder / "out/data/frame_0001/frame.json"));
 }
 
+TEST_F(BlenderExport, VolumesAndBladesSayWhichLightIsOnThem) {
+  landscape.light_details = {ColourMap(5, {glm::dvec2(-3.0), 12.0}, glm::vec3(2.0F))};
+  export_frame(landscape, folder / "out");
+  const nlohmann::json frame = frame_json();
+  EXPECT_EQ(frame.at("format"), 9);  // which older add-ons refuse
+  ASSERT_EQ(frame.at("light_details").size(), 1U);
+  const nlohmann::json& detail = frame.at("light_details")[0];
+  for (const char* name : {"light", "standing_light"}) {
+    EXPECT_EQ(detail.at(name).at("samples"), 5) << name;
+    EXPECT_EQ(detail.at(name).at("corner_m"), nlohmann::json({-3, -3})) << name;
+    EXPECT_TRUE(fs::exists(folder / "out/data/frame_0001" / detail.at(name).at("file"))) << name;
+  }
+  for (const char* list : {"volumes", "blades"})
+    for (const nlohmann::json& entry : frame.at(list)) EXPECT_EQ(entry.at("light_map"), 1) << list;
+  landscape.light_details.clear();
+  export_frame(landscape, folder / "out");
+  EXPECT_FALSE(fs::exists(folder / "out/data/frame_0001/standing_light_1.exr"));
+  EXPECT_FALSE(fs::exists(folder / "out/data/frame_0001/light_1.exr"));
+  EXPECT_EQ(frame_json().at("format"), 7);
+}
+
 TEST_F(BlenderExport, BouldersAreArraysWhereThereAreSome) {
   export_frame(landscape, folder / "out");
   EXPECT_FALSE(frame_json().contains("boulders"));

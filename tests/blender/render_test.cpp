@@ -385,6 +385,40 @@ TEST_F(BlenderRender, FlakesAndFogShowWhatTheirFormulaeSay) {
   }
 }
 
+// A map on the square from 0.5 to 2.5 m covers the cells from 1 to 2 m and half a metre around
+// them.
+TEST_F(BlenderRender, GrassIsLitByTheFinestMapThatCoversIt) {
+  make_volume(22, [&](openvdb::FloatGrid& density, openvdb::Vec3SGrid& emission) {
+    const openvdb::CoordBBox box(openvdb::Coord(1), openvdb::Coord(30, 30, 22));
+    density.fill(box, 20.0F);
+    emission.fill(box, openvdb::Vec3s(0.2F));
+  });
+  for (landscape::Cell& cell : landscape.cells) {
+    const glm::dvec4 corner_m = cell.world_from_cell[3];
+    cell.world_from_cell = glm::dmat4(1.0);
+    cell.world_from_cell[3] = {corner_m.x, corner_m.y, 0.0, 1.0};
+  }
+  landscape.terrain.values().assign(landscape.terrain.values().size(), 0.0F);
+  landscape.extinction_factor.values().assign(landscape.extinction_factor.values().size(), 1.0F);
+  landscape.light_details = {ColourMap(41, {glm::dvec2(0.5), 2.0}, glm::vec3(0.5F, 1.0F, 1.5F))};
+  landscape.camera = {{1.5, 1.499, 60.0}, {1.5, 1.5, 0.0}, 2.5};
+  ASSERT_EQ(run(), 0) << read_file(folder / "log");
+  const Image picture = read_image(folder / "picture.png");
+  const Eye eye(landscape);
+  const auto shown = [&](const glm::dvec2& at_m, int channel) {
+    const glm::dvec2 at = eye.pixel_of_direction(glm::dvec3(at_m, 0.3) - landscape.camera.eye_m);
+    return double{
+        linear_of(picture.pixel(static_cast<int>(at.x), static_cast<int>(at.y))[channel])};
+  };
+  for (const double off_m : {-0.4, 0.0, 0.4})
+    for (int channel = 0; channel < 3; ++channel) {
+      const double beside = shown({0.75, 1.5 + off_m}, channel);
+      EXPECT_GT(beside, 0.05);
+      EXPECT_NEAR(shown({1.5, 1.5 + off_m}, channel) / beside, 0.5 * (channel + 1), 0.05)
+          << off_m << ", channel " << channel;
+    }
+}
+
 // Each at its place and sharp: a sample's colour, not a mean of two.
 TEST_F(BlenderRender, FinerPicturesOfTheGroundAreSeenWhereTheyAre) {
   test::make_detailed_ground(landscape);

@@ -11,6 +11,7 @@
 #include "film/exporters.h"
 #include "meadow/tint.h"
 #include "phenology/film_season.h"
+#include "place/ground_grids.h"
 #include "scene/key_frames.h"
 #include "scene/species.h"
 #include "sky/exposure.h"
@@ -278,8 +279,8 @@ TEST(WeatheringTint, RestoresTheWantedColour) {
   const meadow::GrassColour colour = [](double degree, double) {
     return glm::vec3(0.2, 0.3, 0.1) * static_cast<float>(1.0 + degree);
   };
-  const ColourMap tint =
-      meadow::weathering_tint(scene, withering, 2, choices, /*snow=*/0.0, colour);
+  const ColourMap tint = meadow::weathering_tint(scene, withering, 2, choices, /*snow=*/0.0, colour,
+                                                 place::tint_grid(scene));
   for (const meadow::CellChoice& choice : choices) {
     const glm::dvec2 centre_m = (glm::dvec2(choice.cell) + 0.5) * scene.grass.patch_m;
     const double shown = scene::key_frames(scene)[static_cast<std::size_t>(choice.key_frame)];

@@ -14,6 +14,7 @@
 #include "support/no_grass.h"
 #include "support/sanitized.h"
 #include "support/sees_ground.h"
+#include "support/synthetic_landscape.h"
 #include "support/temporary_folder.h"
 
 /// Terrains with more cells than can be laid: a window of cells, finer pictures of the ground about
@@ -78,6 +79,7 @@ TEST(CellWindow, LiesOnTheTerrain) {
 TEST(CellWindow, HoldsAllGrassThatStandsAboutTheCamera) {
   scene::Scene scene = plain(50e3);
   scene.growth.cover = 1.0;
+  scene.grass.patch_m = 1.2;
   scene.grass.far_field_below_pixels = 1.2;
   scene.camera.eye_m = {20e3, 10.0};  // at the southern border
   scene.camera.eye_end = {20030.0, 10.0, 1.6};
@@ -260,6 +262,57 @@ TEST(GroundDetails, ShowPatchesOfSnow) {
     const auto [min, max] = std::ranges::minmax(detail.map.values(), {},
                                                 [](const glm::vec3& value) { return value.g; });
     EXPECT_GT(max.g, 3.0F * min.g) << detail.map.size_m();
+  }
+}
+
+/// Light on the grass of 2 km, whose whole map has steps of decimetres.
+landscape::Landscape lit_grass(double unevenness, const std::filesystem::path& folder) {
+  scene::Scene scene = plain(2000.0);
+  scene.growth.cover = 1.0;
+  scene.grass.patch_m = 1.2;
+  scene.grass.far_field_below_pixels = 1.2;
+  scene.grass.unevenness = unevenness;
+  scene.ageing.pigment_spread = 0.0;
+  scene.render.size_px = {640, 360};
+  const place::Site site = test::site_of(scene, folder);
+  const std::vector<meadow::CellChoice> cells =
+      meadow::choose_cells(scene, site.terrain, place::growth_of_cells(site), *site.mixtures,
+                           *site.withering, test::grass_of(scene, 1));
+  const landscape::Landscape any = test::synthetic_landscape({.volumes = 1}, folder / "texels");
+  PatchLookup lookup = test::no_grass();
+  lookup.far = [&](int, const grass::PatchState&) { return meadow::PatchAppearance(any.volumes); };
+  return assemble(scene, site, test::grass_of(scene, 1), cells, lookup, needs_of({}));
+}
+
+/// Of finer light over that of the whole map, where the camera sees it: in the mean, and how far
+/// single values are from 1.
+glm::dvec2 mean_and_spread(const landscape::Landscape& landscape, const ColourMap& detail) {
+  const place::View view(landscape.camera, landscape.width_px, landscape.height_px);
+  double fines = 0.0, coarses = 0.0, squares = 0.0, count = 0.0;
+  for (int j = 0; j < detail.samples(); ++j)
+    for (int i = 0; i < detail.samples(); ++i) {
+      const glm::dvec2 at_m = detail.place_m(i, j);
+      const float fine = detail.at(i, j).g, coarse = landscape.light.sample(at_m.x, at_m.y).g;
+      if (!view.may_see(place::above_ground(landscape.terrain, at_m, 0.0), -1.0)) continue;
+      fines += fine;
+      coarses += coarse;
+      squares += double{(fine / coarse - 1.0F) * (fine / coarse - 1.0F)};
+      ++count;
+    }
+  return {fines / coarses, std::sqrt(squares / count)};
+}
+
+// On an even sward there is nothing that a coarse map cannot show.
+TEST(LightDetails, ShowTheTussocksThatTheWholeMapIsTooCoarseFor) {
+  const test::TemporaryFolder folder("light_details");
+  const landscape::Landscape uneven = lit_grass(0.35, folder.path());
+  const landscape::Landscape even = lit_grass(0.0, folder.path());
+  ASSERT_FALSE(uneven.light_details.empty());
+  for (std::size_t k = 0; k < uneven.light_details.size(); ++k) {
+    const glm::dvec2 of_uneven = mean_and_spread(uneven, uneven.light_details[k]);
+    EXPECT_NEAR(of_uneven[0], 1.0, 0.01) << k;
+    EXPECT_GT(of_uneven[1], 0.02) << k;
+    EXPECT_LT(mean_and_spread(even, even.light_details[k])[1], 0.1 * of_uneven[1]) << k;
   }
 }
 

@@ -196,9 +196,31 @@ TEST_F(Export, CellsStandWhereTheLandscapeHasThem) {
   export_frame(scene, folder / "povray");
   EXPECT_EQ(read_file(folder / "povray/data/frame_0001/cells.txt"),
             "1,\n"
-            "0, <0, 1, 0.25>, <-1, 0, 0.5>, <0, 0, 2>, <3, 4, 5>, <0, 0, 0>, <1, 1, 0>,\n"
+            "0, 0, <0, 1, 0.25>, <-1, 0, 0.5>, <0, 0, 2>, <3, 4, 5>, <0, 0, 0>, <1, 1, 0>,\n"
             "1,\n"
-            "0, <0, 1, 0.25>, <-1, 0, 0.5>, <0, 0, 2>, <3, 4, 5>,\n");
+            "0, 0, <0, 1, 0.25>, <-1, 0, 0.5>, <0, 0, 2>, <3, 4, 5>,\n");
+}
+
+// The brightest of all maps is the largest number of all files.
+TEST_F(Export, FinerLightIsSaidAndWrittenAndGoesWithTheNextRun) {
+  const fs::path frame = folder / "povray/data/frame_0001";
+  const auto is_written = [&](const std::string& name) { return fs::exists(frame / name); };
+  const glm::vec3 brightest(0.5F, 9.0F, 2.0F);
+  scene.light_details = {ColourMap(5, {glm::dvec2(-3.0, -4.0), 12.0}, brightest)};
+  const std::vector<fs::path> files = export_frame(scene, folder / "povray", 16);
+  const std::string text = read_file(frame / "frame.inc");
+  EXPECT_THAT(text, testing::HasSubstr("Wold_light_detail = array[1][4] {\n  { -6, -7, 7, 3 },\n"));
+  EXPECT_THAT(text, testing::ContainsRegex("Wold_light_max = <[0-9.]+, 9, "));
+  for (const char* name : {"light_1_r.df3", "light_1_b.df3", "blade_light_1_g.df3"}) {
+    EXPECT_TRUE(is_written(name)) << name;
+    EXPECT_THAT(files, testing::Contains(frame / name));
+  }
+  scene.light_details.clear();
+  export_frame(scene, folder / "povray", 16);
+  EXPECT_FALSE(is_written("light_1_r.df3"));
+  EXPECT_FALSE(is_written("blade_light_1_g.df3"));
+  EXPECT_TRUE(is_written("light_r.df3"));
+  EXPECT_THAT(read_file(frame / "frame.inc"), testing::Not(testing::HasSubstr("light_detail")));
 }
 
 // Cells stand on squares of ground that are cut from south-west to north-east (terrain/relief.h).

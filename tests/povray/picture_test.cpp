@@ -242,6 +242,34 @@ TEST_F(Picture, LightAndGrowthFollowTheWorldNotTheCell) {
     }
 }
 
+// A map on the square from 0.5 to 2.5 m covers the cells from 1 to 2 m and half a metre around
+// them.
+TEST_F(Picture, GrassIsLitByTheFinestMapThatCoversIt) {
+  test::ConstantMeadow fog;
+  fog.extinction = 12.0F;
+  landscape::Landscape scene = test::constant_meadow(fog, folder / "texels");
+  scene.light_details = {ColourMap(41, {glm::dvec2(0.5), 2.0}, glm::vec3(0.5F, 1.0F, 1.5F))};
+  scene.camera = {{1.5, 1.499, 60.0}, {1.5, 1.5, 0.0}, 2.0};
+  const Image picture = render(scene);
+  const double metres_per_pixel =
+      2.0 * (60.0 - 0.3) * std::tan(1.0 * std::numbers::pi / 180.0) / scene.width_px;
+  const double through = std::exp(-12.0 * 8.0 / 28.0);
+  for (int y = 2; y < picture.height; y += 4)
+    for (int x = 2; x < picture.width; x += 4) {
+      const glm::dvec2 at_m(1.5 + (x + 0.5 - scene.width_px / 2.0) * metres_per_pixel,
+                            1.5 - (y + 0.5 - scene.height_px / 2.0) * metres_per_pixel);
+      const glm::dvec2 off_m = glm::abs(at_m - 1.5);
+      const double farthest_m = std::max(off_m.x, off_m.y);
+      if (std::abs(farthest_m - 0.5) < 0.03) continue;
+      for (int c = 0; c < 3; ++c) {
+        const double light = farthest_m < 0.5 ? 0.5 * (c + 1) : 1.0;
+        EXPECT_NEAR(radiance(picture, scene, x, y, c),
+                    fog.radiance * light * (1.0 - through) + fog.ground * through, 0.001)
+            << at_m.x << ", " << at_m.y;
+      }
+    }
+}
+
 // A cloud stands in the air, and behind it the backdrop, the right way up.
 TEST_F(Picture, CloudsAreBeforeTheBackdrop) {
   landscape::Landscape scene = test::constant_meadow({}, folder / "texels");

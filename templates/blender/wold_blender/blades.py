@@ -6,15 +6,15 @@ from typing import Any
 
 import bpy
 
-from .frame_data import Frame
+from .frame_data import Frame, light_map_of
 from .meshes import face_mesh, give_attribute
 from .nodes import LIT, attribute, glow, map_outputs, new_material
 
 
-def blades_material(frame: Frame) -> Any:
-    """Vertices carry their radiance in `radiance`, the map `light` tints."""
+def blades_material(frame: Frame, light_map: int) -> Any:
+    """Vertices carry their radiance in `radiance`, the map `light` of that number tints."""
     material, nodes = new_material("blades")
-    light = map_outputs(nodes, frame, frame["light"])["Color"]
+    light = map_outputs(nodes, frame, frame.light_map("light", light_map))["Color"]
     glow(nodes, nodes.vector_math("MULTIPLY", attribute(nodes, "radiance", "Vector"), light))
     material[LIT] = True
     return material
@@ -33,10 +33,11 @@ def load_blades(frame: Frame) -> Any:
     """The frame's meshes of blades as a collection that is not itself in the scene. Blender orders
     its members by name: an instance's index counts on it."""
     collection = bpy.data.collections.new("blades")
-    material = blades_material(frame) if frame["blades"] else None
+    light_maps = {light_map_of(entry) for entry in frame["blades"]}
+    materials = {light_map: blades_material(frame, light_map) for light_map in sorted(light_maps)}
     for number, entry in enumerate(frame["blades"]):
         name = f"blades {number:05d}"
         mesh = blade_mesh(frame, entry, name)
-        mesh.materials.append(material)
+        mesh.materials.append(materials[light_map_of(entry)])
         collection.objects.link(bpy.data.objects.new(name, mesh))
     return collection

@@ -13,7 +13,7 @@ import sys
 from typing import Any, NamedTuple
 
 # Of the folder; gen/blender/frame_data.cpp writes the newest one where a frame needs it.
-OLDEST_FORMAT, NEWEST_FORMAT = 7, 8
+OLDEST_FORMAT, NEWEST_FORMAT = 7, 9
 
 
 class DataError(Exception):
@@ -62,6 +62,16 @@ class Frame:
         except KeyError:
             raise DataError(f'{self.json_path} has no "{key}"; run `wold generate` again') from None
 
+    def light_map(self, name: str, number: int) -> dict[str, Any]:
+        """The map `name`, "light" or "standing_light": 0 the one of all grass, from 1 on finer
+        ones near the eye. Throws DataError."""
+        if number == 0:
+            return self[name]
+        try:
+            return self["light_details"][number - 1][name]
+        except (IndexError, KeyError, TypeError):
+            raise DataError(f"{self.json_path} is damaged: it has no {name} {number}") from None
+
     def path(self, name: str) -> str:
         """The absolute path of a file that frame.json names. Throws DataError for one that is
         outside the folder `data`."""
@@ -79,6 +89,11 @@ class Frame:
         if sys.byteorder == "big":
             values.byteswap()
         return values
+
+
+def light_map_of(entry: dict[str, Any]) -> int:
+    """The number of the map of the light on a frame's volume or blades; older frames have one."""
+    return entry.get("light_map", 0)
 
 
 class Moment(NamedTuple):

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import bpy
 
 from .differences import volume_shift_voxels
-from .frame_data import Frame, check_size
+from .frame_data import Frame, check_size, light_map_of
 from .nodes import (
     GAIN,
     LIT,
@@ -59,6 +59,7 @@ class Kind(NamedTuple):
     quarter: int | None  # that is shown; None: the whole patch
     voxel_m: float
     colours: Colours
+    light_map: int  # number of the map of the light on it
 
     @classmethod
     def of(cls, entry: dict[str, Any]) -> Kind:
@@ -67,6 +68,7 @@ class Kind(NamedTuple):
             entry["quarter"],
             entry["voxel_m"],
             Colours(**entry["colours"]),
+            light_map_of(entry),
         )
 
     def hull_grids(self) -> list[str]:
@@ -135,11 +137,11 @@ def show_colours(nodes: Any, frame: Frame, kind: Kind) -> None:
         nodes[name].inputs[1].default_value = (0, to_picture.next_slice, 0)
 
 
-def grass_medium(nodes: Nodes, frame: Frame, density: Any) -> Any:
+def grass_medium(nodes: Nodes, frame: Frame, density: Any, light_map: int) -> Any:
     """Grid `density` absorbs, grid `emission` adds in the colours of its picture, both in
-    `density_unit_per_m`; the map `standing_light` multiplies them, its alpha the first and its
-    colour the second."""
-    ground = map_outputs(nodes, frame, frame["standing_light"])
+    `density_unit_per_m`; the map `standing_light` of that number multiplies them, its alpha the
+    first and its colour the second."""
+    ground = map_outputs(nodes, frame, frame.light_map("standing_light", light_map))
     ground["Color"].node.name = STANDING
     extinction = nodes.math("MULTIPLY", density, frame["density_unit_per_m"])
     standing = nodes.math("MULTIPLY", extinction, ground["Alpha"])
@@ -179,12 +181,13 @@ def hull_node(number: int) -> str:
     return f"hull {number}"
 
 
-def material_form(frame: Frame, is_whole: bool) -> Any:
-    """The nodes of all materials that show the whole patch, or a quarter of it, without pictures:
-    Blender counts a picture's users too high when a material that shows it is copied."""
+def material_form(frame: Frame, is_whole: bool, light_map: int) -> Any:
+    """The nodes of all materials that show the whole patch, or a quarter of it, in the light of a
+    map, without pictures: Blender counts a picture's users too high when a material that shows it
+    is copied."""
     material, nodes = new_material("grass")
     density = grid_number(nodes, "density")
-    shader = grass_medium(nodes, frame, density)
+    shader = grass_medium(nodes, frame, density, light_map)
     for number in QUARTERS if is_whole else range(1):
         shader = asking_for(nodes, number, density, shader)
     # Where there is no grass, which is most of the air, neither light nor colour is looked up.
@@ -203,7 +206,8 @@ def show_kind(material: Any, frame: Frame, kind: Kind) -> None:
     material.cycles.volume_step_rate = kind.step_voxels
     nodes = material.node_tree.nodes
     show_colours(nodes, frame, kind)
-    nodes[STANDING].image = load_picture(frame.path(frame["standing_light"]["file"]))
+    light = frame.light_map("standing_light", kind.light_map)
+    nodes[STANDING].image = load_picture(frame.path(light["file"]))
     nodes[GAIN].inputs["Strength"].default_value = frame["density_unit_per_m"] * kind.colours.scale
     for number, grid in enumerate(kind.hull_grids()):
         nodes[hull_node(number)].attribute_name = grid
@@ -215,12 +219,12 @@ class GrassMaterials:
 
     def __init__(self, frame: Frame) -> None:
         self._frame = frame
-        self._forms: dict[bool, Any] = {}
+        self._forms: dict[tuple[bool, int], Any] = {}
         self._materials: dict[Kind, Any] = {}
 
     def of(self, kind: Kind) -> Any:
         if kind not in self._materials:
-            self._materials[kind] = self._new(kind.quarter is None)
+            self._materials[kind] = self._new(kind.quarter is None, kind.light_map)
             show_kind(self._materials[kind], self._frame, kind)
         return self._materials[kind]
 
@@ -230,7 +234,8 @@ class GrassMaterials:
             bpy.data.materials.remove(form)
         self._forms.clear()
 
-    def _new(self, is_whole: bool) -> Any:
-        if is_whole not in self._forms:
-            self._forms[is_whole] = material_form(self._frame, is_whole)
-        return self._forms[is_whole].copy()
+    def _new(self, is_whole: bool, light_map: int) -> Any:
+        form = (is_whole, light_map)
+        if form not in self._forms:
+            self._forms[form] = material_form(self._frame, is_whole, light_map)
+        return self._forms[form].copy()
