@@ -265,22 +265,22 @@ TEST(GroundDetails, ShowPatchesOfSnow) {
   }
 }
 
-/// Light on the grass of 2 km, whose whole map has steps of decimetres.
+/// Light on the grass of 400 m, whose whole map has steps of decimetres.
 landscape::Landscape lit_grass(double unevenness, const std::filesystem::path& folder) {
-  scene::Scene scene = plain(2000.0);
+  scene::Scene scene = plain(400.0);
   scene.growth.cover = 1.0;
   scene.grass.patch_m = 1.2;
   scene.grass.far_field_below_pixels = 1.2;
   scene.grass.unevenness = unevenness;
   scene.ageing.pigment_spread = 0.0;
-  scene.render.size_px = {640, 360};
+  scene.render.size_px = {320, 180};
   const place::Site site = test::site_of(scene, folder);
   const std::vector<meadow::CellChoice> cells =
       meadow::choose_cells(scene, site.terrain, place::growth_of_cells(site), *site.mixtures,
                            *site.withering, test::grass_of(scene, 1));
   const landscape::Landscape any = test::synthetic_landscape({.volumes = 1}, folder / "texels");
   PatchLookup lookup = test::no_grass();
-  lookup.far = [&](int, const grass::PatchState&) { return meadow::PatchAppearance(any.volumes); };
+  lookup.far = [look = meadow::PatchAppearance(any.volumes)](auto&&...) { return look; };
   return assemble(scene, site, test::grass_of(scene, 1), cells, lookup, needs_of({}));
 }
 
