@@ -98,7 +98,7 @@ std::vector<fs::path> export_frame(const Landscape& landscape, const fs::path& f
   if (!landscape.blade_meshes.empty()) make_folder(blades_folder);
   parallel_for(landscape.blade_meshes.size(),
                [&](std::size_t i) { write_blades(landscape.blade_meshes[i], blades_folder); });
-  const EachOnce<ShownVolume> shown = shown_volumes(landscape);
+  const ShownInstances<ShownVolume> shown = shown_volumes(landscape);
   const std::vector<VolumeEntry> entries = write_volumes(landscape, shown.all(), volume_folder);
   write_expected_picture(frame_folder / "expected.json", expectation::expected_picture(landscape));
   std::vector<fs::path> files =

@@ -129,7 +129,8 @@ Json write_ground_details(const Landscape& landscape, const fs::path& folder) {
 Json write_standing_light(const Landscape& landscape, const fs::path& folder, int number,
                           const char* name) {
   const FactorMap standing = landscape::standing_fraction(landscape, number);
-  return write_light_map(landscape::standing_light(landscape, number), folder, name, &standing);
+  const ColourMap light = product(landscape::light_map(landscape, number), standing);
+  return write_light_map(light, folder, name, &standing);
 }
 
 /// The finer maps of the light on blades and on volumes, coarse to fine.
@@ -137,8 +138,10 @@ Json write_light_details(const Landscape& landscape, const fs::path& folder) {
   const auto light = [](int number) { return fmt::format("light_{}.exr", number); };
   const auto standing = [](int number) { return fmt::format("standing_light_{}.exr", number); };
   const int count = landscape::count_light_maps(landscape);
-  for (int stale = count; fs::remove(folder / standing(stale)); ++stale)
+  for (int stale = count; fs::exists(folder / standing(stale)); ++stale) {
     fs::remove(folder / light(stale));
+    fs::remove(folder / standing(stale));
+  }
   Json list = Json::array();
   for (int number = 1; number < count; ++number)
     list.push_back({{"light", write_light_map(landscape::light_map(landscape, number), folder,
@@ -336,7 +339,7 @@ Json blades_json(const Landscape& landscape, const std::vector<ShownBlades>& sho
                  const fs::path& blades, const fs::path& folder) {
   Json list = Json::array();
   for (const ShownBlades& each : shown) {
-    const landscape::BladeMesh& mesh = landscape.blade_meshes[static_cast<std::size_t>(each.mesh)];
+    const landscape::BladeMesh& mesh = landscape.blade_meshes[each.mesh];
     list.push_back({{"file", (blades / mesh.name).lexically_relative(folder).generic_string()},
                     {"vertices", mesh.tubes->vertices_m.size()},
                     {"quads", quad_corners(*mesh.tubes).size() / 4},
@@ -363,7 +366,7 @@ std::vector<fs::path> write_frame_data(const Landscape& landscape, const fs::pat
                                        const fs::path& shared_folder) {
   write_image(folder / "sky.exr", landscape.sky, PixelFormat::half);
   const bool has_boulders = !landscape.boulders.triangles.empty();
-  const EachOnce<ShownBlades> blades = shown_blades(landscape);
+  const ShownInstances<ShownBlades> blades = shown_blades(landscape);
   Json frame = {
       {"format", format_of(landscape)},
       {"frame", landscape.frame},

@@ -18,20 +18,20 @@ ShownVolume shown(const landscape::Landscape& landscape, const landscape::Cell& 
 
 }  // namespace
 
-EachOnce<ShownVolume> shown_volumes(const landscape::Landscape& landscape) {
+ShownInstances<ShownVolume> shown_volumes(const landscape::Landscape& landscape) {
   std::vector<ShownVolume> of_cells;
   of_cells.reserve(landscape.cells.size());
   for (const landscape::Cell& cell : landscape.cells) of_cells.push_back(shown(landscape, cell));
-  return EachOnce(of_cells);
+  return ShownInstances(of_cells);
 }
 
-EachOnce<ShownBlades> shown_blades(const landscape::Landscape& landscape) {
+ShownInstances<ShownBlades> shown_blades(const landscape::Landscape& landscape) {
   std::vector<ShownBlades> of_cells;
   of_cells.reserve(landscape.blade_cells.size());
   for (const landscape::BladeCell& cell : landscape.blade_cells)
     of_cells.push_back({static_cast<std::size_t>(cell.mesh),
                         landscape::light_map_of(landscape, cell.world_from_cell)});
-  return EachOnce(of_cells);
+  return ShownInstances(of_cells);
 }
 
 }  // namespace wold::blender

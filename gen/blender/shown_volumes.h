@@ -29,9 +29,9 @@ struct ShownBlades {
 
 /// All that cells of a frame show, each once, numbered in ascending order.
 template <class Shown>
-class EachOnce {
+class ShownInstances {
  public:
-  explicit EachOnce(const std::vector<Shown>& of_cells) : all_(of_cells) {
+  explicit ShownInstances(const std::vector<Shown>& of_cells) : all_(of_cells) {
     std::ranges::sort(all_);
     all_.erase(std::unique(all_.begin(), all_.end()), all_.end());
     picks_.reserve(of_cells.size());
@@ -49,7 +49,8 @@ class EachOnce {
   std::vector<int> picks_;
 };
 
-EachOnce<ShownVolume> shown_volumes(const landscape::Landscape& landscape);
-EachOnce<ShownBlades> shown_blades(const landscape::Landscape& landscape);
+/// Of Landscape::cells, and of Landscape::blade_cells.
+ShownInstances<ShownVolume> shown_volumes(const landscape::Landscape& landscape);
+ShownInstances<ShownBlades> shown_blades(const landscape::Landscape& landscape);
 
 }  // namespace wold::blender

@@ -36,7 +36,7 @@ Box box_of(const Landscape& landscape, const landscape::Cell& cell, const ShownV
 }
 
 std::vector<Box> boxes_of(const Landscape& landscape) {
-  const EachOnce<ShownVolume> shown = shown_volumes(landscape);
+  const ShownInstances<ShownVolume> shown = shown_volumes(landscape);
   std::vector<Box> boxes;
   for (std::size_t i = 0; i < landscape.cells.size(); ++i)
     boxes.push_back(box_of(landscape, landscape.cells[i],

@@ -120,7 +120,8 @@ LitGround::LitGround(const scene::Scene& scene, const place::Site& site,
       illuminate_(std::move(illuminate)),
       now_(now),
       view_(landscape.camera, landscape.width_px, landscape.height_px),
-      haze_(site.day, landscape.camera.eye_m),
+      eye_m_(landscape.camera.eye_m),
+      haze_(site.day, eye_m_),
       model_(scene),
       patch_(scene, model_, patch_of_grass(scene)),
       lean_light_(
@@ -149,7 +150,8 @@ ColourMap LitGround::shaded_by_shrubs(ColourMap light, const terrain::GroundLigh
 }
 
 ColourMap LitGround::on_grass(ColourMap light, const terrain::GroundLight& clear,
-                              const GroundGrid& grid, const place::View& view) const {
+                              const GroundGrid& grid, const place::View& view,
+                              const meadow::Sward::StepAt& shown_step_m) const {
   // Maps are large: each goes before the next one is made.
   const GroundGrid own{light.square(), light.samples()};
   ColourMap on_grass =
@@ -160,9 +162,9 @@ ColourMap LitGround::on_grass(ColourMap light, const terrain::GroundLight& clear
                   : meadow::lean_light_map(lean_light_, now_.wind_lean, site_.terrain, view));
   if (place::is_large(scene_) && scene_.grass.unevenness > 0.0) {
     const meadow::Sward sward(scene_, GroundGrid{clear.sun.square(), clear.sun.samples()}.step_m());
-    on_grass = product(
-        std::move(on_grass),
-        meadow::sward_light_map(sward, clear, site_.day.sun_direction(), site_.terrain, view));
+    on_grass = product(std::move(on_grass),
+                       meadow::sward_light_map(sward, clear, site_.day.sun_direction(),
+                                               site_.terrain, view, shown_step_m));
   }
   if (!pigment_spread_) return on_grass;
   return product(std::move(on_grass),
@@ -221,18 +223,20 @@ ColourMap LitGround::light_on_cells(const SnowyGround& ground, const GroundGrid&
   const RowParts lit =
       place::rows_in_view(grid, site_.terrain, in_sight, 2.0 * meadow::cell_reach_m(scene_));
   const terrain::GroundLight clear = place::light_on(site_, grid, lit, ground.layer());
-  return on_grass(shaded_by_shrubs(illuminate_(clear), clear, ground, grid), clear, grid, in_sight);
+  const meadow::ShownSteps shown(scene_, eye_m_);
+  return on_grass(shaded_by_shrubs(illuminate_(clear), clear, ground, grid), clear, grid, in_sight,
+                  [&](const glm::dvec3& place_m) { return shown.at(place_m); });
 }
 
-ColourMap LitGround::veiled_and_tinted(ColourMap grass_light, const GroundGrid& tint_grid) const {
+ColourMap LitGround::veiled_and_tinted(ColourMap grass_light, const meadow::GrassColour& colour,
+                                       const GroundGrid& tint_grid) const {
   if (meadow_) {
     const ColourMap veil = veil_of_grass(grass_light, site_.terrain, view_, *meadow_, haze_);
     grass_light = product(std::move(grass_light), veil);
   }
-  return product(
-      std::move(grass_light),
-      meadow::weathering_tint(scene_, *site_.withering, now_.frame, choices_, now_.snow,
-                              grass_colour(patch_, model_, now_.snow, choices_), tint_grid));
+  return product(std::move(grass_light),
+                 meadow::weathering_tint(scene_, *site_.withering, now_.frame, choices_, now_.snow,
+                                         colour, tint_grid));
 }
 
 void LitGround::show_light_on_grass(const SnowyGround& ground, ColourMap grass_light,
@@ -243,14 +247,14 @@ void LitGround::show_light_on_grass(const SnowyGround& ground, ColourMap grass_l
     grass_light = {};  // goes before the next one is made
     grass_light = light_on_cells(ground, place::window_grid(scene_), in_sight);
   }
-  landscape.light = veiled_and_tinted(std::move(grass_light), place::tint_grid(scene_));
+  const meadow::GrassColour colour = grass_colour(patch_, model_, now_.snow, choices_);
+  landscape.light = veiled_and_tinted(std::move(grass_light), colour, place::tint_grid(scene_));
   if (!is_large || choices_.empty()) return;
   landscape.light = cropped(landscape.light, meadow::square_of_cells(scene_, choices_));
   if (site_.sketch) return;
-  for (const GroundGrid& grid :
-       meadow::light_detail_grids(scene_, choices_, glm::dvec2(landscape.camera.eye_m)))
+  for (const GroundGrid& grid : meadow::light_detail_grids(scene_, choices_, site_.terrain, eye_m_))
     landscape.light_details.push_back(
-        veiled_and_tinted(light_on_cells(ground, grid, in_sight), grid));
+        veiled_and_tinted(light_on_cells(ground, grid, in_sight), colour, grid));
 }
 
 struct LitGround::LevelLook {

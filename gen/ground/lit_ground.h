@@ -21,6 +21,8 @@
 #include "meadow/lean_light.h"
 #include "meadow/pigment_spread.h"
 #include "meadow/shrub_shade.h"
+#include "meadow/sward.h"
+#include "meadow/tint.h"
 #include "place/site.h"
 #include "place/view.h"
 #include "scene/scene.h"
@@ -68,8 +70,9 @@ class LitGround {
   ColourMap shaded_by_shrubs(ColourMap light, const terrain::GroundLight& clear,
                              const SnowyGround& ground, const GroundGrid& grid) const;
   /// `light`: the frame's; `clear`: under a clear sky, on the same square.
+  /// `shown_step_m`: see sward_light_map().
   ColourMap on_grass(ColourMap light, const terrain::GroundLight& clear, const GroundGrid& grid,
-                     const place::View& view) const;
+                     const place::View& view, const meadow::Sward::StepAt& shown_step_m = {}) const;
   /// Adds to the ground's radiance what is more sunlit of it between blades where it is seen than
   /// elsewhere. `bare`: reflectance of what is no snow; `clear`: the light under a clear sky.
   void add_hot_spot(const ColourMap& bare, const terrain::GroundLight& clear,
@@ -104,8 +107,10 @@ class LitGround {
   /// On the grass of a part of a large terrain, on which cells stand.
   ColourMap light_on_cells(const SnowyGround& ground, const GroundGrid& grid,
                            const place::View& in_sight) const;
-  /// The same behind the haze, for cells that show one key frame each.
-  ColourMap veiled_and_tinted(ColourMap grass_light, const GroundGrid& tint_grid) const;
+  /// A map of light on cells as haze shows it, for cells that show one key frame each. `colour` is
+  /// what grass looks like, `tint_grid` has the steps by which the light follows the cells.
+  ColourMap veiled_and_tinted(ColourMap grass_light, const meadow::GrassColour& colour,
+                              const GroundGrid& tint_grid) const;
   /// `grass_light`: what shines on all of the ground's grass; on a large terrain it is made anew,
   /// where cells are.
   void show_light_on_grass(const SnowyGround& ground, ColourMap grass_light,
@@ -117,6 +122,7 @@ class LitGround {
   Illuminate illuminate_;
   meadow::FrameGrass now_;
   place::View view_;
+  glm::dvec3 eye_m_;
   Haze haze_;
   grass::MeadowModel model_;
   grass::WitheringPatch patch_;

@@ -202,12 +202,12 @@ struct Landscape {
   std::vector<Volume> volumes;
   std::vector<Cell> cells;
   std::vector<BladeMesh> blade_meshes;
-  std::vector<BladeCell> blade_cells;    ///< where no volume stands
-  ColourMap light;                       ///< multiplies the radiance of all grass, by world x and y
-  std::vector<ColourMap> light_details;  ///< the same near the eye, coarse to fine: see
-                                         ///< light_on_grass.h
-  FactorMap extinction_factor;           ///< multiplies volumes' extinction, by world x and y
-  ColourMap ground;                      ///< radiance of the bare ground, by world x and y
+  std::vector<BladeCell> blade_cells;        ///< where no volume stands
+  ColourMap light;                           ///< multiplies the radiance of grass, by world x and y
+  std::vector<ColourMap> light_details;      ///< the same near the eye, coarse to fine: see
+                                             ///< light_on_grass.h
+  FactorMap extinction_factor;               ///< multiplies volumes' extinction, by world x and y
+  ColourMap ground;                          ///< radiance of the bare ground, by world x and y
   std::vector<GroundDetail> ground_details;  ///< coarse to fine, each inside the one before
   RaisedGround boulders;                     ///< that the camera may see
   Image sky;                     ///< radiance by direction, 3 channels: column c looks to azimuth

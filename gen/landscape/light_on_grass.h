@@ -7,11 +7,12 @@
 
 namespace wold::landscape {
 
-/// A frame's maps of the light on its grass are numbered: 0 is Landscape::light, the others are its
-/// Landscape::light_details from 1 on, each finer than the one before it and on a smaller square.
+/// How many maps of the light on its grass a frame has.
 int count_light_maps(const Landscape& landscape);
 
-/// Throws std::out_of_range for a number that there is none of.
+/// The map of that number: 0 is Landscape::light, the others are its Landscape::light_details from
+/// 1 on, each finer than the one before it and on a smaller square. Throws std::out_of_range for a
+/// number that there is none of.
 const ColourMap& light_map(const Landscape& landscape, int number);
 
 /// The number of the finest map that covers a patch with that middle and half a patch around it.

@@ -74,21 +74,26 @@ std::string light_details_text(const std::vector<ColourMap>& maps) {
 }
 
 /// Writes the maps that multiply the grass and says so: extinction and light of the volumes, and,
-/// where there are any, the light on blades, which stand or do not.
+/// where there are any, the light on blades, which stand or do not, on the same squares.
 std::string write_grass_maps(const landscape::Landscape& scene, const fs::path& folder) {
-  std::vector<ColourMap> standing, light;
-  for (int number = 0; number < landscape::count_light_maps(scene); ++number) {
-    standing.push_back(continued(landscape::standing_light(scene, number)));
-    light.push_back(continued(landscape::light_map(scene, number)));
-  }
+  const auto each = [&](const auto& map) {
+    std::vector<ColourMap> maps;
+    for (int number = 0; number < landscape::count_light_maps(scene); ++number)
+      maps.push_back(continued(map(scene, number)));
+    return maps;
+  };
   const auto light_text = [&](const char* name, const std::vector<ColourMap>& maps) {
     return map_text(name, maps.front(), vector(write_light(maps, folder, name)));
   };
   const FactorMap extinction_factor = continued(scene.extinction_factor);
   std::string text = map_text("standing", extinction_factor,
-                              number(write_factor(extinction_factor, folder / "standing.df3"))) +
-                     light_text("light", standing) + light_details_text(standing);
-  if (!scene.blade_meshes.empty()) text += light_text("blade_light", light);
+                              number(write_factor(extinction_factor, folder / "standing.df3")));
+  const std::vector<ColourMap> standing = each(landscape::standing_light);
+  text += light_text("light", standing) + light_details_text(standing);
+  if (scene.blade_meshes.empty())
+    remove_light(folder, "blade_light", 0);
+  else
+    text += light_text("blade_light", each(landscape::light_map));
   return text;
 }
 

@@ -72,16 +72,6 @@ FactorMap channel_of(const ColourMap& map, int c) {
   return channel;
 }
 
-/// The maps from that number on.
-void remove_light(const fs::path& folder, const std::string& stem, std::size_t number) {
-  bool removed = true;
-  for (; removed; ++number) {
-    removed = false;
-    for (const std::string& name : light_files(stem, number))
-      removed = fs::remove(folder / name) || removed;
-  }
-}
-
 }  // namespace
 
 std::string write_terrain(const Heightfield& terrain, const fs::path& folder) {
@@ -114,6 +104,15 @@ float write_factor(const FactorMap& factor, const fs::path& path) {
 std::vector<std::string> light_files(const std::string& stem, std::size_t number) {
   const std::string of_map = number == 0 ? stem : fmt::format("{}_{}", stem, number);
   return {of_map + "_r.df3", of_map + "_g.df3", of_map + "_b.df3"};
+}
+
+void remove_light(const fs::path& folder, const std::string& stem, std::size_t number) {
+  bool removed = true;
+  for (; removed; ++number) {
+    removed = false;
+    for (const std::string& name : light_files(stem, number))
+      removed = fs::remove(folder / name) || removed;
+  }
 }
 
 glm::vec3 write_light(std::span<const ColourMap> maps, const fs::path& folder,

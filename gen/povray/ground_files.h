@@ -51,6 +51,9 @@ float write_factor(const FactorMap& factor, const std::filesystem::path& path);
 glm::vec3 write_light(std::span<const ColourMap> maps, const std::filesystem::path& folder,
                       const std::string& stem);
 
+/// Removes what write_light() has written of the maps of that number, from 0, and of later ones.
+void remove_light(const std::filesystem::path& folder, const std::string& stem, std::size_t number);
+
 /// The names of the files that write_light() writes of the map of that number, from 0.
 std::vector<std::string> light_files(const std::string& stem, std::size_t number);
 

@@ -92,7 +92,7 @@ Species lush_grass(const Scene& scene) {
   grass.plant.height_m = 0.42;
   grass.plant.width_m = 0.008;
   grass.plant.lean_deg = 20.0;
-  grass.physiology.chlorophyll_ug_cm2 = 30.0;
+  grass.physiology.chlorophyll_ug_cm2 = 33.0;
   grass.physiology.fresh_spread = 0.28;
   grass.physiology.litter = 0.6;
   return grass;

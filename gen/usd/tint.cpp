@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/elementary.h"
-#include "landscape/light_on_grass.h"
 
 namespace wold::usd {
 namespace {
@@ -22,7 +21,7 @@ glm::dvec3 mean_light(const landscape::Landscape& landscape, const landscape::Bl
           glm::mix(cell.part.low, cell.part.high, (glm::dvec2(i, j) + 0.5) / double{per_side});
       const glm::dvec3 at_m(cell.world_from_cell *
                             glm::dvec4(fraction * landscape.patch_m, 0.0, 1.0));
-      sum += glm::dvec3(landscape::light_on_grass(landscape, at_m));
+      sum += glm::dvec3(landscape.light.sample(at_m.x, at_m.y));
     }
   return sum / double{per_side * per_side};
 }

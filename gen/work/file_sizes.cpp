@@ -55,7 +55,8 @@ bool has_own_terrain(const scene::Scene& scene, const film::FrameDemand& shown) 
   return shown.has_snow && scene.snow_cover.cover == scene::CoverModel::depth;
 }
 
-/// Of the finer maps of the light near the eye, which looks over about half of what they reach.
+/// Of the finer maps of the light near the eye. A usual camera looks over a square of about half
+/// the width that they reach.
 double light_detail_samples(const scene::Scene& scene, double cells_across_m) {
   double samples = 0.0;
   for (const double step_m : meadow::light_detail_steps_m(scene))

@@ -14,6 +14,7 @@
 
 #include "blender/export.h"
 #include "core/files.h"
+#include "core/filled_map.h"
 #include "core/image.h"
 #include "core/vdb_file.h"
 #include "support/blender.h"
@@ -116,11 +117,11 @@ glm::dvec2 centroid(const Image& picture, int channel) {
   return sum / weight;
 }
 
-// Blades show their own radiance times the light of the place, whole and nowhere else.
+// Blades show their own radiance times the finest light of the place, whole and nowhere else.
 TEST_F(BlenderRender, BladesShowTheirRadianceTimesTheLight) {
   landscape.cells.clear();
   const glm::vec3 light(0.5F, 0.8F, 1.6F);
-  std::fill(landscape.light.values().begin(), landscape.light.values().end(), light);
+  landscape.light_details = {ColourMap(5, {glm::dvec2(-3.0), 9.0}, light)};
   std::fill(landscape.ground.values().begin(), landscape.ground.values().end(), glm::vec3(0.02F));
   std::fill(landscape.terrain.values().begin(), landscape.terrain.values().end(), 0.0F);
   const glm::vec3 own(0.16F, 0.05F, 0.1F);
@@ -385,8 +386,8 @@ TEST_F(BlenderRender, FlakesAndFogShowWhatTheirFormulaeSay) {
   }
 }
 
-// A map on the square from 0.5 to 2.5 m covers the cells from 1 to 2 m and half a metre around
-// them.
+// A map that covers the cells from 1 to 2 m and half a metre around them. On it light grows
+// eastward in red and northward in blue.
 TEST_F(BlenderRender, GrassIsLitByTheFinestMapThatCoversIt) {
   make_volume(22, [&](openvdb::FloatGrid& density, openvdb::Vec3SGrid& emission) {
     const openvdb::CoordBBox box(openvdb::Coord(1), openvdb::Coord(30, 30, 22));
@@ -400,7 +401,10 @@ TEST_F(BlenderRender, GrassIsLitByTheFinestMapThatCoversIt) {
   }
   landscape.terrain.values().assign(landscape.terrain.values().size(), 0.0F);
   landscape.extinction_factor.values().assign(landscape.extinction_factor.values().size(), 1.0F);
-  landscape.light_details = {ColourMap(41, {glm::dvec2(0.5), 2.0}, glm::vec3(0.5F, 1.0F, 1.5F))};
+  const auto finer = [](const glm::dvec2& at_m) {
+    return glm::vec3(0.2 + at_m.x / 3.0, 1.5, 0.4 + at_m.y / 3.0);
+  };
+  landscape.light_details = {filled<ColourMap>({{{0.4, 0.6}, 2.0}, 41}, finer)};
   landscape.camera = {{1.5, 1.499, 60.0}, {1.5, 1.5, 0.0}, 2.5};
   ASSERT_EQ(run(), 0) << read_file(folder / "log");
   const Image picture = read_image(folder / "picture.png");
@@ -414,7 +418,8 @@ TEST_F(BlenderRender, GrassIsLitByTheFinestMapThatCoversIt) {
     for (int channel = 0; channel < 3; ++channel) {
       const double beside = shown({0.75, 1.5 + off_m}, channel);
       EXPECT_GT(beside, 0.05);
-      EXPECT_NEAR(shown({1.5, 1.5 + off_m}, channel) / beside, 0.5 * (channel + 1), 0.05)
+      const glm::dvec2 at_m(1.5 + off_m, 1.5 + 0.5 * off_m);
+      EXPECT_NEAR(shown(at_m, channel) / beside, finer(at_m)[channel], 0.03)
           << off_m << ", channel " << channel;
     }
 }

@@ -79,7 +79,6 @@ TEST(CellWindow, LiesOnTheTerrain) {
 TEST(CellWindow, HoldsAllGrassThatStandsAboutTheCamera) {
   scene::Scene scene = plain(50e3);
   scene.growth.cover = 1.0;
-  scene.grass.patch_m = 1.2;
   scene.grass.far_field_below_pixels = 1.2;
   scene.camera.eye_m = {20e3, 10.0};  // at the southern border
   scene.camera.eye_end = {20030.0, 10.0, 1.6};

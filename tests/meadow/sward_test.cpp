@@ -46,6 +46,14 @@ TEST(Sward, VariesMostWithinTwoMetres) {
   EXPECT_EQ(mean_square(Sward(wide(), 12.0)), 0.0);
 }
 
+TEST(Sward, IsShownInAPlaceAsAMapOfThatStepShowsIt) {
+  const Sward fine(wide(), 0.01), coarse(wide(), 0.7);
+  for (const glm::dvec2& at_m : places()) {
+    ASSERT_EQ(fine.at(at_m, 0.7).height, coarse.at(at_m).height);
+    ASSERT_EQ(fine.at(at_m, 0.7).ascent, coarse.at(at_m, 0.3).ascent);
+  }
+}
+
 TEST(Sward, IsRougherInSomePlacesThanInOthers) {
   const Sward sward(wide(), 0.01);
   std::vector<double> roughness;
@@ -87,9 +95,9 @@ TEST(Sward, FlanksFaceTheSunOrTurnFromIt) {
   const glm::dvec3 west = glm::normalize(glm::dvec3(-1.0, 0.0, 1.0));
   int seen = 0;
   for (const glm::dvec2& at_m : places()) {
-    const double of_sky = sward.light(at_m, up, east, /*by_sun=*/0.0);
-    const double in_east = sward.light(at_m, up, east, 0.8);
-    const double in_west = sward.light(at_m, up, west, 0.8);
+    const double of_sky = Sward::light(sward.at(at_m), up, east, /*by_sun=*/0.0);
+    const double in_east = Sward::light(sward.at(at_m), up, east, 0.8);
+    const double in_west = Sward::light(sward.at(at_m), up, west, 0.8);
     if (std::max({of_sky, in_east, in_west}) >= 1.7 || std::min(in_east, in_west) <= 0.35) continue;
     ++seen;
     EXPECT_NEAR(in_east + in_west, 2.0 * of_sky, 1e-9);
@@ -105,7 +113,7 @@ TEST(Sward, TakesNoLightOnTheMean) {
   const glm::dvec3 up = glm::normalize(glm::dvec3(0.2, -0.3, 1.0));
   const glm::dvec3 to_sun = glm::normalize(glm::dvec3(-0.8, -0.4, 0.6));
   double sum = 0.0;
-  for (const glm::dvec2& at_m : places()) sum += sward.light(at_m, up, to_sun, 0.8);
+  for (const glm::dvec2& at_m : places()) sum += Sward::light(sward.at(at_m), up, to_sun, 0.8);
   EXPECT_NEAR(sum / static_cast<double>(places().size()), 1.0, 0.02);
 }
 
@@ -116,7 +124,9 @@ TEST(Sward, IsALevelTopWithoutUnevennessUnderAnySun) {
   const Sward sward(scene, 0.01);
   const glm::dvec3 up(0.0, 0.0, 1.0);
   for (const double height : {-0.05, 0.02, 0.08, 0.5})
-    EXPECT_EQ(sward.light({7.0, 9.0}, up, glm::normalize(glm::dvec3(0.9, 0.4, height)), 0.8), 1.0);
+    EXPECT_EQ(
+        Sward::light(sward.at({7.0, 9.0}), up, glm::normalize(glm::dvec3(0.9, 0.4, height)), 0.8),
+        1.0);
 }
 
 /// Cast shadow has no bright flanks.

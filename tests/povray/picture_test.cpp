@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
 #include "core/files.h"
+#include "core/filled_map.h"
 #include "core/image.h"
 #include "povray/export.h"
 #include "support/cloudy_view.h"
@@ -119,12 +121,12 @@ TEST_F(Picture, DenseFogOnASlopeHasNoHoles) {
           << x << ", " << y;
 }
 
-// Blades show their own radiance times the light of the place, whole and nowhere else.
+// Blades show their own radiance times the finest light of the place, whole and nowhere else.
 TEST_F(Picture, BladesShowTheirRadianceTimesTheLight) {
   landscape::Landscape scene = test::constant_meadow({}, folder / "texels");
   scene.cells.clear();
   const glm::vec3 light(0.5F, 0.8F, 1.6F);
-  std::fill(scene.light.values().begin(), scene.light.values().end(), light);
+  scene.light_details = {ColourMap(5, {glm::dvec2(-3.0), 9.0}, light)};
   const glm::vec3 own(0.16F, 0.05F, 0.1F);
   scene.blade_meshes = {test::pillar("pillar", 0.2, 0.4, own)};
   const glm::dvec3 foot(1.75, 1.25, 0.0);
@@ -242,13 +244,15 @@ TEST_F(Picture, LightAndGrowthFollowTheWorldNotTheCell) {
     }
 }
 
-// A map on the square from 0.5 to 2.5 m covers the cells from 1 to 2 m and half a metre around
-// them.
+// A map that covers the cells from 1 to 2 m and half a metre around them. On it light grows
+// eastward in red and northward in blue.
 TEST_F(Picture, GrassIsLitByTheFinestMapThatCoversIt) {
   test::ConstantMeadow fog;
   fog.extinction = 12.0F;
   landscape::Landscape scene = test::constant_meadow(fog, folder / "texels");
-  scene.light_details = {ColourMap(41, {glm::dvec2(0.5), 2.0}, glm::vec3(0.5F, 1.0F, 1.5F))};
+  scene.light_details = {filled<ColourMap>({{{0.4, 0.6}, 2.0}, 41}, [](const glm::dvec2& at_m) {
+    return glm::vec3(0.2 + at_m.x / 3.0, 1.5, 0.4 + at_m.y / 3.0);
+  })};
   scene.camera = {{1.5, 1.499, 60.0}, {1.5, 1.5, 0.0}, 2.0};
   const Image picture = render(scene);
   const double metres_per_pixel =
@@ -262,7 +266,8 @@ TEST_F(Picture, GrassIsLitByTheFinestMapThatCoversIt) {
       const double farthest_m = std::max(off_m.x, off_m.y);
       if (std::abs(farthest_m - 0.5) < 0.03) continue;
       for (int c = 0; c < 3; ++c) {
-        const double light = farthest_m < 0.5 ? 0.5 * (c + 1) : 1.0;
+        const std::array<double, 3> finer = {0.2 + at_m.x / 3.0, 1.5, 0.4 + at_m.y / 3.0};
+        const double light = farthest_m < 0.5 ? finer[static_cast<std::size_t>(c)] : 1.0;
         EXPECT_NEAR(radiance(picture, scene, x, y, c),
                     fog.radiance * light * (1.0 - through) + fog.ground * through, 0.001)
             << at_m.x << ", " << at_m.y;

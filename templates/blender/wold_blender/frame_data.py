@@ -63,12 +63,12 @@ class Frame:
             raise DataError(f'{self.json_path} has no "{key}"; run `wold generate` again') from None
 
     def light_map(self, name: str, number: int) -> dict[str, Any]:
-        """The map `name`, "light" or "standing_light": 0 the one of all grass, from 1 on finer
-        ones near the eye. Throws DataError."""
-        if number == 0:
-            return self[name]
+        """The map `name`, "light" or "standing_light", of that number: 0 is the coarsest, from 1
+        on they are finer and nearer to the eye. Throws DataError."""
+        if number <= 0:
+            return dict(self[name])
         try:
-            return self["light_details"][number - 1][name]
+            return dict(self["light_details"][number - 1][name])
         except (IndexError, KeyError, TypeError):
             raise DataError(f"{self.json_path} is damaged: it has no {name} {number}") from None
 
@@ -93,7 +93,7 @@ class Frame:
 
 def light_map_of(entry: dict[str, Any]) -> int:
     """The number of the map of the light on a frame's volume or blades; older frames have one."""
-    return entry.get("light_map", 0)
+    return int(entry.get("light_map", 0))
 
 
 class Moment(NamedTuple):

@@ -101,7 +101,8 @@ def in_cone(nodes: Nodes, direction: Any, axis: Vector, cone: tuple[float, float
 
 def of_things(nodes: Nodes, frame: Frame, lamps: list[Lamp], shadow: Any) -> Any:
     """An output socket: what multiplies the landscape's light at the shaded point. `shadow` is a
-    beam and its picture, or None."""
+    beam and its picture, or None. The light is the coarsest map's: tussocks that only finer ones
+    show keep their contrast in shadow."""
     place = nodes.add("ShaderNodeNewGeometry").outputs["Position"]
     ground = map_outputs(nodes, frame, frame["light"])["Color"]
     light = nodes.vector_math("MAXIMUM", ground, (DARKEST, DARKEST, DARKEST))
