@@ -52,6 +52,15 @@ class FrameJson(ExportedFolder):
     def test_a_missing_value_is_named(self):
         self.fails('frame.json has no "samples"', lambda: self.frame()["samples"])
 
+    def test_light_has_maps_by_number(self):
+        self.write_frame(1, {"light": {"samples": 3}, "light_details": [{"light": {"samples": 5}}]})
+        self.assertEqual(self.frame().light_map("light", 0), {"samples": 3})
+        self.assertEqual(self.frame().light_map("light", 1), {"samples": 5})
+        for name, number in (("light", 2), ("standing_light", 1)):
+            self.fails(f"has no {name} {number}", self.frame().light_map, name, number)
+        self.assertEqual(frame_data.light_map_of({"light_map": 2}), 2)
+        self.assertEqual(frame_data.light_map_of({}), 0)  # of an older frame
+
     def test_a_missing_frame_is_an_error_that_says_what_to_do(self):
         self.fails("frame_0002/frame.json", self.frame, 2)
         self.fails("run `wold generate` again", self.frame, 2)

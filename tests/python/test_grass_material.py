@@ -10,7 +10,7 @@ SIDE, SLICES, VOXEL_M = 5, 4, 0.01
 
 def place_in_picture(place_m, shift_voxels=0.0):
     """Column and row of pixels from the upper left, and slice."""
-    kind = Kind(2.0, None, VOXEL_M, Colours("c.png", 1, SIDE, SLICES, 1.5))
+    kind = Kind(2.0, None, VOXEL_M, Colours("c.png", 1, SIDE, SLICES, 1.5), 0)
     to_picture = PlaceInPicture.of(kind, shift_voxels)
     x, y, z = (m * s + o for m, s, o in zip(place_m, to_picture.scale, to_picture.offset))
     tile = SIDE + 2
