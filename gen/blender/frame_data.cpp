@@ -133,7 +133,7 @@ Json write_standing_light(const Landscape& landscape, const fs::path& folder, in
   return write_light_map(light, folder, name, &standing);
 }
 
-/// The finer maps of the light on blades and on volumes, coarse to fine.
+/// The finer maps of the light on volumes and, where there are any, on blades, coarse to fine.
 Json write_light_details(const Landscape& landscape, const fs::path& folder) {
   const auto light = [](int number) { return fmt::format("light_{}.exr", number); };
   const auto standing = [](int number) { return fmt::format("standing_light_{}.exr", number); };
@@ -143,11 +143,17 @@ Json write_light_details(const Landscape& landscape, const fs::path& folder) {
     fs::remove(folder / standing(stale));
   }
   Json list = Json::array();
-  for (int number = 1; number < count; ++number)
-    list.push_back({{"light", write_light_map(landscape::light_map(landscape, number), folder,
-                                              light(number).c_str())},
-                    {"standing_light",
-                     write_standing_light(landscape, folder, number, standing(number).c_str())}});
+  for (int number = 1; number < count; ++number) {
+    const std::string standing_name = standing(number), light_name = light(number);
+    Json& detail = list.emplace_back();
+    detail["standing_light"] =
+        write_standing_light(landscape, folder, number, standing_name.c_str());
+    if (landscape.blade_meshes.empty())
+      fs::remove(folder / light_name);
+    else
+      detail["light"] =
+          write_light_map(landscape::light_map(landscape, number), folder, light_name.c_str());
+  }
   return list;
 }
 

@@ -39,7 +39,8 @@ struct VolumeEntry {
 ///   flake_opacities.f32    1 per flake
 ///   light.exr, ground.exr  samples x samples on the corners of the terrain, north at the top
 ///   standing_light.exr     light.exr times how much stands, which is the fourth channel
-///   light_1.exr, standing_light_1.exr   finer ones near the eye, likewise on their corners
+///   light_1.exr, standing_light_1.exr   finer light on a square about the eye, whose first and
+///                          last samples lie on the square's corners; the first only with blades
 ///   ground_detail_1.exr    finer pictures of parts of the ground, likewise on their corners; the
 ///                          fourth channel says how much of them is seen
 ///   sky.exr                as landscape::Landscape::sky

@@ -340,6 +340,11 @@ TEST_F(BlenderExport, VolumesAndBladesSayWhichLightIsOnThem) {
   }
   for (const char* list : {"volumes", "blades"})
     for (const nlohmann::json& entry : frame.at(list)) EXPECT_EQ(entry.at("light_map"), 1) << list;
+  landscape.blade_meshes.clear();
+  landscape.blade_cells.clear();
+  export_frame(landscape, folder / "out");  // light that nothing would show is not written
+  EXPECT_FALSE(frame_json().at("light_details")[0].contains("light"));
+  EXPECT_FALSE(fs::exists(folder / "out/data/frame_0001/light_1.exr"));
   landscape.light_details.clear();
   export_frame(landscape, folder / "out");
   EXPECT_FALSE(fs::exists(folder / "out/data/frame_0001/standing_light_1.exr"));
